@@ -1,0 +1,28 @@
+# Finds what the project stands on. CMake packages first, pkg-config where a distribution has only that.
+find_package(PkgConfig QUIET)
+
+find_package(glm REQUIRED)
+find_package(tl-expected REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+if(TARGET glm::glm)
+  set(GLM_TARGET glm::glm)
+else()
+  set(GLM_TARGET glm)
+endif()
+
+if(BATTEN_TESTS)
+  find_package(GTest REQUIRED)
+endif()
+
+if(BATTEN_WINDOW)
+  find_package(CLI11 REQUIRED)
+  find_package(glfw3 3.3 REQUIRED)
+  find_package(OpenGL REQUIRED)
+  find_package(imgui CONFIG QUIET)
+  if(NOT TARGET imgui::imgui)
+    pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
+    add_library(imgui::imgui ALIAS PkgConfig::imgui)
+  endif()
+  include(glad)
+endif()

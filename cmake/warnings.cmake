@@ -1,0 +1,25 @@
+# batten_settings(TARGET): warnings as errors, and the sanitizers where asked for.
+function(batten_settings target)
+  target_compile_options(${target} PRIVATE
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
+    -Wnon-virtual-dtor -Woverloaded-virtual -Werror>
+    # GCC 12 sees overlapping copies and uninitialised members in optimised std::string code where there are none (GCC bug 105651).
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-restrict -Wno-maybe-uninitialized>)
+  if(BATTEN_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PRIVATE -fsanitize=address,undefined)
+  endif()
+endfunction()
+
+# batten_library(NAME FOLDER SOURCES...): the static library of one layer. Headers are included by their path from the root
+# ("core/curve.h"), but only this folder's are put within reach of those who link the library, so that an include across layers
+# does not compile.
+function(batten_library name folder)
+  add_library(${name} STATIC ${ARGN})
+  batten_settings(${name})
+  set(reach ${PROJECT_BINARY_DIR}/layers/${name})
+  get_filename_component(parent ${reach}/${folder} DIRECTORY)
+  file(MAKE_DIRECTORY ${parent})
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${reach}/${folder} SYMBOLIC)
+  target_include_directories(${name} PUBLIC ${reach})
+endfunction()
