@@ -1,0 +1,34 @@
+#include "core/degree.h"
+
+#include "core/knot_kinds.h"
+
+namespace batten::core {
+
+namespace {
+
+Result<Curve> changed_by_shape(const Curve& curve, int degree) {
+    if (degree > curve.degree()) return elevate_degree(curve, degree - curve.degree());
+    Result<Curve> reduced = curve;
+    while (reduced && reduced->degree() > degree) reduced = reduce_degree(*reduced);
+    return reduced;
+}
+
+}  // namespace
+
+Result<Curve> set_degree(const Curve& curve, int degree) {
+    if (degree < min_degree || degree > max_degree)
+        return tl::unexpected(
+            CurveError{.code = CurveErrorCode::degree_out_of_range, .value = static_cast<double>(degree)});
+    if (degree == curve.degree()) return curve;
+    const KnotKind kind = curve.knots().kind();
+    if (kind == KnotKind::custom) return changed_by_shape(curve, degree);
+    CurveDefinition definition = curve.definition();
+    const std::size_t count = definition.points.size();
+    auto knots = make_knots(kind, degree, count, curve.domain());
+    if (!knots && knots.error().code == CurveErrorCode::kind_not_possible)
+        knots = make_knots(KnotKind::clamped_uniform, degree, count, curve.domain());
+    if (!knots) return tl::unexpected(knots.error());
+    return Curve::make(std::move(*knots), std::move(definition.points), std::move(definition.weights));
+}
+
+}  // namespace batten::core
