@@ -1,0 +1,34 @@
+#include <glad/gl.h>
+
+#include "render/gl_painter.h"
+
+namespace batten::render {
+
+tl::expected<void, std::string> load_gl(GlFunctionLoader load) {
+    const int version = gladLoadGL(load);
+    if (version >= GLAD_MAKE_VERSION(3, 3)) return {};
+    if (version == 0) return tl::unexpected(std::string("No OpenGL was found here; version 3.3 is needed."));
+    return tl::unexpected("OpenGL " + std::to_string(GLAD_VERSION_MAJOR(version)) + "." +
+                          std::to_string(GLAD_VERSION_MINOR(version)) + " was found here; version 3.3 is needed.");
+}
+
+std::string pending_gl_error() {
+    switch (const GLenum error = glGetError()) {
+        case GL_NO_ERROR:
+            return {};
+        case GL_INVALID_ENUM:
+            return "GL_INVALID_ENUM";
+        case GL_INVALID_VALUE:
+            return "GL_INVALID_VALUE";
+        case GL_INVALID_OPERATION:
+            return "GL_INVALID_OPERATION";
+        case GL_INVALID_FRAMEBUFFER_OPERATION:
+            return "GL_INVALID_FRAMEBUFFER_OPERATION";
+        case GL_OUT_OF_MEMORY:
+            return "GL_OUT_OF_MEMORY";
+        default:
+            return "OpenGL error " + std::to_string(error);
+    }
+}
+
+}  // namespace batten::render
