@@ -1,0 +1,258 @@
+#include "app/editor/canvas_mode.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/editor/canvas_press.h"
+#include "app/editor/gesture.h"
+#include "app/editor/hit_test.h"
+#include "app/editor/hover_request.h"
+#include "app/editor/point_drag.h"
+#include "core/evaluate.h"
+#include "core/nearest.h"
+
+namespace batten::editor {
+namespace {
+
+constexpr double zoom_per_notch = 1.15;
+constexpr double snap_reach = 8.0;    ///< design pixels
+constexpr double finish_reach = 9.0;  ///< design pixels
+
+bool is_press(const Gesture& gesture) {
+    return gesture.event.action == PointerAction::press || gesture.event.action == PointerAction::double_click;
+}
+
+/// Whether the event ends a drag of the left button.
+bool is_release(const Gesture& gesture) {
+    return gesture.event.action == PointerAction::release && gesture.event.button == PointerButton::left;
+}
+
+bool is_move(const Gesture& gesture) {
+    return gesture.event.action == PointerAction::move;
+}
+bool is_escape(const Gesture& gesture) {
+    return gesture.event.action == PointerAction::escape;
+}
+
+void zoom(const Gesture& gesture) {
+    const glm::dvec2 anchor = gesture.event.position_px;
+    gesture.queue.run("zoom-camera", {std::pow(zoom_per_notch, gesture.event.wheel), anchor.x, anchor.y});
+}
+
+core::Point world_at_pointer(const Gesture& gesture) {
+    return render::world_from_screen(gesture.state.view.camera, gesture.event.position_px);
+}
+
+CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {
+    switch (gesture.event.action) {
+        case PointerAction::press:
+        case PointerAction::double_click:
+            return begin_canvas_gesture(gesture);
+        case PointerAction::move:
+            request_hover(hit_canvas(gesture.state, gesture.event.position_px), gesture.state, gesture.queue);
+            return mode;
+        case PointerAction::leave:
+            request_hover(HoveredNothing{}, gesture.state, gesture.queue);
+            return mode;
+        case PointerAction::wheel:
+            zoom(gesture);
+            return mode;
+        case PointerAction::release:
+        case PointerAction::escape:
+            return mode;
+    }
+    return mode;
+}
+
+/// A drag that edits: previews on moves, commits on release, is given up by Escape. `Mode` has press_px and has_moved;
+/// `ask(mode, gesture, phase)` makes the request, and `click(mode, gesture)` does what a press without movement does.
+template <class Mode, class Ask, class Click>
+CanvasMode step_edit(Mode mode, const Gesture& gesture, const Ask& ask, const Click& click) {
+    if (is_escape(gesture)) {
+        if (mode.has_moved) gesture.queue.cancel_preview();
+        return CanvasIdle{};
+    }
+    if (!is_move(gesture) && !is_release(gesture)) return mode;
+    mode.has_moved = mode.has_moved || is_drag(gesture.state, mode.press_px, gesture.event.position_px);
+    if (mode.has_moved)
+        ask(mode, gesture, is_release(gesture) ? Phase::commit : Phase::preview);
+    else if (is_release(gesture))
+        click(mode, gesture);
+    if (is_release(gesture)) return CanvasIdle{};
+    return mode;
+}
+
+void request(const Gesture& gesture, Phase phase, const char* name, std::vector<Argument> arguments) {
+    if (phase == Phase::commit)
+        gesture.queue.run(name, std::move(arguments));
+    else
+        gesture.queue.preview(name, std::move(arguments));
+}
+
+void ask_to_move_points(const DraggingPoints& mode, const Gesture& gesture, Phase phase) {
+    const core::Curve* curve = committed_curve(gesture.state);
+    if (curve == nullptr || mode.grabbed >= curve->control_points().size()) return;
+    const core::Point start = curve->control_points()[mode.grabbed];
+    const core::Point target = dragged_position(gesture, start, mode.press_px);
+    if (target == start) {
+        gesture.queue.cancel_preview();
+    } else if (mode.indices.size() == 1) {
+        request(gesture, phase, "set-point", {number(mode.grabbed), target.x, target.y});
+    } else {
+        const core::Vector offset = exact_offset(start, target);
+        request(gesture, phase, "move-points", {index_list(mode.indices), offset.x, offset.y});
+    }
+}
+
+void click_on_point(const DraggingPoints& mode, const Gesture& gesture) {
+    if (!mode.was_selected) return;
+    std::vector<std::size_t> points{mode.grabbed};
+    if (gesture.event.modifiers.shift) {
+        points = mode.indices;
+        points.erase(std::remove(points.begin(), points.end(), mode.grabbed), points.end());
+    }
+    if (points != gesture.state.selection.points) gesture.queue.run("select-points", {index_list(points)});
+}
+
+CanvasMode step(const DraggingPoints& mode, const Gesture& gesture) {
+    if (!can_edit_curve(gesture.state) && is_move(gesture)) return mode;
+    return step_edit(mode, gesture, ask_to_move_points, click_on_point);
+}
+
+void ask_to_set_weight(const DraggingWeight& mode, const Gesture& gesture, Phase phase) {
+    const double weight = dragged_weight(gesture, mode.start_weight, mode.press_px);
+    if (weight == mode.start_weight)
+        gesture.queue.cancel_preview();
+    else
+        request(gesture, phase, "set-weight", {number(mode.index), weight});
+}
+
+CanvasMode step(const DraggingWeight& mode, const Gesture& gesture) {
+    return step_edit(mode, gesture, ask_to_set_weight, [](const auto&, const Gesture&) {});
+}
+
+/// The snap distance in parameter units where the curve passes u; 0 where it stands still.
+double snap_distance_at(const Gesture& gesture, const core::Curve& curve, double u) {
+    const double speed = glm::length(core::derivatives_at(curve, u, 1)[1]);
+    const double px_per_parameter = speed * gesture.state.view.camera.scale;
+    return px_per_parameter > 0.0 ? pixels(gesture.state, snap_reach) / px_per_parameter : 0.0;
+}
+
+void ask_to_move_knot(const DraggingCurveKnot& mode, const Gesture& gesture, Phase phase) {
+    const core::Curve* curve = committed_curve(gesture.state);
+    if (curve == nullptr) return;
+    const double u = core::nearest_point(*curve, world_at_pointer(gesture)).u;
+    const double snap_distance = std::min(snap_distance_at(gesture, *curve, u), curve->domain().length());
+    request(gesture, phase, "move-knot",
+            {number(mode.index), u, argument_of(gesture.state.view.knot_move), snap_distance});
+    request_hover(HoveredKnot{moving_knot(gesture.state, mode.index)}, gesture.state, gesture.queue);
+}
+
+CanvasMode step(const DraggingCurveKnot& mode, const Gesture& gesture) {
+    return step_edit(mode, gesture, ask_to_move_knot, [](const auto&, const Gesture&) {});
+}
+
+std::vector<std::size_t> points_in_box(const BoxSelecting& mode, const Gesture& gesture) {
+    std::vector<std::size_t> points = mode.before;
+    const core::DocumentCurve* active = gesture.state.shown().active_curve();
+    const bool shows_points = gesture.state.view.overlays.is_shown(Overlay::polygon);
+    if (active == nullptr || !active->visible || !shows_points) return points;
+    core::Box box;
+    box.include(mode.press_px);
+    box.include(gesture.event.position_px);
+    const std::span<const core::Point> all = active->curve->control_points();
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (box.contains(render::screen_from_world(gesture.state.view.camera, all[i]))) points.push_back(i);
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+}
+
+void finish_box(const BoxSelecting& mode, const Gesture& gesture) {
+    const Selection& selection = gesture.state.selection;
+    if (is_drag(gesture.state, mode.press_px, gesture.event.position_px)) {
+        const std::vector<std::size_t> points = points_in_box(mode, gesture);
+        if (points != selection.points) gesture.queue.run("select-points", {index_list(points)});
+    } else if (!gesture.event.modifiers.shift && selection != Selection{}) {
+        gesture.queue.run("select-none");
+    }
+}
+
+CanvasMode step(BoxSelecting mode, const Gesture& gesture) {
+    if (is_escape(gesture)) return CanvasIdle{};
+    if (is_move(gesture)) mode.position_px = gesture.event.position_px;
+    if (!is_release(gesture)) return mode;
+    finish_box(mode, gesture);
+    return CanvasIdle{};
+}
+
+CanvasMode step(const Panning& mode, const Gesture& gesture) {
+    const PointerAction action = gesture.event.action;
+    if (action == PointerAction::escape || action == PointerAction::release) return CanvasIdle{};
+    if (action != PointerAction::move) return mode;
+    const glm::dvec2 moved_px = gesture.event.position_px - mode.last_px;
+    if (moved_px != glm::dvec2(0.0)) gesture.queue.run("pan-camera", {moved_px.x, moved_px.y});
+    return Panning{gesture.event.position_px};
+}
+
+CanvasMode step(const DraggingParameter& mode, const Gesture& gesture) {
+    const core::Curve* curve = gesture.state.active_curve();
+    if (is_release(gesture) || curve == nullptr) return CanvasIdle{};
+    if (is_escape(gesture)) {
+        gesture.queue.run("set-parameter", {mode.start});
+        return CanvasIdle{};
+    }
+    if (is_move(gesture)) {
+        const double u = core::nearest_point(*curve, world_at_pointer(gesture)).u;
+        if (u != gesture.state.parameter()) gesture.queue.run("set-parameter", {u});
+    }
+    return mode;
+}
+
+/// Whether a press at the pointer is on a point of the drawing that ends it.
+bool ends_drawing(const DrawingCurve& mode, const Gesture& gesture) {
+    const auto is_near = [&](core::Point point) {
+        const glm::dvec2 point_px = render::screen_from_world(gesture.state.view.camera, point);
+        return glm::distance(point_px, gesture.event.position_px) <= pixels(gesture.state, finish_reach);
+    };
+    const bool is_on_first = mode.points.size() >= 3 && is_near(mode.points.front());
+    return gesture.event.action == PointerAction::double_click || is_on_first || is_near(mode.points.back());
+}
+
+void finish_drawing(const DrawingCurve& mode, const Gesture& gesture) {
+    std::vector<double> coordinates;
+    for (const core::Point point : mode.points) coordinates.insert(coordinates.end(), {point.x, point.y});
+    gesture.queue.run("new-curve", {std::move(coordinates)});
+    gesture.queue.run("set-tool", {"select"});
+}
+
+CanvasMode press_while_drawing(DrawingCurve mode, const Gesture& gesture) {
+    if (gesture.event.button != PointerButton::left) return mode;
+    if (!ends_drawing(mode, gesture)) {
+        mode.points.push_back(pointed_at(gesture));
+        return mode;
+    }
+    if (mode.points.size() < 2) return mode;
+    finish_drawing(mode, gesture);
+    return CanvasIdle{};
+}
+
+CanvasMode step(DrawingCurve mode, const Gesture& gesture) {
+    if (gesture.state.tool != Tool::draw_curve) return step(CanvasIdle{}, gesture);
+    if (is_escape(gesture)) return CanvasIdle{};
+    if (gesture.event.action == PointerAction::wheel) zoom(gesture);
+    if (is_move(gesture)) mode.next = pointed_at(gesture);
+    if (is_press(gesture)) return press_while_drawing(std::move(mode), gesture);
+    return mode;
+}
+
+}  // namespace
+
+CanvasMode step_canvas(const CanvasMode& mode, const PointerEvent& event, const EditorState& state,
+                       CommandQueue& queue) {
+    const Gesture gesture{event, state, queue};
+    return std::visit([&gesture](const auto& current) { return step(current, gesture); }, mode);
+}
+
+}  // namespace batten::editor

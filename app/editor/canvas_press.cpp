@@ -1,0 +1,200 @@
+#include "app/editor/canvas_press.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "app/editor/hit_test.h"
+#include "app/editor/point_drag.h"
+#include "core/nearest.h"
+
+namespace batten::editor {
+namespace {
+
+constexpr double insertion_reach = 24.0;  ///< design pixels from the curve within which the insert-knot tool acts
+
+void select_points(const Gesture& gesture, const std::vector<std::size_t>& points) {
+    if (gesture.state.selection.points != points) gesture.queue.run("select-points", {index_list(points)});
+}
+
+std::vector<std::size_t> with_point(std::vector<std::size_t> points, std::size_t index) {
+    points.push_back(index);
+    std::sort(points.begin(), points.end());
+    return points;
+}
+
+CanvasMode begin_weight_drag(const Gesture& gesture, std::size_t index) {
+    select_points(gesture, {index});
+    if (!can_edit_curve(gesture.state)) return CanvasIdle{};
+    return DraggingWeight{index, committed_curve(gesture.state)->weights()[index], gesture.event.position_px};
+}
+
+CanvasMode begin_point_drag(const Gesture& gesture, std::size_t index) {
+    const Selection& selection = gesture.state.selection;
+    const bool was_selected = selection.contains_point(index);
+    std::vector<std::size_t> points{index};
+    if (was_selected)
+        points = selection.points;
+    else if (gesture.event.modifiers.shift)
+        points = with_point(selection.points, index);
+    select_points(gesture, points);
+    return DraggingPoints{index, std::move(points), gesture.event.position_px, was_selected};
+}
+
+CanvasMode begin_knot_drag(const Gesture& gesture, std::size_t index) {
+    gesture.queue.run("select-knot", {number(index)});
+    if (!can_edit_curve(gesture.state)) return CanvasIdle{};
+    return DraggingCurveKnot{index, gesture.event.position_px};
+}
+
+CanvasMode begin_box(const Gesture& gesture) {
+    BoxSelecting box{gesture.event.position_px, gesture.event.position_px, {}};
+    if (gesture.event.modifiers.shift) box.before = gesture.state.selection.points;
+    return box;
+}
+
+/// What the select tool does to each thing that can be hit.
+struct SelectPress {
+    const Gesture& gesture;
+
+    CanvasMode operator()(const HoveredParameter&) const { return DraggingParameter{gesture.state.parameter()}; }
+    CanvasMode operator()(const HoveredPoint& hit) const {
+        return gesture.event.modifiers.alt ? begin_weight_drag(gesture, hit.index)
+                                           : begin_point_drag(gesture, hit.index);
+    }
+    CanvasMode operator()(const HoveredWeightRing& hit) const { return begin_weight_drag(gesture, hit.index); }
+    CanvasMode operator()(const HoveredKnot& hit) const { return begin_knot_drag(gesture, hit.index); }
+    CanvasMode operator()(const HoveredOtherCurve& hit) const {
+        gesture.queue.run("activate-curve", {number(hit.index)});
+        return CanvasIdle{};
+    }
+    template <class Other>
+    CanvasMode operator()(const Other&) const {
+        return begin_box(gesture);
+    }
+};
+
+/// What a double click of the select tool does; whether it does anything that a press does not.
+struct SelectDoubleClick {
+    const Gesture& gesture;
+
+    bool operator()(const HoveredCurve& hit) const { return insert_knot(hit.u); }
+    bool operator()(const HoveredParameter&) const { return insert_knot(gesture.state.parameter()); }
+    bool operator()(const HoveredKnot& hit) const {
+        gesture.queue.run("raise-knot", {number(hit.index)});
+        return true;
+    }
+    bool operator()(const HoveredLeg& hit) const {
+        const core::Point position = pointed_at(gesture);
+        gesture.queue.run("add-point", {number(hit.index + 1), position.x, position.y});
+        return true;
+    }
+    template <class Other>
+    bool operator()(const Other&) const {
+        return false;
+    }
+
+  private:
+    bool insert_knot(double u) const {
+        gesture.queue.run("insert-knot", {u});
+        return true;
+    }
+};
+
+std::optional<std::size_t> point_of(const Hover& hit) {
+    if (const auto* point = std::get_if<HoveredPoint>(&hit)) return point->index;
+    if (const auto* ring = std::get_if<HoveredWeightRing>(&hit)) return ring->index;
+    return std::nullopt;
+}
+
+CanvasMode press_select(const Gesture& gesture, const Hover& hit) {
+    const bool is_double = gesture.event.action == PointerAction::double_click;
+    if (is_double && std::visit(SelectDoubleClick{gesture}, hit)) return CanvasIdle{};
+    return std::visit(SelectPress{gesture}, hit);
+}
+
+CanvasMode press_weight(const Gesture& gesture, const Hover& hit) {
+    if (const auto index = point_of(hit)) return begin_weight_drag(gesture, *index);
+    return begin_box(gesture);
+}
+
+CanvasMode press_add_point(const Gesture& gesture, const Hover& hit) {
+    if (const auto* point = std::get_if<HoveredPoint>(&hit)) return begin_point_drag(gesture, point->index);
+    const core::Curve* curve = committed_curve(gesture.state);
+    if (curve == nullptr) return CanvasIdle{};
+    const core::Point position = pointed_at(gesture);
+    gesture.queue.run("add-point", {number(best_index_for(*curve, position)), position.x, position.y});
+    return CanvasIdle{};
+}
+
+CanvasMode press_insert_knot(const Gesture& gesture, const Hover& hit) {
+    const core::Curve* curve = committed_curve(gesture.state);
+    if (curve == nullptr) return CanvasIdle{};
+    if (const auto* knot = std::get_if<HoveredKnot>(&hit)) {
+        gesture.queue.run("raise-knot", {number(knot->index)});
+        return CanvasIdle{};
+    }
+    const render::Camera& camera = gesture.state.view.camera;
+    const glm::dvec2 pointer = gesture.event.position_px;
+    const core::CurveSample sample = core::nearest_point(*curve, render::world_from_screen(camera, pointer));
+    const double distance = glm::distance(pointer, render::screen_from_world(camera, sample.point));
+    if (distance <= pixels(gesture.state, insertion_reach)) gesture.queue.run("insert-knot", {sample.u});
+    return CanvasIdle{};
+}
+
+CanvasMode press_parameter(const Gesture& gesture) {
+    const core::Curve* curve = gesture.state.active_curve();
+    if (curve == nullptr) return CanvasIdle{};
+    const core::Point position = render::world_from_screen(gesture.state.view.camera, gesture.event.position_px);
+    gesture.queue.run("set-parameter", {core::nearest_point(*curve, position).u});
+    return DraggingParameter{gesture.state.parameter()};
+}
+
+CanvasMode press_draw_curve(const Gesture& gesture) {
+    const core::Point position = pointed_at(gesture);
+    return DrawingCurve{{position}, position};
+}
+
+}  // namespace
+
+std::size_t best_index_for(const core::Curve& curve, core::Point position) {
+    const std::span<const core::Point> points = curve.control_points();
+    const std::size_t n = points.size();
+    const auto detour = [&](core::Point a, core::Point b) {
+        return glm::distance(a, position) + glm::distance(position, b) - glm::distance(a, b);
+    };
+    std::size_t best = n;
+    double least = curve.is_periodic() ? detour(points[n - 1], points[0]) : glm::distance(points[n - 1], position);
+    const auto offer = [&](std::size_t index, double growth) {
+        if (growth < least) {
+            least = growth;
+            best = index;
+        }
+    };
+    if (!curve.is_periodic()) offer(0, glm::distance(points[0], position));
+    for (std::size_t i = 1; i < n; ++i) offer(i, detour(points[i - 1], points[i]));
+    return best;
+}
+
+CanvasMode begin_canvas_gesture(const Gesture& gesture) {
+    if (is_pan(gesture.event)) return Panning{gesture.event.position_px};
+    if (gesture.event.button != PointerButton::left) return CanvasIdle{};
+    const Hover hit = hit_canvas(gesture.state, gesture.event.position_px);
+    switch (gesture.state.tool) {
+        case Tool::select:
+            return press_select(gesture, hit);
+        case Tool::add_point:
+            return press_add_point(gesture, hit);
+        case Tool::insert_knot:
+            return press_insert_knot(gesture, hit);
+        case Tool::weight:
+            return press_weight(gesture, hit);
+        case Tool::draw_curve:
+            return press_draw_curve(gesture);
+        case Tool::parameter:
+            return press_parameter(gesture);
+    }
+    return CanvasIdle{};
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,130 @@
+#include "app/editor/commands/file_acts.h"
+
+#include <algorithm>
+
+#include "app/editor/dialog.h"
+#include "app/editor/fit_view.h"
+#include "core/io/native_file.h"
+
+namespace batten::editor {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_recent_files = 10;
+
+void remember(std::vector<fs::path>& recent_files, const fs::path& path) {
+    recent_files.erase(std::remove(recent_files.begin(), recent_files.end(), path), recent_files.end());
+    recent_files.insert(recent_files.begin(), path);
+    if (recent_files.size() > most_recent_files) recent_files.resize(most_recent_files);
+}
+
+// "wave.json: line 3, column 7: ..."; an error of the whole file names its path, of which the file's name is enough.
+Refusal file_refusal(const fs::path& path, const core::FileError& error) {
+    const std::string sentence = error.where == path.string() ? error.what : error.sentence();
+    return path.filename().string() + ": " + sentence;
+}
+
+void take_view(View& view, const core::Document& document) {
+    const core::DocumentCurve* active = document.active_curve();
+    const core::Interval domain = active != nullptr ? active->curve->domain() : core::Interval{};
+    view.parameter = document.view.parameter.value_or(domain.lower + 0.5 * domain.length());
+    view.level.reset();
+    view.plot_range.reset();
+    view.playback.is_playing = false;
+    if (!document.view.overlays) return;
+    const std::vector<std::string>& shown = *document.view.overlays;
+    for (std::size_t i = 0; i < overlay_count; ++i) {
+        const auto overlay = static_cast<Overlay>(i);
+        view.overlays.show(overlay, std::find(shown.begin(), shown.end(), name_of(overlay)) != shown.end());
+    }
+}
+
+void show_document(EditorState& state, core::Document document, const fs::path& path) {
+    take_view(state.view, document);
+    state.history = History(std::move(document));
+    state.preview.reset();
+    state.ghost.reset();
+    state.selection = {};
+    state.hover = HoveredNothing{};
+    state.path = path;
+    show_dialog(state, Dialog::none);
+    fit_view(state);
+}
+
+Outcome<void> open_file(EditorState& state, const fs::path& path) {
+    core::FileResult<core::Document> document = core::load_document(path);
+    if (!document) return tl::unexpected(file_refusal(path, document.error()));
+    show_document(state, *std::move(document), path);
+    remember(state.recent_files, path);
+    state.message = {"Opened " + path.filename().string(), false};
+    return {};
+}
+
+Outcome<void> open_example(EditorState& state, const std::string& name) {
+    // A name, not a path: nothing outside the folder of examples is an example.
+    const fs::path path = state.desktop.examples / (name + ".json");
+    std::error_code error;
+    if (name.empty() || fs::path(name).has_parent_path() || !fs::is_regular_file(path, error))
+        return tl::unexpected("there is no example called '" + name + "'");
+    core::FileResult<core::Document> document = core::load_document(path);
+    if (!document) return tl::unexpected(file_refusal(path, document.error()));
+    show_document(state, *std::move(document), {});
+    state.message = {"Opened example " + name, false};
+    return {};
+}
+
+// The curves of both, those of `added` under names that are not in use; the last one is active.
+core::Document joined(core::Document document, const core::Document& added) {
+    for (core::DocumentCurve curve : added.curves) {
+        curve.name = core::unused_name(document, curve.name);
+        document.curves.push_back(std::move(curve));
+    }
+    document.active = document.curves.size() - 1;
+    return document;
+}
+
+// The overlays shown, and those that a newer version knows.
+std::vector<std::string> overlay_names(const EditorState& state) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < overlay_count; ++i)
+        if (state.view.overlays.is_shown(static_cast<Overlay>(i))) names.emplace_back(name_of(static_cast<Overlay>(i)));
+    for (const std::string& name : state.history.present().view.overlays.value_or(std::vector<std::string>{}))
+        if (!overlay_named(name)) names.push_back(name);
+    return names;
+}
+
+}  // namespace
+
+Outcome<void> proceed(EditorState& state, const Command& command) {
+    if (command.name == "open") return open_file(state, fs::absolute(std::get<std::string>(command.arguments.front())));
+    if (command.name == "open-example") return open_example(state, std::get<std::string>(command.arguments.front()));
+    if (command.name == "new")
+        show_document(state, {}, {});
+    else
+        state.wants_quit = true;
+    return {};
+}
+
+Outcome<Edit> with_curves_of(const EditorState& state, const fs::path& path) {
+    const core::FileResult<core::Document> added = core::load_document(path);
+    if (!added) return tl::unexpected(file_refusal(path, added.error()));
+    if (added->curves.empty()) return tl::unexpected(path.filename().string() + ": the file has no curves");
+    return Edit{joined(state.history.present(), *added), Selection{}};
+}
+
+Outcome<void> save_document_to(EditorState& state, const fs::path& path) {
+    core::Document document = state.history.present();
+    document.view.parameter = state.parameter();
+    document.view.overlays = overlay_names(state);
+    const core::FileResult<void> saved = core::save_document(document, path);
+    if (!saved) return tl::unexpected(file_refusal(path, saved.error()));
+    state.path = path;
+    state.history.mark_saved();
+    remember(state.recent_files, path);
+    state.message = {"Saved " + path.filename().string(), false};
+    return {};
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,20 @@
+/// What the file commands do once nothing stands in the way.
+#pragma once
+
+#include <filesystem>
+
+#include "app/editor/command_table.h"
+
+namespace batten::editor {
+
+/// Does what "new", "open", "open-example" or "quit" ask for, whether or not there are unsaved changes. A file is read
+/// and checked completely before anything changes.
+Outcome<void> proceed(EditorState& state, const Command& command);
+
+/// The committed document with the curves of the file at `path` beside its own.
+Outcome<Edit> with_curves_of(const EditorState& state, const std::filesystem::path& path);
+
+/// Saves the document, with the view as it is, to the absolute `path`, which becomes the document's own.
+Outcome<void> save_document_to(EditorState& state, const std::filesystem::path& path);
+
+}  // namespace batten::editor

@@ -1,0 +1,127 @@
+#include "app/editor/editor.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/editor/clipboard.h"
+#include "app/editor/command_table.h"
+#include "app/editor/upkeep.h"
+#include "app/editor/wording.h"
+#include "core/deviation.h"
+
+namespace batten::editor {
+
+namespace {
+
+bool refuse(EditorState& state, const Refusal& sentence) {
+    state.message = {sentence, true};
+    return false;
+}
+
+bool is_same(const core::DocumentCurve& a, const core::DocumentCurve& b) {
+    return (a.curve == b.curve || *a.curve == *b.curve) && a.name == b.name && a.color == b.color &&
+           a.visible == b.visible && a.locked == b.locked && a.unknown_members == b.unknown_members;
+}
+
+bool is_same(const core::Document& a, const core::Document& b) {
+    return a.active == b.active && a.title == b.title && a.description == b.description && a.view == b.view &&
+           a.unknown_members == b.unknown_members &&
+           std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(),
+                      [](const core::DocumentCurve& x, const core::DocumentCurve& y) { return is_same(x, y); });
+}
+
+// The old active curve, where the edit gave the same entry of the document another shape.
+std::optional<Ghost> ghost_of(const core::Document& before, const core::Document& after, ShapeEffect effect) {
+    const core::DocumentCurve* old_active = before.active_curve();
+    const core::DocumentCurve* active = after.active_curve();
+    if (effect != ShapeEffect::changes || old_active == nullptr || active == nullptr ||
+        before.curves.size() != after.curves.size())
+        return std::nullopt;
+    return Ghost{old_active->curve, core::largest_deviation(*old_active->curve, *active->curve)};
+}
+
+bool preview_edit(EditorState& state, const CommandSpec& spec, const Arguments& arguments) {
+    Outcome<Edit> edit = spec.edit(state, arguments);
+    if (!edit) return refuse(state, edit.error());
+    state.ghost = ghost_of(state.history.present(), edit->document, spec.effect);
+    state.preview = std::move(edit->document);
+    if (state.message.is_error) state.message = {};
+    return true;
+}
+
+bool commit_edit(EditorState& state, const CommandSpec& spec, const Arguments& arguments) {
+    Outcome<Edit> edit = spec.edit(state, arguments);
+    if (!edit) return refuse(state, edit.error());
+    if (edit->clipboard) write_clipboard(state, *edit->clipboard);
+    state.message = {};
+
+    const core::Document before = state.history.present();
+    if (!is_same(before, edit->document)) {
+        const std::string label = spec.label != nullptr ? spec.label(state, arguments) : spec.title;
+        const std::optional<Ghost> ghost = ghost_of(before, edit->document, spec.effect);
+        state.history.push(label, std::move(edit->document));
+        follow_document(state, before);
+        state.message = {edit_sentence(label, spec.effect, ghost ? std::optional(ghost->deviation) : std::nullopt),
+                         false};
+        if (ghost && ghost->deviation != 0.0) state.ghost = ghost;
+    }
+    if (edit->selection) state.selection = *edit->selection;
+    return true;
+}
+
+bool cancel(EditorState& state) {
+    state.preview.reset();
+    state.ghost.reset();
+    return true;
+}
+
+bool run_edit(EditorState& state, const CommandSpec& spec, const Arguments& arguments, Phase phase) {
+    return phase == Phase::preview ? preview_edit(state, spec, arguments) : commit_edit(state, spec, arguments);
+}
+
+bool run_act(EditorState& state, const CommandSpec& spec, const Arguments& arguments, Phase phase) {
+    if (phase == Phase::preview) return true;
+    if (spec.is_logged) state.message = {};
+    const Outcome<void> outcome = spec.act(state, arguments);
+    return outcome ? true : refuse(state, outcome.error());
+}
+
+}  // namespace
+
+Editor::Editor(Desktop desktop) {
+    state_.desktop = std::move(desktop);
+}
+
+void Editor::apply(const Settings& settings) {
+    apply_settings(state_, settings);
+}
+
+bool Editor::run(const Request& request) {
+    const bool is_done = request.phase == Phase::cancel ? cancel(state_) : run_command(request);
+    follow_shown(state_);
+    return is_done;
+}
+
+bool Editor::run_command(const Request& request) {
+    const CommandSpec* spec = find_command(request.command.name);
+    if (spec == nullptr) return refuse(state_, "there is no command called '" + request.command.name + "'");
+    // The preview belongs to a gesture that an edit replaces or ends, even where the edit is refused.
+    if (spec->edit != nullptr && std::exchange(state_.preview, std::nullopt)) state_.ghost.reset();
+    if (spec->refusal != nullptr)
+        if (const std::optional<Refusal> refusal = spec->refusal(state_)) return refuse(state_, *refusal);
+    const Outcome<Arguments> arguments = complete_arguments(*spec, state_, request.command.arguments);
+    if (!arguments) return refuse(state_, arguments.error());
+
+    const bool is_done = spec->edit != nullptr ? run_edit(state_, *spec, *arguments, request.phase)
+                                               : run_act(state_, *spec, *arguments, request.phase);
+    // Suggestions are logged as values, so that a replay does not depend on what is not logged.
+    if (is_done && request.phase == Phase::commit && spec->is_logged)
+        log_.push_back({request.command.name, arguments->values()});
+    return is_done;
+}
+
+void Editor::run(CommandQueue& queue) {
+    for (const Request& request : queue.take()) run(request);
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,38 @@
+/// The editor without a window: holds the state and is the only one to write it.
+#pragma once
+
+#include "app/editor/command.h"
+#include "app/editor/settings.h"
+#include "app/editor/state.h"
+
+namespace batten::editor {
+
+class Editor {
+  public:
+    explicit Editor(Desktop desktop = {});
+
+    /// Looks at the document as `settings` remember, at the start.
+    void apply(const Settings& settings);
+
+    const EditorState& state() const { return state_; }
+
+    /// Runs one request. A refused command changes nothing but the message; only the preview of an edit goes with every
+    /// further edit. A commit of an edit becomes one step of the history, unless it changes nothing, and shows the
+    /// older shape as a ghost where the command changes it. The preview of an act does nothing. Returns whether the
+    /// command did what it was asked for.
+    bool run(const Request& request);
+    bool run(const Command& command) { return run(Request{command, Phase::commit}); }
+    void run(CommandQueue& queue);
+
+    /// The logged commands committed so far, in order, with the arguments that stood for those left out: running them
+    /// again from the same start gives the same document.
+    const std::vector<Command>& log() const { return log_; }
+
+  private:
+    bool run_command(const Request& request);
+
+    EditorState state_;
+    std::vector<Command> log_;
+};
+
+}  // namespace batten::editor

@@ -1,0 +1,170 @@
+#include "app/editor/formula.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace batten::editor {
+namespace {
+
+const std::string minus = "−";
+constexpr double least_plain = 1e-4;
+constexpr double largest_plain = 1e6;
+
+/// to_chars rather than printf: the decimal point must not depend on the locale.
+std::string digits_of(double value, std::chars_format format, int precision) {
+    std::array<char, 400> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision).ptr;
+    return {buffer.data(), end};
+}
+
+std::string without_trailing_zeros(std::string text) {
+    if (text.find('.') == std::string::npos) return text;
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
+bool is_zero(const std::string& digits) {
+    return digits.find_first_of("123456789") == std::string::npos;
+}
+
+/// "1.5000e+06" as "1.5e6".
+std::string scientific(double magnitude, int digits) {
+    const std::string text = digits_of(magnitude, std::chars_format::scientific, digits - 1);
+    const std::size_t e = text.find('e');
+    const int exponent = std::atoi(text.c_str() + e + 1);
+    return without_trailing_zeros(text.substr(0, e)) + "e" + std::to_string(exponent);
+}
+
+std::string plain(double magnitude, int digits) {
+    const int exponent = static_cast<int>(std::floor(std::log10(magnitude)));
+    return without_trailing_zeros(digits_of(magnitude, std::chars_format::fixed, std::max(0, digits - 1 - exponent)));
+}
+
+std::string index_text(const std::string& symbol, std::size_t index) {
+    return symbol + "_{" + std::to_string(index) + "}";
+}
+
+std::string alpha_text(std::size_t level, std::size_t index) {
+    return index_text("α", index) + "^{" + std::to_string(level) + "}";
+}
+
+/// Four digits, or as many more as tell the three apart where they differ.
+int digits_that_tell_apart(double a, double b, double c) {
+    const auto same = [](double x, double y, int digits) {
+        return x != y && number_text(x, digits) == number_text(y, digits);
+    };
+    int digits = 4;
+    while (digits < 17 && (same(a, b, digits) || same(b, c, digits) || same(a, c, digits))) ++digits;
+    return digits;
+}
+
+std::string parenthesised_if_negative(const std::string& number) {
+    return number.rfind(minus, 0) == 0 ? "(" + number + ")" : number;
+}
+
+std::string difference_text(double a, double b, int digits) {
+    return "(" + number_text(a, digits) + " " + minus + " " + parenthesised_if_negative(number_text(b, digits)) + ")";
+}
+
+std::optional<std::string> raised_or_lowered(const std::string& character, bool raised) {
+    constexpr std::array superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    constexpr std::array subscripts{"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+    if (character.size() == 1 && character[0] >= '0' && character[0] <= '9') {
+        const auto digit = static_cast<std::size_t>(character[0] - '0');
+        return raised ? superscripts[digit] : subscripts[digit];
+    }
+    if (character == "-" || character == minus) return raised ? "⁻" : "₋";
+    if (character == "+") return raised ? "⁺" : "₊";
+    if (character == ",") return character;
+    return std::nullopt;
+}
+
+/// The bytes of the UTF-8 character that starts at `position`.
+std::string character_at(const std::string& text, std::size_t position) {
+    std::size_t end = position + 1;
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) ++end;
+    return text.substr(position, end - position);
+}
+
+std::string plain_group(const std::string& group, bool raised) {
+    std::string result;
+    for (std::size_t i = 0; i < group.size();) {
+        const std::string character = character_at(group, i);
+        const std::optional<std::string> glyph = raised_or_lowered(character, raised);
+        if (!glyph) return "(" + group + ")";
+        result += *glyph;
+        i += character.size();
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string number_text(double value, int digits) {
+    const double magnitude = std::abs(value);
+    if (magnitude == 0.0) return "0";
+    if (!std::isfinite(value)) return std::isnan(value) ? "nan" : (value < 0.0 ? minus : "") + "∞";
+    const bool is_plain = magnitude >= least_plain && magnitude < std::max(largest_plain, std::pow(10.0, digits));
+    return (value < 0.0 ? minus : "") + (is_plain ? plain(magnitude, digits) : scientific(magnitude, digits));
+}
+
+std::string fixed_text(double value, int decimals) {
+    const std::string digits = digits_of(std::abs(value), std::chars_format::fixed, decimals);
+    return (value < 0.0 && !is_zero(digits) ? minus : "") + digits;
+}
+
+std::string cell_text(const core::DeBoorTriangle& triangle, std::size_t level, std::size_t index,
+                      std::size_t point_count) {
+    const std::size_t i = triangle.levels[level][index].index;
+    if (level == 0) return index_text("P", i % point_count);
+    if (level + 1 == triangle.levels.size()) return "C(u)";
+    return index_text("P", i) + "^{" + std::to_string(level) + "}";
+}
+
+AlphaFormula alpha_formula(const core::Curve& curve, const core::DeBoorTriangle& triangle, std::size_t level,
+                           std::size_t index) {
+    const core::DeBoorCell& cell = triangle.levels[level][index];
+    const std::string lower = index_text("u", cell.lower_knot);
+    const double lower_value = curve.knots()[cell.lower_knot];
+    const double upper_value = curve.knots()[cell.upper_knot];
+    const int digits = digits_that_tell_apart(triangle.u, lower_value, upper_value);
+
+    AlphaFormula formula;
+    formula.symbols = alpha_text(level, cell.index) + " = (u " + minus + " " + lower + ")/(" +
+                      index_text("u", cell.upper_knot) + " " + minus + " " + lower + ")";
+    formula.numbers = "= " + difference_text(triangle.u, lower_value, digits) + "/" +
+                      difference_text(upper_value, lower_value, digits) + " = " + number_text(cell.alpha, 3);
+    return formula;
+}
+
+std::string cell_formula(const core::DeBoorTriangle& triangle, std::size_t level, std::size_t index,
+                         std::size_t point_count) {
+    return cell_text(triangle, level, index, point_count) + " = (1 " + minus + " α) " +
+           cell_text(triangle, level - 1, index, point_count) + " + α " +
+           cell_text(triangle, level - 1, index + 1, point_count);
+}
+
+std::string continuity_text(int continuity) {
+    return continuity < 0 ? "jump" : "C^{" + std::to_string(continuity) + "}";
+}
+
+std::string plain_text(const std::string& label) {
+    std::string result;
+    for (std::size_t i = 0; i < label.size();) {
+        const bool opens = (label[i] == '_' || label[i] == '^') && i + 1 < label.size() && label[i + 1] == '{';
+        const std::size_t end = opens ? label.find('}', i) : std::string::npos;
+        if (end == std::string::npos) {
+            result += label[i++];
+            continue;
+        }
+        result += plain_group(label.substr(i + 2, end - i - 2), label[i] == '^');
+        i = end + 1;
+    }
+    return result;
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,73 @@
+#include "app/editor/gesture.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace batten::editor {
+namespace {
+
+constexpr double least_drag = 3.0;
+
+}  // namespace
+
+double pixels(const EditorState& state, double design_px) {
+    return design_px * state.view.interface_scale;
+}
+
+bool is_drag(const EditorState& state, glm::dvec2 press_px, glm::dvec2 position_px) {
+    return glm::distance(press_px, position_px) >= pixels(state, least_drag);
+}
+
+bool is_pan(const PointerEvent& event) {
+    return event.button == PointerButton::middle || (event.button == PointerButton::left && event.space_is_held);
+}
+
+const core::Curve* committed_curve(const EditorState& state) {
+    const core::DocumentCurve* item = state.history.present().active_curve();
+    return item == nullptr ? nullptr : item->curve.get();
+}
+
+bool can_edit_curve(const EditorState& state) {
+    const core::DocumentCurve* item = state.history.present().active_curve();
+    return item != nullptr && item->visible && !item->locked;
+}
+
+double rounded_to_step(double value, double step) {
+    // 1/step is whole for a decimal step below 1; dividing by it rounds once, multiplying by the step would round
+    // twice.
+    if (step < 1.0) {
+        const double steps_per_unit = std::round(1.0 / step);
+        return std::round(value * steps_per_unit) / steps_per_unit;
+    }
+    return std::round(value / step) * step;
+}
+
+std::size_t moving_knot(const EditorState& state, std::size_t index) {
+    const core::Curve* before = committed_curve(state);
+    const core::Curve* now = state.active_curve();
+    if (before == nullptr || now == nullptr) return index;
+    const std::span<const double> old_knots = before->knots().stored();
+    const std::span<const double> new_knots = now->knots().stored();
+    if (index >= old_knots.size() || new_knots.size() != old_knots.size()) return index;
+    for (std::size_t i = 0; i < old_knots.size(); ++i)
+        if (old_knots[i] == old_knots[index] && new_knots[i] != old_knots[i]) return i;
+    return index;
+}
+
+std::vector<double> index_list(const std::vector<std::size_t>& indices) {
+    return {indices.begin(), indices.end()};
+}
+
+const char* argument_of(core::KnotMove mode) {
+    switch (mode) {
+        case core::KnotMove::stop:
+            return "stop";
+        case core::KnotMove::push:
+            return "push";
+        case core::KnotMove::snap:
+            return "snap";
+    }
+    return "stop";
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,54 @@
+/// What all pointer modes share: clicks and drags told apart, round numbers, numbers as arguments.
+#pragma once
+
+#include <vector>
+
+#include "app/editor/command.h"
+#include "app/editor/pointer.h"
+#include "app/editor/state.h"
+
+namespace batten::editor {
+
+/// What a mode sees of one event.
+struct Gesture {
+    const PointerEvent& event;
+    const EditorState& state;
+    CommandQueue& queue;
+};
+
+/// A distance of `design_px` on this display, in pixels.
+double pixels(const EditorState& state, double design_px);
+
+/// Whether the pointer has moved from `press_px` to `position_px` by so much (3 design pixels) that a drag is meant,
+/// not a click.
+bool is_drag(const EditorState& state, glm::dvec2 press_px, glm::dvec2 position_px);
+
+/// A press with the middle button, or with the left one while Space is held.
+bool is_pan(const PointerEvent& event);
+
+/// The committed active curve, which gestures start from; null without one.
+const core::Curve* committed_curve(const EditorState& state);
+
+/// Whether the active curve is there, visible and not locked, so that a drag may begin.
+bool can_edit_curve(const EditorState& state);
+
+/// The multiple of `step` nearest to `value`; for a step like 0.2, 0.05 or 0.001 the double nearest to the decimal
+/// number.
+double rounded_to_step(double value, double step);
+
+/// The knot of the shown curve (an index in stored()) that moves when the committed knot `index` is dragged: the one of
+/// its stack that the preview has elsewhere, else `index` itself.
+std::size_t moving_knot(const EditorState& state, std::size_t index);
+
+/// Indices as an argument of a command.
+std::vector<double> index_list(const std::vector<std::size_t>& indices);
+
+/// An index as an argument of a command.
+inline double number(std::size_t index) {
+    return static_cast<double>(index);
+}
+
+/// "stop", "push" or "snap": the argument of move-knot.
+const char* argument_of(core::KnotMove mode);
+
+}  // namespace batten::editor

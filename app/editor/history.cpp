@@ -1,0 +1,41 @@
+#include "app/editor/history.h"
+
+#include <iterator>
+
+namespace batten::editor {
+
+namespace {
+
+const std::string no_label;
+
+}  // namespace
+
+History::History(core::Document start) {
+    steps_.push_back({{}, std::move(start)});
+}
+
+const std::string& History::undo_label() const {
+    return can_undo() ? steps_[position_].label : no_label;
+}
+
+const std::string& History::redo_label() const {
+    return can_redo() ? steps_[position_ + 1].label : no_label;
+}
+
+void History::push(std::string label, core::Document document) {
+    steps_.erase(std::next(steps_.begin(), static_cast<std::ptrdiff_t>(position_ + 1)), steps_.end());
+    // The saved document was among what is now forgotten.
+    if (saved_position_ != nowhere && saved_position_ > position_) saved_position_ = nowhere;
+    steps_.push_back({std::move(label), std::move(document)});
+    ++position_;
+}
+
+void History::undo() {
+    if (can_undo()) --position_;
+}
+
+void History::redo() {
+    if (can_redo()) ++position_;
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,51 @@
+/// Undo as a list of older documents.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/document.h"
+
+namespace batten::editor {
+
+/// The documents before and after each step, and where we stand. Curves are shared, so a step costs a few pointers.
+class History {
+  public:
+    explicit History(core::Document start = {});
+
+    const core::Document& present() const { return steps_[position_].document; }
+    bool can_undo() const { return position_ > 0; }
+    bool can_redo() const { return position_ + 1 < steps_.size(); }
+
+    /// The label of the step that undo would take back or redo would repeat; empty if there is none.
+    const std::string& undo_label() const;
+    const std::string& redo_label() const;
+
+    /// Adds `document` as the present and forgets what was undone.
+    void push(std::string label, core::Document document);
+    void undo();
+    void redo();
+
+    /// Changes what is not undone (active curve) in the present document.
+    void amend(core::Document document) { steps_[position_].document = std::move(document); }
+
+    void mark_saved() { saved_position_ = position_; }
+    bool is_saved() const { return saved_position_ == position_; }
+
+    std::size_t undo_count() const { return position_; }
+    std::size_t redo_count() const { return steps_.size() - 1 - position_; }
+
+  private:
+    struct Step {
+        std::string label;
+        core::Document document;
+    };
+    static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+
+    std::vector<Step> steps_;
+    std::size_t position_ = 0;
+    std::size_t saved_position_ = 0;
+};
+
+}  // namespace batten::editor

@@ -1,0 +1,103 @@
+#include "app/editor/plot_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace batten::editor {
+namespace {
+
+/// Heights in design pixels, at the least and at the usual height of the dock; linear between.
+struct Heights {
+    double above_plot;   ///< the title row and room for the numbers of the graphs
+    double below_plot;   ///< from N = 0 to the strip's axis: stacks of diamonds
+    double below_strip;  ///< two rows of labels
+};
+constexpr double least_height = 160.0;
+constexpr double usual_height = 260.0;
+constexpr Heights least_heights{40.0, 26.0, 46.0};
+constexpr Heights usual_heights{44.0, 54.0, 54.0};
+constexpr double stack_room_growth = 0.15;  ///< of what the dock is higher than usual
+constexpr double side_margin = 32.0;
+constexpr double diamond = 8.0;
+constexpr double widest_stack_step = 10.0;
+constexpr double stack_clearance = 4.0;  ///< between the highest diamond and the plot
+
+Heights heights_for(double height) {
+    const double t = std::clamp((height - least_height) / (usual_height - least_height), 0.0, 1.0);
+    const auto between = [t](double a, double b) { return a + t * (b - a); };
+    const double extra = stack_room_growth * std::max(0.0, height - usual_height);
+    return {between(least_heights.above_plot, usual_heights.above_plot),
+            between(least_heights.below_plot, usual_heights.below_plot) + extra,
+            between(least_heights.below_strip, usual_heights.below_strip)};
+}
+
+/// How many diamonds stand on those of smaller index.
+std::size_t height_in_stack(std::span<const double> knots, std::size_t index) {
+    std::size_t first = index;
+    while (first > 0 && knots[first - 1] == knots[index]) --first;
+    return index - first;
+}
+
+std::size_t steps_of_highest_stack(const core::Curve* curve) {
+    std::size_t most = 0;
+    if (curve == nullptr) return most;
+    const std::span<const double> knots = curve->knots().stored();
+    for (std::size_t i = 0; i < knots.size(); ++i) most = std::max(most, height_in_stack(knots, i));
+    return most;
+}
+
+}  // namespace
+
+core::Interval whole_plot_range(const EditorState& state) {
+    const core::DocumentCurve* item = state.history.present().active_curve();
+    const core::Curve* curve = item != nullptr ? item->curve.get() : state.active_curve();
+    if (curve == nullptr) return {0.0, 1.0};
+    const std::span<const double> knots = curve->knots().stored();
+    return {knots.front(), knots.back()};
+}
+
+PlotLayout plot_layout(const EditorState& state, glm::dvec2 size_px) {
+    const double scale = state.view.interface_scale;
+    const Heights heights = heights_for(size_px.y / scale);
+    PlotLayout layout;
+    layout.range = state.view.plot_range.value_or(whole_plot_range(state));
+    layout.left_px = side_margin * scale;
+    layout.right_px = std::max(size_px.x - side_margin * scale, layout.left_px + 1.0);
+    layout.top_px = heights.above_plot * scale;
+    layout.strip_px = size_px.y - heights.below_strip * scale;
+    layout.bottom_px = std::max(layout.strip_px - heights.below_plot * scale, layout.top_px + 1.0);
+    layout.diamond_px = diamond * scale;
+
+    const auto steps = static_cast<double>(std::max<std::size_t>(1, steps_of_highest_stack(state.active_curve())));
+    const double room = std::max(1.0, heights.below_plot - diamond - stack_clearance);
+    layout.stack_px = scale * std::min(widest_stack_step, room / steps);
+    return layout;
+}
+
+double x_from_parameter(const PlotLayout& layout, double u) {
+    return layout.left_px + (u - layout.range.lower) / layout.range.length() * (layout.right_px - layout.left_px);
+}
+
+double parameter_from_x(const PlotLayout& layout, double x_px) {
+    return layout.range.lower + (x_px - layout.left_px) / (layout.right_px - layout.left_px) * layout.range.length();
+}
+
+double y_from_value(const PlotLayout& layout, double value) {
+    return layout.bottom_px - value * (layout.bottom_px - layout.top_px);
+}
+
+std::vector<KnotMark> knot_marks(const EditorState& state, const PlotLayout& layout) {
+    std::vector<KnotMark> marks;
+    const core::Curve* curve = state.active_curve();
+    if (curve == nullptr) return marks;
+    const std::span<const double> knots = curve->knots().stored();
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+        const double x = x_from_parameter(layout, knots[i]);
+        if (x < layout.left_px - layout.diamond_px || x > layout.right_px + layout.diamond_px) continue;
+        const double rise = static_cast<double>(height_in_stack(knots, i)) * layout.stack_px;
+        marks.push_back({i, {x, layout.strip_px - rise}});
+    }
+    return marks;
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,175 @@
+#include "app/editor/plot_mode.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/editor/gesture.h"
+#include "app/editor/grid_step.h"
+#include "app/editor/hit_test.h"
+#include "app/editor/hover_request.h"
+
+namespace batten::editor {
+namespace {
+
+constexpr double zoom_per_notch = 1.15;
+constexpr double snap_reach = 8.0;    ///< design pixels
+constexpr double strip_reach = 16.0;  ///< design pixels above and below the strip's axis
+constexpr double least_relative_range = 1e-13;
+
+/// What a mode of the dock sees of one event.
+struct PlotGesture : Gesture {
+    PlotLayout layout;
+
+    double px_per_unit() const { return (layout.right_px - layout.left_px) / layout.range.length(); }
+    double pointed_parameter() const { return parameter_from_x(layout, event.position_px.x); }
+    bool is_on_strip() const { return std::abs(event.position_px.y - layout.strip_px) <= pixels(state, strip_reach); }
+};
+
+bool is_release(const PlotGesture& gesture) {
+    return gesture.event.action == PointerAction::release && gesture.event.button == PointerButton::left;
+}
+
+/// Shows `range`, or everything when it covers that. Kept inside the whole and wide enough for doubles to tell pixels
+/// apart.
+void show_range(const PlotGesture& gesture, core::Interval range) {
+    const core::Interval whole = whole_plot_range(gesture.state);
+    if (range.length() >= whole.length()) {
+        gesture.queue.run("fit-plot");
+        return;
+    }
+    const double shift = std::max(0.0, whole.lower - range.lower) - std::max(0.0, range.upper - whole.upper);
+    range = {range.lower + shift, range.upper + shift};
+    const double size = std::max({std::abs(range.lower), std::abs(range.upper), whole.length()});
+    if (range.length() < least_relative_range * size || range == gesture.layout.range) return;
+    gesture.queue.run("set-plot-range", {range.lower, range.upper});
+}
+
+void zoom(const PlotGesture& gesture) {
+    const double u = gesture.pointed_parameter();
+    const double factor = std::pow(zoom_per_notch, -gesture.event.wheel);
+    const core::Interval range = gesture.layout.range;
+    show_range(gesture, {u + (range.lower - u) * factor, u + (range.upper - u) * factor});
+}
+
+void set_parameter(const PlotGesture& gesture) {
+    const core::Curve* curve = gesture.state.active_curve();
+    if (curve == nullptr) return;
+    const double u = curve->domain().clamp(gesture.pointed_parameter());
+    if (u != gesture.state.parameter()) gesture.queue.run("set-parameter", {u});
+}
+
+PlotMode press_knot(const PlotGesture& gesture, std::size_t index) {
+    gesture.queue.run("select-knot", {number(index)});
+    const core::Curve* curve = committed_curve(gesture.state);
+    if (!can_edit_curve(gesture.state) || index >= curve->knots().stored().size()) return PlotIdle{};
+    return DraggingKnot{index, curve->knots().stored()[index] - gesture.pointed_parameter(),
+                        gesture.event.position_px.x};
+}
+
+/// What a double click does that a press does not; whether there was such a thing.
+bool double_click(const PlotGesture& gesture, const Hover& hit) {
+    if (const auto* knot = std::get_if<HoveredKnot>(&hit)) {
+        gesture.queue.run("raise-knot", {number(knot->index)});
+        return true;
+    }
+    const core::Curve* curve = gesture.state.active_curve();
+    const double u = gesture.pointed_parameter();
+    if (curve == nullptr || !gesture.is_on_strip() || !curve->domain().contains(u)) return false;
+    gesture.queue.run("insert-knot", {u});
+    return true;
+}
+
+PlotMode press(const PlotGesture& gesture) {
+    if (is_pan(gesture.event)) return PanningPlot{gesture.event.position_px.x};
+    if (gesture.event.button != PointerButton::left || gesture.state.active_curve() == nullptr) return PlotIdle{};
+    const Hover hit = hit_plot(gesture.state, gesture.layout, gesture.event.position_px);
+    if (gesture.event.action == PointerAction::double_click && double_click(gesture, hit)) return PlotIdle{};
+    if (const auto* knot = std::get_if<HoveredKnot>(&hit)) return press_knot(gesture, knot->index);
+    const double start = gesture.state.parameter();
+    set_parameter(gesture);
+    return DraggingPlotParameter{start};
+}
+
+PlotMode step(const PlotIdle& mode, const PlotGesture& gesture) {
+    switch (gesture.event.action) {
+        case PointerAction::press:
+        case PointerAction::double_click:
+            return press(gesture);
+        case PointerAction::move:
+            request_hover(hit_plot(gesture.state, gesture.layout, gesture.event.position_px), gesture.state,
+                          gesture.queue);
+            return mode;
+        case PointerAction::leave:
+            request_hover(HoveredNothing{}, gesture.state, gesture.queue);
+            return mode;
+        case PointerAction::wheel:
+            zoom(gesture);
+            return mode;
+        case PointerAction::release:
+        case PointerAction::escape:
+            return mode;
+    }
+    return mode;
+}
+
+/// The parameter to which the dragged knot is to go.
+double dragged_parameter(const DraggingKnot& mode, const PlotGesture& gesture) {
+    const double u = gesture.pointed_parameter() + mode.press_offset;
+    if (!gesture.event.modifiers.ctrl) return u;
+    return rounded_to_step(u, minor_grid_step(gesture.px_per_unit() / gesture.state.view.interface_scale));
+}
+
+void move_knot(const DraggingKnot& mode, const PlotGesture& gesture) {
+    std::vector<Argument> arguments{number(mode.index), dragged_parameter(mode, gesture),
+                                    argument_of(gesture.state.view.knot_move),
+                                    pixels(gesture.state, snap_reach) / gesture.px_per_unit()};
+    if (is_release(gesture))
+        gesture.queue.run("move-knot", std::move(arguments));
+    else
+        gesture.queue.preview("move-knot", std::move(arguments));
+    request_hover(HoveredKnot{moving_knot(gesture.state, mode.index)}, gesture.state, gesture.queue);
+}
+
+PlotMode step(DraggingKnot mode, const PlotGesture& gesture) {
+    if (gesture.event.action == PointerAction::escape) {
+        if (mode.has_moved) gesture.queue.cancel_preview();
+        return PlotIdle{};
+    }
+    if (gesture.event.action != PointerAction::move && !is_release(gesture)) return mode;
+    const double y = gesture.event.position_px.y;
+    mode.has_moved = mode.has_moved || is_drag(gesture.state, {mode.press_x_px, y}, gesture.event.position_px);
+    if (mode.has_moved) move_knot(mode, gesture);
+    if (is_release(gesture)) return PlotIdle{};
+    return mode;
+}
+
+PlotMode step(const DraggingPlotParameter& mode, const PlotGesture& gesture) {
+    if (is_release(gesture)) return PlotIdle{};
+    if (gesture.event.action == PointerAction::escape) {
+        gesture.queue.run("set-parameter", {mode.start});
+        return PlotIdle{};
+    }
+    if (gesture.event.action == PointerAction::move) set_parameter(gesture);
+    return mode;
+}
+
+PlotMode step(const PanningPlot& mode, const PlotGesture& gesture) {
+    const PointerAction action = gesture.event.action;
+    if (action == PointerAction::escape || action == PointerAction::release) return PlotIdle{};
+    if (action != PointerAction::move) return mode;
+    const double x = gesture.event.position_px.x;
+    const double shift = (mode.last_x_px - x) / gesture.px_per_unit();
+    const core::Interval range = gesture.layout.range;
+    if (gesture.state.view.plot_range && shift != 0.0) show_range(gesture, {range.lower + shift, range.upper + shift});
+    return PanningPlot{x};
+}
+
+}  // namespace
+
+PlotMode step_plot(const PlotMode& mode, const PointerEvent& event, const EditorState& state, glm::dvec2 size_px,
+                   CommandQueue& queue) {
+    const PlotGesture gesture{{event, state, queue}, plot_layout(state, size_px)};
+    return std::visit([&gesture](const auto& current) { return step(current, gesture); }, mode);
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,44 @@
+/// What all parts of the canvas are drawn from: the state, the active curve, colours, and where the world is in the
+/// picture.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/editor/highlight.h"
+#include "app/editor/scene/pen.h"
+#include "app/editor/state.h"
+#include "core/de_boor.h"
+
+namespace batten::editor {
+
+/// One picture of the canvas while it is drawn.
+struct CanvasFrame {
+    CanvasFrame(const EditorState& shown_state, render::DrawList& list);
+
+    const EditorState& state;
+    Theme theme;
+    Pen pen;
+    const core::Curve* curve = nullptr;  ///< the active curve; null when there is none or it is hidden
+    Highlight lit;
+    std::optional<core::DeBoorTriangle> triangle;     ///< at the view's parameter; there when the curve is
+    std::vector<std::vector<glm::dvec2>> curve_runs;  ///< the active curve as far as it is seen
+
+    bool shows(Overlay overlay) const { return state.view.overlays.is_shown(overlay); }
+
+    /// A place in the picture, finite whatever the point: coordinates beyond 1e30 pixels stop there.
+    glm::dvec2 screen(core::Point world) const;
+    std::vector<glm::dvec2> screen(std::span<const core::Point> world) const;
+
+    /// The world as far as it is seen, with `margin_px` pixels around the picture.
+    core::Box seen(double margin_px) const;
+};
+
+/// The runs of `curve` over `range` that are seen, true to a quarter of a pixel, in pixels.
+std::vector<std::vector<glm::dvec2>> seen_runs(const CanvasFrame& frame, const core::Curve& curve,
+                                               core::Interval range);
+
+/// The span of the view's parameter; the frame must have a curve.
+core::Interval active_span(const CanvasFrame& frame);
+
+}  // namespace batten::editor

@@ -1,0 +1,122 @@
+#include "app/editor/scene/canvas_labels.h"
+
+#include <algorithm>
+
+#include "app/editor/formula.h"
+#include "app/editor/scene/control_polygon.h"
+#include "app/editor/scene/label_layout.h"
+#include "app/editor/scene/text_size.h"
+#include "app/editor/weight_ring.h"
+
+namespace batten::editor {
+
+namespace {
+
+constexpr double name_size = 13.0;
+constexpr double detail_size = 11.0;
+constexpr double point_distance = 11.0;
+constexpr double knot_distance = 9.0;
+constexpr double boxed_point_distance = 14.0;
+constexpr double word_gap = 4.0;
+
+/// A part of a label in a colour of its own.
+struct Word {
+    std::string text;
+    TextStyle style;
+};
+
+/// Puts labels into free places.
+class LabelWriter {
+  public:
+    LabelWriter(CanvasFrame& frame, const std::vector<render::Rectangle>& covered)
+        : frame_(frame), layout_(frame.pen.size_px()) {
+        for (const render::Rectangle& box : covered) layout_.avoid_box(box);
+        for (const auto& run : frame.curve_runs) layout_.avoid_line(run);
+        if (!frame.shows(Overlay::polygon)) return;
+        layout_.avoid_line(polygon_places(frame));
+        for (const core::Point point : frame.curve->control_points())
+            layout_.avoid_symbol(frame.screen(point), frame.pen.px(7.5));
+    }
+
+    LabelLayout& layout() { return layout_; }
+
+    /// Words side by side around `point`; left out where there is no room.
+    bool write(glm::dvec2 point, std::vector<Word> words, double distance, LabelSide first, Crowding crowding) {
+        const render::Rectangle picture{{}, frame_.pen.size_px()};
+        if (!picture.contains(point)) return true;
+        const double gap = frame_.pen.px(word_gap);
+        glm::dvec2 size{-gap, 0.0};
+        for (const Word& word : words)
+            size = {size.x + gap + width_px(word), std::max(size.y, frame_.pen.px(1.25 * word.style.size))};
+        const auto place = layout_.place(point, size, frame_.pen.px(distance), first, crowding);
+        if (!place) return false;
+        // Words are set from the end that is anchored, where the true widths of the fonts do no harm.
+        const bool is_from_right = place->anchor == render::Anchor::right;
+        if (is_from_right) std::reverse(words.begin(), words.end());
+        double x = is_from_right ? place->box.upper.x : place->box.lower.x;
+        for (Word& word : words) {
+            word.style.anchor = is_from_right ? render::Anchor::right : render::Anchor::left;
+            const double width = width_px(word) + gap;
+            frame_.pen.text({x, place->position.y}, std::move(word.text), word.style);
+            x += is_from_right ? -width : width;
+        }
+        return true;
+    }
+
+  private:
+    double width_px(const Word& word) const {
+        return text_size(word.text, frame_.pen.px(word.style.size), word.style.font).x;
+    }
+
+    CanvasFrame& frame_;
+    LabelLayout layout_;
+};
+
+void write_point_name(LabelWriter& writer, CanvasFrame& frame, std::size_t i) {
+    const double weight = frame.curve->weights()[i];
+    std::vector<Word> words{{"P_{" + std::to_string(i) + "}", {.color = frame.theme.text, .size = name_size}}};
+    if (weight != 1.0)
+        words.push_back({"· w " + number_text(weight, 3), {.color = frame.theme.dim, .size = name_size}});
+    const double ring = weight_ring_radius_px(frame.state, i).value_or(0.0) / frame.pen.px(1.0);
+    const double distance = std::max(i == 0 ? boxed_point_distance : point_distance, ring + 3.0);
+    const auto* hovered = std::get_if<HoveredPoint>(&frame.state.hover);
+    const bool matters = frame.state.selection.contains_point(i) || (hovered != nullptr && hovered->index == i);
+    writer.write(frame.screen(frame.curve->control_points()[i]), std::move(words), distance, LabelSide::upper_right,
+                 matters ? Crowding::cover_symbols : Crowding::leave_out);
+}
+
+std::string knot_text(const CurveKnot& knot) {
+    const std::string times = "×" + std::to_string(knot.multiplicity);
+    return knot.is_interior ? times + " " + continuity_text(knot.continuity) : times;
+}
+
+void write_knot(LabelWriter& writer, CanvasFrame& frame, const CurveKnot& knot) {
+    if (knot.multiplicity < 2) return;
+    const render::Color color = knot.is_lit ? frame.theme.accent : frame.theme.dim;
+    writer.write(knot.places.back(), {{knot_text(knot), {.color = color, .size = detail_size}}}, knot_distance,
+                 LabelSide::upper_right, Crowding::cover_symbols);
+}
+
+/// Beside C(u), or a little farther away when it is crowded there; the dock tells the parameter, too.
+void write_curve_point(LabelWriter& writer, CanvasFrame& frame) {
+    const glm::dvec2 place = frame.screen(frame.triangle->point());
+    const std::string text = "C(" + fixed_text(frame.triangle->u, 3) + ")";
+    const TextStyle style{.color = frame.theme.parameter, .size = name_size, .font = render::LabelFont::bold};
+    for (const double distance : {13.0, 24.0})
+        if (writer.write(place, {{text, style}}, distance, LabelSide::lower_right, Crowding::cover_symbols)) return;
+}
+
+}  // namespace
+
+void draw_canvas_labels(CanvasFrame& frame, const std::vector<CurveKnot>& knots,
+                        const std::vector<render::Rectangle>& covered) {
+    LabelWriter writer(frame, covered);
+    for (const CurveKnot& knot : knots)
+        for (const glm::dvec2 place : knot.places) writer.layout().avoid_symbol(place, frame.pen.px(5.0));
+    if (frame.shows(Overlay::polygon))
+        for (std::size_t i = 0; i < frame.curve->control_points().size(); ++i) write_point_name(writer, frame, i);
+    for (const CurveKnot& knot : knots) write_knot(writer, frame, knot);
+    write_curve_point(writer, frame);
+}
+
+}  // namespace batten::editor

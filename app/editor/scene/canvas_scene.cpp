@@ -1,0 +1,78 @@
+#include "app/editor/scene/canvas_scene.h"
+
+#include "app/editor/scene/canvas_frame.h"
+#include "app/editor/scene/canvas_labels.h"
+#include "app/editor/scene/construction.h"
+#include "app/editor/scene/control_points.h"
+#include "app/editor/scene/control_polygon.h"
+#include "app/editor/scene/curvature_comb.h"
+#include "app/editor/scene/curve_knots.h"
+#include "app/editor/scene/curve_strokes.h"
+#include "app/editor/scene/gesture_marks.h"
+#include "app/editor/scene/grid.h"
+#include "app/editor/scene/hodograph_inset.h"
+#include "app/editor/scene/legend.h"
+
+namespace batten::editor {
+
+namespace {
+
+bool has_legend(const CanvasFrame& frame) {
+    return frame.curve != nullptr && frame.shows(Overlay::construction);
+}
+
+bool has_inset(const CanvasFrame& frame) {
+    return frame.curve != nullptr && frame.shows(Overlay::hodograph);
+}
+
+/// Returns what labels must keep clear of: the numbers of the grid, legend and inset.
+std::vector<render::Rectangle> draw_background(CanvasFrame& frame) {
+    std::vector<render::Rectangle> covered;
+    const auto legend = has_legend(frame) ? std::optional(legend_box(frame)) : std::nullopt;
+    if (frame.shows(Overlay::grid)) {
+        draw_grid(frame);
+        covered = draw_grid_numbers(frame, legend);
+    }
+    if (legend) covered.push_back(*legend);
+    if (has_inset(frame)) covered.push_back(hodograph_box(frame));
+    draw_ghost(frame);
+    draw_other_curves(frame);
+    return covered;
+}
+
+void draw_lines_of_active_curve(CanvasFrame& frame) {
+    draw_hull(frame);
+    if (frame.shows(Overlay::polygon)) draw_control_polygon(frame);
+    if (frame.shows(Overlay::bezier_pieces)) draw_bezier_polygons(frame);
+    if (frame.shows(Overlay::curvature_comb)) draw_curvature_comb(frame);
+    draw_lit_parts(frame);
+    draw_active_curve(frame);
+}
+
+void draw_marks_of_active_curve(CanvasFrame& frame, const std::vector<render::Rectangle>& covered) {
+    const std::vector<CurveKnot> knots = frame.shows(Overlay::knots) ? curve_knots(frame) : std::vector<CurveKnot>{};
+    draw_curve_knots(frame, knots);
+    draw_hovered_place(frame);
+    if (frame.shows(Overlay::construction)) draw_construction(frame);
+    if (frame.shows(Overlay::polygon)) draw_control_points(frame);
+    draw_curve_point(frame);
+    if (frame.shows(Overlay::labels)) draw_canvas_labels(frame, knots, covered);
+}
+
+}  // namespace
+
+render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode) {
+    render::DrawList list;
+    CanvasFrame frame(state, list);
+    const std::vector<render::Rectangle> covered = draw_background(frame);
+    if (frame.curve != nullptr) {
+        draw_lines_of_active_curve(frame);
+        draw_marks_of_active_curve(frame, covered);
+    }
+    draw_gesture_marks(frame, mode);
+    if (has_inset(frame)) draw_hodograph_inset(frame);
+    if (has_legend(frame)) draw_legend(frame);
+    return list;
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,17 @@
+/// The de Boor construction at the view's parameter.
+#pragma once
+
+#include "app/editor/scene/canvas_frame.h"
+
+namespace batten::editor {
+
+/// The last level that is drawn, 0 to the degree; the frame must have a curve.
+std::size_t shown_level(const CanvasFrame& frame);
+
+/// The segments on which the points of levels 1 to shown_level lie, these points, and what belongs to a hovered cell.
+void draw_construction(CanvasFrame& frame);
+
+/// C(u) as a disc; hollow while the construction has not come that far.
+void draw_curve_point(CanvasFrame& frame);
+
+}  // namespace batten::editor

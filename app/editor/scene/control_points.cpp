@@ -1,0 +1,67 @@
+#include "app/editor/scene/control_points.h"
+
+#include <algorithm>
+
+#include "app/editor/weight_ring.h"
+
+namespace batten::editor {
+
+namespace {
+
+constexpr double radius = 6.5;
+constexpr double hovered_radius = 8.0;
+
+bool is_hovered(const CanvasFrame& frame, std::size_t i) {
+    const auto* point = std::get_if<HoveredPoint>(&frame.state.hover);
+    const auto* basis = std::get_if<HoveredBasis>(&frame.state.hover);
+    return (point != nullptr && point->index == i) || (basis != nullptr && basis->index == i);
+}
+
+bool is_lit(const CanvasFrame& frame, std::size_t i) {
+    return std::binary_search(frame.lit.points.begin(), frame.lit.points.end(), i);
+}
+
+void draw_first_box(CanvasFrame& frame, glm::dvec2 place) {
+    frame.pen.symbol(place, {.shape = render::MarkerShape::square,
+                             .radius = 10.0,
+                             .fill = no_color,
+                             .outline = frame.theme.dim,
+                             .outline_width = 1.25});
+}
+
+void draw_weight_ring(CanvasFrame& frame, glm::dvec2 place, std::size_t i) {
+    const auto ring_px = weight_ring_radius_px(frame.state, i);
+    if (!ring_px) return;
+    const auto* ring = std::get_if<HoveredWeightRing>(&frame.state.hover);
+    frame.pen.symbol(place, {.radius = *ring_px / frame.pen.px(1.0),
+                             .fill = no_color,
+                             .outline = frame.theme.point(i),
+                             .outline_width = ring != nullptr && ring->index == i ? 2.5 : 1.5,
+                             .dash = 3.0});
+}
+
+void draw_control_point(CanvasFrame& frame, glm::dvec2 place, std::size_t i) {
+    const bool is_large = is_hovered(frame, i) || is_lit(frame, i);
+    const double size = is_large ? hovered_radius : radius;
+    frame.pen.symbol(
+        place, {.radius = size, .fill = frame.theme.point(i), .outline = frame.theme.canvas, .outline_width = 2.0});
+    // Just outside of the disc, so that it stays apart from the smallest weight ring.
+    if (frame.state.selection.contains_point(i))
+        frame.pen.symbol(place,
+                         {.radius = size + 1.0, .fill = no_color, .outline = frame.theme.accent, .outline_width = 2.0});
+}
+
+}  // namespace
+
+void draw_control_points(CanvasFrame& frame) {
+    const auto points = frame.curve->control_points();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const glm::dvec2 place = frame.screen(points[i]);
+        if (!frame.pen.reach().contains(place)) continue;
+        if (i == 0) draw_first_box(frame, place);
+        draw_weight_ring(frame, place, i);
+        draw_control_point(frame, place, i);
+    }
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,21 @@
+/// The control polygon, the hull of the active span and the polygons of the Bézier pieces.
+#pragma once
+
+#include "app/editor/scene/canvas_frame.h"
+
+namespace batten::editor {
+
+/// The control points in pixels; of a periodic curve the first once more at the end.
+std::vector<glm::dvec2> polygon_places(const CanvasFrame& frame);
+
+/// The dashed legs, a hovered one solid.
+void draw_control_polygon(CanvasFrame& frame);
+
+/// The convex hull of the points that act on the active span, or of what is lit, which shows its hull even where the
+/// overlay is off.
+void draw_hull(CanvasFrame& frame);
+
+/// For each span the control polygon that its piece has as a Bézier curve.
+void draw_bezier_polygons(CanvasFrame& frame);
+
+}  // namespace batten::editor

@@ -1,0 +1,103 @@
+#include "app/editor/scene/curve_strokes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/evaluate.h"
+
+namespace batten::editor {
+
+namespace {
+
+constexpr double curve_width = 3.0;
+constexpr double other_width = 2.0;
+constexpr double span_width = 4.0;
+constexpr double glow_width = 11.0;
+constexpr double ghost_share = 0.35;
+constexpr double other_share = 0.55;
+
+render::Color color_of(const core::DocumentCurve& item, const Theme& theme) {
+    if (!item.color) return theme.curve;
+    return {item.color->red, item.color->green, item.color->blue, 255};
+}
+
+void stroke_runs(CanvasFrame& frame, const std::vector<std::vector<glm::dvec2>>& runs, const Stroke& stroke) {
+    for (const auto& run : runs) frame.pen.line(run, stroke);
+}
+
+/// What lights up belongs to one point, and has its colour, or to a knot or span.
+render::Color glow_color(const CanvasFrame& frame) {
+    render::Color color = frame.theme.accent;
+    if (const auto* point = std::get_if<HoveredPoint>(&frame.state.hover)) color = frame.theme.point(point->index);
+    if (const auto* ring = std::get_if<HoveredWeightRing>(&frame.state.hover)) color = frame.theme.point(ring->index);
+    if (const auto* basis = std::get_if<HoveredBasis>(&frame.state.hover)) color = frame.theme.point(basis->index);
+    return render::blended(color, 0.35, frame.theme.canvas);
+}
+
+/// A chevron in the middle of the last span; nothing where the curve stands still.
+void draw_direction(CanvasFrame& frame, render::Color color) {
+    const core::KnotVector& knots = frame.curve->knots();
+    const std::size_t s = knots.span_at(frame.curve->domain().upper, core::Side::left);
+    const double u = knots[s] + 0.5 * (knots[s + 1] - knots[s]);
+    const std::vector<core::Vector> at = core::derivatives_at(*frame.curve, u, 1);
+    const double speed = glm::length(at[1]);
+    if (!(speed > 0.0) || !std::isfinite(speed)) return;
+    const glm::dvec2 along = glm::dvec2(at[1].x, -at[1].y) / speed;
+    const glm::dvec2 across{-along.y, along.x};
+    const glm::dvec2 tip = frame.screen(at[0]) + frame.pen.px(4.0) * along;
+    const glm::dvec2 back = tip - frame.pen.px(7.0) * along;
+    const double half = frame.pen.px(5.5);
+    frame.pen.line(std::array{back + half * across, tip, back - half * across}, {.color = color, .width = 2.5});
+}
+
+}  // namespace
+
+void draw_ghost(CanvasFrame& frame) {
+    if (!frame.state.ghost) return;
+    const core::Curve& ghost = *frame.state.ghost->curve;
+    const render::Color color = render::blended(frame.theme.curve, ghost_share, frame.theme.canvas);
+    stroke_runs(frame, seen_runs(frame, ghost, ghost.domain()), {.color = color, .width = other_width});
+}
+
+void draw_other_curves(CanvasFrame& frame) {
+    const core::Document& document = frame.state.shown();
+    const auto* hovered = std::get_if<HoveredOtherCurve>(&frame.state.hover);
+    for (std::size_t i = 0; i < document.curves.size(); ++i) {
+        const core::DocumentCurve& item = document.curves[i];
+        if (i == document.active || !item.visible) continue;
+        const bool is_hovered = hovered != nullptr && hovered->index == i;
+        const render::Color color = color_of(item, frame.theme);
+        const Stroke stroke{.color = is_hovered ? color : render::blended(color, other_share, frame.theme.canvas),
+                            .width = is_hovered ? curve_width : other_width};
+        stroke_runs(frame, seen_runs(frame, *item.curve, item.curve->domain()), stroke);
+    }
+}
+
+void draw_lit_parts(CanvasFrame& frame) {
+    const Stroke glow{.color = glow_color(frame), .width = glow_width};
+    for (const core::Interval& part : frame.lit.parts) stroke_runs(frame, seen_runs(frame, *frame.curve, part), glow);
+}
+
+void draw_active_curve(CanvasFrame& frame) {
+    const render::Color color = color_of(*frame.state.shown().active_curve(), frame.theme);
+    stroke_runs(frame, frame.curve_runs, {.color = color, .width = curve_width});
+    draw_direction(frame, color);
+    const Stroke accent{.color = frame.theme.accent, .width = span_width};
+    stroke_runs(frame, seen_runs(frame, *frame.curve, active_span(frame)), accent);
+}
+
+void draw_hovered_place(CanvasFrame& frame) {
+    const auto* place = std::get_if<HoveredCurve>(&frame.state.hover);
+    if (place == nullptr) return;
+    const bool inserts = frame.state.tool == Tool::insert_knot;
+    frame.pen.symbol(frame.screen(core::point_at(*frame.curve, place->u)),
+                     {.shape = inserts ? render::MarkerShape::diamond : render::MarkerShape::disc,
+                      .radius = inserts ? 6.0 : 4.0,
+                      .fill = frame.theme.canvas,
+                      .outline = frame.theme.accent,
+                      .outline_width = 2.0});
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,162 @@
+#include "app/editor/scene/grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/editor/formula.h"
+#include "app/editor/grid_step.h"
+#include "app/editor/scene/text_size.h"
+
+namespace batten::editor {
+
+namespace {
+
+constexpr double number_size = 10.5;
+constexpr double edge_distance = 7.0;
+constexpr double number_gap = 18.0;
+
+/// The multiples of a step that are seen along one axis; a multiple is `index` steps, kept as a double beyond all
+/// integers.
+struct Multiples {
+    double step = 1.0;
+    double first = 0.0;
+    int count = 0;
+
+    double index(int k) const { return first + k; }
+    double value(int k) const { return index(k) * step; }
+};
+
+/// None where doubles are too coarse to tell neighbours apart.
+Multiples multiples(double lower, double upper, double step) {
+    const double resolution = std::numeric_limits<double>::epsilon() * std::max(std::abs(lower), std::abs(upper));
+    if (step < 8.0 * resolution) return {step, 0.0, 0};
+    const double first = std::ceil(lower / step);
+    const double count = std::floor(upper / step) - first + 1.0;
+    return {step, first, static_cast<int>(std::clamp(count, 0.0, 10000.0))};
+}
+
+double design_scale(const CanvasFrame& frame) {
+    return frame.state.view.camera.scale / frame.state.view.interface_scale;
+}
+
+void draw_line(CanvasFrame& frame, int axis, double value, render::Color color) {
+    const glm::dvec2 size = frame.pen.size_px();
+    core::Point point{};
+    point[axis] = value;
+    glm::dvec2 from{};
+    from[axis] = frame.screen(point)[axis];
+    glm::dvec2 to = size;
+    to[axis] = from[axis];
+    frame.pen.segment(from, to, {.color = color});
+}
+
+void draw_lines(CanvasFrame& frame, int axis, double step, render::Color color, double left_out_every) {
+    const core::Box seen = frame.seen(0.0);
+    const Multiples lines = multiples(seen.lower[axis], seen.upper[axis], step);
+    for (int k = 0; k < lines.count; ++k) {
+        const bool is_left_out = left_out_every > 0.0 && std::fmod(lines.index(k), left_out_every) == 0.0;
+        if (!is_left_out) draw_line(frame, axis, lines.value(k), color);
+    }
+}
+
+/// The least of 1, 2, 5, 10, 20, ... that is at least `least`.
+double round_number_from(double least) {
+    double number = 1.0;
+    for (int k = 0; number < least && k < 60; ++k) number *= k % 3 == 1 ? 2.5 : 2.0;
+    return number;
+}
+
+bool overlap(const render::Rectangle& a, const render::Rectangle& b) {
+    return a.lower.x < b.upper.x && b.lower.x < a.upper.x && a.lower.y < b.upper.y && b.lower.y < a.upper.y;
+}
+
+/// The numbers of one axis: 0 for x along the lower edge, 1 for y along the left one.
+class NumberRow {
+  public:
+    NumberRow(CanvasFrame& frame, int axis, const std::optional<render::Rectangle>& covered,
+              std::vector<render::Rectangle>& written)
+        : frame_(frame), axis_(axis), covered_(covered), written_(written) {}
+
+    void draw() {
+        const core::Box seen = frame_.seen(0.0);
+        const double major = major_grid_step(design_scale(frame_));
+        const double lower = seen.lower[axis_];
+        const double upper = seen.upper[axis_];
+        const double room = std::max(size_of(multiples(lower, upper, major))[axis_], frame_.pen.px(number_size));
+        const double stride =
+            round_number_from((room + frame_.pen.px(number_gap)) / (major * frame_.state.view.camera.scale));
+        const Multiples shown = multiples(lower, upper, stride * major);
+        for (int k = 0; k < shown.count; ++k) draw_number(shown.value(k), shown.step);
+    }
+
+  private:
+    glm::dvec2 text_px(const std::string& text) const {
+        return text_size(text, frame_.pen.px(number_size), render::LabelFont::number);
+    }
+
+    glm::dvec2 size_of(const Multiples& lines) const {
+        glm::dvec2 most{};
+        for (int k = 0; k < lines.count; ++k) {
+            const glm::dvec2 size = text_px(grid_number_text(lines.value(k), lines.step));
+            most = {std::max(most.x, size.x), std::max(most.y, size.y)};
+        }
+        return most;
+    }
+
+    void draw_number(double value, double step) {
+        const std::string text = grid_number_text(value, step);
+        const glm::dvec2 size = text_px(text);
+        const glm::dvec2 picture = frame_.pen.size_px();
+        const double edge = frame_.pen.px(edge_distance);
+        core::Point point{};
+        point[axis_] = value;
+        glm::dvec2 lower = frame_.screen(point) - 0.5 * size;
+        if (axis_ == 0)
+            lower.y = picture.y - edge - 0.75 * size.y;
+        else
+            lower.x = edge;
+        const render::Rectangle box{lower, lower + size};
+        const bool is_in_corner = axis_ == 1 && box.upper.y > picture.y - edge - size.y;
+        const bool is_cut = box.lower.x < 0.5 * edge || box.upper.x > picture.x || box.lower.y < 0.0;
+        if (is_in_corner || is_cut || (covered_ && overlap(box, *covered_))) return;
+        written_.push_back(box);
+        frame_.pen.text({box.lower.x, 0.5 * (box.lower.y + box.upper.y)}, text,
+                        {.color = render::blended(frame_.theme.dim, 0.75, frame_.theme.canvas),
+                         .size = number_size,
+                         .font = render::LabelFont::number});
+    }
+
+    CanvasFrame& frame_;
+    int axis_;
+    const std::optional<render::Rectangle>& covered_;
+    std::vector<render::Rectangle>& written_;
+};
+
+}  // namespace
+
+void draw_grid(CanvasFrame& frame) {
+    const double scale = design_scale(frame);
+    const double major = major_grid_step(scale);
+    const double minor = minor_grid_step(scale);
+    const double strength = std::clamp((minor * scale - 6.0) / 40.0, 0.2, 1.0);
+    const render::Color faint = render::blended(frame.theme.grid_minor, strength, frame.theme.canvas);
+    for (int axis = 0; axis < 2; ++axis) draw_lines(frame, axis, minor, faint, std::round(major / minor));
+    for (int axis = 0; axis < 2; ++axis) draw_lines(frame, axis, major, frame.theme.grid_major, 0.0);
+}
+
+std::vector<render::Rectangle> draw_grid_numbers(CanvasFrame& frame, const std::optional<render::Rectangle>& covered) {
+    std::vector<render::Rectangle> written;
+    for (int axis = 0; axis < 2; ++axis) NumberRow(frame, axis, covered, written).draw();
+    return written;
+}
+
+std::string grid_number_text(double value, double step) {
+    if (value == 0.0) return "0";
+    // A hair more, so that 1000 counts four digits although its logarithm may come out just below 3.
+    const double value_decade = std::floor(std::log10(std::abs(value)) + 1e-9);
+    const double step_decade = std::floor(std::log10(step) + 1e-9);
+    return number_text(value, static_cast<int>(std::clamp(value_decade - step_decade + 1.0, 1.0, 17.0)));
+}
+
+}  // namespace batten::editor

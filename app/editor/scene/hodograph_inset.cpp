@@ -1,0 +1,115 @@
+#include "app/editor/scene/hodograph_inset.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/editor/scene/panel_box.h"
+#include "core/evaluate.h"
+
+namespace batten::editor {
+
+namespace {
+
+constexpr double width = 200.0;
+constexpr double height = 150.0;
+constexpr double margin = 14.0;
+constexpr double padding = 14.0;
+constexpr double title_height = 20.0;
+
+using Run = std::vector<core::Vector>;
+
+bool is_finite(core::Vector v) {
+    return std::isfinite(v.x) && std::isfinite(v.y);
+}
+
+/// The derivative over each non-empty span, from its one-sided value at the start to that at the end.
+std::vector<Run> hodograph_runs(const core::Curve& curve) {
+    const core::KnotVector& knots = curve.knots();
+    const auto p = static_cast<std::size_t>(curve.degree());
+    const int steps = std::clamp(320 / static_cast<int>(knots.size() - 2 * p), 4, 40);
+    std::vector<Run> runs;
+    for (std::size_t s = p; s + p + 1 < knots.size(); ++s) {
+        if (knots[s] == knots[s + 1]) continue;
+        Run& run = runs.emplace_back();
+        for (int k = 0; k <= steps; ++k) {
+            const double u = k == steps ? knots[s + 1] : knots[s] + (knots[s + 1] - knots[s]) * k / steps;
+            const core::Vector v =
+                core::derivatives_at(curve, u, 1, k == steps ? core::Side::left : core::Side::right)[1];
+            if (is_finite(v)) run.push_back(v);
+        }
+    }
+    return runs;
+}
+
+/// Maps vectors into the box, all by one scale.
+class InsetMap {
+  public:
+    InsetMap(const render::Rectangle& area, const std::vector<Run>& runs) {
+        core::Box box;
+        box.include({0.0, 0.0});
+        for (const Run& run : runs)
+            for (const core::Vector v : run) box.include(v);
+        const glm::dvec2 room = area.upper - area.lower;
+        // Halves first: the difference of two huge values may not be finite.
+        const glm::dvec2 half = 0.5 * box.upper - 0.5 * box.lower;
+        const double larger = std::max(half.x / room.x, half.y / room.y);
+        middle_ = 0.5 * box.upper + 0.5 * box.lower;
+        scale_ = larger > 0.0 && std::isfinite(1.0 / larger) ? 0.5 / larger : 0.0;
+        center_ = area.lower + 0.5 * room;
+    }
+
+    glm::dvec2 operator()(core::Vector v) const {
+        return center_ + scale_ * glm::dvec2(v.x - middle_.x, middle_.y - v.y);
+    }
+
+  private:
+    glm::dvec2 middle_{};
+    glm::dvec2 center_{};
+    double scale_ = 0.0;
+};
+
+void draw_axes(Pen& pen, const Theme& theme, const render::Rectangle& area, glm::dvec2 origin) {
+    pen.segment({area.lower.x, origin.y}, {area.upper.x, origin.y}, {.color = theme.line});
+    pen.segment({origin.x, area.lower.y}, {origin.x, area.upper.y}, {.color = theme.line});
+}
+
+/// Without the points that lie within half a pixel of their predecessor.
+std::vector<glm::dvec2> thinned(const Run& run, const InsetMap& map) {
+    std::vector<glm::dvec2> places;
+    for (std::size_t k = 0; k < run.size(); ++k) {
+        const glm::dvec2 place = map(run[k]);
+        const bool is_last = k + 1 == run.size();
+        if (is_last || places.empty() || glm::distance(places.back(), place) > 0.5) places.push_back(place);
+    }
+    return places;
+}
+
+}  // namespace
+
+render::Rectangle hodograph_box(const CanvasFrame& frame) {
+    const Pen& pen = frame.pen;
+    const glm::dvec2 upper{pen.size_px().x - pen.px(margin), pen.px(margin + height)};
+    return {upper - glm::dvec2(pen.px(width), pen.px(height)), upper};
+}
+
+void draw_hodograph_inset(CanvasFrame& frame) {
+    const render::Rectangle box = hodograph_box(frame);
+    Pen& pen = frame.pen;
+    const Theme& theme = frame.theme;
+    draw_panel_box(pen, theme, box);
+    const glm::dvec2 corner = box.lower + glm::dvec2(pen.px(padding));
+    pen.text({corner.x, box.lower.y + pen.px(15.0)}, "Hodograph C′(u)", {.color = theme.dim, .size = 11.5});
+    const render::Rectangle area{corner + glm::dvec2(0.0, pen.px(title_height - 4.0)),
+                                 box.upper - glm::dvec2(pen.px(padding))};
+    const std::vector<Run> runs = hodograph_runs(*frame.curve);
+    const InsetMap map(area, runs);
+    draw_axes(pen, theme, area, map({0.0, 0.0}));
+    for (const Run& run : runs) pen.line(thinned(run, map), {.color = theme.curve, .width = 1.75});
+    const core::Vector now = core::derivatives_at(*frame.curve, frame.triangle->u, 1)[1];
+    if (!is_finite(now)) return;
+    pen.segment(map({0.0, 0.0}), map(now), {.color = theme.parameter, .width = 1.5});
+    pen.symbol(map(now), {.radius = 4.5, .fill = theme.parameter, .outline = theme.panel, .outline_width = 1.5});
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,140 @@
+#include "app/editor/scene/label_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace batten::editor {
+
+namespace {
+
+constexpr double column_px = 48.0;
+constexpr double impossible = std::numeric_limits<double>::infinity();
+constexpr double line_cost = 1.0;
+constexpr double symbol_cost = 4.0;
+constexpr double outside_cost = 20.0;
+
+constexpr std::array all_sides{LabelSide::upper_right, LabelSide::upper_left, LabelSide::lower_right,
+                               LabelSide::lower_left,  LabelSide::right,      LabelSide::left,
+                               LabelSide::above,       LabelSide::below};
+
+bool overlap(const render::Rectangle& a, glm::dvec2 lower, glm::dvec2 upper) {
+    return a.lower.x < upper.x && lower.x < a.upper.x && a.lower.y < upper.y && lower.y < a.upper.y;
+}
+
+/// The direction from the point to the label: -1, 0 or 1 to the right and downwards.
+glm::dvec2 direction_of(LabelSide side) {
+    switch (side) {
+        case LabelSide::upper_right:
+            return {1.0, -1.0};
+        case LabelSide::upper_left:
+            return {-1.0, -1.0};
+        case LabelSide::lower_right:
+            return {1.0, 1.0};
+        case LabelSide::lower_left:
+            return {-1.0, 1.0};
+        case LabelSide::right:
+            return {1.0, 0.0};
+        case LabelSide::left:
+            return {-1.0, 0.0};
+        case LabelSide::above:
+            return {0.0, -1.0};
+        case LabelSide::below:
+            return {0.0, 1.0};
+    }
+    return {1.0, -1.0};
+}
+
+LabelPlace place_at(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide side) {
+    const glm::dvec2 direction = direction_of(side);
+    const bool is_diagonal = direction.x != 0.0 && direction.y != 0.0;
+    // Diagonal labels may come closer in height: there is room beside a round symbol.
+    const double rise = is_diagonal ? 0.45 * offset_px : offset_px;
+    LabelPlace place;
+    place.position.x = point.x + direction.x * offset_px;
+    place.position.y = point.y + direction.y * (rise + 0.5 * text_px.y);
+    double left = place.position.x;
+    if (direction.x < 0.0) {
+        place.anchor = render::Anchor::right;
+        left -= text_px.x;
+    } else if (direction.x == 0.0) {
+        place.anchor = render::Anchor::center;
+        left -= 0.5 * text_px.x;
+    }
+    place.box.lower = {left, place.position.y - 0.5 * text_px.y};
+    place.box.upper = place.box.lower + text_px;
+    return place;
+}
+
+}  // namespace
+
+LabelLayout::LabelLayout(glm::dvec2 size_px)
+    : size_px_(size_px), columns_(static_cast<std::size_t>(std::clamp(size_px.x / column_px, 0.0, 1000.0)) + 1) {}
+
+std::size_t LabelLayout::column(double x) const {
+    return static_cast<std::size_t>(std::clamp(x / column_px, 0.0, static_cast<double>(columns_.size() - 1)));
+}
+
+void LabelLayout::add(const Obstacle& obstacle) {
+    const auto [left, right] = std::minmax(obstacle.a.x, obstacle.b.x);
+    for (std::size_t k = column(left); k <= column(right); ++k) columns_[k].push_back(obstacle);
+}
+
+void LabelLayout::avoid_line(std::span<const glm::dvec2> points) {
+    const render::Rectangle picture{{}, size_px_};
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        if (const auto part = render::clip_segment(picture, points[i], points[i + 1])) {
+            const glm::dvec2 leg = points[i + 1] - points[i];
+            add({Kind::line, points[i] + part->first * leg, points[i] + part->last * leg});
+        }
+}
+
+void LabelLayout::avoid_symbol(glm::dvec2 center, double radius_px) {
+    const render::Rectangle picture{{}, size_px_};
+    if (picture.contains(center)) add({Kind::symbol, center - glm::dvec2(radius_px), center + glm::dvec2(radius_px)});
+}
+
+void LabelLayout::avoid_box(const render::Rectangle& box) {
+    add({Kind::box, box.lower, box.upper});
+}
+
+double LabelLayout::cost(const render::Rectangle& box) const {
+    const render::Rectangle picture{{}, size_px_};
+    double sum = picture.contains(box.lower) && picture.contains(box.upper) ? 0.0 : outside_cost;
+    for (std::size_t k = column(box.lower.x); k <= column(box.upper.x); ++k)
+        for (const Obstacle& obstacle : columns_[k]) {
+            if (obstacle.kind == Kind::line) {
+                const glm::dvec2 lower{std::min(obstacle.a.x, obstacle.b.x), std::min(obstacle.a.y, obstacle.b.y)};
+                const glm::dvec2 upper{std::max(obstacle.a.x, obstacle.b.x), std::max(obstacle.a.y, obstacle.b.y)};
+                const bool is_near = box.lower.x <= upper.x && lower.x <= box.upper.x && box.lower.y <= upper.y &&
+                                     lower.y <= box.upper.y;
+                if (is_near && render::clip_segment(box, obstacle.a, obstacle.b)) sum += line_cost;
+            } else if (overlap(box, obstacle.a, obstacle.b)) {
+                if (obstacle.kind == Kind::box) return impossible;
+                sum += symbol_cost;
+            }
+        }
+    return sum;
+}
+
+std::optional<LabelPlace> LabelLayout::place(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide first,
+                                             Crowding crowding) {
+    std::optional<LabelPlace> best;
+    double least = crowding == Crowding::leave_out ? symbol_cost : impossible;
+    const auto consider = [&](LabelSide side) {
+        if (least == 0.0) return;
+        const LabelPlace candidate = place_at(point, text_px, offset_px, side);
+        const double sum = cost(candidate.box);
+        if (sum < least) {
+            least = sum;
+            best = candidate;
+        }
+    };
+    consider(first);
+    for (const LabelSide side : all_sides) consider(side);
+    if (best) avoid_box(best->box);
+    return best;
+}
+
+}  // namespace batten::editor

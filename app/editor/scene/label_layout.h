@@ -1,0 +1,62 @@
+/// Finds places for labels where they cover neither one another nor what matters in the picture.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "render/clip.h"
+#include "render/draw_list.h"
+
+namespace batten::editor {
+
+/// The places of a label around a point.
+enum class LabelSide { upper_right, upper_left, lower_right, lower_left, right, left, above, below };
+
+/// What happens to a label that has no free place.
+enum class Crowding {
+    leave_out,     ///< it is left out rather than cover a symbol or several lines
+    cover_symbols  ///< it may cover anything but other labels
+};
+
+/// Where a label came to stand.
+struct LabelPlace {
+    glm::dvec2 position{};  ///< for render::Label, with `anchor`
+    render::Anchor anchor = render::Anchor::left;
+    render::Rectangle box;
+};
+
+/// Greedy: every label takes the first of eight places around its point that is free, in a fixed order, so that labels
+/// stay where they are while nothing comes in their way; else the one that covers least. Labels never cover labels.
+class LabelLayout {
+  public:
+    explicit LabelLayout(glm::dvec2 size_px);
+
+    /// Makes labels stay off a line, a symbol, or (under all circumstances) a box.
+    void avoid_line(std::span<const glm::dvec2> points);
+    void avoid_symbol(glm::dvec2 center, double radius_px);
+    void avoid_box(const render::Rectangle& box);
+
+    /// A place for a text of `text_px` that begins `offset_px` sideways of `point`, and about half as far above or
+    /// below; `first` is tried first. None when every place would cover another label, or what `crowding` forbids.
+    std::optional<LabelPlace> place(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide first,
+                                    Crowding crowding);
+
+  private:
+    enum class Kind : std::uint8_t { line, symbol, box };
+    struct Obstacle {
+        Kind kind = Kind::line;
+        glm::dvec2 a{};
+        glm::dvec2 b{};
+    };
+
+    std::size_t column(double x) const;
+    void add(const Obstacle& obstacle);
+    double cost(const render::Rectangle& box) const;
+
+    glm::dvec2 size_px_;
+    std::vector<std::vector<Obstacle>> columns_;  ///< obstacles by the vertical strips of the picture that they touch
+};
+
+}  // namespace batten::editor

@@ -1,0 +1,159 @@
+#include "app/editor/scene/pen.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <utility>
+
+namespace batten::editor {
+
+namespace {
+
+constexpr double margin_px = 64.0;
+constexpr double longest_phase_px = 1e13;  // beyond it doubles no longer tell where in a dash a place is
+
+render::Pixel pixel(glm::dvec2 place) {
+    return render::Pixel(place);
+}
+
+float narrowed(double value) {
+    return static_cast<float>(value);
+}
+
+/// A fraction of the way from a to b, reckoned from the nearer end, so that it is exact near both.
+glm::dvec2 between(glm::dvec2 a, glm::dvec2 b, double t) {
+    return t <= 0.5 ? a + t * (b - a) : b - (1.0 - t) * (b - a);
+}
+
+/// The pieces of a line that lie in `reach`, each as one command like `style`.
+class LineCutter {
+  public:
+    LineCutter(render::DrawList& list, const render::Rectangle& reach, render::Polyline style)
+        : list_(list), reach_(reach), style_(std::move(style)), period_(style_.dash_px + style_.gap_px) {}
+
+    void add(glm::dvec2 a, glm::dvec2 b) {
+        const double length = glm::distance(a, b);
+        const auto part = render::clip_segment(reach_, a, b);
+        if (part) {
+            if (run_.empty() || part->first > 0.0) begin(a, b, part->first, length);
+            run_.push_back(pixel(glm::clamp(between(a, b, part->last), reach_.lower, reach_.upper)));
+        }
+        if (!part || part->last < 1.0) end();
+        along_ += length;
+    }
+
+    void end() {
+        if (run_.size() > 1) {
+            style_.points = std::exchange(run_, {});
+            list_.add(style_);
+        }
+        run_.clear();
+    }
+
+  private:
+    void begin(glm::dvec2 a, glm::dvec2 b, double t, double length) {
+        end();
+        // A whole number of periods from the line's first point, so that dashes keep their places while the view moves.
+        const double along = along_ + t * length;
+        if (period_ > 0.0 && length > 0.0 && along < longest_phase_px)
+            t = std::max(0.0, t - std::fmod(along, period_) / length);
+        // Between ends that are very far away the place is known only roughly.
+        const glm::dvec2 place = between(a, b, t);
+        run_.push_back(pixel(glm::clamp(place, reach_.lower - period_, reach_.upper + period_)));
+    }
+
+    render::DrawList& list_;
+    const render::Rectangle& reach_;
+    render::Polyline style_;
+    double period_;
+    double along_ = 0.0;
+    std::vector<render::Pixel> run_;
+};
+
+}  // namespace
+
+Pen::Pen(render::DrawList& list, glm::dvec2 size_px, double scale)
+    : list_(list),
+      size_px_(size_px),
+      scale_(scale),
+      reach_{glm::dvec2(-margin_px * scale), size_px + glm::dvec2(margin_px * scale)} {}
+
+void Pen::line(std::span<const glm::dvec2> points, const Stroke& stroke) {
+    render::Polyline style{.points = {},
+                           .color = stroke.color,
+                           .width_px = narrowed(px(stroke.width)),
+                           .dash_px = narrowed(px(stroke.dash)),
+                           .gap_px = narrowed(px(stroke.gap)),
+                           .is_closed = false};
+    LineCutter cutter(list_, reach_, std::move(style));
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) cutter.add(points[i], points[i + 1]);
+    cutter.end();
+}
+
+void Pen::segment(glm::dvec2 a, glm::dvec2 b, const Stroke& stroke) {
+    line(std::array{a, b}, stroke);
+}
+
+void Pen::outline(std::vector<glm::dvec2> points, const Stroke& stroke) {
+    if (points.empty()) return;
+    points.push_back(points.front());
+    line(points, stroke);
+}
+
+void Pen::fill(std::vector<glm::dvec2> polygon, render::Color color) {
+    polygon = render::clip_polygon(reach_, std::move(polygon));
+    if (polygon.size() < 3) return;
+    render::Fill fill{{}, color};
+    fill.points.reserve(polygon.size());
+    for (const glm::dvec2 point : polygon) fill.points.push_back(pixel(point));
+    list_.add(std::move(fill));
+}
+
+void Pen::symbol(glm::dvec2 center, const Symbol& symbol) {
+    if (!reach_.contains(center)) return;
+    list_.add(render::Marker{.center = pixel(center),
+                             .shape = symbol.shape,
+                             .radius_px = narrowed(px(symbol.radius)),
+                             .fill = symbol.fill,
+                             .outline = symbol.outline,
+                             .outline_px = narrowed(px(symbol.outline_width)),
+                             .dash_px = narrowed(px(symbol.dash))});
+}
+
+void Pen::text(glm::dvec2 position, std::string text, const TextStyle& style) {
+    if (!reach_.contains(position)) return;
+    list_.add(render::Label{.position = pixel(position),
+                            .text = std::move(text),
+                            .color = style.color,
+                            .size_px = narrowed(px(style.size)),
+                            .anchor = style.anchor,
+                            .font = style.font});
+}
+
+std::vector<glm::dvec2> rounded_rectangle(const render::Rectangle& rectangle, double radius_px) {
+    constexpr int steps = 4;
+    const std::array centers{glm::dvec2(rectangle.upper.x - radius_px, rectangle.upper.y - radius_px),
+                             glm::dvec2(rectangle.lower.x + radius_px, rectangle.upper.y - radius_px),
+                             glm::dvec2(rectangle.lower.x + radius_px, rectangle.lower.y + radius_px),
+                             glm::dvec2(rectangle.upper.x - radius_px, rectangle.lower.y + radius_px)};
+    std::vector<glm::dvec2> points;
+    for (std::size_t corner = 0; corner < centers.size(); ++corner)
+        for (int k = 0; k <= steps; ++k) {
+            const double angle =
+                0.5 * std::numbers::pi * (static_cast<double>(corner) + static_cast<double>(k) / steps);
+            points.push_back(centers[corner] + radius_px * glm::dvec2(std::cos(angle), std::sin(angle)));
+        }
+    return points;
+}
+
+std::vector<glm::dvec2> corners_of(const render::Rectangle& rectangle) {
+    return {rectangle.lower,
+            {rectangle.upper.x, rectangle.lower.y},
+            rectangle.upper,
+            {rectangle.lower.x, rectangle.upper.y}};
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,61 @@
+#include "app/editor/scene/plot_axes.h"
+
+#include <string>
+
+#include "app/editor/formula.h"
+
+namespace batten::editor {
+
+namespace {
+
+void shade(PlotFrame& frame, core::Interval parameters, render::Color color) {
+    if (const auto box = frame.band(parameters)) frame.pen.fill(corners_of(*box), color);
+}
+
+void draw_level(PlotFrame& frame, double value) {
+    const double y = frame.y(value);
+    const double left = frame.layout.left_px;
+    frame.pen.segment({left, y}, {frame.layout.right_px, y},
+                      {.color = render::blended(frame.theme.line, 0.7, frame.theme.panel)});
+    frame.pen.text({left - frame.pen.px(7.0), y}, number_text(value),
+                   {.color = frame.theme.dim, .size = 11.0, .anchor = render::Anchor::right});
+}
+
+std::string parameter_text(const PlotFrame& frame) {
+    const std::string value = "u = " + fixed_text(frame.u, 3);
+    const Playback& playback = frame.state.view.playback;
+    return playback.is_playing ? "▶ " + number_text(playback.speed, 2) + "× " + value : value;
+}
+
+}  // namespace
+
+void draw_plot_axes(PlotFrame& frame) {
+    const core::Interval domain = frame.curve.domain();
+    const render::Color outside = render::blended(frame.theme.canvas, 0.75, frame.theme.panel);
+    shade(frame, {frame.layout.range.lower, domain.lower}, outside);
+    shade(frame, {domain.upper, frame.layout.range.upper}, outside);
+    for (const core::Interval& part : frame.lit.parts)
+        shade(frame, part, render::blended(frame.theme.accent, 0.06, frame.theme.panel));
+    const core::KnotVector& knots = frame.curve.knots();
+    shade(frame, {knots[frame.span], knots[frame.span + 1]}, render::faded(frame.theme.accent, 0.07));
+    for (const double value : {0.0, 0.5, 1.0}) draw_level(frame, value);
+}
+
+void draw_plot_title(PlotFrame& frame) {
+    const double y = 0.4 * frame.layout.top_px;
+    const double margin = frame.pen.px(16.0);
+    frame.pen.text({margin, y}, "Basis functions N_{i," + std::to_string(frame.curve.degree()) + "}(u)",
+                   {.color = frame.theme.text, .font = render::LabelFont::bold});
+    frame.pen.text({frame.pen.size_px().x - margin, y}, parameter_text(frame),
+                   {.color = frame.theme.parameter, .anchor = render::Anchor::right, .font = render::LabelFont::bold});
+}
+
+void draw_parameter_line(PlotFrame& frame) {
+    if (!frame.layout.range.contains(frame.u)) return;
+    const double x = frame.x(frame.u);
+    const bool is_hovered = std::holds_alternative<HoveredParameter>(frame.state.hover);
+    frame.pen.segment({x, frame.layout.top_px - frame.pen.px(7.0)}, {x, frame.layout.strip_px + frame.pen.px(13.0)},
+                      {.color = frame.theme.parameter, .width = is_hovered ? 3.0 : 2.0});
+}
+
+}  // namespace batten::editor

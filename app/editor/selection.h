@@ -1,0 +1,67 @@
+/// What is selected, and what the pointer is over.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace batten::editor {
+
+/// Parts of the active curve that commands without arguments act on.
+struct Selection {
+    std::vector<std::size_t> points;  ///< indices of control points, ascending, without repeats
+    std::optional<std::size_t> knot;  ///< index in KnotVector::stored()
+
+    bool contains_point(std::size_t i) const;
+    bool operator==(const Selection&) const = default;
+};
+
+struct HoveredNothing {
+    bool operator==(const HoveredNothing&) const = default;
+};
+struct HoveredPoint {  ///< a control point of the active curve
+    std::size_t index = 0;
+    bool operator==(const HoveredPoint&) const = default;
+};
+struct HoveredWeightRing {  ///< the ring around a control point that changes its weight
+    std::size_t index = 0;
+    bool operator==(const HoveredWeightRing&) const = default;
+};
+struct HoveredKnot {  ///< a knot, by the index in stored() of the topmost of its stack
+    std::size_t index = 0;
+    bool operator==(const HoveredKnot&) const = default;
+};
+struct HoveredSpan {  ///< a non-empty span [u_s, u_{s+1}), s an index in values()
+    std::size_t span = 0;
+    bool operator==(const HoveredSpan&) const = default;
+};
+struct HoveredCell {  ///< cell j of level r of the construction
+    std::size_t level = 0;
+    std::size_t index = 0;
+    bool operator==(const HoveredCell&) const = default;
+};
+struct HoveredParameter {  ///< the point C(u), or the line at u in the plot
+    bool operator==(const HoveredParameter&) const = default;
+};
+struct HoveredCurve {  ///< the active curve at u
+    double u = 0.0;
+    bool operator==(const HoveredCurve&) const = default;
+};
+struct HoveredLeg {  ///< the leg of the control polygon from point `index` to the next
+    std::size_t index = 0;
+    bool operator==(const HoveredLeg&) const = default;
+};
+struct HoveredOtherCurve {  ///< a curve of the document that is not active
+    std::size_t index = 0;
+    bool operator==(const HoveredOtherCurve&) const = default;
+};
+struct HoveredBasis {  ///< the graph of N_{i,p} in the plot
+    std::size_t index = 0;
+    bool operator==(const HoveredBasis&) const = default;
+};
+
+using Hover = std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
+                           HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis>;
+
+}  // namespace batten::editor

@@ -1,0 +1,78 @@
+/// Everything the editor knows, as one plain value that only commands change.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor/command.h"
+#include "app/editor/history.h"
+#include "app/editor/selection.h"
+#include "app/editor/view.h"
+#include "core/document.h"
+
+namespace batten::editor {
+
+/// What covers the window and asks for an answer.
+enum class Dialog { none, welcome, open_file, save_file, unsaved_changes, command_palette, key_sheet, about };
+
+/// A sentence for the status bar; errors also stay as a notice on the canvas until dismissed or followed by another
+/// command.
+struct Message {
+    std::string text;
+    bool is_error = false;
+    bool operator==(const Message&) const = default;
+};
+
+/// The active curve before a shape-changing edit, and how far the new one is from it.
+struct Ghost {
+    std::shared_ptr<const core::Curve> curve;
+    double deviation = 0.0;
+};
+
+/// What the editor asks of the desktop; replaced in tests.
+struct Desktop {
+    std::function<std::string()> read_clipboard;
+    std::function<void(const std::string&)> write_clipboard;
+    std::filesystem::path examples;  ///< the folder of the example files
+};
+
+struct EditorState {
+    History history;                        ///< its present is the committed document
+    std::optional<core::Document> preview;  ///< what the gesture under way would make
+    std::optional<Ghost> ghost;
+    Selection selection;  ///< of the committed document, even while a preview is shown
+    Hover hover;
+    View view;
+    Tool tool = Tool::select;
+    Dialog dialog = Dialog::none;
+    std::optional<Command> pending;  ///< waits until unsaved changes are saved or given up
+    Message message;
+    std::filesystem::path path;  ///< empty for a document without a file
+    std::vector<std::filesystem::path> recent_files;
+    bool wants_quit = false;
+    Desktop desktop;
+    std::string clipboard;  ///< what was copied last, for where the desktop has no clipboard
+
+    /// What is shown: the preview of a gesture, else the committed document.
+    const core::Document& shown() const { return preview ? *preview : history.present(); }
+
+    /// The active curve that is shown; null when the document is empty.
+    const core::Curve* active_curve() const {
+        const core::DocumentCurve* item = shown().active_curve();
+        return item == nullptr ? nullptr : item->curve.get();
+    }
+
+    /// The parameter brought into the domain of the shown active curve.
+    double parameter() const;
+
+    bool is_modified() const { return !history.is_saved(); }
+
+    /// "wave.json", or "untitled".
+    std::string file_name() const;
+};
+
+}  // namespace batten::editor

@@ -1,0 +1,73 @@
+#include "app/editor/upkeep.h"
+
+namespace batten::editor {
+
+namespace {
+
+// Whether the parts of a curve that hover names exist; one overload for each thing that can be hovered.
+struct HoverCheck {
+    const core::Document& document;
+    const core::Curve& curve;
+
+    std::size_t point_count() const { return curve.control_points().size(); }
+
+    bool operator()(const HoveredNothing&) const { return true; }
+    bool operator()(const HoveredPoint& hovered) const { return hovered.index < point_count(); }
+    bool operator()(const HoveredWeightRing& hovered) const { return hovered.index < point_count(); }
+    bool operator()(const HoveredBasis& hovered) const { return hovered.index < point_count(); }
+    bool operator()(const HoveredKnot& hovered) const { return hovered.index < curve.knots().stored().size(); }
+    bool operator()(const HoveredParameter&) const { return true; }
+    bool operator()(const HoveredCurve&) const { return true; }
+
+    bool operator()(const HoveredSpan& hovered) const {
+        const core::KnotVector& knots = curve.knots();
+        return hovered.span + 1 < knots.size() && knots[hovered.span] < knots[hovered.span + 1];
+    }
+    bool operator()(const HoveredCell& hovered) const {
+        const auto p = static_cast<std::size_t>(curve.degree());
+        return hovered.level <= p && hovered.index <= p - hovered.level;
+    }
+    bool operator()(const HoveredLeg& hovered) const {
+        return hovered.index + (curve.is_periodic() ? 0 : 1) < point_count();
+    }
+    bool operator()(const HoveredOtherCurve& hovered) const {
+        return hovered.index < document.curves.size() && hovered.index != document.active;
+    }
+};
+
+void keep_selection(Selection& selection, const core::Curve& before, const core::Curve& after) {
+    // With another count the old indices would silently mean other points or knots.
+    if (before.control_points().size() != after.control_points().size()) selection.points.clear();
+    if (before.knots().stored().size() != after.knots().stored().size()) selection.knot.reset();
+}
+
+}  // namespace
+
+bool is_in(const Hover& hover, const core::Document& document) {
+    const core::DocumentCurve* active = document.active_curve();
+    if (active == nullptr) return std::holds_alternative<HoveredNothing>(hover);
+    return std::visit(HoverCheck{document, *active->curve}, hover);
+}
+
+void follow_shown(EditorState& state) {
+    if (!is_in(state.hover, state.shown())) state.hover = HoveredNothing{};
+}
+
+void follow_document(EditorState& state, const core::Document& before) {
+    state.preview.reset();
+    state.ghost.reset();
+    const core::Document& after = state.history.present();
+
+    const core::DocumentCurve* old_active = before.active_curve();
+    const core::DocumentCurve* active = after.active_curve();
+    if (old_active == nullptr || active == nullptr || before.active != after.active ||
+        before.curves.size() != after.curves.size()) {
+        state.selection = {};
+        state.view.plot_range.reset();
+    } else {
+        keep_selection(state.selection, *old_active->curve, *active->curve);
+    }
+    if (active != nullptr && state.view.level && *state.view.level > active->curve->degree()) state.view.level.reset();
+}
+
+}  // namespace batten::editor

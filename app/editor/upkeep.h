@@ -1,0 +1,18 @@
+/// Keeps what refers to the document (selection, hover, view) in line when the document changes.
+#pragma once
+
+#include "app/editor/state.h"
+
+namespace batten::editor {
+
+/// Whether `hover` names something that `document` has.
+bool is_in(const Hover& hover, const core::Document& document);
+
+/// Drops a hover of what is not shown (any more).
+void follow_shown(EditorState& state);
+
+/// To be called after the committed document was `before` and became another: drops preview and ghost, a selection that
+/// would now mean other points or another knot, and a construction level or zoom of the plot that no longer fits.
+void follow_document(EditorState& state, const core::Document& before);
+
+}  // namespace batten::editor

@@ -1,0 +1,80 @@
+/// How the document is looked at: camera, overlays, parameter, construction, theme. Not undone.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <optional>
+#include <string>
+
+#include "app/editor/theme.h"
+#include "core/geometry.h"
+#include "core/knot_edit.h"
+#include "render/camera.h"
+
+namespace batten::editor {
+
+/// What can be shown on the canvas beside the curve.
+enum class Overlay { polygon, hull, bezier_pieces, curvature_comb, knots, hodograph, labels, grid, construction };
+inline constexpr std::size_t overlay_count = 9;
+
+/// "polygon", "bezier-pieces", ...: the name in files and commands.
+const char* name_of(Overlay overlay);
+std::optional<Overlay> overlay_named(const std::string& name);
+
+class Overlays {
+  public:
+    bool is_shown(Overlay overlay) const { return bits_.test(static_cast<std::size_t>(overlay)); }
+    void show(Overlay overlay, bool shown) { bits_.set(static_cast<std::size_t>(overlay), shown); }
+    bool operator==(const Overlays&) const = default;
+
+  private:
+    std::bitset<overlay_count> bits_{0b111010011};  // all but pieces, comb and hodograph
+};
+
+/// What a press on the canvas does.
+enum class Tool { select, add_point, insert_knot, weight, draw_curve, parameter };
+inline constexpr std::array all_tools{Tool::select, Tool::add_point,  Tool::insert_knot,
+                                      Tool::weight, Tool::draw_curve, Tool::parameter};
+const char* name_of(Tool tool);  ///< "select", "add-point", ...
+std::optional<Tool> tool_named(const std::string& name);
+
+/// "stop", "push", "snap"; "dark", "light".
+const char* name_of(core::KnotMove move);
+std::optional<core::KnotMove> knot_move_named(const std::string& name);
+const char* name_of(ThemeName theme);
+std::optional<ThemeName> theme_named(const std::string& name);
+
+/// The parameter running by itself: t seconds move it by direction * speed * t / 5 of the domain's length. At an end it
+/// turns, or jumps to the other end, and goes on by what is left of the way.
+struct Playback {
+    bool is_playing = false;
+    double speed = 0.5;     ///< fifths of the domain per second: 1 crosses the domain in five seconds
+    bool ping_pong = true;  ///< turns at the ends instead of jumping back
+    int direction = 1;      ///< +1 or -1
+};
+
+/// What sizes of the interface may be, in design pixels; the user's scale is a factor.
+inline constexpr core::Interval inspector_widths{240.0, 800.0};
+inline constexpr core::Interval dock_heights{120.0, 800.0};
+inline constexpr core::Interval user_scales{0.5, 3.0};
+
+struct View {
+    render::Camera camera;
+    bool fits_on_open = true;
+    Overlays overlays;
+    double parameter = 0.0;    ///< as set; shown clamped to the domain of the shown curve
+    std::optional<int> level;  ///< the last construction level drawn; none: all up to C(u)
+    Playback playback;
+    std::optional<core::Interval> plot_range;  ///< the parameters that the plot shows; none: all knots
+    core::KnotMove knot_move = core::KnotMove::snap;
+    ThemeName theme = ThemeName::dark;
+    double interface_scale = 1.0;  ///< pixels of the window per design pixel, from display and user together
+    double user_scale = 1.0;       ///< the user's part of it, within user_scales
+    bool inspector_is_open = true;
+    bool dock_is_open = true;
+    double inspector_width = 340.0;  ///< within inspector_widths
+    double dock_height = 260.0;      ///< within dock_heights
+    bool is_presenting = false;      ///< only the canvas and the dock
+};
+
+}  // namespace batten::editor

@@ -1,0 +1,41 @@
+#include "app/editor/wording.h"
+
+#include <array>
+
+#include "app/editor/formula.h"
+
+namespace batten::editor {
+
+namespace {
+
+struct Verb {
+    const char* present;
+    const char* past;
+};
+
+constexpr std::array irregular_verbs{Verb{"Add", "Added"},  Verb{"Cut", "Cut"},  Verb{"Draw", "Drew"},
+                                     Verb{"Hide", "Hid"},   Verb{"Set", "Set"},  Verb{"Show", "Showed"},
+                                     Verb{"Type", "Typed"}, Verb{"Make", "Made"}};
+
+std::string past_of_verb(const std::string& verb) {
+    for (const Verb& irregular : irregular_verbs)
+        if (verb == irregular.present) return irregular.past;
+    return verb + (!verb.empty() && verb.back() == 'e' ? "d" : "ed");
+}
+
+}  // namespace
+
+std::string past_of(const std::string& label) {
+    const std::size_t end = std::min(label.find(' '), label.size());
+    return past_of_verb(label.substr(0, end)) + label.substr(end);
+}
+
+std::string edit_sentence(const std::string& label, ShapeEffect effect, std::optional<double> deviation) {
+    const std::string done = past_of(label);
+    const bool is_unchanged = effect == ShapeEffect::keeps || (effect == ShapeEffect::changes && deviation == 0.0);
+    if (is_unchanged) return done + ": the curve is unchanged";
+    if (effect == ShapeEffect::changes && deviation) return done + ": deviates by at most " + number_text(*deviation);
+    return done;
+}
+
+}  // namespace batten::editor

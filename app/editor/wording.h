@@ -1,0 +1,18 @@
+/// Sentences about what an edit did.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/editor/command_table.h"
+
+namespace batten::editor {
+
+/// A label of the history told as done: "Move P₅" becomes "Moved P₅".
+std::string past_of(const std::string& label);
+
+/// What the status bar says after an edit: "Inserted knot 0.5: the curve is unchanged", "Moved P₅: deviates by at most
+/// 0.12". `deviation` counts for shape-changing commands only; none where there is no curve to compare with.
+std::string edit_sentence(const std::string& label, ShapeEffect effect, std::optional<double> deviation);
+
+}  // namespace batten::editor
