@@ -1,0 +1,246 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/editor/formula.h"
+#include "app/ui/imgui_compat.h"
+#include "app/ui/inspector_widgets.h"
+#include "app/ui/number_field.h"
+#include "app/ui/section.h"
+#include "app/ui/style.h"
+#include "app/ui/triangle_view.h"
+#include "core/knot_analysis.h"
+
+namespace batten::ui {
+namespace {
+
+constexpr double label_width = 42.0;
+constexpr double line_pitch = 20.0;
+constexpr int formula_lines = 3;
+constexpr std::size_t most_buttons = 5;  // of the row of steps; a higher degree gets - and +
+
+/// What the section shows.
+struct Construction {
+    const PanelContext& context;
+    const core::Curve& curve;
+    core::DeBoorTriangle triangle;
+
+    std::size_t degree() const { return triangle.levels.size() - 1; }
+
+    /// The last level drawn.
+    std::size_t level() const {
+        const std::optional<int> level = context.state.view.level;
+        return level ? std::min(static_cast<std::size_t>(std::max(*level, 0)), degree()) : degree();
+    }
+
+    std::string point_text(core::Point point) const {
+        return "(" + editor::number_text(point.x) + ", " + editor::number_text(point.y) + ")";
+    }
+};
+
+std::string title_text(const Construction& shown) {
+    const bool is_bezier = core::is_of_kind(shown.curve.knots(), core::KnotKind::bezier);
+    const int decimals = decimals_for(shown.curve.domain().length());
+    return std::string(is_bezier ? "De Casteljau" : "De Boor") +
+           " at u = " + editor::fixed_text(shown.triangle.u, decimals);
+}
+
+/// "span [0.25, 0.5)"; the last span holds its end too.
+std::string span_text(const Construction& shown) {
+    const core::KnotVector& knots = shown.curve.knots();
+    const std::size_t s = shown.triangle.span;
+    const bool is_last = knots[s + 1] == shown.curve.domain().upper && !shown.curve.is_periodic();
+    return "span [" + editor::number_text(knots[s]) + ", " + editor::number_text(knots[s + 1]) + (is_last ? "]" : ")");
+}
+
+/// A line of the formula box.
+struct FormulaLine {
+    std::string text;
+    render::Color color;
+    bool is_prose = false;
+};
+
+FormulaLine point_line(const Construction& shown, std::size_t r, std::size_t j) {
+    const core::DeBoorCell& cell = shown.triangle.levels[r][j];
+    const std::string name = editor::cell_text(shown.triangle, r, j, shown.curve.control_points().size());
+    const std::string weight = shown.curve.is_rational() ? "  w " + editor::number_text(cell.weight, 3) : "";
+    return {name + " = " + shown.point_text(cell.point) + weight, shown.context.theme.text};
+}
+
+std::vector<FormulaLine> lines_of_cell(const Construction& shown, std::size_t r, std::size_t j) {
+    const editor::Theme& theme = shown.context.theme;
+    const FormulaLine point = point_line(shown, r, j);
+    if (r == 0) return {{"a control point", theme.dim, true}, point};
+    const editor::AlphaFormula formula = editor::alpha_formula(shown.curve, shown.triangle, r, j);
+    return {{formula.symbols, theme.level(r)}, {formula.numbers, theme.text}, point};
+}
+
+std::vector<FormulaLine> formula_of(const Construction& shown) {
+    const auto* cell = std::get_if<editor::HoveredCell>(&shown.context.state.hover);
+    const auto& levels = shown.triangle.levels;
+    if (cell != nullptr && cell->level < levels.size() && cell->index < levels[cell->level].size())
+        return lines_of_cell(shown, cell->level, cell->index);
+    const editor::Theme& theme = shown.context.theme;
+    FormulaLine result = point_line(shown, shown.degree(), 0);
+    result.color = theme.parameter;
+    return {result, {"Point at a cell to see how it is made.", theme.dim, true}};
+}
+
+/// As high without a formula as with one, so that nothing jumps.
+void draw_formula_box(const Construction& shown) {
+    const PanelContext& context = shown.context;
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const ImVec2 size(content_width(context), context.px(formula_lines * line_pitch + 16.0));
+    ImGui::Dummy(size);
+    ImGui::GetWindowDrawList()->AddRectFilled(origin, ImVec2(origin.x + size.x, origin.y + size.y),
+                                              imgui_packed(context.theme.field), context.px(8));
+    std::string value;
+    double y = 8.0 + 0.5 * line_pitch;
+    for (const FormulaLine& line : formula_of(shown)) {
+        draw_text(context, ImVec2(origin.x + context.px(12), origin.y + context.px(y)),
+                  {line.text, line.is_prose ? context.fonts.text : context.fonts.number, 0.0, line.color,
+                   render::Anchor::left, size.x - context.px(24)});
+        value += (value.empty() ? "" : " | ") + editor::plain_text(line.text);
+        y += line_pitch;
+    }
+    report_item(context, "formula", value);
+}
+
+void draw_label(const PanelContext& context, const char* text) {
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    draw_text(context, ImVec2(origin.x, origin.y + context.px(12)), {text, context.fonts.text, 0.0, context.theme.dim});
+    ImGui::SetCursorScreenPos(ImVec2(origin.x + context.px(label_width), origin.y));
+}
+
+std::string step_text(std::size_t r, std::size_t degree) {
+    if (r == 0) return "P";
+    return r == degree ? "C(u)" : "level " + std::to_string(r);
+}
+
+/// All levels are asked for as -1, so that they stay all when the degree grows.
+void draw_step(const Construction& shown, std::size_t r, float width_px) {
+    const std::size_t degree = shown.degree();
+    Button button{"step " + std::to_string(r), step_text(r, degree), Icon::none, width_px};
+    button.is_active = shown.level() == r;
+    button.tooltip = r == 0 ? "Only the control points of the span" : "The construction up to here";
+    if (draw_button(shown.context, button))
+        shown.context.queue.run("set-level", {r == degree ? -1.0 : static_cast<double>(r)});
+}
+
+void draw_all_steps(const Construction& shown, float width_px) {
+    const PanelContext& context = shown.context;
+    const float gap = context.px(8);
+    const auto count = static_cast<float>(shown.degree() + 1);
+    const float width = std::floor((width_px - (count - 1.0F) * gap) / count);
+    for (std::size_t r = 0; r <= shown.degree(); ++r) {
+        if (r > 0) stay_in_row(context, 8);
+        draw_step(shown, r, width);
+    }
+}
+
+void draw_step_by(const Construction& shown, const char* name, Icon icon, int by) {
+    const int degree = static_cast<int>(shown.degree());
+    const int level = static_cast<int>(shown.level()) + by;
+    Button button{name, "", icon, shown.context.px(28)};
+    button.is_enabled = level >= 0 && level <= degree;
+    if (draw_button(shown.context, button))
+        shown.context.queue.run("set-level", {level == degree ? -1.0 : static_cast<double>(level)});
+}
+
+/// P, C(u), and the level between as a number with - and +.
+void draw_few_steps(const Construction& shown, float width_px) {
+    const PanelContext& context = shown.context;
+    const float end_width = context.px(46);
+    draw_step(shown, 0, end_width);
+    stay_in_row(context, 8);
+    draw_step_by(shown, "step back", Icon::minus, -1);
+    stay_in_row(context, 0);
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const float width = width_px - 2.0F * (end_width + context.px(28 + 8));
+    ImGui::Dummy(ImVec2(width, context.px(24)));
+    const std::string text = "level " + std::to_string(shown.level()) + " of " + std::to_string(shown.degree());
+    report_item(context, "level", text);
+    draw_text(context, ImVec2(origin.x + 0.5F * width, origin.y + context.px(12)),
+              {text, context.fonts.text, 0.0, context.theme.text, render::Anchor::center, width});
+    stay_in_row(context, 0);
+    draw_step_by(shown, "step next", Icon::plus, 1);
+    stay_in_row(context, 8);
+    draw_step(shown, shown.degree(), end_width);
+}
+
+void draw_step_row(const Construction& shown) {
+    draw_label(shown.context, "Step");
+    const float width = content_width(shown.context) - shown.context.px(label_width);
+    if (shown.degree() + 1 <= most_buttons)
+        draw_all_steps(shown, width);
+    else
+        draw_few_steps(shown, width);
+}
+
+void draw_parameter_field(const Construction& shown, float width_px) {
+    const core::Interval domain = shown.curve.domain();
+    NumberField field;
+    field.name = "parameter";
+    field.value = shown.triangle.u;
+    field.decimals = decimals_for(domain.length());
+    field.speed = domain.length() / 500.0;
+    field.width_px = width_px;
+    field.lowest = domain.lower;
+    field.highest = domain.upper;
+    field.is_live = true;
+    draw_number_field(shown.context, field, [](double u) { return editor::Command{"set-parameter", {u}}; });
+}
+
+void draw_speed_field(const PanelContext& context, float width_px) {
+    NumberField field;
+    field.name = "speed";
+    field.value = context.state.view.playback.speed;
+    field.is_multiplicative = true;
+    field.width_px = width_px;
+    field.lowest = 0.01;
+    field.highest = 100.0;
+    field.is_live = true;
+    field.unit = "×";
+    field.tooltip = "Speed; 1 crosses the domain in five seconds";
+    draw_number_field(context, field, [](double speed) { return editor::Command{"set-speed", {speed}}; });
+}
+
+void draw_parameter_row(const Construction& shown) {
+    const PanelContext& context = shown.context;
+    const editor::Playback& playback = context.state.view.playback;
+    draw_label(context, "u");
+    const float icon_width = context.px(34);
+    const float speed_width = context.px(62);
+    const float rest =
+        content_width(context) - context.px(label_width) - 2.0F * icon_width - speed_width - 3.0F * context.px(8);
+    draw_parameter_field(shown, rest);
+    stay_in_row(context, 8);
+    Button play{"play", "", playback.is_playing ? Icon::pause : Icon::play, icon_width};
+    play.is_active = playback.is_playing;
+    draw_command_button(context, play, "toggle-play");
+    stay_in_row(context, 8);
+    draw_speed_field(context, speed_width);
+    stay_in_row(context, 8);
+    Button turn{"ping-pong", "", playback.ping_pong ? Icon::ping_pong : Icon::jump_back, icon_width};
+    draw_command_button(context, turn, "toggle-ping-pong");
+}
+
+}  // namespace
+
+void draw_construction_section(const PanelContext& context) {
+    const core::Curve& curve = *context.state.active_curve();
+    const Construction shown{context, curve, core::de_boor_triangle(curve, context.state.parameter())};
+    if (draw_section_heading(context, {"construction", title_text(shown), span_text(shown)})) {
+        add_space(context, 4);
+        draw_triangle(context, curve, shown.triangle, shown.level(), content_width(context));
+        add_space(context, 6);
+        draw_formula_box(shown);
+        add_space(context, 4);
+        draw_step_row(shown);
+        draw_parameter_row(shown);
+    }
+    add_space(context, 6);
+}
+
+}  // namespace batten::ui

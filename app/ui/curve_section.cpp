@@ -1,0 +1,157 @@
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+
+#include "app/editor/formula.h"
+#include "app/ui/inspector_widgets.h"
+#include "app/ui/number_field.h"
+#include "app/ui/section.h"
+#include "app/ui/style.h"
+#include "app/ui/typing.h"
+#include "core/knot_analysis.h"
+#include "core/knot_edit.h"
+
+namespace batten::ui {
+namespace {
+
+using core::KnotKind;
+
+struct Choice {
+    KnotKind kind;
+    const char* argument;  ///< of the command set-kind
+};
+
+constexpr std::array choices{
+    Choice{KnotKind::uniform, "uniform"},   Choice{KnotKind::clamped_uniform, "clamped-uniform"},
+    Choice{KnotKind::bezier, "bezier"},     Choice{KnotKind::piecewise_bezier, "piecewise-bezier"},
+    Choice{KnotKind::periodic, "periodic"}, Choice{KnotKind::custom, "custom"},
+};
+
+std::string family_text(const core::Curve& curve) {
+    const bool is_bezier = core::is_of_kind(curve.knots(), KnotKind::bezier);
+    if (is_bezier) return curve.is_rational() ? "rational Bézier" : "Bézier";
+    return curve.is_rational() ? "NURBS" : "B-spline";
+}
+
+/// "NURBS · clamped · C^{2}"
+std::string info_text(const core::Curve& curve) {
+    const core::KnotVector& knots = curve.knots();
+    const char* ends = curve.is_periodic() ? "periodic" : core::is_clamped(knots) ? "clamped" : "unclamped";
+    const std::optional<int> continuity = core::least_continuity(knots);
+    return family_text(curve) + " · " + ends + " · " + (continuity ? editor::continuity_text(*continuity) : "C^{∞}");
+}
+
+void draw_degree_number(const PanelContext& context, const core::Curve& curve, float width_px) {
+    NumberField field;
+    field.name = "degree";
+    field.value = curve.degree();
+    field.decimals = 0;
+    field.speed = 0.04;
+    field.width_px = width_px;
+    field.lowest = core::min_degree;
+    field.highest = core::max_degree;
+    field.is_enabled = is_editable(context.state);
+    field.tooltip = locked_sentence(context.state);
+    draw_number_field(context, field, [](double value) { return editor::Command{"set-degree", {std::round(value)}}; });
+}
+
+/// Another degree with the same control points.
+void draw_degree_step(const PanelContext& context, const char* name, Icon icon, int degree) {
+    Button button{name, "", icon, context.px(24)};
+    button.is_enabled = degree >= core::min_degree && degree <= core::max_degree;
+    draw_command_button(context, button, "set-degree", {static_cast<double>(degree)});
+}
+
+void draw_degree_row(const PanelContext& context, const core::Curve& curve) {
+    draw_row_label(context, "Degree");
+    const float button_width = context.px(52);
+    const float rest = field_width(context) - 2.0F * (button_width + context.px(24)) - 4.0F * context.px(row_gap);
+    draw_degree_number(context, curve, rest);
+    stay_in_row(context);
+    draw_degree_step(context, "degree less", Icon::minus, curve.degree() - 1);
+    stay_in_row(context);
+    draw_degree_step(context, "degree more", Icon::plus, curve.degree() + 1);
+    stay_in_row(context);
+    Button button{"degree raise", "≅ raise", Icon::none, button_width};
+    button.is_small = true;
+    draw_command_button(context, button, "elevate-degree");
+    stay_in_row(context);
+    button.name = "degree lower";
+    button.text = "≠ lower";
+    draw_command_button(context, button, "reduce-degree");
+}
+
+const char* kind_text(const core::KnotVector& knots, KnotKind kind) {
+    return kind == KnotKind::custom && !core::is_uniform(knots) ? "non-uniform" : core::name_of(kind);
+}
+
+void draw_choice(const PanelContext& context, const core::Curve& curve, const Choice& choice, float width_px) {
+    const core::Result<core::Curve> result = core::set_knot_kind(curve, choice.kind);
+    Button button{std::string("knots ") + choice.argument, core::name_of(choice.kind), Icon::none, width_px};
+    button.has_frame = false;
+    button.anchor = render::Anchor::left;
+    button.is_active = curve.knots().kind() == choice.kind;
+    button.is_enabled = result.has_value();
+    if (choice.kind == KnotKind::custom) button.tooltip = "Keeps these knots whatever happens to the points.";
+    if (!result) button.tooltip = "Not possible: " + core::describe(result.error()) + ".";
+    if (!draw_button(context, button)) return;
+    context.queue.run("set-kind", {choice.argument});
+    ImGui::CloseCurrentPopup();
+}
+
+void draw_choices(const PanelContext& context, const core::Curve& curve, ImVec2 corner, float width_px) {
+    ImGui::SetNextWindowPos(corner);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(4), context.px(4)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+    if (ImGui::BeginPopup("kinds")) {
+        if (is_pressed(context, editor::Key::escape)) ImGui::CloseCurrentPopup();
+        for (const Choice& choice : choices) draw_choice(context, curve, choice, width_px - context.px(8));
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar(2);
+}
+
+void draw_kind_row(const PanelContext& context, const core::Curve& curve) {
+    draw_row_label(context, "Knots");
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const ImVec2 size(field_width(context), context.px(24));
+    const bool is_clicked = ImGui::InvisibleButton("knot kind", size) && is_editable(context.state);
+    if (is_clicked) ImGui::OpenPopup("kinds");
+    const std::string text = kind_text(curve.knots(), curve.knots().kind());
+    report_item(context, "knot kind", text);
+    show_tooltip(context, locked_sentence(context.state));
+    draw_field_frame(context, origin, size, ImGui::IsItemHovered());
+    const ImVec2 left(origin.x + context.px(9), origin.y + context.px(12));
+    const float width = draw_text(context, left, {text, context.fonts.text, 0.0, context.theme.text});
+    const ImVec2 mark(left.x + width + context.px(10), left.y);
+    ImGui::GetWindowDrawList()->AddTriangleFilled(ImVec2(mark.x - context.px(3.5), mark.y - context.px(2)),
+                                                  ImVec2(mark.x + context.px(3.5), mark.y - context.px(2)),
+                                                  ImVec2(mark.x, mark.y + context.px(3)),
+                                                  imgui_packed(context.theme.text));
+    draw_choices(context, curve, ImVec2(origin.x, origin.y + size.y + context.px(2)), size.x);
+}
+
+void draw_closed_row(const PanelContext& context, const core::Curve& curve) {
+    draw_row_label(context, "Closed");
+    Button box{"closed", "", Icon::none, field_width(context)};
+    box.is_active = curve.is_periodic();
+    const core::Result<core::Curve> result = core::set_periodic(curve, !curve.is_periodic());
+    box.is_enabled = result.has_value() && is_editable(context.state);
+    box.tooltip = result ? locked_sentence(context.state) : "Not possible: " + core::describe(result.error()) + ".";
+    if (draw_check_box(context, box)) context.queue.run("toggle-closed");
+}
+
+}  // namespace
+
+void draw_curve_section(const PanelContext& context) {
+    const core::Curve& curve = *context.state.active_curve();
+    if (draw_section_heading(context, {"curve", "Curve", info_text(curve)})) {
+        draw_degree_row(context, curve);
+        draw_kind_row(context, curve);
+        draw_closed_row(context, curve);
+    }
+    add_space(context, 6);
+}
+
+}  // namespace batten::ui

@@ -1,0 +1,193 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "app/ui/inspector_widgets.h"
+#include "app/ui/section.h"
+#include "app/ui/style.h"
+#include "app/ui/typing.h"
+
+namespace batten::ui {
+namespace {
+
+constexpr double row_height = 25.0;
+constexpr double overhang = 6.0;
+constexpr double icon_width = 26.0;
+constexpr std::size_t most_rows = 8;
+constexpr std::size_t swatches_in_row = 4;
+
+std::string hex_text(core::DocumentColor color) {
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", static_cast<unsigned>(color.red),
+                  static_cast<unsigned>(color.green), static_cast<unsigned>(color.blue));
+    return text.data();
+}
+
+core::DocumentColor document_color(render::Color color) {
+    return {color.red, color.green, color.blue};
+}
+
+render::Color shown_color(const PanelContext& context, const core::DocumentCurve& curve) {
+    if (!curve.color) return context.theme.curve;
+    return {curve.color->red, curve.color->green, curve.color->blue, 255};
+}
+
+void set_color(const PanelContext& context, std::size_t i, const std::string& color) {
+    context.queue.run("set-curve-color", {static_cast<double>(i), color});
+}
+
+bool draw_swatch(const PanelContext& context, const std::string& name, render::Color color, float size_px) {
+    const bool is_clicked = ImGui::InvisibleButton(name.c_str(), ImVec2(size_px, size_px));
+    report_item(context, name, hex_text(document_color(color)));
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), imgui_packed(color), context.px(4));
+    const render::Color edge = ImGui::IsItemHovered() ? context.theme.text : context.theme.line;
+    list->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), imgui_packed(edge), context.px(4), 0,
+                  context.px(1));
+    return is_clicked;
+}
+
+/// The typed colour; what is no colour is refused by the command with its sentence.
+void draw_typed_color(const PanelContext& context, std::size_t i, const core::DocumentCurve& curve) {
+    TextField field;
+    field.name = "color typed";
+    field.shown = curve.color ? hex_text(*curve.color) : "#";
+    field.width_px = context.px(4 * 26 + 3 * row_gap);
+    field.font = context.fonts.number;
+    field.tooltip = "Red, green and blue as #rrggbb";
+    const TextEvents events = draw_text_field(context, field);
+    if (events.begins) begin_typing(context.panels.field, events.id, field.shown);
+    if (events.typed) set_color(context, i, *events.typed);
+}
+
+void draw_color_popup(const PanelContext& context, std::size_t i, const core::DocumentCurve& curve) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(8), context.px(8)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(row_gap), context.px(row_gap)));
+    if (ImGui::BeginPopup("colors")) {
+        if (is_pressed(context, editor::Key::escape) && !context.panels.field.is_typing) ImGui::CloseCurrentPopup();
+        for (std::size_t k = 0; k < context.theme.palette.size(); ++k) {
+            if (k % swatches_in_row != 0) stay_in_row(context);
+            const render::Color color = context.theme.palette[k];
+            if (draw_swatch(context, "color " + std::to_string(k), color, context.px(26)))
+                set_color(context, i, hex_text(document_color(color)));
+        }
+        draw_typed_color(context, i, curve);
+        Button none{"color none", "as the theme", Icon::none, context.px(4 * 26 + 3 * row_gap)};
+        none.is_active = !curve.color;
+        if (draw_button(context, none)) set_color(context, i, "none");
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar(2);
+}
+
+void draw_color(const PanelContext& context, std::size_t i, const core::DocumentCurve& curve, ImVec2 origin) {
+    const float size = context.px(14);
+    const float top = origin.y + 0.5F * (context.px(row_height) - size);
+    ImGui::SetCursorScreenPos(ImVec2(origin.x + context.px(overhang), top));
+    const std::string name = "curve " + std::to_string(i) + " color";
+    if (draw_swatch(context, name, shown_color(context, curve), size)) ImGui::OpenPopup("colors");
+    draw_color_popup(context, i, curve);
+}
+
+void draw_name(const PanelContext& context, std::size_t i, const core::DocumentCurve& curve, ImVec2 origin,
+               float right) {
+    TextField field;
+    field.name = "curve " + std::to_string(i) + " name";
+    field.shown = curve.name;
+    const float left = origin.x + context.px(overhang + 24);
+    field.width_px = right - left - context.px(row_gap);
+    field.height = row_height;
+    field.font = context.fonts.text;
+    field.has_frame = false;
+    field.needs_double_click = true;
+    field.tooltip = "Click to make it the active curve, double-click to rename it";
+    ImGui::SetCursorScreenPos(ImVec2(left, origin.y));
+    const TextEvents events = draw_text_field(context, field);
+    const auto index = static_cast<double>(i);
+    if (events.begins) begin_typing(context.panels.field, events.id, curve.name);
+    if (events.typed) context.queue.run("rename-curve", {index, *events.typed});
+    if (events.is_clicked && context.state.shown().active != i) context.queue.run("activate-curve", {index});
+}
+
+void draw_switches(const PanelContext& context, std::size_t i, const core::DocumentCurve& curve, ImVec2 origin,
+                   float left) {
+    const std::string name = "curve " + std::to_string(i);
+    const auto index = static_cast<double>(i);
+    ImGui::SetCursorScreenPos(ImVec2(left, origin.y + context.px(0.5)));
+    Button eye{name + " visible", "", curve.visible ? Icon::eye : Icon::closed_eye, context.px(icon_width)};
+    eye.has_frame = false;
+    eye.tooltip = curve.visible ? "Shown; click to hide" : "Hidden; click to show";
+    if (draw_button(context, eye)) context.queue.run("set-curve-visible", {index, curve.visible ? 0.0 : 1.0});
+    stay_in_row(context, 0.0);
+    Button lock{name + " locked", "", curve.locked ? Icon::lock : Icon::open_lock, context.px(icon_width)};
+    lock.has_frame = false;
+    lock.tooltip = curve.locked ? "Locked; click to allow edits" : "Click to lock against edits";
+    if (draw_button(context, lock)) context.queue.run("set-curve-locked", {index, curve.locked ? 0.0 : 1.0});
+}
+
+void draw_row(const PanelContext& context, std::size_t i, float width) {
+    const core::DocumentCurve& curve = context.state.shown().curves[i];
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const ImVec2 end(origin.x + width, origin.y + context.px(row_height));
+    const bool is_active = context.state.shown().active == i;
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(origin, end) && !is_active)
+        wish_hover(context, editor::HoveredOtherCurve{i});
+    const bool is_lit = context.state.hover == editor::Hover(editor::HoveredOtherCurve{i});
+    if (is_active || is_lit) {
+        const render::Color color = render::blended(context.theme.accent, is_active ? 0.17 : 0.08, context.theme.panel);
+        ImGui::GetWindowDrawList()->AddRectFilled(origin, end, imgui_packed(color), context.px(5));
+    }
+    ImGui::PushID(static_cast<int>(i));
+    const float right = end.x - context.px(overhang) - 2.0F * context.px(icon_width);
+    draw_color(context, i, curve, origin);
+    draw_name(context, i, curve, origin, right);
+    draw_switches(context, i, curve, origin, right);
+    ImGui::PopID();
+    ImGui::SetCursorScreenPos(origin);
+    ImGui::Dummy(ImVec2(width, context.px(row_height)));
+}
+
+void draw_rows(const PanelContext& context) {
+    const std::size_t count = context.state.shown().curves.size();
+    const bool scrolls = count > most_rows;
+    const float width = content_width(context) + 2.0F * context.px(overhang);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(overhang));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
+    ImGui::BeginChild("curves", ImVec2(width, context.px(row_height) * static_cast<float>(std::min(count, most_rows))),
+                      false, scrolls ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoScrollbar);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(count), context.px(row_height));
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            draw_row(context, static_cast<std::size_t>(i), width - (scrolls ? context.px(6) : 0.0F));
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+}
+
+void draw_buttons(const PanelContext& context) {
+    const float width = (content_width(context) - 2.0F * context.px(row_gap)) / 3.0F;
+    Button add{"new curve", "new", Icon::none, width};
+    add.is_active = context.state.tool == editor::Tool::draw_curve;
+    draw_command_button(context, add, "tool-draw-curve");
+    stay_in_row(context);
+    draw_command_button(context, {"duplicate curve", "duplicate", Icon::none, width}, "duplicate-curve");
+    stay_in_row(context);
+    draw_command_button(context, {"delete curve", "delete", Icon::none, width}, "delete-curve");
+}
+
+}  // namespace
+
+void draw_curves_section(const PanelContext& context) {
+    const std::size_t count = context.state.shown().curves.size();
+    if (draw_section_heading(context, {"curves", "Curves", std::to_string(count)})) {
+        if (count > 0) draw_rows(context);
+        draw_buttons(context);
+    }
+    add_space(context, 6);
+}
+
+}  // namespace batten::ui

@@ -1,0 +1,22 @@
+/// The frame of every dialog: a dimmed window, a panel in it with a title and a cross.
+#pragma once
+
+#include <string>
+
+#include "app/ui/panels.h"
+
+namespace batten::ui {
+
+struct DialogFrame {
+    std::string title;
+    glm::dvec2 size{480.0, 320.0};  ///< in design pixels; made smaller where the window is
+    bool is_at_top = false;         ///< near the window's upper edge instead of in its middle
+    bool closes_on_outside = true;  ///< a click beside it closes it
+};
+
+/// Begins the dialog over `window`; end_dialog() must follow. Returns whether the user wants it closed: by the cross,
+/// by Escape or by a click beside it.
+bool begin_dialog(const PanelContext& context, const Rectangle& window, const DialogFrame& frame);
+void end_dialog();
+
+}  // namespace batten::ui

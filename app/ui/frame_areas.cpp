@@ -1,0 +1,53 @@
+#include "app/ui/frame_areas.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace batten::ui {
+
+namespace {
+
+// Design pixels.
+constexpr double menu_height = 34.0;
+constexpr double status_height = 40.0;
+constexpr double tool_width = 52.0;
+constexpr double least_canvas_width = 260.0;
+constexpr double least_canvas_height = 130.0;
+constexpr double least_inspector_width = 240.0;
+constexpr double least_dock_height = 110.0;
+
+/// `wanted`, or what is left beside a canvas of `least_canvas`; nothing where that is less than `least`.
+double shrunk(double wanted, double room, double least_canvas, double least) {
+    const double size = std::min(wanted, room - least_canvas);
+    return size < least ? 0.0 : size;
+}
+
+}  // namespace
+
+FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale) {
+    const auto px = [scale](double design_px) { return std::round(design_px * scale); };
+    const bool has_frame = !view.is_presenting;
+    const double menu = has_frame ? px(menu_height) : 0.0;
+    const double status = has_frame ? px(status_height) : 0.0;
+    const double tools = has_frame ? px(tool_width) : 0.0;
+    const double height = std::max(0.0, size_px.y - menu - status);
+    const double width = std::max(0.0, size_px.x - tools);
+    const double inspector =
+        has_frame && view.inspector_is_open
+            ? shrunk(px(view.inspector_width), width, px(least_canvas_width), px(least_inspector_width))
+            : 0.0;
+    const double dock =
+        view.dock_is_open ? shrunk(px(view.dock_height), height, px(least_canvas_height), px(least_dock_height)) : 0.0;
+
+    FrameAreas areas;
+    areas.window = {{0.0, 0.0}, size_px};
+    areas.menu_bar = {{0.0, 0.0}, {size_px.x, menu}};
+    areas.tool_bar = {{0.0, menu}, {tools, height}};
+    areas.canvas = {{tools, menu}, {width - inspector, height - dock}};
+    areas.dock = {{tools, menu + height - dock}, {width - inspector, dock}};
+    areas.inspector = {{size_px.x - inspector, menu}, {inspector, height}};
+    areas.status_bar = {{0.0, menu + height}, {size_px.x, status}};
+    return areas;
+}
+
+}  // namespace batten::ui

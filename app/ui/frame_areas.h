@@ -1,0 +1,24 @@
+/// How the window is divided among menu, tools, canvas, dock, inspector and status bar.
+#pragma once
+
+#include "app/editor/view.h"
+#include "app/ui/frame.h"
+
+namespace batten::ui {
+
+/// Rectangles without overlap that fill the window; of no width or height where something is folded away.
+struct FrameAreas {
+    Rectangle window;
+    Rectangle menu_bar;
+    Rectangle tool_bar;
+    Rectangle canvas;
+    Rectangle dock;
+    Rectangle inspector;
+    Rectangle status_bar;
+};
+
+/// The areas for a window of `size_px` at `scale` window pixels per design pixel. In a small window inspector and dock
+/// give way to the canvas, and vanish before it gets too small to be of use. All edges are whole pixels.
+FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale);
+
+}  // namespace batten::ui

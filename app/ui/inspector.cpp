@@ -1,0 +1,73 @@
+#include <imgui.h>
+
+#include "app/editor/hover_request.h"
+#include "app/ui/number_field.h"
+#include "app/ui/section.h"
+#include "app/ui/shell_widgets.h"
+#include "app/ui/style.h"
+
+namespace batten::ui {
+namespace {
+
+constexpr double top_margin = 8.0;
+constexpr double bottom_margin = 16.0;
+constexpr double window_padding = 4.0;
+
+void draw_sections(const PanelContext& context) {
+    const bool has_several = context.state.shown().curves.size() > 1;
+    add_space(context, top_margin);
+    if (has_several) draw_curves_section(context);
+    if (context.state.active_curve() != nullptr) {
+        draw_curve_section(context);
+        draw_points_section(context);
+        draw_knots_section(context);
+        draw_construction_section(context);
+    }
+    draw_show_section(context);
+    if (!has_several) draw_curves_section(context);
+    ImGui::Dummy(ImVec2(1.0F, context.px(bottom_margin)));
+}
+
+/// Asks for what the pointer is over in the inspector, and for nothing once it has left towards another panel; the
+/// pictures ask for themselves.
+void settle_hover(const PanelContext& context, bool is_inside) {
+    InspectorState& inspector = context.panels.inspector;
+    const bool has_left = inspector.owns_hover && context.panels.pointer.hovered == Picture::none;
+    // A field that is dragged or typed keeps what was lit.
+    const bool is_busy = ImGui::IsAnyItemActive() || inspector.was_busy;
+    inspector.was_busy = ImGui::IsAnyItemActive();
+    if (!is_busy && (is_inside || has_left))
+        editor::request_hover(is_inside ? inspector.wish.value_or(editor::HoveredNothing{}) : editor::HoveredNothing{},
+                              context.state, context.queue);
+    if (!is_busy) inspector.owns_hover = is_inside;
+}
+
+void push_metrics(const PanelContext& context) {
+    // The rest of the margin is indented: Dear ImGui clips at half the padding, and lit rows reach into the margin.
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(window_padding), 0.0F));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(row_gap), context.px(row_gap)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, context.px(8));
+}
+
+}  // namespace
+
+void draw_inspector(const PanelContext& context, const Rectangle& place) {
+    drop_lost_field(context);
+    context.panels.inspector.wish.reset();
+    push_metrics(context);
+    ImGui::SetNextWindowPos(ImVec2(static_cast<float>(place.origin_px.x), static_cast<float>(place.origin_px.y)));
+    ImGui::SetNextWindowSize(ImVec2(static_cast<float>(place.size_px.x), static_cast<float>(place.size_px.y)));
+    ImGui::Begin("inspector", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::Indent(context.px(section_margin - window_padding));
+    draw_sections(context);
+    const bool is_inside = ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows);
+    draw_edge(context, place.origin_px + glm::dvec2(0.5, 0.0), place.origin_px + glm::dvec2(0.5, place.size_px.y));
+    ImGui::End();
+    ImGui::PopStyleVar(3);
+    settle_hover(context, is_inside);
+}
+
+}  // namespace batten::ui

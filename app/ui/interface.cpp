@@ -1,0 +1,186 @@
+#include "app/ui/interface.h"
+
+#include <imgui.h>
+
+#include "app/editor/command_table.h"
+#include "app/ui/command_entry.h"
+#include "app/ui/frame_areas.h"
+#include "app/ui/imgui_compat.h"
+#include "app/ui/panels.h"
+#include "app/ui/splitters.h"
+
+namespace batten::ui {
+
+namespace {
+
+using editor::CanvasIdle;
+using editor::Dialog;
+using editor::PlotIdle;
+using editor::PointerAction;
+using editor::PointerEvent;
+
+Picture picture_at(const FrameLayout& layout, glm::dvec2 position_px) {
+    if (layout.canvas.contains(position_px)) return Picture::canvas;
+    if (layout.plot.contains(position_px)) return Picture::plot;
+    return Picture::none;
+}
+
+bool is_press(const PointerEvent& event) {
+    return event.action == PointerAction::press || event.action == PointerAction::double_click;
+}
+
+void follow_canvas_size(const editor::EditorState& state, const Rectangle& canvas, editor::CommandQueue& queue) {
+    if (state.view.camera.size_px != canvas.size_px) queue.run("resize-canvas", {canvas.size_px.x, canvas.size_px.y});
+}
+
+/// Whether a dialog that covers the window wants all keys. The welcome screen leaves those that act on the whole
+/// program.
+bool is_kept_from_shortcuts(const editor::EditorState& state, const editor::Shortcut& shortcut) {
+    if (state.dialog == Dialog::none) return false;
+    const bool is_function_key = shortcut.key >= editor::Key::f1 && shortcut.key <= editor::Key::f12;
+    return state.dialog != Dialog::welcome || !(shortcut.modifiers.ctrl || is_function_key);
+}
+
+void run_shortcut(const PanelContext& context, const editor::Shortcut& shortcut) {
+    if (is_kept_from_shortcuts(context.state, shortcut)) return;
+    const editor::CommandSpec* spec = editor::find_command(shortcut);
+    if (spec != nullptr) choose_command(context, *spec);
+}
+
+void draw_frame_panels(const PanelContext& context, const FrameAreas& areas, const std::string& hint) {
+    // Dear ImGui keeps windows that stay in the back in the reverse order of their making: the edges lie over the rest.
+    draw_splitters(context, areas);
+    if (!context.state.view.is_presenting) {
+        draw_menu_bar(context, areas.menu_bar);
+        draw_tool_bar(context, areas.tool_bar);
+        draw_status_bar(context, areas.status_bar, hint, context.input.frames_per_second);
+    }
+    if (areas.inspector.size_px.x > 0.0) draw_inspector(context, areas.inspector);
+}
+
+void draw_dialogs(const PanelContext& context, const FrameAreas& areas) {
+    // Dialogs show errors themselves.
+    if (context.state.dialog == Dialog::none) draw_notice(context, areas.canvas);
+    draw_welcome_screen(context, areas.window);
+    draw_file_dialog(context, areas.window);
+    draw_unsaved_dialog(context, areas.window);
+    draw_command_palette(context, areas.window);
+    draw_key_sheet(context, areas.window);
+    draw_about_dialog(context, areas.window);
+}
+
+/// The pointer's shape says what can be dragged.
+void choose_cursor(const editor::EditorState& state, Picture hovered) {
+    const bool is_grip = std::holds_alternative<editor::HoveredPoint>(state.hover) ||
+                         std::holds_alternative<editor::HoveredWeightRing>(state.hover) ||
+                         std::holds_alternative<editor::HoveredParameter>(state.hover);
+    const bool is_knot = std::holds_alternative<editor::HoveredKnot>(state.hover);
+    if (hovered == Picture::canvas && (is_grip || is_knot)) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (hovered == Picture::plot && (is_grip || is_knot)) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+}
+
+}  // namespace
+
+Interface::Interface() : panels_(std::make_unique<PanelState>()) {}
+
+Interface::~Interface() = default;
+
+FrameLayout Interface::draw(const editor::EditorState& state, const FrameInput& input, const Fonts& fonts,
+                            editor::CommandQueue& queue) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const FrameAreas areas = arrange({size.x, size.y}, state.view, state.view.interface_scale);
+    FrameLayout layout{areas.canvas, areas.dock, {}};
+    follow_canvas_size(state, areas.canvas, queue);
+    dispatch_pointer(state, input, layout, queue);
+
+    const PanelContext context{
+        state,          fonts, editor::theme_of(state.view.theme), state.view.interface_scale, queue, *panels_,
+        layout.widgets, input};
+    dispatch_keys(context);
+    choose_cursor(state, panels_->pointer.hovered);
+    const std::string hint = panels_->pointer.hovered == Picture::plot ? editor::plot_hint(plot_mode_, state)
+                                                                       : editor::canvas_hint(canvas_mode_, state);
+    draw_frame_panels(context, areas, hint);
+    draw_dialogs(context, areas);
+    return layout;
+}
+
+bool Interface::is_animating() const {
+    return panels_->palette.was_submitted;
+}
+
+void Interface::send(Picture picture, const PointerEvent& event, const editor::EditorState& state,
+                     const FrameLayout& layout, editor::CommandQueue& queue) {
+    PointerEvent local = event;
+    if (picture == Picture::canvas) {
+        local.position_px -= layout.canvas.origin_px;
+        canvas_mode_ = editor::step_canvas(canvas_mode_, local, state, queue);
+    } else if (picture == Picture::plot) {
+        local.position_px -= layout.plot.origin_px;
+        plot_mode_ = editor::step_plot(plot_mode_, local, state, layout.plot.size_px, queue);
+    }
+}
+
+void Interface::dispatch_pointer(const editor::EditorState& state, const FrameInput& input, const FrameLayout& layout,
+                                 editor::CommandQueue& queue) {
+    PointerState& pointer = panels_->pointer;
+    const bool is_covered = ImGui::GetIO().WantCaptureMouse;
+    for (const PointerEvent& event : input.pointer_events) {
+        const bool is_outside = is_covered || event.action == PointerAction::leave;
+        const Picture under = is_outside ? Picture::none : picture_at(layout, event.position_px);
+        const Picture target = pointer.captured != Picture::none ? pointer.captured : under;
+        if (target != pointer.hovered) {
+            PointerEvent leave = event;
+            leave.action = PointerAction::leave;
+            send(pointer.hovered, leave, state, layout, queue);
+        }
+        pointer.hovered = target;
+        pointer.canvas_px.reset();
+        if (target == Picture::canvas) pointer.canvas_px = event.position_px - layout.canvas.origin_px;
+        if (is_press(event) && pointer.captured == Picture::none) {
+            pointer.captured = under;
+            pointer.button = event.button;
+        }
+        if (event.action != PointerAction::leave) send(target, event, state, layout, queue);
+        const bool is_end = event.action == PointerAction::release && event.button == pointer.button;
+        if (is_end) pointer.captured = Picture::none;
+    }
+}
+
+bool Interface::escape_gesture(const PanelContext& context) {
+    PointerEvent event;
+    event.action = PointerAction::escape;
+    if (!std::holds_alternative<CanvasIdle>(canvas_mode_)) {
+        canvas_mode_ = editor::step_canvas(canvas_mode_, event, context.state, context.queue);
+        return true;
+    }
+    if (!std::holds_alternative<PlotIdle>(plot_mode_)) {
+        plot_mode_ =
+            editor::step_plot(plot_mode_, event, context.state, context.state.view.camera.size_px, context.queue);
+        return true;
+    }
+    return false;
+}
+
+void Interface::dispatch_keys(const PanelContext& context) {
+    for (const KeyPress& press : context.input.key_presses) {
+        const bool is_escape = press.shortcut == editor::Shortcut{editor::Key::escape, {}};
+        const bool is_enter = press.shortcut == editor::Shortcut{editor::Key::enter, {}};
+        if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+            if (is_escape) close_popups();
+        } else if (ImGui::GetIO().WantTextInput || ImGui::IsAnyItemActive()) {
+            continue;  // the widget answers to its keys
+        } else if (is_escape && escape_gesture(context)) {
+            continue;
+        } else if (is_enter && std::holds_alternative<editor::DrawingCurve>(canvas_mode_)) {
+            PointerEvent end;
+            end.action = PointerAction::double_click;
+            end.button = editor::PointerButton::left;
+            canvas_mode_ = editor::step_canvas(canvas_mode_, end, context.state, context.queue);
+        } else if (panels_->pointer.captured == Picture::none) {
+            run_shortcut(context, press.shortcut);
+        }
+    }
+}
+
+}  // namespace batten::ui

@@ -1,0 +1,55 @@
+/// The whole interface of one frame: panels around the canvas, dialogs over it.
+#pragma once
+
+#include <memory>
+
+#include "app/editor/canvas_mode.h"
+#include "app/editor/editor.h"
+#include "app/editor/plot_mode.h"
+#include "app/ui/fonts.h"
+#include "app/ui/frame.h"
+#include "render/draw_list.h"
+
+namespace batten::ui {
+
+struct PanelContext;
+struct PanelState;
+enum class Picture;
+
+/// What the interface itself remembers between frames: pointer modes, half-typed texts, open lists. Nothing of the
+/// document.
+class Interface {
+  public:
+    Interface();
+    ~Interface();
+    Interface(const Interface&) = delete;
+    Interface& operator=(const Interface&) = delete;
+
+    /// Draws all panels and turns input into requests. Needs a Dear ImGui frame that was begun; call before the
+    /// pictures are made.
+    FrameLayout draw(const editor::EditorState& state, const FrameInput& input, const Fonts& fonts,
+                     editor::CommandQueue& queue);
+
+    const editor::CanvasMode& canvas_mode() const { return canvas_mode_; }
+    const editor::PlotMode& plot_mode() const { return plot_mode_; }
+
+    /// Whether something moves by itself, so that another frame is due without input.
+    bool is_animating() const;
+
+  private:
+    void dispatch_pointer(const editor::EditorState& state, const FrameInput& input, const FrameLayout& layout,
+                          editor::CommandQueue& queue);
+    void dispatch_keys(const PanelContext& context);
+    bool escape_gesture(const PanelContext& context);
+    void send(Picture picture, const editor::PointerEvent& event, const editor::EditorState& state,
+              const FrameLayout& layout, editor::CommandQueue& queue);
+
+    editor::CanvasMode canvas_mode_;
+    editor::PlotMode plot_mode_;
+    std::unique_ptr<PanelState> panels_;
+};
+
+/// Adds the labels of a picture at `place` to the current frame, below all panels.
+void draw_labels(const render::DrawList& picture, const Rectangle& place, const Fonts& fonts);
+
+}  // namespace batten::ui

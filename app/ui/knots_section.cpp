@@ -1,0 +1,320 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/editor/expression.h"
+#include "app/editor/formula.h"
+#include "app/ui/inspector_widgets.h"
+#include "app/ui/number_field.h"
+#include "app/ui/section.h"
+#include "app/ui/style.h"
+#include "app/ui/typing.h"
+#include "core/knot_analysis.h"
+
+namespace batten::ui {
+namespace {
+
+constexpr double row_height = 25.0;
+constexpr double overhang = 6.0;
+constexpr double name_width = 64.0;
+constexpr double value_width = 92.0;
+constexpr std::size_t most_rows = 10;
+constexpr std::size_t shown_characters = 60;  // of the knot vector before it is typed
+
+/// One run of equal knots, by its first and last index in stored().
+struct Stack {
+    core::DistinctKnot knot;
+    std::size_t first = 0;
+    std::size_t last = 0;
+    double lowest = 0.0;  ///< the neighbouring values
+    double highest = 0.0;
+};
+
+struct Table {
+    const PanelContext& context;
+    const core::Curve& curve;
+    std::vector<core::DistinctKnot> knots;
+    int decimals = 3;
+    float row_width = 0.0F;
+};
+
+Stack stack_at(const Table& table, std::size_t row) {
+    const auto stored = table.curve.knots().stored();
+    Stack stack{table.knots[row]};
+    const double value = stack.knot.value;
+    const auto range = std::equal_range(stored.begin(), stored.end(), value);
+    stack.first = static_cast<std::size_t>(range.first - stored.begin());
+    stack.last = static_cast<std::size_t>(range.second - stored.begin()) - 1;
+    stack.lowest = stack.first == 0 ? -std::numeric_limits<double>::infinity() : stored[stack.first - 1];
+    stack.highest = range.second == stored.end() ? std::numeric_limits<double>::infinity() : stored[stack.last + 1];
+    return stack;
+}
+
+/// The most knots that may be equal here.
+int most_equal(const core::Curve& curve, const Stack& stack) {
+    return curve.degree() + (stack.knot.is_interior ? 0 : 1);
+}
+
+bool is_selected(const PanelContext& context, const Stack& stack) {
+    const std::optional<std::size_t> knot = context.state.selection.knot;
+    return knot && *knot >= stack.first && *knot <= stack.last;
+}
+
+bool is_hovered(const PanelContext& context, const Stack& stack) {
+    const auto* hover = std::get_if<editor::HoveredKnot>(&context.state.hover);
+    return hover != nullptr && hover->index >= stack.first && hover->index <= stack.last;
+}
+
+void draw_row_back(const Table& table, const Stack& stack, ImVec2 origin) {
+    const PanelContext& context = table.context;
+    const ImVec2 end(origin.x + table.row_width, origin.y + context.px(row_height));
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(origin, end))
+        wish_hover(context, editor::HoveredKnot{stack.last});
+    const bool selected = is_selected(context, stack);
+    if (!selected && !is_hovered(context, stack)) return;
+    const render::Color color = render::blended(context.theme.accent, selected ? 0.17 : 0.08, context.theme.panel);
+    const float inset = 0.5F * context.px(1);
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(origin.x, origin.y + inset), ImVec2(end.x, end.y - inset),
+                                              imgui_packed(color), context.px(5));
+}
+
+void draw_diamond(const PanelContext& context, ImVec2 center, render::Color color, bool is_filled) {
+    const float r = context.px(5);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const std::array corners{ImVec2(center.x, center.y - r), ImVec2(center.x + r, center.y),
+                             ImVec2(center.x, center.y + r), ImVec2(center.x - r, center.y)};
+    if (is_filled) list->AddConvexPolyFilled(corners.data(), 4, imgui_packed(color));
+    list->AddPolyline(corners.data(), 4, imgui_packed(color), ImDrawFlags_Closed, context.px(1.3));
+}
+
+void draw_name(const Table& table, const Stack& stack, ImVec2 origin) {
+    const PanelContext& context = table.context;
+    const std::string first = std::to_string(stack.first);
+    const std::string indices = stack.first == stack.last ? first : first + "–" + std::to_string(stack.last);
+    const std::string name = "knot " + first + " name";
+    if (ImGui::InvisibleButton(name.c_str(), ImVec2(context.px(overhang + name_width), context.px(row_height)))) {
+        context.panels.inspector.followed_knot = stack.last;
+        context.queue.run("select-knot", {static_cast<double>(stack.last)});
+    }
+    report_item(context, name, "u" + indices);
+    const float middle = origin.y + 0.5F * context.px(row_height);
+    const render::Color color = stack.knot.in_domain ? context.theme.text : context.theme.dim;
+    draw_diamond(context, ImVec2(origin.x + context.px(overhang + 8), middle),
+                 is_selected(context, stack) ? context.theme.accent : color, is_selected(context, stack));
+    draw_text(
+        context, ImVec2(origin.x + context.px(overhang + 20), middle),
+        {"u_{" + indices + "}", context.fonts.text, 0.0, color, render::Anchor::left, context.px(name_width - 22)});
+}
+
+void draw_value(const Table& table, const Stack& stack) {
+    const PanelContext& context = table.context;
+    NumberField field;
+    field.name = "knot " + std::to_string(stack.first) + " value";
+    field.value = stack.knot.value;
+    field.decimals = table.decimals;
+    field.speed = step_of(table.decimals);
+    field.width_px = context.px(value_width);
+    field.height = 20.0;
+    field.lowest = stack.lowest;
+    field.highest = stack.highest;
+    field.is_enabled = is_editable(context.state);
+    field.tooltip = locked_sentence(context.state);
+    if (field.is_enabled && stack.first != stack.last)
+        field.tooltip = "Takes one knot out of the stack: the last one upwards, the first one downwards.";
+    draw_number_field(context, field, [stack](double u) {
+        const std::size_t index = u < stack.knot.value ? stack.first : stack.last;
+        return editor::Command{"set-knot", {static_cast<double>(index), u}};
+    });
+}
+
+void draw_multiplicity(const Table& table, const Stack& stack, ImVec2 origin) {
+    const PanelContext& context = table.context;
+    const float middle = origin.y + 0.5F * context.px(row_height);
+    const float left = origin.x + context.px(overhang + name_width + value_width + 12);
+    const render::Color color = stack.knot.is_interior ? context.theme.text : context.theme.dim;
+    const std::string count = "×" + std::to_string(stack.knot.multiplicity);
+    const bool is_end = stack.knot.in_domain && !stack.knot.is_interior;
+    const bool is_clamped = is_end && stack.knot.multiplicity > table.curve.degree();
+    const std::string continuity = !stack.knot.in_domain ? "outside"
+                                   : is_clamped          ? "clamped"
+                                   : is_end              ? "end"
+                                                         : editor::continuity_text(stack.knot.continuity);
+    draw_text(context, ImVec2(left, middle), {count, context.fonts.text, 0.0, color});
+    draw_text(context, ImVec2(left + context.px(30), middle), {continuity, context.fonts.text, 0.0, color});
+    ImGui::SetCursorScreenPos(ImVec2(left, origin.y));
+    ImGui::Dummy(ImVec2(context.px(70), context.px(row_height)));
+    report_item(context, "knot " + std::to_string(stack.first) + " continuity",
+                count + " " + editor::plain_text(continuity));
+}
+
+void draw_steps(const Table& table, const Stack& stack, ImVec2 origin) {
+    const PanelContext& context = table.context;
+    const std::string name = "knot " + std::to_string(stack.first);
+    const std::vector<editor::Argument> index{static_cast<double>(stack.last)};
+    const float width = context.px(22);
+    const float left = origin.x + table.row_width - context.px(overhang + row_gap) - 2.0F * width;
+    ImGui::SetCursorScreenPos(ImVec2(left, origin.y + context.px(0.5 * (row_height - 20.0))));
+    draw_command_button(context, {name + " less", "", Icon::minus, width, 20.0}, "delete-knot", index);
+    stay_in_row(context);
+    Button more{name + " more", "", Icon::plus, width, 20.0};
+    more.is_enabled = stack.knot.in_domain && stack.knot.multiplicity < most_equal(table.curve, stack);
+    if (!stack.knot.in_domain)
+        more.tooltip = "The knot is outside the domain; knots are inserted only inside.";
+    else if (!more.is_enabled)
+        more.tooltip = "The multiplicity is " + std::to_string(stack.knot.multiplicity) + ", the most allowed here.";
+    draw_command_button(context, more, "raise-knot", index);
+}
+
+void draw_row(const Table& table, std::size_t row) {
+    const PanelContext& context = table.context;
+    const Stack stack = stack_at(table, row);
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    draw_row_back(table, stack, origin);
+    draw_name(table, stack, origin);
+    ImGui::SetCursorScreenPos(
+        ImVec2(origin.x + context.px(overhang + name_width), origin.y + context.px(0.5 * (row_height - 20.0))));
+    draw_value(table, stack);
+    draw_multiplicity(table, stack, origin);
+    draw_steps(table, stack, origin);
+    ImGui::SetCursorScreenPos(origin);
+    ImGui::Dummy(ImVec2(table.row_width, context.px(row_height)));
+}
+
+/// Brings the selected knot into sight once, after the selection changed elsewhere.
+void follow_selection(const Table& table) {
+    const PanelContext& context = table.context;
+    InspectorState& inspector = context.panels.inspector;
+    const std::optional<std::size_t> knot = context.state.selection.knot;
+    if (inspector.followed_knot == knot) return;
+    inspector.followed_knot = knot;
+    const auto stored = table.curve.knots().stored();
+    if (!knot || *knot >= stored.size()) return;
+    const auto place = std::find_if(table.knots.begin(), table.knots.end(),
+                                    [&](const core::DistinctKnot& k) { return k.value == stored[*knot]; });
+    const float top = static_cast<float>(place - table.knots.begin()) * context.px(row_height);
+    const float free = ImGui::GetWindowHeight() - context.px(row_height);
+    if (top < ImGui::GetScrollY() || top > ImGui::GetScrollY() + free) ImGui::SetScrollY(top - 0.5F * free);
+}
+
+void draw_table(const PanelContext& context, const core::Curve& curve) {
+    Table table{context, curve, core::distinct_knots(curve.knots()), decimals_for(curve.domain().length())};
+    const std::size_t count = table.knots.size();
+    const float width = content_width(context) + 2.0F * context.px(overhang);
+    table.row_width = width - (count > most_rows ? context.px(6) : 0.0F);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(overhang));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
+    ImGui::BeginChild("knots", ImVec2(width, context.px(row_height) * static_cast<float>(std::min(count, most_rows))),
+                      false, count > most_rows ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoScrollbar);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+    follow_selection(table);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(count), context.px(row_height));
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) draw_row(table, static_cast<std::size_t>(i));
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+}
+
+struct MoveChoice {
+    core::KnotMove move;
+    const char* tooltip;
+};
+
+constexpr std::array move_choices{
+    MoveChoice{core::KnotMove::stop, "A dragged knot stops at its neighbours."},
+    MoveChoice{core::KnotMove::push, "A dragged knot takes its neighbours along."},
+    MoveChoice{core::KnotMove::snap, "A dragged knot jumps onto a near one and joins its stack."},
+};
+
+void draw_move_row(const PanelContext& context) {
+    draw_row_label(context, "Dragging");
+    const float width = (field_width(context) - 2.0F * context.px(row_gap)) / 3.0F;
+    for (const MoveChoice& choice : move_choices) {
+        const std::string text = editor::name_of(choice.move);
+        Button button{"knot move " + text, text, Icon::none, width};
+        button.is_active = context.state.view.knot_move == choice.move;
+        button.tooltip = choice.tooltip;
+        if (draw_button(context, button)) context.queue.run("set-knot-move", {text});
+        if (choice.move != move_choices.back().move) stay_in_row(context);
+    }
+}
+
+void draw_insert_row(const PanelContext& context, const core::Curve& curve) {
+    InspectorState& inspector = context.panels.inspector;
+    draw_row_label(context, "Insert at u");
+    NumberField field;
+    field.name = "insert u";
+    field.value = inspector.insert_at.value_or(context.state.parameter());
+    field.decimals = decimals_for(curve.domain().length());
+    field.speed = step_of(field.decimals);
+    field.lowest = curve.domain().lower;
+    field.highest = curve.domain().upper;
+    field.width_px = field_width(context) - 2.0F * context.px(62 + row_gap);
+    field.is_enabled = is_editable(context.state);
+    const std::optional<NumberEdit> edit = edit_number(context, field);
+    if (edit) inspector.insert_at = edit->value;
+    const double u = edit ? edit->value : field.value;
+    if (edit && edit->is_entered) context.queue.run("insert-knot", {u});
+    stay_in_row(context);
+    draw_command_button(context, {"insert knot", "insert", Icon::none, context.px(62)}, "insert-knot", {u});
+    stay_in_row(context);
+    Button midpoints{"insert midpoints", "midpoints", Icon::none, context.px(62)};
+    midpoints.is_small = true;
+    draw_command_button(context, midpoints, "insert-midpoints");
+}
+
+std::string list_text(std::span<const double> values, std::size_t most_characters) {
+    std::string text;
+    for (const double value : values) {
+        if (text.size() > most_characters) return text + ", …";
+        if (!text.empty()) text += ", ";
+        text += editor::shortest_text(value);
+    }
+    return text;
+}
+
+void draw_vector_row(const PanelContext& context, const core::Curve& curve) {
+    FieldState& state = context.panels.field;
+    const auto stored = curve.knots().stored();
+    TextField field;
+    field.name = "knot vector";
+    field.shown = list_text(stored, shown_characters);
+    field.width_px = content_width(context);
+    field.font = context.fonts.number;
+    field.is_enabled = is_editable(context.state);
+    field.tooltip =
+        curve.is_periodic() ? "One period of the knots. Click to type all of it." : "All knots. Click to type them.";
+    const TextEvents events = draw_text_field(context, field);
+    if (events.begins) begin_typing(state, events.id, list_text(stored, std::string::npos));
+    if (events.typed) {
+        const auto values = editor::parse_expressions(*events.typed);
+        if (values) {
+            context.queue.run("set-knots", {*values});
+        } else {
+            set_problem(state, events.id, values.error());
+        }
+    }
+    draw_problem(context, events.id);
+}
+
+}  // namespace
+
+void draw_knots_section(const PanelContext& context) {
+    const core::Curve& curve = *context.state.active_curve();
+    const std::size_t segments = core::segment_count(curve.knots());
+    const std::string info = std::to_string(curve.knots().stored().size()) + " · " + std::to_string(segments) +
+                             (segments == 1 ? " segment" : " segments");
+    if (draw_section_heading(context, {"knots", "Knots", info, false})) {
+        draw_table(context, curve);
+        add_space(context, 4);
+        draw_move_row(context);
+        draw_insert_row(context, curve);
+        draw_vector_row(context, curve);
+    }
+    add_space(context, 6);
+}
+
+}  // namespace batten::ui

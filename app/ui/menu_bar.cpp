@@ -1,0 +1,217 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/ui/command_entry.h"
+#include "app/ui/example_list.h"
+#include "app/ui/imgui_compat.h"
+#include "app/ui/inspector_widgets.h"
+#include "app/ui/panels.h"
+#include "app/ui/shell_widgets.h"
+#include "app/ui/style.h"
+
+namespace batten::ui {
+
+namespace {
+
+using editor::CommandGroup;
+using editor::CommandSpec;
+
+struct Menu {
+    CommandGroup group;
+    const char* title;
+    const char* place_name;
+};
+
+constexpr std::array menus{
+    Menu{CommandGroup::file, "File", "menu file"},    Menu{CommandGroup::edit, "Edit", "menu edit"},
+    Menu{CommandGroup::curve, "Curve", "menu curve"}, Menu{CommandGroup::construct, "Construct", "menu construct"},
+    Menu{CommandGroup::view, "View", "menu view"},    Menu{CommandGroup::help, "Help", "menu help"}};
+
+/// The columns of a menu: check mark, title, sign of the effect, shortcut. Zero where nothing in the menu needs one.
+struct Columns {
+    float check = 0.0F;
+    float title = 0.0F;
+    float sign = 0.0F;
+    float shortcut = 0.0F;
+    float total() const { return check + title + sign + shortcut; }
+};
+
+float menu_text_width(const std::string& text) {
+    return ImGui::CalcTextSize(text.c_str()).x;
+}
+
+/// With an ellipsis where arguments have to be typed first.
+std::string entry_title(const PanelContext& context, const CommandSpec& spec) {
+    const std::string title = spec.title;
+    const bool has_ellipsis = title.size() > 3 && title.substr(title.size() - 3) == "…";
+    return has_ellipsis || !needs_typing(spec, context.state) ? title : title + "…";
+}
+
+Columns columns_of(const PanelContext& context, CommandGroup group) {
+    Columns columns;
+    const float gap = context.px(24);
+    for (const CommandSpec& spec : editor::command_table()) {
+        if (spec.group != group) continue;
+        const std::string shortcut = editor::text_of(spec.shortcut);
+        columns.title = std::max(columns.title, menu_text_width(entry_title(context, spec)) + context.px(8));
+        if (spec.is_checked != nullptr) columns.check = context.px(22);
+        if (spec.effect != editor::ShapeEffect::none) columns.sign = context.px(32);
+        if (!shortcut.empty()) columns.shortcut = std::max(columns.shortcut, menu_text_width(shortcut) + gap);
+    }
+    return columns;
+}
+
+void draw_check(const PanelContext& context, ImVec2 corner) {
+    const float line = font_height(context.fonts.text);
+    const auto at = [&](float x, float y) { return ImVec2(corner.x + x * line, corner.y + y * line); };
+    const std::array points{at(0.12F, 0.52F), at(0.36F, 0.76F), at(0.82F, 0.26F)};
+    ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()),
+                                            imgui_packed(context.theme.accent), 0, context.px(1.8));
+}
+
+void draw_entry_texts(const PanelContext& context, const CommandSpec& spec, const Columns& columns, ImVec2 corner,
+                      bool is_enabled) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const render::Color text = is_enabled ? context.theme.text : render::faded(context.theme.text, 0.4);
+    const render::Color dim = is_enabled ? context.theme.dim : render::faded(context.theme.dim, 0.55);
+    if (spec.is_checked != nullptr && spec.is_checked(context.state)) draw_check(context, corner);
+    float x = corner.x + columns.check;
+    list->AddText({x, corner.y}, imgui_packed(text), entry_title(context, spec).c_str());
+    x += columns.title + columns.sign;
+    const char* sign = effect_sign(spec.effect);
+    list->AddText({x - menu_text_width(sign), corner.y}, imgui_packed(dim), sign);
+    x += columns.shortcut;
+    const std::string shortcut = editor::text_of(spec.shortcut);
+    list->AddText({x - menu_text_width(shortcut), corner.y}, imgui_packed(dim), shortcut.c_str());
+}
+
+void draw_entry(const PanelContext& context, const CommandSpec& spec, const Columns& columns) {
+    const bool is_enabled = !refusal_of(spec, context.state);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::PushID(spec.name);
+    const bool is_chosen =
+        ImGui::Selectable("##entry", false, is_enabled ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled,
+                          ImVec2(columns.total(), 0.0F));
+    ImGui::PopID();
+    report_item(context, std::string("menu-item ") + spec.name, is_enabled ? "enabled" : "disabled");
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        draw_tooltip(context, command_tooltip(spec, context.state));
+    }
+    draw_entry_texts(context, spec, columns, corner, is_enabled);
+    if (is_chosen) choose_command(context, spec);
+}
+
+void draw_recent_files(const PanelContext& context) {
+    const auto& files = context.state.recent_files;
+    if (!ImGui::BeginMenu("Open Recent", !files.empty())) return;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const std::string path = files[i].string();
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Selectable(elided(path, context.fonts.text, context.px(460)).c_str())) {
+            context.queue.run("open", {path});
+        }
+        ImGui::PopID();
+        report_item(context, "menu-item recent " + std::to_string(i), path);
+    }
+    ImGui::EndMenu();
+}
+
+void draw_examples(const PanelContext& context) {
+    if (!ImGui::BeginMenu("Examples")) return;
+    for (const Example& example : examples_of(context)) {
+        ImGui::PushID(example.name.c_str());
+        if (ImGui::Selectable(title_of(example).c_str())) context.queue.run("open-example", {example.name});
+        ImGui::PopID();
+        report_item(context, "menu-item example " + example.name);
+    }
+    ImGui::EndMenu();
+}
+
+/// A submenu, whose place is reported before Dear ImGui turns to what is in it.
+void draw_submenu(const PanelContext& context, const char* place_name, void (*draw)(const PanelContext&)) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    context.widgets.push_back(
+        {place_name, {{corner.x, corner.y}, {context.px(120), font_height(context.fonts.text)}}, {}});
+    draw(context);
+}
+
+/// What the signs mean, at the foot of a menu that has some.
+void draw_legend(const PanelContext& context) {
+    ImGui::Separator();
+    ImGui::PushFont(context.fonts.small);
+    ImGui::TextDisabled("≅ keeps the shape   ≠ changes it");
+    ImGui::PopFont();
+}
+
+void draw_entries(const PanelContext& context, CommandGroup group) {
+    const Columns columns = columns_of(context, group);
+    for (const CommandSpec& spec : editor::command_table()) {
+        if (spec.group != group) continue;
+        const std::string name = spec.name;
+        if (name == "open-example") {
+            draw_submenu(context, "menu-item examples", draw_examples);
+        } else {
+            draw_entry(context, spec, columns);
+        }
+        if (name == "open") draw_submenu(context, "menu-item open-recent", draw_recent_files);
+    }
+    if (columns.sign > 0.0F) draw_legend(context);
+}
+
+void draw_menu(const PanelContext& context, const Menu& menu, const Rectangle& bar) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    context.widgets.push_back(
+        {menu.place_name,
+         {{ImGui::GetCursorScreenPos().x, bar.origin_px.y}, {menu_text_width(menu.title) + gap, bar.size_px.y}},
+         {}});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(14), context.px(11)));
+    if (ImGui::BeginMenu(menu.title)) {
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(16), context.px(9)));
+        draw_entries(context, menu.group);
+        ImGui::PopStyleVar();
+        ImGui::EndMenu();
+    }
+    ImGui::PopStyleVar();
+}
+
+void draw_file_name(const PanelContext& context, const Rectangle& place) {
+    const std::string mark = context.state.is_modified() ? " •" : "";
+    const float right = static_cast<float>(place.origin_px.x + place.size_px.x) - context.px(16);
+    const float room = right - ImGui::GetCursorScreenPos().x - context.px(16);
+    const std::string text = elided(context.state.file_name(), context.fonts.text, room - menu_text_width(mark)) + mark;
+    const float line = font_height(context.fonts.text);
+    const ImVec2 corner(right - menu_text_width(text),
+                        static_cast<float>(place.origin_px.y) + 0.5F * (static_cast<float>(place.size_px.y) - line));
+    if (room <= menu_text_width("…")) return;
+    ImGui::GetWindowDrawList()->AddText(corner, imgui_packed(context.theme.dim), text.c_str());
+    context.widgets.push_back({"file name", {{corner.x, corner.y}, {menu_text_width(text), line}}, text});
+}
+
+}  // namespace
+
+void draw_menu_bar(const PanelContext& context, const Rectangle& place) {
+    const float line = font_height(context.fonts.text);
+    const float height = static_cast<float>(place.size_px.y);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(16), 0.0F));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.px(8), 0.5F * (height - line)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(20), context.px(4)));
+    begin_panel("menu bar", place, ImGuiWindowFlags_MenuBar);
+    if (ImGui::BeginMenuBar()) {
+        ImGui::PushFont(context.fonts.bold);
+        ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.accent));
+        ImGui::TextUnformatted("batten");
+        ImGui::PopStyleColor();
+        ImGui::PopFont();
+        for (const Menu& menu : menus) draw_menu(context, menu, place);
+        draw_file_name(context, place);
+        ImGui::EndMenuBar();
+    }
+    const double bottom = place.origin_px.y + place.size_px.y - 0.5;
+    draw_edge(context, {place.origin_px.x, bottom}, {place.origin_px.x + place.size_px.x, bottom});
+    end_panel();
+    ImGui::PopStyleVar(3);
+}
+
+}  // namespace batten::ui

@@ -1,0 +1,212 @@
+#include "app/ui/number_field.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/editor/expression.h"
+#include "app/editor/formula.h"
+#include "app/ui/imgui_compat.h"
+#include "app/ui/inspector_widgets.h"
+#include "app/ui/rich_text.h"
+#include "app/ui/typing.h"
+
+namespace batten::ui {
+namespace {
+
+using editor::Phase;
+
+constexpr double padding = 8.0;         // of the text, in design pixels
+constexpr float drag_threshold = 3.0F;  // design pixels before a press becomes a drag
+constexpr double slow_factor = 0.1;     // with Shift
+
+/// With `decimals` after the point; a value that these would blur gets significant digits instead.
+std::string number_of(const NumberField& field) {
+    const double magnitude = std::abs(field.value);
+    const bool is_blurred = magnitude != 0.0 && magnitude < 10.0 * step_of(field.decimals);
+    if (field.is_multiplicative && (is_blurred || magnitude >= 1000.0)) return editor::number_text(field.value, 3);
+    return editor::fixed_text(field.value, field.decimals);
+}
+
+/// The text that fits: fewer digits rather than cut ones.
+std::string shown_text(const PanelContext& context, const NumberField& field, float room_px) {
+    ImFont* font = context.fonts.number;
+    const auto fits = [&](const std::string& text) {
+        return rich_text_size(text, font, font_height(font)).width_px <= room_px;
+    };
+    std::string text = number_of(field) + field.unit;
+    for (int digits = 7; digits >= 2 && !fits(text); --digits)
+        text = editor::number_text(field.value, digits) + field.unit;
+    return text;
+}
+
+/// Rounded to what the field shows; a factor to three significant digits.
+double dragged_value(const FieldState& state, const NumberField& field) {
+    const int decimals =
+        field.is_multiplicative ? 2 - static_cast<int>(std::floor(std::log10(state.dragged))) : field.decimals;
+    const double power = std::pow(10.0, decimals);
+    return std::clamp(std::round(state.dragged * power) / power, field.lowest, field.highest);
+}
+
+void follow_pointer(const PanelContext& context, const NumberField& field) {
+    FieldState& state = context.panels.field;
+    const ImGuiIO& io = ImGui::GetIO();
+    const double change =
+        field.speed * static_cast<double>(io.MouseDelta.x) / context.scale * (io.KeyShift ? slow_factor : 1.0);
+    state.dragged = field.is_multiplicative ? state.dragged * std::exp(change) : state.dragged + change;
+}
+
+std::optional<NumberEdit> drag(const PanelContext& context, const NumberField& field) {
+    FieldState& state = context.panels.field;
+    state.last_frame = ImGui::GetFrameCount();
+    if (state.is_given_up) return std::nullopt;
+    if (is_pressed(context, editor::Key::escape)) {
+        state.is_given_up = true;
+        return NumberEdit{state.start, Phase::cancel};
+    }
+    follow_pointer(context, field);
+    const double value = dragged_value(state, field);
+    if (value == state.previewed) return std::nullopt;
+    state.previewed = value;
+    return NumberEdit{value, Phase::preview};
+}
+
+std::optional<NumberEdit> end_drag(FieldState& state) {
+    state.active_id = 0;
+    state.is_dragging = false;
+    if (state.is_given_up) return std::nullopt;
+    const bool is_changed = state.previewed != state.start;
+    return NumberEdit{state.previewed, is_changed ? Phase::commit : Phase::cancel};
+}
+
+void begin_drag(FieldState& state, unsigned id, double value) {
+    state.active_id = id;
+    state.is_dragging = true;
+    state.is_given_up = false;
+    state.start = state.dragged = state.previewed = value;
+    state.last_frame = ImGui::GetFrameCount();
+    state.problem_id = 0;
+}
+
+/// The field at rest or being dragged.
+std::optional<NumberEdit> press(const PanelContext& context, const NumberField& field, unsigned id, ImVec2 size) {
+    FieldState& state = context.panels.field;
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const bool is_clicked = ImGui::InvisibleButton(field.name.c_str(), size);
+    const bool is_hovered = ImGui::IsItemHovered() && field.is_enabled;
+    draw_field_frame(context, origin, size, is_hovered || ImGui::IsItemActive());
+    const std::string text = shown_text(context, field, size.x - 2.0F * context.px(padding));
+    const render::Color color = field.is_enabled ? context.theme.text : context.theme.dim;
+    draw_text(context, ImVec2(origin.x + context.px(padding), origin.y + 0.5F * size.y),
+              {text, context.fonts.number, 0.0, color});
+    report_item(context, field.name, text);
+    if (!ImGui::IsItemActive()) show_tooltip(context, field.tooltip);
+    if (!field.is_enabled) return std::nullopt;
+    if (is_hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+
+    const bool is_dragging = state.is_dragging && state.active_id == id;
+    if (is_dragging) return ImGui::IsItemActive() ? drag(context, field) : end_drag(state);
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, context.px(drag_threshold)))
+        begin_drag(state, id, field.value);
+    else if (is_clicked)
+        begin_typing(state, id, editor::shortest_text(field.value));
+    return std::nullopt;
+}
+
+/// Keeps what was typed in the input, so that it can be mended.
+void refuse(FieldState& state, unsigned id, TypingStep step, const std::string& problem) {
+    const std::string original = state.original;
+    if (step == TypingStep::entered) {
+        begin_typing(state, id, state.typed);
+        state.original = original;
+    }
+    set_problem(state, id, problem);
+}
+
+/// Tab goes to the number field that is drawn next, Shift+Tab to the one drawn before.
+void pass_on(FieldState& state) {
+    if (ImGui::GetIO().KeyShift)
+        state.wanted_id = state.previous_id;
+    else
+        state.begins_next = true;
+}
+
+std::optional<NumberEdit> end_typed(const PanelContext& context, const NumberField& field, unsigned id,
+                                    TypingStep step) {
+    FieldState& state = context.panels.field;
+    if (step == TypingStep::escaped) return std::nullopt;
+    if (is_pressed(context, editor::Key::tab)) pass_on(state);
+    const bool is_entered = step == TypingStep::entered;
+    // What was not touched stays exactly as it is.
+    if (state.typed == state.original)
+        return is_entered ? std::optional(NumberEdit{field.value, Phase::commit, true}) : std::nullopt;
+    const auto value = editor::parse_expression(state.typed);
+    if (!value) {
+        refuse(state, id, step, value.error());
+        return std::nullopt;
+    }
+    if (*value == field.value && !is_entered) return std::nullopt;
+    return NumberEdit{*value, Phase::commit, is_entered};
+}
+
+std::optional<NumberEdit> type(const PanelContext& context, const NumberField& field, unsigned id, ImVec2 size) {
+    FieldState& state = context.panels.field;
+    const TypingStep step = draw_typing(context, size);
+    report_item(context, field.name, state.typed);
+    return step == TypingStep::goes_on ? std::nullopt : end_typed(context, field, id, step);
+}
+
+/// Whether Tab or Shift+Tab in another field leads here.
+bool is_next(FieldState& state, const NumberField& field, unsigned id) {
+    if (!field.is_enabled || state.is_typing) return false;
+    return state.begins_next || state.wanted_id == id;
+}
+
+}  // namespace
+
+std::optional<NumberEdit> edit_number(const PanelContext& context, const NumberField& field) {
+    FieldState& state = context.panels.field;
+    const unsigned id = ImGui::GetID(field.name.c_str());
+    const float width = field.width_px > 0.0F ? field.width_px : ImGui::GetContentRegionAvail().x;
+    const ImVec2 size(width, context.px(field.height));
+    if (is_next(state, field, id)) begin_typing(state, id, editor::shortest_text(field.value));
+    const std::optional<NumberEdit> edit =
+        is_typing(state, id) ? type(context, field, id, size) : press(context, field, id, size);
+    draw_problem(context, id);
+    if (field.is_enabled) state.previous_id = id;
+    return edit;
+}
+
+void draw_number_field(const PanelContext& context, const NumberField& field,
+                       const std::function<editor::Command(double)>& command) {
+    const std::optional<NumberEdit> edit = edit_number(context, field);
+    if (!edit) return;
+    const bool changes_nothing = edit->value == field.value && (edit->is_entered || field.is_live);
+    if (changes_nothing) return;
+    if (edit->phase == Phase::cancel && !field.is_live) return context.queue.cancel_preview();
+    editor::Command request = command(edit->value);
+    if (edit->phase == Phase::preview && !field.is_live)
+        context.queue.preview(std::move(request.name), std::move(request.arguments));
+    else
+        context.queue.run(std::move(request.name), std::move(request.arguments));
+}
+
+int decimals_for(double size) {
+    if (!(size > 0.0) || !std::isfinite(size)) return 2;
+    return static_cast<int>(std::clamp(std::ceil(3.0 - std::log10(size)), 0.0, 15.0));
+}
+
+double step_of(int decimals) {
+    return std::pow(10.0, -decimals);
+}
+
+void drop_lost_field(const PanelContext& context) {
+    FieldState& state = context.panels.field;
+    if (state.active_id == 0 || state.last_frame + 1 >= ImGui::GetFrameCount()) return;
+    if (state.is_dragging && !state.is_given_up) context.queue.cancel_preview();
+    state.active_id = 0;
+    state.is_typing = state.is_dragging = false;
+}
+
+}  // namespace batten::ui

@@ -1,0 +1,106 @@
+/// What panels remember between frames.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor/pointer.h"
+#include "app/editor/selection.h"
+#include "core/document.h"
+
+namespace batten::ui {
+
+/// The list of a folder and the half-typed name in the file dialog.
+struct FileDialogState {
+    bool was_open = false;
+    std::filesystem::path folder;
+    std::vector<std::filesystem::directory_entry> entries;
+    std::string typed;
+    std::optional<std::size_t> chosen;                ///< index in entries
+    std::optional<std::filesystem::path> to_replace;  ///< the file that saving would overwrite, asked about
+    std::string problem;                              ///< why the folder cannot be shown
+    bool takes_focus = false;                         ///< the name field becomes the active one in the next frame
+};
+
+struct PaletteState {
+    bool was_open = false;
+    std::string typed;
+    std::optional<std::string> replacement;  ///< for the text in the active field, which ImGui keeps to itself
+    std::size_t chosen = 0;
+    bool takes_focus = false;    ///< the field becomes the active one again in the next frame
+    bool was_submitted = false;  ///< the command has run when the next frame begins
+    std::string problem;         ///< why the typed command was refused
+};
+
+/// An example with its curves, from which the thumbnail is drawn.
+struct Example {
+    std::string name;  ///< the file's name without ".json"
+    core::Document document;
+    std::vector<std::vector<core::Point>> lines;  ///< the visible curves, as polylines
+    core::Box box;                                ///< of lines and control points
+};
+
+/// One of the pictures that are painted below the interface.
+enum class Picture { none, canvas, plot };
+
+/// Which picture has the pointer.
+struct PointerState {
+    Picture hovered = Picture::none;
+    Picture captured = Picture::none;  ///< where a button went down that is still held
+    editor::PointerButton button = editor::PointerButton::none;
+    std::optional<glm::dvec2> canvas_px;  ///< where on the canvas the pointer is
+};
+
+/// The field that is being edited: one at a time in the whole window.
+struct FieldState {
+    unsigned active_id = 0;  ///< 0: none
+    int last_frame = 0;      ///< in which the active field was drawn; one that is out of sight is given up
+
+    bool is_typing = false;
+    std::string typed;
+    std::string original;       ///< what typing began with
+    int first_frame = 0;        ///< in which typing began; the key that led there does not end it
+    bool has_keyboard = false;  ///< the text input needs a frame or two to get it
+    int frames_waited = 0;      ///< for the keyboard
+
+    bool is_dragging = false;
+    bool is_given_up = false;  ///< Escape was pressed while the button is still held
+    double start = 0.0;
+    double dragged = 0.0;    ///< follows the pointer, unrounded
+    double previewed = 0.0;  ///< last asked for
+
+    bool begins_next = false;  ///< Tab: the next number field that is drawn begins typing
+    unsigned wanted_id = 0;    ///< Shift+Tab: this one does
+    unsigned previous_id = 0;  ///< the number field drawn last
+
+    unsigned problem_id = 0;  ///< the field whose typed text could not be read
+    std::string problem;
+    int problem_frame = 0;  ///< in which it came up
+};
+
+/// What the inspector remembers.
+struct InspectorState {
+    std::map<std::string, bool> open_sections;    ///< those that were folded or unfolded by hand
+    std::optional<editor::Hover> wish;            ///< what the pointer is over in this frame
+    bool was_busy = false;                      ///< an item was pressed or typed at the end of the last frame
+    bool owns_hover = false;                      ///< the pointer was last over the inspector
+    std::vector<std::size_t> followed_points;     ///< the selection that the table was last scrolled to
+    std::optional<std::size_t> followed_knot;
+    std::optional<double> insert_at;              ///< none: at the current parameter
+};
+
+struct PanelState {
+    FileDialogState file_dialog;
+    PaletteState palette;
+    FieldState field;
+    InspectorState inspector;
+    PointerState pointer;
+    std::optional<std::vector<Example>> examples;  ///< read when the welcome screen first opens
+    std::string key_sheet_filter;
+};
+
+}  // namespace batten::ui

@@ -1,0 +1,50 @@
+/// The panels and what they share while a frame is drawn.
+#pragma once
+
+#include "app/editor/command.h"
+#include "app/editor/state.h"
+#include "app/ui/fonts.h"
+#include "app/ui/frame.h"
+#include "app/ui/panel_state.h"
+
+namespace batten::ui {
+
+/// Given to every panel: read the state, ask through the queue, report places of widgets.
+struct PanelContext {
+    const editor::EditorState& state;
+    const Fonts& fonts;
+    editor::Theme theme;
+    double scale;  ///< window pixels per design pixel
+    editor::CommandQueue& queue;
+    PanelState& panels;
+    std::vector<WidgetPlace>& widgets;
+    const FrameInput& input;
+
+    float px(double design_px) const { return static_cast<float>(design_px * scale); }
+};
+
+// Around the canvas; each fills the rectangle that it is given.
+void draw_menu_bar(const PanelContext& context, const Rectangle& place);
+void draw_tool_bar(const PanelContext& context, const Rectangle& place);
+void draw_status_bar(const PanelContext& context, const Rectangle& place, const std::string& hint,
+                     double frames_per_second);
+void draw_inspector(const PanelContext& context, const Rectangle& place);
+
+// Sections of the inspector, drawn one below the other.
+void draw_curves_section(const PanelContext& context);
+void draw_curve_section(const PanelContext& context);
+void draw_points_section(const PanelContext& context);
+void draw_knots_section(const PanelContext& context);
+void draw_construction_section(const PanelContext& context);
+void draw_show_section(const PanelContext& context);
+
+// Over the canvas, drawn when the state says so.
+void draw_notice(const PanelContext& context, const Rectangle& canvas);
+void draw_welcome_screen(const PanelContext& context, const Rectangle& window);
+void draw_file_dialog(const PanelContext& context, const Rectangle& window);
+void draw_unsaved_dialog(const PanelContext& context, const Rectangle& window);
+void draw_command_palette(const PanelContext& context, const Rectangle& window);
+void draw_key_sheet(const PanelContext& context, const Rectangle& window);
+void draw_about_dialog(const PanelContext& context, const Rectangle& window);
+
+}  // namespace batten::ui

@@ -1,0 +1,230 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "app/ui/inspector_widgets.h"
+#include "app/ui/number_field.h"
+#include "app/ui/section.h"
+#include "app/ui/style.h"
+#include "core/bounds.h"
+
+namespace batten::ui {
+namespace {
+
+constexpr double row_height = 25.0;
+constexpr double overhang = 6.0;     // of a lit row beyond the margins
+constexpr double name_width = 64.0;  // before the first field
+constexpr double field_gap = 8.0;
+constexpr std::size_t most_rows = 12;  // more points scroll in their own region
+constexpr double largest_weight = 1e9;
+
+/// What the rows have in common.
+struct Table {
+    const PanelContext& context;
+    const core::Curve& curve;
+    int decimals = 2;
+    float row_width = 0.0F;
+    float field_width = 0.0F;
+};
+
+std::vector<double> as_numbers(const std::vector<std::size_t>& indices) {
+    std::vector<double> numbers;
+    std::transform(indices.begin(), indices.end(), std::back_inserter(numbers),
+                   [](std::size_t i) { return static_cast<double>(i); });
+    return numbers;
+}
+
+/// Shift adds all from the nearest selected point on.
+void extend_to(std::vector<std::size_t>& points, std::size_t i) {
+    const auto distance = [i](std::size_t k) { return k < i ? i - k : k - i; };
+    const std::size_t anchor = *std::min_element(
+        points.begin(), points.end(), [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    for (std::size_t k = std::min(anchor, i); k <= std::max(anchor, i); ++k) points.push_back(k);
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+
+void toggle(std::vector<std::size_t>& points, std::size_t i) {
+    const auto place = std::lower_bound(points.begin(), points.end(), i);
+    if (place != points.end() && *place == i)
+        points.erase(place);
+    else
+        points.insert(place, i);
+}
+
+void select(const PanelContext& context, std::size_t i) {
+    std::vector<std::size_t> points = context.state.selection.points;
+    if (ImGui::GetIO().KeyShift && !points.empty())
+        extend_to(points, i);
+    else if (ImGui::GetIO().KeyCtrl)
+        toggle(points, i);
+    else
+        points = {i};
+    // The row that was clicked is in sight already.
+    context.panels.inspector.followed_points = points;
+    context.queue.run("select-points", {as_numbers(points)});
+}
+
+void draw_row_back(const Table& table, std::size_t i, ImVec2 origin) {
+    const PanelContext& context = table.context;
+    const ImVec2 end(origin.x + table.row_width, origin.y + context.px(row_height));
+    const bool is_selected = context.state.selection.contains_point(i);
+    const bool is_hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(origin, ImVec2(end.x, end.y));
+    if (is_hovered) wish_hover(context, editor::HoveredPoint{i});
+    const bool is_lit = context.state.hover == editor::Hover(editor::HoveredPoint{i});
+    if (!is_selected && !is_lit) return;
+    const render::Color color = render::blended(context.theme.accent, is_selected ? 0.17 : 0.08, context.theme.panel);
+    const float inset = 0.5F * context.px(1);
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(origin.x, origin.y + inset), ImVec2(end.x, end.y - inset),
+                                              imgui_packed(color), context.px(5));
+}
+
+void draw_name(const Table& table, std::size_t i, ImVec2 origin) {
+    const PanelContext& context = table.context;
+    const std::string number = std::to_string(i);
+    const std::string text = "P_{" + number + "}";
+    const std::string name = "point " + number + " name";
+    if (ImGui::InvisibleButton(name.c_str(), ImVec2(context.px(overhang + name_width), context.px(row_height))))
+        select(context, i);
+    const bool is_selected = context.state.selection.contains_point(i);
+    report_item(context, name, is_selected ? "P" + number + " selected" : "P" + number);
+    const float middle = origin.y + 0.5F * context.px(row_height);
+    const ImVec2 dot(origin.x + context.px(overhang + 8), middle);
+    ImGui::GetWindowDrawList()->AddCircleFilled(dot, context.px(5), imgui_packed(context.theme.point(i)));
+    draw_text(context, ImVec2(origin.x + context.px(overhang + 20), middle),
+              {text, context.fonts.text, 0.0, context.theme.text, render::Anchor::left, context.px(name_width - 20)});
+}
+
+NumberField field_of(const Table& table, std::size_t i, const char* axis, double value) {
+    NumberField field;
+    field.name = "point " + std::to_string(i) + " " + axis;
+    field.value = value;
+    field.decimals = table.decimals;
+    field.speed = step_of(table.decimals);
+    field.width_px = table.field_width;
+    field.height = 20.0;
+    field.is_enabled = is_editable(table.context.state);
+    field.tooltip = locked_sentence(table.context.state);
+    return field;
+}
+
+void draw_coordinates(const Table& table, std::size_t i) {
+    const core::Point point = table.curve.control_points()[i];
+    const double index = static_cast<double>(i);
+    draw_number_field(table.context, field_of(table, i, "x", point.x), [=](double x) {
+        return editor::Command{"set-point", {index, x, point.y}};
+    });
+    stay_in_row(table.context, field_gap);
+    draw_number_field(table.context, field_of(table, i, "y", point.y), [=](double y) {
+        return editor::Command{"set-point", {index, point.x, y}};
+    });
+}
+
+void draw_weight(const Table& table, std::size_t i) {
+    NumberField field = field_of(table, i, "w", table.curve.weights()[i]);
+    field.decimals = 2;
+    field.speed = 0.01;
+    field.is_multiplicative = true;
+    field.lowest = 1.0 / largest_weight;
+    field.highest = largest_weight;
+    draw_number_field(table.context, field, [i](double w) {
+        return editor::Command{"set-weight", {static_cast<double>(i), w}};
+    });
+}
+
+void draw_row(const Table& table, std::size_t i) {
+    const PanelContext& context = table.context;
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    draw_row_back(table, i, origin);
+    draw_name(table, i, origin);
+    const float inset = context.px(0.5 * (row_height - 20.0));
+    ImGui::SetCursorScreenPos(ImVec2(origin.x + context.px(overhang + name_width), origin.y + inset));
+    draw_coordinates(table, i);
+    stay_in_row(context, field_gap);
+    draw_weight(table, i);
+    ImGui::SetCursorScreenPos(origin);
+    ImGui::Dummy(ImVec2(table.row_width, context.px(row_height)));
+}
+
+/// The place where a new point goes: in the middle of the leg after the last selected point, or beyond the end.
+editor::Command add_command(const editor::EditorState& state) {
+    const auto points = state.active_curve()->control_points();
+    const std::size_t n = points.size();
+    const std::size_t before = state.selection.points.empty() ? n - 1 : std::min(state.selection.points.back(), n - 1);
+    const bool has_next = before + 1 < n || state.active_curve()->is_periodic();
+    const core::Point place = has_next ? 0.5 * (points[before] + points[(before + 1) % n])
+                                       : points[before] + 0.5 * (points[before] - points[before - 1]);
+    return {"add-point", {static_cast<double>(before + 1), place.x, place.y}};
+}
+
+void draw_header(const Table& table) {
+    const PanelContext& context = table.context;
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    Button add{"add point", "", Icon::plus, context.px(24), 18.0};
+    add.tooltip = "Add a control point after the selected one, or at the end.\n\u2260 changes the shape";
+    const editor::Command command = add_command(context.state);
+    draw_command_button(context, add, command.name, command.arguments);
+    stay_in_row(context);
+    draw_command_button(context, {"delete points", "", Icon::minus, context.px(24), 18.0}, "delete-points");
+    float x = origin.x + context.px(name_width + 8);
+    for (const char* axis : {"x", "y", "w"}) {
+        draw_text(context, ImVec2(x, origin.y + context.px(9)), {axis, context.fonts.small, 0.0, context.theme.dim});
+        x += table.field_width + context.px(field_gap);
+    }
+}
+
+/// Brings the first selected row into sight once, after the selection changed elsewhere.
+void follow_selection(const PanelContext& context) {
+    InspectorState& inspector = context.panels.inspector;
+    const std::vector<std::size_t>& points = context.state.selection.points;
+    if (inspector.followed_points == points) return;
+    inspector.followed_points = points;
+    if (points.empty()) return;
+    const float height = context.px(row_height);
+    const float top = static_cast<float>(points.front()) * height;
+    const bool is_in_sight =
+        top >= ImGui::GetScrollY() && top + height <= ImGui::GetScrollY() + ImGui::GetWindowHeight();
+    if (!is_in_sight) ImGui::SetScrollY(top - 0.5F * (ImGui::GetWindowHeight() - height));
+}
+
+void draw_rows(const Table& table, std::size_t count) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(count), table.context.px(row_height));
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) draw_row(table, static_cast<std::size_t>(i));
+    ImGui::PopStyleVar();
+}
+
+void draw_table(const PanelContext& context, const core::Curve& curve) {
+    const std::size_t count = curve.control_points().size();
+    const bool scrolls = count > most_rows;
+    const float bar = scrolls ? context.px(6) : 0.0F;
+    const float fields = content_width(context) - context.px(name_width + 2.0 * field_gap) - bar;
+    const core::Vector size = core::control_box(curve).size();
+    const Table table{context, curve, decimals_for(std::max(size.x, size.y)),
+                      content_width(context) + 2.0F * context.px(overhang) - bar, std::floor(fields / 3.0F)};
+    draw_header(table);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(overhang));
+    const float height = context.px(row_height) * static_cast<float>(std::min(count, most_rows));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
+    ImGui::BeginChild("points", ImVec2(content_width(context) + 2.0F * context.px(overhang), height), false,
+                      scrolls ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoScrollbar);
+    follow_selection(context);
+    draw_rows(table, count);
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+void draw_points_section(const PanelContext& context) {
+    const core::Curve& curve = *context.state.active_curve();
+    if (draw_section_heading(context, {"points", "Control points", std::to_string(curve.control_points().size())}))
+        draw_table(context, curve);
+    add_space(context, 6);
+}
+
+}  // namespace batten::ui

@@ -1,0 +1,94 @@
+#include "app/ui/section.h"
+
+#include <imgui.h>
+
+#include "app/ui/inspector_widgets.h"
+#include "app/ui/style.h"
+
+namespace batten::ui {
+namespace {
+
+constexpr double heading_height = 26.0;
+constexpr double label_width = 102.0;
+
+bool is_open(const PanelContext& context, const Section& section) {
+    const auto& sections = context.panels.inspector.open_sections;
+    const auto found = sections.find(section.name);
+    return found == sections.end() ? section.is_open_at_first : found->second;
+}
+
+/// A small triangle in the margin; only where it says something.
+void draw_fold_mark(const PanelContext& context, ImVec2 center, bool is_open) {
+    const auto at = [&](double x, double y) { return ImVec2(center.x + context.px(x), center.y + context.px(y)); };
+    const ImU32 color = imgui_packed(context.theme.dim);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    if (is_open)
+        list->AddTriangleFilled(at(-3.5, -1.8), at(3.5, -1.8), at(0, 2.6), color);
+    else
+        list->AddTriangleFilled(at(-1.8, -3.5), at(2.6, 0), at(-1.8, 3.5), color);
+}
+
+}  // namespace
+
+bool draw_section_heading(const PanelContext& context, const Section& section) {
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const ImVec2 size(content_width(context), context.px(heading_height));
+    bool open = is_open(context, section);
+    if (ImGui::InvisibleButton(section.name.c_str(), size))
+        context.panels.inspector.open_sections[section.name] = open = !open;
+    const bool is_hovered = ImGui::IsItemHovered();
+    const std::string value = section.info.empty() ? section.title : section.title + " | " + section.info;
+    report_item(context, "section " + section.name, value);
+
+    const float middle = origin.y + 0.5F * size.y;
+    const float title_width =
+        draw_text(context, ImVec2(origin.x, middle), {section.title, context.fonts.bold, 0.0, context.theme.text});
+    draw_text(context, ImVec2(origin.x + size.x, middle),
+              {section.info, context.fonts.text, 0.0, context.theme.dim, render::Anchor::right,
+               size.x - title_width - context.px(12)});
+    if (is_hovered || !open) draw_fold_mark(context, ImVec2(origin.x - context.px(9), middle), open);
+    const float bottom = origin.y + size.y + 0.5F * context.px(1);
+    ImGui::GetWindowDrawList()->AddLine(ImVec2(origin.x, bottom), ImVec2(origin.x + size.x, bottom),
+                                        imgui_packed(context.theme.line), context.px(1));
+    return open;
+}
+
+float content_width(const PanelContext& context) {
+    return ImGui::GetWindowWidth() - 2.0F * context.px(section_margin);
+}
+
+void draw_row_label(const PanelContext& context, const std::string& label) {
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    draw_text(context, ImVec2(origin.x, origin.y + context.px(12)),
+              {label, context.fonts.text, 0.0, context.theme.dim});
+    ImGui::SetCursorScreenPos(ImVec2(origin.x + context.px(label_width), origin.y));
+}
+
+float field_width(const PanelContext& context) {
+    return content_width(context) - context.px(label_width);
+}
+
+void add_space(const PanelContext& context, double design_px) {
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + context.px(design_px));
+}
+
+void stay_in_row(const PanelContext& context, double gap) {
+    ImGui::SameLine(0.0F, context.px(gap));
+}
+
+void wish_hover(const PanelContext& context, const editor::Hover& hover) {
+    context.panels.inspector.wish = hover;
+}
+
+bool is_editable(const editor::EditorState& state) {
+    const core::DocumentCurve* curve = state.shown().active_curve();
+    return curve != nullptr && !curve->locked;
+}
+
+std::string locked_sentence(const editor::EditorState& state) {
+    const core::DocumentCurve* curve = state.shown().active_curve();
+    if (curve == nullptr || !curve->locked) return {};
+    return "The curve \u201c" + curve->name + "\u201d is locked; unlock it under Curves.";
+}
+
+}  // namespace batten::ui

@@ -1,0 +1,44 @@
+/// Headings and rows that the sections of the inspector have in common.
+#pragma once
+
+#include <string>
+
+#include "app/ui/panels.h"
+
+namespace batten::ui {
+
+inline constexpr double section_margin = 18.0;  ///< design pixels left and right of the sections
+inline constexpr double row_gap = 4.0;          ///< design pixels between rows
+
+struct Section {
+    std::string name;   ///< its place is "section NAME"
+    std::string title;  ///< rich text
+    std::string info;   ///< dim, at the right; rich text
+    bool is_open_at_first = true;
+};
+
+/// Draws the heading with the line below; a click folds the section. Returns whether it is open.
+bool draw_section_heading(const PanelContext& context, const Section& section);
+
+/// The width between the margins, in window pixels; for use in the inspector's own window.
+float content_width(const PanelContext& context);
+
+/// Starts a row with a dim label; the cursor is then where the field goes, of field_width().
+void draw_row_label(const PanelContext& context, const std::string& label);
+float field_width(const PanelContext& context);
+
+void add_space(const PanelContext& context, double design_px);
+
+/// Puts the next item beside the last, `gap` design pixels on.
+void stay_in_row(const PanelContext& context, double gap = row_gap);
+
+/// What the pointer is over in this frame; the last wish of a frame counts.
+void wish_hover(const PanelContext& context, const editor::Hover& hover);
+
+/// Whether the active curve may be edited; a locked one may not.
+bool is_editable(const editor::EditorState& state);
+
+/// The tool tip of what cannot be edited now; empty where it can.
+std::string locked_sentence(const editor::EditorState& state);
+
+}  // namespace batten::ui

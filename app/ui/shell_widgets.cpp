@@ -1,0 +1,145 @@
+#include "app/ui/shell_widgets.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <utility>
+
+#include "app/ui/imgui_compat.h"
+#include "app/ui/inspector_widgets.h"
+#include "app/ui/style.h"
+
+namespace batten::ui {
+
+namespace {
+
+/// The label's colour and those of the button at rest, hovered and pressed.
+struct ButtonColors {
+    render::Color label;
+    render::Color rest;
+    render::Color hovered;
+    render::Color pressed;
+};
+
+ButtonColors colors_of(const editor::Theme& theme, ButtonLook look) {
+    switch (look) {
+        case ButtonLook::plain:
+            return {theme.text, theme.field, render::blended(theme.accent, 0.18, theme.field),
+                    render::blended(theme.accent, 0.32, theme.field)};
+        case ButtonLook::primary:
+            return {theme.canvas, theme.accent, render::blended(theme.text, 0.15, theme.accent),
+                    render::blended(theme.text, 0.3, theme.accent)};
+        case ButtonLook::quiet:
+            break;
+    }
+    return {theme.dim, render::faded(theme.field, 0.0), render::faded(theme.accent, 0.16),
+            render::faded(theme.accent, 0.28)};
+}
+
+void push_colors(const ButtonColors& colors) {
+    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(colors.label));
+    ImGui::PushStyleColor(ImGuiCol_Button, imgui_color(colors.rest));
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, imgui_color(colors.hovered));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, imgui_color(colors.pressed));
+}
+
+constexpr int pushed_colors = 4;
+constexpr double button_padding_x = 14.0;
+constexpr double button_padding_y = 6.0;
+
+ImVec2 packed(glm::dvec2 p) {
+    return {static_cast<float>(p.x), static_cast<float>(p.y)};
+}
+
+}  // namespace
+
+void begin_panel(const char* name, const Rectangle& place, int window_flags) {
+    ImGui::SetNextWindowPos(packed(place.origin_px));
+    ImGui::SetNextWindowSize(packed(place.size_px));
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav | window_flags);
+}
+
+void end_panel() {
+    ImGui::End();
+}
+
+Rectangle last_item_place() {
+    const ImVec2 corner = ImGui::GetItemRectMin();
+    const ImVec2 size = ImGui::GetItemRectSize();
+    return {{corner.x, corner.y}, {size.x, size.y}};
+}
+
+void draw_edge(const PanelContext& context, glm::dvec2 from, glm::dvec2 to) {
+    ImGui::GetWindowDrawList()->AddLine(packed(from), packed(to), imgui_packed(context.theme.line));
+}
+
+bool draw_label_button(const PanelContext& context, const std::string& name, const char* label, ButtonLook look) {
+    push_colors(colors_of(context.theme, look));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.px(button_padding_x), context.px(button_padding_y)));
+    ImGui::PushID(name.c_str());
+    const bool is_clicked = ImGui::Button(label);
+    ImGui::PopID();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor(pushed_colors);
+    report_item(context, name, label);
+    return is_clicked;
+}
+
+float label_button_width(const PanelContext& context, const char* label) {
+    return text_width(label, context.fonts.text) + 2.0F * context.px(button_padding_x);
+}
+
+bool draw_cross_button(const PanelContext& context, const std::string& name, float size_px) {
+    push_colors(colors_of(context.theme, ButtonLook::quiet));
+    ImGui::PushID(name.c_str());
+    const bool is_clicked = ImGui::Button("##cross", ImVec2(size_px, size_px));
+    ImGui::PopID();
+    ImGui::PopStyleColor(pushed_colors);
+    report_item(context, name);
+    const Rectangle place = last_item_place();
+    const glm::vec2 center(place.origin_px + 0.5 * place.size_px);
+    const float reach = 0.18F * size_px;
+    const std::uint32_t color = imgui_packed(ImGui::IsItemHovered() ? context.theme.text : context.theme.dim);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddLine({center.x - reach, center.y - reach}, {center.x + reach, center.y + reach}, color, context.px(1.5));
+    list->AddLine({center.x - reach, center.y + reach}, {center.x + reach, center.y - reach}, color, context.px(1.5));
+    return is_clicked;
+}
+
+void draw_tooltip(const PanelContext& context, const std::string& text) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(10), context.px(7)));
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(context.px(320));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+float text_width(const std::string& text, ImFont* font) {
+    return font->CalcTextSizeA(font_height(font), FLT_MAX, 0.0F, text.data(), text.data() + text.size()).x;
+}
+
+std::string elided(const std::string& text, ImFont* font, float width_px) {
+    if (text_width(text, font) <= width_px) return text;
+    std::string result = text;
+    const auto is_continuation = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+    while (!result.empty()) {
+        while (result.size() > 1 && is_continuation(result.back())) result.pop_back();
+        result.pop_back();
+        if (text_width(result + "…", font) <= width_px) return result + "…";
+    }
+    return result;
+}
+
+bool was_pressed(const PanelContext& context, editor::Key key) {
+    const std::vector<KeyPress>& keys = context.input.key_presses;
+    return std::any_of(keys.begin(), keys.end(), [key](const KeyPress& press) {
+        return press.shortcut == editor::Shortcut{key, {}};
+    });
+}
+
+}  // namespace batten::ui

@@ -1,0 +1,73 @@
+#include "app/ui/splitters.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/ui/inspector_widgets.h"
+#include "app/ui/shell_widgets.h"
+#include "app/ui/style.h"
+
+namespace batten::ui {
+
+namespace {
+
+constexpr double reach = 4.0;  // design pixels to either side of the edge
+constexpr double usual_inspector_width = 340.0;
+constexpr double usual_dock_height = 260.0;
+
+/// One edge: its line, and the command that moves it.
+struct Edge {
+    const char* name;
+    const char* command;
+    glm::dvec2 from;
+    glm::dvec2 to;
+    double size_at_pointer;  ///< design pixels, if the edge were where the pointer is
+    double usual_size;
+    ImGuiMouseCursor cursor;
+};
+
+void draw_edge_handle(const PanelContext& context, const Edge& edge) {
+    const glm::dvec2 grip = reach * context.scale * (edge.from.x == edge.to.x ? glm::dvec2(1, 0) : glm::dvec2(0, 1));
+    const Rectangle place{edge.from - grip, edge.to - edge.from + 2.0 * grip};
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
+    begin_panel(edge.name, place, ImGuiWindowFlags_NoBackground);
+    ImGui::InvisibleButton("##edge", ImVec2(static_cast<float>(place.size_px.x), static_cast<float>(place.size_px.y)));
+    report_item(context, edge.name);
+    draw_edge(context, edge.from, edge.to);
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+        ImGui::SetMouseCursor(edge.cursor);
+        const glm::vec2 a(edge.from);
+        const glm::vec2 b(edge.to);
+        ImGui::GetWindowDrawList()->AddLine({a.x, a.y}, {b.x, b.y}, imgui_packed(context.theme.accent), context.px(2));
+    }
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        context.queue.run(edge.command, {edge.usual_size});
+    } else if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1.0F)) {
+        context.queue.run(edge.command, {std::max(0.0, std::round(edge.size_at_pointer))});
+    }
+    end_panel();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+void draw_splitters(const PanelContext& context, const FrameAreas& areas) {
+    const ImVec2 mouse = ImGui::GetMousePos();
+    if (areas.inspector.size_px.x > 0.0) {
+        const glm::dvec2 from = areas.inspector.origin_px;
+        const double width = (areas.window.size_px.x - mouse.x) / context.scale;
+        draw_edge_handle(
+            context, {"inspector edge", "set-inspector-width", from, from + glm::dvec2(0.0, areas.inspector.size_px.y),
+                      width, usual_inspector_width, ImGuiMouseCursor_ResizeEW});
+    }
+    if (areas.dock.size_px.y > 0.0) {
+        const glm::dvec2 from = areas.dock.origin_px;
+        const double height = (from.y + areas.dock.size_px.y - mouse.y) / context.scale;
+        draw_edge_handle(context, {"dock edge", "set-dock-height", from, from + glm::dvec2(areas.dock.size_px.x, 0.0),
+                                   height, usual_dock_height, ImGuiMouseCursor_ResizeNS});
+    }
+}
+
+}  // namespace batten::ui

@@ -1,0 +1,101 @@
+#include <imgui.h>
+
+#include <array>
+
+#include "app/ui/command_entry.h"
+#include "app/ui/inspector_widgets.h"
+#include "app/ui/panels.h"
+#include "app/ui/shell_widgets.h"
+#include "app/ui/style.h"
+#include "app/ui/tool_icon.h"
+
+namespace batten::ui {
+
+namespace {
+
+constexpr double button_size = 38.0;
+constexpr double button_pitch = 43.0;
+
+constexpr std::array other_commands{"undo", "redo", "fit", "toggle-play"};
+
+/// One button of the bar.
+struct ToolButton {
+    std::string command;
+    std::string place_name;
+    bool is_active = false;
+};
+
+std::vector<ToolButton> tool_buttons(const editor::EditorState& state) {
+    std::vector<ToolButton> buttons;
+    for (const editor::Tool tool : editor::all_tools) {
+        const std::string name = editor::name_of(tool);
+        buttons.push_back({"tool-" + name, "tool " + name, state.tool == tool});
+    }
+    return buttons;
+}
+
+render::Color icon_color(const PanelContext& context, const ToolButton& button, bool is_enabled) {
+    if (button.is_active) return context.theme.accent;
+    if (!is_enabled) return render::faded(context.theme.dim, 0.35);
+    return ImGui::IsItemHovered() ? context.theme.text : context.theme.dim;
+}
+
+void draw_back(const PanelContext& context, const ToolButton& button, const Rectangle& place) {
+    if (!button.is_active && !ImGui::IsItemHovered()) return;
+    const glm::vec2 low(place.origin_px);
+    const glm::vec2 high(place.origin_px + place.size_px);
+    const render::Color color = render::faded(context.theme.accent, button.is_active ? 0.24 : 0.10);
+    ImGui::GetWindowDrawList()->AddRectFilled({low.x, low.y}, {high.x, high.y}, imgui_packed(color), context.px(8));
+}
+
+void draw_tool_button(const PanelContext& context, const ToolButton& button) {
+    const editor::CommandSpec* spec = editor::find_command(button.command);
+    if (spec == nullptr) return;
+    const bool is_enabled = !refusal_of(*spec, context.state);
+    ImGui::SetCursorPosX(0.5F * (ImGui::GetWindowWidth() - context.px(button_size)));
+    ImGui::PushID(spec->name);
+    const bool is_clicked = ImGui::InvisibleButton("##tool", ImVec2(context.px(button_size), context.px(button_size)));
+    ImGui::PopID();
+    report_item(context, button.place_name, button.is_active ? "active" : "");
+    if (ImGui::IsItemHovered()) draw_tooltip(context, command_tooltip(*spec, context.state));
+    const Rectangle place = last_item_place();
+    draw_back(context, button, place);
+    const glm::vec2 center(place.origin_px + 0.5 * place.size_px);
+    draw_icon(ImGui::GetWindowDrawList(), button.command, {center.x, center.y, context.px(18)},
+              icon_color(context, button, is_enabled));
+    if (is_clicked && is_enabled) choose_command(context, *spec);
+}
+
+void draw_divider(const PanelContext& context) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float left = ImGui::GetWindowPos().x + context.px(14);
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - context.px(14);
+    const float y = corner.y + context.px(3);
+    ImGui::GetWindowDrawList()->AddLine({left, y}, {right, y}, imgui_packed(context.theme.line), context.px(1));
+    ImGui::Dummy(ImVec2(1.0F, context.px(6)));
+}
+
+}  // namespace
+
+void draw_tool_bar(const PanelContext& context, const Rectangle& place) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, context.px(12)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, context.px(button_pitch - button_size)));
+    begin_panel("tool bar", place, ImGuiWindowFlags_NoScrollWithMouse);
+    const std::vector<ToolButton> tools = tool_buttons(context.state);
+    for (const ToolButton& button : tools) draw_tool_button(context, button);
+    const std::size_t count = tools.size() + other_commands.size();
+    const double needed = static_cast<double>(count) * button_pitch + 30.0;
+    // In a low window only the tools themselves stay.
+    if (place.size_px.y >= needed * context.scale) {
+        draw_divider(context);
+        for (const char* command : other_commands) {
+            draw_tool_button(context, {command, std::string("tool-bar ") + command, false});
+        }
+    }
+    const double right = place.origin_px.x + place.size_px.x - 0.5;
+    draw_edge(context, {right, place.origin_px.y}, {right, place.origin_px.y + place.size_px.y});
+    end_panel();
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace batten::ui
