@@ -1,0 +1,214 @@
+#include "app/platform/application.h"
+
+#include <GLFW/glfw3.h>
+
+#include <fstream>
+#include <iostream>
+
+#include "app/editor/editor.h"
+#include "app/editor/scene/canvas_scene.h"
+#include "app/editor/scene/plot_scene.h"
+#include "app/editor/session.h"
+#include "app/editor/settings.h"
+#include "app/platform/frame_clock.h"
+#include "app/platform/imgui_layer.h"
+#include "app/platform/state_report.h"
+#include "app/platform/window.h"
+#include "app/ui/interface.h"
+#include "app/ui/style.h"
+#include "render/gl_painter.h"
+
+namespace batten::platform {
+
+namespace {
+
+editor::Desktop desktop_of(Window& window, const Options& options) {
+    editor::Desktop desktop;
+    desktop.read_clipboard = [&window] { return window.read_clipboard(); };
+    desktop.write_clipboard = [&window](const std::string& text) { window.write_clipboard(text); };
+    desktop.examples = options.assets / "examples";
+    return desktop;
+}
+
+/// Everything that lives as long as the window.
+class Application {
+  public:
+    Application(Window& window, render::GlPainter painter, const editor::Settings& settings, const Options& options)
+        : window_(window),
+          imgui_(window),
+          painter_(std::move(painter)),
+          editor_(desktop_of(window, options)),
+          clock_(window.frame_seconds()),
+          options_(options) {
+        editor_.apply(settings);
+        if (options.session_log) session_log_.open(*options.session_log);
+    }
+
+    int run();
+    editor::Settings settings() const;
+
+  private:
+    void open_start_document();
+    void open_files(const std::vector<std::filesystem::path>& files);
+    void take_window_requests();
+    void follow_scale();
+    void follow_theme();
+    void draw_frame();
+    void paint(const render::DrawList& picture, const ui::Rectangle& place, render::Color background);
+    void write_log();
+
+    Window& window_;
+    ImguiLayer imgui_;
+    render::GlPainter painter_;
+    editor::Editor editor_;
+    ui::Interface interface_;
+    ui::Fonts fonts_;
+    std::optional<editor::ThemeName> styled_theme_;
+    editor::CommandQueue queue_;
+    FrameClock clock_;
+    const Options& options_;
+    std::ofstream session_log_;
+    std::size_t logged_ = 0;
+};
+
+void Application::open_start_document() {
+    if (!options_.files.empty()) {
+        open_files(options_.files);
+    } else if (options_.example) {
+        editor_.run({"open-example", {*options_.example}});
+    } else {
+        editor_.run({"welcome", {}});
+    }
+}
+
+void Application::open_files(const std::vector<std::filesystem::path>& files) {
+    const char* name = "open";
+    for (const std::filesystem::path& file : files) {
+        editor_.run({name, {file.string()}});
+        name = "add-file";
+    }
+}
+
+void Application::take_window_requests() {
+    if (window_.take_close_request()) queue_.run("quit");
+    const std::vector<std::filesystem::path> dropped = window_.input().take_dropped_files();
+    for (std::size_t i = 0; i < dropped.size(); ++i) queue_.run(i == 0 ? "open" : "add-file", {dropped[i].string()});
+}
+
+void Application::follow_scale() {
+    const editor::View& view = editor_.state().view;
+    const double display_scale = options_.display_scale.value_or(window_.display_scale());
+    const double scale = display_scale * view.user_scale;
+    if (scale != view.interface_scale) editor_.run({"set-interface-scale", {scale}});
+    if (scale == fonts_.scale && fonts_.text != nullptr) return;
+    fonts_ = ui::load_fonts(scale);
+    imgui_.renew_font_texture();
+    styled_theme_.reset();
+}
+
+void Application::follow_theme() {
+    const editor::View& view = editor_.state().view;
+    if (styled_theme_ == view.theme) return;
+    styled_theme_ = view.theme;
+    ui::apply_style(editor::theme_of(view.theme), view.interface_scale);
+}
+
+void Application::paint(const render::DrawList& picture, const ui::Rectangle& place, render::Color background) {
+    const glm::ivec2 framebuffer = window_.framebuffer_px();
+    const double density = static_cast<double>(framebuffer.x) / std::max(1, window_.size_px().x);
+    const render::Viewport viewport{glm::ivec2(place.origin_px * density), glm::ivec2(place.size_px * density),
+                                    framebuffer};
+    if (viewport.size_px.x <= 0 || viewport.size_px.y <= 0) return;
+    painter_.paint(picture, viewport, background, static_cast<float>(density));
+}
+
+void Application::draw_frame() {
+    const double elapsed = clock_.begin_frame(glfwGetTime());
+    const editor::EditorState& state = editor_.state();
+    if (state.view.playback.is_playing && elapsed > 0.0) queue_.run("advance", {elapsed});
+    take_window_requests();
+    follow_scale();
+    follow_theme();
+    imgui_.begin_frame();
+    const ui::FrameInput input = [this] {
+        ui::FrameInput portion = window_.input().take();
+        portion.frames_per_second = clock_.frames_per_second();
+        return portion;
+    }();
+    const ui::FrameLayout layout = interface_.draw(state, input, fonts_, queue_);
+    if (!queue_.is_empty()) clock_.note_activity();
+    editor_.run(queue_);
+
+    const render::DrawList canvas = editor::canvas_scene(state, interface_.canvas_mode());
+    const render::DrawList plot = editor::plot_scene(state, interface_.plot_mode(), layout.plot.size_px);
+    ui::draw_labels(canvas, layout.canvas, fonts_);
+    ui::draw_labels(plot, layout.plot, fonts_);
+    const editor::Theme theme = editor::theme_of(state.view.theme);
+    paint(canvas, layout.canvas, theme.canvas);
+    paint(plot, layout.plot, theme.panel);
+    imgui_.paint_frame();
+    window_.set_title(state.file_name() + (state.is_modified() ? " •" : "") + " — Batten");
+    window_.show_frame();
+    if (state.view.playback.is_playing || interface_.is_animating()) clock_.note_animation();
+    if (options_.state_report) {
+        write_state_report({state, layout, canvas, plot, window_.input(), clock_}, *options_.state_report);
+    }
+}
+
+void Application::write_log() {
+    if (!session_log_.is_open()) return;
+    for (; logged_ < editor_.log().size(); ++logged_) {
+        session_log_ << editor::format_command(editor_.log()[logged_]) << std::endl;
+    }
+}
+
+int Application::run() {
+    open_start_document();
+    while (!editor_.state().wants_quit) {
+        if (!window_.input().is_pending()) Window::wait(clock_.seconds_to_wait(glfwGetTime()));
+        if (window_.input().take_activity() || window_.input().is_pending()) clock_.note_activity();
+        if (clock_.seconds_to_wait(glfwGetTime()).value_or(1.0) > 0.0) continue;
+        draw_frame();
+        write_log();
+        const std::string error = render::pending_gl_error();
+        if (!error.empty()) {
+            std::cerr << "batten: OpenGL reports " << error << '\n';
+            return 1;
+        }
+    }
+    return 0;
+}
+
+editor::Settings Application::settings() const {
+    editor::Settings settings = editor::settings_of(editor_.state());
+    settings.window = window_.geometry();
+    return settings;
+}
+
+}  // namespace
+
+int run(const Options& options) {
+    const std::filesystem::path settings_path = editor::settings_path();
+    const editor::Settings settings = editor::load_settings(settings_path);
+    const auto window = Window::open(settings.window);
+    if (!window) {
+        std::cerr << "batten: " << window.error() << '\n';
+        return 1;
+    }
+    const auto loaded = render::load_gl(glfwGetProcAddress);
+    if (!loaded) {
+        std::cerr << "batten: " << loaded.error() << '\n';
+        return 1;
+    }
+    auto painter = render::GlPainter::make();
+    if (!painter) {
+        std::cerr << "batten: " << painter.error() << '\n';
+        return 1;
+    }
+    Application application(**window, std::move(*painter), settings, options);
+    const int status = application.run();
+    editor::save_settings(application.settings(), settings_path);
+    return status;
+}
+
+}  // namespace batten::platform

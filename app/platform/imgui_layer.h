@@ -1,0 +1,23 @@
+/// Dear ImGui over the window: its context and its GLFW and OpenGL backends.
+#pragma once
+
+#include "app/platform/window.h"
+
+namespace batten::platform {
+
+class ImguiLayer {
+  public:
+    /// The window's context must be current and its own callbacks installed, which are called on.
+    explicit ImguiLayer(Window& window);
+    ~ImguiLayer();
+    ImguiLayer(const ImguiLayer&) = delete;
+    ImguiLayer& operator=(const ImguiLayer&) = delete;
+
+    /// Hands the font atlas to OpenGL again after it was filled anew.
+    void renew_font_texture();
+
+    void begin_frame();
+    void paint_frame();
+};
+
+}  // namespace batten::platform

@@ -1,0 +1,169 @@
+#include "app/platform/input.h"
+
+#include <GLFW/glfw3.h>
+
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "app/platform/key_map.h"
+
+namespace batten::platform {
+
+using editor::PointerAction;
+using editor::PointerButton;
+using editor::PointerEvent;
+
+namespace {
+
+constexpr double double_click_seconds = 0.4;
+constexpr double double_click_px = 6.0;
+
+Input& input_of(GLFWwindow* window) {
+    return *static_cast<Input*>(glfwGetWindowUserPointer(window));
+}
+
+PointerButton button_from_glfw(int button) {
+    if (button == GLFW_MOUSE_BUTTON_LEFT) return PointerButton::left;
+    if (button == GLFW_MOUSE_BUTTON_MIDDLE) return PointerButton::middle;
+    if (button == GLFW_MOUSE_BUTTON_RIGHT) return PointerButton::right;
+    return PointerButton::none;
+}
+
+bool is_button_action(PointerAction action) {
+    return action == PointerAction::press || action == PointerAction::release || action == PointerAction::double_click;
+}
+
+/// GLFW reports the modifiers before a modifier key's own change.
+editor::Modifiers after_key(editor::Modifiers modifiers, int key, bool is_down) {
+    if (key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL) modifiers.ctrl = is_down;
+    if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT) modifiers.shift = is_down;
+    if (key == GLFW_KEY_LEFT_ALT || key == GLFW_KEY_RIGHT_ALT) modifiers.alt = is_down;
+    return modifiers;
+}
+
+}  // namespace
+
+void Input::listen_to(GLFWwindow* window) {
+    glfwSetWindowUserPointer(window, this);
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+        Input& input = input_of(w);
+        input.position_px_ = {x, y};
+        input.add(input.pointer_event(PointerAction::move));
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+        input_of(w).on_button(button, action, modifiers);
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double notches) {
+        Input& input = input_of(w);
+        PointerEvent event = input.pointer_event(PointerAction::wheel);
+        event.wheel = notches;
+        input.add(event);
+    });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int has_entered) {
+        if (has_entered == GLFW_FALSE) input_of(w).add(input_of(w).pointer_event(PointerAction::leave));
+    });
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
+        input_of(w).on_key(w, key, scancode, action, modifiers);
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { input_of(w).was_active_ = true; });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+        Input& input = input_of(w);
+        input.dropped_files_.assign(paths, paths + count);
+        input.was_active_ = true;
+    });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int has_focus) {
+        Input& input = input_of(w);
+        input.was_active_ = true;
+        if (has_focus == GLFW_FALSE) {
+            input.modifiers_ = {};
+            input.space_is_held_ = false;
+        }
+    });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { input_of(w).was_active_ = true; });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w).was_active_ = true; });
+    glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { input_of(w).was_active_ = true; });
+}
+
+PointerEvent Input::pointer_event(PointerAction action) const {
+    PointerEvent event;
+    event.action = action;
+    event.position_px = position_px_;
+    event.modifiers = modifiers_;
+    event.space_is_held = space_is_held_;
+    return event;
+}
+
+void Input::add(const PointerEvent& event) {
+    was_active_ = true;
+    if (event.action == PointerAction::move && !events_.empty()) {
+        // A burst of moves is one move to where it ended.
+        auto* last = std::get_if<PointerEvent>(&events_.back());
+        if (last != nullptr && last->action == PointerAction::move && last->modifiers == event.modifiers) {
+            *last = event;
+            return;
+        }
+    }
+    events_.emplace_back(event);
+}
+
+void Input::on_key(GLFWwindow*, int key, int scancode, int action, int modifiers) {
+    const bool is_down = action != GLFW_RELEASE;
+    const editor::Modifiers before = modifiers_;
+    modifiers_ = after_key(modifiers_from_glfw(modifiers), key, is_down);
+    if (key == GLFW_KEY_SPACE) space_is_held_ = is_down;
+    was_active_ = true;
+    if (modifiers_ != before) add(pointer_event(PointerAction::move));
+    const editor::Key mapped = key_from_glfw(key, scancode);
+    if (is_down && mapped != editor::Key::none) events_.emplace_back(ui::KeyPress{{mapped, modifiers_}});
+}
+
+void Input::on_button(int button, int action, int modifiers) {
+    modifiers_ = modifiers_from_glfw(modifiers);
+    const PointerButton mapped = button_from_glfw(button);
+    if (mapped == PointerButton::none) return;
+    PointerEvent event = pointer_event(PointerAction::release);
+    event.button = mapped;
+    if (action == GLFW_PRESS) {
+        event.action = completes_double_click(mapped) ? PointerAction::double_click : PointerAction::press;
+    }
+    add(event);
+}
+
+bool Input::completes_double_click(PointerButton button) {
+    const Press press{glfwGetTime(), position_px_, button};
+    const bool is_second = last_press_.button == button && press.time - last_press_.time < double_click_seconds &&
+                           glm::distance(press.position_px, last_press_.position_px) < double_click_px;
+    // A third press begins anew.
+    last_press_ = is_second ? Press{} : press;
+    return is_second;
+}
+
+void Input::note_handled(const PointerEvent& event) {
+    handled_.position_px = event.position_px;
+    if (event.action == PointerAction::release) {
+        --handled_.buttons_down;
+    } else if (is_button_action(event.action)) {
+        ++handled_.buttons_down;
+        ++handled_.press_count;
+    }
+}
+
+ui::FrameInput Input::take() {
+    ui::FrameInput result;
+    while (!events_.empty()) {
+        if (const auto* key = std::get_if<ui::KeyPress>(&events_.front())) {
+            result.key_presses.push_back(*key);
+            events_.pop_front();
+            continue;
+        }
+        if (!result.key_presses.empty()) break;
+        const PointerEvent event = std::get<PointerEvent>(events_.front());
+        events_.pop_front();
+        result.pointer_events.push_back(event);
+        note_handled(event);
+        if (is_button_action(event.action)) break;
+    }
+    return result;
+}
+
+}  // namespace batten::platform

@@ -1,0 +1,167 @@
+#include "app/platform/window.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+namespace batten::platform {
+
+namespace {
+
+constexpr int least_width = 640;
+constexpr int least_height = 400;
+
+std::string last_glfw_error() {
+    const char* description = nullptr;
+    glfwGetError(&description);
+    return description == nullptr ? "no reason given" : description;
+}
+
+void set_hints() {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 24);  // translucent lines that cross themselves are painted with its help
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "batten");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "batten");
+}
+
+/// A remembered place is only good while a monitor still shows it.
+bool is_on_a_monitor(const editor::WindowGeometry& geometry) {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    return std::any_of(monitors, monitors + count, [&](GLFWmonitor* monitor) {
+        int x = 0;
+        int y = 0;
+        int width = 0;
+        int height = 0;
+        glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+        return geometry.x >= x - 50 && geometry.y >= y - 50 && geometry.x < x + width - 100 &&
+               geometry.y < y + height - 100;
+    });
+}
+
+/// The first window fits the display, which a projector may make small.
+glm::ivec2 first_size() {
+    glm::ivec2 size{1440, 900};
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+        int x = 0;
+        int y = 0;
+        glm::ivec2 area{};
+        glfwGetMonitorWorkarea(monitor, &x, &y, &area.x, &area.y);
+        float scale = 1.0F;
+        glfwGetMonitorContentScale(monitor, &scale, nullptr);
+        size = {static_cast<int>(static_cast<float>(size.x) * scale),
+                static_cast<int>(static_cast<float>(size.y) * scale)};
+        size = {std::clamp(size.x, least_width, std::max(area.x, least_width)),
+                std::clamp(size.y, least_height, std::max(area.y, least_height))};
+    }
+    return size;
+}
+
+}  // namespace
+
+tl::expected<std::unique_ptr<Window>, std::string> Window::open(const std::optional<editor::WindowGeometry>& geometry) {
+    if (glfwInit() == GLFW_FALSE) return tl::unexpected("no display can be opened: " + last_glfw_error());
+    set_hints();
+    const glm::ivec2 size = geometry ? glm::ivec2{geometry->width, geometry->height} : first_size();
+    GLFWwindow* handle = glfwCreateWindow(size.x, size.y, "Batten", nullptr, nullptr);
+    if (handle == nullptr) {
+        const std::string reason = last_glfw_error();
+        glfwTerminate();
+        return tl::unexpected("no window with OpenGL 3.3 can be opened: " + reason);
+    }
+    if (geometry && is_on_a_monitor(*geometry)) glfwSetWindowPos(handle, geometry->x, geometry->y);
+    if (geometry && geometry->is_maximised) glfwMaximizeWindow(handle);
+    glfwSetWindowSizeLimits(handle, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwMakeContextCurrent(handle);
+    glfwSwapInterval(1);
+    glfwShowWindow(handle);
+    return std::unique_ptr<Window>(new Window(handle));
+}
+
+Window::Window(GLFWwindow* handle) : handle_(handle) {
+    input_.listen_to(handle);
+}
+
+Window::~Window() {
+    glfwDestroyWindow(handle_);
+    glfwTerminate();
+}
+
+glm::ivec2 Window::size_px() const {
+    glm::ivec2 size{};
+    glfwGetWindowSize(handle_, &size.x, &size.y);
+    return size;
+}
+
+glm::ivec2 Window::framebuffer_px() const {
+    glm::ivec2 size{};
+    glfwGetFramebufferSize(handle_, &size.x, &size.y);
+    return size;
+}
+
+double Window::display_scale() const {
+    float content_scale = 1.0F;
+    glfwGetWindowContentScale(handle_, &content_scale, nullptr);
+    const glm::ivec2 window = size_px();
+    const glm::ivec2 framebuffer = framebuffer_px();
+    if (window.x <= 0 || framebuffer.x <= 0) return 1.0;
+    // Where the framebuffer is denser than the window, the desktop has applied that part of the scale already.
+    return static_cast<double>(content_scale) * window.x / framebuffer.x;
+}
+
+double Window::frame_seconds() const {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+    const int rate = mode == nullptr || mode->refreshRate <= 0 ? 60 : mode->refreshRate;
+    return 1.0 / rate;
+}
+
+editor::WindowGeometry Window::geometry() const {
+    editor::WindowGeometry geometry;
+    glfwGetWindowPos(handle_, &geometry.x, &geometry.y);
+    glfwGetWindowSize(handle_, &geometry.width, &geometry.height);
+    geometry.is_maximised = glfwGetWindowAttrib(handle_, GLFW_MAXIMIZED) == GLFW_TRUE;
+    return geometry;
+}
+
+void Window::set_title(const std::string& title) {
+    if (title == title_) return;
+    title_ = title;
+    glfwSetWindowTitle(handle_, title.c_str());
+}
+
+bool Window::take_close_request() {
+    const bool is_asked = glfwWindowShouldClose(handle_) == GLFW_TRUE;
+    if (is_asked) glfwSetWindowShouldClose(handle_, GLFW_FALSE);
+    return is_asked;
+}
+
+std::string Window::read_clipboard() const {
+    const char* text = glfwGetClipboardString(handle_);
+    return text == nullptr ? std::string() : text;
+}
+
+void Window::write_clipboard(const std::string& text) {
+    glfwSetClipboardString(handle_, text.c_str());
+}
+
+void Window::show_frame() {
+    glfwSwapBuffers(handle_);
+}
+
+void Window::wait(std::optional<double> seconds) {
+    if (!seconds) {
+        glfwWaitEvents();
+    } else if (*seconds > 0.0) {
+        glfwWaitEventsTimeout(*seconds);
+    } else {
+        glfwPollEvents();
+    }
+}
+
+}  // namespace batten::platform

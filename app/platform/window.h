@@ -1,0 +1,61 @@
+/// The window of the desktop with its OpenGL 3.3 context.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "app/editor/settings.h"
+#include "app/platform/input.h"
+
+struct GLFWwindow;
+
+namespace batten::platform {
+
+class Window {
+  public:
+    /// Opens the window and makes its context current. The error is one sentence: no display, or no OpenGL 3.3.
+    [[nodiscard]] static tl::expected<std::unique_ptr<Window>, std::string> open(
+        const std::optional<editor::WindowGeometry>& geometry);
+
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    GLFWwindow* handle() const { return handle_; }
+    Input& input() { return input_; }
+
+    glm::ivec2 size_px() const;         ///< in window pixels, as pointer positions are
+    glm::ivec2 framebuffer_px() const;  ///< in pixels of the framebuffer
+
+    /// Window pixels for one design pixel, from the display alone.
+    double display_scale() const;
+
+    /// Seconds between two frames of the display.
+    double frame_seconds() const;
+
+    editor::WindowGeometry geometry() const;
+    void set_title(const std::string& title);
+
+    /// Whether the user asked to close the window since the last call.
+    bool take_close_request();
+
+    std::string read_clipboard() const;
+    void write_clipboard(const std::string& text);
+
+    void show_frame();
+
+    /// Sleeps until something happens, at most `seconds`; without a limit until it does.
+    static void wait(std::optional<double> seconds);
+
+  private:
+    explicit Window(GLFWwindow* handle);
+
+    GLFWwindow* handle_;
+    Input input_;
+    std::string title_;
+};
+
+}  // namespace batten::platform
