@@ -1,0 +1,193 @@
+// Every file of assets/examples opens, is as the editor writes it, and holds the facts that the lecture notes print.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "core/de_boor.h"
+#include "core/deviation.h"
+#include "core/evaluate.h"
+#include "core/io/native_file.h"
+#include "core/knot_analysis.h"
+#include "core/knot_insertion.h"
+#include "golden.h"
+
+namespace batten::core {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Knots = std::vector<double>;
+
+Document example(const std::string& name) {
+    auto document = load_document(fs::path(BATTEN_EXAMPLES) / (name + ".json"));
+    if (!document) throw std::runtime_error(name + ": " + document.error().sentence());
+    return *document;
+}
+
+Curve curve_in(const std::string& name) {
+    return *example(name).curves.at(0).curve;
+}
+
+std::vector<Knots> alphas(const std::string& name) {
+    const Document document = example(name);
+    const DeBoorTriangle triangle = de_boor_triangle(*document.curves.at(0).curve, document.view.parameter.value());
+    std::vector<Knots> result;
+    for (std::size_t r = 1; r < triangle.levels.size(); ++r) {
+        result.emplace_back();
+        for (const DeBoorCell& cell : triangle.levels[r]) result.back().push_back(cell.alpha);
+    }
+    return result;
+}
+
+void expect_near(const std::vector<Knots>& found, const std::vector<Knots>& expected) {
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t r = 0; r < found.size(); ++r) {
+        ASSERT_EQ(found[r].size(), expected[r].size());
+        for (std::size_t j = 0; j < found[r].size(); ++j) EXPECT_NEAR(found[r][j], expected[r][j], 1e-15);
+    }
+}
+
+void expect_knots(const std::string& name, const Knots& knots) {
+    EXPECT_EQ(curve_in(name).definition().knots, knots) << name;
+}
+
+TEST(Examples, every_file_opens_and_is_as_the_editor_writes_it) {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(BATTEN_EXAMPLES)) {
+        if (entry.path().extension() != ".json") continue;
+        names.insert(entry.path().stem().string());
+        const auto document = load_document(entry.path());
+        ASSERT_TRUE(document.has_value()) << entry.path() << ": " << document.error().sentence();
+        EXPECT_FALSE(document->title.empty()) << entry.path();
+        EXPECT_FALSE(document->description.empty()) << entry.path();
+        ASSERT_EQ(document->curves.size(), 1U) << entry.path();
+        ASSERT_TRUE(document->view.parameter.has_value()) << entry.path();
+        EXPECT_TRUE(document->curves[0].curve->domain().contains(*document->view.parameter)) << entry.path();
+        EXPECT_TRUE(document->unknown_members.empty()) << document->unknown_members;
+        std::ifstream file(entry.path(), std::ios::binary);
+        const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+        EXPECT_EQ(format_document(*document), text) << entry.path();
+    }
+    EXPECT_EQ(names,
+              (std::set<std::string>{"wave", "cubic-de-boor", "quadratic-double-knot", "cubic-at-4-5", "knot-insertion",
+                                     "bezier-cubic", "coons-open", "coons-closed", "circle-nurbs", "conic-weight",
+                                     "knots-t1", "knots-t2", "knots-t3", "knots-t4"}));
+}
+
+TEST(Examples, agree_with_the_reference_results) {
+    const std::map<std::string, std::string> example_of{
+        {"deboor-cimat", "cubic-de-boor"}, {"kma-bspline", "quadratic-double-knot"},
+        {"kma-deboor", "cubic-at-4-5"},    {"kma-knot-insertion", "knot-insertion"},
+        {"bezier-cubic", "bezier-cubic"},  {"coons", "coons-open"},
+        {"circle-9", "circle-nurbs"}};
+    std::size_t compared = 0;
+    for (const auto& members : golden::cases("de_boor.json")) {
+        const auto name = example_of.find(members.at("name").get<std::string>());
+        if (name == example_of.end()) continue;
+        const CurveDefinition found = curve_in(name->second).definition();
+        const CurveDefinition expected = golden::curve_of(members).definition();
+        EXPECT_EQ(found.degree, expected.degree) << name->second;
+        EXPECT_EQ(found.knots, expected.knots) << name->second;
+        EXPECT_EQ(found.points, expected.points) << name->second;
+        EXPECT_EQ(found.weights, expected.weights) << name->second;
+        EXPECT_EQ(example(name->second).view.parameter, members.at("u").get<double>()) << name->second;
+        ++compared;
+    }
+    EXPECT_EQ(compared, example_of.size());
+}
+
+TEST(Examples, de_boor_shows_the_printed_alphas) {
+    for (const char* name : {"cubic-de-boor", "wave"})
+        expect_near(alphas(name), {{0.8, 0.8 / 1.5, 0.2}, {0.8, 0.3}, {0.6}});
+    expect_near(alphas("cubic-at-4-5"), {{0.8, 0.7, 0.4}, {0.7, 0.4}, {0.4}});
+    expect_near(alphas("bezier-cubic"), {{0.5, 0.5, 0.5}, {0.5, 0.5}, {0.5}});
+}
+
+TEST(Examples, knot_insertion_shows_the_printed_alphas) {
+    expect_near({alphas("knot-insertion")[0]}, {{5.0 / 6.0, 0.5, 1.0 / 6.0}});
+    const Curve curve = curve_in("knot-insertion");
+    const Curve refined = insert_knot(curve, 0.5).value();
+    EXPECT_LT(largest_deviation(curve, refined), 12.0 * 1e-14);
+    // Q_4 = (P_3 + P_4) / 2 is the point of the middle α.
+    EXPECT_LT(glm::distance(refined.control_points()[4], Point(5.5, 0)), 1e-14);
+}
+
+TEST(Examples, knots_are_the_printed_ones) {
+    expect_knots("cubic-de-boor", {0, 0, 0, 0, .25, .5, .75, 1, 1, 1, 1});
+    expect_knots("wave", {0, 0, 0, 0, .25, .5, .75, 1, 1, 1, 1});
+    expect_knots("cubic-at-4-5", {0, 0, 0, 0, 1.0 / 3.0, 2.0 / 3.0, 1, 1, 1, 1});
+    expect_knots("knot-insertion", {0, 0, 0, 0, .2, .4, .6, .8, 1, 1, 1, 1});
+    expect_knots("knots-t1", {0, 0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 6, 6, 6, 6});
+    expect_knots("knots-t2", {0, 0, 0, 0, 1, 3, 4, 7, 7, 7, 7});
+    expect_knots("knots-t3", {0, 0, 0, 1, 2, 3, 4, 4, 5, 5, 5});
+    expect_knots("knots-t4", {0, 0, 0, 0, 1, 2, 2, 2, 3, 4, 4, 5, 5, 5, 5});
+}
+
+TEST(Examples, kinds_and_continuity_are_what_the_notes_say) {
+    const std::map<std::string, std::pair<KnotKind, std::optional<int>>> facts{
+        {"wave", {KnotKind::clamped_uniform, 2}},
+        {"cubic-de-boor", {KnotKind::clamped_uniform, 2}},
+        {"quadratic-double-knot", {KnotKind::custom, 0}},
+        {"cubic-at-4-5", {KnotKind::clamped_uniform, 2}},
+        {"knot-insertion", {KnotKind::clamped_uniform, 2}},
+        {"bezier-cubic", {KnotKind::bezier, std::nullopt}},
+        {"coons-open", {KnotKind::uniform, std::nullopt}},
+        {"coons-closed", {KnotKind::periodic, 2}},
+        {"circle-nurbs", {KnotKind::piecewise_bezier, 0}},
+        {"conic-weight", {KnotKind::bezier, std::nullopt}},
+        {"knots-t1", {KnotKind::clamped_uniform, 3}},
+        {"knots-t2", {KnotKind::custom, 2}},
+        {"knots-t3", {KnotKind::custom, 0}},
+        {"knots-t4", {KnotKind::custom, 0}}};
+    for (const auto& [name, fact] : facts) {
+        const Curve curve = curve_in(name);
+        EXPECT_EQ(curve.knots().kind(), fact.first) << name;
+        EXPECT_EQ(least_continuity(curve.knots()), fact.second) << name;
+    }
+}
+
+TEST(Examples, double_knot_draws_through_its_point_with_a_corner) {
+    const Curve curve = curve_in("quadratic-double-knot");
+    EXPECT_EQ(point_at(curve, 2.0), Point(5, -1));
+    const Vector before = derivatives_at(curve, 2.0, 1, Side::left)[1];
+    const Vector after = derivatives_at(curve, 2.0, 1, Side::right)[1];
+    EXPECT_GT(std::abs(before.x * after.y - before.y * after.x), 1.0);
+}
+
+TEST(Examples, circle_is_round) {
+    const Curve curve = curve_in("circle-nurbs");
+    for (int k = 0; k <= 1000; ++k) EXPECT_NEAR(glm::length(point_at(curve, k / 1000.0)), 1.0, 1e-15);
+}
+
+TEST(Examples, conic_is_an_arc_with_the_weight_it_has) {
+    const Curve curve = curve_in("conic-weight");
+    for (int k = 0; k <= 1000; ++k) EXPECT_NEAR(glm::length(point_at(curve, k / 1000.0)), 3.0, 3e-15);
+}
+
+TEST(Examples, closed_curve_closes_smoothly_and_the_open_one_does_not_close) {
+    const Curve closed = curve_in("coons-closed");
+    EXPECT_TRUE(closed.is_periodic());
+    const auto begin = derivatives_at(closed, closed.domain().lower, 2, Side::right);
+    const auto end = derivatives_at(closed, closed.domain().upper, 2, Side::left);
+    for (std::size_t r = 0; r <= 2; ++r) EXPECT_LT(glm::distance(begin[r], end[r]), 1e-13);
+    const Curve open = curve_in("coons-open");
+    EXPECT_FALSE(open.is_periodic());
+    EXPECT_LT(glm::distance(point_at(open, 0.0), Point(8.0 / 6.0, 15.0 / 6.0)), 1e-15);
+    EXPECT_LT(glm::distance(point_at(open, 1.0), Point(22.0 / 6.0, 14.0 / 6.0)), 1e-15);
+}
+
+TEST(Examples, sample_has_the_points_of_the_picture) {
+    const Curve curve = curve_in("wave");
+    const std::vector<Point> points{{-6, -2.2},  {-4.6, 2.6}, {-1.6, 3.6}, {-0.4, -2.6},
+                                    {2.6, -3.2}, {3.4, 2.2},  {6.2, 2.8}};
+    EXPECT_TRUE(std::ranges::equal(curve.control_points(), points));
+    EXPECT_TRUE(std::ranges::equal(curve.weights(), Knots{1, 1, 1, 1, 1, 2, 1}));
+}
+
+}  // namespace
+}  // namespace batten::core

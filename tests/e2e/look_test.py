@@ -1,0 +1,55 @@
+"""The look of the window at common sizes, in both themes and at scale 2, kept as pictures; and that nothing is drawn while nothing happens."""
+
+import os
+import time
+import unittest
+
+from case import WindowTest
+
+SIZES = ((1280, 720), (1440, 900), (1920, 1080))
+
+
+def processor_seconds(process):
+    with open(f"/proc/{process.pid}/stat") as file:
+        fields = file.read().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+class LookTest(WindowTest):
+    def assert_inside(self, state, size):
+        for name, place in state["widgets"].items():
+            self.assertGreaterEqual(place["x"], -1, name)
+            self.assertLessEqual(place["x"] + place["width"], size[0] + 1, name)
+
+    def test_sizes_and_themes(self):
+        for size in SIZES:
+            with self.subTest(size=size):
+                geometry = {"x": 0, "y": 0, "width": size[0], "height": size[1]}
+                with self.start(self.display(*size), settings={"window": geometry}) as editor:
+                    name = f"{size[0]}x{size[1]}"
+                    editor.screenshot(f"dark-{name}")
+                    self.assert_inside(editor.state(), size)
+                    editor.key("t")
+                    editor.wait(lambda state: state["theme"] == "light" and state["is_settled"], "the light theme")
+                    editor.screenshot(f"light-{name}")
+
+    def test_scale_two(self):
+        size = (2880, 1800)
+        geometry = {"x": 0, "y": 0, "width": size[0], "height": size[1]}
+        arguments = (self.path, "--display-scale", "2")
+        with self.start(self.display(*size), *arguments, settings={"window": geometry}) as editor:
+            self.assertEqual(editor.state()["interface_scale"], 2)
+            editor.screenshot("scale-2")
+            self.assert_inside(editor.state(), size)
+
+    def test_idle_draws_nothing(self):
+        editor = self.open_editor()
+        before = editor.settle()["frame_count"]
+        used = processor_seconds(editor.process)
+        time.sleep(2.0)
+        self.assertEqual(editor.state()["frame_count"], before)
+        self.assertLessEqual(processor_seconds(editor.process) - used, 0.03)
+
+
+if __name__ == "__main__":
+    unittest.main()

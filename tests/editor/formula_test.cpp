@@ -1,0 +1,123 @@
+#include "app/editor/formula.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/editor/pointer_driver.h"
+
+namespace batten::editor {
+namespace {
+
+core::Curve curve_of(core::CurveDefinition definition) {
+    return core::Curve::make(std::move(definition)).value();
+}
+
+TEST(NumberText, has_the_digits_asked_for_and_no_trailing_zeros) {
+    EXPECT_EQ(number_text(0.4), "0.4");
+    EXPECT_EQ(number_text(1.0), "1");
+    EXPECT_EQ(number_text(0.53333333, 3), "0.533");
+    EXPECT_EQ(number_text(1.0 / 3.0), "0.3333");
+    EXPECT_EQ(number_text(0.99999), "1");
+    EXPECT_EQ(number_text(2.5e-4), "0.00025");
+    EXPECT_EQ(number_text(1234.5678, 6), "1234.57");
+}
+
+TEST(NumberText, keeps_a_whole_part_and_turns_scientific_at_the_extremes) {
+    EXPECT_EQ(number_text(123456.0), "123456");
+    EXPECT_EQ(number_text(1e6), "1e6");
+    EXPECT_EQ(number_text(1.5e12), "1.5e12");
+    EXPECT_EQ(number_text(1e-12), "1e-12");
+    EXPECT_EQ(number_text(9.999e-5, 2), "1e-4");
+    EXPECT_EQ(number_text(12345678.0, 10), "12345678");
+}
+
+TEST(NumberText, writes_a_true_minus_and_no_negative_zero) {
+    EXPECT_EQ(number_text(-2.5), "−2.5");
+    EXPECT_EQ(number_text(-0.0), "0");
+    EXPECT_EQ(number_text(-1e-12), "−1e-12");
+}
+
+TEST(NumberText, survives_what_is_not_finite) {
+    EXPECT_EQ(number_text(std::numeric_limits<double>::infinity()), "∞");
+    EXPECT_EQ(number_text(-std::numeric_limits<double>::infinity()), "−∞");
+    EXPECT_EQ(number_text(std::nan("")), "nan");
+}
+
+TEST(FixedText, has_exactly_the_decimals_asked_for) {
+    EXPECT_EQ(fixed_text(0.8, 3), "0.800");
+    EXPECT_EQ(fixed_text(-3.2, 2), "−3.20");
+    EXPECT_EQ(fixed_text(-0.001, 2), "0.00");
+    EXPECT_EQ(fixed_text(1e300, 0).size(), 301U);
+}
+
+TEST(Formula, of_alpha_reads_as_in_the_lecture_notes) {
+    const core::Curve curve = curve_of(test::cubic());
+    const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, 0.4);
+    const AlphaFormula formula = alpha_formula(curve, triangle, 1, 1);
+    EXPECT_EQ(formula.symbols, "α_{3}^{1} = (u − u_{3})/(u_{6} − u_{3})");
+    EXPECT_EQ(formula.numbers, "= (0.4 − 0)/(0.75 − 0) = 0.533");
+    EXPECT_EQ(plain_text(formula.symbols), "α₃¹ = (u − u₃)/(u₆ − u₃)");
+    const AlphaFormula last = alpha_formula(curve, triangle, 3, 0);
+    EXPECT_EQ(last.symbols, "α_{4}^{3} = (u − u_{4})/(u_{5} − u_{4})");
+    EXPECT_EQ(last.numbers, "= (0.4 − 0.25)/(0.5 − 0.25) = 0.6");
+}
+
+TEST(Formula, of_alpha_puts_subtracted_negative_knots_in_parentheses) {
+    core::CurveDefinition definition;
+    definition.degree = 1;
+    definition.knots = {-1, -1, 1, 1};
+    definition.points = {{0, 0}, {1, 0}};
+    const core::Curve curve = curve_of(definition);
+    const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, 0.4);
+    EXPECT_EQ(alpha_formula(curve, triangle, 1, 0).numbers, "= (0.4 − (−1))/(1 − (−1)) = 0.7");
+}
+
+TEST(Formula, of_alpha_tells_close_knots_apart) {
+    core::CurveDefinition definition;
+    definition.degree = 1;
+    definition.knots = {1, 1, 1.000004, 1.000004};
+    definition.points = {{0, 0}, {1, 0}};
+    const core::Curve curve = curve_of(definition);
+    const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, 1.000001);
+    EXPECT_EQ(alpha_formula(curve, triangle, 1, 0).numbers, "= (1.000001 − 1)/(1.000004 − 1) = 0.25");
+}
+
+TEST(Formula, names_the_cells_of_the_triangle) {
+    const core::DeBoorTriangle triangle = core::de_boor_triangle(curve_of(test::cubic()), 0.4);
+    EXPECT_EQ(cell_text(triangle, 0, 0), "P_{1}");
+    EXPECT_EQ(cell_text(triangle, 1, 1), "P_{3}^{1}");
+    EXPECT_EQ(cell_text(triangle, 2, 1), "P_{4}^{2}");
+    EXPECT_EQ(cell_text(triangle, 3, 0), "C(u)");
+    EXPECT_EQ(cell_formula(triangle, 1, 1), "P_{3}^{1} = (1 − α) P_{2} + α P_{3}");
+    EXPECT_EQ(cell_formula(triangle, 3, 0), "C(u) = (1 − α) P_{3}^{2} + α P_{4}^{2}");
+}
+
+TEST(Formula, names_the_points_of_a_periodic_curve_as_the_canvas_does) {
+    const core::DeBoorTriangle triangle = core::de_boor_triangle(curve_of(test::closed_cubic()), 5.5);
+    EXPECT_EQ(cell_text(triangle, 0, 0, 6), "P_{5}");
+    EXPECT_EQ(cell_text(triangle, 0, 1, 6), "P_{0}");
+    EXPECT_EQ(cell_formula(triangle, 1, 0, 6), "P_{6}^{1} = (1 − α) P_{5} + α P_{0}");
+}
+
+TEST(Formula, of_continuity) {
+    EXPECT_EQ(continuity_text(2), "C^{2}");
+    EXPECT_EQ(continuity_text(0), "C^{0}");
+    EXPECT_EQ(continuity_text(-1), "jump");
+}
+
+TEST(PlainText, has_glyphs_for_digits_signs_and_commas) {
+    EXPECT_EQ(plain_text("P_{12}^{3}"), "P₁₂³");
+    EXPECT_EQ(plain_text("N_{2,3}(u)"), "N₂,₃(u)");
+    EXPECT_EQ(plain_text("x^{−1}"), "x⁻¹");
+}
+
+TEST(PlainText, keeps_other_groups_in_parentheses_and_odd_text_as_it_is) {
+    EXPECT_EQ(plain_text("C^{p−m}"), "C(p−m)");
+    EXPECT_EQ(plain_text("a_b {c} ^"), "a_b {c} ^");
+    EXPECT_EQ(plain_text("P_{3"), "P_{3");
+    EXPECT_EQ(plain_text(""), "");
+}
+
+}  // namespace
+}  // namespace batten::editor

@@ -1,0 +1,215 @@
+#include "app/editor/hit_test.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/editor/weight_ring.h"
+#include "core/evaluate.h"
+#include "tests/editor/pointer_driver.h"
+
+namespace batten::editor {
+namespace {
+
+/// Degree 2 over 0,0,0,1,2,3,3,3; at 64 px a unit, (0, 0) at (640, 360). C(1) = (-1, 0), C(1.5) = (0, -1), C(2) = (1,
+/// 0).
+EditorState zigzag() {
+    core::CurveDefinition definition;
+    definition.degree = 2;
+    definition.knots = {0, 0, 0, 1, 2, 3, 3, 3};
+    definition.points = {{-4, -2}, {-2, 2}, {0, -2}, {2, 2}, {4, -2}};
+    EditorState state = test::state_with(definition);
+    state.view.parameter = 1.5;
+    return state;
+}
+
+glm::dvec2 px(double x, double y) {
+    return {640.0 + 64.0 * x, 360.0 - 64.0 * y};
+}
+
+void hide(EditorState& state, Overlay overlay) {
+    state.view.overlays.show(overlay, false);
+}
+
+TEST(HitCanvas, finds_a_point_within_nine_pixels) {
+    const EditorState state = zigzag();
+    EXPECT_EQ(hit_canvas(state, px(-2, 2) + glm::dvec2(8.5, 0)), Hover{HoveredPoint{1}});
+    EXPECT_EQ(hit_canvas(state, px(-2, 2) + glm::dvec2(0, -9.5)), Hover{HoveredNothing{}});
+}
+
+TEST(HitCanvas, reaches_twice_as_far_at_twice_the_interface_scale) {
+    EditorState state = zigzag();
+    state.view.interface_scale = 2.0;
+    EXPECT_EQ(hit_canvas(state, px(-2, 2) + glm::dvec2(0, -17.5)), Hover{HoveredPoint{1}});
+    EXPECT_EQ(hit_canvas(state, px(-2, 2) + glm::dvec2(0, -18.5)), Hover{HoveredNothing{}});
+}
+
+TEST(HitCanvas, finds_the_point_of_the_parameter) {
+    EXPECT_EQ(hit_canvas(zigzag(), px(0, -1) + glm::dvec2(0, 8.5)), Hover{HoveredParameter{}});
+}
+
+TEST(HitCanvas, prefers_a_point_to_a_parameter_at_the_same_place) {
+    EditorState state = zigzag();
+    state.view.parameter = 0.0;
+    EXPECT_EQ(hit_canvas(state, px(-4, -2)), Hover{HoveredPoint{0}});
+    hide(state, Overlay::polygon);
+    EXPECT_EQ(hit_canvas(state, px(-4, -2)), Hover{HoveredParameter{}});
+}
+
+TEST(HitCanvas, finds_a_knot_by_the_topmost_of_its_stack) {
+    EditorState state = zigzag();
+    EXPECT_EQ(hit_canvas(state, px(-1, 0) + glm::dvec2(7.5, 0)), Hover{HoveredKnot{3}});
+    hide(state, Overlay::polygon);
+    state.view.parameter = 1.5;
+    EXPECT_EQ(hit_canvas(state, px(-4, -2)), Hover{HoveredKnot{2}});
+    hide(state, Overlay::knots);
+    EXPECT_TRUE(std::holds_alternative<HoveredCurve>(hit_canvas(state, px(-1, 0))));
+}
+
+TEST(HitCanvas, finds_the_curve_and_the_parameter_there) {
+    EditorState state = zigzag();
+    const core::Point at = core::point_at(*state.active_curve(), 0.5);
+    const Hover hit = hit_canvas(state, px(at.x, at.y));
+    ASSERT_TRUE(std::holds_alternative<HoveredCurve>(hit));
+    EXPECT_NEAR(std::get<HoveredCurve>(hit).u, 0.5, 1e-9);
+}
+
+TEST(HitCanvas, finds_a_leg_within_five_pixels) {
+    const EditorState state = zigzag();
+    // The leg from (-4, -2) to (-2, 2) at a quarter, then across it: (2, -1)/sqrt(5) is its normal to the right, in the
+    // world.
+    const glm::dvec2 across = glm::dvec2(2.0, 1.0) / std::sqrt(5.0);
+    EXPECT_EQ(hit_canvas(state, px(-3, 0) - 4.5 * across), Hover{HoveredLeg{0}});
+    EXPECT_EQ(hit_canvas(state, px(-3, 0) - 5.5 * across), Hover{HoveredNothing{}});
+}
+
+TEST(HitCanvas, finds_the_closing_leg_of_a_periodic_curve) {
+    EditorState state = test::state_with(test::closed_cubic());
+    state.view.parameter = 3.0;
+    EXPECT_EQ(hit_canvas(state, px(1.9, -0.2)), Hover{HoveredLeg{5}});
+}
+
+TEST(HitCanvas, finds_a_weight_ring_outside_its_point) {
+    EditorState state = zigzag();
+    EXPECT_FALSE(weight_ring_radius_px(1.0, 1.0));
+    EXPECT_EQ(hit_canvas(state, px(-2, 2) + glm::dvec2(0, -12)), Hover{HoveredNothing{}});
+    state.selection.points = {1};
+    const double radius = weight_ring_radius_px(state, 1).value();
+    EXPECT_EQ(hit_canvas(state, px(-2, 2) + glm::dvec2(0, -radius - 3.5)), Hover{HoveredWeightRing{1}});
+    EXPECT_EQ(hit_canvas(state, px(-2, 2) + glm::dvec2(0, -radius - 4.5)), Hover{HoveredNothing{}});
+}
+
+TEST(HitCanvas, finds_other_curves_that_are_visible) {
+    EditorState state = zigzag();
+    core::Document document = state.history.present();
+    document.curves.push_back(document.curves.front());
+    core::CurveDefinition line;
+    line.degree = 1;
+    line.knots = {0, 0, 1, 1};
+    line.points = {{-4, 4}, {4, 4}};
+    document.curves[1].curve = std::make_shared<const core::Curve>(core::Curve::make(line).value());
+    state.history = History(document);
+    EXPECT_EQ(hit_canvas(state, px(1, 4) + glm::dvec2(0, 5)), Hover{HoveredOtherCurve{1}});
+    EXPECT_EQ(hit_canvas(state, px(1, 4) + glm::dvec2(0, 7)), Hover{HoveredNothing{}});
+    document.curves[1].visible = false;
+    state.history = History(document);
+    EXPECT_EQ(hit_canvas(state, px(1, 4)), Hover{HoveredNothing{}});
+}
+
+TEST(HitCanvas, finds_nothing_of_a_hidden_curve) {
+    EditorState state = zigzag();
+    core::Document document = state.history.present();
+    document.curves[0].visible = false;
+    state.history = History(document);
+    EXPECT_EQ(hit_canvas(state, px(-2, 2)), Hover{HoveredNothing{}});
+    EXPECT_EQ(hit_canvas(EditorState(), px(0, 0)), Hover{HoveredNothing{}});
+}
+
+TEST(HitCanvas, is_exact_over_twelve_decades_of_zoom) {
+    EditorState state = zigzag();
+    hide(state, Overlay::polygon);
+    hide(state, Overlay::knots);
+    const core::Point at = core::point_at(*state.active_curve(), 0.5);
+    state.view.camera.center = at;
+    for (double scale = 64.0; scale <= 1e12; scale *= 10.0) {
+        state.view.camera.scale = scale;
+        const Hover hit = hit_canvas(state, {640.0, 362.0});
+        ASSERT_TRUE(std::holds_alternative<HoveredCurve>(hit)) << scale;
+        EXPECT_NEAR(std::get<HoveredCurve>(hit).u, 0.5, 3.0 / scale) << scale;
+        EXPECT_EQ(hit_canvas(state, {640.0, 380.0}), Hover{HoveredNothing{}}) << scale;
+    }
+}
+
+TEST(WeightRing, grows_with_the_weight_between_nine_and_twenty_two_pixels) {
+    double last = 9.0;
+    for (const double weight : {1e-6, 0.01, 0.1, 0.5, 2.0, 10.0, 100.0}) {
+        const double radius = weight_ring_radius_px(weight, 1.0).value();
+        EXPECT_GT(radius, last);
+        last = radius;
+    }
+    EXPECT_DOUBLE_EQ(last, 22.0);
+    EXPECT_DOUBLE_EQ(weight_ring_radius_px(1e6, 1.0).value(), 22.0);
+    EXPECT_DOUBLE_EQ(weight_ring_radius_px(100.0, 1.5).value(), 33.0);
+}
+
+/// The dock of the cubic example: 1048 x 260, u = 0.4, one domain from x = 32 to 1016.
+class HitPlot : public testing::Test {
+  protected:
+    Hover hit(double x, double y) const { return hit_plot(state, plot_layout(state, {1048.0, 260.0}), {x, y}); }
+
+    EditorState state = [] {
+        EditorState result = test::state_with(test::cubic());
+        result.view.parameter = 0.4;
+        return result;
+    }();
+};
+
+TEST_F(HitPlot, finds_knots_on_the_strip) {
+    EXPECT_EQ(hit(278, 206), Hover{HoveredKnot{4}});
+    EXPECT_EQ(hit(285.5, 206), Hover{HoveredKnot{4}});
+    EXPECT_EQ(hit(287, 206), Hover{HoveredSpan{4}});
+}
+
+TEST_F(HitPlot, gives_the_topmost_knot_for_any_of_a_stack) {
+    EXPECT_EQ(hit(32, 206), Hover{HoveredKnot{3}});
+    EXPECT_EQ(hit(32, 176), Hover{HoveredKnot{3}});
+    EXPECT_EQ(hit(1016, 186), Hover{HoveredKnot{10}});
+}
+
+TEST_F(HitPlot, prefers_a_knot_to_the_line_on_the_strip_and_the_line_above) {
+    state.view.parameter = 0.25;
+    EXPECT_EQ(hit(278, 206), Hover{HoveredKnot{4}});
+    EXPECT_EQ(hit(278, 130), Hover{HoveredParameter{}});
+    EXPECT_EQ(hit(284, 100), Hover{HoveredNothing{}});
+}
+
+TEST_F(HitPlot, finds_the_graph_nearest_to_the_pointer) {
+    // At u = 1/2 the functions 2, 3, 4 are 1/6, 2/3, 1/6 and N_3 has its top: y = 152 - 72.
+    EXPECT_EQ(hit(524, 80), Hover{HoveredBasis{3}});
+    EXPECT_EQ(hit(524, 85), Hover{HoveredBasis{3}});
+    EXPECT_EQ(hit(524, 90), Hover{HoveredNothing{}});
+    // N_0 falls from 1 at u = 0 as (1 - 4u)^3: at 1/16 it is 27/64.
+    EXPECT_EQ(hit(32.0 + 984.0 / 16.0, 152.0 - 108.0 * 27.0 / 64.0), Hover{HoveredBasis{0}});
+}
+
+TEST_F(HitPlot, finds_the_span_on_the_strip) {
+    EXPECT_EQ(hit(130, 206), Hover{HoveredSpan{3}});
+    EXPECT_EQ(hit(900, 212), Hover{HoveredSpan{6}});
+    EXPECT_EQ(hit(900, 240), Hover{HoveredNothing{}});
+    EXPECT_EQ(hit(10, 206), Hover{HoveredNothing{}});
+}
+
+TEST_F(HitPlot, numbers_the_graphs_of_a_periodic_curve_as_its_points) {
+    state = test::state_with(test::closed_cubic());
+    state.view.parameter = 2.5;
+    // N_0 has its middle knot at -1, which is 5: value 2/3.
+    EXPECT_EQ(hit(32.0 + 984.0 * 5.0 / 6.0, 80), Hover{HoveredBasis{0}});
+}
+
+TEST_F(HitPlot, finds_nothing_without_a_curve) {
+    state = EditorState();
+    EXPECT_EQ(hit(278, 206), Hover{HoveredNothing{}});
+}
+
+}  // namespace
+}  // namespace batten::editor

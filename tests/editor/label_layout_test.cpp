@@ -1,0 +1,96 @@
+#include "app/editor/scene/label_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "app/editor/scene/text_size.h"
+
+namespace batten::editor {
+namespace {
+
+constexpr glm::dvec2 picture{800.0, 600.0};
+constexpr glm::dvec2 text{30.0, 16.0};
+constexpr glm::dvec2 point{400.0, 300.0};
+
+std::optional<LabelPlace> place(LabelLayout& layout, glm::dvec2 at = point) {
+    return layout.place(at, text, 11.0, LabelSide::upper_right, Crowding::leave_out);
+}
+
+bool overlap(const render::Rectangle& a, const render::Rectangle& b) {
+    return a.lower.x < b.upper.x && b.lower.x < a.upper.x && a.lower.y < b.upper.y && b.lower.y < a.upper.y;
+}
+
+TEST(LabelLayout, prefers_the_upper_right) {
+    LabelLayout layout(picture);
+    const auto found = place(layout);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->anchor, render::Anchor::left);
+    EXPECT_DOUBLE_EQ(found->position.x, 411.0);
+    EXPECT_LT(found->position.y, 300.0 - 8.0);
+    EXPECT_DOUBLE_EQ(found->box.upper.x - found->box.lower.x, 30.0);
+}
+
+TEST(LabelLayout, makes_way_for_a_line) {
+    LabelLayout layout(picture);
+    layout.avoid_line(std::array{point, glm::dvec2(500.0, 250.0)});
+    const auto found = place(layout);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->anchor, render::Anchor::right) << "upper left comes next";
+    EXPECT_LT(found->position.y, 300.0);
+}
+
+TEST(LabelLayout, is_not_moved_by_lines_elsewhere) {
+    LabelLayout empty(picture);
+    LabelLayout busy(picture);
+    busy.avoid_line(std::array{point, glm::dvec2(300.0, 500.0)});
+    busy.avoid_line(std::array{glm::dvec2(-1e9, 10.0), glm::dvec2(1e9, 10.0)});
+    busy.avoid_symbol({460.0, 300.0}, 7.0);
+    EXPECT_EQ(place(empty)->position, place(busy)->position);
+}
+
+TEST(LabelLayout, labels_around_one_point_never_overlap) {
+    LabelLayout layout(picture);
+    std::vector<render::Rectangle> boxes;
+    for (int k = 0; k < 20; ++k)
+        if (const auto found = layout.place(point, text, 11.0, LabelSide::upper_right, Crowding::cover_symbols))
+            boxes.push_back(found->box);
+    EXPECT_GE(boxes.size(), 4U);
+    EXPECT_LE(boxes.size(), 8U);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t j = i + 1; j < boxes.size(); ++j) EXPECT_FALSE(overlap(boxes[i], boxes[j])) << i << ", " << j;
+}
+
+TEST(LabelLayout, leaves_out_rather_than_cover_symbols_unless_told_to) {
+    LabelLayout layout(picture);
+    for (int x = -3; x <= 3; ++x)
+        for (int y = -3; y <= 3; ++y) layout.avoid_symbol(point + glm::dvec2(12.0 * x, 12.0 * y), 7.0);
+    EXPECT_FALSE(place(layout));
+    EXPECT_TRUE(layout.place(point, text, 11.0, LabelSide::upper_right, Crowding::cover_symbols));
+}
+
+TEST(LabelLayout, stays_inside_the_picture) {
+    LabelLayout layout(picture);
+    const auto found = place(layout, {790.0, 5.0});
+    ASSERT_TRUE(found);
+    EXPECT_LE(found->box.upper.x, 800.0);
+    EXPECT_GE(found->box.lower.y, 0.0);
+}
+
+TEST(LabelLayout, boxes_are_never_covered) {
+    LabelLayout layout(picture);
+    layout.avoid_box({{401.0, 200.0}, {700.0, 299.0}});
+    const auto found = layout.place(point, text, 11.0, LabelSide::upper_right, Crowding::cover_symbols);
+    ASSERT_TRUE(found);
+    EXPECT_FALSE(overlap(found->box, {{401.0, 200.0}, {700.0, 299.0}}));
+}
+
+TEST(TextSize, counts_characters_not_bytes_and_shrinks_scripts) {
+    EXPECT_DOUBLE_EQ(text_size("αα", 10.0).x, 2.0 * text_size("α", 10.0).x);
+    EXPECT_DOUBLE_EQ(text_size("P_{2}", 10.0).x, text_size("P", 10.0).x + 0.7 * text_size("2", 10.0).x);
+    EXPECT_DOUBLE_EQ(text_size("P_{2}^{1}", 20.0).x, 2.0 * text_size("P_{2}^{1}", 10.0).x);
+    EXPECT_NEAR(text_size("12345", 10.0, render::LabelFont::number).x, 30.5, 1e-9);
+}
+
+}  // namespace
+}  // namespace batten::editor

@@ -1,0 +1,269 @@
+#include "app/editor/scene/plot_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "core/basis.h"
+#include "tests/editor/pointer_driver.h"
+#include "tests/editor/scene_sample.h"
+
+namespace batten::editor {
+namespace {
+
+using render::Fill;
+using render::Label;
+using render::Marker;
+using render::MarkerShape;
+using render::Polyline;
+using test::all_of;
+
+constexpr glm::dvec2 size{1048.0, 260.0};
+
+render::DrawList scene_of(const EditorState& state) {
+    return plot_scene(state, PlotIdle{}, size);
+}
+
+Theme dark() {
+    return theme_of(ThemeName::dark);
+}
+
+/// The lines of graph i, whether it is dimmed or not.
+std::vector<Polyline> graph(const render::DrawList& list, std::size_t i) {
+    std::vector<Polyline> lines = test::lines_of(list, dark().point(i), 2.0F);
+    for (const Polyline& line : test::lines_of(list, render::blended(dark().point(i), 0.4, dark().panel), 2.0F))
+        lines.push_back(line);
+    return lines;
+}
+
+EditorState with_knots(std::vector<double> knots) {
+    core::CurveDefinition definition = test::cubic();
+    definition.knots = std::move(knots);
+    return test::scene_state(definition);
+}
+
+EditorState with_many_knots() {
+    core::CurveDefinition definition;
+    definition.degree = 3;
+    definition.knots = {0, 0, 0};
+    for (int k = 0; k <= 200; ++k) definition.knots.push_back(k);
+    definition.knots.insert(definition.knots.end(), {200, 200, 200});
+    for (std::size_t i = 0; i + 4 < definition.knots.size(); ++i)
+        definition.points.push_back({static_cast<double>(i), i % 2 == 0 ? 0.0 : 1.0});
+    EditorState state = test::scene_state(definition);
+    state.view.parameter = 100.5;
+    return state;
+}
+
+TEST(PlotScene, graphs_are_true_to_a_quarter_of_a_pixel) {
+    const EditorState state = test::sample_state();
+    const PlotLayout layout = plot_layout(state, size);
+    const render::DrawList list = scene_of(state);
+    for (std::size_t i = 0; i < 7; ++i)
+        for (int k = 0; k <= 400; ++k) {
+            const double u = k / 400.0;
+            const double value = core::basis_function(state.active_curve()->knots(), i, u);
+            if (value == 0.0) continue;
+            const glm::dvec2 place{x_from_parameter(layout, u), y_from_value(layout, value)};
+            EXPECT_LT(test::distance_to(graph(list, i), place), 0.25) << "N_" << i << "(" << u << ")";
+        }
+}
+
+TEST(PlotScene, graphs_are_drawn_only_where_they_are_not_zero) {
+    const EditorState state = test::sample_state();
+    const PlotLayout layout = plot_layout(state, size);
+    const render::DrawList list = scene_of(state);
+    const std::vector<core::Interval> supports{{0, .25}, {0, .5}, {0, .75}, {0, 1}, {.25, 1}, {.5, 1}, {.75, 1}};
+    for (std::size_t i = 0; i < supports.size(); ++i) {
+        const auto lines = graph(list, i);
+        ASSERT_EQ(lines.size(), 1U) << i;
+        EXPECT_NEAR(lines[0].points.front().x, x_from_parameter(layout, supports[i].lower), 1e-3);
+        EXPECT_NEAR(lines[0].points.back().x, x_from_parameter(layout, supports[i].upper), 1e-3);
+    }
+}
+
+TEST(PlotScene, graphs_need_few_segments) {
+    std::size_t segments = 0;
+    for (const Polyline& line : all_of<Polyline>(scene_of(test::sample_state()))) segments += line.points.size() - 1;
+    EXPECT_LT(segments, 250U);
+}
+
+/// The values follow from the alphas 0.8, 8/15, 0.2 / 0.8, 0.3 / 0.6 of the worked example.
+TEST(PlotScene, discs_stand_where_the_line_at_u_meets_the_graphs) {
+    const EditorState state = test::sample_state();
+    const PlotLayout layout = plot_layout(state, size);
+    const render::DrawList list = scene_of(state);
+    const auto discs = test::markers_of(list, MarkerShape::disc, 4.0F);
+    ASSERT_EQ(discs.size(), 4U);
+    const std::vector<double> values{0.016, 0.4093333333333333, 0.5386666666666667, 0.036};
+    for (std::size_t j = 0; j < values.size(); ++j) {
+        EXPECT_NEAR(discs[j].center.x, x_from_parameter(layout, 0.4), 1e-3);
+        EXPECT_NEAR(discs[j].center.y, y_from_value(layout, values[j]), 1e-3);
+        EXPECT_EQ(discs[j].fill, dark().point(j + 1));
+    }
+    const auto line = test::lines_of(list, dark().parameter, 2.0F);
+    ASSERT_EQ(line.size(), 1U);
+    EXPECT_LT(line[0].points.front().y, layout.top_px);
+    EXPECT_GT(line[0].points.back().y, layout.strip_px);
+}
+
+TEST(PlotScene, graphs_that_do_not_act_are_dimmed_and_lit_ones_thick) {
+    EditorState state = test::sample_state();
+    render::DrawList list = scene_of(state);
+    for (const std::size_t i : {1U, 2U, 3U, 4U}) EXPECT_EQ(test::lines_of(list, dark().point(i), 2.0F).size(), 1U) << i;
+    for (const std::size_t i : {0U, 5U, 6U}) EXPECT_TRUE(test::lines_of(list, dark().point(i), 2.0F).empty()) << i;
+    state.hover = HoveredPoint{5};
+    list = scene_of(state);
+    EXPECT_EQ(test::lines_of(list, dark().point(5), 3.5F).size(), 1U);
+}
+
+TEST(PlotScene, titles_tell_degree_parameter_and_speed) {
+    EditorState state = test::sample_state();
+    EXPECT_TRUE(test::has_text(scene_of(state), "Basis functions N_{i,3}(u)"));
+    EXPECT_TRUE(test::has_text(scene_of(state), "u = 0.400"));
+    state.view.playback.is_playing = true;
+    EXPECT_TRUE(test::has_text(scene_of(state), "▶ 0.5× u = 0.400"));
+}
+
+TEST(PlotScene, stack_has_as_many_diamonds_as_the_knot_is_multiple) {
+    const EditorState state = with_knots({0, 0, 0, 0, 0.25, 0.5, 0.5, 1, 1, 1, 1});
+    const PlotLayout layout = plot_layout(state, size);
+    const render::DrawList list = scene_of(state);
+    int at_half = 0;
+    int at_start = 0;
+    for (const Marker& marker : all_of<Marker>(list)) {
+        if (marker.shape != MarkerShape::diamond) continue;
+        if (std::abs(marker.center.x - x_from_parameter(layout, 0.5)) < 1e-3) {
+            ++at_half;
+            EXPECT_EQ(marker.fill, dark().panel) << "hollow inside the domain";
+        }
+        if (std::abs(marker.center.x - x_from_parameter(layout, 0.0)) < 1e-3) {
+            ++at_start;
+            EXPECT_EQ(marker.fill, dark().dim);
+        }
+    }
+    EXPECT_EQ(at_half, 2);
+    EXPECT_EQ(at_start, 4);
+    for (const char* text : {"0", "0.25", "0.5", "1", "×4 clamped", "C^{2}", "×2 C^{1}"})
+        EXPECT_TRUE(test::has_text(list, text)) << text;
+}
+
+TEST(PlotScene, full_multiplicity_says_so) {
+    EXPECT_TRUE(test::has_text(scene_of(with_knots({0, 0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1, 1})), "×3 C^{0}"));
+}
+
+TEST(PlotScene, dragged_knot_shows_what_would_become_of_it) {
+    EditorState state = test::sample_state();
+    core::Document moved = state.shown();
+    moved.curves[0].curve = with_knots({0, 0, 0, 0, 0.25, 0.5, 0.5, 1, 1, 1, 1}).shown().curves[0].curve;
+    EXPECT_FALSE(test::has_text(scene_of(state), "×2 C^{1}"));
+    state.preview = moved;
+    const render::DrawList list = plot_scene(state, DraggingKnot{6, 0.0, 0.0, true}, size);
+    EXPECT_TRUE(test::has_text(list, "×2 C^{1}"));
+    EXPECT_FALSE(test::has_text(list, "0.75"));
+    int accented = 0;
+    for (const Marker& marker : all_of<Marker>(list)) accented += marker.outline == dark().accent ? 1 : 0;
+    EXPECT_EQ(accented, 2) << "both diamonds of the stack that the dragged knot joined";
+}
+
+TEST(PlotScene, knots_outside_of_the_domain_are_grey_and_the_plot_is_shaded) {
+    core::CurveDefinition definition = test::cubic();
+    definition.knots = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+    EditorState state = test::scene_state(definition);
+    state.view.parameter = 5.5;
+    const PlotLayout layout = plot_layout(state, size);
+    const render::DrawList list = scene_of(state);
+    int grey = 0;
+    for (const Marker& marker : all_of<Marker>(list))
+        grey += marker.shape == MarkerShape::diamond && marker.outline == dark().dim ? 1 : 0;
+    EXPECT_EQ(grey, 6);
+    const auto fills = all_of<Fill>(list);
+    ASSERT_EQ(fills.size(), 3U) << "before, after, active span";
+    EXPECT_NEAR(fills[0].points[0].x, x_from_parameter(layout, 0.0), 1e-3);
+    EXPECT_NEAR(fills[0].points[2].x, x_from_parameter(layout, 3.0), 1e-3);
+    EXPECT_NEAR(fills[2].points[0].x, x_from_parameter(layout, 5.0), 1e-3);
+    EXPECT_NEAR(fills[2].points[2].x, x_from_parameter(layout, 6.0), 1e-3);
+}
+
+TEST(PlotScene, functions_of_a_periodic_curve_go_on_at_the_start) {
+    EditorState state = test::scene_state(test::closed_cubic());
+    state.view.parameter = 2.5;
+    const PlotLayout layout = plot_layout(state, size);
+    const render::DrawList list = scene_of(state);
+    const auto lines = graph(list, 0);
+    ASSERT_EQ(lines.size(), 2U) << "N_0 acts on [3, 6] and [0, 1]";
+    EXPECT_NEAR(lines[0].points.front().x, x_from_parameter(layout, 0.0), 1e-3);
+    EXPECT_NEAR(lines[0].points.back().x, x_from_parameter(layout, 1.0), 1e-3);
+    EXPECT_NEAR(lines[1].points.front().x, x_from_parameter(layout, 3.0), 1e-3);
+    EXPECT_NEAR(lines[1].points.back().x, x_from_parameter(layout, 6.0), 1e-3);
+    EXPECT_NEAR(lines[0].points.front().y, lines[1].points.back().y, 1e-3);
+    EXPECT_NEAR(lines[0].points.front().y, y_from_value(layout, 1.0 / 6.0), 1e-3);
+}
+
+TEST(PlotScene, zoomed_plot_stays_in_its_rectangle) {
+    EditorState state = test::sample_state();
+    state.view.plot_range = core::Interval{0.3, 0.45};
+    const PlotLayout layout = plot_layout(state, size);
+    const render::DrawList list = scene_of(state);
+    for (std::size_t i = 0; i < 7; ++i)
+        for (const Polyline& line : graph(list, i))
+            for (const render::Pixel place : line.points) {
+                EXPECT_GE(place.x, layout.left_px - 1e-3);
+                EXPECT_LE(place.x, layout.right_px + 1e-3);
+                EXPECT_GE(place.y, layout.top_px - 1e-3);
+                EXPECT_LE(place.y, layout.bottom_px + 1e-3);
+            }
+    EXPECT_TRUE(test::markers_of(list, MarkerShape::diamond, 8.0F).empty()) << "no knot between 0.3 and 0.45";
+    state.view.plot_range = core::Interval{0.6, 0.7};
+    EXPECT_TRUE(test::lines_of(scene_of(state), dark().parameter, 2.0F).empty());
+}
+
+TEST(PlotScene, labels_never_cover_one_another) {
+    EXPECT_EQ(test::overlapping_labels(scene_of(test::sample_state())), std::vector<std::string>{});
+    EditorState state = with_many_knots();
+    EXPECT_EQ(test::overlapping_labels(scene_of(state)), std::vector<std::string>{});
+    state.view.plot_range = core::Interval{90.0, 110.0};
+    EXPECT_EQ(test::overlapping_labels(scene_of(state)), std::vector<std::string>{});
+}
+
+TEST(PlotScene, many_knots_stay_apart_and_are_all_named_when_zoomed) {
+    EditorState state = with_many_knots();
+    float largest = 0.0F;
+    for (const Marker& marker : all_of<Marker>(scene_of(state)))
+        if (marker.shape == MarkerShape::diamond) largest = std::max(largest, marker.radius_px);
+    EXPECT_LE(2.0F * largest, 984.0F / 200.0F);
+    state.view.plot_range = core::Interval{90.0, 110.0};
+    const render::DrawList list = scene_of(state);
+    for (int k = 90; k <= 110; ++k) EXPECT_TRUE(test::has_text(list, std::to_string(k))) << k;
+    EXPECT_EQ(test::markers_of(list, MarkerShape::diamond, 8.0F).size(), 21U);
+}
+
+TEST(PlotScene, near_knots_are_told_apart_when_zoomed) {
+    EditorState state = with_knots({0, 0, 0, 0, 0.5, 0.500001, 0.75, 1, 1, 1, 1});
+    state.view.plot_range = core::Interval{0.499999, 0.500002};
+    const render::DrawList list = scene_of(state);
+    EXPECT_TRUE(test::has_text(list, "0.5"));
+    EXPECT_TRUE(test::has_text(list, "0.500001"));
+}
+
+TEST(PlotScene, sizes_follow_the_interface_scale) {
+    const render::DrawList one = scene_of(test::sample_state());
+    const render::DrawList two = plot_scene(test::doubled(test::sample_state()), PlotIdle{}, 2.0 * size);
+    const auto small = all_of<Marker>(one);
+    const auto large = all_of<Marker>(two);
+    ASSERT_EQ(small.size(), large.size());
+    for (std::size_t i = 0; i < small.size(); ++i) {
+        EXPECT_FLOAT_EQ(large[i].radius_px, 2.0F * small[i].radius_px);
+        EXPECT_NEAR(large[i].center.x, 2.0F * small[i].center.x, 1e-3);
+        EXPECT_NEAR(large[i].center.y, 2.0F * small[i].center.y, 1e-3);
+    }
+    EXPECT_EQ(test::texts_of(one), test::texts_of(two));
+}
+
+TEST(PlotScene, is_empty_without_a_curve) {
+    EXPECT_TRUE(scene_of(EditorState()).commands.empty());
+}
+
+}  // namespace
+}  // namespace batten::editor

@@ -1,0 +1,77 @@
+"""Checks every #include of the project against the table of layers."""
+
+import pathlib
+import re
+import sys
+
+# Folder: the folders of the project and the outside headers it may include (beside the standard library).
+LAYERS = {
+    "core": ({"core"}, {"glm", "tl", "Eigen", "nlohmann", "posix"}),
+    "render": ({"render"}, {"glm", "tl", "glad"}),
+    "app/editor": ({"core", "app/editor"}, {"glm", "tl", "nlohmann"}),
+    "app/ui": ({"core", "app/editor", "app/ui"}, {"glm", "tl", "imgui"}),
+    "app/platform": ({"core", "render", "app/editor", "app/ui", "app/platform"}, {"glm", "tl", "imgui", "backends", "nlohmann", "GLFW"}),
+    "app": ({"app/platform", "app/cli"}, {"CLI"}),
+}
+
+# The part of render that is plain data, open to all above it.
+PICTURE = {"render/draw_list.h", "render/camera.h", "render/clip.h", "render/color.h"}
+
+# Outside headers that only these places may include.
+ONLY_IN = {
+    ("core", "Eigen"): {"core/degree.cpp"},
+    ("core", "nlohmann"): {"core/io/"},
+    ("core", "posix"): {"core/io/"},
+}
+
+# Headers of the operating system, without a folder of their own.
+POSIX = {"fcntl.h", "unistd.h", "sys/stat.h"}
+
+# Headers that the build makes.
+GENERATED = {"shaders/sources.h": "render"}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
+
+
+def layer_of(path):
+    """The longest folder of LAYERS that holds the path."""
+    return max((layer for layer in LAYERS if path.startswith(layer + "/")), key=len, default=None)
+
+
+def outside_name(header):
+    """The first word of an outside header: glm/vec2.hpp is glm; a standard header has no dot."""
+    if header in POSIX:
+        return "posix"
+    return header.split("/")[0].split(".")[0].split("_")[0] if "." in header or "/" in header else None
+
+
+def is_allowed(path, layer, quote, header):
+    inside, outside = LAYERS[layer]
+    if quote == '"':
+        target = GENERATED.get(header) or layer_of(header)
+        return target in inside or (header in PICTURE and layer.startswith("app/"))
+    name = outside_name(header)
+    if name is None:
+        return True
+    if name not in outside:
+        return False
+    places = ONLY_IN.get((layer, name))
+    return places is None or any(path.startswith(place) for place in places)
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    sources = [p for layer in ("core", "render", "app") for p in (root / layer).rglob("*") if p.suffix in (".h", ".cpp")]
+    wrong = []
+    for source in sorted(sources):
+        path = source.relative_to(root).as_posix()
+        layer = layer_of(path)
+        for quote, header in INCLUDE.findall(source.read_text()):
+            if not is_allowed(path, layer, quote, header):
+                wrong.append(f"{path}: {layer} may not include {header}")
+    print("\n".join(wrong) or f"{len(sources)} files keep to their layers")
+    sys.exit(1 if wrong or not sources else 0)
+
+
+if __name__ == "__main__":
+    main()
