@@ -129,6 +129,7 @@ void Application::draw_frame() {
     take_window_requests();
     follow_scale();
     follow_theme();
+    window_.input().deliver_keys();
     imgui_.begin_frame();
     const ui::FrameInput input = [this] {
         ui::FrameInput portion = window_.input().take();

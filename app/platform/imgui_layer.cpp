@@ -6,6 +6,24 @@
 
 namespace batten::platform {
 
+namespace {
+
+#if IMGUI_VERSION_NUM < 18700
+constexpr bool looks_at_keys_once_a_frame = true;
+#else
+constexpr bool looks_at_keys_once_a_frame = false;
+#endif
+
+void forward_key(GLFWwindow* window, const KeyEvent& event) {
+    if (event.character != 0) {
+        ImGui_ImplGlfw_CharCallback(window, event.character);
+    } else {
+        ImGui_ImplGlfw_KeyCallback(window, event.key, event.scancode, event.action, event.modifiers);
+    }
+}
+
+}  // namespace
+
 ImguiLayer::ImguiLayer(Window& window) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
@@ -15,6 +33,9 @@ ImguiLayer::ImguiLayer(Window& window) {
     io.ConfigInputTextCursorBlink = false;
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
+    window.input().listen_to_keys(
+        window.handle(), [handle = window.handle()](const KeyEvent& event) { forward_key(handle, event); },
+        looks_at_keys_once_a_frame);
 }
 
 ImguiLayer::~ImguiLayer() {

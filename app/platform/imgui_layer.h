@@ -7,7 +7,8 @@ namespace batten::platform {
 
 class ImguiLayer {
   public:
-    /// The window's context must be current and its own callbacks installed, which are called on.
+    /// The window's context must be current and its pointer callbacks installed, which are called on. Takes over the
+    /// keys.
     explicit ImguiLayer(Window& window);
     ~ImguiLayer();
     ImguiLayer(const ImguiLayer&) = delete;

@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -62,10 +63,6 @@ void Input::listen_to(GLFWwindow* window) {
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int has_entered) {
         if (has_entered == GLFW_FALSE) input_of(w).add(input_of(w).pointer_event(PointerAction::leave));
     });
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
-        input_of(w).on_key(w, key, scancode, action, modifiers);
-    });
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { input_of(w).was_active_ = true; });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
         Input& input = input_of(w);
         input.dropped_files_.assign(paths, paths + count);
@@ -106,14 +103,45 @@ void Input::add(const PointerEvent& event) {
     events_.emplace_back(event);
 }
 
-void Input::on_key(GLFWwindow*, int key, int scancode, int action, int modifiers) {
-    const bool is_down = action != GLFW_RELEASE;
-    const editor::Modifiers before = modifiers_;
-    modifiers_ = after_key(modifiers_from_glfw(modifiers), key, is_down);
-    if (key == GLFW_KEY_SPACE) space_is_held_ = is_down;
+void Input::listen_to_keys(GLFWwindow* window, KeySink sink, bool looks_once_a_frame) {
+    key_sink_ = std::move(sink);
+    sink_looks_once_a_frame_ = looks_once_a_frame;
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
+        input_of(w).on_key({key, scancode, action, modifiers, 0});
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { input_of(w).on_key({0, 0, 0, 0, character}); });
+}
+
+void Input::on_key(const KeyEvent& event) {
     was_active_ = true;
+    if (sink_looks_once_a_frame_) {
+        waiting_keys_.push_back(event);
+    } else {
+        deliver(event);
+    }
+}
+
+void Input::deliver_keys() {
+    std::vector<int> pressed;
+    while (!waiting_keys_.empty()) {
+        const KeyEvent event = waiting_keys_.front();
+        const bool was_pressed = std::find(pressed.begin(), pressed.end(), event.key) != pressed.end();
+        if (event.character == 0 && was_pressed) return;
+        waiting_keys_.pop_front();
+        if (event.character == 0) pressed.push_back(event.key);
+        deliver(event);
+    }
+}
+
+void Input::deliver(const KeyEvent& event) {
+    key_sink_(event);
+    if (event.character != 0) return;
+    const bool is_down = event.action != GLFW_RELEASE;
+    const editor::Modifiers before = modifiers_;
+    modifiers_ = after_key(modifiers_from_glfw(event.modifiers), event.key, is_down);
+    if (event.key == GLFW_KEY_SPACE) space_is_held_ = is_down;
     if (modifiers_ != before) add(pointer_event(PointerAction::move));
-    const editor::Key mapped = key_from_glfw(key, scancode);
+    const editor::Key mapped = key_from_glfw(event.key, event.scancode);
     if (is_down && mapped != editor::Key::none) events_.emplace_back(ui::KeyPress{{mapped, modifiers_}});
 }
 

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -13,17 +14,35 @@ struct GLFWwindow;
 
 namespace batten::platform {
 
+/// A key, or a character of typed text, as GLFW reports it.
+struct KeyEvent {
+    int key = 0;
+    int scancode = 0;
+    int action = 0;
+    int modifiers = 0;
+    unsigned character = 0;  ///< not 0: typed text, and the other members have no meaning
+};
+
 class Input {
   public:
-    /// Installs the callbacks; the object must stay where it is while the window lives, and uses the window's user
-    /// pointer.
+    using KeySink = std::function<void(const KeyEvent&)>;
+
+    /// Installs the callbacks of everything but keys; the object must stay where it is while the window lives, and uses
+    /// the window's user pointer.
     void listen_to(GLFWwindow* window);
+
+    /// Installs the callbacks of keys, which are also handed to `sink`. When it `looks_once_a_frame`, a key that went
+    /// down and up between two frames is still down during one.
+    void listen_to_keys(GLFWwindow* window, KeySink sink, bool looks_once_a_frame);
+
+    /// Hands out the keys that the coming frame may see; call once before each.
+    void deliver_keys();
 
     /// Whether anything happened since the last call.
     bool take_activity() { return std::exchange(was_active_, false); }
 
     /// Whether more than one portion is waiting.
-    bool is_pending() const { return !events_.empty(); }
+    bool is_pending() const { return !events_.empty() || !waiting_keys_.empty(); }
 
     /// The next events: up to and including one press or release, so that each meets the state that its predecessors
     /// made.
@@ -54,12 +73,16 @@ class Input {
 
     editor::PointerEvent pointer_event(editor::PointerAction action) const;
     void add(const editor::PointerEvent& event);
-    void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
+    void on_key(const KeyEvent& event);
+    void deliver(const KeyEvent& event);
     void on_button(int button, int action, int modifiers);
     void note_handled(const editor::PointerEvent& event);
     bool completes_double_click(editor::PointerButton button);
 
     std::deque<Event> events_;
+    std::deque<KeyEvent> waiting_keys_;
+    KeySink key_sink_;
+    bool sink_looks_once_a_frame_ = false;
     std::vector<std::filesystem::path> dropped_files_;
     glm::dvec2 position_px_{};
     editor::Modifiers modifiers_;

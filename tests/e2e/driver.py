@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 import time
 
-PATIENCE_SECONDS = 60.0
+PATIENCE_SECONDS = 30.0
 POLL_SECONDS = 0.01
 
 
@@ -67,8 +67,6 @@ class Editor:
         try:
             if kind is None:
                 self.close()
-            else:
-                self.screenshot("failure")
         finally:
             if self.process.poll() is None:
                 self.process.kill()
@@ -84,7 +82,8 @@ class Editor:
             self.key("ctrl+q")
             self.wait_until(lambda: self.process.poll() is not None or self.state()["dialog"] == "unsaved-changes", "quitting")
             if self.process.poll() is None:
-                self.click_widget("dialog discard")
+                self.move(*self.widget_center("dialog discard"))
+                self.xdotool("click", 1)
         self.process.wait(PATIENCE_SECONDS)
         assert self.process.returncode == 0, f"the editor ended with {self.process.returncode}:\n{self.error_text()}"
 
@@ -103,6 +102,7 @@ class Editor:
             if condition():
                 return
             time.sleep(POLL_SECONDS)
+        self.screenshot("failure")
         raise AssertionError(f"waited in vain for {what}")
 
     def wait(self, predicate, what):

@@ -2,7 +2,7 @@
 
 import unittest
 
-from case import WindowTest
+from case import CUBIC, WindowTest
 
 
 class FilesTest(WindowTest):
@@ -16,22 +16,32 @@ class FilesTest(WindowTest):
 
     def test_broken_file_is_refused_with_a_sentence_and_the_document_stays(self):
         broken = self.folder / "broken.json"
-        broken.write_text(self.path.read_text().replace("[-1.5, 3.5]", "[-1.5, 3.5").replace("0.75", "0.75"))
+        broken.write_text(self.path.read_text().replace("[-1.5, 3.5]", "[-1.5, 3.5"))
         decreasing = self.folder / "decreasing.json"
         decreasing.write_text(self.path.read_text().replace("0.5, 0.75", "0.75, 0.5"))
         editor = self.open_editor()
         points = editor.state()["points"]
         for path, words in ((broken, ("broken.json", "line 1")), (decreasing, ("decreasing.json", "knot 6", "0.5", "0.75"))):
             self.open_file(editor, path)
-            state = editor.wait(lambda state: state["message_is_error"] and path.name in state["message"], "the sentence")
-            editor.wait(lambda state: "notice text" in state["widgets"] and state["is_settled"], "the notice")
+            state = editor.wait(lambda state: "dialog error" in state["widgets"] and path.name in state["message"], "the sentence")
             for word in words:
-                self.assertIn(word, editor.state()["widgets"]["notice text"]["value"])
+                self.assertIn(word, state["widgets"]["dialog error"]["value"])
             editor.screenshot(path.stem)
             self.assertEqual(state["points"], points)
             self.assertEqual(state["path"], str(self.path))
             editor.key("Escape")
-            editor.wait(lambda state: state["dialog"] == "none" and not state["message_is_error"], "the notice gone")
+            editor.wait(lambda state: state["dialog"] == "none" and state["is_settled"], "the dialog closed")
+        self.assertEqual(self.save(editor)["knots"], CUBIC["curves"][0]["knots"])
+
+    def test_broken_file_given_at_the_start_is_refused_with_a_notice(self):
+        self.path.write_text(self.path.read_text().replace('"degree": 3', '"degree": 30'))
+        editor = self.open_editor()
+        state = editor.wait(lambda state: "notice text" in state["widgets"], "the notice")
+        for word in ("wave.json", "30", "25"):
+            self.assertIn(word, state["widgets"]["notice text"]["value"])
+        editor.screenshot("notice")
+        editor.key("Escape")
+        editor.wait(lambda state: not state["message_is_error"], "the notice gone")
 
     def test_unsaved_changes_are_asked_about(self):
         editor = self.open_editor()
