@@ -8,8 +8,8 @@
 namespace batten::core {
 
 /// The blossom b(a_1, ..., a_p) of the homogeneous piece over `span` (a non-empty span of the domain).
-/// Control point i is b(u_{i+1}, ..., u_{i+p}) for every span s with i <= s <= i+p. `arguments` has p values, of any size.
-/// Cost O(p^2). Source: Ramshaw 1987.
+/// Control point i is b(u_{i+1}, ..., u_{i+p}) for every span s with i <= s <= i+p. `arguments` has p values, of any
+/// size. Cost O(p^2). Source: Ramshaw 1987.
 HomogeneousPoint blossom(const Curve& curve, std::size_t span, std::span<const double> arguments);
 
 }  // namespace batten::core

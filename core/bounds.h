@@ -11,8 +11,8 @@ namespace batten::core {
 /// The box of the control points, which contains the curve.
 Box control_box(const Curve& curve);
 
-/// The convex hull of `points`, counter-clockwise, without collinear points; fewer than three points come back as they are.
-/// Cost O(n log n). Source: Andrew 1979.
+/// The convex hull of `points`, counter-clockwise, without collinear points; fewer than three points come back as they
+/// are. Cost O(n log n). Source: Andrew 1979.
 std::vector<Point> convex_hull(std::span<const Point> points);
 
 }  // namespace batten::core

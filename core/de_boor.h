@@ -31,8 +31,8 @@ struct DeBoorTriangle {
 /// The triangle at `u`, brought into the domain. Cost O(p^2). Source: The NURBS Book, section 5.2; de Boor 1972.
 DeBoorTriangle de_boor_triangle(const Curve& curve, double u, Side side = Side::right);
 
-/// The de Casteljau triangle of a Bézier curve, where every alpha is (u - a) / (b - a). Error: curve_not_polynomial_piece
-/// unless both ends have multiplicity p+1 and there are no interior knots.
+/// The de Casteljau triangle of a Bézier curve, where every alpha is (u - a) / (b - a). Error:
+/// curve_not_polynomial_piece unless both ends have multiplicity p+1 and there are no interior knots.
 [[nodiscard]] Result<DeBoorTriangle> de_casteljau_triangle(const Curve& curve, double u);
 
 }  // namespace batten::core

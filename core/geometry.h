@@ -47,9 +47,7 @@ struct Box {
     bool is_empty() const { return !(lower.x <= upper.x && lower.y <= upper.y); }
     Point center() const { return lower + 0.5 * (upper - lower); }
     Vector size() const { return upper - lower; }
-    bool contains(Point p) const {
-        return lower.x <= p.x && p.x <= upper.x && lower.y <= p.y && p.y <= upper.y;
-    }
+    bool contains(Point p) const { return lower.x <= p.x && p.x <= upper.x && lower.y <= p.y && p.y <= upper.y; }
     bool intersects(const Box& other) const {
         return lower.x <= other.upper.x && other.lower.x <= upper.x && lower.y <= other.upper.y &&
                other.lower.y <= upper.y;

@@ -69,8 +69,8 @@ class NearestSearch {
     static Side inner_side(double u, Interval span) { return u == span.upper ? Side::left : Side::right; }
 
     void start_from_samples() {
-        Candidate nearest{0.0, std::numeric_limits<double>::infinity()};
-        Interval span_of_nearest;
+        Interval span_of_nearest = pieces_.front().interval;
+        Candidate nearest{span_of_nearest.lower, std::numeric_limits<double>::infinity()};
         for (const BezierPiece& piece : pieces_)
             for (int k = 0; k <= samples_in_piece; ++k) {
                 const double u = k == samples_in_piece

@@ -36,8 +36,8 @@ double largest_inner_share(const BezierPiece& piece) {
     double largest_inner = 0.0;
     for (std::size_t i = 1; i + 1 < piece.points.size(); ++i)
         largest_inner = std::max(largest_inner, piece.points[i].z);
-    const double ratio = largest_inner / std::min(piece.points.front().z, piece.points.back().z);
-    return ratio * share / (1.0 - share + ratio * share);
+    const double end_to_inner = std::min(piece.points.front().z, piece.points.back().z) / largest_inner;
+    return share / ((1.0 - share) * end_to_inner + share);
 }
 
 // A bound of the distance from the piece to its chord: C(u) is a mean of a point of the chord and one of the inner
@@ -98,9 +98,11 @@ class Tessellator {
         const Box box = control_box(piece);
         if (!box.intersects(request_.view)) return;
         const double half = middle(piece.interval);
-        const bool is_divisible = depth < deepest_halving && piece.interval.lower < half && half < piece.interval.upper;
-        if (!is_divisible || (is_small_enough(box) && chord_deviation_bound(piece) <= tolerance_))
-            return add_chord(piece.interval);
+        const bool is_divisible = depth < deepest_halving && piece.interval.lower < half &&
+                                  half < piece.interval.upper && std::isfinite(largest_coordinate(box));
+        // Where products of weights and coordinates overflow there is no bound, and no finer.
+        const bool is_curved = chord_deviation_bound(piece) > tolerance_;
+        if (!is_divisible || (is_small_enough(box) && !is_curved)) return add_chord(piece.interval);
         const auto [left, right] = cut_piece(piece, half);
         add_piece(left, depth + 1);
         add_piece(right, depth + 1);

@@ -11,7 +11,7 @@ namespace batten::core {
 
 /// Why a text or file was refused.
 struct FileError {
-    std::string where;  ///< "line 3, column 7", "/curves/0/knots/4", or empty for the whole file
+    std::string where;  ///< "line 3, column 7", "/curves/0/knots/4", the path of an unreadable file, or empty
     std::string what;   ///< what was found, and what is allowed
 
     /// "<where>: <what>"

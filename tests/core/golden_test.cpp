@@ -218,6 +218,7 @@ TEST(Golden, knot_analysis) {
             EXPECT_EQ(interior[k].multiplicity, multiplicities.at(k).at("multiplicity").get<int>()) << name;
             EXPECT_EQ(interior[k].continuity, multiplicities.at(k).at("continuity").get<int>()) << name;
         }
+        tally.add("the answers, which are exact", testing::Test::HasFailure() ? 1.0 : 0.0, 0.0, name);
     }
 }
 

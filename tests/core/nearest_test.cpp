@@ -117,6 +117,12 @@ TEST(Nearest, query_beyond_all_measure_ends) {
     EXPECT_NEAR(nearest_point(circle(), {1e12, 0}).u, 0.0, 1e-9);
     EXPECT_TRUE(std::isfinite(nearest_point(circle(), {0, 1e200}).point.y));
     EXPECT_NEAR(nearest_point(circle(), {1e-9, 1e-9}).u, 0.125, 1e-5);
+    const Curve overflowing = Curve::make({.degree = 3,
+                                           .knots = {5, 5, 5, 5, 6, 6, 6, 6},
+                                           .points = {{0, 0}, {1e20, 5}, {2, -1e300}, {3, 0}},
+                                           .weights = {1e-300, 1e300, 1e10, 1e-300}})
+                                  .value();
+    EXPECT_TRUE(overflowing.domain().contains(nearest_point(overflowing, {1, 1}).u));
     const Curve point = Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {3, Point(1, 1)}}).value();
     EXPECT_EQ(nearest_point(point, {1, 1}).u, 0.0);
 }
