@@ -183,6 +183,21 @@ TEST_F(FileCommands, save_an_untitled_document_before_going_on) {
     EXPECT_EQ(state().dialog, Dialog::none);
 }
 
+TEST_F(FileCommands, a_failed_saving_gives_up_what_waited) {
+    const fs::path path = folder_.path() / "gone" / "wave.json";
+    fs::create_directory(path.parent_path());
+    fs::copy_file(wave_, path);
+    run("open", {path.string()});
+    run("set-weight", {0.0, 2.0});
+    fs::remove_all(path.parent_path());
+    run("quit");
+    EXPECT_FALSE(run("answer-unsaved", {"save"}));
+    EXPECT_TRUE(state().message.is_error);
+    EXPECT_TRUE(state().is_modified());
+    EXPECT_TRUE(run("save-as", {(folder_.path() / "kept.json").string()}));
+    EXPECT_FALSE(state().wants_quit);
+}
+
 TEST_F(FileCommands, a_failed_opening_after_discard_keeps_the_changes) {
     run("open", {wave_.string()});
     run("set-weight", {0.0, 2.0});

@@ -67,7 +67,9 @@ TEST_F(KnotCommands, push_and_snap_as_asked_for) {
     open_text(editor_, sample_text);
     EXPECT_TRUE(run("move-knot", {4.0, 0.6, "push"}));
     EXPECT_EQ(knots(editor_)[4], 0.6);
-    EXPECT_EQ(knots(editor_)[5], 0.6);
+    EXPECT_GE(knots(editor_)[5], 0.6);
+    EXPECT_LT(knots(editor_)[5], 0.62);
+    EXPECT_EQ(knots(editor_)[6], 0.75);
     run("undo");
     EXPECT_TRUE(run("move-knot", {4.0, 0.48, "snap", 0.05}));
     EXPECT_EQ(knots(editor_)[4], 0.5);
@@ -85,9 +87,11 @@ TEST_F(KnotCommands, set_and_delete_a_knot) {
     EXPECT_TRUE(run("set-knot", {5.0, 0.6}));
     EXPECT_EQ(knots(editor_)[5], 0.6);
     EXPECT_EQ(state().history.undo_label(), "Set knot 0.5 to 0.6");
+    EXPECT_EQ(state().selection.knot, 5U);
     EXPECT_FALSE(run("set-knot", {5.0, 0.8}));
     EXPECT_TRUE(state().message.is_error);
-    run("select-knot", {5.0});
+    EXPECT_FALSE(run("set-knot", {11.0, 2.0}));
+    EXPECT_EQ(state().message.text, "there is no knot 11; the last one is 10");
     EXPECT_TRUE(run("delete-knot"));
     EXPECT_EQ(knots(editor_), (std::vector<double>{0, 0, 0, 0, 0.2, 0.75, 1, 1, 1, 1}));
     EXPECT_EQ(points(editor_).size(), 6U);

@@ -36,8 +36,8 @@ void expect_sound(const EditorState& state, const Request& request) {
     EXPECT_TRUE(document.active < document.curves.size() || document.active == 0);
     EXPECT_TRUE(std::isfinite(state.view.parameter) && std::isfinite(state.parameter()));
     EXPECT_TRUE(is_in(state.hover, state.shown()));
-    if (request.phase == Phase::cancel) EXPECT_FALSE(state.preview || state.ghost);
-    if (state.ghost) EXPECT_TRUE(std::isfinite(state.ghost->deviation));
+    EXPECT_FALSE(request.phase == Phase::cancel && (state.preview || state.ghost));
+    EXPECT_TRUE(!state.ghost || std::isfinite(state.ghost->deviation));
     const core::DocumentCurve* active = document.active_curve();
     if (active == nullptr) {
         EXPECT_EQ(state.selection, Selection{});
@@ -93,8 +93,8 @@ TEST_P(RandomSessions, pitfall_14_undo_and_redo_restore_the_identical_documents)
         ++(is_done ? done : refused);
         SCOPED_TRACE("command " + std::to_string(i) + ", " + format_command(request.command) +
                      (is_done ? "" : " refused: " + editor.state().message.text));
-        if (!is_done) EXPECT_TRUE(editor.state().message.is_error);
-        if (request.phase == Phase::commit && editor.state().preview) EXPECT_TRUE(had_preview);
+        EXPECT_TRUE(is_done || editor.state().message.is_error);
+        EXPECT_TRUE(request.phase == Phase::preview || had_preview || !editor.state().preview);
         expectation.follow(request, is_done, editor.state());
         expect_sound(editor.state(), request);
     }

@@ -49,7 +49,11 @@ Outcome<void> proceed_with_pending(EditorState& state) {
 
 Outcome<void> save_to(EditorState& state, const fs::path& path) {
     const Outcome<void> saved = save_document_to(state, path);
-    if (!saved) return saved;
+    if (!saved) {
+        // Without a dialog that could be tried again, what waited must not happen at some later saving.
+        if (state.dialog == Dialog::none) state.pending.reset();
+        return saved;
+    }
     state.dialog = Dialog::none;
     return proceed_with_pending(state);
 }

@@ -58,12 +58,12 @@ Outcome<Edit> raise_knot(const EditorState& state, const Arguments& arguments) {
 }
 
 // Of a stack the knot at the side to which it is moved is taken; knots keep their order.
-Selection selection_after_move(const core::Curve& curve, std::size_t index, double u) {
-    const std::span<const double> knots = curve.knots().stored();
+Selection selection_after_move(const EditorState& state, std::size_t index, double u) {
+    const std::span<const double> knots = active_curve(state).knots().stored();
     const double old = knots[index];
     while (u > old && index + 1 < knots.size() && knots[index + 1] == old) ++index;
     while (u < old && index > 0 && knots[index - 1] == old) --index;
-    return {{}, index};
+    return {state.selection.points, index};
 }
 
 Outcome<Edit> move_knot(const EditorState& state, const Arguments& arguments) {
@@ -74,15 +74,16 @@ Outcome<Edit> move_knot(const EditorState& state, const Arguments& arguments) {
     if (arguments.number(3) < 0.0) return tl::unexpected(Refusal("the snap distance must not be negative"));
     const core::Curve& curve = active_curve(state);
     const double u = arguments.number(1);
-    Selection selection = selection_after_move(curve, *index, u);
-    selection.points = state.selection.points;
-    return edit_active(state, core::move_knot(curve, *index, u, *mode, arguments.number(3)), selection);
+    return edit_active(state, core::move_knot(curve, *index, u, *mode, arguments.number(3)),
+                       selection_after_move(state, *index, u));
 }
 
 Outcome<Edit> set_knot(const EditorState& state, const Arguments& arguments) {
-    const Outcome<std::size_t> index = index_of(arguments.number(0), "index");
+    const Outcome<std::size_t> index = knot_index(state, arguments.number(0));
     if (!index) return tl::unexpected(index.error());
-    return edit_active(state, core::set_knot(active_curve(state), *index, arguments.number(1)));
+    const core::Curve& curve = active_curve(state);
+    const double u = arguments.number(1);
+    return edit_active(state, core::set_knot(curve, *index, u), selection_after_move(state, *index, u));
 }
 
 Outcome<Edit> delete_knot(const EditorState& state, const Arguments& arguments) {

@@ -40,7 +40,7 @@ class LabelWriter {
 
     LabelLayout& layout() { return layout_; }
 
-    /// Words side by side around `point`; left out where there is no room.
+    /// Words side by side around `point`, if that is in the picture. Returns false where there is no room for them.
     bool write(glm::dvec2 point, std::vector<Word> words, double distance, LabelSide first, Crowding crowding) {
         const render::Rectangle picture{{}, frame_.pen.size_px()};
         if (!picture.contains(point)) return true;

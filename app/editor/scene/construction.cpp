@@ -1,7 +1,6 @@
 #include "app/editor/scene/construction.h"
 
 #include <algorithm>
-#include <string>
 
 namespace batten::editor {
 
