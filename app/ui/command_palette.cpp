@@ -223,11 +223,7 @@ void draw_explanation(const PanelContext& context, const CommandSpec* spec) {
     }
     std::string problem = context.panels.palette.problem;
     if (problem.empty() && spec != nullptr) problem = refusal_of(*spec, context.state).value_or("");
-    if (problem.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.error));
-    ImGui::TextWrapped("⚠ %s", problem.c_str());
-    ImGui::PopStyleColor();
-    report_item(context, "palette error", problem);
+    draw_dialog_error(context, problem);
 }
 
 float explanation_height(const PanelContext& context, const CommandSpec* spec) {
@@ -240,7 +236,10 @@ void draw_list(const PanelContext& context, const std::vector<Match>& matches) {
     const std::size_t chosen = context.panels.palette.chosen;
     const CommandSpec* spec = matches.empty() ? nullptr : matches[chosen].spec;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
-    ImGui::BeginChild("list", ImVec2(0.0F, -explanation_height(context, spec)), false, ImGuiWindowFlags_NoNav);
+    // While arguments are typed what they mean stands right below.
+    const bool has_arguments = named_command(context.panels.palette.typed) != nullptr;
+    const float height = has_arguments ? context.px(row_height + 6.0) : -explanation_height(context, spec);
+    ImGui::BeginChild("list", ImVec2(0.0F, height), false, ImGuiWindowFlags_NoNav);
     for (std::size_t i = 0; i < matches.size(); ++i) draw_row(context, *matches[i].spec, i == chosen, follows_keys);
     ImGui::EndChild();
     ImGui::PopStyleVar();
@@ -273,7 +272,8 @@ void draw_command_palette(const PanelContext& context, const Rectangle& window) 
     frame.title = "Commands";
     frame.size = {640.0, 480.0};
     frame.is_at_top = true;
-    const bool is_left = begin_dialog(context, window, frame);
+    const bool is_left =
+        begin_dialog(context, window, frame) || was_pressed(context, editor::Key::p, {true, false, false});
     draw_input(context);
     draw_list(context, matches_of(palette.typed));
     end_dialog();

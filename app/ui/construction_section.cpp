@@ -121,7 +121,9 @@ std::string step_text(std::size_t r, std::size_t degree) {
 /// All levels are asked for as -1, so that they stay all when the degree grows.
 void draw_step(const Construction& shown, std::size_t r, float width_px) {
     const std::size_t degree = shown.degree();
-    Button button{"step " + std::to_string(r), step_text(r, degree), Icon::none, width_px};
+    const bool has_words = width_px >= shown.context.px(54) || r == 0 || r == degree;
+    Button button{"step " + std::to_string(r), has_words ? step_text(r, degree) : std::to_string(r), Icon::none,
+                  width_px};
     button.is_active = shown.level() == r;
     button.tooltip = r == 0 ? "Only the control points of the span" : "The construction up to here";
     if (draw_button(shown.context, button))

@@ -1,7 +1,6 @@
 #include <imgui.h>
 
 #include <array>
-#include <cmath>
 
 #include "app/editor/formula.h"
 #include "app/ui/inspector_widgets.h"
@@ -53,7 +52,7 @@ void draw_degree_number(const PanelContext& context, const core::Curve& curve, f
     field.highest = core::max_degree;
     field.is_enabled = is_editable(context.state);
     field.tooltip = locked_sentence(context.state);
-    draw_number_field(context, field, [](double value) { return editor::Command{"set-degree", {std::round(value)}}; });
+    draw_number_field(context, field, [](double value) { return editor::Command{"set-degree", {value}}; });
 }
 
 /// Another degree with the same control points.
@@ -63,9 +62,21 @@ void draw_degree_step(const PanelContext& context, const char* name, Icon icon, 
     draw_command_button(context, button, "set-degree", {static_cast<double>(degree)});
 }
 
+/// Where there is no room for words the sign alone says whether the shape stays.
+void draw_degree_buttons(const PanelContext& context, bool has_words, float width_px) {
+    Button button{"degree raise", has_words ? "≅ raise" : "≅", Icon::none, width_px};
+    button.is_small = has_words;
+    draw_command_button(context, button, "elevate-degree");
+    stay_in_row(context);
+    button.name = "degree lower";
+    button.text = has_words ? "≠ lower" : "≠";
+    draw_command_button(context, button, "reduce-degree");
+}
+
 void draw_degree_row(const PanelContext& context, const core::Curve& curve) {
     draw_row_label(context, "Degree");
-    const float button_width = context.px(52);
+    const bool has_words = field_width(context) >= context.px(200);
+    const float button_width = context.px(has_words ? 52 : 24);
     const float rest = field_width(context) - 2.0F * (button_width + context.px(24)) - 4.0F * context.px(row_gap);
     draw_degree_number(context, curve, rest);
     stay_in_row(context);
@@ -73,13 +84,7 @@ void draw_degree_row(const PanelContext& context, const core::Curve& curve) {
     stay_in_row(context);
     draw_degree_step(context, "degree more", Icon::plus, curve.degree() + 1);
     stay_in_row(context);
-    Button button{"degree raise", "≅ raise", Icon::none, button_width};
-    button.is_small = true;
-    draw_command_button(context, button, "elevate-degree");
-    stay_in_row(context);
-    button.name = "degree lower";
-    button.text = "≠ lower";
-    draw_command_button(context, button, "reduce-degree");
+    draw_degree_buttons(context, has_words, button_width);
 }
 
 const char* kind_text(const core::KnotVector& knots, KnotKind kind) {
@@ -136,9 +141,11 @@ void draw_closed_row(const PanelContext& context, const core::Curve& curve) {
     draw_row_label(context, "Closed");
     Button box{"closed", "", Icon::none, field_width(context)};
     box.is_active = curve.is_periodic();
-    const core::Result<core::Curve> result = core::set_periodic(curve, !curve.is_periodic());
-    box.is_enabled = result.has_value() && is_editable(context.state);
-    box.tooltip = result ? locked_sentence(context.state) : "Not possible: " + core::describe(result.error()) + ".";
+    // A closed curve opens only with enough points for its degree; anything can be closed.
+    const bool is_possible = !curve.is_periodic() || core::set_periodic(curve, false).has_value();
+    box.is_enabled = is_possible && is_editable(context.state);
+    box.tooltip = is_possible ? locked_sentence(context.state)
+                              : "Not possible: " + core::describe(core::set_periodic(curve, false).error()) + ".";
     if (draw_check_box(context, box)) context.queue.run("toggle-closed");
 }
 

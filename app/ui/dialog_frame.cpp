@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/ui/imgui_compat.h"
+#include "app/ui/inspector_widgets.h"
 #include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
 
@@ -43,9 +44,12 @@ bool begin_cover(const PanelContext& context, const Rectangle& window, const Rec
     const glm::vec2 high(window.origin_px + window.size_px);
     ImGui::SetNextWindowPos({low.x, low.y});
     ImGui::SetNextWindowSize({high.x - low.x, high.y - low.y});
+    // Without padding, which would take its share from what can be drawn on.
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
     ImGui::Begin("dialog cover", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar();
     const bool appears = ImGui::IsWindowAppearing();
     if (appears) ImGui::SetWindowFocus();
     ImGui::GetWindowDrawList()->AddRectFilled({low.x, low.y}, {high.x, high.y},
@@ -91,6 +95,14 @@ bool begin_dialog(const PanelContext& context, const Rectangle& window, const Di
 void end_dialog() {
     ImGui::EndChild();
     ImGui::End();
+}
+
+void draw_dialog_error(const PanelContext& context, const std::string& sentence) {
+    if (sentence.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.error));
+    ImGui::TextWrapped("⚠ %s", sentence.c_str());
+    ImGui::PopStyleColor();
+    report_item(context, "dialog error", sentence);
 }
 
 }  // namespace batten::ui

@@ -19,4 +19,7 @@ struct DialogFrame {
 bool begin_dialog(const PanelContext& context, const Rectangle& window, const DialogFrame& frame);
 void end_dialog();
 
+/// The sentence of an error, wrapped, as part of a dialog; nothing for an empty one.
+void draw_dialog_error(const PanelContext& context, const std::string& sentence);
+
 }  // namespace batten::ui

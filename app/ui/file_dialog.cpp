@@ -171,15 +171,9 @@ void draw_name_field(const PanelContext& context) {
 
 void draw_problem(const PanelContext& context) {
     const editor::Message& message = context.state.message;
-    const std::string& problem = message.is_error ? message.text : context.panels.file_dialog.problem;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float height = 2.0F * ImGui::GetTextLineHeight();
-    if (!problem.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.error));
-        ImGui::TextWrapped("⚠ %s", problem.c_str());
-        ImGui::PopStyleColor();
-        report_item(context, "dialog error", problem);
-    }
+    draw_dialog_error(context, message.is_error ? message.text : context.panels.file_dialog.problem);
     ImGui::SetCursorScreenPos({corner.x, corner.y + height + context.px(6)});
 }
 

@@ -16,9 +16,14 @@ constexpr double least_canvas_height = 130.0;
 constexpr double least_inspector_width = 240.0;
 constexpr double least_dock_height = 110.0;
 
-/// `wanted`, or what is left beside a canvas of `least_canvas`; nothing where that is less than `least`.
-double shrunk(double wanted, double room, double least_canvas, double least) {
-    const double size = std::min(wanted, room - least_canvas);
+// The parts of the window that panels may take at most.
+constexpr double most_inspector_share = 0.45;
+constexpr double most_dock_share = 0.5;
+
+/// `wanted`, but at most `most`; nothing where that is less than `least` or leaves less than `least_canvas` of the
+/// room.
+double shrunk(double wanted, double room, double most, double least_canvas, double least) {
+    const double size = std::floor(std::min({wanted, most, room - least_canvas}));
     return size < least ? 0.0 : size;
 }
 
@@ -32,12 +37,13 @@ FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale) {
     const double tools = has_frame ? px(tool_width) : 0.0;
     const double height = std::max(0.0, size_px.y - menu - status);
     const double width = std::max(0.0, size_px.x - tools);
-    const double inspector =
-        has_frame && view.inspector_is_open
-            ? shrunk(px(view.inspector_width), width, px(least_canvas_width), px(least_inspector_width))
-            : 0.0;
-    const double dock =
-        view.dock_is_open ? shrunk(px(view.dock_height), height, px(least_canvas_height), px(least_dock_height)) : 0.0;
+    const double inspector = has_frame && view.inspector_is_open
+                                 ? shrunk(px(view.inspector_width), width, most_inspector_share * width,
+                                          px(least_canvas_width), px(least_inspector_width))
+                                 : 0.0;
+    const double dock = view.dock_is_open ? shrunk(px(view.dock_height), height, most_dock_share * height,
+                                                   px(least_canvas_height), px(least_dock_height))
+                                          : 0.0;
 
     FrameAreas areas;
     areas.window = {{0.0, 0.0}, size_px};

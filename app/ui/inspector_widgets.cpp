@@ -7,7 +7,6 @@
 #include "app/ui/command_entry.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/rich_text.h"
-#include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
 
 namespace batten::ui {
@@ -91,8 +90,22 @@ void report_item(const PanelContext& context, std::string name, std::string valu
     context.widgets.push_back({std::move(name), {lower, upper - lower}, std::move(value)});
 }
 
+// Beside the inspector rather than at the pointer, so that it hides none of the fields below.
 void show_tooltip(const PanelContext& context, const std::string& text) {
-    if (!text.empty() && ImGui::IsItemHovered()) draw_tooltip(context, text);
+    if (text.empty() || !ImGui::IsItemHovered()) return;
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float y = ImGui::GetItemRectMin().y;
+    const bool is_low = y > 0.7F * window.y;
+    const float right = window.x - context.px(context.state.view.inspector_width + 6.0);
+    ImGui::SetNextWindowPos(ImVec2(right, is_low ? ImGui::GetItemRectMax().y : y), ImGuiCond_Always,
+                            ImVec2(1.0F, is_low ? 1.0F : 0.0F));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(10), context.px(7)));
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(context.px(320));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
 }
 
 void draw_field_frame(const PanelContext& context, ImVec2 origin, ImVec2 size, bool is_lit) {

@@ -26,7 +26,7 @@ float draw_text(const PanelContext& context, ImVec2 position, const TextLine& li
 /// Reports the last Dear ImGui item under `name`, as far as it is in sight.
 void report_item(const PanelContext& context, std::string name, std::string value = {});
 
-/// Shows `text` beside the pointer while the last item is hovered. Nothing for an empty text.
+/// Shows `text` beside the inspector while the last item is hovered. Nothing for an empty text.
 void show_tooltip(const PanelContext& context, const std::string& text);
 
 /// The background of a field from `origin`, lit when hovered.

@@ -106,7 +106,8 @@ FrameLayout Interface::draw(const editor::EditorState& state, const FrameInput& 
 }
 
 bool Interface::is_animating() const {
-    return panels_->palette.was_submitted;
+    const bool waits_for_keyboard = panels_->field.is_typing && !panels_->field.has_keyboard;
+    return panels_->palette.was_submitted || waits_for_keyboard;
 }
 
 void Interface::send(Picture picture, const PointerEvent& event, const editor::EditorState& state,

@@ -61,10 +61,32 @@ std::string keys_of(const editor::CommandSpec& spec) {
     return second.empty() ? keys : keys + ", " + second;
 }
 
+bool begins_with(const std::string& text, const std::string& beginning) {
+    return text.rfind(beginning, 0) == 0;
+}
+
 Block command_block(const char* title, CommandGroup group) {
     Block block{title, {}};
     for (const editor::CommandSpec& spec : editor::command_table()) {
-        if (spec.group == group && !keys_of(spec).empty()) block.entries.push_back({keys_of(spec), spec.title});
+        // The tools have a block of their own, and eight nudges would say no more than one line does.
+        if (spec.group != group || keys_of(spec).empty()) continue;
+        if (begins_with(spec.name, "tool-") || begins_with(spec.name, "nudge-")) continue;
+        block.entries.push_back({keys_of(spec), spec.title});
+    }
+    return block;
+}
+
+Block edit_block() {
+    Block block = command_block("Edit", CommandGroup::edit);
+    block.entries.push_back({"Arrows", "Nudge points by a tenth"});
+    block.entries.push_back({"Shift + arrows", "Nudge points by a grid step"});
+    return block;
+}
+
+Block tool_block() {
+    Block block{"Tools", {}};
+    for (const editor::CommandSpec& spec : editor::command_table()) {
+        if (begins_with(spec.name, "tool-")) block.entries.push_back({keys_of(spec), spec.title});
     }
     return block;
 }
@@ -80,12 +102,13 @@ Block filtered(const Block& block, const std::string& filter) {
 
 std::vector<Block> blocks_of(const std::string& filter) {
     const std::array all{mouse_block(),
+                         command_block("View", CommandGroup::view),
+                         edit_block(),
+                         tool_block(),
                          strip_block(),
                          command_block("File", CommandGroup::file),
-                         command_block("Edit", CommandGroup::edit),
-                         command_block("Curve", CommandGroup::curve),
                          command_block("Construct", CommandGroup::construct),
-                         command_block("View", CommandGroup::view),
+                         command_block("Curve", CommandGroup::curve),
                          command_block("Help", CommandGroup::help)};
     std::vector<Block> blocks;
     for (const Block& block : all) {

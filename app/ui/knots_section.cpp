@@ -20,6 +20,8 @@ constexpr double row_height = 25.0;
 constexpr double overhang = 6.0;
 constexpr double name_width = 64.0;
 constexpr double value_width = 92.0;
+constexpr double multiplicity_width = 82.0;
+constexpr double steps_width = 52.0;
 constexpr std::size_t most_rows = 10;
 constexpr std::size_t shown_characters = 60;  // of the knot vector before it is typed
 
@@ -38,6 +40,7 @@ struct Table {
     std::vector<core::DistinctKnot> knots;
     int decimals = 3;
     float row_width = 0.0F;
+    float value_width = 0.0F;
 };
 
 Stack stack_at(const Table& table, std::size_t row) {
@@ -115,7 +118,7 @@ void draw_value(const Table& table, const Stack& stack) {
     field.value = stack.knot.value;
     field.decimals = table.decimals;
     field.speed = step_of(table.decimals);
-    field.width_px = context.px(value_width);
+    field.width_px = table.value_width;
     field.height = 20.0;
     field.lowest = stack.lowest;
     field.highest = stack.highest;
@@ -132,7 +135,7 @@ void draw_value(const Table& table, const Stack& stack) {
 void draw_multiplicity(const Table& table, const Stack& stack, ImVec2 origin) {
     const PanelContext& context = table.context;
     const float middle = origin.y + 0.5F * context.px(row_height);
-    const float left = origin.x + context.px(overhang + name_width + value_width + 12);
+    const float left = origin.x + context.px(overhang + name_width + 10) + table.value_width;
     const render::Color color = stack.knot.is_interior ? context.theme.text : context.theme.dim;
     const std::string count = "×" + std::to_string(stack.knot.multiplicity);
     const bool is_end = stack.knot.in_domain && !stack.knot.is_interior;
@@ -142,7 +145,8 @@ void draw_multiplicity(const Table& table, const Stack& stack, ImVec2 origin) {
                                    : is_end              ? "end"
                                                          : editor::continuity_text(stack.knot.continuity);
     draw_text(context, ImVec2(left, middle), {count, context.fonts.text, 0.0, color});
-    draw_text(context, ImVec2(left + context.px(30), middle), {continuity, context.fonts.text, 0.0, color});
+    draw_text(context, ImVec2(left + context.px(26), middle),
+              {continuity, context.fonts.text, 0.0, color, render::Anchor::left, context.px(48)});
     ImGui::SetCursorScreenPos(ImVec2(left, origin.y));
     ImGui::Dummy(ImVec2(context.px(70), context.px(row_height)));
     report_item(context, "knot " + std::to_string(stack.first) + " continuity",
@@ -198,11 +202,20 @@ void follow_selection(const Table& table) {
     if (top < ImGui::GetScrollY() || top > ImGui::GetScrollY() + free) ImGui::SetScrollY(top - 0.5F * free);
 }
 
+/// Enough for the domain and to tell neighbouring knots apart.
+int decimals_of(const core::Curve& curve) {
+    const double length = curve.domain().length();
+    const double span = length / static_cast<double>(core::segment_count(curve.knots()));
+    return std::max(decimals_for(length), decimals_for(span) - 1);
+}
+
 void draw_table(const PanelContext& context, const core::Curve& curve) {
-    Table table{context, curve, core::distinct_knots(curve.knots()), decimals_for(curve.domain().length())};
+    Table table{context, curve, core::distinct_knots(curve.knots()), decimals_of(curve)};
     const std::size_t count = table.knots.size();
     const float width = content_width(context) + 2.0F * context.px(overhang);
     table.row_width = width - (count > most_rows ? context.px(6) : 0.0F);
+    const float free = table.row_width - context.px(2.0 * overhang + name_width + multiplicity_width + steps_width);
+    table.value_width = std::clamp(free, context.px(44), context.px(value_width));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(overhang));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
     ImGui::BeginChild("knots", ImVec2(width, context.px(row_height) * static_cast<float>(std::min(count, most_rows))),
@@ -242,27 +255,36 @@ void draw_move_row(const PanelContext& context) {
     }
 }
 
-void draw_insert_row(const PanelContext& context, const core::Curve& curve) {
-    InspectorState& inspector = context.panels.inspector;
-    draw_row_label(context, "Insert at u");
+NumberField insert_field(const PanelContext& context, const core::Curve& curve) {
     NumberField field;
     field.name = "insert u";
-    field.value = inspector.insert_at.value_or(context.state.parameter());
+    field.value = context.panels.inspector.insert_at.value_or(context.state.parameter());
     field.decimals = decimals_for(curve.domain().length());
     field.speed = step_of(field.decimals);
     field.lowest = curve.domain().lower;
     field.highest = curve.domain().upper;
-    field.width_px = field_width(context) - 2.0F * context.px(62 + row_gap);
     field.is_enabled = is_editable(context.state);
+    field.tooltip = locked_sentence(context.state);
+    return field;
+}
+
+/// Enter in the field inserts at once.
+void draw_insert_row(const PanelContext& context, const core::Curve& curve) {
+    draw_row_label(context, "Insert at u");
+    const bool is_narrow = field_width(context) < context.px(190);
+    Button insert{"insert knot", "insert", Icon::none, context.px(is_narrow ? 42 : 62)};
+    Button midpoints{"insert midpoints", is_narrow ? "mid" : "midpoints", Icon::none, context.px(is_narrow ? 34 : 62)};
+    insert.is_small = is_narrow;
+    midpoints.is_small = true;
+    NumberField field = insert_field(context, curve);
+    field.width_px = field_width(context) - insert.width_px - midpoints.width_px - 2.0F * context.px(row_gap);
     const std::optional<NumberEdit> edit = edit_number(context, field);
-    if (edit) inspector.insert_at = edit->value;
+    if (edit) context.panels.inspector.insert_at = edit->value;
     const double u = edit ? edit->value : field.value;
     if (edit && edit->is_entered) context.queue.run("insert-knot", {u});
     stay_in_row(context);
-    draw_command_button(context, {"insert knot", "insert", Icon::none, context.px(62)}, "insert-knot", {u});
+    draw_command_button(context, insert, "insert-knot", {u});
     stay_in_row(context);
-    Button midpoints{"insert midpoints", "midpoints", Icon::none, context.px(62)};
-    midpoints.is_small = true;
     draw_command_button(context, midpoints, "insert-midpoints");
 }
 

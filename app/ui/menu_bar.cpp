@@ -97,7 +97,7 @@ void draw_entry(const PanelContext& context, const CommandSpec& spec, const Colu
     ImGui::PopID();
     report_item(context, std::string("menu-item ") + spec.name, is_enabled ? "enabled" : "disabled");
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        draw_tooltip(context, command_tooltip(spec, context.state));
+        draw_side_tooltip(context, command_tooltip(spec, context.state));
     }
     draw_entry_texts(context, spec, columns, corner, is_enabled);
     if (is_chosen) choose_command(context, spec);
@@ -196,8 +196,8 @@ void draw_menu_bar(const PanelContext& context, const Rectangle& place) {
     const float height = static_cast<float>(place.size_px.y);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(16), 0.0F));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.px(8), 0.5F * (height - line)));
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(20), context.px(4)));
     begin_panel("menu bar", place, ImGuiWindowFlags_MenuBar);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(20), context.px(4)));
     if (ImGui::BeginMenuBar()) {
         ImGui::PushFont(context.fonts.bold);
         ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.accent));
@@ -210,8 +210,9 @@ void draw_menu_bar(const PanelContext& context, const Rectangle& place) {
     }
     const double bottom = place.origin_px.y + place.size_px.y - 0.5;
     draw_edge(context, {place.origin_px.x, bottom}, {place.origin_px.x + place.size_px.x, bottom});
+    ImGui::PopStyleVar();
     end_panel();
-    ImGui::PopStyleVar(3);
+    ImGui::PopStyleVar(2);
 }
 
 }  // namespace batten::ui

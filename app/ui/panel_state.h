@@ -84,13 +84,13 @@ struct FieldState {
 
 /// What the inspector remembers.
 struct InspectorState {
-    std::map<std::string, bool> open_sections;    ///< those that were folded or unfolded by hand
-    std::optional<editor::Hover> wish;            ///< what the pointer is over in this frame
+    std::map<std::string, bool> open_sections;  ///< those that were folded or unfolded by hand
+    std::optional<editor::Hover> wish;          ///< what the pointer is over in this frame
     bool was_busy = false;                      ///< an item was pressed or typed at the end of the last frame
-    bool owns_hover = false;                      ///< the pointer was last over the inspector
-    std::vector<std::size_t> followed_points;     ///< the selection that the table was last scrolled to
+    bool owns_hover = false;                    ///< the pointer was last over the inspector
+    std::vector<std::size_t> followed_points;   ///< the selection that the table was last scrolled to
     std::optional<std::size_t> followed_knot;
-    std::optional<double> insert_at;              ///< none: at the current parameter
+    std::optional<double> insert_at;  ///< none: at the current parameter
 };
 
 struct PanelState {

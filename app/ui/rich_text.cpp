@@ -24,7 +24,7 @@ struct Run {
 
 // Of the height of the base font.
 constexpr float script_size = 0.74F;
-constexpr float script_shift = 0.24F;
+constexpr float script_shift = 0.3F;
 
 /// Takes the next run off `rest`.
 Run take_run(std::string_view& rest) {

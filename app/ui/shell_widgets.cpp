@@ -73,7 +73,11 @@ Rectangle last_item_place() {
 }
 
 void draw_edge(const PanelContext& context, glm::dvec2 from, glm::dvec2 to) {
-    ImGui::GetWindowDrawList()->AddLine(packed(from), packed(to), imgui_packed(context.theme.line));
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    // Dear ImGui clips half of a window's padding, where edges are.
+    list->PushClipRect(packed(from - 1.0), packed(to + 1.0));
+    list->AddLine(packed(from), packed(to), imgui_packed(context.theme.line));
+    list->PopClipRect();
 }
 
 bool draw_label_button(const PanelContext& context, const std::string& name, const char* label, ButtonLook look) {
@@ -109,7 +113,11 @@ bool draw_cross_button(const PanelContext& context, const std::string& name, flo
     return is_clicked;
 }
 
-void draw_tooltip(const PanelContext& context, const std::string& text) {
+void draw_side_tooltip(const PanelContext& context, const std::string& text) {
+    const bool is_low = ImGui::GetItemRectMin().y > 0.6F * ImGui::GetIO().DisplaySize.y;
+    const float x = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + context.px(6);
+    const float y = is_low ? ImGui::GetItemRectMax().y : ImGui::GetItemRectMin().y;
+    ImGui::SetNextWindowPos({x, y}, ImGuiCond_Always, {0.0F, is_low ? 1.0F : 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(10), context.px(7)));
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(context.px(320));
@@ -135,10 +143,10 @@ std::string elided(const std::string& text, ImFont* font, float width_px) {
     return result;
 }
 
-bool was_pressed(const PanelContext& context, editor::Key key) {
+bool was_pressed(const PanelContext& context, editor::Key key, editor::Modifiers modifiers) {
     const std::vector<KeyPress>& keys = context.input.key_presses;
-    return std::any_of(keys.begin(), keys.end(), [key](const KeyPress& press) {
-        return press.shortcut == editor::Shortcut{key, {}};
+    return std::any_of(keys.begin(), keys.end(), [&](const KeyPress& press) {
+        return press.shortcut == editor::Shortcut{key, modifiers};
     });
 }
 

@@ -31,8 +31,9 @@ float label_button_width(const PanelContext& context, const char* label);
 /// A button that shows a cross, `size_px` wide and high, reported as `name`.
 bool draw_cross_button(const PanelContext& context, const std::string& name, float size_px);
 
-/// A tool tip with `text`, wrapped; to be called while the item is hovered.
-void draw_tooltip(const PanelContext& context, const std::string& text);
+/// A tool tip with `text`, wrapped, to the right of the current window and level with the last item, so that it hides
+/// none of the items below; to be called while the item is hovered.
+void draw_side_tooltip(const PanelContext& context, const std::string& text);
 
 /// The width of `text` in `font` as it was loaded.
 float text_width(const std::string& text, ImFont* font);
@@ -40,7 +41,7 @@ float text_width(const std::string& text, ImFont* font);
 /// `text`, its end replaced by "…" where it is wider than `width_px`.
 std::string elided(const std::string& text, ImFont* font, float width_px);
 
-/// Whether `key` went down in this frame, without modifiers.
-bool was_pressed(const PanelContext& context, editor::Key key);
+/// Whether `key` went down in this frame with exactly these modifiers.
+bool was_pressed(const PanelContext& context, editor::Key key, editor::Modifiers modifiers = {});
 
 }  // namespace batten::ui

@@ -77,16 +77,22 @@ std::string curvature_text(const editor::EditorState& state) {
     return curvature ? editor::number_text(*curvature, 3) : "–";
 }
 
-/// In the order in which they are given up when the window is narrow, last first.
-std::vector<Readout> readouts_of(const PanelContext& context, double frames_per_second) {
-    std::vector<Readout> readouts;
-    add_position(context, readouts);
-    readouts.push_back({"κ", curvature_text(context.state), 8});
-    const double zoom = 100.0 * context.state.view.camera.scale / (full_zoom * context.scale);
-    readouts.push_back({"zoom", editor::number_text(zoom, 3), 4, " %"});
+std::string zoom_text(double percent) {
+    return percent >= 10.0 && percent < 1e5 ? editor::fixed_text(percent, 0) : editor::number_text(percent, 2);
+}
+
+Readout frame_rate(const PanelContext& context, double frames_per_second) {
     const bool is_moving = frames_per_second >= 0.5 &&
                            (context.state.view.playback.is_playing || context.panels.pointer.captured != Picture::none);
-    readouts.push_back({"", is_moving ? editor::fixed_text(frames_per_second, 0) : "", 3, is_moving ? " fps" : "    "});
+    return {"", is_moving ? editor::fixed_text(frames_per_second, 0) : "", 3, is_moving ? " fps" : "    "};
+}
+
+/// From left to right; where the window is narrow the left ones are given up first.
+std::vector<Readout> readouts_of(const PanelContext& context, double frames_per_second) {
+    std::vector<Readout> readouts{frame_rate(context, frames_per_second), {"κ", curvature_text(context.state), 9}};
+    add_position(context, readouts);
+    const double zoom = 100.0 * context.state.view.camera.scale / (full_zoom * context.scale);
+    readouts.push_back({"zoom", zoom_text(zoom), 5, " %"});
     return readouts;
 }
 
@@ -98,7 +104,7 @@ float draw_readouts(const PanelContext& context, const Rectangle& place, double 
         for (const Readout& readout : readouts) width += text_width(text_of(readout), context.fonts.number);
         return width + context.px(gap) * static_cast<float>(readouts.size());
     };
-    while (!readouts.empty() && width_of() > room_px) readouts.pop_back();
+    while (!readouts.empty() && width_of() > room_px) readouts.erase(readouts.begin());
     const float begin = static_cast<float>(place.origin_px.x + place.size_px.x) - context.px(margin) - width_of();
     const float line = font_height(context.fonts.number);
     const float y = static_cast<float>(place.origin_px.y) + 0.5F * (static_cast<float>(place.size_px.y) - line);

@@ -57,7 +57,7 @@ void draw_tool_button(const PanelContext& context, const ToolButton& button) {
     const bool is_clicked = ImGui::InvisibleButton("##tool", ImVec2(context.px(button_size), context.px(button_size)));
     ImGui::PopID();
     report_item(context, button.place_name, button.is_active ? "active" : "");
-    if (ImGui::IsItemHovered()) draw_tooltip(context, command_tooltip(*spec, context.state));
+    if (ImGui::IsItemHovered()) draw_side_tooltip(context, command_tooltip(*spec, context.state));
     const Rectangle place = last_item_place();
     draw_back(context, button, place);
     const glm::vec2 center(place.origin_px + 0.5 * place.size_px);

@@ -4,6 +4,7 @@
 
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
+#include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
 
 namespace batten::ui {
@@ -68,7 +69,7 @@ TextEvents shown_text(const PanelContext& context, const TextField& field, ImVec
     const float padding = field.has_frame ? context.px(8) : 0.0F;
     const render::Color color = field.is_enabled ? context.theme.text : context.theme.dim;
     const ImVec2 left(origin.x + padding, origin.y + 0.5F * size.y);
-    draw_text(context, left, {field.shown, field.font, 0.0, color, render::Anchor::left, size.x - 2.0F * padding});
+    draw_text(context, left, {elided(field.shown, field.font, size.x - 2.0F * padding), field.font, 0.0, color});
     report_item(context, field.name, field.shown);
     show_tooltip(context, field.tooltip);
     const bool is_double = is_lit && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);

@@ -52,6 +52,10 @@ void draw_side(const PanelContext& context) {
     if (draw_label_button(context, "welcome new", "New", ButtonLook::primary)) context.queue.run("new");
     ImGui::SameLine();
     if (draw_label_button(context, "welcome open", "Open…")) context.queue.run("open");
+    if (context.state.message.is_error) {
+        ImGui::Dummy(ImVec2(1.0F, context.px(4)));
+        draw_dialog_error(context, context.state.message.text);
+    }
     draw_recent(context);
     ImGui::EndChild();
 }
@@ -79,10 +83,10 @@ void draw_card_texts(const PanelContext& context, const Example& example, const 
     const float line = font_height(context.fonts.bold);
     const std::string title = elided(title_of(example), context.fonts.bold, width);
     list->AddText(context.fonts.bold, line, {left, top}, imgui_packed(context.theme.text), title.c_str());
-    // Two lines; what is longer is in the tool tip.
+    // Three lines; what is longer is in the tool tip.
     const float small = font_height(context.fonts.small);
     const float text_top = top + line + context.px(3);
-    const float most = std::min(bottom, text_top + 2.0F * small + 1.0F);
+    const float most = std::min(bottom, text_top + 3.0F * small + 1.0F);
     list->PushClipRect({left, text_top}, {left + width, most}, true);
     list->AddText(context.fonts.small, small, {left, text_top}, imgui_packed(context.theme.dim),
                   example.document.description.c_str(), nullptr, width);
@@ -131,7 +135,7 @@ void draw_welcome_screen(const PanelContext& context, const Rectangle& window) {
     if (context.state.dialog != editor::Dialog::welcome) return;
     DialogFrame frame;
     frame.title = "Welcome";
-    frame.size = {960.0, 660.0};
+    frame.size = {970.0, 740.0};
     const bool is_left = begin_dialog(context, window, frame);
     draw_side(context);
     ImGui::SameLine(0.0F, context.px(16));
