@@ -53,6 +53,7 @@ class Application {
     void take_window_requests();
     void follow_scale();
     void follow_theme();
+    void deliver_keys();
     void draw_frame();
     void paint(const render::DrawList& picture, const ui::Rectangle& place, render::Color background);
     void write_log();
@@ -66,6 +67,8 @@ class Application {
     std::optional<editor::ThemeName> styled_theme_;
     editor::CommandQueue queue_;
     FrameClock clock_;
+    editor::Dialog last_dialog_ = editor::Dialog::none;
+    int dialog_age_ = 0;  ///< frames since the dialog changed
     const Options& options_;
     std::ofstream session_log_;
     std::size_t logged_ = 0;
@@ -122,6 +125,14 @@ void Application::paint(const render::DrawList& picture, const ui::Rectangle& pl
     painter_.paint(picture, viewport, background, static_cast<float>(density));
 }
 
+void Application::deliver_keys() {
+    const editor::Dialog dialog = editor_.state().dialog;
+    dialog_age_ = dialog == last_dialog_ ? dialog_age_ + 1 : 0;
+    last_dialog_ = dialog;
+    // A dialog has the keyboard from its second frame on; what is typed meanwhile waits for it.
+    if (dialog == editor::Dialog::none || dialog_age_ >= 2) window_.input().deliver_keys();
+}
+
 void Application::draw_frame() {
     const double elapsed = clock_.begin_frame(glfwGetTime());
     const editor::EditorState& state = editor_.state();
@@ -129,7 +140,7 @@ void Application::draw_frame() {
     take_window_requests();
     follow_scale();
     follow_theme();
-    window_.input().deliver_keys();
+    deliver_keys();
     imgui_.begin_frame();
     const ui::FrameInput input = [this] {
         ui::FrameInput portion = window_.input().take();
@@ -149,7 +160,8 @@ void Application::draw_frame() {
     paint(plot, layout.plot, theme.panel);
     imgui_.paint_frame();
     window_.set_title(state.file_name() + (state.is_modified() ? " •" : "") + " — Batten");
-    window_.show_frame();
+    // A frame in which the theme changed has panels of the old one; the next replaces it unseen.
+    if (styled_theme_ == state.view.theme) window_.show_frame();
     if (state.view.playback.is_playing || interface_.is_animating()) clock_.note_animation();
     if (options_.state_report) {
         write_state_report({state, layout, canvas, plot, window_.input(), clock_}, *options_.state_report);

@@ -26,7 +26,7 @@ def play(editor):
         yield editor.screenshot("4-read-the-construction")
 
     editor.key("t")
-    editor.settle()
+    editor.wait(lambda state: state["theme"] == "light" and state["is_settled"], "the light theme")
     yield editor.screenshot("5-light-theme")
 
 
