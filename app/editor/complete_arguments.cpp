@@ -1,18 +1,12 @@
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "app/editor/command_table.h"
+#include "app/editor/expression.h"
 
 namespace batten::editor {
 
 namespace {
-
-std::string shortest_text(double value) {
-    std::array<char, 32> buffer{};
-    return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
-}
 
 const char* name_of(ParameterKind kind) {
     switch (kind) {

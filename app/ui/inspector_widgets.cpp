@@ -7,6 +7,7 @@
 #include "app/ui/command_entry.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/rich_text.h"
+#include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
 
 namespace batten::ui {
@@ -97,15 +98,7 @@ void show_tooltip(const PanelContext& context, const std::string& text) {
     const float y = ImGui::GetItemRectMin().y;
     const bool is_low = y > 0.7F * window.y;
     const float right = window.x - context.px(context.state.view.inspector_width + 6.0);
-    ImGui::SetNextWindowPos(ImVec2(right, is_low ? ImGui::GetItemRectMax().y : y), ImGuiCond_Always,
-                            ImVec2(1.0F, is_low ? 1.0F : 0.0F));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(10), context.px(7)));
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(context.px(320));
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-    ImGui::PopStyleVar();
+    draw_tooltip_at(context, text, {right, is_low ? ImGui::GetItemRectMax().y : y}, {1.0F, is_low ? 1.0F : 0.0F});
 }
 
 void draw_field_frame(const PanelContext& context, ImVec2 origin, ImVec2 size, bool is_lit) {

@@ -113,11 +113,8 @@ bool draw_cross_button(const PanelContext& context, const std::string& name, flo
     return is_clicked;
 }
 
-void draw_side_tooltip(const PanelContext& context, const std::string& text) {
-    const bool is_low = ImGui::GetItemRectMin().y > 0.6F * ImGui::GetIO().DisplaySize.y;
-    const float x = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + context.px(6);
-    const float y = is_low ? ImGui::GetItemRectMax().y : ImGui::GetItemRectMin().y;
-    ImGui::SetNextWindowPos({x, y}, ImGuiCond_Always, {0.0F, is_low ? 1.0F : 0.0F});
+void draw_tooltip_at(const PanelContext& context, const std::string& text, glm::dvec2 position, glm::dvec2 pivot) {
+    ImGui::SetNextWindowPos(packed(position), ImGuiCond_Always, packed(pivot));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(10), context.px(7)));
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(context.px(320));
@@ -125,6 +122,13 @@ void draw_side_tooltip(const PanelContext& context, const std::string& text) {
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
+}
+
+void draw_side_tooltip(const PanelContext& context, const std::string& text) {
+    const bool is_low = ImGui::GetItemRectMin().y > 0.6F * ImGui::GetIO().DisplaySize.y;
+    const float x = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + context.px(6);
+    const float y = is_low ? ImGui::GetItemRectMax().y : ImGui::GetItemRectMin().y;
+    draw_tooltip_at(context, text, {x, y}, {0.0F, is_low ? 1.0F : 0.0F});
 }
 
 float text_width(const std::string& text, ImFont* font) {

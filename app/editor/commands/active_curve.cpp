@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/expression.h"
 #include "app/editor/formula.h"
 #include "app/editor/grid_step.h"
 
@@ -59,8 +60,7 @@ std::optional<Argument> grid_step(const EditorState& state) {
 Outcome<std::size_t> index_of(double value, const char* what) {
     constexpr double most = 1e9;
     if (value < 0.0 || value > most || value != std::floor(value))
-        return tl::unexpected(std::string(what) + " is " + number_text(value, 17) +
-                              "; a whole number from 0 is needed");
+        return tl::unexpected(std::string(what) + " is " + shortest_text(value) + "; a whole number from 0 is needed");
     return static_cast<std::size_t>(value);
 }
 
