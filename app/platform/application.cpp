@@ -12,6 +12,7 @@
 #include "app/editor/settings.h"
 #include "app/platform/frame_clock.h"
 #include "app/platform/imgui_layer.h"
+#include "app/platform/picture_viewport.h"
 #include "app/platform/state_report.h"
 #include "app/platform/window.h"
 #include "app/ui/interface.h"
@@ -117,12 +118,11 @@ void Application::follow_theme() {
 }
 
 void Application::paint(const render::DrawList& picture, const ui::Rectangle& place, render::Color background) {
+    const glm::ivec2 window = window_.size_px();
     const glm::ivec2 framebuffer = window_.framebuffer_px();
-    const double density = static_cast<double>(framebuffer.x) / std::max(1, window_.size_px().x);
-    const render::Viewport viewport{glm::ivec2(place.origin_px * density), glm::ivec2(place.size_px * density),
-                                    framebuffer};
+    const render::Viewport viewport = picture_viewport(place, window, framebuffer);
     if (viewport.size_px.x <= 0 || viewport.size_px.y <= 0) return;
-    painter_.paint(picture, viewport, background, static_cast<float>(density));
+    painter_.paint(picture, viewport, background, static_cast<float>(framebuffer_density(window, framebuffer)));
 }
 
 void Application::deliver_keys() {
