@@ -21,6 +21,11 @@ int main(int argc, char** argv) {
         ->type_name("FILE");
     program.add_option("--session-log", options.session_log, "Write the commands of the session to this file")
         ->type_name("FILE");
-    CLI11_PARSE(program, argc, argv);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        constexpr int usage_error = 2;
+        return program.exit(error) == 0 ? 0 : usage_error;
+    }
     return batten::platform::run(options);
 }
