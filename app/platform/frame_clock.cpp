@@ -15,7 +15,7 @@ constexpr double measure_seconds = 0.5;
 std::optional<double> FrameClock::seconds_to_wait(double now) const {
     if (frames_due_ > 0 && !is_animating_) return 0.0;
     if (!is_animating_) return std::nullopt;
-    return std::max(0.0, last_begin_ + frame_seconds_ - now);
+    return std::max(0.0, due_ - now);
 }
 
 double FrameClock::begin_frame(double now) {
@@ -25,6 +25,9 @@ double FrameClock::begin_frame(double now) {
     is_animating_ = false;
     frames_due_ = std::max(0, frames_due_ - 1);
     last_begin_ = now;
+    // Frames are due by the clock and not by the last frame's start, so that waking a little late each time does not
+    // slow them.
+    due_ = continues && now < due_ + frame_seconds_ ? due_ + frame_seconds_ : now + frame_seconds_;
     ++frame_count_;
     if (!continues) {
         measure_begin_ = now;

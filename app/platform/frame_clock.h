@@ -35,6 +35,7 @@ class FrameClock {
     bool is_animating_ = false;
     bool was_animating_ = false;
     double last_begin_ = 0.0;
+    double due_ = 0.0;
     double measure_begin_ = 0.0;
     int measured_frames_ = 0;
     double frames_per_second_ = 0.0;

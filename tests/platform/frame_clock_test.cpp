@@ -38,6 +38,20 @@ TEST(FrameClock, paces_an_animation_to_the_display) {
     EXPECT_EQ(clock.seconds_to_wait(1.0 + 2.0 * frame), 0.0);
 }
 
+TEST(FrameClock, keeps_the_pace_though_each_wait_ends_late) {
+    constexpr double late = 0.001;
+    FrameClock clock(frame);
+    double now = 1.0;
+    clock.note_animation();
+    clock.begin_frame(now);
+    for (int i = 0; i < 600; ++i) {
+        clock.note_animation();
+        now += *clock.seconds_to_wait(now) + late;
+        clock.begin_frame(now);
+    }
+    EXPECT_NEAR(now - 1.0, 600 * frame, 2 * frame);
+}
+
 TEST(FrameClock, measures_frames_per_second_and_restarts_after_a_pause) {
     FrameClock clock(frame);
     double now = 1.0;
