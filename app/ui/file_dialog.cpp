@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "app/ui/dialog_frame.h"
 #include "app/ui/folder_list.h"
@@ -158,13 +159,23 @@ void draw_entries(const PanelContext& context, float height_px) {
     ImGui::PopStyleColor();
 }
 
+/// Dear ImGui selects the text only when the field becomes active for the first time.
+int select_all(ImGuiInputTextCallbackData* data) {
+    auto& dialog = *static_cast<FileDialogState*>(data->UserData);
+    if (std::exchange(dialog.selects_all, false)) data->SelectAll();
+    return 0;
+}
+
 void draw_name_field(const PanelContext& context) {
     FileDialogState& dialog = context.panels.file_dialog;
-    if (dialog.takes_focus) ImGui::SetKeyboardFocusHere();
-    dialog.takes_focus = false;
+    if (std::exchange(dialog.takes_focus, false)) {
+        ImGui::SetKeyboardFocusHere();
+        dialog.selects_all = true;
+    }
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.px(10), context.px(7)));
     ImGui::SetNextItemWidth(-1.0F);
-    ImGui::InputTextWithHint("##name", "Name, or the whole path of a file", &dialog.typed);
+    ImGui::InputTextWithHint("##name", "Name, or the whole path of a file", &dialog.typed,
+                             ImGuiInputTextFlags_CallbackAlways, select_all, &dialog);
     ImGui::PopStyleVar();
     report_item(context, "file-dialog name", dialog.typed);
 }

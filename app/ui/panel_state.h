@@ -24,6 +24,7 @@ struct FileDialogState {
     std::optional<std::filesystem::path> to_replace;  ///< the file that saving would overwrite, asked about
     std::string problem;                              ///< why the folder cannot be shown
     bool takes_focus = false;                         ///< the name field becomes the active one in the next frame
+    bool selects_all = false;                         ///< its text is selected as soon as it is active
 };
 
 struct PaletteState {
