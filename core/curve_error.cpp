@@ -1,19 +1,14 @@
 #include "core/curve_error.h"
 
-#include <array>
-#include <charconv>
-
 #include "core/knot_vector.h"
+#include "core/number_text.h"
 
 namespace batten::core {
 
 namespace {
 
-// The shortest text that reads back to the same double, whatever the locale.
 std::string text(double value) {
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-    return {buffer.data(), end};
+    return shortest_text(value);
 }
 
 std::string text(std::size_t index) {
@@ -107,6 +102,80 @@ std::string describe(const CurveError& error) {
             return item("knot", error) + " cannot be removed; there would be too few control points or no domain";
         case CurveErrorCode::kind_not_possible:
             return "these knots need other counts; Bézier takes degree + 1 points, piecewise Bézier k · degree + 1";
+        case CurveErrorCode::length_not_positive:
+            return "a length is " + text(error.value) + "; radii, axes and other lengths must be above 0";
+        case CurveErrorCode::range_empty:
+            return "the range begins at " + text(error.lower) + " and ends at " + text(error.upper) +
+                   "; its end must be above its beginning";
+        case CurveErrorCode::angle_out_of_range:
+            return "the angle is " + text(error.value) + " degrees; it must be from " + text(error.lower) + " to " +
+                   text(error.upper) + " and not 0";
+        case CurveErrorCode::points_coincide:
+            return item("point", error) + " lies on point " + text(error.value) + "; the two must differ";
+        case CurveErrorCode::points_collinear:
+            return "the three points lie on one line; they must make a triangle";
+        case CurveErrorCode::ends_apart:
+            return "the ends of the curve are " + text(error.value) + " apart; at most " + text(error.upper) +
+                   " counts as meeting";
+        case CurveErrorCode::degree_unsuitable:
+            return "the degree is " + text(error.value) + "; this is for degree " + text(error.lower) + " only";
+        case CurveErrorCode::curve_not_closed:
+            return "the curve is not closed; its ends must meet and it must have no gaps";
+        case CurveErrorCode::curve_not_uniform_cubic:
+            return "the curve is not a uniform cubic; it must have degree 3 and equally spaced knots, without clamped "
+                   "ends";
+        case CurveErrorCode::curve_rational:
+            return "the curve is rational; all its weights must be equal";
+        case CurveErrorCode::data_points_too_few:
+            return were_found(error.value, "point") + "; at least " + text(error.lower) + " are needed";
+        case CurveErrorCode::data_point_not_finite:
+            return item("point", error) + " has a coordinate that is not finite; every coordinate must be finite";
+        case CurveErrorCode::parameter_count_mismatch:
+            return were_found(error.value, "parameter") + "; " + text(error.lower) +
+                   " are needed, one for each point, and one more for the way back to the first point of a closed curve";
+        case CurveErrorCode::parameters_not_increasing:
+            return item("parameter", error) +
+                   " is not above the one before it; parameters must be finite and increase from point to point";
+        case CurveErrorCode::degree_too_low:
+            return "the degree is " + text(error.value) + "; it must be at least " + text(error.lower) + " here";
+        case CurveErrorCode::vector_not_finite:
+            return "a vector has a component that is not finite; every component must be finite";
+        case CurveErrorCode::equations_singular:
+            return "these points and parameters do not determine one curve; another degree or parametrization may";
+        case CurveErrorCode::control_points_too_many:
+            return count(error.value, "control point") + " were asked for; at most " + text(error.upper) +
+                   " can be determined by these points";
+        case CurveErrorCode::smoothing_negative:
+            return "the smoothing weight is " + text(error.value) + "; it must be 0 or above, and finite";
+        case CurveErrorCode::tangent_not_free:
+            return "the tangent at " + text(error.value) +
+                   " does not depend on the control points; another parameter must be taken";
+        case CurveErrorCode::curve_stands_still:
+            return "the curve has no direction at " + text(error.value) + "; its speed must not be 0";
+        case CurveErrorCode::curve_has_corner:
+            return "the curve has a corner or a gap at " + text(error.value) + "; its direction must not jump";
+        case CurveErrorCode::offset_too_far:
+            return "the distance is " + text(error.upper) + ", but the radius of curvature at " + text(error.value) +
+                   " is " + text(error.lower) + "; towards the inside the distance must be less";
+        case CurveErrorCode::leg_vanishes:
+            return item("leg", error) + " of the polygon would vanish or turn round; the distance must be less";
+        case CurveErrorCode::tolerance_not_positive:
+            return "the tolerance is " + text(error.value) + "; it must be above 0 and finite";
+        case CurveErrorCode::tolerance_not_reached:
+            return "the tolerance " + text(error.value) + " was not reached; the least error is " + text(error.lower);
+        case CurveErrorCode::knot_not_found:
+            return "there is no knot " + text(error.value) + " inside the domain; one of its knots is needed";
+        case CurveErrorCode::knots_coincide:
+            return item("knot", error) + " would become " + text(error.value) +
+                   ", equal to the one before it; different knots must stay different";
+        case CurveErrorCode::curve_periodic:
+            return "the curve is periodic and has no ends; it must be an open one";
+        case CurveErrorCode::parameter_at_end:
+            return "the parameter " + text(error.value) + " is an end of the domain; it must be above " +
+                   text(error.lower) + " and below " + text(error.upper);
+        case CurveErrorCode::deviation_too_large:
+            return "the curve would deviate by " + text(error.value) + "; at most " + text(error.upper) +
+                   " is allowed";
         case CurveErrorCode::curve_not_polynomial_piece:
             return "the curve is not one Bézier piece; it must have degree + 1 equal knots at both ends and no others";
     }

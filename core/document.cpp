@@ -1,14 +1,11 @@
 #include "core/document.h"
 
-#include <algorithm>
-
 namespace batten::core {
 
 namespace {
 
 bool has_name(const Document& document, const std::string& name) {
-    return std::any_of(document.curves.begin(), document.curves.end(),
-                       [&](const DocumentCurve& curve) { return curve.name == name; });
+    return index_of_curve(document, name).has_value();
 }
 
 // "wave" for "wave 2"; the text itself where no number follows a blank.
@@ -20,6 +17,18 @@ std::string without_number(const std::string& name) {
 }
 
 }  // namespace
+
+std::optional<std::size_t> index_of_curve(const Document& document, const std::string& name) {
+    for (std::size_t i = 0; i < document.curves.size(); ++i)
+        if (document.curves[i].name == name) return i;
+    return std::nullopt;
+}
+
+std::string quoted_names(const Document& document) {
+    std::string names;
+    for (const DocumentCurve& curve : document.curves) names += (names.empty() ? "'" : ", '") + curve.name + "'";
+    return names.empty() ? "none" : names;
+}
 
 std::string unused_name(const Document& document, const std::string& wish) {
     const std::string first = wish.empty() ? "curve" : wish;

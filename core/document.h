@@ -49,6 +49,12 @@ struct Document {
     const DocumentCurve* active_curve() const { return active < curves.size() ? &curves[active] : nullptr; }
 };
 
+/// The index of the first curve called `name`; none where there is none.
+std::optional<std::size_t> index_of_curve(const Document& document, const std::string& name);
+
+/// "'wave', 'circle'", or "none".
+std::string quoted_names(const Document& document);
+
 /// A name that no curve of `document` has: `wish` itself ("curve" when it is empty), else its first free successor:
 /// "wave 2" after "wave", "wave 3" after "wave 2".
 std::string unused_name(const Document& document, const std::string& wish);
