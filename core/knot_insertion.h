@@ -10,7 +10,7 @@ namespace batten::core {
 /// copying. Source: Boehm 1980; The NURBS Book, A5.1.
 [[nodiscard]] Result<Curve> insert_knot(const Curve& curve, double u, int times = 1);
 
-/// The same curve with one knot more in the middle of every non-empty span of the domain.
+/// The same curve with one knot more in the middle of every non-empty span of the domain that has one. Cost O(n p).
 [[nodiscard]] Result<Curve> insert_midpoint_knots(const Curve& curve);
 
 }  // namespace batten::core

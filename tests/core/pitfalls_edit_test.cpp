@@ -12,6 +12,7 @@
 #include "core/knot_analysis.h"
 #include "core/knot_edit.h"
 #include "core/knot_insertion.h"
+#include "core/knot_removal.h"
 #include "core/nearest.h"
 #include "core/point_edit.h"
 #include "core/tessellate.h"
@@ -110,6 +111,45 @@ TEST(PitfallsEdit, p5_unclamped_curves_are_tessellated_and_searched_over_their_d
     EXPECT_EQ(runs.front().front().u, 0.0);
     EXPECT_EQ(runs.back().back().u, 1.0);
     EXPECT_EQ(nearest_point(curve, {-100, -100}).u, 0.0);
+}
+
+TEST(PitfallsEdit, p6_removal_gives_back_what_insertion_changed) {
+    RandomCurves random(124);
+    for (int p = 1; p <= 7; ++p)
+        for (int times = 1; times <= p; ++times) {
+            CurveDefinition definition{.degree = p, .knots = Knots(static_cast<std::size_t>(p) + 1, 0.0)};
+            definition.knots.insert(definition.knots.end(), {0.25, 0.5, 0.75});
+            definition.knots.insert(definition.knots.end(), static_cast<std::size_t>(p) + 1, 1.0);
+            for (int i = 0; i < p + 4; ++i) {
+                definition.points.emplace_back(i, random.number(-3.0, 3.0));
+                definition.weights.push_back(random.number(0.5, 2.0));
+            }
+            const Curve curve = Curve::make(definition).value();
+            const auto back = remove_knot(insert_knot(curve, 0.4, times).value(), 0.4, times, 1e-9).value();
+            EXPECT_EQ(back.count, times);
+            EXPECT_EQ(stored(back.curve), stored(curve));
+            for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
+                EXPECT_LE(glm::distance(back.curve.control_points()[i], curve.control_points()[i]), 1e-13);
+                EXPECT_NEAR(back.curve.weights()[i], curve.weights()[i], 1e-13);
+            }
+        }
+}
+
+TEST(PitfallsEdit, p6_over_tolerance_nothing_is_removed_and_the_error_is_reported) {
+    const Curve curve =
+        Curve::make(
+            {.degree = 3, .knots = {0, 0, 0, 0, 0.5, 1, 1, 1, 1}, .points = {{0, 0}, {1, 4}, {2, -4}, {3, 4}, {4, 0}}})
+            .value();
+    const auto result = remove_knot(curve, 0.5, 1, 1e-3).value();
+    EXPECT_EQ(result.count, 0);
+    EXPECT_EQ(result.curve, curve);
+    ASSERT_TRUE(result.refused.has_value());
+    EXPECT_GT(*result.refused, 1e-3);
+    // It is the error that a larger tolerance lets it make.
+    const auto allowed = remove_knot(curve, 0.5, 1, *result.refused).value();
+    EXPECT_EQ(allowed.count, 1);
+    EXPECT_EQ(allowed.error, *result.refused);
+    EXPECT_EQ(allowed.error, largest_deviation(curve, allowed.curve));
 }
 
 TEST(PitfallsEdit, p7_elevation_keeps_the_shape_over_multiple_knots_unequal_weights_and_short_spans) {
