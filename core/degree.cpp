@@ -1,5 +1,8 @@
 #include "core/degree.h"
 
+#include <cmath>
+
+#include "core/deviation.h"
 #include "core/knot_kinds.h"
 
 namespace batten::core {
@@ -14,6 +17,20 @@ Result<Curve> changed_by_shape(const Curve& curve, int degree) {
 }
 
 }  // namespace
+
+Result<Approximation> reduce_degree(const Curve& curve, int by, double tolerance) {
+    if (!(tolerance > 0.0) || !std::isfinite(tolerance))
+        return refuse({.code = CurveErrorCode::tolerance_not_positive, .value = tolerance});
+    if (by < 1 || by > curve.degree() - min_degree)
+        return refuse({.code = CurveErrorCode::degree_out_of_range,
+                       .value = static_cast<double>(curve.degree()) - static_cast<double>(by)});
+    const auto reduced = changed_by_shape(curve, curve.degree() - by);
+    if (!reduced) return refuse(reduced.error());
+    const double error = largest_deviation(curve, *reduced);
+    if (!(error <= tolerance))
+        return refuse({.code = CurveErrorCode::deviation_too_large, .value = error, .upper = tolerance});
+    return Approximation{*reduced, error};
+}
 
 Result<Curve> set_degree(const Curve& curve, int degree) {
     if (degree < min_degree || degree > max_degree)

@@ -10,6 +10,7 @@
 #include "core/knot_kinds.h"
 #include "golden.h"
 #include "random_curves.h"
+#include "shape_check.h"
 
 namespace batten::core {
 namespace {
@@ -17,10 +18,6 @@ namespace {
 using Knots = std::vector<double>;
 
 constexpr double size = 8.0;  // of the random curves
-
-Knots stored(const Curve& curve) {
-    return {curve.knots().stored().begin(), curve.knots().stored().end()};
-}
 
 double largest_weight(const Curve& curve) {
     return *std::max_element(curve.weights().begin(), curve.weights().end());
@@ -54,6 +51,38 @@ TEST(ElevateDegree, keeps_every_sort_of_curve) {
         EXPECT_EQ(elevated->domain(), curve.domain());
         EXPECT_EQ(elevated->is_periodic(), curve.is_periodic());
         EXPECT_LE(largest_deviation(curve, *elevated), 1e-12 * size);
+    }
+}
+
+TEST(ElevateDegree, is_right_to_the_last_digits_in_every_degree) {
+    RandomCurves random(108);
+    for (const int degree : {2, 6, 12, 18, 24}) {
+        const Curve curve = high_degree_curve(degree, 8, random);
+        EXPECT_LE(shape_change(curve, elevate_degree(curve).value(), random), 1.5e-15) << degree;
+        CurveDefinition definition = curve.definition();
+        std::fill(definition.knots.begin(), definition.knots.end(), 0.0);
+        for (std::size_t i = 0; i < definition.knots.size(); ++i) definition.knots[i] = static_cast<double>(i);
+        const Curve uniform = Curve::make(definition).value();
+        EXPECT_LE(shape_change(uniform, elevate_degree(uniform).value(), random), 1.5e-15) << degree;
+    }
+    const Curve quadratic = high_degree_curve(2, 8, random);
+    EXPECT_LE(shape_change(quadratic, elevate_degree(quadratic, 23).value(), random), 4e-15);
+}
+
+TEST(ElevateDegree, far_away_and_with_rings_of_few_points) {
+    RandomCurves random(109);
+    for (int i = 0; i < 100; ++i) {
+        const Curve far = translated(random.curve(), {1e6, -1e6});
+        EXPECT_LE(shape_change(far, elevate_degree(far, 2).value(), random), 1e-15);
+    }
+    for (const int degree : {5, 12, 24}) {
+        const Curve ring = Curve::make({.degree = degree,
+                                        .knots = {0, 1, 3, 3},
+                                        .points = {{-3, 1}, {4, 8}, {2, -5}},
+                                        .weights = {1, 2, 0.5},
+                                        .periodic = true})
+                               .value();
+        EXPECT_LE(shape_change(ring, elevate_degree(ring).value(), random), 2e-15);
     }
 }
 
@@ -172,6 +201,23 @@ TEST(ReduceDegree, long_curves_take_the_sparse_way) {
         const Curve curve = Curve::make(make_knots(kind, 3, points.size()).value(), points, {}).value();
         EXPECT_LE(largest_deviation(curve, reduce_degree(elevate_degree(curve).value()).value()), 1e-9 * 20.0);
     }
+}
+
+TEST(ReduceDegree, to_a_tolerance_reports_or_refuses_the_error) {
+    RandomCurves random(110);
+    const Curve cubic = high_degree_curve(3, 4, random);
+    const auto back = reduce_degree(elevate_degree(cubic, 3).value(), 3, 1e-6).value();
+    EXPECT_EQ(back.curve.degree(), 3);
+    EXPECT_LE(back.error, 1e-9);
+    const auto refused = reduce_degree(cubic, 1, 1e-6);
+    ASSERT_EQ(refused.error().code, CurveErrorCode::deviation_too_large);
+    EXPECT_EQ(refused.error().upper, 1e-6);
+    const auto allowed = reduce_degree(cubic, 1, refused.error().value).value();
+    EXPECT_EQ(allowed.error, refused.error().value);
+    EXPECT_EQ(allowed.error, largest_deviation(cubic, allowed.curve));
+    EXPECT_EQ(reduce_degree(cubic, 3, 1.0).error().code, CurveErrorCode::degree_out_of_range);
+    EXPECT_EQ(reduce_degree(cubic, 0, 1.0).error().code, CurveErrorCode::degree_out_of_range);
+    EXPECT_EQ(reduce_degree(cubic, 1, 0.0).error().code, CurveErrorCode::tolerance_not_positive);
 }
 
 TEST(ReduceDegree, refuses_a_polyline) {
