@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include "core/evaluate.h"
+#include "core/piece_forms.h"
+#include "core/unit_interval.h"
+
 namespace batten::core {
 
 namespace {
@@ -20,11 +24,48 @@ void extend_chain(std::vector<Point>& hull, std::size_t base, Point point) {
     hull.push_back(point);
 }
 
+// The control points of one span, in order.
+std::vector<Point> control_points_of_span(const Curve& curve, std::size_t span) {
+    const auto p = static_cast<std::size_t>(curve.degree());
+    std::vector<Point> points;
+    points.reserve(p + 1);
+    for (std::size_t i = span - p; i <= span; ++i)
+        points.push_back(curve.control_points()[i % curve.control_points().size()]);
+    return points;
+}
+
+bool contains(const Box& box, std::span<const Point> points) {
+    return std::all_of(points.begin(), points.end(), [&](Point point) { return box.contains(point); });
+}
+
+// Takes in the places of `piece` where a coordinate turns back.
+void include_turns(Box& box, const Curve& curve, const PieceForms& piece, const Expression& slope) {
+    for (const SignRun& run : sign_runs(piece.forms, slope)) {
+        if (run.sign != 0 || run.where.length() > 0.0 || run.where.lower == 0.0 || run.where.lower == 1.0) continue;
+        box.include(point_at(curve, from_unit(piece.interval, run.where.lower)));
+    }
+}
+
 }  // namespace
 
 Box control_box(const Curve& curve) {
     Box box;
     for (const Point& point : curve.control_points()) box.include(point);
+    return box;
+}
+
+Box tight_box(const Curve& curve) {
+    const auto pieces = piece_forms(curve, 1);
+    Box box;
+    for (const PieceForms& piece : pieces) {
+        box.include(point_at(curve, piece.interval.lower, Side::right));
+        box.include(point_at(curve, piece.interval.upper, Side::left));
+    }
+    for (const PieceForms& piece : pieces) {
+        if (contains(box, control_points_of_span(curve, curve.knots().span_at(piece.interval.lower)))) continue;
+        include_turns(box, curve, piece, hodograph_x);
+        include_turns(box, curve, piece, hodograph_y);
+    }
     return box;
 }
 
@@ -40,6 +81,16 @@ std::vector<Point> convex_hull(std::span<const Point> points) {
     for (auto point = sorted.rbegin() + 1; point != sorted.rend(); ++point) extend_chain(hull, lower_end, *point);
     hull.pop_back();
     return hull;
+}
+
+std::vector<SpanHull> span_hulls(const Curve& curve) {
+    const auto knots = curve.knots().values();
+    const auto p = static_cast<std::size_t>(curve.degree());
+    std::vector<SpanHull> hulls;
+    for (std::size_t s = p; s + p + 1 < knots.size(); ++s)
+        if (knots[s] < knots[s + 1])
+            hulls.push_back({{knots[s], knots[s + 1]}, convex_hull(control_points_of_span(curve, s))});
+    return hulls;
 }
 
 }  // namespace batten::core
