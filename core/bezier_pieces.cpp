@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/blossom.h"
+#include "core/spline.h"
 
 namespace batten::core {
 
@@ -23,9 +24,17 @@ BezierPiece bezier_piece(const Curve& curve, std::size_t span) {
 std::vector<BezierPiece> bezier_pieces(const Curve& curve) {
     const KnotVector& knots = curve.knots();
     const auto p = static_cast<std::size_t>(knots.degree());
+    Spline<HomogeneousPoint> spline{.p = p, .knots = {knots.values().begin(), knots.values().end()}};
+    for (std::size_t i = 0; i + p + 1 < knots.size(); ++i) spline.points.push_back(curve.homogeneous_point(i));
+    insert_ascending<HomogeneousPoint>(spline, knots_missing_for_pieces(spline));
     std::vector<BezierPiece> pieces;
-    for (std::size_t s = p; s + p + 1 < knots.size(); ++s)
-        if (knots[s] < knots[s + 1]) pieces.push_back(bezier_piece(curve, s));
+    std::size_t last = spline.last_of_run(spline.domain().lower);
+    for (std::size_t s = p; s + p + 1 < knots.size(); ++s) {
+        if (knots[s] == knots[s + 1]) continue;
+        while (spline.knots[last + 1] <= knots[s]) ++last;
+        const auto points = std::span(spline.points).subspan(last - p, p + 1);
+        pieces.push_back({{knots[s], knots[s + 1]}, s, {points.begin(), points.end()}});
+    }
     return pieces;
 }
 

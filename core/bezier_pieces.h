@@ -17,7 +17,7 @@ struct BezierPiece {
 /// The piece over span `span` (non-empty, in the domain). Cost O(p^3). Source: blossoms, b(a, ..., a, b, ..., b).
 BezierPiece bezier_piece(const Curve& curve, std::size_t span);
 
-/// All pieces in order.
+/// All pieces in order. Cost O(p^2) for each, which has p+1 points. Source: Boehm and Prautzsch 1985.
 std::vector<BezierPiece> bezier_pieces(const Curve& curve);
 
 }  // namespace batten::core
