@@ -3,12 +3,16 @@
 #include <cmath>
 
 #include "core/bspline.h"
+#include "core/precise_jet.h"
 
 namespace batten::core {
 
 namespace {
 
 using Jet = std::vector<HomogeneousPoint>;  // a homogeneous point and its derivatives
+
+// A curve slower than this part of its polygon has lost digits that its curvature needs.
+constexpr double slow_part = 0.25;
 
 // The control point that C(u) is when p knots equal u: C(u) = b(u, ..., u), and that is control point i where u_{i+1},
 // ..., u_{i+p} all equal u. Taken as it stands it keeps every bit, which lifting and projecting would not.
@@ -18,9 +22,12 @@ std::optional<std::size_t> control_point_at(const SpanKnots& at, double u) {
     return std::nullopt;
 }
 
+// Twice: the second time seen from the first answer, where the coordinates are small, and so is what rounding does to
+// them. What is left is little more than the last rounding.
 Point point_on_span(const Curve& curve, const SpanKnots& at, double u) {
     if (const auto i = control_point_at(at, u)) return curve.control_points()[*i % curve.control_points().size()];
-    return project(de_boor(local_points(curve, at), at, u));
+    const Point nearly = project(de_boor(local_points(curve, at), at, u));
+    return nearly + project(de_boor(local_points(curve, at, nearly), at, u));
 }
 
 // A(u), A'(u), ... of the homogeneous spline; from order p+1 on they are zero.
@@ -59,6 +66,18 @@ double polygon_speed(LocalPoints<HomogeneousPoint> points, const SpanKnots& at, 
     return largest / weight;
 }
 
+// det(A, A', A'') w^3 / |(x' w - x w', y' w - y w')|^3 for A = (x, y, w), which is det(C', C'') / |C'|^3.
+double precise_curvature(const Curve& curve, const SpanKnots& at, double u, Point origin) {
+    const auto [a, d, dd] = precise_jet(curve, at, u, origin);
+    const auto minor = [](DoubleDouble i, DoubleDouble j, DoubleDouble k, DoubleDouble l) { return i * l - j * k; };
+    const double determinant =
+        (a.x * minor(d.y, d.w, dd.y, dd.w) - a.y * minor(d.x, d.w, dd.x, dd.w) + a.w * minor(d.x, d.y, dd.x, dd.y))
+            .rounded();
+    const double speed = std::hypot(minor(a.w, d.w, a.x, d.x).rounded(), minor(a.w, d.w, a.y, d.y).rounded());
+    const double slowness = a.w.rounded() / speed;
+    return determinant * slowness * slowness * slowness;
+}
+
 }  // namespace
 
 Point point_at(const Curve& curve, double u, Side side) {
@@ -77,14 +96,20 @@ std::vector<Vector> derivatives_at(const Curve& curve, double u, int order, Side
 
 std::optional<double> curvature_at(const Curve& curve, double u, Side side) {
     const auto [inside, at] = located(curve.knots(), u, side);
-    const auto points = local_points(curve, at, point_on_span(curve, at, inside));
+    const Point point = point_on_span(curve, at, inside);
+    const auto points = local_points(curve, at, point);
     const Jet homogeneous = homogeneous_derivatives(points, at, inside, 2);
     const auto derivatives = shadow_derivatives(homogeneous);
     const double speed = std::hypot(derivatives[1].x, derivatives[1].y);
     const double resolution = 64 * std::numeric_limits<double>::epsilon();
-    if (!(speed > resolution * polygon_speed(points, at, homogeneous[0].z))) return std::nullopt;
-    const Vector tangent = derivatives[1] / speed;
-    const double curvature = (tangent.x * derivatives[2].y - tangent.y * derivatives[2].x) / speed / speed;
+    const double fast = polygon_speed(points, at, homogeneous[0].z);
+    if (!(speed > resolution * fast)) return std::nullopt;
+    const auto curvature = [&] {
+        // Where the curve is slow its speed is what differences of large vectors leave.
+        if (speed < slow_part * fast) return precise_curvature(curve, at, inside, point);
+        const Vector tangent = derivatives[1] / speed;
+        return (tangent.x * derivatives[2].y - tangent.y * derivatives[2].x) / speed / speed;
+    }();
     return std::isfinite(curvature) ? std::optional(curvature) : std::nullopt;
 }
 
