@@ -5,11 +5,17 @@
 #include <cmath>
 
 #include "core/basis.h"
+#include "core/bezier_form.h"
 #include "core/bezier_pieces.h"
+#include "core/conic_form.h"
 #include "core/de_boor.h"
 #include "core/evaluate.h"
+#include "core/hodograph.h"
+#include "core/interpolate.h"
 #include "core/knot_analysis.h"
 #include "core/knot_insertion.h"
+#include "core/knot_refinement.h"
+#include "core/split.h"
 
 namespace batten::core::golden {
 
@@ -152,6 +158,51 @@ TEST(Golden, knot_insertion) {
     }
 }
 
+TEST(Golden, knot_insertion_by_refinement) {
+    Tally tally("knot_insertion.json");
+    for (const json& item : cases("knot_insertion.json")) {
+        tally.count_case();
+        const Curve original = curve_of(item);
+        const Curve refined = refine_knots(original, item.at("insert").get<std::vector<double>>()).value();
+        compare_curves(tally, refined, curve_of(item.at("result")), largest_coordinate(original.control_points()),
+                       item.at("name"));
+    }
+}
+
+TEST(Golden, split) {
+    Tally tally("split.json");
+    for (const json& item : cases("split.json")) {
+        tally.count_case();
+        const Curve curve = curve_of(item);
+        const double scale = largest_coordinate(curve.control_points());
+        const auto parts = split(curve, item.at("u")).value();
+        ASSERT_EQ(parts.size(), 2U);
+        compare_curves(tally, parts[0], curve_of(item.at("left")), scale, item.at("name"));
+        compare_curves(tally, parts[1], curve_of(item.at("right")), scale, item.at("name"));
+    }
+}
+
+TEST(Golden, bezier_decomposition_into_curves) {
+    Tally tally("bezier_decomposition.json");
+    for (const json& item : cases("bezier_decomposition.json")) {
+        tally.count_case();
+        const std::string name = item.at("name");
+        const Curve curve = curve_of(item);
+        const double scale = largest_coordinate(curve.control_points());
+        const double most = largest({curve.weights().begin(), curve.weights().end()});
+        const auto pieces = bezier_curves(curve).value();
+        ASSERT_EQ(pieces.size(), item.at("segments").size()) << name;
+        for (std::size_t k = 0; k < pieces.size(); ++k) {
+            const json& segment = item.at("segments").at(k);
+            const double error = largest_difference(pieces[k].control_points(), points_of(segment.at("points")));
+            add_for(tally, curve, "points", relative(error, scale), 1e-14, name);
+            const auto expected_weights = segment.at("weights").get<std::vector<double>>();
+            add_for(tally, curve, "weights", relative(largest_difference(pieces[k].weights(), expected_weights), most),
+                    1e-14, name);
+        }
+    }
+}
+
 TEST(Golden, bezier_decomposition) {
     Tally tally("bezier_decomposition.json");
     for (const json& item : cases("bezier_decomposition.json")) {
@@ -193,6 +244,76 @@ TEST(Golden, curvature) {
             const double error = std::abs(*found - place.at("curvature").get<double>());
             add_for(tally, curve, "curvature", relative(error, scale), 1e-10, item.at("name"));
         }
+    }
+}
+
+TEST(Golden, hodograph) {
+    Tally tally("hodograph.json");
+    for (const json& item : cases("hodograph.json")) {
+        tally.count_case();
+        const std::string name = item.at("name");
+        const Curve found = hodograph(curve_of(item)).value();
+        const json& result = item.at("result");
+        auto expected = points_of(result.at("points"));
+        if (result.at("degree") == 0) {
+            // A step of degree 0 has one point, of degree 1 the same twice.
+            std::vector<Point> twice;
+            for (const Point& point : expected) twice.insert(twice.end(), 2, point);
+            expected = twice;
+            EXPECT_EQ(found.degree(), 1) << name;
+        } else {
+            EXPECT_TRUE(std::ranges::equal(found.knots().values(), result.at("knots").get<std::vector<double>>()))
+                << name;
+        }
+        const double error = largest_difference(found.control_points(), expected);
+        add_for(tally, found, "points", relative(error, largest_coordinate(expected)), allowed_for_derivative(1), name);
+    }
+}
+
+TEST(Golden, conics) {
+    Tally tally("conics.json");
+    for (const json& item : cases("conics.json")) {
+        tally.count_case();
+        const std::string name = item.at("name");
+        const Curve curve = curve_of(item);
+        const auto k = item.at("implicit").get<std::vector<double>>();
+        const ImplicitConic expected{.a = k[0], .b = k[1], .c = k[2], .d = k[3], .e = k[4], .f = k[5]};
+        const double size = largest_coordinate(curve.control_points());
+        const double scale =
+            largest({k[0] * size * size, k[1] * size * size, k[2] * size * size, k[3] * size, k[4] * size, k[5]});
+        for (int i = 0; i <= 500; ++i) {
+            const Point point = point_at(curve, curve.domain().lower + curve.domain().length() * i / 500);
+            tally.add("the equation along the curve", relative(std::abs(expected.value_at(point)), scale), 1e-14, name);
+        }
+        for (const BezierPiece& piece : bezier_pieces(curve)) {
+            const ImplicitConic found = conic_form(piece).value().equation.seen_from({0, 0});
+            const std::vector<double> members{found.a, found.b, found.c, found.d, found.e, found.f};
+            double error = 0.0;
+            for (std::size_t i = 0; i < 6; ++i) {
+                const double unit = i < 3 ? 1.0 : i < 5 ? size : size * size;
+                error = std::max(error, std::abs(members[i] - k[i]) / unit);
+            }
+            tally.add("the equation found", error, 1e-14, name);
+        }
+    }
+}
+
+TEST(Golden, interpolation) {
+    Tally tally("interpolation.json");
+    for (const json& item : cases("interpolation.json")) {
+        tally.count_case();
+        const std::string name = item.at("name");
+        const auto through = points_of(item.at("through"));
+        const json& result = item.at("result");
+        const Curve expected = curve_of(result);
+        const bool is_chordal = item.at("parametrization") == "chord-length";
+        const auto way = is_chordal ? Parametrization::chordal : Parametrization::centripetal;
+        const Interpolation found = interpolate(through, {item.at("degree"), way, FreeEnds{}, {}}).value();
+        const auto parameters = result.at("parameters").get<std::vector<double>>();
+        tally.add("parameters", largest_difference(found.parameters, parameters), 1e-15, name);
+        tally.add("knots", largest_difference(found.curve.knots().values(), expected.knots().values()), 1e-15, name);
+        const double error = largest_difference(found.curve.control_points(), expected.control_points());
+        tally.add("points", relative(error, largest_coordinate(expected.control_points())), 1e-11, name);
     }
 }
 
