@@ -3,6 +3,7 @@
 #include "app/editor/canvas_mode.h"
 #include "app/editor/formula.h"
 #include "app/editor/gesture.h"
+#include "core/evaluate.h"
 
 namespace batten::editor {
 namespace {
@@ -46,7 +47,8 @@ struct SelectHint {
                " along the curve (changes the shape) · double-click to raise its multiplicity (keeps the shape)";
     }
     std::string operator()(const HoveredCurve& h) const {
-        return "Double-click to insert a knot at u = " + number_text(h.u) + " (keeps the shape)";
+        return "Drag the curve to move C(" + number_text(h.u) +
+               ") (changes the shape) · double-click to insert a knot there (keeps the shape)";
     }
     std::string operator()(const HoveredParameter&) const {
         return "Drag C(u) along the curve · double-click to insert a knot at u = " + number_text(state.parameter()) +
@@ -120,6 +122,11 @@ struct ModeHint {
     std::string operator()(const DraggingCurveKnot& mode) const {
         if (curve == nullptr) return {};
         return "Knot at " + knot_value(*curve, moving_knot(state, mode.index)) + " · Escape restores";
+    }
+    std::string operator()(const DraggingCurvePoint& mode) const {
+        if (curve == nullptr) return {};
+        return "C(" + number_text(mode.u) + ") at " + position_text(core::point_at(*curve, mode.u)) +
+               " · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores";
     }
     std::string operator()(const DrawingCurve& mode) const {
         if (mode.points.size() < 2) return "Click to set the next point · Escape gives up";

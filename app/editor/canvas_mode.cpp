@@ -153,6 +153,24 @@ CanvasMode step(const DraggingCurveKnot& mode, const Gesture& gesture) {
     return step_edit(mode, gesture, ask_to_move_knot, [](const auto&, const Gesture&) {});
 }
 
+void ask_to_move_curve(const DraggingCurvePoint& mode, const Gesture& gesture, Phase phase) {
+    const core::Curve* curve = committed_curve(gesture.state);
+    if (curve == nullptr) return;
+    const core::Point start = core::point_at(*curve, mode.u);
+    const core::Point target = dragged_position(gesture, start, mode.press_px);
+    if (target == start)
+        gesture.queue.cancel_preview();
+    else
+        request(gesture, phase, "move-curve-point", {mode.u, target.x, target.y});
+}
+
+CanvasMode step(const DraggingCurvePoint& mode, const Gesture& gesture) {
+    // A click on the curve means no more than one beside it.
+    return step_edit(mode, gesture, ask_to_move_curve, [](const auto&, const Gesture& click) {
+        if (click.state.selection != Selection{}) click.queue.run("select-none");
+    });
+}
+
 std::vector<std::size_t> points_in_box(const BoxSelecting& mode, const Gesture& gesture) {
     std::vector<std::size_t> points = mode.before;
     const core::DocumentCurve* active = gesture.state.shown().active_curve();

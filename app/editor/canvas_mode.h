@@ -55,6 +55,14 @@ struct DraggingCurveKnot {
     bool has_moved = false;
 };
 
+/// The point of the curve that was grabbed follows the pointer, with the least change of the control points. Ctrl snaps
+/// it to the grid, Shift keeps to one axis.
+struct DraggingCurvePoint {
+    double u = 0.0;
+    glm::dvec2 press_px{};
+    bool has_moved = false;
+};
+
 /// A new curve drawn click by click. A double click ends it, which the window also sends for Enter; so does a click on
 /// its first or last point. Escape gives it up, and so does a change of the tool.
 struct DrawingCurve {
@@ -63,7 +71,7 @@ struct DrawingCurve {
 };
 
 using CanvasMode = std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,
-                                DraggingCurveKnot, DrawingCurve>;
+                                DraggingCurveKnot, DraggingCurvePoint, DrawingCurve>;
 
 /// The mode after `event`; what it asks of the editor goes to `queue`. Pure: depends on its arguments only. A gesture
 /// previews on every move and commits once on release; Escape cancels the preview. A press that moves less than 3

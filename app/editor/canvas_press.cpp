@@ -64,6 +64,10 @@ struct SelectPress {
     }
     CanvasMode operator()(const HoveredWeightRing& hit) const { return begin_weight_drag(gesture, hit.index); }
     CanvasMode operator()(const HoveredKnot& hit) const { return begin_knot_drag(gesture, hit.index); }
+    CanvasMode operator()(const HoveredCurve& hit) const {
+        if (gesture.event.modifiers.shift || !can_edit_curve(gesture.state)) return begin_box(gesture);
+        return DraggingCurvePoint{hit.u, gesture.event.position_px};
+    }
     CanvasMode operator()(const HoveredOtherCurve& hit) const {
         gesture.queue.run("activate-curve", {number(hit.index)});
         return CanvasIdle{};

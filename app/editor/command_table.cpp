@@ -17,7 +17,16 @@ std::vector<CommandSpec> make_table() {
     add_point_commands(table);
     add_curve_commands(table);
     add_knot_commands(table);
+    add_refinement_commands(table);
+    add_piece_commands(table);
+    add_closing_commands(table);
     add_document_commands(table);
+    add_making_commands(table);
+    add_analysis_commands(table);
+    add_measuring_commands(table);
+    add_form_commands(table);
+    add_fitting_commands(table);
+    add_shape_commands(table);
     add_construction_commands(table);
     add_view_commands(table);
     add_help_commands(table);

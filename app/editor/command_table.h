@@ -17,7 +17,7 @@ namespace batten::editor {
 enum class ShapeEffect { none, keeps, changes };
 
 /// Where a command is listed. The groups up to `help` are the menus, in order.
-enum class CommandGroup { file, edit, curve, construct, view, help, gesture };
+enum class CommandGroup { file, edit, make, curve, construct, analyze, view, help, gesture };
 
 enum class ParameterKind { number, text, numbers };
 
@@ -48,6 +48,7 @@ struct Edit {
     core::Document document;
     std::optional<Selection> selection{};
     std::optional<std::string> clipboard{};  ///< text for the clipboard once the edit is committed
+    std::optional<double> error{};           ///< what an approximation is really wrong by, for the message
 };
 
 /// One refusal as a sentence for the user.
@@ -60,6 +61,8 @@ struct CommandSpec {
     const char* title;        ///< "Insert knot", as in menus
     const char* explanation;  ///< one sentence
     CommandGroup group;
+    /// The submenu of the group's menu, "Knots"; null: the menu itself. It stands where its first command does.
+    const char* submenu = nullptr;
     ShapeEffect effect = ShapeEffect::none;
     Shortcut shortcut{};
     Shortcut second_shortcut{};

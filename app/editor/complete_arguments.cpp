@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "app/editor/command_table.h"
-#include "app/editor/expression.h"
+#include "core/number_text.h"
 
 namespace batten::editor {
 
@@ -21,7 +21,7 @@ const char* name_of(ParameterKind kind) {
 }
 
 std::string described(const Argument& argument) {
-    if (const auto* number = std::get_if<double>(&argument)) return shortest_text(*number);
+    if (const auto* number = std::get_if<double>(&argument)) return core::shortest_text(*number);
     if (const auto* text = std::get_if<std::string>(&argument)) return "the text '" + *text + "'";
     return "a list of " + std::to_string(std::get<std::vector<double>>(argument).size()) + " numbers";
 }
@@ -49,7 +49,7 @@ Outcome<Argument> of_kind(const ParameterSpec& parameter, const Argument& argume
     if (argument.index() == static_cast<std::size_t>(parameter.kind)) return argument;
     if (const auto* number = std::get_if<double>(&argument)) {
         if (parameter.kind == ParameterKind::numbers) return std::vector<double>{*number};
-        return shortest_text(*number);
+        return core::shortest_text(*number);
     }
     return tl::unexpected(refusal_of_kind(parameter, argument));
 }

@@ -5,6 +5,7 @@
 
 #include "app/editor/clipboard.h"
 #include "app/editor/command_table.h"
+#include "app/editor/commands/file_acts.h"
 #include "app/editor/upkeep.h"
 #include "app/editor/wording.h"
 #include "core/deviation.h"
@@ -54,6 +55,7 @@ bool commit_edit(EditorState& state, const CommandSpec& spec, const Arguments& a
     if (!edit) return refuse(state, edit.error());
     if (edit->clipboard) write_clipboard(state, *edit->clipboard);
     state.message = {};
+    state.ghost.reset();
 
     const core::Document before = state.history.present();
     if (!is_same(before, edit->document)) {
@@ -63,6 +65,7 @@ bool commit_edit(EditorState& state, const CommandSpec& spec, const Arguments& a
         follow_document(state, before);
         state.message = {edit_sentence(label, spec.effect, ghost ? std::optional(ghost->deviation) : std::nullopt),
                          false};
+        if (edit->error) state.message.text = with_error(state.message.text, *edit->error);
         if (ghost && ghost->deviation != 0.0) state.ghost = ghost;
     }
     if (edit->selection) state.selection = *edit->selection;
@@ -90,6 +93,10 @@ bool run_act(EditorState& state, const CommandSpec& spec, const Arguments& argum
 
 Editor::Editor(Desktop desktop) {
     state_.desktop = std::move(desktop);
+}
+
+Editor::Editor(core::Document document) {
+    show_document(state_, std::move(document), {});
 }
 
 void Editor::apply(const Settings& settings) {

@@ -11,6 +11,9 @@ class Editor {
   public:
     explicit Editor(Desktop desktop = {});
 
+    /// The editor with `document` open, which belongs to no file.
+    explicit Editor(core::Document document);
+
     /// Looks at the document as `settings` remember, at the start.
     void apply(const Settings& settings);
 

@@ -174,10 +174,4 @@ tl::expected<std::vector<double>, std::string> parse_expressions(std::string_vie
     return values;
 }
 
-std::string shortest_text(double value) {
-    std::array<char, 32> buffer{};
-    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return error == std::errc{} ? std::string(buffer.data(), end) : std::string();
-}
-
 }  // namespace batten::editor

@@ -17,7 +17,4 @@ namespace batten::editor {
 /// allowed. The error names the entry, counted from 0.
 [[nodiscard]] tl::expected<std::vector<double>, std::string> parse_expressions(std::string_view text);
 
-/// The shortest text that parse_expression reads back to the same double; `value` is finite.
-std::string shortest_text(double value);
-
 }  // namespace batten::editor

@@ -60,13 +60,6 @@ std::optional<std::vector<double>> numbers_of(std::string_view word) {
     return numbers;
 }
 
-Argument argument_of(const std::string& word) {
-    if (const std::optional<double> number = number_of(word)) return *number;
-    const bool has_comma = word.find(',') != std::string::npos;
-    if (const auto numbers = has_comma ? numbers_of(word) : std::nullopt) return *numbers;
-    return word;
-}
-
 struct Word {
     std::string text;
     bool is_quoted = false;
@@ -120,6 +113,13 @@ Outcome<Command> parse_command(const std::string& line) {
     return command;
 }
 
+Argument parse_argument(const std::string& word) {
+    if (const std::optional<double> number = number_of(word)) return *number;
+    const bool has_comma = word.find(',') != std::string::npos;
+    if (const auto numbers = has_comma ? numbers_of(word) : std::nullopt) return *numbers;
+    return word;
+}
+
 Outcome<Command> parse_typed_command(const std::string& typed) {
     const Outcome<std::vector<Word>> words = words_of(typed);
     if (!words) return tl::unexpected(words.error());
@@ -127,7 +127,7 @@ Outcome<Command> parse_typed_command(const std::string& typed) {
     Command command{words->front().text, {}};
     for (std::size_t i = 1; i < words->size(); ++i) {
         const Word& word = (*words)[i];
-        command.arguments.push_back(word.is_quoted ? Argument(word.text) : argument_of(word.text));
+        command.arguments.push_back(word.is_quoted ? Argument(word.text) : parse_argument(word.text));
     }
     return command;
 }

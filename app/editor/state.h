@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/editor/command.h"
+#include "app/editor/findings.h"
 #include "app/editor/history.h"
 #include "app/editor/selection.h"
 #include "app/editor/view.h"
@@ -44,6 +45,7 @@ struct EditorState {
     History history;                        ///< its present is the committed document
     std::optional<core::Document> preview;  ///< what the gesture under way would make
     std::optional<Ghost> ghost;
+    std::optional<Findings> findings;  ///< of the committed document
     Selection selection;  ///< of the committed document, even while a preview is shown
     Hover hover;
     View view;

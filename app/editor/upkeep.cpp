@@ -56,6 +56,7 @@ void follow_shown(EditorState& state) {
 void follow_document(EditorState& state, const core::Document& before) {
     state.preview.reset();
     state.ghost.reset();
+    state.findings.reset();
     const core::Document& after = state.history.present();
 
     const core::DocumentCurve* old_active = before.active_curve();

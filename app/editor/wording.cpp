@@ -13,8 +13,9 @@ struct Verb {
     const char* past;
 };
 
-constexpr std::array irregular_verbs{Verb{"Add", "Added"},  Verb{"Cut", "Cut"},  Verb{"Draw", "Drew"},
-                                     Verb{"Hide", "Hid"},   Verb{"Set", "Set"},  Verb{"Show", "Showed"},
+constexpr std::array irregular_verbs{Verb{"Add", "Added"},  Verb{"Cut", "Cut"},     Verb{"Draw", "Drew"},
+                                     Verb{"Fit", "Fitted"}, Verb{"Hide", "Hid"},    Verb{"Set", "Set"},
+                                     Verb{"Keep", "Kept"},  Verb{"Show", "Showed"}, Verb{"Split", "Split"},
                                      Verb{"Type", "Typed"}, Verb{"Make", "Made"}};
 
 std::string past_of_verb(const std::string& verb) {
@@ -36,6 +37,10 @@ std::string edit_sentence(const std::string& label, ShapeEffect effect, std::opt
     if (is_unchanged) return done + ": the curve is unchanged";
     if (effect == ShapeEffect::changes && deviation) return done + ": deviates by at most " + number_text(*deviation);
     return done;
+}
+
+std::string with_error(const std::string& sentence, double error) {
+    return sentence + ": error at most " + number_text(error);
 }
 
 }  // namespace batten::editor

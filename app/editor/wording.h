@@ -15,4 +15,7 @@ std::string past_of(const std::string& label);
 /// 0.12". `deviation` counts for shape-changing commands only; none where there is no curve to compare with.
 std::string edit_sentence(const std::string& label, ShapeEffect effect, std::optional<double> deviation);
 
+/// The same sentence for an edit that approximates: "Fitted curve to points: error at most 0.003".
+std::string with_error(const std::string& sentence, double error);
+
 }  // namespace batten::editor

@@ -100,6 +100,46 @@ TEST_F(CanvasPress, click_on_a_diamond_selects_its_knot) {
     EXPECT_EQ(steps(), 0U);
 }
 
+TEST_F(CanvasPress, drag_of_the_curve_moves_its_point_as_one_step) {
+    const core::Point start = core::point_at(*first_curve, 0.5);
+    pointer.press(px(start.x, start.y));
+    pointer.move(px(start.x + 1, start.y + 0.5));
+    EXPECT_EQ(committed(editor), *first_curve);
+    pointer.move(px(start.x + 0.5, start.y + 1));
+    pointer.release(px(start.x + 0.5, start.y + 1));
+    EXPECT_EQ(steps(), 1U);
+    EXPECT_EQ(state().history.undo_label(), "Move curve point");
+    const core::Point moved = core::point_at(committed(editor), 0.5);
+    EXPECT_NEAR(moved.x, start.x + 0.5, 1e-6);
+    EXPECT_NEAR(moved.y, start.y + 1, 1e-6);
+    EXPECT_EQ(test::stored_knots(committed(editor)), test::stored_knots(*first_curve));
+    EXPECT_EQ(point(3), first_curve->control_points()[3]);
+}
+
+TEST_F(CanvasPress, escape_gives_up_the_drag_of_the_curve_and_a_click_only_deselects) {
+    const core::Point start = core::point_at(*first_curve, 0.5);
+    pointer.press(px(start.x, start.y));
+    pointer.move(px(start.x + 1, start.y));
+    EXPECT_TRUE(state().preview.has_value());
+    pointer.send(PointerAction::escape, px(start.x + 1, start.y));
+    pointer.release(px(start.x + 1, start.y));
+    EXPECT_FALSE(state().preview.has_value());
+    EXPECT_EQ(steps(), 0U);
+    editor.run(Command{"select-points", {std::vector<double>{1, 2}}});
+    pointer.click(px(start.x, start.y));
+    EXPECT_TRUE(selected().empty());
+    EXPECT_EQ(steps(), 0U);
+}
+
+TEST_F(CanvasPress, a_locked_curve_is_not_dragged) {
+    const core::Point start = core::point_at(*first_curve, 0.5);
+    editor.run(Command{"set-curve-locked", {0.0, 1.0}});
+    pointer.press(px(start.x, start.y));
+    pointer.move(px(start.x + 1, start.y));
+    pointer.release(px(start.x + 1, start.y));
+    EXPECT_EQ(committed(editor), *first_curve);
+}
+
 TEST_F(CanvasPress, click_on_another_curve_makes_it_active) {
     editor.run(Command{"new-curve", {std::vector<double>{-4, 4, 4, 4}, 1.0}});
     ASSERT_EQ(state().history.present().active, 1U);

@@ -41,7 +41,7 @@ TEST_F(DocumentCommands, draw_a_clamped_uniform_curve) {
 
 TEST_F(DocumentCommands, refuse_half_a_point_and_a_single_one) {
     EXPECT_FALSE(run("new-curve", {std::vector<double>{0, 0, 1}}));
-    EXPECT_EQ(state().message.text, "a new curve needs x and y of two points or more; 3 coordinates were given");
+    EXPECT_EQ(state().message.text, "a new curve needs x and y of 2 points or more; 3 coordinates were given");
     EXPECT_FALSE(run("new-curve", {std::vector<double>{0, 0}}));
     EXPECT_FALSE(run("new-curve", {std::vector<double>{0, 0, 1, 1}, 0.0}));
     EXPECT_EQ(document(editor_).curves.size(), 3U);

@@ -26,7 +26,7 @@ TEST_F(EditorTest, begins_empty_and_refuses_edits_with_a_sentence) {
     EXPECT_EQ(editor.state().active_curve(), nullptr);
     EXPECT_EQ(editor.state().file_name(), "untitled");
     for (const char* name :
-         {"insert-knot", "select-all", "copy", "cut", "set-parameter", "elevate-degree", "toggle-play"}) {
+         {"insert-knot", "select-all", "copy", "cut", "set-parameter", "elevate", "toggle-play"}) {
         EXPECT_FALSE(editor.run({name, {}})) << name;
         EXPECT_EQ(editor.state().message, (Message{"there is no curve; draw one or open a file", true})) << name;
     }
@@ -162,7 +162,7 @@ TEST_F(EditorTest, drops_what_a_change_of_the_counts_makes_meaningless) {
     EXPECT_EQ(state().selection.points, (std::vector<std::size_t>{1, 2}));
     editor_.run({"hover", {"cell", std::vector<double>{3, 0}}});
     editor_.run({"set-level", {3.0}});
-    editor_.run({"elevate-degree", {}});
+    editor_.run({"elevate", {}});
     EXPECT_EQ(state().selection, Selection{});
     EXPECT_EQ(state().view.level, 3);
     EXPECT_EQ(state().hover, Hover(HoveredCell{3, 0}));

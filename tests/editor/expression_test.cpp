@@ -1,5 +1,7 @@
 #include "app/editor/expression.h"
 
+#include "core/number_text.h"
+
 #include <gtest/gtest.h>
 
 #include <clocale>
@@ -76,7 +78,7 @@ TEST(Expression, does_not_depend_on_the_locale) {
     for (const char* locale : {"de_DE.UTF-8", "fr_FR.UTF-8", "C"}) {
         std::setlocale(LC_ALL, locale);
         EXPECT_EQ(value_of("0.5"), 0.5);
-        EXPECT_EQ(shortest_text(0.5), "0.5");
+        EXPECT_EQ(core::shortest_text(0.5), "0.5");
     }
     std::setlocale(LC_ALL, before.c_str());
 }
@@ -97,11 +99,11 @@ TEST(Expressions, name_the_entry_that_cannot_be_read) {
 }
 
 TEST(ShortestText, reads_back_to_the_same_double) {
-    EXPECT_EQ(shortest_text(0.1), "0.1");
-    EXPECT_EQ(shortest_text(-6.0), "-6");
-    EXPECT_EQ(shortest_text(1.0 / 3.0), "0.3333333333333333");
+    EXPECT_EQ(core::shortest_text(0.1), "0.1");
+    EXPECT_EQ(core::shortest_text(-6.0), "-6");
+    EXPECT_EQ(core::shortest_text(1.0 / 3.0), "0.3333333333333333");
     for (const double value : {0.1 + 0.2, 1e-300, 5e-324, 1.7976931348623157e308, -2.0 / 7.0})
-        EXPECT_EQ(value_of(shortest_text(value)), value);
+        EXPECT_EQ(value_of(core::shortest_text(value)), value);
 }
 
 }  // namespace

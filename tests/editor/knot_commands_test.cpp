@@ -129,7 +129,7 @@ TEST_F(KnotCommands, close_and_open_the_curve) {
 
 TEST_F(KnotCommands, change_the_degree_with_and_without_the_shape) {
     open_text(editor_, bezier_text);
-    EXPECT_TRUE(run("elevate-degree"));
+    EXPECT_TRUE(run("elevate"));
     EXPECT_EQ(state().history.undo_label(), "Raise degree to 4");
     EXPECT_EQ(state().message.text, "Raised degree to 4: the curve is unchanged");
     // (i/4) P_{i-1} + (1 - i/4) P_i
@@ -138,13 +138,13 @@ TEST_F(KnotCommands, change_the_degree_with_and_without_the_shape) {
         EXPECT_NEAR(points(editor_)[i].x, raised[i].x, 1e-14) << i;
         EXPECT_NEAR(points(editor_)[i].y, raised[i].y, 1e-14) << i;
     }
-    EXPECT_TRUE(run("reduce-degree"));
+    EXPECT_TRUE(run("reduce"));
     EXPECT_EQ(state().history.undo_label(), "Lower degree to 3");
     EXPECT_EQ(curve(editor_).degree(), 3);
     EXPECT_TRUE(run("set-degree", {1.0}));
     EXPECT_EQ(curve(editor_).degree(), 1);
     EXPECT_EQ(points(editor_).size(), 4U);
-    EXPECT_FALSE(run("reduce-degree"));
+    EXPECT_FALSE(run("reduce"));
     EXPECT_EQ(state().message.text, "the degree is 1, the lowest allowed");
     EXPECT_FALSE(run("set-degree", {26.0}));
     EXPECT_FALSE(run("set-degree", {2.5}));

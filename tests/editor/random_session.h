@@ -28,6 +28,13 @@ class RandomSession {
     Command command(const EditorState& state);
     Command shape_command(const core::Curve& curve);
     Command knot_command(const EditorState& state, const core::Curve& curve);
+    Command closing_command(const EditorState& state, const core::Curve& curve);
+    Command refinement_command(const EditorState& state, const core::Curve& curve);
+    Command piece_command(const EditorState& state, const core::Curve& curve);
+    Command making_command();
+    Command fitting_command();
+    Command moving_command(const EditorState& state, const core::Curve& curve);
+    Command measuring_command(const EditorState& state);
     Command document_command(const EditorState& state);
     Command view_command(const EditorState& state);
 

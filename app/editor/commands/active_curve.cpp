@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/expression.h"
 #include "app/editor/formula.h"
 #include "app/editor/grid_step.h"
+#include "core/closing.h"
+#include "core/number_text.h"
 
 namespace batten::editor {
 
@@ -57,10 +58,20 @@ std::optional<Argument> grid_step(const EditorState& state) {
     return minor_grid_step(state.view.camera.scale / state.view.interface_scale);
 }
 
+std::optional<Argument> share_of_size(const EditorState& state, double share) {
+    if (state.history.present().active_curve() == nullptr) return std::nullopt;
+    return core::absolute_tolerance(active_curve(state), share);
+}
+
+std::optional<Argument> tiny_length(const EditorState& state) {
+    return share_of_size(state, core::default_closing_tolerance);
+}
+
 Outcome<std::size_t> index_of(double value, const char* what) {
     constexpr double most = 1e9;
     if (value < 0.0 || value > most || value != std::floor(value))
-        return tl::unexpected(std::string(what) + " is " + shortest_text(value) + "; a whole number from 0 is needed");
+        return tl::unexpected(std::string(what) + " is " + core::shortest_text(value) +
+                              "; a whole number from 0 is needed");
     return static_cast<std::size_t>(value);
 }
 

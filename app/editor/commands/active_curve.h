@@ -23,6 +23,10 @@ std::optional<Argument> selected_points(const EditorState& state);
 std::optional<Argument> active_index(const EditorState& state);
 std::optional<Argument> grid_step(const EditorState& state);
 
+/// Suggestions of lengths beside the size of the active curve: a part of it; a billionth of it, which nobody sees.
+std::optional<Argument> share_of_size(const EditorState& state, double share);
+std::optional<Argument> tiny_length(const EditorState& state);
+
 /// `value` as an index; refused unless it is a whole number from 0. `what` names the parameter.
 Outcome<std::size_t> index_of(double value, const char* what);
 

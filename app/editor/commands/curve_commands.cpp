@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
@@ -7,12 +9,36 @@ namespace batten::editor {
 
 namespace {
 
-Outcome<Edit> elevate_degree(const EditorState& state, const Arguments&) {
-    return edit_active(state, core::elevate_degree(active_curve(state)));
+// A number of degrees, 1 or more.
+Outcome<int> steps_of(double value) {
+    const Outcome<std::size_t> steps = index_of(value, "t");
+    if (!steps) return tl::unexpected(steps.error());
+    if (*steps == 0) return tl::unexpected(Refusal("t is 0; it must be 1 or more"));
+    return static_cast<int>(*steps);
 }
 
-Outcome<Edit> reduce_degree(const EditorState& state, const Arguments&) {
-    return edit_active(state, core::reduce_degree(active_curve(state)));
+Outcome<Edit> elevate(const EditorState& state, const Arguments& arguments) {
+    const Outcome<int> steps = steps_of(arguments.number(0));
+    if (!steps) return tl::unexpected(steps.error());
+    return edit_active(state, core::elevate_degree(active_curve(state), *steps));
+}
+
+Outcome<Edit> reduce(const EditorState& state, const Arguments& arguments) {
+    const Outcome<int> steps = steps_of(arguments.number(0));
+    if (!steps) return tl::unexpected(steps.error());
+    const double limit = arguments.number(1);
+    const double tolerance = limit == 0.0 ? std::numeric_limits<double>::max() : limit;
+    core::Result<core::Approximation> reduced = core::reduce_degree(active_curve(state), *steps, tolerance);
+    if (!reduced) return tl::unexpected(core::describe(reduced.error()));
+    return edit_active(state, std::move(reduced->curve));
+}
+
+std::optional<Argument> one_degree(const EditorState&) {
+    return 1.0;
+}
+
+std::optional<Argument> no_limit(const EditorState&) {
+    return 0.0;
 }
 
 Outcome<Edit> set_degree(const EditorState& state, const Arguments& arguments) {
@@ -41,6 +67,7 @@ void add_curve_commands(std::vector<CommandSpec>& table) {
          .title = "Set degree",
          .explanation = "Gives the same control points another degree; custom knots are raised or lowered instead.",
          .group = CommandGroup::curve,
+         .submenu = "Degree",
          .effect = ShapeEffect::changes,
          .parameters = {{"p", ParameterKind::number, "the new degree, 1 to 25"}},
          .refusal = no_editable_curve,
@@ -48,25 +75,31 @@ void add_curve_commands(std::vector<CommandSpec>& table) {
          .label = [](const EditorState&, const Arguments& arguments) {
              return "Set degree to " + number_text(arguments.number(0));
          }});
-    table.push_back({.name = "elevate-degree",
+    table.push_back({.name = "elevate",
                      .title = "Raise degree",
-                     .explanation = "Raises the degree by one; the curve stays as it is and gains control points.",
+                     .explanation = "Raises the degree; the curve stays as it is and gains control points.",
                      .group = CommandGroup::curve,
+                     .submenu = "Degree",
                      .effect = ShapeEffect::keeps,
+                     .parameters = {{"t", ParameterKind::number, "by how much", one_degree}},
                      .refusal = no_higher_degree,
-                     .edit = elevate_degree,
-                     .label = [](const EditorState& state, const Arguments&) {
-                         return "Raise degree to " + std::to_string(active_curve(state).degree() + 1);
+                     .edit = elevate,
+                     .label = [](const EditorState& state, const Arguments& arguments) {
+                         return "Raise degree to " + number_text(active_curve(state).degree() + arguments.number(0));
                      }});
-    table.push_back({.name = "reduce-degree",
+    table.push_back({.name = "reduce",
                      .title = "Lower degree",
-                     .explanation = "Lowers the degree by one; the curve changes unless its degree was raised before.",
+                     .explanation = "Lowers the degree; the curve changes unless its degree was raised before.",
                      .group = CommandGroup::curve,
+                     .submenu = "Degree",
                      .effect = ShapeEffect::changes,
+                     .parameters = {{"t", ParameterKind::number, "by how much", one_degree},
+                                    {"tolerance", ParameterKind::number,
+                                     "how far the curve may move; 0 for as far as it takes", no_limit}},
                      .refusal = no_lower_degree,
-                     .edit = reduce_degree,
-                     .label = [](const EditorState& state, const Arguments&) {
-                         return "Lower degree to " + std::to_string(active_curve(state).degree() - 1);
+                     .edit = reduce,
+                     .label = [](const EditorState& state, const Arguments& arguments) {
+                         return "Lower degree to " + number_text(active_curve(state).degree() - arguments.number(0));
                      }});
 }
 

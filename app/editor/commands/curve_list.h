@@ -5,6 +5,27 @@
 
 namespace batten::editor {
 
+/// The committed document with `curve` added under a free name like `wish`; it is active.
+Edit with_curve(const EditorState& state, const std::string& wish, core::Curve curve);
+
+/// The index of the committed document's curve called `name`; the refusal lists the names there are.
+Outcome<std::size_t> curve_named(const EditorState& state, const std::string& name);
+
+/// Suggestion: the name of the curve after the active one, the first one after the last; none where there is no other.
+std::optional<Argument> next_curve_name(const EditorState& state);
+
+/// x0, y0, x1, y1, ... as points; refused unless there are as many x as y, and `least` points or more. `what` names
+/// what they are for: "a new curve".
+Outcome<std::vector<core::Point>> points_of(const std::vector<double>& coordinates, std::size_t least,
+                                            const std::string& what);
+
+/// The committed document with the active curve replaced by its parts, at least one: the first keeps its place and
+/// name, the others follow it under free names and look like it.
+Edit with_parts(const EditorState& state, std::vector<core::Curve> parts);
+
+/// The committed document with `curve` in place of the active one and without `others`, which are ascending.
+Edit with_one_for_several(const EditorState& state, core::Curve curve, const std::vector<std::size_t>& others);
+
 /// The committed document without curve `index`, which there must be; a locked one is refused.
 Outcome<Edit> without_curve(const EditorState& state, std::size_t index);
 

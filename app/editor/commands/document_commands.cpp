@@ -41,24 +41,14 @@ core::Result<core::Curve> clamped_curve(std::vector<core::Point> points, int deg
 }
 
 Outcome<Edit> new_curve(const EditorState& state, const Arguments& arguments) {
-    const std::vector<double>& coordinates = arguments.numbers(0);
-    if (coordinates.size() < 4 || coordinates.size() % 2 != 0)
-        return tl::unexpected("a new curve needs x and y of two points or more; " + std::to_string(coordinates.size()) +
-                              " coordinates were given");
+    Outcome<std::vector<core::Point>> points = points_of(arguments.numbers(0), 2, "a new curve");
+    if (!points) return tl::unexpected(points.error());
     const Outcome<std::size_t> degree = index_of(arguments.number(1), "degree");
     if (!degree) return tl::unexpected(degree.error());
-    std::vector<core::Point> points;
-    for (std::size_t i = 0; i < coordinates.size(); i += 2) points.emplace_back(coordinates[i], coordinates[i + 1]);
-    core::Result<core::Curve> curve = clamped_curve(points, static_cast<int>(std::min(*degree, points.size() - 1)));
+    const auto most = static_cast<std::size_t>(points->size() - 1);
+    core::Result<core::Curve> curve = clamped_curve(*std::move(points), static_cast<int>(std::min(*degree, most)));
     if (!curve) return tl::unexpected(core::describe(curve.error()));
-
-    Edit edit{state.history.present(), Selection{}};
-    core::DocumentCurve added;
-    added.name = core::unused_name(edit.document, "curve");
-    added.curve = std::make_shared<const core::Curve>(*std::move(curve));
-    edit.document.curves.push_back(std::move(added));
-    edit.document.active = edit.document.curves.size() - 1;
-    return edit;
+    return with_curve(state, "curve", *std::move(curve));
 }
 
 Outcome<Edit> delete_curve(const EditorState& state, const Arguments& arguments) {
@@ -133,7 +123,7 @@ void add_curve_list(std::vector<CommandSpec>& table) {
         {.name = "new-curve",
          .title = "New curve",
          .explanation = "Adds a clamped uniform curve through its first and last point and makes it active.",
-         .group = CommandGroup::curve,
+         .group = CommandGroup::make,
          .parameters = {{"coordinates", Kind::numbers, "x and y of each control point"},
                         {"degree", Kind::number, "lowered where there are too few points", cubic}},
          .edit = new_curve,

@@ -41,18 +41,6 @@ void take_view(View& view, const core::Document& document) {
     }
 }
 
-void show_document(EditorState& state, core::Document document, const fs::path& path) {
-    take_view(state.view, document);
-    state.history = History(std::move(document));
-    state.preview.reset();
-    state.ghost.reset();
-    state.selection = {};
-    state.hover = HoveredNothing{};
-    state.path = path;
-    show_dialog(state, Dialog::none);
-    fit_view(state);
-}
-
 Outcome<void> open_file(EditorState& state, const fs::path& path) {
     core::FileResult<core::Document> document = core::load_document(path);
     if (!document) return tl::unexpected(file_refusal(path, document.error()));
@@ -96,6 +84,19 @@ std::vector<std::string> overlay_names(const EditorState& state) {
 }
 
 }  // namespace
+
+void show_document(EditorState& state, core::Document document, const fs::path& path) {
+    take_view(state.view, document);
+    state.history = History(std::move(document));
+    state.preview.reset();
+    state.ghost.reset();
+    state.findings.reset();
+    state.selection = {};
+    state.hover = HoveredNothing{};
+    state.path = path;
+    show_dialog(state, Dialog::none);
+    fit_view(state);
+}
 
 Outcome<void> proceed(EditorState& state, const Command& command) {
     if (command.name == "open") return open_file(state, fs::absolute(std::get<std::string>(command.arguments.front())));

@@ -11,6 +11,9 @@ namespace batten::editor {
 /// and checked completely before anything changes.
 Outcome<void> proceed(EditorState& state, const Command& command);
 
+/// Opens `document`, read from `path` (empty: from no file): a new history, nothing selected, all of it in view.
+void show_document(EditorState& state, core::Document document, const std::filesystem::path& path);
+
 /// The committed document with the curves of the file at `path` beside its own.
 Outcome<Edit> with_curves_of(const EditorState& state, const std::filesystem::path& path);
 

@@ -27,6 +27,7 @@ Outcome<void> dismiss_message(EditorState& state, const Arguments&) {
 std::optional<Argument> what_to_give_up(const EditorState& state) {
     if (state.dialog != Dialog::none) return "dialog";
     if (state.preview || state.ghost || state.message.is_error) return "preview";
+    if (state.findings) return "findings";
     if (state.selection != Selection{}) return "selection";
     return "presentation";
 }
@@ -38,13 +39,15 @@ Outcome<void> escape(EditorState& state, const Arguments& arguments) {
     } else if (what == "preview") {
         state.preview.reset();
         state.ghost.reset();
+    } else if (what == "findings") {
+        state.findings.reset();
     } else if (what == "selection") {
         state.selection = {};
     } else if (what == "presentation") {
         state.view.is_presenting = false;
     } else {
         return tl::unexpected("there is no giving up of '" + what +
-                              "'; there are dialog, preview, selection and presentation");
+                              "'; there are dialog, preview, findings, selection and presentation");
     }
     return {};
 }

@@ -8,6 +8,7 @@
 #include "app/editor/scene/curvature_comb.h"
 #include "app/editor/scene/curve_knots.h"
 #include "app/editor/scene/curve_strokes.h"
+#include "app/editor/scene/finding_marks.h"
 #include "app/editor/scene/gesture_marks.h"
 #include "app/editor/scene/grid.h"
 #include "app/editor/scene/hodograph_inset.h"
@@ -25,7 +26,7 @@ bool has_inset(const CanvasFrame& frame) {
     return frame.curve != nullptr && frame.shows(Overlay::hodograph);
 }
 
-/// Returns what labels must keep clear of: the numbers of the grid, legend and inset.
+/// Returns what labels must keep clear of: the numbers of the grid, legend and inset, and the marks of findings.
 std::vector<render::Rectangle> draw_background(CanvasFrame& frame) {
     std::vector<render::Rectangle> covered;
     const auto legend = has_legend(frame) ? std::optional(legend_box(frame)) : std::nullopt;
@@ -35,6 +36,7 @@ std::vector<render::Rectangle> draw_background(CanvasFrame& frame) {
     }
     if (legend) covered.push_back(*legend);
     if (has_inset(frame)) covered.push_back(hodograph_box(frame));
+    for (const render::Rectangle& box : finding_boxes(frame)) covered.push_back(box);
     draw_ghost(frame);
     draw_other_curves(frame);
     return covered;
@@ -69,6 +71,7 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode) 
         draw_lines_of_active_curve(frame);
         draw_marks_of_active_curve(frame, covered);
     }
+    draw_finding_marks(frame);
     draw_gesture_marks(frame, mode);
     if (has_inset(frame)) draw_hodograph_inset(frame);
     if (has_legend(frame)) draw_legend(frame);

@@ -1,0 +1,74 @@
+#include "app/editor/findings.h"
+
+#include <gtest/gtest.h>
+
+#include "app/editor/scene/canvas_scene.h"
+#include "sample_editor.h"
+#include "scene_sample.h"
+
+namespace batten::editor {
+namespace {
+
+class FindingsTest : public ::testing::Test {
+  protected:
+    // (0, 0) (1, 2) (3, 2) (4, 0): y is greatest in the middle, at (2, 1.5).
+    void SetUp() override {
+        open_text(editor_, bezier_text);
+        ASSERT_TRUE(editor_.run({"resize-canvas", {1000.0, 600.0}}));
+        ASSERT_TRUE(editor_.run({"evaluate", {0.5}}));
+        ASSERT_TRUE(state().findings.has_value());
+    }
+    const EditorState& state() const { return editor_.state(); }
+    render::DrawList picture() const { return canvas_scene(state(), {}); }
+    static std::vector<render::Marker> marks(const render::DrawList& list) {
+        return test::markers_of(list, render::MarkerShape::square, 5.0F);
+    }
+
+    Editor editor_;
+};
+
+TEST_F(FindingsTest, say_what_was_found_and_make_no_step_of_the_history) {
+    EXPECT_EQ(state().message.text, state().findings->summary);
+    EXPECT_FALSE(state().history.can_undo());
+    EXPECT_EQ(state().findings->rows.front().point, core::Point(2.0, 1.5));
+}
+
+TEST_F(FindingsTest, are_marked_where_they_are) {
+    const std::vector<render::Marker> marked = marks(picture());
+    ASSERT_EQ(marked.size(), 1U);
+    const glm::dvec2 place = render::screen_from_world(state().view.camera, {2.0, 1.5});
+    EXPECT_NEAR(marked[0].center.x, place.x, 0.01);
+    EXPECT_NEAR(marked[0].center.y, place.y, 0.01);
+    EXPECT_TRUE(test::has_text(picture(), "1"));
+}
+
+TEST_F(FindingsTest, are_not_marked_on_another_shape) {
+    ASSERT_TRUE(editor_.run(Request{{"set-point", {1.0, 1.0, 5.0}}, Phase::preview}));
+    EXPECT_TRUE(marks(picture()).empty());
+    ASSERT_TRUE(editor_.run(Request{{}, Phase::cancel}));
+    EXPECT_EQ(marks(picture()).size(), 1U);
+}
+
+TEST_F(FindingsTest, end_with_the_document_they_are_of) {
+    ASSERT_TRUE(editor_.run({"set-point", {1.0, 1.0, 5.0}}));
+    EXPECT_FALSE(state().findings.has_value());
+    ASSERT_TRUE(editor_.run({"evaluate", {0.5}}));
+    ASSERT_TRUE(editor_.run({"undo", {}}));
+    EXPECT_FALSE(state().findings.has_value());
+}
+
+TEST_F(FindingsTest, are_given_up_before_the_selection) {
+    ASSERT_TRUE(editor_.run({"select-points", {std::vector<double>{1.0}}}));
+    ASSERT_TRUE(editor_.run({"escape", {}}));
+    EXPECT_FALSE(state().findings.has_value());
+    EXPECT_EQ(state().selection.points.size(), 1U);
+    ASSERT_TRUE(editor_.run({"escape", {}}));
+    EXPECT_TRUE(state().selection.points.empty());
+}
+
+TEST_F(FindingsTest, labels_keep_clear_of_the_marks) {
+    EXPECT_TRUE(test::overlapping_labels(picture()).empty());
+}
+
+}  // namespace
+}  // namespace batten::editor

@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/evaluate.h"
+#include "sample_editor.h"
+
+namespace batten::editor {
+namespace {
+
+// y = x^2 over [0, 2] as one Bézier piece; and a line that does not meet its end, (2, 4).
+constexpr const char* pieces_text = R"({ "format": "batten", "version": 1, "curves": [
+  { "name": "parabola", "degree": 2, "knots": [0,0,0,1,1,1], "points": [[0,0],[1,0],[2,4]], "color": "#e69f00" },
+  { "name": "line", "degree": 1, "knots": [0,0,1,1], "points": [[3,5],[4,9]] },
+  { "name": "fixed", "degree": 1, "knots": [0,0,1,1], "points": [[4,9],[5,9]], "locked": true } ] })";
+
+class PieceCommands : public ::testing::Test {
+  protected:
+    void SetUp() override { open_text(editor_, pieces_text); }
+    bool run(const std::string& name, std::vector<Argument> arguments = {}) {
+        return editor_.run({name, std::move(arguments)});
+    }
+    const EditorState& state() const { return editor_.state(); }
+    std::vector<std::string> names() const {
+        std::vector<std::string> found;
+        for (const core::DocumentCurve& entry : document(editor_).curves) found.push_back(entry.name);
+        return found;
+    }
+    const core::Curve& curve_at(std::size_t i) const { return *document(editor_).curves[i].curve; }
+
+    Editor editor_;
+};
+
+TEST_F(PieceCommands, split_leaves_two_curves_side_by_side) {
+    ASSERT_TRUE(run("split", {0.25})) << state().message.text;
+    EXPECT_EQ(names(), (std::vector<std::string>{"parabola", "parabola 2", "line", "fixed"}));
+    EXPECT_EQ(document(editor_).active, 0U);
+    EXPECT_EQ(curve_at(0).domain(), (core::Interval{0.0, 0.25}));
+    EXPECT_EQ(curve_at(1).domain(), (core::Interval{0.25, 1.0}));
+    // x = 2u, y = x^2: the parts meet at (0.5, 0.25), and the tangents there meet the axis at x = 0.25.
+    EXPECT_EQ(curve_at(0).control_points()[1], core::Point(0.25, 0.0));
+    EXPECT_EQ(curve_at(0).control_points()[2], core::Point(0.5, 0.25));
+    EXPECT_EQ(curve_at(1).control_points()[0], core::Point(0.5, 0.25));
+    EXPECT_EQ(document(editor_).curves[1].color, document(editor_).curves[0].color);
+    EXPECT_EQ(state().message.text, "Split at 0.25: the curve is unchanged");
+    ASSERT_TRUE(run("undo"));
+    EXPECT_EQ(names().size(), 3U);
+}
+
+TEST_F(PieceCommands, split_refuses_an_end) {
+    EXPECT_FALSE(run("split", {1.0}));
+    EXPECT_FALSE(run("split", {2.0}));
+    EXPECT_EQ(names().size(), 3U);
+}
+
+TEST_F(PieceCommands, sub_curve_keeps_the_part) {
+    ASSERT_TRUE(run("sub-curve", {0.25, 0.5})) << state().message.text;
+    EXPECT_EQ(curve_at(0).control_points().front(), core::Point(0.5, 0.25));
+    EXPECT_EQ(curve_at(0).control_points().back(), core::Point(1.0, 1.0));
+    EXPECT_EQ(state().message.text, "Kept part from 0.25 to 0.5");
+    EXPECT_FALSE(run("sub-curve", {0.5, 0.25}));
+}
+
+TEST_F(PieceCommands, bezier_pieces_and_back) {
+    ASSERT_TRUE(run("insert-knot", {0.5}));
+    ASSERT_TRUE(run("bezier-pieces")) << state().message.text;
+    EXPECT_EQ(names(), (std::vector<std::string>{"parabola", "parabola 2", "line", "fixed"}));
+    ASSERT_TRUE(run("set-curve-locked", {3.0, 0.0}));
+    ASSERT_TRUE(run("delete-curve", {3.0}));
+    ASSERT_TRUE(run("delete-curve", {2.0}));
+    ASSERT_TRUE(run("activate-curve", {0.0}));
+    ASSERT_TRUE(run("join-pieces")) << state().message.text;
+    EXPECT_EQ(names(), (std::vector<std::string>{"parabola"}));
+    ASSERT_EQ(curve_at(0).control_points().size(), 3U);
+    EXPECT_NEAR(curve_at(0).control_points()[1].x, 1.0, 1e-15);
+    EXPECT_NEAR(curve_at(0).control_points()[1].y, 0.0, 1e-15);
+}
+
+TEST_F(PieceCommands, join_changes_only_the_beginning_of_the_second) {
+    ASSERT_TRUE(run("join", {"line", "C0"})) << state().message.text;
+    EXPECT_EQ(names(), (std::vector<std::string>{"parabola", "fixed"}));
+    EXPECT_EQ(core::point_at(curve_at(0), 0.5), core::Point(1.0, 1.0));
+    EXPECT_EQ(curve_at(0).control_points().back(), core::Point(4.0, 9.0));
+    // The line's beginning was moved from (3, 5) to (2, 4).
+    EXPECT_EQ(state().message.text, "Joined with 'line' C0: error at most 1.414");
+}
+
+TEST_F(PieceCommands, join_gives_the_continuity_asked_for) {
+    ASSERT_TRUE(run("join", {"line", "C1"})) << state().message.text;
+    const double joint = 1.0;
+    const auto before = core::derivatives_at(curve_at(0), joint, 1, core::Side::left);
+    const auto after = core::derivatives_at(curve_at(0), joint, 1, core::Side::right);
+    EXPECT_NEAR(before[1].x, 2.0, 1e-13);
+    EXPECT_NEAR(before[1].y, 8.0, 1e-13);
+    EXPECT_NEAR(after[1].x, 2.0, 1e-13);
+    EXPECT_NEAR(after[1].y, 8.0, 1e-13);
+}
+
+TEST_F(PieceCommands, join_refuses_what_it_cannot_take) {
+    EXPECT_FALSE(run("join", {"nobody", "C0"}));
+    EXPECT_EQ(state().message.text, "there is no curve 'nobody'; there are 'parabola', 'line', 'fixed'");
+    EXPECT_FALSE(run("join", {"parabola", "C0"}));
+    EXPECT_FALSE(run("join", {"fixed", "C0"}));
+    EXPECT_FALSE(run("join", {"line", "C3"}));
+    EXPECT_EQ(state().message.text, "continuity is 'C3'; it must be C0, C1, C2, G1 or G2");
+    EXPECT_EQ(names().size(), 3U);
+}
+
+TEST_F(PieceCommands, reverse_twice_is_the_same) {
+    const core::Curve before = curve_at(0);
+    ASSERT_TRUE(run("reverse"));
+    EXPECT_EQ(curve_at(0).control_points().front(), core::Point(2.0, 4.0));
+    EXPECT_EQ(state().message.text, "Reversed direction: the curve is unchanged");
+    ASSERT_TRUE(run("reverse"));
+    EXPECT_EQ(curve_at(0), before);
+}
+
+TEST_F(PieceCommands, extend_goes_on_at_the_end_asked_for) {
+    ASSERT_TRUE(run("extend-parameter", {0.5, "end"})) << state().message.text;
+    EXPECT_EQ(curve_at(0).control_points().back(), core::Point(3.0, 9.0));
+    ASSERT_TRUE(run("undo"));
+    ASSERT_TRUE(run("extend-parameter", {0.5, "start"})) << state().message.text;
+    EXPECT_EQ(curve_at(0).control_points().front(), core::Point(-1.0, 1.0));
+    ASSERT_TRUE(run("activate-curve", {1.0}));
+    ASSERT_TRUE(run("extend-straight", {std::sqrt(17.0), "end"})) << state().message.text;
+    EXPECT_NEAR(curve_at(1).control_points().back().x, 5.0, 1e-14);
+    EXPECT_NEAR(curve_at(1).control_points().back().y, 13.0, 1e-14);
+    EXPECT_FALSE(run("extend", {1.0, "both"}));
+    EXPECT_EQ(state().message.text, "end is 'both'; it must be start or end");
+}
+
+}  // namespace
+}  // namespace batten::editor
