@@ -66,11 +66,11 @@ void draw_degree_step(const PanelContext& context, const char* name, Icon icon, 
 void draw_degree_buttons(const PanelContext& context, bool has_words, float width_px) {
     Button button{"degree raise", has_words ? "≅ raise" : "≅", Icon::none, width_px};
     button.is_small = has_words;
-    draw_command_button(context, button, "elevate-degree");
+    draw_command_button(context, button, "elevate");
     stay_in_row(context);
     button.name = "degree lower";
     button.text = has_words ? "≠ lower" : "≠";
-    draw_command_button(context, button, "reduce-degree");
+    draw_command_button(context, button, "reduce");
 }
 
 void draw_degree_row(const PanelContext& context, const core::Curve& curve) {

@@ -16,6 +16,7 @@ constexpr double window_padding = 4.0;
 void draw_sections(const PanelContext& context) {
     const bool has_several = context.state.shown().curves.size() > 1;
     add_space(context, top_margin);
+    if (context.state.findings) draw_findings_section(context);
     if (has_several) draw_curves_section(context);
     if (context.state.active_curve() != nullptr) {
         draw_curve_section(context);

@@ -41,6 +41,7 @@ Block mouse_block() {
              {"Alt + drag a point", "change its weight"},
              {"Drag a ring", "change the weight"},
              {"Drag C(u)", "change u"},
+             {"Drag the curve", "move that point of it ≠"},
              {"Double-click the curve", "insert a knot ≅"},
              {"Double-click the polygon", "add a point ≠"},
              {"Double-click a knot", "raise its multiplicity ≅"}}};
@@ -108,7 +109,9 @@ std::vector<Block> blocks_of(const std::string& filter) {
                          strip_block(),
                          command_block("File", CommandGroup::file),
                          command_block("Construct", CommandGroup::construct),
+                         command_block("Make", CommandGroup::make),
                          command_block("Curve", CommandGroup::curve),
+                         command_block("Analyze", CommandGroup::analyze),
                          command_block("Help", CommandGroup::help)};
     std::vector<Block> blocks;
     for (const Block& block : all) {

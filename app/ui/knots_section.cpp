@@ -11,6 +11,7 @@
 #include "app/ui/section.h"
 #include "app/ui/style.h"
 #include "app/ui/typing.h"
+#include "core/number_text.h"
 #include "core/knot_analysis.h"
 
 namespace batten::ui {
@@ -293,7 +294,7 @@ std::string list_text(std::span<const double> values, std::size_t most_character
     for (const double value : values) {
         if (text.size() > most_characters) return text + ", …";
         if (!text.empty()) text += ", ";
-        text += editor::shortest_text(value);
+        text += core::shortest_text(value);
     }
     return text;
 }

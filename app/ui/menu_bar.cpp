@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <string_view>
 
 #include "app/ui/command_entry.h"
 #include "app/ui/example_list.h"
@@ -24,10 +26,25 @@ struct Menu {
     const char* place_name;
 };
 
-constexpr std::array menus{
-    Menu{CommandGroup::file, "File", "menu file"},    Menu{CommandGroup::edit, "Edit", "menu edit"},
-    Menu{CommandGroup::curve, "Curve", "menu curve"}, Menu{CommandGroup::construct, "Construct", "menu construct"},
-    Menu{CommandGroup::view, "View", "menu view"},    Menu{CommandGroup::help, "Help", "menu help"}};
+constexpr std::array menus{Menu{CommandGroup::file, "File", "menu file"},
+                           Menu{CommandGroup::edit, "Edit", "menu edit"},
+                           Menu{CommandGroup::make, "Make", "menu make"},
+                           Menu{CommandGroup::curve, "Curve", "menu curve"},
+                           Menu{CommandGroup::construct, "Construct", "menu construct"},
+                           Menu{CommandGroup::analyze, "Analyze", "menu analyze"},
+                           Menu{CommandGroup::view, "View", "menu view"},
+                           Menu{CommandGroup::help, "Help", "menu help"}};
+
+/// The commands of a menu, or of one of its submenus, that stand together in one column.
+struct Column {
+    CommandGroup group;
+    const char* submenu = nullptr;
+
+    bool holds(const CommandSpec& spec) const {
+        return spec.group == group && std::string_view(spec.submenu == nullptr ? "" : spec.submenu) ==
+                                          std::string_view(submenu == nullptr ? "" : submenu);
+    }
+};
 
 /// The columns of a menu: check mark, title, sign of the effect, shortcut. Zero where nothing in the menu needs one.
 struct Columns {
@@ -49,11 +66,11 @@ std::string entry_title(const PanelContext& context, const CommandSpec& spec) {
     return has_ellipsis || !needs_typing(spec, context.state) ? title : title + "…";
 }
 
-Columns columns_of(const PanelContext& context, CommandGroup group) {
+Columns columns_of(const PanelContext& context, const Column& column) {
     Columns columns;
     const float gap = context.px(24);
     for (const CommandSpec& spec : editor::command_table()) {
-        if (spec.group != group) continue;
+        if (!column.holds(spec)) continue;
         const std::string shortcut = editor::text_of(spec.shortcut);
         columns.title = std::max(columns.title, menu_text_width(entry_title(context, spec)) + context.px(8));
         if (spec.is_checked != nullptr) columns.check = context.px(22);
@@ -130,7 +147,8 @@ void draw_examples(const PanelContext& context) {
 }
 
 /// A submenu, whose place is reported before Dear ImGui turns to what is in it.
-void draw_submenu(const PanelContext& context, const char* place_name, void (*draw)(const PanelContext&)) {
+void draw_submenu(const PanelContext& context, const std::string& place_name,
+                  const std::function<void(const PanelContext&)>& draw) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     context.widgets.push_back(
         {place_name, {{corner.x, corner.y}, {context.px(120), font_height(context.fonts.text)}}, {}});
@@ -145,10 +163,30 @@ void draw_legend(const PanelContext& context) {
     ImGui::PopFont();
 }
 
-void draw_entries(const PanelContext& context, CommandGroup group) {
-    const Columns columns = columns_of(context, group);
+void draw_column(const PanelContext& context, const Column& column);
+
+void draw_submenu_of_commands(const PanelContext& context, const CommandSpec& first) {
+    const auto draw = [&first](const PanelContext& inner) {
+        if (!ImGui::BeginMenu(first.submenu)) return;
+        draw_column(inner, {first.group, first.submenu});
+        ImGui::EndMenu();
+    };
+    draw_submenu(context, std::string("menu-item ") + first.submenu, draw);
+}
+
+/// The submenus of a menu stand where their first commands do.
+bool is_first_of_submenu(const CommandSpec& spec) {
+    for (const CommandSpec& other : editor::command_table())
+        if (Column{spec.group, spec.submenu}.holds(other)) return &other == &spec;
+    return false;
+}
+
+void draw_column(const PanelContext& context, const Column& column) {
+    const Columns columns = columns_of(context, column);
     for (const CommandSpec& spec : editor::command_table()) {
-        if (spec.group != group) continue;
+        const bool opens_submenu = column.submenu == nullptr && spec.group == column.group && spec.submenu != nullptr;
+        if (opens_submenu && is_first_of_submenu(spec)) draw_submenu_of_commands(context, spec);
+        if (!column.holds(spec)) continue;
         const std::string name = spec.name;
         if (name == "open-example") {
             draw_submenu(context, "menu-item examples", draw_examples);
@@ -169,7 +207,7 @@ void draw_menu(const PanelContext& context, const Menu& menu, const Rectangle& b
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(14), context.px(11)));
     if (ImGui::BeginMenu(menu.title)) {
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(16), context.px(9)));
-        draw_entries(context, menu.group);
+        draw_column(context, {menu.group});
         ImGui::PopStyleVar();
         ImGui::EndMenu();
     }

@@ -11,6 +11,7 @@
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/rich_text.h"
 #include "app/ui/typing.h"
+#include "core/number_text.h"
 
 namespace batten::ui {
 namespace {
@@ -110,7 +111,7 @@ std::optional<NumberEdit> press(const PanelContext& context, const NumberField& 
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, context.px(drag_threshold)))
         begin_drag(state, id, field.value);
     else if (is_clicked)
-        begin_typing(state, id, editor::shortest_text(field.value));
+        begin_typing(state, id, core::shortest_text(field.value));
     return std::nullopt;
 }
 
@@ -170,7 +171,7 @@ std::optional<NumberEdit> edit_number(const PanelContext& context, const NumberF
     const unsigned id = ImGui::GetID(field.name.c_str());
     const float width = field.width_px > 0.0F ? field.width_px : ImGui::GetContentRegionAvail().x;
     const ImVec2 size(width, context.px(field.height));
-    if (is_next(state, field, id)) begin_typing(state, id, editor::shortest_text(field.value));
+    if (is_next(state, field, id)) begin_typing(state, id, core::shortest_text(field.value));
     const std::optional<NumberEdit> edit =
         is_typing(state, id) ? type(context, field, id, size) : press(context, field, id, size);
     draw_problem(context, id);

@@ -31,6 +31,7 @@ void draw_status_bar(const PanelContext& context, const Rectangle& place, const 
 void draw_inspector(const PanelContext& context, const Rectangle& place);
 
 // Sections of the inspector, drawn one below the other.
+void draw_findings_section(const PanelContext& context);
 void draw_curves_section(const PanelContext& context);
 void draw_curve_section(const PanelContext& context);
 void draw_points_section(const PanelContext& context);

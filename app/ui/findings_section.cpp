@@ -1,0 +1,120 @@
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/editor/formula.h"
+#include "app/ui/inspector_widgets.h"
+#include "app/ui/section.h"
+#include "app/ui/shell_widgets.h"
+#include "app/ui/style.h"
+
+namespace batten::ui {
+namespace {
+
+constexpr double row_height = 40.0;
+constexpr double overhang = 6.0;
+constexpr double first_line = 12.0;  ///< design pixels from the top of a row to the middle of its lines
+constexpr double second_line = 28.0;
+constexpr double number_width = 26.0;
+constexpr std::size_t most_rows = 7;
+constexpr int digits = 5;
+
+std::string point_text(core::Point point) {
+    return "(" + editor::number_text(point.x, digits) + ", " + editor::number_text(point.y, digits) + ")";
+}
+
+/// "C⁰ by its knots   (1, 2)   curvature 0.25"
+std::string details_of(const editor::Finding& finding) {
+    std::string text = finding.note;
+    const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : "   ") + part; };
+    if (finding.point) add(point_text(*finding.point));
+    for (const editor::FoundNumber& number : finding.numbers)
+        add(number.name + " " + editor::number_text(number.value, digits));
+    return text;
+}
+
+std::string tooltip_of(const editor::Finding& finding) {
+    std::string text = finding.label;
+    if (finding.parameter) text += "\nu = " + editor::number_text(*finding.parameter, 17);
+    if (finding.point)
+        text +=
+            "\nx = " + editor::number_text(finding.point->x, 17) + "\ny = " + editor::number_text(finding.point->y, 17);
+    for (const editor::FoundNumber& number : finding.numbers)
+        text += "\n" + number.name + " = " + editor::number_text(number.value, 17);
+    if (!finding.note.empty()) text += "\n" + finding.note;
+    if (finding.parameter) text += "\nClick to go there";
+    return text;
+}
+
+void draw_texts(const PanelContext& context, const editor::Finding& finding, std::size_t i, ImVec2 origin,
+                float width) {
+    const float left = origin.x + context.px(overhang);
+    const float right = origin.x + width - context.px(overhang);
+    const float middle = left + context.px(number_width);
+    const float y = origin.y + context.px(first_line);
+    draw_text(context, {left, y}, {std::to_string(i + 1), context.fonts.number, 0.0, context.theme.accent});
+    float room = right - middle;
+    if (finding.parameter) {
+        const TextLine u{"u " + editor::number_text(*finding.parameter, digits), context.fonts.number, 0.0,
+                         context.theme.text, render::Anchor::right};
+        room -= draw_text(context, {right, y}, u) + context.px(row_gap);
+    }
+    ImFont* text = context.fonts.text;
+    ImFont* small = context.fonts.small;
+    draw_text(context, {middle, y}, {elided(finding.label, text, room), text, 0.0, context.theme.text});
+    draw_text(context, {middle, origin.y + context.px(second_line)},
+              {elided(details_of(finding), small, right - middle), small, 0.0, context.theme.dim});
+}
+
+void draw_row(const PanelContext& context, std::size_t i, float width) {
+    const editor::Finding& finding = context.state.findings->rows[i];
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    ImGui::PushID(static_cast<int>(i));
+    const bool is_clicked = ImGui::InvisibleButton("finding", ImVec2(width, context.px(row_height)));
+    ImGui::PopID();
+    report_item(context, "finding " + std::to_string(i), finding.label);
+    if (ImGui::IsItemHovered()) {
+        const ImVec2 end(origin.x + width, origin.y + context.px(row_height));
+        const render::Color color = render::blended(context.theme.accent, 0.08, context.theme.panel);
+        ImGui::GetWindowDrawList()->AddRectFilled(origin, end, imgui_packed(color), context.px(5));
+    }
+    show_tooltip(context, tooltip_of(finding));
+    draw_texts(context, finding, i, origin, width);
+    if (is_clicked && finding.parameter) context.queue.run("set-parameter", {*finding.parameter});
+}
+
+void draw_rows(const PanelContext& context, std::size_t count) {
+    const bool scrolls = count > most_rows;
+    const float width = content_width(context) + 2.0F * context.px(overhang);
+    const float height = context.px(row_height) * static_cast<float>(std::min(count, most_rows));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(overhang));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
+    ImGui::BeginChild("findings", ImVec2(width, height), false,
+                      scrolls ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoScrollbar);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(count), context.px(row_height));
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            draw_row(context, static_cast<std::size_t>(i), width - (scrolls ? context.px(6) : 0.0F));
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+void draw_findings_section(const PanelContext& context) {
+    const editor::Findings& findings = *context.state.findings;
+    const std::size_t count = findings.rows.size();
+    if (draw_section_heading(context, {"findings", findings.title, count == 0 ? "none" : std::to_string(count)})) {
+        if (count == 0) ImGui::TextWrapped("%s", findings.summary.c_str());
+        if (count > 0) draw_rows(context, count);
+        Button clear{"clear findings", "clear", Icon::none, content_width(context)};
+        clear.tooltip = "Forgets these results and their marks on the canvas (Escape)";
+        if (draw_button(context, clear)) context.queue.run("escape", {"findings"});
+    }
+    add_space(context, 6);
+}
+
+}  // namespace batten::ui
