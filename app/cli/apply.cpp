@@ -1,0 +1,119 @@
+#include <ostream>
+
+#include "app/cli/input.h"
+#include "app/cli/json_output.h"
+#include "app/cli/operation.h"
+#include "app/editor/editor.h"
+#include "core/number_text.h"
+
+namespace batten::cli {
+
+namespace {
+
+std::string coordinates(core::Point point) {
+    return "(" + core::shortest_text(point.x) + ", " + core::shortest_text(point.y) + ")";
+}
+
+void print(std::ostream& out, const editor::Finding& finding) {
+    out << "  " << finding.label;
+    if (finding.parameter) out << "\tu = " << core::shortest_text(*finding.parameter);
+    if (finding.point) out << "\t" << coordinates(*finding.point);
+    for (const editor::FoundNumber& number : finding.numbers)
+        out << "\t" << number.name << " = " << core::shortest_text(number.value);
+    if (!finding.note.empty()) out << "\t" << finding.note;
+    out << '\n';
+}
+
+Json json_of(const editor::Finding& finding) {
+    Json result{{"label", finding.label}};
+    if (finding.parameter) result["u"] = *finding.parameter;
+    if (finding.point) result["point"] = cli::json_of(*finding.point);
+    for (const editor::FoundNumber& number : finding.numbers) result[number.name] = number.value;
+    if (!finding.note.empty()) result["note"] = finding.note;
+    return result;
+}
+
+const char* name_of(editor::ShapeEffect effect) {
+    switch (effect) {
+        case editor::ShapeEffect::none:
+            return "none";
+        case editor::ShapeEffect::keeps:
+            return "keeps";
+        case editor::ShapeEffect::changes:
+            return "changes";
+    }
+    return "";
+}
+
+// What is printed about an operation that has just run.
+Json json_of(const editor::Editor& editor, const Operation& operation) {
+    const editor::EditorState& state = editor.state();
+    const editor::CommandSpec& spec = *editor::find_command(operation.command.name);
+    Json arguments = Json::array();
+    for (const editor::Argument& argument : editor.log().back().arguments)
+        std::visit([&arguments](const auto& value) { arguments.push_back(value); }, argument);
+    Json result{{"operation", spec.name},
+                {"arguments", std::move(arguments)},
+                {"message", state.message.text},
+                {"effect", name_of(spec.effect)}};
+    if (spec.edit != nullptr && state.ghost) result["deviation"] = state.ghost->deviation;
+    if (spec.group != editor::CommandGroup::analyze || !state.findings) return result;
+    result["findings"] = Json::array();
+    for (const editor::Finding& finding : state.findings->rows) result["findings"].push_back(json_of(finding));
+    return result;
+}
+
+void print(std::ostream& out, const editor::EditorState& state, const Operation& operation) {
+    out << operation.text << (state.message.text.empty() ? "" : ": ") << state.message.text << '\n';
+    const editor::CommandSpec& spec = *editor::find_command(operation.command.name);
+    if (spec.group != editor::CommandGroup::analyze || !state.findings) return;
+    for (const editor::Finding& finding : state.findings->rows) print(out, finding);
+}
+
+std::string place_of(std::size_t index, const Operation& operation) {
+    return "operation " + std::to_string(index + 1) + ", " + operation.text;
+}
+
+// Runs the operations; false after saying which one was refused and why.
+bool run(editor::Editor& editor, const std::vector<Operation>& operations, const ApplyOptions& options, Output output) {
+    Json results = Json::array();
+    for (std::size_t i = 0; i < operations.size(); ++i) {
+        if (!editor.run(operations[i].command)) {
+            say_error(output, options.file, place_of(i, operations[i]), editor.state().message.text);
+            return false;
+        }
+        if (options.as_json) {
+            results.push_back(json_of(editor, operations[i]));
+        } else {
+            print(output.results, editor.state(), operations[i]);
+        }
+    }
+    if (options.as_json) cli::print(output.results, results);
+    return true;
+}
+
+}  // namespace
+
+ExitStatus apply(const ApplyOptions& options, Output output) {
+    const editor::Outcome<std::vector<Operation>> operations = parse_operations(options.operations);
+    if (!operations) {
+        output.errors << "batten apply: " << operations.error() << '\n';
+        return ExitStatus::wrong_usage;
+    }
+    std::optional<core::Document> document = load(output, options.file);
+    if (!document) return ExitStatus::wrong_input;
+    if (!options.curve.empty()) {
+        const std::optional<std::size_t> index = find_curve(output, options.file, *document, options.curve);
+        if (!index) return ExitStatus::wrong_input;
+        document->active = *index;
+    }
+    editor::Editor editor(*std::move(document));
+    if (!run(editor, *operations, options, output)) return ExitStatus::wrong_input;
+    if (options.result.empty()) return ExitStatus::done;
+    const core::FileResult<void> saved = core::save_document(editor.state().history.present(), options.result);
+    if (saved) return ExitStatus::done;
+    say_error(output, options.result, saved.error());
+    return ExitStatus::wrong_input;
+}
+
+}  // namespace batten::cli

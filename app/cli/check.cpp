@@ -1,0 +1,42 @@
+#include <ostream>
+
+#include "app/cli/input.h"
+#include "app/cli/json_output.h"
+
+namespace batten::cli {
+
+namespace {
+
+std::string count_of_curves(const core::Document& document) {
+    const std::size_t count = document.curves.size();
+    return count == 1 ? "1 curve" : std::to_string(count) + " curves";
+}
+
+Json json_of(const std::filesystem::path& file, const core::FileResult<core::Document>& document) {
+    Json result{{"file", file.string()}, {"valid", document.has_value()}};
+    if (document) return result;
+    result["where"] = document.error().where;
+    result["what"] = document.error().what;
+    return result;
+}
+
+}  // namespace
+
+ExitStatus check(const CheckOptions& options, Output output) {
+    ExitStatus status = ExitStatus::done;
+    Json results = Json::array();
+    for (const std::filesystem::path& file : options.files) {
+        const core::FileResult<core::Document> document = core::load_document(file);
+        if (!document) {
+            status = ExitStatus::wrong_input;
+            say_error(output, file, document.error());
+        } else if (!options.as_json) {
+            output.results << file.string() << ": valid, " << count_of_curves(*document) << '\n';
+        }
+        if (options.as_json) results.push_back(json_of(file, document));
+    }
+    if (options.as_json) print(output.results, results);
+    return status;
+}
+
+}  // namespace batten::cli

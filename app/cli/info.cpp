@@ -1,0 +1,90 @@
+#include <ostream>
+
+#include "app/cli/input.h"
+#include "app/cli/json_output.h"
+#include "core/arc_length.h"
+#include "core/bounds.h"
+#include "core/knot_analysis.h"
+#include "core/number_text.h"
+
+namespace batten::cli {
+
+namespace {
+
+// The distinct knots of the closed domain; the others move the ends of the curve but part nothing.
+std::vector<core::DistinctKnot> knots_of_domain(const core::Curve& curve) {
+    std::vector<core::DistinctKnot> knots = core::distinct_knots(curve.knots());
+    std::erase_if(knots, [](const core::DistinctKnot& knot) { return !knot.in_domain; });
+    return knots;
+}
+
+Json json_of(const core::DistinctKnot& knot) {
+    Json result{{"value", knot.value}, {"multiplicity", knot.multiplicity}};
+    if (knot.is_interior) result["continuity"] = knot.continuity;
+    return result;
+}
+
+Json json_of(const core::DocumentCurve& entry) {
+    const core::Curve& curve = *entry.curve;
+    const core::Box box = core::tight_box(curve);
+    Json knots = Json::array();
+    for (const core::DistinctKnot& knot : knots_of_domain(curve)) knots.push_back(json_of(knot));
+    return {{"name", entry.name},
+            {"degree", curve.degree()},
+            {"kind", core::name_of(curve.knots().kind())},
+            {"periodic", curve.is_periodic()},
+            {"rational", curve.is_rational()},
+            {"clamped", core::is_clamped(curve.knots())},
+            {"uniform", core::is_uniform(curve.knots())},
+            {"points", curve.control_points().size()},
+            {"segments", core::segment_count(curve.knots())},
+            {"domain", Json::array({curve.domain().lower, curve.domain().upper})},
+            {"length", core::arc_length(curve).value},
+            {"bounds", Json::array({cli::json_of(box.lower), cli::json_of(box.upper)})},
+            {"knots", std::move(knots)}};
+}
+
+std::string pair(core::Point point) {
+    return "(" + core::shortest_text(point.x) + ", " + core::shortest_text(point.y) + ")";
+}
+
+std::string text_of(const core::DistinctKnot& knot) {
+    std::string text = core::shortest_text(knot.value) + "\tmultiplicity " + std::to_string(knot.multiplicity);
+    if (!knot.is_interior) return text;
+    return text + (knot.continuity < 0 ? "\tjump" : "\tC^" + std::to_string(knot.continuity));
+}
+
+void print(std::ostream& out, const core::DocumentCurve& entry) {
+    const core::Curve& curve = *entry.curve;
+    const core::Box box = core::tight_box(curve);
+    out << entry.name << '\n'
+        << "  kind      " << core::name_of(curve.knots().kind()) << (curve.is_rational() ? ", rational" : "") << '\n'
+        << "  degree    " << curve.degree() << '\n'
+        << "  points    " << curve.control_points().size() << '\n'
+        << "  segments  " << core::segment_count(curve.knots()) << '\n'
+        << "  domain    " << core::shortest_text(curve.domain().lower) << " to "
+        << core::shortest_text(curve.domain().upper) << '\n'
+        << "  length    " << core::shortest_text(core::arc_length(curve).value) << '\n'
+        << "  bounds    " << pair(box.lower) << " to " << pair(box.upper) << '\n'
+        << "  knots\n";
+    for (const core::DistinctKnot& knot : knots_of_domain(curve)) out << "    " << text_of(knot) << '\n';
+}
+
+}  // namespace
+
+ExitStatus info(const InfoOptions& options, Output output) {
+    const std::optional<core::Document> document = load(output, options.file);
+    if (!document) return ExitStatus::wrong_input;
+    Json curves = Json::array();
+    for (const core::DocumentCurve& entry : document->curves) {
+        if (options.as_json) {
+            curves.push_back(json_of(entry));
+        } else {
+            print(output.results, entry);
+        }
+    }
+    if (options.as_json) cli::print(output.results, {{"file", options.file.string()}, {"curves", std::move(curves)}});
+    return ExitStatus::done;
+}
+
+}  // namespace batten::cli

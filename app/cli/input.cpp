@@ -1,0 +1,34 @@
+#include "app/cli/input.h"
+
+#include <ostream>
+
+namespace batten::cli {
+
+void say_error(Output output, const std::filesystem::path& file, const std::string& where, const std::string& what) {
+    output.errors << file.string() << ": " << (where.empty() ? "" : where + ": ") << what << '\n';
+}
+
+void say_error(Output output, const std::filesystem::path& file, const core::FileError& error) {
+    say_error(output, file, error.where == file.string() ? "" : error.where, error.what);
+}
+
+std::optional<core::Document> load(Output output, const std::filesystem::path& file) {
+    core::FileResult<core::Document> document = core::load_document(file);
+    if (document) return *std::move(document);
+    say_error(output, file, document.error());
+    return std::nullopt;
+}
+
+std::optional<std::size_t> find_curve(Output output, const std::filesystem::path& file, const core::Document& document,
+                                      const std::string& name) {
+    if (document.curves.empty()) {
+        say_error(output, file, "curves", "there is none; at least one is needed");
+        return std::nullopt;
+    }
+    if (name.empty()) return document.active;
+    if (const auto index = core::index_of_curve(document, name)) return index;
+    say_error(output, file, "curves", "there is no curve '" + name + "'; there are " + core::quoted_names(document));
+    return std::nullopt;
+}
+
+}  // namespace batten::cli

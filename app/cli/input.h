@@ -1,0 +1,25 @@
+/// Reads the files that the subcommands are given.
+#pragma once
+
+#include <optional>
+
+#include "app/cli/subcommands.h"
+#include "core/document.h"
+#include "core/io/native_file.h"
+
+namespace batten::cli {
+
+/// Writes "file: where: what" to the errors. `where` may be empty.
+void say_error(Output output, const std::filesystem::path& file, const std::string& where, const std::string& what);
+
+/// The same for why `file` could not be read or written.
+void say_error(Output output, const std::filesystem::path& file, const core::FileError& error);
+
+/// The document in `file`; none after saying why not.
+std::optional<core::Document> load(Output output, const std::filesystem::path& file);
+
+/// The index of the curve called `name`, or of the active one where it is empty; none after saying why not.
+std::optional<std::size_t> find_curve(Output output, const std::filesystem::path& file, const core::Document& document,
+                                      const std::string& name);
+
+}  // namespace batten::cli

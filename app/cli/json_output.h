@@ -1,0 +1,22 @@
+/// The parts that the JSON outputs have in common.
+#pragma once
+
+#include <iosfwd>
+#include <nlohmann/json.hpp>
+
+#include "core/geometry.h"
+
+namespace batten::cli {
+
+/// Members stay in the order in which they are set.
+using Json = nlohmann::ordered_json;
+
+/// [x, y]
+inline Json json_of(core::Vector v) {
+    return Json::array({v.x, v.y});
+}
+
+/// Prints `json` with one member a line. Texts that are not UTF-8 are mended.
+void print(std::ostream& out, const Json& json);
+
+}  // namespace batten::cli

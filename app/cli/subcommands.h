@@ -1,0 +1,64 @@
+/// The headless subcommands: info, eval, apply and check.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "core/bspline.h"
+
+namespace batten::cli {
+
+/// What a subcommand ended with; what the process returns.
+enum class ExitStatus { done = 0, wrong_input = 1, wrong_usage = 2 };
+
+/// Where a subcommand writes: results, and what is wrong.
+struct Output {
+    std::ostream& results;
+    std::ostream& errors;
+};
+
+struct InfoOptions {
+    std::filesystem::path file;
+    bool as_json = false;
+};
+
+/// Prints what the curves of a file are.
+ExitStatus info(const InfoOptions& options, Output output);
+
+struct EvalOptions {
+    std::filesystem::path file;
+    std::vector<double> at;  ///< parameters
+    std::string curve;       ///< its name; empty: the active one
+    int derivatives = 0;     ///< how many
+    core::Side side = core::Side::right;
+    bool as_json = false;
+};
+
+/// Prints points and derivatives of a curve.
+ExitStatus eval(const EvalOptions& options, Output output);
+
+struct ApplyOptions {
+    std::filesystem::path file;
+    std::vector<std::string> operations;  ///< names of commands, each followed by its arguments
+    std::filesystem::path result;         ///< where the document is written; empty: nowhere
+    std::string curve;                    ///< the one that is active at first; empty: as the file says
+    bool as_json = false;
+};
+
+/// Runs commands of the editor on a file, in order, and writes the result. Nothing is written when one is refused.
+ExitStatus apply(const ApplyOptions& options, Output output);
+
+/// Prints the operations that apply() knows, with their arguments.
+void list_operations(std::ostream& out);
+
+struct CheckOptions {
+    std::vector<std::filesystem::path> files;
+    bool as_json = false;
+};
+
+/// Says of each file whether it is valid, and what is wrong where it is not.
+ExitStatus check(const CheckOptions& options, Output output);
+
+}  // namespace batten::cli

@@ -1,0 +1,160 @@
+"""The subcommands: what they print, what they refuse and how, and what they end with."""
+
+import json
+import os
+import pathlib
+import tempfile
+import unittest
+
+from program import answer, run, write_document
+
+# A quarter of the unit circle, from (1, 0) to (0, 1), and a straight line of length 5.
+QUARTER = {"name": "quarter", "degree": 2, "knots": [0, 0, 0, 1, 1, 1], "points": [[1, 0], [1, 1], [0, 1]], "weights": [1, 0.5**0.5, 1]}
+LINE = {"name": "line", "degree": 1, "knots": [0, 0, 2, 2], "points": [[0, 0], [3, 4]]}
+
+
+class Subcommands(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.file = write_document(self.folder / "two.json", QUARTER, LINE)
+        self.output = self.folder / "out.json"
+
+    def refused(self, status, *arguments):
+        """What stands on standard error; nothing must stand on standard output."""
+        process = run(*arguments)
+        self.assertEqual(process.returncode, status, process.stderr)
+        self.assertEqual(process.stdout, "")
+        return process.stderr
+
+    def curves(self):
+        return json.loads(self.output.read_text())["curves"]
+
+    def test_info_tells_what_curves_are(self):
+        result = answer("info", self.file)
+        self.assertEqual(result["file"], str(self.file))
+        quarter, line = result["curves"]
+        self.assertEqual(
+            {name: quarter[name] for name in ("name", "degree", "kind", "periodic", "rational", "clamped", "points", "segments", "domain")},
+            {"name": "quarter", "degree": 2, "kind": "Bézier", "periodic": False, "rational": True, "clamped": True, "points": 3,
+             "segments": 1, "domain": [0, 1]})
+        self.assertAlmostEqual(quarter["length"], 1.5707963267948966, delta=1e-14)
+        for found, expected in zip(quarter["bounds"], [[0, 0], [1, 1]]):
+            self.assertAlmostEqual(found[0], expected[0], delta=1e-15)
+            self.assertAlmostEqual(found[1], expected[1], delta=1e-15)
+        self.assertEqual(quarter["knots"], [{"value": 0, "multiplicity": 3}, {"value": 1, "multiplicity": 3}])
+        self.assertEqual((line["length"], line["domain"]), (5, [0, 2]))
+
+    def test_info_as_text_names_the_same(self):
+        text = run("info", self.file).stdout
+        for part in ("quarter", "Bézier, rational", "multiplicity 3", "0 to 2", "line"):
+            self.assertIn(part, text)
+
+    def test_eval_answers_in_the_order_asked(self):
+        rows = answer("eval", self.file, "--curve", "line", "--at", 2, "--at", 0.5, "--derivatives", 2)
+        self.assertEqual(rows, [{"u": 2, "point": [3, 4], "derivatives": [[1.5, 2], [0, 0]]},
+                                {"u": 0.5, "point": [0.75, 1], "derivatives": [[1.5, 2], [0, 0]]}])
+        self.assertEqual(run("eval", self.file, "--curve", "line", "--at", "0.5").stdout, "0.5\t0.75\t1\n")
+
+    def test_eval_prints_numbers_in_full(self):
+        ((row),) = answer("eval", self.file, "--at", "0.1")
+        x, y = row["point"]
+        self.assertAlmostEqual(x * x + y * y, 1.0, delta=4e-16)
+
+    def test_eval_takes_a_side_at_a_knot(self):
+        corner = {"name": "corner", "degree": 1, "knots": [0, 0, 1, 2, 2], "points": [[0, 0], [1, 0], [1, 1]]}
+        write_document(self.file, corner)
+        for side, direction in (("left", [1, 0]), ("right", [0, 1])):
+            (row,) = answer("eval", self.file, "--at", 1, "--derivatives", 1, "--side", side)
+            self.assertEqual(row["derivatives"], [direction])
+
+    def test_eval_wraps_parameters_of_periodic_curves_only(self):
+        closed = {"name": "closed", "degree": 2, "knots": [0, 1, 2, 3], "points": [[0, 0], [1, 0], [0, 1]], "periodic": True}
+        write_document(self.file, closed)
+        inside, outside = answer("eval", self.file, "--at", 0.5, "--at", -2.5)
+        self.assertEqual(inside["point"], outside["point"])
+
+    def test_input_that_is_wrong_ends_with_1_and_a_sentence(self):
+        self.assertEqual(self.refused(1, "eval", self.file, "--at", 1.5),
+                         f"{self.file}: curve 'quarter': the parameter 1.5 is outside the domain; it must be from 0 to 1\n")
+        self.assertIn("there is no curve 'x'; there are 'quarter', 'line'", self.refused(1, "eval", self.file, "--at", 0, "--curve", "x"))
+        self.assertIn("cannot be opened", self.refused(1, "info", self.folder / "none.json"))
+        broken = write_document(self.folder / "broken.json", {**LINE, "knots": [0, 0, 2, 1]})
+        self.assertRegex(self.refused(1, "check", broken), r"^.*broken\.json: /curves/0/knots/3: .*decrease")
+
+    def test_a_wrong_command_line_ends_with_2(self):
+        self.refused(2, "info")
+        self.refused(2, "eval", self.file)
+        self.refused(2, "eval", self.file, "--at", "x")
+        self.refused(2, "eval", self.file, "--at", 0, "--side", "above")
+        self.refused(2, "apply", self.file)
+        self.refused(2, "frobnicate", self.file)
+        self.assertIn("'frobnicate' after 'insert-knot 0.5' is no operation", self.refused(2, "apply", self.file, "insert-knot", "0.5", "frobnicate"))
+
+    def test_apply_runs_operations_in_order(self):
+        process = run("apply", self.file, "insert-knot", "0.5", "insert-knot", "0.5", "elevate", "1", "-o", self.output)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        quarter, line = self.curves()
+        self.assertEqual(quarter["degree"], 3)
+        self.assertEqual(quarter["knots"], [0, 0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1, 1])
+        self.assertEqual(line["points"], LINE["points"])
+
+    def test_apply_split_leaves_two_curves(self):
+        run("apply", self.file, "insert-knot", "0.5", "elevate", "1", "split", "0.25", "-o", self.output)
+        names = [curve["name"] for curve in self.curves()]
+        self.assertEqual(len(names), 3)
+        self.assertEqual(len(set(names)), 3)
+
+    def test_apply_reports_what_it_did(self):
+        (inserted, moved) = answer("apply", self.file, "insert-knot", "0.25", "move-points", "1,", "-0.5", "1")
+        self.assertEqual(inserted, {"operation": "insert-knot", "arguments": [0.25], "effect": "keeps",
+                                    "message": "Inserted knot 0.25: the curve is unchanged"})
+        self.assertEqual((moved["arguments"], moved["effect"]), ([[1], -0.5, 1], "changes"))
+        self.assertGreater(moved["deviation"], 0.1)
+
+    def test_apply_refuses_as_a_whole(self):
+        error = self.refused_operation("insert-knot", "0.5", "insert-knot", "2")
+        self.assertEqual(error, f"{self.file}: operation 2, insert-knot 2: the parameter 2 is outside the domain; it must be from 0 to 1\n")
+        self.assertFalse(self.output.exists())
+
+    def refused_operation(self, *operations):
+        process = run("apply", self.file, *operations, "-o", self.output)
+        self.assertEqual(process.returncode, 1)
+        return process.stderr
+
+    def test_apply_begins_with_the_curve_asked_for(self):
+        run("apply", self.file, "--curve", "line", "insert-knot", "1", "-o", self.output)
+        quarter, line = self.curves()
+        self.assertEqual(len(quarter["points"]), 3)
+        self.assertEqual(line["points"], [[0, 0], [1.5, 2], [3, 4]])
+
+    def test_apply_explains_all_operations(self):
+        text = run("apply", "--list").stdout
+        for part in ("insert-knot [u]", "Keeps the shape.", "elevate [", "split [", "nearest <x> <y>", "Measures"):
+            self.assertIn(part, text)
+        for absent in ("quit", "toggle-grid", "pan-camera", "open"):
+            self.assertNotIn(f"\n  {absent}", text)
+
+    def test_check_tells_every_file(self):
+        broken = write_document(self.folder / "broken.json", {**LINE, "points": [[0, 0]]})
+        process = run("check", self.file, broken)
+        self.assertEqual(process.returncode, 1)
+        self.assertEqual(process.stdout, f"{self.file}: valid, 2 curves\n")
+        self.assertTrue(process.stderr.startswith(f"{broken}: /curves/0"))
+        self.assertEqual(answer("check", self.file), [{"file": str(self.file), "valid": True}])
+
+    def test_help_names_everything(self):
+        text = run("--help-all").stdout
+        for part in ("info", "eval", "apply", "check", "--at", "--side", "--derivatives", "--json", "--list", "--output", "--version"):
+            self.assertIn(part, text)
+        self.assertEqual(run("--help").returncode, 0)
+
+    def test_the_man_page_is_made_from_the_help(self):
+        page = pathlib.Path(os.environ["BATTEN_MAN_PAGE"]).read_text().replace("\\-", "-")
+        for part in (".SH SYNOPSIS", "insert-knot 0.5 elevate 1 split 0.25", "derivatives", "Exit status"):
+            self.assertIn(part, page)
+
+
+if __name__ == "__main__":
+    unittest.main()
