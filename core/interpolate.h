@@ -52,7 +52,7 @@ struct Interpolation {
 /// curve.
 /// Checked in this order: degree_out_of_range; degree_too_low for the ends; those of parametrize or check_parameters;
 /// data_points_too_few (points and prescribed end derivatives together p+1); vector_not_finite; equations_singular,
-/// which only extreme parameters of closed curves of even degree bring about. Cost O(n p^2), of which O(n p) on points.
+/// which only very uneven parameters of closed curves bring about. Cost O(n p^2), of which O(n p) on points.
 /// Source: The NURBS Book, 9.2 and A9.1; de Boor 1978.
 [[nodiscard]] Result<Interpolation> interpolate(std::span<const Point> points,
                                                 const InterpolationRequest& request = {});

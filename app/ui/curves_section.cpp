@@ -1,6 +1,5 @@
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -149,25 +148,6 @@ void draw_row(const PanelContext& context, std::size_t i, float width) {
     ImGui::Dummy(ImVec2(width, context.px(row_height)));
 }
 
-void draw_rows(const PanelContext& context) {
-    const std::size_t count = context.state.shown().curves.size();
-    const bool scrolls = count > most_rows;
-    const float width = content_width(context) + 2.0F * context.px(overhang);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(overhang));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
-    ImGui::BeginChild("curves", ImVec2(width, context.px(row_height) * static_cast<float>(std::min(count, most_rows))),
-                      false, scrolls ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoScrollbar);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(count), context.px(row_height));
-    while (clipper.Step())
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-            draw_row(context, static_cast<std::size_t>(i), width - (scrolls ? context.px(6) : 0.0F));
-    ImGui::PopStyleVar();
-    ImGui::EndChild();
-    ImGui::PopStyleVar();
-}
-
 void draw_buttons(const PanelContext& context) {
     const float width = (content_width(context) - 2.0F * context.px(row_gap)) / 3.0F;
     Button add{"new curve", "new", Icon::none, width};
@@ -184,7 +164,7 @@ void draw_buttons(const PanelContext& context) {
 void draw_curves_section(const PanelContext& context) {
     const std::size_t count = context.state.shown().curves.size();
     if (draw_section_heading(context, {"curves", "Curves", std::to_string(count)})) {
-        if (count > 0) draw_rows(context);
+        if (count > 0) draw_row_list(context, {"curves", count, most_rows, row_height, overhang}, draw_row);
         draw_buttons(context);
     }
     add_space(context, 6);

@@ -1,7 +1,5 @@
 #include <imgui.h>
 
-#include <algorithm>
-
 #include "app/editor/formula.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/section.h"
@@ -83,25 +81,6 @@ void draw_row(const PanelContext& context, std::size_t i, float width) {
     if (is_clicked && finding.parameter) context.queue.run("set-parameter", {*finding.parameter});
 }
 
-void draw_rows(const PanelContext& context, std::size_t count) {
-    const bool scrolls = count > most_rows;
-    const float width = content_width(context) + 2.0F * context.px(overhang);
-    const float height = context.px(row_height) * static_cast<float>(std::min(count, most_rows));
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(overhang));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
-    ImGui::BeginChild("findings", ImVec2(width, height), false,
-                      scrolls ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoScrollbar);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(count), context.px(row_height));
-    while (clipper.Step())
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-            draw_row(context, static_cast<std::size_t>(i), width - (scrolls ? context.px(6) : 0.0F));
-    ImGui::PopStyleVar();
-    ImGui::EndChild();
-    ImGui::PopStyleVar();
-}
-
 }  // namespace
 
 void draw_findings_section(const PanelContext& context) {
@@ -109,7 +88,7 @@ void draw_findings_section(const PanelContext& context) {
     const std::size_t count = findings.rows.size();
     if (draw_section_heading(context, {"findings", findings.title, count == 0 ? "none" : std::to_string(count)})) {
         if (count == 0) ImGui::TextWrapped("%s", findings.summary.c_str());
-        if (count > 0) draw_rows(context, count);
+        if (count > 0) draw_row_list(context, {"findings", count, most_rows, row_height, overhang}, draw_row);
         Button clear{"clear findings", "clear", Icon::none, content_width(context)};
         clear.tooltip = "Forgets these results and their marks on the canvas (Escape)";
         if (draw_button(context, clear)) context.queue.run("escape", {"findings"});

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/style.h"
 
@@ -74,6 +76,26 @@ void add_space(const PanelContext& context, double design_px) {
 
 void stay_in_row(const PanelContext& context, double gap) {
     ImGui::SameLine(0.0F, context.px(gap));
+}
+
+void draw_row_list(const PanelContext& context, const RowList& list,
+                   void (*draw_row)(const PanelContext& context, std::size_t i, float width)) {
+    const bool scrolls = list.count > list.most;
+    const float row = context.px(list.row_height);
+    const float width = content_width(context) + 2.0F * context.px(list.overhang);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(list.overhang));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
+    ImGui::BeginChild(list.name, ImVec2(width, row * static_cast<float>(std::min(list.count, list.most))), false,
+                      scrolls ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoScrollbar);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(list.count), row);
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            draw_row(context, static_cast<std::size_t>(i), width - (scrolls ? context.px(6) : 0.0F));
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
 }
 
 void wish_hover(const PanelContext& context, const editor::Hover& hover) {

@@ -32,6 +32,19 @@ void add_space(const PanelContext& context, double design_px);
 /// Puts the next item beside the last, `gap` design pixels on.
 void stay_in_row(const PanelContext& context, double gap = row_gap);
 
+/// A list of rows of equal height that scrolls when it has many.
+struct RowList {
+    const char* name;         ///< of the child window
+    std::size_t count = 0;    ///< of all rows
+    std::size_t most = 8;     ///< shown at a time
+    double row_height = 0.0;  ///< design pixels
+    double overhang = 0.0;    ///< design pixels by which rows reach into the margins
+};
+
+/// Draws the rows in sight: `draw_row` gets the index of each and its width in window pixels.
+void draw_row_list(const PanelContext& context, const RowList& list,
+                   void (*draw_row)(const PanelContext& context, std::size_t i, float width));
+
 /// What the pointer is over in this frame; the last wish of a frame counts.
 void wish_hover(const PanelContext& context, const editor::Hover& hover);
 

@@ -1,4 +1,5 @@
 #include "app/editor/commands/active_curve.h"
+#include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
 #include "core/blossom_labels.h"
@@ -13,28 +14,8 @@ namespace batten::editor {
 
 namespace {
 
-std::string active_name(const EditorState& state) {
-    return state.history.present().active_curve()->name;
-}
-
-// "1 segment", "3 segments"
-std::string counted(std::size_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 std::string numbered(const char* noun, std::size_t index) {
     return std::string(noun) + " " + std::to_string(index);
-}
-
-// Two numbers for a point or vector: "start x", "start y".
-void add_vector(Finding& finding, const std::string& name, glm::dvec2 vector) {
-    finding.numbers.push_back({name + " x", vector.x});
-    finding.numbers.push_back({name + " y", vector.y});
-}
-
-Outcome<void> show(EditorState& state, const char* title, const std::string& what, std::vector<Finding> rows) {
-    show_findings(state, {title, active_name(state) + " " + what, std::move(rows)});
-    return {};
 }
 
 Outcome<void> show_closing(EditorState& state, const Arguments&) {
@@ -47,15 +28,16 @@ Outcome<void> show_closing(EditorState& state, const Arguments&) {
                     .numbers = {{"gap", report.gap}, {"continuity", static_cast<double>(report.continuity)}}};
     switch (report.closing) {
         case core::Closing::open:
-            return show(state, "Closing", "is open; its ends are " + number_text(report.gap) + " apart", {finding});
+            return show_rows(state, "Closing", "is open; its ends are " + number_text(report.gap) + " apart",
+                             {finding});
         case core::Closing::ends_meet:
-            return show(state, "Closing", "is closed by ends that meet", {finding});
+            return show_rows(state, "Closing", "is closed by ends that meet", {finding});
         case core::Closing::wrapped:
-            return show(state, "Closing", "is closed by wrapped control points", {finding});
+            return show_rows(state, "Closing", "is closed by wrapped control points", {finding});
         case core::Closing::periodic:
             break;
     }
-    return show(state, "Closing", "is truly periodic", {finding});
+    return show_rows(state, "Closing", "is truly periodic", {finding});
 }
 
 Outcome<void> show_collinear_runs(EditorState& state, const Arguments&) {
@@ -71,8 +53,8 @@ Outcome<void> show_collinear_runs(EditorState& state, const Arguments&) {
                          {"from", run.straight.lower},
                          {"to", run.straight.upper}}});
     }
-    const std::string what = "has " + counted(rows.size(), "straight piece");
-    return show(state, "Straight pieces", what, std::move(rows));
+    const std::string what = "has " + count_text(rows.size(), "straight piece", "straight pieces");
+    return show_rows(state, "Straight pieces", what, std::move(rows));
 }
 
 Outcome<void> show_matrix(EditorState& state, const Arguments&) {
@@ -87,13 +69,13 @@ Outcome<void> show_matrix(EditorState& state, const Arguments&) {
                         .note = "a₀ + a₁ t + a₂ t² + a₃ t³, t from 0 to 1"};
         for (std::size_t k = 0; k < 4; ++k) {
             const std::string name = "a" + std::to_string(k);
-            add_vector(finding, name, segment.coefficients[k]);
+            add_numbers(finding, name, segment.coefficients[k]);
             if (curve.is_rational()) finding.numbers.push_back({name + " w", segment.coefficients[k].z});
         }
         rows.push_back(std::move(finding));
     }
-    const std::string what = "has " + counted(rows.size(), "segment") + " in matrix form";
-    return show(state, "Matrix form", what, std::move(rows));
+    const std::string what = "has " + count_text(rows.size(), "segment", "segments") + " in matrix form";
+    return show_rows(state, "Matrix form", what, std::move(rows));
 }
 
 Outcome<void> show_ferguson(EditorState& state, const Arguments&) {
@@ -103,14 +85,14 @@ Outcome<void> show_ferguson(EditorState& state, const Arguments&) {
     for (const core::FergusonSegment& segment : *segments) {
         Finding finding{
             .label = numbered("segment", rows.size()), .parameter = segment.interval.lower, .point = segment.start};
-        add_vector(finding, "start", segment.start);
-        add_vector(finding, "end", segment.end);
-        add_vector(finding, "start tangent", segment.start_tangent);
-        add_vector(finding, "end tangent", segment.end_tangent);
+        add_numbers(finding, "start", segment.start);
+        add_numbers(finding, "end", segment.end);
+        add_numbers(finding, "start tangent", segment.start_tangent);
+        add_numbers(finding, "end tangent", segment.end_tangent);
         rows.push_back(std::move(finding));
     }
-    const std::string what = "has " + counted(rows.size(), "segment") + " in Ferguson form";
-    return show(state, "Ferguson form", what, std::move(rows));
+    const std::string what = "has " + count_text(rows.size(), "segment", "segments") + " in Ferguson form";
+    return show_rows(state, "Ferguson form", what, std::move(rows));
 }
 
 Outcome<void> show_anticentroids(EditorState& state, const Arguments&) {
@@ -121,15 +103,15 @@ Outcome<void> show_anticentroids(EditorState& state, const Arguments&) {
         Finding finding{.label = "triangle at " + point_text(static_cast<double>(joint.index)),
                         .parameter = joint.u,
                         .point = joint.anticentroid};
-        add_vector(finding, "anticentroid", joint.anticentroid);
-        add_vector(finding, "vertex", joint.vertex);
-        add_vector(finding, "middle of base", joint.base_middle);
-        add_vector(finding, "tangent", joint.tangent);
-        add_vector(finding, "second derivative", joint.second_derivative);
+        add_numbers(finding, "anticentroid", joint.anticentroid);
+        add_numbers(finding, "vertex", joint.vertex);
+        add_numbers(finding, "middle of base", joint.base_middle);
+        add_numbers(finding, "tangent", joint.tangent);
+        add_numbers(finding, "second derivative", joint.second_derivative);
         rows.push_back(std::move(finding));
     }
-    const std::string what = "has " + counted(rows.size(), "anticentroid");
-    return show(state, "Anticentroids", what, std::move(rows));
+    const std::string what = "has " + count_text(rows.size(), "anticentroid", "anticentroids");
+    return show_rows(state, "Anticentroids", what, std::move(rows));
 }
 
 Outcome<void> show_conic_form(EditorState& state, const Arguments&) {
@@ -150,11 +132,11 @@ Outcome<void> show_conic_form(EditorState& state, const Arguments&) {
         for (const auto& [name, value] :
              {std::pair{"A", k.a}, {"B", k.b}, {"C", k.c}, {"D", k.d}, {"E", k.e}, {"F", k.f}})
             finding.numbers.push_back({name, value});
-        add_vector(finding, "origin", k.origin);
+        add_numbers(finding, "origin", k.origin);
         rows.push_back(std::move(finding));
     }
-    const std::string what = "has " + counted(rows.size(), "conic piece");
-    return show(state, "Conic form", what, std::move(rows));
+    const std::string what = "has " + count_text(rows.size(), "conic piece", "conic pieces");
+    return show_rows(state, "Conic form", what, std::move(rows));
 }
 
 std::string label_text(const core::BlossomLabel& label) {
@@ -177,8 +159,9 @@ Outcome<void> show_blossom_labels(EditorState& state, const Arguments& arguments
                             .point = cell.point,
                             .note = label_text(core::de_boor_label(curve.knots(), cell.index, r))});
         }
-    const std::string what = "has " + counted(rows.size(), "blossom label") + ", t = " + number_text(triangle.u);
-    return show(state, "Blossom labels", what, std::move(rows));
+    const std::string what =
+        "has " + count_text(rows.size(), "blossom label", "blossom labels") + ", t = " + number_text(triangle.u);
+    return show_rows(state, "Blossom labels", what, std::move(rows));
 }
 
 Outcome<void> show_greville_points(EditorState& state, const Arguments&) {
@@ -188,56 +171,45 @@ Outcome<void> show_greville_points(EditorState& state, const Arguments&) {
         Finding finding{.label = "ξ of " + point_text(static_cast<double>(rows.size())), .point = point.curve_point};
         if (curve.domain().contains(point.abscissa)) finding.parameter = point.abscissa;
         finding.numbers.push_back({"abscissa", point.abscissa});
-        add_vector(finding, "control point", point.control_point);
+        add_numbers(finding, "control point", point.control_point);
         rows.push_back(std::move(finding));
     }
-    const std::string what = "has " + counted(rows.size(), "Greville point");
-    return show(state, "Greville points", what, std::move(rows));
-}
-
-CommandSpec finding_command(const char* name, const char* title, const char* explanation, const char* submenu,
-                            Outcome<void> (*act)(EditorState&, const Arguments&)) {
-    return {.name = name,
-            .title = title,
-            .explanation = explanation,
-            .group = CommandGroup::analyze,
-            .submenu = submenu,
-            .refusal = no_curve,
-            .act = act};
+    const std::string what = "has " + count_text(rows.size(), "Greville point", "Greville points");
+    return show_rows(state, "Greville points", what, std::move(rows));
 }
 
 }  // namespace
 
 void add_form_commands(std::vector<CommandSpec>& table) {
-    table.push_back(finding_command("closing", "Closing",
-                                    "Tells whether the ends meet, the control points are wrapped, or the curve is "
-                                    "periodic.",
-                                    nullptr, show_closing));
-    table.push_back(finding_command("collinear-runs", "Straight pieces",
-                                    "Finds runs of control points on one line and the straight pieces they make.",
-                                    nullptr, show_collinear_runs));
-    table.push_back(finding_command("conic-form", "Conic form",
-                                    "Tells which conic each piece of a quadratic curve is, and its implicit equation.",
-                                    "Forms", show_conic_form));
-    table.push_back(finding_command("cubic-matrix", "Matrix form",
-                                    "Gives the coefficients of each segment of a uniform cubic.", "Forms",
-                                    show_matrix));
-    table.push_back(finding_command("ferguson", "Ferguson form",
-                                    "Gives the ends and end tangents of each segment of a uniform cubic.", "Forms",
-                                    show_ferguson));
-    table.push_back(finding_command("anticentroids", "Anticentroids",
-                                    "Gives the triangles of neighbouring control points of a uniform cubic, whose "
-                                    "anticentroids are its joints.",
-                                    "Forms", show_anticentroids));
-    CommandSpec labels = finding_command("blossom-labels", "Blossom labels",
-                                         "Names every control point and every point of the construction by the "
-                                         "arguments of its blossom.",
-                                         "Forms", show_blossom_labels);
+    table.push_back(measuring_command("closing", "Closing",
+                                      "Tells whether the ends meet, the control points are wrapped, or the curve is "
+                                      "periodic.",
+                                      nullptr, show_closing));
+    table.push_back(measuring_command("collinear-runs", "Straight pieces",
+                                      "Finds runs of control points on one line and the straight pieces they make.",
+                                      nullptr, show_collinear_runs));
+    table.push_back(measuring_command(
+        "conic-form", "Conic form", "Tells which conic each piece of a quadratic curve is, and its implicit equation.",
+        "Forms", show_conic_form));
+    table.push_back(measuring_command("cubic-matrix", "Matrix form",
+                                      "Gives the coefficients of each segment of a uniform cubic.", "Forms",
+                                      show_matrix));
+    table.push_back(measuring_command("ferguson", "Ferguson form",
+                                      "Gives the ends and end tangents of each segment of a uniform cubic.", "Forms",
+                                      show_ferguson));
+    table.push_back(measuring_command("anticentroids", "Anticentroids",
+                                      "Gives the triangles of neighbouring control points of a uniform cubic, whose "
+                                      "anticentroids are its joints.",
+                                      "Forms", show_anticentroids));
+    CommandSpec labels = measuring_command("blossom-labels", "Blossom labels",
+                                           "Names every control point and every point of the construction by the "
+                                           "arguments of its blossom.",
+                                           "Forms", show_blossom_labels);
     labels.parameters = {{"u", ParameterKind::number, "where in the domain", current_parameter}};
     table.push_back(std::move(labels));
-    table.push_back(finding_command("greville-points", "Greville points",
-                                    "Gives for each control point the parameter at which it acts most.", "Forms",
-                                    show_greville_points));
+    table.push_back(measuring_command("greville-points", "Greville points",
+                                      "Gives for each control point the parameter at which it acts most.", "Forms",
+                                      show_greville_points));
 }
 
 }  // namespace batten::editor

@@ -250,7 +250,7 @@ void add_vectors(std::vector<CommandSpec>& table) {
                      .title = "Closed",
                      .explanation = "Makes the curve a closed, periodic one, or opens it.",
                      .group = CommandGroup::curve,
-                     .submenu = "Knots",
+                     .submenu = "Closing",
                      .effect = ShapeEffect::changes,
                      .refusal = no_editable_curve,
                      .is_checked = is_closed,
