@@ -104,12 +104,11 @@ std::optional<double> curvature_at(const Curve& curve, double u, Side side) {
     const double resolution = 64 * std::numeric_limits<double>::epsilon();
     const double fast = polygon_speed(points, at, homogeneous[0].z);
     if (!(speed > resolution * fast)) return std::nullopt;
-    const auto curvature = [&] {
-        // Where the curve is slow its speed is what differences of large vectors leave.
-        if (speed < slow_part * fast) return precise_curvature(curve, at, inside, point);
-        const Vector tangent = derivatives[1] / speed;
-        return (tangent.x * derivatives[2].y - tangent.y * derivatives[2].x) / speed / speed;
-    }();
+    const Vector tangent = derivatives[1] / speed;
+    // Where the curve is slow its speed is what differences of large vectors leave.
+    const double curvature = speed < slow_part * fast
+                                 ? precise_curvature(curve, at, inside, point)
+                                 : (tangent.x * derivatives[2].y - tangent.y * derivatives[2].x) / speed / speed;
     return std::isfinite(curvature) ? std::optional(curvature) : std::nullopt;
 }
 

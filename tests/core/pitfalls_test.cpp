@@ -13,7 +13,6 @@
 #include "core/evaluate.h"
 #include "core/knot_analysis.h"
 #include "core/knot_insertion.h"
-#include "core/knot_removal.h"
 #include "random_curves.h"
 #include "reference.h"
 
@@ -187,42 +186,6 @@ TEST(Pitfalls, p05_insertion_outside_the_domain_names_the_domain) {
         EXPECT_EQ(result.error().code, CurveErrorCode::parameter_outside_domain);
         EXPECT_NE(describe(result.error()).find("from 2 to 5"), std::string::npos);
     }
-}
-
-TEST(Pitfalls, p06_as_many_removals_as_insertions_give_the_points_back) {
-    const Curve curve = unclamped_cubic();
-    for (const double u : {2.25, 3.25, 4.0})
-        for (int times = 1; times <= 3; ++times) {
-            const Curve refined = insert_knot(curve, u, times).value();
-            const auto removal = remove_knot(refined, u, times, 1e-9);
-            ASSERT_TRUE(removal) << describe(removal.error());
-            EXPECT_EQ(removal->count, times);
-            EXPECT_EQ(removal->curve.knots(), curve.knots());
-            for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
-                EXPECT_LE(
-                    reference::relative_distance(curve, removal->curve.control_points()[i], curve.control_points()[i]),
-                    1e-14);
-                EXPECT_NEAR(removal->curve.weights()[i], curve.weights()[i], 1e-14);
-            }
-        }
-}
-
-TEST(Pitfalls, p06_over_tolerance_nothing_is_removed_and_the_error_is_reported) {
-    auto definition = unclamped_cubic().definition();
-    definition.weights.clear();
-    const Curve curve = Curve::make(definition).value();
-    const auto removal = remove_knot(curve, 3.0, 1, 1e-3);
-    ASSERT_TRUE(removal) << describe(removal.error());
-    EXPECT_EQ(removal->count, 0);
-    EXPECT_EQ(removal->curve, curve);
-    EXPECT_EQ(removal->error, 0.0);
-    ASSERT_TRUE(removal->refused.has_value());
-    EXPECT_GT(*removal->refused, 1e-3);
-    // What it would have been is what it is when it is allowed.
-    const auto allowed = remove_knot(curve, 3.0, 1, 2 * *removal->refused);
-    ASSERT_TRUE(allowed) << describe(allowed.error());
-    EXPECT_EQ(allowed->count, 1);
-    EXPECT_NEAR(allowed->error, *removal->refused, 1e-12);
 }
 
 TEST(Pitfalls, p08_knots_1e9_apart_and_1e_minus_9_apart_behave_alike) {

@@ -46,10 +46,10 @@ TEST(PreciseJet, agrees_with_the_derivatives_of_polynomial_curves) {
 
 TEST(PreciseJet, makes_the_curvature_beside_a_cusp_right) {
     // C(u) = (3 u^2, 3 u^3) on [-1, 1], all numbers exact: kappa = 6 / (3 u (4 + 9 u^2)^(3/2)).
-    const Curve curve = Curve::make({.degree = 3,
-                                     .knots = {-1, -1, -1, -1, 1, 1, 1, 1},
-                                     .points = {{3, -3}, {-1, 3}, {-1, -3}, {3, 3}}})
-                            .value();
+    const Curve curve =
+        Curve::make(
+            {.degree = 3, .knots = {-1, -1, -1, -1, 1, 1, 1, 1}, .points = {{3, -3}, {-1, 3}, {-1, -3}, {3, 3}}})
+            .value();
     for (int k = 2; k <= 40; ++k) {
         const double u = std::ldexp(1.25, -k);
         const double expected = 2 / (u * std::pow(4 + 9 * u * u, 1.5));
