@@ -87,6 +87,11 @@ Result<Curve> set_knot_kind(const Curve& curve, KnotKind kind) {
     });
 }
 
+Result<Curve> make_uniform(const Curve& curve) {
+    if (curve.is_periodic()) return set_knot_kind(curve, KnotKind::periodic);
+    return set_knot_kind(curve, is_clamped(curve.knots()) ? KnotKind::clamped_uniform : KnotKind::uniform);
+}
+
 Result<Curve> set_knots(const Curve& curve, std::vector<double> knots) {
     return with_knots(curve, std::move(knots));
 }

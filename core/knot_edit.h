@@ -39,6 +39,10 @@ enum class KnotMove {
 /// Errors: those of make_knots.
 [[nodiscard]] Result<Curve> set_knot_kind(const Curve& curve, KnotKind kind);
 
+/// The curve over equally spaced knots, same points and domain: periodic stays periodic, clamped at both ends stays so,
+/// everything else becomes uniform without clamped ends.
+[[nodiscard]] Result<Curve> make_uniform(const Curve& curve);
+
 /// The curve over `knots` (one period when periodic), same degree, points and weights; the kind becomes custom. Errors:
 /// those of KnotVector::make and knot_count_mismatch.
 [[nodiscard]] Result<Curve> set_knots(const Curve& curve, std::vector<double> knots);

@@ -368,5 +368,20 @@ TEST(SetPeriodic, uses_the_same_points_over_the_same_domain) {
     EXPECT_EQ(set_periodic(periodic_curve(3, {0, 1, 2, 3}), false).error().code, CurveErrorCode::too_few_points);
 }
 
+TEST(MakeUniform, keeps_the_sort_of_ends) {
+    const std::vector<Point> points{{0, 0}, {1, 5}, {2, -3}, {3, 4}, {4, 4}};
+    const auto made = [&](int degree, Knots knots, bool periodic) {
+        return Curve::make({.degree = degree, .knots = std::move(knots), .points = points, .periodic = periodic}).value();
+    };
+    const Curve clamped = make_uniform(made(2, {0, 0, 0, 1, 5, 6, 6, 6}, false)).value();
+    EXPECT_EQ(stored(clamped), (Knots{0, 0, 0, 2, 4, 6, 6, 6}));
+    EXPECT_EQ(clamped.knots().kind(), KnotKind::clamped_uniform);
+    EXPECT_EQ(stored(make_uniform(made(2, {-3, -1, 0, 1, 5, 6, 8, 9}, false)).value()),
+              (Knots{-4, -2, 0, 2, 4, 6, 8, 10}));
+    const Curve ring = make_uniform(made(2, {0, 1, 2, 3, 9, 10}, true)).value();
+    EXPECT_EQ(stored(ring), (Knots{0, 2, 4, 6, 8, 10}));
+    EXPECT_TRUE(std::ranges::equal(ring.control_points(), points));
+}
+
 }  // namespace
 }  // namespace batten::core
