@@ -41,7 +41,7 @@ Integral integrate(std::span<const PieceRange> ranges, const Take& take) {
     Integral total;
     for (const PieceRange& range : ranges)
         integrate_adaptively<double>([&](double t) { return range.piece->speed_at(t); }, range.shares,
-                                     [&](const RulePair<double>& rules) { return error_of(rules) <= tolerance; },
+                                     [&](const RulePair<double>& rules) { return !(error_of(rules) > tolerance); },
                                      [&](const RulePair<double>& rules) {
                                          take(*range.piece, rules);
                                          total.value += rules.kronrod;

@@ -50,7 +50,7 @@ Result<Area> enclosed_area(const Curve& curve) {
     for (const PieceMotion& piece : motions_of(curve, origin))
         integrate_adaptively<glm::dvec3>(
             [&](double t) { return moments_at(piece, t); }, {0.0, 1.0},
-            [&](const RulePair<glm::dvec3>& rules) { return error_of(rules, size) <= enough * size * size; },
+            [&](const RulePair<glm::dvec3>& rules) { return !(error_of(rules, size) > enough * size * size); },
             [&](const RulePair<glm::dvec3>& rules) {
                 sum += rules.kronrod;
                 error += error_of(rules, size);
