@@ -48,7 +48,7 @@ struct Edit {
     core::Document document;
     std::optional<Selection> selection{};
     std::optional<std::string> clipboard{};  ///< text for the clipboard once the edit is committed
-    std::optional<double> error{};           ///< what an approximation is really wrong by, for the message
+    std::optional<double> error{};           ///< how far off the result really is, where the edit knows it
 };
 
 /// One refusal as a sentence for the user.

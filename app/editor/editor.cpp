@@ -32,19 +32,21 @@ bool is_same(const core::Document& a, const core::Document& b) {
 }
 
 // The old active curve, where the edit gave the same entry of the document another shape.
-std::optional<Ghost> ghost_of(const core::Document& before, const core::Document& after, ShapeEffect effect) {
+std::optional<Ghost> ghost_of(const core::Document& before, const Edit& edit, ShapeEffect effect) {
+    const core::Document& after = edit.document;
     const core::DocumentCurve* old_active = before.active_curve();
     const core::DocumentCurve* active = after.active_curve();
     if (effect != ShapeEffect::changes || old_active == nullptr || active == nullptr ||
         before.curves.size() != after.curves.size())
         return std::nullopt;
-    return Ghost{old_active->curve, core::largest_deviation(*old_active->curve, *active->curve)};
+    return Ghost{old_active->curve,
+                 edit.error ? *edit.error : core::largest_deviation(*old_active->curve, *active->curve)};
 }
 
 bool preview_edit(EditorState& state, const CommandSpec& spec, const Arguments& arguments) {
     Outcome<Edit> edit = spec.edit(state, arguments);
     if (!edit) return refuse(state, edit.error());
-    state.ghost = ghost_of(state.history.present(), edit->document, spec.effect);
+    state.ghost = ghost_of(state.history.present(), *edit, spec.effect);
     state.preview = std::move(edit->document);
     if (state.message.is_error) state.message = {};
     return true;
@@ -60,12 +62,12 @@ bool commit_edit(EditorState& state, const CommandSpec& spec, const Arguments& a
     const core::Document before = state.history.present();
     if (!is_same(before, edit->document)) {
         const std::string label = spec.label != nullptr ? spec.label(state, arguments) : spec.title;
-        const std::optional<Ghost> ghost = ghost_of(before, edit->document, spec.effect);
+        const std::optional<Ghost> ghost = ghost_of(before, *edit, spec.effect);
         state.history.push(label, std::move(edit->document));
         follow_document(state, before);
         state.message = {edit_sentence(label, spec.effect, ghost ? std::optional(ghost->deviation) : std::nullopt),
                          false};
-        if (edit->error) state.message.text = with_error(state.message.text, *edit->error);
+        if (edit->error && !ghost) state.message.text = with_error(state.message.text, *edit->error);
         if (ghost && ghost->deviation != 0.0) state.ghost = ghost;
     }
     if (edit->selection) state.selection = *edit->selection;

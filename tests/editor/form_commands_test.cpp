@@ -42,6 +42,16 @@ TEST_F(FormCommands, closing_is_told_by_the_data) {
     EXPECT_EQ(number(0, "continuity"), 1.0);
 }
 
+TEST_F(FormCommands, blossom_of_a_bezier_curve_names_its_points) {
+    open_text(editor_, bezier_text);
+    find("blossom", {std::vector<double>{0.0, 1.0, 0.0}});
+    EXPECT_EQ(rows()[0].point, core::Point(1.0, 2.0));
+    find("blossom", {std::vector<double>{1.0, 0.0, 1.0}});
+    EXPECT_EQ(rows()[0].point, core::Point(3.0, 2.0));
+    EXPECT_FALSE(editor_.run({"blossom", {std::vector<double>{0.0, 1.0}}}));
+    EXPECT_EQ(state().message.text, "a blossom of degree 3 has as many arguments; 2 were given");
+}
+
 TEST_F(FormCommands, matrix_form_has_the_coefficients) {
     open_text(editor_, uniform_text);
     find("cubic-matrix");

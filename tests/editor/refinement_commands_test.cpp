@@ -75,6 +75,14 @@ TEST_F(RefinementCommands, unclamp_and_clamp) {
     EXPECT_EQ(message(), "end is 'middle'; it must be start, end or both");
 }
 
+TEST_F(RefinementCommands, make_uniform_spaces_the_knots) {
+    ASSERT_TRUE(run("insert-knots", {std::vector<double>{0.25, 0.375}}));
+    ASSERT_TRUE(run("make-uniform")) << message();
+    const std::vector<double> expected{0, 0, 0, 0, 1.0 / 3.0, 2.0 / 3.0, 1, 1, 1, 1};
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(knots(editor_)[i], expected[i], 1e-15);
+    EXPECT_NE(message().find("deviates by at most"), std::string::npos) << message();
+}
+
 TEST_F(RefinementCommands, elevate_and_reduce_by_several) {
     const std::vector<core::Point> before = points(editor_);
     ASSERT_TRUE(run("elevate", {2.0})) << message();

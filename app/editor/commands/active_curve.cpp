@@ -70,8 +70,8 @@ std::optional<Argument> tiny_length(const EditorState& state) {
 Outcome<std::size_t> index_of(double value, const char* what) {
     constexpr double most = 1e9;
     if (value < 0.0 || value > most || value != std::floor(value))
-        return tl::unexpected(std::string(what) + " is " + core::shortest_text(value) +
-                              "; a whole number from 0 is needed");
+        return tl::unexpected(std::string(what) + " is " + core::shortest_text(value) + "; a whole number from 0" +
+                              (value > most ? " to 1000000000" : "") + " is needed");
     return static_cast<std::size_t>(value);
 }
 

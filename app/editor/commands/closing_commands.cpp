@@ -12,16 +12,20 @@ namespace {
 
 using Kind = ParameterKind;
 
-core::Result<core::Curve> curve_of(const core::Result<core::Approximation>& approximation) {
-    return approximation.map([](const core::Approximation& found) { return found.curve; });
+// Equal parameters need not mean equal places afterwards, so the deviation is what the conversion says.
+Outcome<Edit> edit_with_error(const EditorState& state, const core::Result<core::Approximation>& found) {
+    if (!found) return tl::unexpected(core::describe(found.error()));
+    Outcome<Edit> edit = edit_active(state, found->curve);
+    if (edit) edit->error = found->error;
+    return edit;
 }
 
 Outcome<Edit> to_periodic(const EditorState& state, const Arguments& arguments) {
-    return edit_active(state, curve_of(core::to_periodic(active_curve(state), arguments.number(0))));
+    return edit_with_error(state, core::to_periodic(active_curve(state), arguments.number(0)));
 }
 
 Outcome<Edit> to_wrapped(const EditorState& state, const Arguments& arguments) {
-    return edit_active(state, curve_of(core::to_wrapped(active_curve(state), arguments.number(0))));
+    return edit_with_error(state, core::to_wrapped(active_curve(state), arguments.number(0)));
 }
 
 Outcome<Edit> to_clamped(const EditorState& state, const Arguments&) {
@@ -29,7 +33,7 @@ Outcome<Edit> to_clamped(const EditorState& state, const Arguments&) {
 }
 
 Outcome<Edit> move_seam(const EditorState& state, const Arguments& arguments) {
-    return edit_active(state, curve_of(core::move_seam(active_curve(state), arguments.number(0), arguments.number(1))));
+    return edit_with_error(state, core::move_seam(active_curve(state), arguments.number(0), arguments.number(1)));
 }
 
 template <core::EndVertex vertex>
@@ -95,7 +99,7 @@ void add_conversions(std::vector<CommandSpec>& table) {
                      .explanation = "Lets a closed curve begin and end at u; a periodic one gains a knot there.",
                      .group = CommandGroup::curve,
                      .submenu = "Closing",
-                     .effect = ShapeEffect::keeps,
+                     .effect = ShapeEffect::changes,
                      .parameters = {{"u", Kind::number, "where in the domain", current_parameter}, tolerance},
                      .refusal = no_editable_curve,
                      .edit = move_seam,

@@ -2,6 +2,7 @@
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
+#include "core/blossom.h"
 #include "core/blossom_labels.h"
 #include "core/closing.h"
 #include "core/collinear.h"
@@ -164,6 +165,21 @@ Outcome<void> show_blossom_labels(EditorState& state, const Arguments& arguments
     return show_rows(state, "Blossom labels", what, std::move(rows));
 }
 
+Outcome<void> show_blossom(EditorState& state, const Arguments& arguments) {
+    const core::Curve& curve = active_curve(state);
+    const std::vector<double>& values = arguments.numbers(0);
+    if (values.size() != static_cast<std::size_t>(curve.degree()))
+        return tl::unexpected("a blossom of degree " + std::to_string(curve.degree()) + " has as many arguments; " +
+                              std::to_string(values.size()) + " were given");
+    const double u = curve.knots().into_domain(arguments.number(1));
+    const core::HomogeneousPoint value = core::blossom(curve, curve.knots().span_at(u), values);
+    std::string label;
+    for (const double argument : values) label += (label.empty() ? "b(" : ", ") + number_text(argument);
+    Finding finding{.label = label + ")", .numbers = {{"weight", value.z}}};
+    if (value.z != 0.0) finding.point = core::project(value);
+    return show_rows(state, "Blossom", "has this polar form over the span of " + number_text(u), {std::move(finding)});
+}
+
 Outcome<void> show_greville_points(EditorState& state, const Arguments&) {
     const core::Curve& curve = active_curve(state);
     std::vector<Finding> rows;
@@ -207,6 +223,11 @@ void add_form_commands(std::vector<CommandSpec>& table) {
                                            "Forms", show_blossom_labels);
     labels.parameters = {{"u", ParameterKind::number, "where in the domain", current_parameter}};
     table.push_back(std::move(labels));
+    CommandSpec blossom = measuring_command(
+        "blossom", "Blossom", "Gives the polar form of one polynomial piece at any arguments.", "Forms", show_blossom);
+    blossom.parameters = {{"arguments", ParameterKind::numbers, "as many as the degree"},
+                          {"u", ParameterKind::number, "a parameter of the piece", current_parameter}};
+    table.push_back(std::move(blossom));
     table.push_back(measuring_command("greville-points", "Greville points",
                                       "Gives for each control point the parameter at which it acts most.", "Forms",
                                       show_greville_points));

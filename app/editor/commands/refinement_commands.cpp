@@ -4,6 +4,9 @@
 #include "app/editor/formula.h"
 #include "core/bezier_form.h"
 #include "core/clamping.h"
+#include "core/closing.h"
+#include "core/deviation.h"
+#include "core/knot_edit.h"
 #include "core/knot_merging.h"
 #include "core/knot_refinement.h"
 #include "core/knot_removal.h"
@@ -69,6 +72,20 @@ Outcome<Edit> change_clamping(const EditorState& state, const Arguments& argumen
     Outcome<core::Curve> curve = change_ends(active_curve(state), arguments.text(0), changed);
     if (!curve) return tl::unexpected(curve.error());
     return edit_active(state, *std::move(curve));
+}
+
+// Extrapolated control points of high degree lose digits, which must not be passed over in silence.
+Outcome<Edit> unclamp(const EditorState& state, const Arguments& arguments) {
+    Outcome<Edit> edit = change_clamping<core::unclamp, core::unclamp_ends>(state, arguments);
+    if (!edit) return edit;
+    const core::Curve& curve = active_curve(state);
+    const double deviation = core::largest_deviation(curve, *edit->document.active_curve()->curve);
+    if (deviation > core::absolute_tolerance(curve, 1e-12)) edit->error = deviation;
+    return edit;
+}
+
+Outcome<Edit> make_uniform(const EditorState& state, const Arguments&) {
+    return edit_active(state, core::make_uniform(active_curve(state)));
 }
 
 Outcome<Edit> to_bezier(const EditorState& state, const Arguments&) {
@@ -146,6 +163,9 @@ void add_changes_of_parameter(std::vector<CommandSpec>& table) {
                                  "Stretches and shifts all knots so that the domain runs from 0 to 1; the curve stays "
                                  "as it is.",
                                  ShapeEffect::keeps, {}, normalize));
+    table.push_back(knot_command("make-uniform", "Space knots equally",
+                                 "Spaces the knots equally over the same domain; the control points stay.",
+                                 ShapeEffect::changes, {}, make_uniform));
     const ParameterSpec ends{"end", Kind::text, "start, end or both", both_ends};
     table.push_back(knot_command("clamp", "Clamp ends",
                                  "Lets an open curve begin and end in its end points; the curve stays as it is.",
@@ -153,7 +173,7 @@ void add_changes_of_parameter(std::vector<CommandSpec>& table) {
     table.push_back(knot_command("unclamp", "Unclamp ends",
                                  "Spreads the knots at the ends of an open curve beyond its domain; the curve stays as "
                                  "it is.",
-                                 ShapeEffect::keeps, {ends}, change_clamping<core::unclamp, core::unclamp_ends>));
+                                 ShapeEffect::keeps, {ends}, unclamp));
 }
 
 }  // namespace
