@@ -45,6 +45,10 @@ const char* name_of(editor::ShapeEffect effect) {
     return "";
 }
 
+std::string message_of(const editor::EditorState& state, const editor::CommandSpec& spec) {
+    return state.message.text.empty() && spec.edit != nullptr ? "nothing had to be changed" : state.message.text;
+}
+
 // What is printed about an operation that has just run.
 Json json_of(const editor::Editor& editor, const Operation& operation) {
     const editor::EditorState& state = editor.state();
@@ -54,7 +58,7 @@ Json json_of(const editor::Editor& editor, const Operation& operation) {
         std::visit([&arguments](const auto& value) { arguments.push_back(value); }, argument);
     Json result{{"operation", spec.name},
                 {"arguments", std::move(arguments)},
-                {"message", state.message.text},
+                {"message", message_of(state, spec)},
                 {"effect", name_of(spec.effect)}};
     if (spec.edit != nullptr && state.ghost) result["deviation"] = state.ghost->deviation;
     if (spec.group != editor::CommandGroup::analyze || !state.findings) return result;
@@ -64,8 +68,9 @@ Json json_of(const editor::Editor& editor, const Operation& operation) {
 }
 
 void print(std::ostream& out, const editor::EditorState& state, const Operation& operation) {
-    out << operation.text << (state.message.text.empty() ? "" : ": ") << state.message.text << '\n';
     const editor::CommandSpec& spec = *editor::find_command(operation.command.name);
+    const std::string message = message_of(state, spec);
+    out << operation.text << (message.empty() ? "" : ": ") << message << '\n';
     if (spec.group != editor::CommandGroup::analyze || !state.findings) return;
     for (const editor::Finding& finding : state.findings->rows) print(out, finding);
 }

@@ -1,6 +1,5 @@
 #include "app/cli/command_line.h"
 
-#include <map>
 #include <ostream>
 
 namespace batten::cli {
@@ -50,9 +49,12 @@ void CommandLine::add_eval(CLI::App& program) {
         ->add_option("--derivatives", eval_.derivatives, "How many derivatives to print beside the point, at most 25")
         ->check(CLI::Validator(CLI::Range(0, most_derivatives)).description(""))
         ->type_name("N");
-    const std::map<std::string, core::Side> sides{{"left", core::Side::left}, {"right", core::Side::right}};
-    command->add_option("--side", eval_.side, "From where a knot is approached: left or right (which is usual)")
-        ->transform(CLI::CheckedTransformer(sides).description(""))
+    command
+        ->add_option_function<std::string>(
+            "--side",
+            [this](const std::string& side) { eval_.side = side == "left" ? core::Side::left : core::Side::right; },
+            "From where a knot is approached: left or right (which is usual)")
+        ->check(CLI::Validator(CLI::IsMember({"left", "right"})).description(""))
         ->type_name("SIDE");
     add_json(*command, eval_.as_json);
     eval_command_ = command;

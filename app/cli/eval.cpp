@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <sstream>
 
 #include "app/cli/input.h"
 #include "app/cli/json_output.h"
@@ -23,6 +25,11 @@ bool are_parameters_inside(const EvalOptions& options, Output output, const core
         return false;
     }
     return true;
+}
+
+bool are_finite(const std::vector<core::Vector>& values) {
+    return std::all_of(values.begin(), values.end(),
+                       [](const core::Vector& v) { return std::isfinite(v.x) && std::isfinite(v.y); });
 }
 
 void print_row(std::ostream& out, double u, const std::vector<core::Vector>& values) {
@@ -49,15 +56,25 @@ ExitStatus eval(const EvalOptions& options, Output output) {
     if (!are_parameters_inside(options, output, entry)) return ExitStatus::wrong_input;
 
     Json rows = Json::array();
+    std::ostringstream table;
     for (const double u : options.at) {
         std::vector<core::Vector> values = core::derivatives_at(*entry.curve, u, options.derivatives, options.side);
+        if (!are_finite(values)) {
+            say_error(output, options.file, "curve '" + entry.name + "'",
+                      "the values at " + core::shortest_text(u) + " are too large for a double");
+            return ExitStatus::wrong_input;
+        }
         if (options.as_json) {
             rows.push_back(json_of_row(u, values));
         } else {
-            print_row(output.results, u, values);
+            print_row(table, u, values);
         }
     }
-    if (options.as_json) print(output.results, rows);
+    if (options.as_json) {
+        print(output.results, rows);
+    } else {
+        output.results << table.str();
+    }
     return ExitStatus::done;
 }
 

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <ostream>
 
 #include "app/cli/input.h"
@@ -54,6 +55,10 @@ std::string text_of(const core::DistinctKnot& knot) {
     return text + (knot.continuity < 0 ? "\tjump" : "\tC^" + std::to_string(knot.continuity));
 }
 
+std::string length_text(double length) {
+    return std::isfinite(length) ? core::shortest_text(length) : "too large for a double";
+}
+
 void print(std::ostream& out, const core::DocumentCurve& entry) {
     const core::Curve& curve = *entry.curve;
     const core::Box box = core::tight_box(curve);
@@ -64,7 +69,7 @@ void print(std::ostream& out, const core::DocumentCurve& entry) {
         << "  segments  " << core::segment_count(curve.knots()) << '\n'
         << "  domain    " << core::shortest_text(curve.domain().lower) << " to "
         << core::shortest_text(curve.domain().upper) << '\n'
-        << "  length    " << core::shortest_text(core::arc_length(curve).value) << '\n'
+        << "  length    " << length_text(core::arc_length(curve).value) << '\n'
         << "  bounds    " << pair(box.lower) << " to " << pair(box.upper) << '\n'
         << "  knots\n";
     for (const core::DistinctKnot& knot : knots_of_domain(curve)) out << "    " << text_of(knot) << '\n';

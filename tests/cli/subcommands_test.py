@@ -83,6 +83,11 @@ class Subcommands(unittest.TestCase):
         broken = write_document(self.folder / "broken.json", {**LINE, "knots": [0, 0, 2, 1]})
         self.assertRegex(self.refused(1, "check", broken), r"^.*broken\.json: /curves/0/knots/3: .*decrease")
 
+    def test_values_beyond_doubles_are_refused(self):
+        write_document(self.file, {**QUARTER, "weights": [1, 1e308, 1], "points": [[1, 0], [1e10, 1], [0, 1]]})
+        self.assertIn("too large for a double", self.refused(1, "eval", self.file, "--at", 0.5))
+        self.assertIn("too large for a double", run("info", self.file).stdout)
+
     def test_a_wrong_command_line_ends_with_2(self):
         self.refused(2, "info")
         self.refused(2, "eval", self.file)
