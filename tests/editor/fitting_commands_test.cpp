@@ -97,6 +97,17 @@ std::vector<double> bow(int count) {
     return coordinates;
 }
 
+TEST_F(FittingCommands, fit_points_keeps_end_tangents) {
+    ASSERT_TRUE(run("fit-points", {8.0, bow(50), 3.0, 0.0, 0.0, std::vector<double>{3, 1}, std::vector<double>{0, -2}}))
+        << message();
+    const auto start = core::derivatives_at(curve(editor_), 0.0, 1);
+    const auto end = core::derivatives_at(curve(editor_), 1.0, 1);
+    EXPECT_NEAR(start[1].x, 3.0, 1e-12);
+    EXPECT_NEAR(start[1].y, 1.0, 1e-12);
+    EXPECT_NEAR(end[1].x, 0.0, 1e-12);
+    EXPECT_NEAR(end[1].y, -2.0, 1e-12);
+}
+
 TEST_F(FittingCommands, fit_points_says_the_error) {
     EXPECT_TRUE(run("fit-points", {8.0, bow(50)}));
     EXPECT_EQ(points(editor_).size(), 8U);

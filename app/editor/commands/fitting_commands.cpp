@@ -76,15 +76,21 @@ struct FitTask {
     core::FitRequest request;
 };
 
-// Arguments 1.. are coordinates, degree, closed and smoothing.
+// Arguments 1.. are coordinates, degree, closed, smoothing, and the derivatives at start and end.
 Outcome<FitTask> fit_task(const Arguments& arguments) {
     const auto points = points_of(arguments.numbers(1), 2, "fitting");
     if (!points) return tl::unexpected(points.error());
     const auto degree = index_of(arguments.number(2), "degree");
     if (!degree) return tl::unexpected(degree.error());
+    const auto start = tangent_of(arguments.numbers(5), "start");
+    if (!start) return tl::unexpected(start.error());
+    const auto end = tangent_of(arguments.numbers(6), "end");
+    if (!end) return tl::unexpected(end.error());
     return FitTask{*points,
                    {.degree = static_cast<int>(*degree),
                     .is_closed = arguments.number(3) != 0.0,
+                    .start_tangent = *start,
+                    .end_tangent = *end,
                     .smoothing = arguments.number(4)}};
 }
 
@@ -119,6 +125,10 @@ std::optional<Argument> points_of_curve(const EditorState& state) {
         if (selected.size() < 2 || state.selection.contains_point(i))
             coordinates.insert(coordinates.end(), {points[i].x, points[i].y});
     return coordinates;
+}
+
+std::optional<Argument> nothing_prescribed(const EditorState&) {
+    return std::vector<double>{0.0, 0.0};
 }
 
 // Half as many as there are points, and enough for a cubic.
@@ -191,6 +201,10 @@ void add_fits(std::vector<CommandSpec>& table) {
     const ParameterSpec closed{"closed", Kind::number, "1 for a periodic curve, 0 for an open one", number<0>};
     const ParameterSpec smoothing{"smoothing", Kind::number, "how much bending counts beside the errors, 0 or more",
                                   number<0>};
+    const ParameterSpec start{"start", Kind::numbers, "x and y of the derivative at the start; 0,0 leaves it free",
+                              nothing_prescribed};
+    const ParameterSpec end{"end", Kind::numbers, "x and y of the derivative at the end; 0,0 leaves it free",
+                            nothing_prescribed};
     table.push_back(
         {.name = "fit-points",
          .title = "Fit curve to points",
@@ -201,7 +215,9 @@ void add_fits(std::vector<CommandSpec>& table) {
                         coordinates,
                         degree,
                         closed,
-                        smoothing},
+                        smoothing,
+                        start,
+                        end},
          .edit = fit_points});
     table.push_back({.name = "fit-points-within",
                      .title = "Fit curve within tolerance",
@@ -213,7 +229,9 @@ void add_fits(std::vector<CommandSpec>& table) {
                                     coordinates,
                                     degree,
                                     closed,
-                                    smoothing},
+                                    smoothing,
+                                    start,
+                                    end},
                      .edit = fit_points_within});
 }
 
