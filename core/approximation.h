@@ -7,7 +7,8 @@ namespace batten::core {
 
 struct Approximation {
     Curve curve;
-    double error = 0.0;  ///< the largest distance found between the two, in the units of the points; measured, not estimated
+    double error =
+        0.0;  ///< the largest distance found between the two, in the units of the points; measured, not estimated
 };
 
 }  // namespace batten::core

@@ -371,7 +371,8 @@ TEST(SetPeriodic, uses_the_same_points_over_the_same_domain) {
 TEST(MakeUniform, keeps_the_sort_of_ends) {
     const std::vector<Point> points{{0, 0}, {1, 5}, {2, -3}, {3, 4}, {4, 4}};
     const auto made = [&](int degree, Knots knots, bool periodic) {
-        return Curve::make({.degree = degree, .knots = std::move(knots), .points = points, .periodic = periodic}).value();
+        return Curve::make({.degree = degree, .knots = std::move(knots), .points = points, .periodic = periodic})
+            .value();
     };
     const Curve clamped = make_uniform(made(2, {0, 0, 0, 1, 5, 6, 6, 6}, false)).value();
     EXPECT_EQ(stored(clamped), (Knots{0, 0, 0, 2, 4, 6, 6, 6}));
