@@ -132,7 +132,8 @@ std::string describe(const CurveError& error) {
             return item("point", error) + " has a coordinate that is not finite; every coordinate must be finite";
         case CurveErrorCode::parameter_count_mismatch:
             return were_found(error.value, "parameter") + "; " + text(error.lower) +
-                   " are needed, one for each point, and one more for the way back to the first point of a closed curve";
+                   " are needed, one for each point, and one more for the way back to the first point of a closed "
+                   "curve";
         case CurveErrorCode::parameters_not_increasing:
             return item("parameter", error) +
                    " is not above the one before it; parameters must be finite and increase from point to point";
@@ -174,8 +175,7 @@ std::string describe(const CurveError& error) {
             return "the parameter " + text(error.value) + " is an end of the domain; it must be above " +
                    text(error.lower) + " and below " + text(error.upper);
         case CurveErrorCode::deviation_too_large:
-            return "the curve would deviate by " + text(error.value) + "; at most " + text(error.upper) +
-                   " is allowed";
+            return "the curve would deviate by " + text(error.value) + "; at most " + text(error.upper) + " is allowed";
         case CurveErrorCode::curve_not_polynomial_piece:
             return "the curve is not one Bézier piece; it must have degree + 1 equal knots at both ends and no others";
     }

@@ -10,8 +10,9 @@ namespace batten::editor {
 enum class PointerAction { move, press, release, double_click, wheel, leave, escape };
 enum class PointerButton { none, left, middle, right };
 
-/// One event, in pixels of the picture (x right, y down). A move is sent whenever position or modifiers changed. A double click comes
-/// instead of the second press. Escape is sent as an event of its own, so that a gesture can be given up.
+/// One event, in pixels of the picture (x right, y down). A move is sent whenever position or modifiers changed. A
+/// double click comes instead of the second press. Escape is sent as an event of its own, so that a gesture can be
+/// given up.
 struct PointerEvent {
     PointerAction action = PointerAction::move;
     glm::dvec2 position_px{};

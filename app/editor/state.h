@@ -46,7 +46,7 @@ struct EditorState {
     std::optional<core::Document> preview;  ///< what the gesture under way would make
     std::optional<Ghost> ghost;
     std::optional<Findings> findings;  ///< of the committed document
-    Selection selection;  ///< of the committed document, even while a preview is shown
+    Selection selection;               ///< of the committed document, even while a preview is shown
     Hover hover;
     View view;
     Tool tool = Tool::select;

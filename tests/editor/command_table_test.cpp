@@ -175,8 +175,8 @@ TEST(CommandTable, marks_what_commands_do_to_the_shape) {
     for (const char* name : {"insert-knot", "insert-midpoints", "raise-knot", "elevate"})
         EXPECT_EQ(find_command(name)->effect, ShapeEffect::keeps) << name;
     for (const char* name :
-         {"move-knot", "set-knot", "delete-knot", "set-knots", "set-kind", "toggle-closed", "set-degree",
-          "reduce", "move-points", "set-weight", "add-point", "delete-points", "delete"})
+         {"move-knot", "set-knot", "delete-knot", "set-knots", "set-kind", "toggle-closed", "set-degree", "reduce",
+          "move-points", "set-weight", "add-point", "delete-points", "delete"})
         EXPECT_EQ(find_command(name)->effect, ShapeEffect::changes) << name;
     for (const char* name : {"new-curve", "rename-curve", "paste", "undo", "fit"})
         EXPECT_EQ(find_command(name)->effect, ShapeEffect::none) << name;

@@ -25,8 +25,7 @@ TEST_F(EditorTest, begins_empty_and_refuses_edits_with_a_sentence) {
     Editor editor;
     EXPECT_EQ(editor.state().active_curve(), nullptr);
     EXPECT_EQ(editor.state().file_name(), "untitled");
-    for (const char* name :
-         {"insert-knot", "select-all", "copy", "cut", "set-parameter", "elevate", "toggle-play"}) {
+    for (const char* name : {"insert-knot", "select-all", "copy", "cut", "set-parameter", "elevate", "toggle-play"}) {
         EXPECT_FALSE(editor.run({name, {}})) << name;
         EXPECT_EQ(editor.state().message, (Message{"there is no curve; draw one or open a file", true})) << name;
     }

@@ -1,11 +1,11 @@
 #include "app/editor/expression.h"
 
-#include "core/number_text.h"
-
 #include <gtest/gtest.h>
 
 #include <clocale>
 #include <limits>
+
+#include "core/number_text.h"
 
 namespace batten::editor {
 namespace {
