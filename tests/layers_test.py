@@ -20,9 +20,9 @@ PICTURE = {"render/draw_list.h", "render/camera.h", "render/clip.h", "render/col
 
 # Outside headers that only these places may include.
 ONLY_IN = {
-    ("core", "Eigen"): {"core/cramped_removal.cpp", "core/degree_reduction.cpp"},
-    ("core", "nlohmann"): {"core/io/"},
-    ("core", "posix"): {"core/io/"},
+    ("core", "Eigen"): {"core/refine/detail/cramped_removal.cpp", "core/refine/degree_reduction.cpp"},
+    ("core", "nlohmann"): {"core/document/"},
+    ("core", "posix"): {"core/document/"},
 }
 
 # Headers of the operating system, without a folder of their own.

@@ -4,7 +4,7 @@
 #include "app/cli/json_output.h"
 #include "app/cli/operation.h"
 #include "app/editor/editor.h"
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 
 namespace batten::cli {
 

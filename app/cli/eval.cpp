@@ -5,8 +5,8 @@
 
 #include "app/cli/input.h"
 #include "app/cli/json_output.h"
-#include "core/evaluate.h"
-#include "core/number_text.h"
+#include "core/base/number_text.h"
+#include "core/evaluate/evaluate.h"
 
 namespace batten::cli {
 

@@ -3,10 +3,10 @@
 
 #include "app/cli/input.h"
 #include "app/cli/json_output.h"
-#include "core/arc_length.h"
-#include "core/bounds.h"
-#include "core/knot_analysis.h"
-#include "core/number_text.h"
+#include "core/base/number_text.h"
+#include "core/curve/knot_analysis.h"
+#include "core/measure/arc_length.h"
+#include "core/measure/bounds.h"
 
 namespace batten::cli {
 

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "app/cli/subcommands.h"
-#include "core/document.h"
-#include "core/io/native_file.h"
+#include "core/document/document.h"
+#include "core/document/native_file.h"
 
 namespace batten::cli {
 

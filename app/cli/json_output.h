@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <nlohmann/json.hpp>
 
-#include "core/geometry.h"
+#include "core/base/geometry.h"
 
 namespace batten::cli {
 

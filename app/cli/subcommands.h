@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/bspline.h"
+#include "core/curve/detail/bspline.h"
 
 namespace batten::cli {
 

@@ -3,7 +3,7 @@
 #include "app/editor/canvas_mode.h"
 #include "app/editor/formula.h"
 #include "app/editor/gesture.h"
-#include "core/evaluate.h"
+#include "core/evaluate/evaluate.h"
 
 namespace batten::editor {
 namespace {

@@ -9,8 +9,8 @@
 #include "app/editor/hit_test.h"
 #include "app/editor/hover_request.h"
 #include "app/editor/point_drag.h"
-#include "core/evaluate.h"
-#include "core/nearest.h"
+#include "core/evaluate/evaluate.h"
+#include "core/measure/nearest.h"
 
 namespace batten::editor {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "app/editor/hit_test.h"
 #include "app/editor/point_drag.h"
-#include "core/nearest.h"
+#include "core/measure/nearest.h"
 
 namespace batten::editor {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "app/editor/command_table.h"
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 
 namespace batten::editor {
 

@@ -8,7 +8,7 @@
 #include "app/editor/commands/file_acts.h"
 #include "app/editor/upkeep.h"
 #include "app/editor/wording.h"
-#include "core/deviation.h"
+#include "core/measure/deviation.h"
 
 namespace batten::editor {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry.h"
+#include "core/base/geometry.h"
 
 namespace batten::editor {
 

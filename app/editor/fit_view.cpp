@@ -1,6 +1,6 @@
 #include "app/editor/fit_view.h"
 
-#include "core/bounds.h"
+#include "core/measure/bounds.h"
 
 namespace batten::editor {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "core/de_boor.h"
+#include "core/evaluate/de_boor.h"
 
 namespace batten::editor {
 

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "app/editor/weight_ring.h"
-#include "core/bounds.h"
-#include "core/evaluate.h"
-#include "core/nearest.h"
+#include "core/evaluate/evaluate.h"
+#include "core/measure/bounds.h"
+#include "core/measure/nearest.h"
 
 namespace batten::editor {
 namespace {

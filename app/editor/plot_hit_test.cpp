@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/editor/hit_test.h"
-#include "core/basis.h"
+#include "core/evaluate/basis.h"
 
 namespace batten::editor {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/editor/state.h"
-#include "core/geometry.h"
+#include "core/base/geometry.h"
 
 namespace batten::editor {
 

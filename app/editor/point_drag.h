@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/gesture.h"
-#include "core/geometry.h"
+#include "core/base/geometry.h"
 
 namespace batten::editor {
 

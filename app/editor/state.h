@@ -13,7 +13,7 @@
 #include "app/editor/history.h"
 #include "app/editor/selection.h"
 #include "app/editor/view.h"
-#include "core/document.h"
+#include "core/document/document.h"
 
 namespace batten::editor {
 

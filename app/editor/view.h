@@ -7,8 +7,8 @@
 #include <string>
 
 #include "app/editor/theme.h"
-#include "core/geometry.h"
-#include "core/knot_edit.h"
+#include "core/base/geometry.h"
+#include "core/edit/knot_edit.h"
 #include "render/camera.h"
 
 namespace batten::editor {

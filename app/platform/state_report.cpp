@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/editor/plot_layout.h"
-#include "core/evaluate.h"
-#include "core/knot_analysis.h"
+#include "core/curve/knot_analysis.h"
+#include "core/evaluate/evaluate.h"
 
 namespace batten::platform {
 

@@ -10,7 +10,7 @@
 #include "app/ui/section.h"
 #include "app/ui/style.h"
 #include "app/ui/triangle_view.h"
-#include "core/knot_analysis.h"
+#include "core/curve/knot_analysis.h"
 
 namespace batten::ui {
 namespace {

@@ -8,8 +8,8 @@
 #include "app/ui/section.h"
 #include "app/ui/style.h"
 #include "app/ui/typing.h"
-#include "core/knot_analysis.h"
-#include "core/knot_edit.h"
+#include "core/curve/knot_analysis.h"
+#include "core/edit/knot_edit.h"
 
 namespace batten::ui {
 namespace {

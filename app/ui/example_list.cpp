@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "app/ui/style.h"
-#include "core/io/native_file.h"
-#include "core/tessellate.h"
+#include "core/document/native_file.h"
+#include "core/evaluate/tessellate.h"
 
 namespace batten::ui {
 

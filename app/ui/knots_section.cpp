@@ -11,8 +11,8 @@
 #include "app/ui/section.h"
 #include "app/ui/style.h"
 #include "app/ui/typing.h"
-#include "core/knot_analysis.h"
-#include "core/number_text.h"
+#include "core/base/number_text.h"
+#include "core/curve/knot_analysis.h"
 
 namespace batten::ui {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/rich_text.h"
 #include "app/ui/typing.h"
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 
 namespace batten::ui {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "app/editor/pointer.h"
 #include "app/editor/selection.h"
-#include "core/document.h"
+#include "core/document/document.h"
 
 namespace batten::ui {
 

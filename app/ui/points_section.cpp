@@ -8,7 +8,7 @@
 #include "app/ui/number_field.h"
 #include "app/ui/section.h"
 #include "app/ui/style.h"
-#include "core/bounds.h"
+#include "core/measure/bounds.h"
 
 namespace batten::ui {
 namespace {

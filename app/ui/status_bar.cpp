@@ -10,7 +10,7 @@
 #include "app/ui/rich_text.h"
 #include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
-#include "core/evaluate.h"
+#include "core/evaluate/evaluate.h"
 #include "render/camera.h"
 
 namespace batten::ui {

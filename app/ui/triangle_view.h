@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/ui/panels.h"
-#include "core/de_boor.h"
+#include "core/evaluate/de_boor.h"
 
 namespace batten::ui {
 

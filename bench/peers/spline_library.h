@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/curve.h"
+#include "core/curve/curve.h"
 
 namespace batten::bench {
 

@@ -2,16 +2,16 @@
 
 #include <cmath>
 
-#include "core/arc_length.h"
-#include "core/area.h"
-#include "core/bounds.h"
-#include "core/curvature.h"
-#include "core/cusps.h"
-#include "core/degree.h"
-#include "core/intersect_curves.h"
-#include "core/intersect_line.h"
-#include "core/knot_insertion.h"
-#include "random_curves.h"
+#include "core/measure/arc_length.h"
+#include "core/measure/area.h"
+#include "core/measure/bounds.h"
+#include "core/measure/curvature.h"
+#include "core/measure/cusps.h"
+#include "core/measure/intersect_curves.h"
+#include "core/measure/intersect_line.h"
+#include "core/refine/degree.h"
+#include "core/refine/knot_insertion.h"
+#include "tests/core/random_curves.h"
 
 namespace batten::core {
 namespace {

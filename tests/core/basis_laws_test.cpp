@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/basis.h"
-#include "core/evaluate.h"
-#include "core/point_edit.h"
-#include "law_curves.h"
+#include "core/edit/point_edit.h"
+#include "core/evaluate/basis.h"
+#include "core/evaluate/evaluate.h"
+#include "tests/core/law_curves.h"
 
 namespace batten::core::laws {
 

@@ -3,13 +3,13 @@
 
 #include <cstddef>
 
-#include "core/banded_least_squares.h"
-#include "core/basis.h"
-#include "core/knot_kinds.h"
-#include "core/parametrization.h"
-#include "core/spline.h"
-#include "core/spline_elevation.h"
-#include "core/spline_removal.h"
+#include "core/base/detail/banded_least_squares.h"
+#include "core/curve/detail/spline.h"
+#include "core/curve/knot_kinds.h"
+#include "core/evaluate/basis.h"
+#include "core/make/parametrization.h"
+#include "core/refine/detail/spline_elevation.h"
+#include "core/refine/detail/spline_removal.h"
 
 namespace batten::core {
 

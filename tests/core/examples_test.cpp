@@ -8,13 +8,13 @@
 #include <map>
 #include <set>
 
-#include "core/de_boor.h"
-#include "core/deviation.h"
-#include "core/evaluate.h"
-#include "core/io/native_file.h"
-#include "core/knot_analysis.h"
-#include "core/knot_insertion.h"
-#include "golden.h"
+#include "core/curve/knot_analysis.h"
+#include "core/document/native_file.h"
+#include "core/evaluate/de_boor.h"
+#include "core/evaluate/evaluate.h"
+#include "core/measure/deviation.h"
+#include "core/refine/knot_insertion.h"
+#include "tests/core/golden.h"
 
 namespace batten::core {
 namespace {

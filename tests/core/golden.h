@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "golden_cases.h"
+#include "tests/core/golden_cases.h"
 
 namespace batten::core::golden {
 

@@ -1,4 +1,4 @@
-#include "golden_cases.h"
+#include "tests/core/golden_cases.h"
 
 #include <algorithm>
 #include <cmath>

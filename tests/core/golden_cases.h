@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/curve.h"
+#include "core/curve/curve.h"
 
 namespace batten::core::golden {
 

@@ -1,21 +1,21 @@
-#include "golden.h"
+#include "tests/core/golden.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/basis.h"
-#include "core/bezier_form.h"
-#include "core/bezier_pieces.h"
-#include "core/conic_form.h"
-#include "core/de_boor.h"
-#include "core/evaluate.h"
-#include "core/hodograph.h"
-#include "core/interpolate.h"
-#include "core/knot_analysis.h"
-#include "core/knot_insertion.h"
-#include "core/knot_refinement.h"
-#include "core/split.h"
+#include "core/curve/knot_analysis.h"
+#include "core/evaluate/basis.h"
+#include "core/evaluate/bezier_pieces.h"
+#include "core/evaluate/de_boor.h"
+#include "core/evaluate/evaluate.h"
+#include "core/evaluate/hodograph.h"
+#include "core/make/interpolate.h"
+#include "core/measure/conic_form.h"
+#include "core/refine/bezier_form.h"
+#include "core/refine/knot_insertion.h"
+#include "core/refine/knot_refinement.h"
+#include "core/refine/split.h"
 
 namespace batten::core::golden {
 

@@ -1,12 +1,12 @@
-#include "law_curves.h"
+#include "tests/core/law_curves.h"
 
 #include <cmath>
 #include <cstdlib>
 #include <ostream>
 
-#include "core/evaluate.h"
-#include "core/knot_analysis.h"
-#include "golden_cases.h"
+#include "core/curve/knot_analysis.h"
+#include "core/evaluate/evaluate.h"
+#include "tests/core/golden_cases.h"
 
 namespace batten::core {
 

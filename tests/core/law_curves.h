@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "core/curve.h"
+#include "core/curve/curve.h"
 
 namespace batten::core {
 

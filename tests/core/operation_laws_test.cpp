@@ -3,18 +3,18 @@
 #include <array>
 #include <cmath>
 
-#include "core/bezier_pieces.h"
-#include "core/degree.h"
-#include "core/evaluate.h"
-#include "core/join.h"
-#include "core/knot_analysis.h"
-#include "core/knot_insertion.h"
-#include "core/knot_refinement.h"
-#include "core/knot_removal.h"
-#include "core/periodic.h"
-#include "core/reverse.h"
-#include "core/split.h"
-#include "law_curves.h"
+#include "core/curve/knot_analysis.h"
+#include "core/evaluate/bezier_pieces.h"
+#include "core/evaluate/evaluate.h"
+#include "core/refine/degree.h"
+#include "core/refine/join.h"
+#include "core/refine/knot_insertion.h"
+#include "core/refine/knot_refinement.h"
+#include "core/refine/knot_removal.h"
+#include "core/refine/periodic.h"
+#include "core/refine/reverse.h"
+#include "core/refine/split.h"
+#include "tests/core/law_curves.h"
 
 namespace batten::core::laws {
 

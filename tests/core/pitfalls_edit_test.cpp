@@ -5,18 +5,18 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "core/degree.h"
-#include "core/deviation.h"
-#include "core/evaluate.h"
-#include "core/io/native_file.h"
-#include "core/knot_analysis.h"
-#include "core/knot_edit.h"
-#include "core/knot_insertion.h"
-#include "core/knot_removal.h"
-#include "core/nearest.h"
-#include "core/point_edit.h"
-#include "core/tessellate.h"
-#include "random_curves.h"
+#include "core/curve/knot_analysis.h"
+#include "core/document/native_file.h"
+#include "core/edit/knot_edit.h"
+#include "core/edit/point_edit.h"
+#include "core/evaluate/evaluate.h"
+#include "core/evaluate/tessellate.h"
+#include "core/measure/deviation.h"
+#include "core/measure/nearest.h"
+#include "core/refine/degree.h"
+#include "core/refine/knot_insertion.h"
+#include "core/refine/knot_removal.h"
+#include "tests/core/random_curves.h"
 
 namespace batten::core {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "core/fit.h"
-#include "core/interpolate.h"
-#include "random_curves.h"
+#include "core/make/fit.h"
+#include "core/make/interpolate.h"
+#include "tests/core/random_curves.h"
 
 namespace batten::core {
 

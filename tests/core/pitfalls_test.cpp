@@ -7,14 +7,14 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "core/basis.h"
-#include "core/blossom.h"
-#include "core/de_boor.h"
-#include "core/evaluate.h"
-#include "core/knot_analysis.h"
-#include "core/knot_insertion.h"
-#include "random_curves.h"
-#include "reference.h"
+#include "core/curve/knot_analysis.h"
+#include "core/evaluate/basis.h"
+#include "core/evaluate/blossom.h"
+#include "core/evaluate/de_boor.h"
+#include "core/evaluate/evaluate.h"
+#include "core/refine/knot_insertion.h"
+#include "tests/core/random_curves.h"
+#include "tests/core/reference.h"
 
 namespace batten::core {
 

@@ -1,4 +1,4 @@
-#include "random_curves.h"
+#include "tests/core/random_curves.h"
 
 namespace batten::core {
 

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "core/curve.h"
+#include "core/curve/curve.h"
 
 namespace batten::core {
 

@@ -1,8 +1,8 @@
-#include "reference.h"
+#include "tests/core/reference.h"
 
 #include <cmath>
 
-#include "golden.h"
+#include "tests/core/golden.h"
 
 namespace batten::core::reference {
 

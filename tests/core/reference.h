@@ -1,7 +1,7 @@
 /// Splines by their definition: slow, plain and in long double, to compare the algorithms with.
 #pragma once
 
-#include "core/curve.h"
+#include "core/curve/curve.h"
 
 namespace batten::core::reference {
 

@@ -3,9 +3,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/evaluate.h"
-#include "golden_cases.h"
-#include "random_curves.h"
+#include "core/evaluate/evaluate.h"
+#include "tests/core/golden_cases.h"
+#include "tests/core/random_curves.h"
 
 namespace batten::core {
 

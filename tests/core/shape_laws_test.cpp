@@ -2,10 +2,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/bounds.h"
-#include "core/evaluate.h"
-#include "core/nearest.h"
-#include "law_curves.h"
+#include "core/evaluate/evaluate.h"
+#include "core/measure/bounds.h"
+#include "core/measure/nearest.h"
+#include "tests/core/law_curves.h"
 
 namespace batten::core::laws {
 

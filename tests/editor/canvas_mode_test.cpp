@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/evaluate.h"
+#include "core/evaluate/evaluate.h"
 #include "tests/editor/canvas_fixture.h"
 
 namespace batten::editor {

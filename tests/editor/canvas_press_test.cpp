@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/deviation.h"
-#include "core/evaluate.h"
+#include "core/evaluate/evaluate.h"
+#include "core/measure/deviation.h"
 #include "tests/editor/canvas_fixture.h"
 
 namespace batten::editor {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/evaluate.h"
-#include "core/point_edit.h"
+#include "core/edit/point_edit.h"
+#include "core/evaluate/evaluate.h"
 #include "tests/editor/pointer_driver.h"
 #include "tests/editor/scene_sample.h"
 

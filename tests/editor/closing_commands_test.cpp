@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "core/closing.h"
-#include "core/evaluate.h"
-#include "core/knot_analysis.h"
+#include "core/curve/knot_analysis.h"
+#include "core/evaluate/evaluate.h"
+#include "core/measure/closing.h"
 #include "sample_editor.h"
 
 namespace batten::editor {

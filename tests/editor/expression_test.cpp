@@ -5,7 +5,7 @@
 #include <clocale>
 #include <limits>
 
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 
 namespace batten::editor {
 namespace {

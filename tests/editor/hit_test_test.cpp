@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/editor/weight_ring.h"
-#include "core/evaluate.h"
+#include "core/evaluate/evaluate.h"
 #include "tests/editor/pointer_driver.h"
 
 namespace batten::editor {

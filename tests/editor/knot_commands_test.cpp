@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/knot_analysis.h"
+#include "core/curve/knot_analysis.h"
 #include "sample_editor.h"
 
 namespace batten::editor {

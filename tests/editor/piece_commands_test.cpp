@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/evaluate.h"
+#include "core/evaluate/evaluate.h"
 #include "sample_editor.h"
 
 namespace batten::editor {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/deviation.h"
+#include "core/measure/deviation.h"
 #include "tests/editor/pointer_driver.h"
 
 namespace batten::editor {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "core/basis.h"
+#include "core/evaluate/basis.h"
 #include "tests/editor/pointer_driver.h"
 #include "tests/editor/scene_sample.h"
 

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "app/editor/editor.h"
-#include "core/io/native_file.h"
+#include "core/document/native_file.h"
 
 namespace batten::editor {
 

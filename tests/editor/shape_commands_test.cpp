@@ -3,8 +3,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/evaluate.h"
-#include "core/nearest.h"
+#include "core/evaluate/evaluate.h"
+#include "core/measure/nearest.h"
 #include "sample_editor.h"
 
 namespace batten::editor {

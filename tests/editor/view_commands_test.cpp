@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/key.h"
-#include "core/bounds.h"
+#include "core/measure/bounds.h"
 #include "sample_editor.h"
 
 namespace batten::editor {

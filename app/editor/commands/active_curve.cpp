@@ -5,8 +5,8 @@
 
 #include "app/editor/formula.h"
 #include "app/editor/grid_step.h"
-#include "core/closing.h"
-#include "core/number_text.h"
+#include "core/base/number_text.h"
+#include "core/measure/closing.h"
 
 namespace batten::editor {
 

@@ -4,12 +4,12 @@
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
-#include "core/bounds.h"
-#include "core/continuity.h"
-#include "core/curvature.h"
-#include "core/cusps.h"
-#include "core/evaluate.h"
-#include "core/intersect_curves.h"
+#include "core/evaluate/evaluate.h"
+#include "core/measure/bounds.h"
+#include "core/measure/continuity.h"
+#include "core/measure/curvature.h"
+#include "core/measure/cusps.h"
+#include "core/measure/intersect_curves.h"
 
 namespace batten::editor {
 

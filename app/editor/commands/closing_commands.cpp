@@ -2,9 +2,9 @@
 #include "app/editor/commands/curve_end_named.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
-#include "core/collinear.h"
-#include "core/end_vertices.h"
-#include "core/periodic.h"
+#include "core/edit/end_vertices.h"
+#include "core/measure/collinear.h"
+#include "core/refine/periodic.h"
 
 namespace batten::editor {
 

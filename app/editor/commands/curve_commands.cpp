@@ -3,7 +3,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
-#include "core/degree.h"
+#include "core/refine/degree.h"
 
 namespace batten::editor {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/command_table.h"
-#include "core/curve_end.h"
+#include "core/curve/curve_end.h"
 
 namespace batten::editor {
 

@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "app/editor/commands/active_curve.h"
-#include "core/point_edit.h"
+#include "core/edit/point_edit.h"
 
 namespace batten::editor {
 

@@ -5,7 +5,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
-#include "core/knot_kinds.h"
+#include "core/curve/knot_kinds.h"
 
 namespace batten::editor {
 

@@ -4,9 +4,9 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
 #include "app/editor/upkeep.h"
-#include "core/io/native_file.h"
-#include "core/knot_edit.h"
-#include "core/point_edit.h"
+#include "core/document/native_file.h"
+#include "core/edit/knot_edit.h"
+#include "core/edit/point_edit.h"
 
 namespace batten::editor {
 

@@ -4,7 +4,7 @@
 
 #include "app/editor/dialog.h"
 #include "app/editor/fit_view.h"
-#include "core/io/native_file.h"
+#include "core/document/native_file.h"
 
 namespace batten::editor {
 

@@ -3,8 +3,8 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
-#include "core/fit.h"
-#include "core/interpolate.h"
+#include "core/make/fit.h"
+#include "core/make/interpolate.h"
 
 namespace batten::editor {
 

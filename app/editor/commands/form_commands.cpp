@@ -2,14 +2,14 @@
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
-#include "core/blossom.h"
-#include "core/blossom_labels.h"
-#include "core/closing.h"
-#include "core/collinear.h"
-#include "core/conic_form.h"
-#include "core/de_boor.h"
-#include "core/evaluate.h"
-#include "core/uniform_cubic.h"
+#include "core/evaluate/blossom.h"
+#include "core/evaluate/blossom_labels.h"
+#include "core/evaluate/de_boor.h"
+#include "core/evaluate/evaluate.h"
+#include "core/evaluate/uniform_cubic.h"
+#include "core/measure/closing.h"
+#include "core/measure/collinear.h"
+#include "core/measure/conic_form.h"
 
 namespace batten::editor {
 

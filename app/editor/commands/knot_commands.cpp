@@ -3,8 +3,8 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
-#include "core/knot_edit.h"
-#include "core/knot_insertion.h"
+#include "core/edit/knot_edit.h"
+#include "core/refine/knot_insertion.h"
 
 namespace batten::editor {
 

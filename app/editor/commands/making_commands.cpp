@@ -5,10 +5,10 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
 #include "app/editor/grid_step.h"
-#include "core/conic_form.h"
-#include "core/conics.h"
-#include "core/hodograph.h"
-#include "core/shapes.h"
+#include "core/evaluate/hodograph.h"
+#include "core/make/conics.h"
+#include "core/make/shapes.h"
+#include "core/measure/conic_form.h"
 
 namespace batten::editor {
 

@@ -5,14 +5,14 @@
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
-#include "core/arc_length.h"
-#include "core/area.h"
-#include "core/curvature.h"
-#include "core/evaluate.h"
-#include "core/intersect_curves.h"
-#include "core/intersect_line.h"
-#include "core/nearest.h"
-#include "core/tangent.h"
+#include "core/evaluate/evaluate.h"
+#include "core/evaluate/tangent.h"
+#include "core/measure/arc_length.h"
+#include "core/measure/area.h"
+#include "core/measure/curvature.h"
+#include "core/measure/intersect_curves.h"
+#include "core/measure/intersect_line.h"
+#include "core/measure/nearest.h"
 
 namespace batten::editor {
 

@@ -5,12 +5,12 @@
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
-#include "core/arc_length.h"
-#include "core/bezier_form.h"
-#include "core/extend.h"
-#include "core/join.h"
-#include "core/reverse.h"
-#include "core/split.h"
+#include "core/measure/arc_length.h"
+#include "core/refine/bezier_form.h"
+#include "core/refine/extend.h"
+#include "core/refine/join.h"
+#include "core/refine/reverse.h"
+#include "core/refine/split.h"
 
 namespace batten::editor {
 

@@ -1,7 +1,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
-#include "core/point_edit.h"
+#include "core/edit/point_edit.h"
 
 namespace batten::editor {
 

@@ -2,10 +2,10 @@
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
-#include "core/evaluate.h"
-#include "core/fair.h"
-#include "core/offset.h"
-#include "core/shape_edit.h"
+#include "core/edit/fair.h"
+#include "core/edit/offset.h"
+#include "core/edit/shape_edit.h"
+#include "core/evaluate/evaluate.h"
 
 namespace batten::editor {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/editor/scene/text_row.h"
-#include "core/basis.h"
+#include "core/evaluate/basis.h"
 
 namespace batten::editor {
 

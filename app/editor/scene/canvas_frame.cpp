@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/tessellate.h"
+#include "core/evaluate/tessellate.h"
 
 namespace batten::editor {
 

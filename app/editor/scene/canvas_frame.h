@@ -8,7 +8,7 @@
 #include "app/editor/highlight.h"
 #include "app/editor/scene/pen.h"
 #include "app/editor/state.h"
-#include "core/de_boor.h"
+#include "core/evaluate/de_boor.h"
 
 namespace batten::editor {
 

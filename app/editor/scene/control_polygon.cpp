@@ -1,7 +1,7 @@
 #include "app/editor/scene/control_polygon.h"
 
-#include "core/bezier_pieces.h"
-#include "core/bounds.h"
+#include "core/evaluate/bezier_pieces.h"
+#include "core/measure/bounds.h"
 
 namespace batten::editor {
 

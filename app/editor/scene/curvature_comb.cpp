@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/evaluate.h"
-#include "core/tessellate.h"
+#include "core/evaluate/evaluate.h"
+#include "core/evaluate/tessellate.h"
 
 namespace batten::editor {
 

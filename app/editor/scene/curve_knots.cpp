@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/evaluate.h"
-#include "core/knot_analysis.h"
+#include "core/curve/knot_analysis.h"
+#include "core/evaluate/evaluate.h"
 
 namespace batten::editor {
 

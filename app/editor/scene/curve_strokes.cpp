@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/evaluate.h"
+#include "core/evaluate/evaluate.h"
 
 namespace batten::editor {
 

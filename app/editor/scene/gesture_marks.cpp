@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/knot_kinds.h"
+#include "core/curve/knot_kinds.h"
 
 namespace batten::editor {
 

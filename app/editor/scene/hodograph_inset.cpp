@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/scene/panel_box.h"
-#include "core/evaluate.h"
+#include "core/evaluate/evaluate.h"
 
 namespace batten::editor {
 

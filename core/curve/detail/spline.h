@@ -1,0 +1,134 @@
+/// Open splines on their way through an operation, and the one way in which knots come in: Boehm's, for every point
+/// type.
+#pragma once
+
+#include <iterator>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/curve/detail/bspline.h"
+
+namespace batten::core {
+
+/// points + p + 1 knots and their points. The point type needs +, - and a factor, as bspline.h says.
+template <class P>
+struct Spline {
+    std::size_t p = 0;  ///< degree
+    std::vector<double> knots{};
+    std::vector<P> points{};
+
+    Interval domain() const { return {knots[p], knots[points.size()]}; }
+
+    /// The indices of the first and of the last knot that equals `u`, which there must be.
+    std::size_t first_of_run(double u) const {
+        return static_cast<std::size_t>(std::lower_bound(knots.begin(), knots.end(), u) - knots.begin());
+    }
+    std::size_t last_of_run(double u) const {
+        return static_cast<std::size_t>(std::upper_bound(knots.begin(), knots.end(), u) - knots.begin()) - 1;
+    }
+
+    /// How often `u` is a knot.
+    std::size_t multiplicity(double u) const {
+        const auto run = std::equal_range(knots.begin(), knots.end(), u);
+        return static_cast<std::size_t>(run.second - run.first);
+    }
+};
+
+/// Inserts one knot into arrays that are being filled from the right: the knots from `place` + 1 on and the points from
+/// `place` - p on are final, old knots are still in place up to `last_old`. Blends at most p points, and only those
+/// whose knots do not equal `u`: Q_i = (1 - alpha_i) P_{i-1} + alpha_i P_i, alpha_i = (u - u_i) / (u_{i+p} - u_i).
+template <class P>
+void insert_at_place(Spline<P>& spline, std::size_t place, std::size_t last_old, double u) {
+    auto& [p, knots, points] = spline;
+    points[place - p - 1] = points[place - p];
+    for (std::size_t j = 1; j <= p; ++j) {
+        const std::size_t i = place - p + j;
+        const double lower = knots[last_old - p + j];
+        const double upper = knots[place + j];
+        if (upper == u)
+            points[i - 1] = points[i];
+        else if (lower < u)
+            points[i - 1] = blend(points[i - 1], points[i], ratio_between(lower, upper, u));
+    }
+    knots[place] = u;
+}
+
+/// The same spline with the knots `added`, which are ascending, lie in the domain and leave every multiplicity at most
+/// p, or p+1 at the ends of the domain. Every new point is a convex combination of old ones. Cost: at most p blends for
+/// each knot, and one copy of everything. Source: Boehm 1980; Boehm and Prautzsch 1985; The NURBS Book, A5.4.
+template <class P>
+void insert_ascending(Spline<P>& spline, std::span<const double> added) {
+    auto& [p, knots, points] = spline;
+    const double end = spline.domain().upper;
+    std::size_t old_count = knots.size();
+    std::size_t place = knots.size() + added.size();
+    knots.resize(place);
+    points.resize(points.size() + added.size());
+    for (std::size_t r = added.size(); r-- > 0;) {
+        const double u = added[r];
+        // A knot comes in behind its equals, at the domain's end before them: so there always is a span on its left.
+        while (u < knots[old_count - 1] || (u == end && knots[old_count - 1] == end)) {
+            knots[--place] = knots[--old_count];
+            if (old_count > p) points[place - p - 1] = points[old_count - p - 1];
+        }
+        insert_at_place(spline, --place, old_count - 1, u);
+    }
+}
+
+/// What must be added to `present` (ascending) so that it becomes `wanted` (ascending), which contains it.
+inline std::vector<double> missing_knots(std::span<const double> wanted, std::span<const double> present) {
+    std::vector<double> missing;
+    std::set_difference(wanted.begin(), wanted.end(), present.begin(), present.end(), std::back_inserter(missing));
+    return missing;
+}
+
+/// What must be inserted so that every knot of the domain has multiplicity p at least, and the points of each span are
+/// those of its Bézier piece.
+template <class P>
+std::vector<double> knots_missing_for_pieces(const Spline<P>& spline) {
+    const Interval domain = spline.domain();
+    std::vector<double> missing;
+    for (std::size_t first = spline.first_of_run(domain.lower); first < spline.knots.size();) {
+        const double u = spline.knots[first];
+        if (u > domain.upper) break;
+        std::size_t end = first;
+        while (end < spline.knots.size() && spline.knots[end] == u) ++end;
+        missing.insert(missing.end(), spline.p - std::min(spline.p, end - first), u);
+        first = end;
+    }
+    return missing;
+}
+
+/// The part between `a` and `b`, which must be in the domain, a < b; its ends get multiplicity p+1, at a tear on their
+/// own side of it. Without `a` or `b` that end stays as it is. Cost O(p^2) plus the copying.
+template <class P>
+Spline<P> part_between(Spline<P> spline, std::optional<double> a, std::optional<double> b) {
+    const std::size_t p = spline.p;
+    std::vector<double> added;
+    for (const std::optional<double>& u : {a, b})
+        if (u) added.insert(added.end(), p - std::min(p, spline.multiplicity(*u)), *u);
+    insert_ascending<P>(spline, added);
+    const std::size_t after_a = a ? spline.last_of_run(*a) + 1 : 0;
+    const std::size_t before_b = b ? spline.first_of_run(*b) : spline.knots.size();
+    const std::size_t first_point = a ? after_a - p - 1 : 0;
+    const std::size_t end_point = b ? before_b : spline.points.size();
+    Spline<P> part{.p = p};
+    if (a) part.knots.assign(p + 1, *a);
+    const auto at = [](auto& values, std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
+    part.knots.insert(part.knots.end(), at(spline.knots, after_a), at(spline.knots, before_b));
+    if (b) part.knots.insert(part.knots.end(), p + 1, *b);
+    part.points.assign(at(spline.points, first_point), at(spline.points, end_point));
+    return part;
+}
+
+/// The spline seen from behind: the point at u comes to -u. Exact, and its own inverse.
+template <class P>
+Spline<P> mirrored(Spline<P> spline) {
+    std::reverse(spline.knots.begin(), spline.knots.end());
+    for (double& knot : spline.knots) knot = -knot;
+    std::reverse(spline.points.begin(), spline.points.end());
+    return spline;
+}
+
+}  // namespace batten::core

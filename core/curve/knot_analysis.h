@@ -1,0 +1,52 @@
+/// What a knot vector says about its curves: distinct knots, continuity, segments, Greville abscissae, its kind.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/curve/knot_vector.h"
+
+namespace batten::core {
+
+/// A run of equal knots.
+struct DistinctKnot {
+    double value = 0.0;
+    std::size_t first = 0;     ///< index in KnotVector::values() of the run's first knot
+    int multiplicity = 1;      ///< how many knots are equal, across the seam when periodic
+    int continuity = 0;        ///< C^(p - multiplicity) there; -1 is a jump
+    bool in_domain = false;    ///< inside the closed domain
+    bool is_interior = false;  ///< strictly inside the domain, or the seam of a periodic vector
+
+    bool operator==(const DistinctKnot&) const = default;
+};
+
+/// The runs of equal knots of stored(), in order. A periodic seam is one entry, at its lower end.
+std::vector<DistinctKnot> distinct_knots(const KnotVector& knots);
+
+/// Non-empty spans of the domain.
+std::size_t segment_count(const KnotVector& knots);
+
+/// Both ends of multiplicity p+1 and no knots outside, so that the curve begins and ends in its end points. Never true
+/// when periodic.
+bool is_clamped(const KnotVector& knots);
+
+/// The interior knots are simple and the knots of the domain equally spaced, up to rounding of their values.
+bool is_uniform(const KnotVector& knots);
+
+/// The least continuity at an interior knot; none when the curve is one polynomial piece.
+std::optional<int> least_continuity(const KnotVector& knots);
+
+/// The Greville abscissae (u_{i+1} + ... + u_{i+p}) / p, one for each control point: where control point i acts most.
+/// For a periodic vector the values of points 0..n-1 of the unrolled curve, brought into the domain.
+std::vector<double> greville_abscissae(const KnotVector& knots);
+
+/// Whether the values satisfy the definition of `kind`; everything is custom.
+bool is_of_kind(const KnotVector& knots, KnotKind kind);
+
+/// The most special kind that the values satisfy (bezier before clamped_uniform and piecewise_bezier).
+KnotKind classify(const KnotVector& knots);
+
+/// "uniform", "clamped uniform", "Bézier", "piecewise Bézier", "periodic", "custom".
+const char* name_of(KnotKind kind);
+
+}  // namespace batten::core

@@ -1,0 +1,20 @@
+/// Turns text into a JSON tree that is safe to work on, or says where the text goes wrong.
+#pragma once
+
+#include "core/document/detail/native_format.h"
+#include "core/document/native_file.h"
+
+namespace batten::core {
+
+/// Lists and objects inside one another beyond this are refused, because trees are walked by recursion.
+inline constexpr std::size_t deepest_nesting = 100;
+
+/// Objects of more members are refused, because a member is found by comparing with all before it.
+inline constexpr std::size_t most_members = 10'000;
+
+/// The tree of `text`. Refused with "line L, column C": anything that is not JSON, numbers too large for a double, text
+/// that is not UTF-8. Refused without a place: nesting or members beyond the limits, a member that occurs twice in one
+/// object.
+[[nodiscard]] FileResult<Json> parse_json(std::string_view text);
+
+}  // namespace batten::core

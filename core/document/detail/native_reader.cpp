@@ -1,0 +1,184 @@
+#include <cmath>
+
+#include "core/curve/knot_analysis.h"
+#include "core/document/detail/json_text.h"
+#include "core/document/detail/native_format.h"
+#include "core/document/detail/object_reader.h"
+#include "core/document/native_file.h"
+
+namespace batten::core {
+
+namespace {
+
+std::optional<FileError> take(const Json& value, const std::string& pointer, KnotKind& target) {
+    std::string allowed = "one of";
+    for (const auto& [kind, name] : kind_names) {
+        if (value == name) {
+            target = kind;
+            return std::nullopt;
+        }
+        allowed += std::string(" \"") + name + "\"";
+    }
+    return wrong_value(pointer, value, allowed);
+}
+
+std::optional<FileError> take(const Json& value, const std::string& pointer, DocumentColor& target) {
+    const std::string text = value.is_string() ? value.get<std::string>() : "";
+    const bool is_color =
+        text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+    if (!is_color) return wrong_value(pointer, value, "a colour of the form \"#4c7fe0\"");
+    const auto part = [&](std::size_t at) {
+        return static_cast<std::uint8_t>(std::stoi(text.substr(at, 2), nullptr, 16));
+    };
+    target = {part(1), part(3), part(5)};
+    return std::nullopt;
+}
+
+// Where in the object of a curve the error sits.
+std::string place_of(const CurveError& error) {
+    const std::string item = "/" + std::to_string(error.index);
+    switch (error.code) {
+        case CurveErrorCode::degree_out_of_range:
+            return "/degree";
+        case CurveErrorCode::too_few_points:
+            return "/points";
+        case CurveErrorCode::point_not_finite:
+            return "/points" + item;
+        case CurveErrorCode::weight_count_mismatch:
+            return "/weights";
+        case CurveErrorCode::weight_not_finite:
+        case CurveErrorCode::weight_not_positive:
+            return "/weights" + item;
+        case CurveErrorCode::knot_count_mismatch:
+        case CurveErrorCode::domain_empty:
+            return "/knots";
+        case CurveErrorCode::knot_not_finite:
+        case CurveErrorCode::knot_decreasing:
+        case CurveErrorCode::multiplicity_too_high:
+            return "/knots" + item;
+        default:
+            return "";
+    }
+}
+
+void read_degree(ObjectReader& reader, int& degree) {
+    double value = degree;
+    reader.required("degree", value);
+    if (reader.error()) return;
+    if (std::trunc(value) != value || value < min_degree || value > max_degree)
+        reader.note(FileError{reader.place("degree"),
+                              std::trunc(value) == value
+                                  ? describe({.code = CurveErrorCode::degree_out_of_range, .value = value})
+                                  : "the degree is not a whole number"});
+    else
+        degree = static_cast<int>(value);
+}
+
+// A full vector draws an open curve, whatever "periodic" says: the data count, not the flag.
+void trust_data_over_flag(CurveDefinition& definition) {
+    if (definition.knots.size() == definition.points.size() + static_cast<std::size_t>(definition.degree) + 1)
+        definition.periodic = false;
+}
+
+void read_definition(ObjectReader& reader, CurveDefinition& definition, std::optional<KnotKind>& kind) {
+    bool may_tear = false;
+    read_degree(reader, definition.degree);
+    reader.required("knots", definition.knots);
+    reader.required("points", definition.points);
+    reader.optional("weights", definition.weights);
+    reader.optional("periodic", definition.periodic);
+    if (const Json* value = reader.find("kind")) reader.note(take(*value, reader.place("kind"), kind.emplace()));
+    reader.optional("tears", may_tear);
+    definition.tears = may_tear ? Tears::allow : Tears::refuse;
+    trust_data_over_flag(definition);
+}
+
+// Without a stored kind it is what the values say, which needs the vector first.
+Result<Curve> make_curve(CurveDefinition definition, std::optional<KnotKind> kind) {
+    if (kind) definition.kind = *kind;
+    auto curve = Curve::make(definition);
+    if (kind || !curve) return curve;
+    definition.kind = classify(curve->knots());
+    return Curve::make(std::move(definition));
+}
+
+FileResult<DocumentCurve> read_curve(const Json& object, const std::string& pointer) {
+    ObjectReader reader(object, pointer);
+    DocumentCurve entry;
+    CurveDefinition definition;
+    std::optional<KnotKind> kind;
+    reader.optional("name", entry.name);
+    read_definition(reader, definition, kind);
+    if (const Json* value = reader.find("color"))
+        reader.note(take(*value, reader.place("color"), entry.color.emplace()));
+    reader.optional("visible", entry.visible);
+    reader.optional("locked", entry.locked);
+    if (reader.error()) return tl::unexpected(*reader.error());
+    auto curve = make_curve(std::move(definition), kind);
+    if (!curve) return tl::unexpected(FileError{pointer + place_of(curve.error()), describe(curve.error())});
+    entry.curve = std::make_shared<const Curve>(std::move(*curve));
+    entry.unknown_members = reader.unknown_members();
+    return entry;
+}
+
+void read_format(ObjectReader& reader) {
+    std::string format;
+    double version = 0.0;
+    reader.required("format", format);
+    if (!reader.error() && format != format_name)
+        reader.note(wrong_value(reader.place("format"), format, "\"" + std::string(format_name) + "\""));
+    reader.required("version", version);
+    if (!reader.error() && version != format_version)
+        reader.note(FileError{reader.place("version"), "version " + Json(*reader.find("version")).dump() +
+                                                           " of the format is not known; this program reads version " +
+                                                           std::to_string(format_version)});
+}
+
+void read_curves(ObjectReader& reader, std::vector<DocumentCurve>& curves) {
+    const Json* list = reader.find("curves");
+    if (!list) return;
+    if (!list->is_array()) return reader.note(wrong_value(reader.place("curves"), *list, "a list of curves"));
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        auto curve = read_curve((*list)[i], reader.place("curves/" + std::to_string(i)));
+        if (!curve) return reader.note(curve.error());
+        curves.push_back(std::move(*curve));
+    }
+}
+
+// A name, or a place where names are not distinct. The view is a mere convenience, so one that names no curve is not an
+// error.
+std::size_t find_active(const Json& active, const std::vector<DocumentCurve>& curves) {
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        if (active == curves[i].name || active == i) return i;
+    return 0;
+}
+
+void read_view(ObjectReader& document_reader, Document& document) {
+    const Json* object = document_reader.find("view");
+    if (!object) return;
+    ObjectReader reader(*object, document_reader.place("view"));
+    reader.optional("parameter", document.view.parameter);
+    reader.optional("overlays", document.view.overlays);
+    if (const Json* active = reader.find("active")) document.active = find_active(*active, document.curves);
+    document.view.unknown_members = reader.unknown_members();
+    document_reader.note(reader.error());
+}
+
+}  // namespace
+
+FileResult<Document> parse_document(std::string_view text) {
+    const auto tree = parse_json(text);
+    if (!tree) return tl::unexpected(tree.error());
+    ObjectReader reader(*tree, "");
+    Document document;
+    read_format(reader);
+    reader.optional("title", document.title);
+    reader.optional("description", document.description);
+    read_curves(reader, document.curves);
+    read_view(reader, document);
+    document.unknown_members = reader.unknown_members();
+    if (reader.error()) return tl::unexpected(*reader.error());
+    return document;
+}
+
+}  // namespace batten::core

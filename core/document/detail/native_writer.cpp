@@ -1,0 +1,160 @@
+#include <cmath>
+
+#include "core/document/detail/native_format.h"
+#include "core/document/native_file.h"
+
+namespace batten::core {
+
+namespace {
+
+// Whole numbers below this are exact and are written without a fraction or an exponent.
+constexpr double whole_number_limit = 1e15;
+
+Json number(double value) {
+    const bool is_negative_zero = value == 0.0 && std::signbit(value);
+    if (std::trunc(value) == value && std::abs(value) < whole_number_limit && !is_negative_zero)
+        return static_cast<std::int64_t>(value);
+    return value;
+}
+
+Json numbers(std::span<const double> values) {
+    Json list = Json::array();
+    for (const double value : values) list.push_back(number(value));
+    return list;
+}
+
+Json coordinates(std::span<const Point> points) {
+    Json list = Json::array();
+    for (const Point& point : points) list.push_back(Json::array({number(point.x), number(point.y)}));
+    return list;
+}
+
+std::string name_in_file(KnotKind kind) {
+    for (const auto& [known, name] : kind_names)
+        if (known == kind) return name;
+    return "custom";
+}
+
+std::string text_of(DocumentColor color) {
+    const char* digits = "0123456789abcdef";
+    std::string text = "#";
+    for (const std::uint8_t part : {color.red, color.green, color.blue}) {
+        text += digits[part / 16];
+        text += digits[part % 16];
+    }
+    return text;
+}
+
+// The members of `unknown` (a JSON object as text) that the object does not have yet.
+void add_unknown_members(Json& object, const std::string& unknown) {
+    const Json members = Json::parse(unknown, nullptr, false);
+    if (!members.is_object()) return;
+    for (const auto& [name, value] : members.items())
+        if (!object.contains(name)) object[name] = value;
+}
+
+Json json_of(const DocumentCurve& entry) {
+    const CurveDefinition definition = entry.curve->definition();
+    Json object = Json::object();
+    object["name"] = entry.name;
+    object["degree"] = definition.degree;
+    object["knots"] = numbers(definition.knots);
+    object["points"] = coordinates(definition.points);
+    object["weights"] = numbers(definition.weights);
+    object["periodic"] = definition.periodic;
+    object["kind"] = name_in_file(definition.kind);
+    if (definition.tears == Tears::allow) object["tears"] = true;
+    if (entry.color) object["color"] = text_of(*entry.color);
+    object["visible"] = entry.visible;
+    object["locked"] = entry.locked;
+    add_unknown_members(object, entry.unknown_members);
+    return object;
+}
+
+// The active curve by its name, or by its place where an earlier curve has the same name.
+Json active_member(const Document& document) {
+    const std::string& name = document.curves[document.active].name;
+    for (std::size_t i = 0; i < document.active; ++i)
+        if (document.curves[i].name == name) return document.active;
+    return name;
+}
+
+Json json_of_view(const Document& document) {
+    const DocumentView& view = document.view;
+    Json object = Json::object();
+    if (view.parameter && std::isfinite(*view.parameter)) object["parameter"] = number(*view.parameter);
+    if (view.overlays) object["overlays"] = *view.overlays;
+    if (document.active > 0 && document.active_curve()) object["active"] = active_member(document);
+    add_unknown_members(object, view.unknown_members);
+    return object;
+}
+
+Json json_of(const Document& document) {
+    Json object = Json::object();
+    object["format"] = format_name;
+    object["version"] = format_version;
+    if (!document.title.empty()) object["title"] = document.title;
+    if (!document.description.empty()) object["description"] = document.description;
+    object["curves"] = Json::array();
+    for (const DocumentCurve& curve : document.curves) object["curves"].push_back(json_of(curve));
+    if (Json view = json_of_view(document); !view.empty()) object["view"] = std::move(view);
+    add_unknown_members(object, document.unknown_members);
+    return object;
+}
+
+// Text that is not UTF-8 cannot stand in JSON; what is wrong in it becomes the replacement character.
+std::string text_of_scalar(const Json& value) {
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+bool is_on_one_line(const Json& value) {
+    return value.is_array() &&
+           std::none_of(value.begin(), value.end(), [](const Json& item) { return item.is_structured(); });
+}
+
+void write_value(std::string& text, const Json& value, std::size_t indent);
+
+void write_on_one_line(std::string& text, const Json& list) {
+    text += '[';
+    const char* separator = "";
+    for (const Json& item : list) {
+        text += separator + text_of_scalar(item);
+        separator = ", ";
+    }
+    text += ']';
+}
+
+// Objects and lists of lists: one item a line, so that a changed item is one changed line.
+void write_on_lines(std::string& text, const Json& value, std::size_t indent) {
+    const std::string line = "\n" + std::string(indent + 2, ' ');
+    text += value.is_object() ? '{' : '[';
+    const char* separator = "";
+    for (const auto& [name, item] : value.items()) {
+        text += separator + line;
+        if (value.is_object()) text += text_of_scalar(name) + ": ";
+        write_value(text, item, indent + 2);
+        separator = ",";
+    }
+    if (!value.empty()) text += "\n" + std::string(indent, ' ');
+    text += value.is_object() ? '}' : ']';
+}
+
+void write_value(std::string& text, const Json& value, std::size_t indent) {
+    if (is_on_one_line(value))
+        write_on_one_line(text, value);
+    else if (value.is_structured())
+        write_on_lines(text, value, indent);
+    else
+        text += text_of_scalar(value);
+}
+
+}  // namespace
+
+std::string format_document(const Document& document) {
+    std::string text;
+    write_value(text, json_of(document), 0);
+    text += '\n';
+    return text;
+}
+
+}  // namespace batten::core

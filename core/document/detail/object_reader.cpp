@@ -1,0 +1,73 @@
+#include "core/document/detail/object_reader.h"
+
+namespace batten::core {
+
+namespace {
+
+constexpr std::size_t longest_quotation = 60;
+
+// What was found, short enough for a sentence.
+std::string quotation(const Json& value) {
+    if (value.is_object()) return "an object";
+    if (value.is_array())
+        return value.size() == 1 ? "a list of one item" : "a list of " + std::to_string(value.size()) + " items";
+    const std::string text = value.dump();
+    if (text.size() <= longest_quotation) return text;
+    return value.is_string() ? "a text of " + std::to_string(text.size() - 2) + " bytes"
+                             : text.substr(0, longest_quotation);
+}
+
+}  // namespace
+
+FileError wrong_value(const std::string& pointer, const Json& found, const std::string& allowed) {
+    return {pointer, "found " + quotation(found) + ", but it must be " + allowed};
+}
+
+std::optional<FileError> take(const Json& value, const std::string& pointer, bool& target) {
+    if (!value.is_boolean()) return wrong_value(pointer, value, "true or false");
+    target = value.get<bool>();
+    return std::nullopt;
+}
+
+std::optional<FileError> take(const Json& value, const std::string& pointer, double& target) {
+    if (!value.is_number()) return wrong_value(pointer, value, "a number");
+    target = value.get<double>();
+    return std::nullopt;
+}
+
+std::optional<FileError> take(const Json& value, const std::string& pointer, std::string& target) {
+    if (!value.is_string()) return wrong_value(pointer, value, "a text");
+    target = value.get<std::string>();
+    return std::nullopt;
+}
+
+std::optional<FileError> take(const Json& value, const std::string& pointer, Point& target) {
+    if (!value.is_array() || value.size() != 2) return wrong_value(pointer, value, "a list of two numbers, x and y");
+    if (auto error = take(value[0], pointer + "/0", target.x)) return error;
+    return take(value[1], pointer + "/1", target.y);
+}
+
+ObjectReader::ObjectReader(const Json& object, std::string pointer) : object_(object), pointer_(std::move(pointer)) {
+    if (!object_.is_object()) note(wrong_value(pointer_, object_, "an object"));
+}
+
+const Json* ObjectReader::find(const char* name) {
+    if (error_) return nullptr;
+    known_.insert(name);
+    const auto member = object_.find(name);
+    return member == object_.end() ? nullptr : &*member;
+}
+
+void ObjectReader::note(std::optional<FileError> error) {
+    if (!error_) error_ = std::move(error);
+}
+
+std::string ObjectReader::unknown_members() const {
+    if (!object_.is_object()) return {};
+    Json unknown = Json::object();
+    for (const auto& [name, value] : object_.items())
+        if (known_.count(name) == 0) unknown[name] = value;
+    return unknown.empty() ? std::string() : unknown.dump();
+}
+
+}  // namespace batten::core

@@ -1,0 +1,77 @@
+/// Takes the members of a JSON object into variables and notes the first thing found wrong.
+#pragma once
+
+#include <optional>
+#include <set>
+
+#include "core/document/detail/native_format.h"
+#include "core/document/native_file.h"
+
+namespace batten::core {
+
+/// "found 2.5, but <allowed>" at `pointer`.
+FileError wrong_value(const std::string& pointer, const Json& found, const std::string& allowed);
+
+/// Each take() stores `value` in `target`, or gives the reason why it cannot.
+std::optional<FileError> take(const Json& value, const std::string& pointer, bool& target);
+std::optional<FileError> take(const Json& value, const std::string& pointer, double& target);
+std::optional<FileError> take(const Json& value, const std::string& pointer, std::string& target);
+std::optional<FileError> take(const Json& value, const std::string& pointer, Point& target);
+
+template <class T>
+std::optional<FileError> take(const Json& value, const std::string& pointer, std::vector<T>& target) {
+    if (!value.is_array()) return wrong_value(pointer, value, "a list");
+    target.resize(value.size());
+    for (std::size_t i = 0; i < target.size(); ++i)
+        if (auto error = take(value[i], pointer + "/" + std::to_string(i), target[i])) return error;
+    return std::nullopt;
+}
+
+template <class T>
+std::optional<FileError> take(const Json& value, const std::string& pointer, std::optional<T>& target) {
+    return take(value, pointer, target.emplace());
+}
+
+/// Reads one object. After the first error nothing more is stored.
+class ObjectReader {
+  public:
+    /// `object` must outlive the reader; `pointer` is its place in the file, "" for the whole.
+    ObjectReader(const Json& object, std::string pointer);
+
+    /// Stores member `name` in `target`, which stays as it is when there is no such member.
+    template <class T>
+    void optional(const char* name, T& target) {
+        if (const Json* value = find(name)) note(take(*value, place(name), target));
+    }
+
+    /// The same for a member that must be there.
+    template <class T>
+    void required(const char* name, T& target) {
+        if (const Json* value = find(name))
+            note(take(*value, place(name), target));
+        else
+            note(FileError{pointer_, std::string("the member \"") + name + "\" is missing"});
+    }
+
+    /// The member `name`, or null; asked for by name, it counts as known.
+    const Json* find(const char* name);
+
+    /// Keeps `error` unless there is one already.
+    void note(std::optional<FileError> error);
+
+    const std::optional<FileError>& error() const { return error_; }
+
+    /// The JSON pointer of member `name`.
+    std::string place(const std::string& name) const { return pointer_ + "/" + name; }
+
+    /// The members that nobody asked for, as a JSON object; empty if none.
+    std::string unknown_members() const;
+
+  private:
+    const Json& object_;
+    std::string pointer_;
+    std::set<std::string> known_;
+    std::optional<FileError> error_;
+};
+
+}  // namespace batten::core

@@ -1,0 +1,62 @@
+/// A document: several named curves and how they are looked at. A plain value; copying it is cheap.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/curve/curve.h"
+
+namespace batten::core {
+
+/// A colour as it stands in the file, "#4c7fe0".
+struct DocumentColor {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+    bool operator==(const DocumentColor&) const = default;
+};
+
+/// One curve of a document with what belongs to it but not to its mathematics.
+struct DocumentCurve {
+    std::string name;
+    std::shared_ptr<const Curve> curve;  ///< never null in a document
+    std::optional<DocumentColor> color;  ///< none: the theme's curve colour
+    bool visible = true;
+    bool locked = false;
+    std::string unknown_members;  ///< members that this version does not know, as a JSON object; empty if none
+};
+
+/// How the document was last looked at; not part of undo.
+struct DocumentView {
+    std::optional<double> parameter;
+    std::optional<std::vector<std::string>> overlays;
+    std::string unknown_members;
+    bool operator==(const DocumentView&) const = default;
+};
+
+/// What a file holds.
+struct Document {
+    std::string title;        ///< shown where the document is offered; may be empty
+    std::string description;  ///< one sentence saying what to try; may be empty
+    std::vector<DocumentCurve> curves;
+    std::size_t active = 0;  ///< index of the curve that edits go to; 0 when there is none
+    DocumentView view;
+    std::string unknown_members;
+
+    const DocumentCurve* active_curve() const { return active < curves.size() ? &curves[active] : nullptr; }
+};
+
+/// The index of the first curve called `name`; none where there is none.
+std::optional<std::size_t> index_of_curve(const Document& document, const std::string& name);
+
+/// "'wave', 'circle'", or "none".
+std::string quoted_names(const Document& document);
+
+/// A name that no curve of `document` has: `wish` itself ("curve" when it is empty), else its first free successor:
+/// "wave 2" after "wave", "wave 3" after "wave 2".
+std::string unused_name(const Document& document, const std::string& wish);
+
+}  // namespace batten::core

@@ -1,0 +1,54 @@
+/// Edits of the knot vector that keep the control points and so change the shape.
+#pragma once
+
+#include "core/curve/curve.h"
+
+namespace batten::core {
+
+/// What a moved knot does when it meets its neighbours.
+enum class KnotMove {
+    stop,  ///< stops at the neighbouring knot's value, joining its stack while the multiplicity allows
+    push,  ///< takes the neighbours along, never joining them; the ends of the domain are pushed by no knot inside it
+    snap   ///< like stop, but jumps onto a knot not farther than the snap distance, and out of a stack only beyond it
+};
+
+/// The curve with knot `index` of stored() moved to `u`, taking `mode` and, for snap, the `snap_distance` (in
+/// parameter units, >= 0). The number of knots and all control points stay. Moving one knot of a stack takes the one
+/// at the side it is moved to, so a stack is pulled apart one by one. The kind becomes custom, unless nothing moves.
+///
+/// What cannot be joined (a stack that is full, an end that would leave no domain) is approached to 1/200 of the
+/// domain, or not at all by a knot that is nearer already. Pushed neighbours keep their distance, or that much of it.
+/// End knots move like others, which moves the domain. In a periodic curve t_0 and t_n are one knot and move
+/// together, so the period keeps its length; pushing, they move by at most one period.
+/// Errors: knot_index_out_of_range; parameter_not_finite.
+[[nodiscard]] Result<Curve> move_knot(const Curve& curve, std::size_t index, double u, KnotMove mode,
+                                      double snap_distance = 0.0);
+
+/// The curve with knot `index` of stored() set to exactly `u`, as typed. Of a stack, the knot at that side is taken. In
+/// a periodic curve the end of the period named by `index` is set alone, which changes the length of the period.
+/// Errors: knot_index_out_of_range; parameter_not_finite; knot_decreasing when `u` is not between the neighbours;
+/// multiplicity_too_high; domain_empty.
+[[nodiscard]] Result<Curve> set_knot(const Curve& curve, std::size_t index, double u);
+
+/// The curve without knot `index` of stored() and without the control point it carries most (the one whose Greville
+/// abscissa is nearest to the knot, never an end point of a clamped curve). Deleting the seam of a periodic curve
+/// makes the next knot the seam and keeps the period. Errors: knot_index_out_of_range; knot_not_removable.
+[[nodiscard]] Result<Curve> delete_knot(const Curve& curve, std::size_t index);
+
+/// The curve over new knots of `kind`, same points and domain. For custom the values stay and only the kind changes.
+/// Errors: those of make_knots.
+[[nodiscard]] Result<Curve> set_knot_kind(const Curve& curve, KnotKind kind);
+
+/// The curve over equally spaced knots, same points and domain: periodic stays periodic, clamped at both ends stays so,
+/// everything else becomes uniform without clamped ends.
+[[nodiscard]] Result<Curve> make_uniform(const Curve& curve);
+
+/// The curve over `knots` (one period when periodic), same degree, points and weights; the kind becomes custom. Errors:
+/// those of KnotVector::make and knot_count_mismatch.
+[[nodiscard]] Result<Curve> set_knots(const Curve& curve, std::vector<double> knots);
+
+/// The closed curve through wrapped use of the same control points (uniform periodic knots over the same domain), or
+/// the open clamped uniform one. Shape-changing. Error: too_few_points.
+[[nodiscard]] Result<Curve> set_periodic(const Curve& curve, bool periodic);
+
+}  // namespace batten::core

@@ -1,0 +1,185 @@
+#include "core/edit/point_edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "core/curve/detail/edit_checks.h"
+#include "core/curve/knot_kinds.h"
+
+namespace batten::core {
+
+namespace {
+
+Result<void> check_finite(Point position, std::size_t index) {
+    if (std::isfinite(position.x) && std::isfinite(position.y)) return {};
+    return tl::unexpected(CurveError{.code = CurveErrorCode::point_not_finite, .index = index});
+}
+
+// The knots of the curve's special kind for one control point more or less; none when its kind has none for that
+// number.
+std::optional<Result<KnotVector>> regenerated_knots(const Curve& curve, std::size_t point_count) {
+    const KnotKind kind = curve.knots().kind();
+    if (kind == KnotKind::custom) return std::nullopt;
+    const int degree = kind == KnotKind::bezier ? static_cast<int>(point_count) - 1 : curve.degree();
+    auto knots = make_knots(kind, degree, point_count, curve.domain());
+    if (!knots && knots.error().code == CurveErrorCode::kind_not_possible) return std::nullopt;
+    return knots;
+}
+
+// The Greville abscissa of control point i of the unrolled curve, not brought into the domain.
+double greville_abscissa(const KnotVector& knots, std::size_t i) {
+    double sum = 0.0;
+    for (std::size_t k = i + 1; k <= i + static_cast<std::size_t>(knots.degree()); ++k) sum += knots[k];
+    return sum / knots.degree();
+}
+
+// A span that a new knot may halve: the nearest is best, and of equally near ones the longest.
+struct SpanChoice {
+    double middle = 0.0;
+    double distance = 0.0;
+    double length = 0.0;
+
+    bool is_better_than(const SpanChoice& other) const {
+        return distance < other.distance || (distance == other.distance && length > other.length);
+    }
+};
+
+// The middle of the span nearest to `near` among the spans first..last that can be halved.
+std::optional<double> halving_knot(const KnotVector& knots, std::size_t first, std::size_t last, double near) {
+    std::optional<SpanChoice> best;
+    for (std::size_t s = first; s <= last; ++s) {
+        const Interval span{knots[s], knots[s + 1]};
+        const SpanChoice choice{span.lower + 0.5 * span.length(), std::abs(near - span.clamp(near)), span.length()};
+        const bool is_divisible = span.lower < choice.middle && choice.middle < span.upper;
+        if (is_divisible && (!best || choice.is_better_than(*best))) best = choice;
+    }
+    if (!best) return std::nullopt;
+    return best->middle;
+}
+
+// The knot that comes with a control point before point `index`: in one of the spans over which both points of the leg
+// act, or where all of these are empty in the nearest one that is not.
+std::optional<double> knot_for_point(const KnotVector& knots, std::size_t index) {
+    const auto p = static_cast<std::size_t>(knots.degree());
+    const std::size_t count = knots.control_point_count();
+    const std::size_t last_span = knots.size() - p - 2;
+    const std::size_t before = index == 0 ? 0 : index - 1;
+    const std::size_t after = !knots.is_periodic() && index == count ? count - 1 : index;
+    const double near = 0.5 * (greville_abscissa(knots, before) + greville_abscissa(knots, after));
+    const std::size_t first = std::clamp(index, p, last_span);
+    const std::size_t last = std::clamp(index + p - 1, first, last_span);
+    if (const auto knot = halving_knot(knots, first, last, near)) return knot;
+    return halving_knot(knots, p, last_span, near);
+}
+
+// Interpolated where `position` lies along the leg from the point before to the point after.
+double weight_on_leg(const Curve& curve, std::size_t index, Point position) {
+    const auto points = curve.control_points();
+    const auto weights = curve.weights();
+    const std::size_t count = points.size();
+    const bool is_beyond_end = !curve.is_periodic() && (index == 0 || index == count);
+    if (is_beyond_end) return index == 0 ? weights.front() : weights.back();
+    const std::size_t before = (index + count - 1) % count;
+    const std::size_t after = index % count;
+    const Vector leg = points[after] - points[before];
+    const double length_squared = glm::dot(leg, leg);
+    const double along = length_squared == 0.0 ? 0.5 : glm::dot(position - points[before], leg) / length_squared;
+    return glm::mix(weights[before], weights[after], std::clamp(along, 0.0, 1.0));
+}
+
+// The inner knot (of the period, or of the domain) nearest to the Greville abscissa of control point `index`.
+std::size_t knot_with_point(const KnotVector& knots, std::size_t index) {
+    const auto p = static_cast<std::size_t>(knots.degree());
+    const double greville = greville_abscissa(knots, index);
+    std::size_t nearest = p + 1;
+    for (std::size_t k = p + 2; k + p + 1 < knots.size(); ++k)
+        if (std::abs(knots[k] - greville) < std::abs(knots[nearest] - greville)) nearest = k;
+    return nearest - knots.stored_offset();
+}
+
+template <class T>
+auto at(std::vector<T>& list, std::size_t index) {
+    return list.begin() + static_cast<std::ptrdiff_t>(index);
+}
+
+Result<Curve> over(Result<KnotVector> knots, CurveDefinition definition) {
+    if (!knots) return tl::unexpected(knots.error());
+    return Curve::make(std::move(*knots), std::move(definition.points), std::move(definition.weights));
+}
+
+}  // namespace
+
+Result<Curve> set_control_point(const Curve& curve, std::size_t index, Point position) {
+    if (auto check = check_point_index(index, curve.control_points().size() - 1); !check)
+        return tl::unexpected(check.error());
+    CurveDefinition definition = curve.definition();
+    definition.points[index] = position;
+    return over(curve.knots(), std::move(definition));
+}
+
+Result<Curve> move_control_points(const Curve& curve, std::span<const std::size_t> indices, Vector offset) {
+    CurveDefinition definition = curve.definition();
+    for (const std::size_t index : indices) {
+        if (auto check = check_point_index(index, definition.points.size() - 1); !check)
+            return tl::unexpected(check.error());
+        definition.points[index] = curve.control_points()[index] + offset;
+    }
+    return over(curve.knots(), std::move(definition));
+}
+
+Result<Curve> set_weight(const Curve& curve, std::size_t index, double weight) {
+    if (auto check = check_point_index(index, curve.control_points().size() - 1); !check)
+        return tl::unexpected(check.error());
+    CurveDefinition definition = curve.definition();
+    definition.weights[index] = weight;
+    return over(curve.knots(), std::move(definition));
+}
+
+Result<Curve> add_control_point(const Curve& curve, std::size_t index, Point position) {
+    const std::size_t count = curve.control_points().size();
+    const auto check = check_point_index(index, count).and_then([&] { return check_finite(position, index); });
+    if (!check) return tl::unexpected(check.error());
+    if (curve.is_periodic() && index == 0) index = count;
+    CurveDefinition definition = curve.definition();
+    definition.weights.insert(at(definition.weights, index), weight_on_leg(curve, index, position));
+    definition.points.insert(at(definition.points, index), position);
+    if (auto knots = regenerated_knots(curve, count + 1)) return over(*std::move(knots), std::move(definition));
+    const auto knot = knot_for_point(curve.knots(), index);
+    if (!knot)
+        return tl::unexpected(CurveError{.code = CurveErrorCode::multiplicity_full,
+                                         .value = curve.domain().lower,
+                                         .upper = static_cast<double>(curve.degree())});
+    definition.knots.insert(std::upper_bound(definition.knots.begin(), definition.knots.end(), *knot), *knot);
+    return Curve::make(std::move(definition));
+}
+
+Result<Curve> delete_control_point(const Curve& curve, std::size_t index) {
+    const std::size_t count = curve.control_points().size();
+    if (auto check = check_point_index(index, count - 1); !check) return tl::unexpected(check.error());
+    const bool may_have_two = curve.is_periodic() || curve.knots().kind() == KnotKind::bezier;
+    const std::size_t least = may_have_two ? 2 : static_cast<std::size_t>(curve.degree()) + 1;
+    if (count <= least)
+        return tl::unexpected(CurveError{.code = CurveErrorCode::too_few_points,
+                                         .value = static_cast<double>(count - 1),
+                                         .lower = static_cast<double>(least)});
+    CurveDefinition definition = curve.definition();
+    definition.points.erase(at(definition.points, index));
+    definition.weights.erase(at(definition.weights, index));
+    if (auto knots = regenerated_knots(curve, count - 1)) return over(*std::move(knots), std::move(definition));
+    definition.knots.erase(at(definition.knots, knot_with_point(curve.knots(), index)));
+    return Curve::make(std::move(definition));
+}
+
+Result<Curve> delete_control_points(const Curve& curve, std::span<const std::size_t> indices) {
+    std::vector<std::size_t> from_last(indices.begin(), indices.end());
+    std::sort(from_last.begin(), from_last.end(), std::greater<>());
+    Result<Curve> rest = curve;
+    for (const std::size_t index : from_last)
+        rest = rest.and_then([&](const Curve& c) { return delete_control_point(c, index); });
+    return rest;
+}
+
+}  // namespace batten::core

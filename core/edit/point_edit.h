@@ -1,0 +1,38 @@
+/// Edits of control points and weights (shape-changing).
+#pragma once
+
+#include <span>
+
+#include "core/curve/curve.h"
+
+namespace batten::core {
+
+/// The curve with control point `index` at `position`. Errors: point_index_out_of_range; point_not_finite.
+[[nodiscard]] Result<Curve> set_control_point(const Curve& curve, std::size_t index, Point position);
+
+/// The curve with the points `indices` moved by `offset`. Errors as set_control_point.
+[[nodiscard]] Result<Curve> move_control_points(const Curve& curve, std::span<const std::size_t> indices,
+                                                Vector offset);
+
+/// The curve with weight `index` set to `weight`. Errors: point_index_out_of_range; weight_not_finite;
+/// weight_not_positive.
+[[nodiscard]] Result<Curve> set_weight(const Curve& curve, std::size_t index, double weight);
+
+/// The curve with a control point at `position` inserted before point `index` (0..n+1, so also at both ends), its
+/// weight interpolated along the leg, and one knot more; all other control points stay. A special kind is regenerated
+/// over the same domain (Bézier: the degree grows by one up to max_degree). A custom vector, and a piecewise Bézier
+/// one, which has no knots for one point more, gains the knot that halves the span most controlled by the leg. In a
+/// periodic curve 0 means the same leg as n, from the last point to the first, and the new point comes last. Errors:
+/// point_index_out_of_range; point_not_finite; degree_out_of_range; multiplicity_full when no span can be halved.
+[[nodiscard]] Result<Curve> add_control_point(const Curve& curve, std::size_t index, Point position);
+
+/// The curve without control point `index` and without one knot: a special kind is regenerated (Bézier: the degree
+/// falls by one), a custom or piecewise Bézier vector loses the inner knot nearest to the point's Greville abscissa.
+/// Errors: point_index_out_of_range; too_few_points.
+[[nodiscard]] Result<Curve> delete_control_point(const Curve& curve, std::size_t index);
+
+/// The curve without the points `indices` (distinct, any order), deleted one by one from the last. Errors as
+/// delete_control_point.
+[[nodiscard]] Result<Curve> delete_control_points(const Curve& curve, std::span<const std::size_t> indices);
+
+}  // namespace batten::core

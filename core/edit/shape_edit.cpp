@@ -1,0 +1,96 @@
+#include "core/edit/shape_edit.h"
+
+#include <cmath>
+
+#include "core/curve/detail/edit_checks.h"
+#include "core/evaluate/evaluate.h"
+#include "core/evaluate/rational_basis.h"
+
+namespace batten::core {
+
+namespace {
+
+bool is_finite(Vector vector) {
+    return std::isfinite(vector.x) && std::isfinite(vector.y);
+}
+
+Result<void> check_move(const Curve& curve, double u, Vector first, Vector second) {
+    if (const auto check = check_parameter_finite(u); !check) return check;
+    const Interval domain = curve.domain();
+    if (!domain.contains(u))
+        return refuse({.code = CurveErrorCode::parameter_outside_domain,
+                       .value = u,
+                       .lower = domain.lower,
+                       .upper = domain.upper});
+    if (!is_finite(first) || !is_finite(second)) return refuse({.code = CurveErrorCode::vector_not_finite});
+    return {};
+}
+
+// How much each of the control points that act counts in a value at u. In a short period one point may act repeatedly.
+std::vector<double> shares(const RationalBasis& basis, std::size_t order, std::size_t n) {
+    std::vector<double> sums(std::min(n, basis.derivatives[order].size()), 0.0);
+    for (std::size_t j = 0; j < basis.derivatives[order].size(); ++j) sums[j % n] += basis.derivatives[order][j];
+    return sums;
+}
+
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < a.size(); ++j) sum += a[j] * b[j];
+    return sum;
+}
+
+// The point of the curve that is one of its control points, as at a clamped end, goes to the target to the last bit.
+std::optional<std::size_t> only_share(const std::vector<double>& values) {
+    for (std::size_t j = 0; j < values.size(); ++j)
+        if (values[j] == 1.0 && dot(values, values) == 1.0) return j;
+    return std::nullopt;
+}
+
+}  // namespace
+
+Result<Curve> move_curve_point(const Curve& curve, double u, Point target) {
+    if (const auto check = check_move(curve, u, target, Vector(0.0)); !check) return refuse(check.error());
+    const RationalBasis basis = rational_basis(curve, u);
+    CurveDefinition definition = curve.definition();
+    const std::size_t n = definition.points.size();
+    const std::vector<double> values = shares(basis, 0, n);
+    if (const auto j = only_share(values)) {
+        definition.points[(basis.first + *j) % n] = target;
+        return Curve::make(std::move(definition));
+    }
+    const Vector move = (target - point_at(curve, u)) / dot(values, values);
+    for (std::size_t j = 0; j < values.size(); ++j)
+        if (values[j] != 0.0) definition.points[(basis.first + j) % n] += values[j] * move;
+    return Curve::make(std::move(definition));
+}
+
+Result<Curve> move_curve_point_and_tangent(const Curve& curve, double u, Point target, Vector derivative, Side side) {
+    if (const auto check = check_move(curve, u, target, derivative); !check) return refuse(check.error());
+    const RationalBasis basis = rational_basis(curve, u, 1, side);
+    CurveDefinition definition = curve.definition();
+    const std::size_t n = definition.points.size();
+    const std::vector<double> values = shares(basis, 0, n);
+    std::vector<double> slopes = shares(basis, 1, n);
+    const double size = dot(slopes, slopes);
+    // The part of the slopes that does not move the point; the two conditions are then met one after the other.
+    const double along = dot(slopes, values) / dot(values, values);
+    for (std::size_t j = 0; j < slopes.size(); ++j) slopes[j] -= along * values[j];
+    const double free_size = dot(slopes, slopes);
+    constexpr double least_share = 1e-24;
+    if (!(free_size > least_share * size)) return refuse({.code = CurveErrorCode::tangent_not_free, .value = u});
+
+    const auto old = derivatives_at(curve, u, 1, side);
+    const Vector move = target - old[0];
+    const Vector turn = derivative - old[1] - along * move;
+    const auto only = only_share(values);
+    for (std::size_t j = 0; j < values.size(); ++j) {
+        Point& point = definition.points[(basis.first + j) % n];
+        if (only == j)
+            point = target + slopes[j] / free_size * turn;
+        else if (values[j] != 0.0 || slopes[j] != 0.0)
+            point += values[j] / dot(values, values) * move + slopes[j] / free_size * turn;
+    }
+    return Curve::make(std::move(definition));
+}
+
+}  // namespace batten::core

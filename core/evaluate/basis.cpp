@@ -1,0 +1,76 @@
+#include "core/evaluate/basis.h"
+
+#include "core/curve/detail/bspline.h"
+
+namespace batten::core {
+
+namespace {
+
+// How much each local point has in the result. The triangle is read from its apex, where one point has all, back to its
+// base, where the shares of the control points are the basis functions. Entries r..p count above level r.
+using Shares = LocalPoints<double>;
+
+Shares shares_at_apex(const SpanKnots& at) {
+    Shares shares{};
+    shares[at.p] = 1.0;
+    return shares;
+}
+
+// blend_level read backwards: what a point is given on level r is owed to the two points it is blended from.
+void return_blend_level(Shares& shares, const SpanKnots& at, std::size_t r, double u) {
+    for (std::size_t j = r; j <= at.p; ++j) {
+        const Ratio ratio = at.ratio(j, r, u);
+        shares[j - 1] += ratio.lower_share * shares[j];
+        shares[j] *= ratio.upper_share;
+    }
+}
+
+// differentiate_level read backwards.
+void return_differentiate_level(Shares& shares, const SpanKnots& at, std::size_t r) {
+    for (std::size_t j = r; j <= at.p; ++j) {
+        shares[j] *= static_cast<double>(at.p - r + 1) / (at.upper(j, r) - at.lower(j));
+        shares[j - 1] -= shares[j];
+    }
+}
+
+std::vector<double> differentiated(Shares shares, const SpanKnots& at, std::size_t times) {
+    for (std::size_t r = times; r >= 1; --r) return_differentiate_level(shares, at, r);
+    return {shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(at.p) + 1};
+}
+
+}  // namespace
+
+BasisValues basis_functions(const KnotVector& knots, double u, int derivative_count, Side side) {
+    const auto [inside, at] = located(knots, u, side);
+    const auto count = static_cast<std::size_t>(derivative_count);
+    BasisValues result{.span = at.s, .derivatives = std::vector(count + 1, std::vector<double>(at.p + 1, 0.0))};
+    // The k-th derivative differentiates on levels 1..k and blends on those above, which the lower derivatives share.
+    Shares shares = shares_at_apex(at);
+    for (std::size_t k = at.p;; --k) {
+        if (k <= count) result.derivatives[k] = differentiated(shares, at, k);
+        if (k == 0) return result;
+        return_blend_level(shares, at, k, inside);
+    }
+}
+
+double basis_function(const KnotVector& knots, std::size_t i, double u) {
+    if (!knots.is_periodic() && !knots.domain().contains(u)) return 0.0;
+    const auto [inside, at] = located(knots, u, Side::right);
+    // Only a periodic vector has more local points than it has control points to tell apart.
+    const std::size_t n = knots.control_point_count();
+    LocalPoints<double> points{};
+    for (std::size_t j = 0; j <= at.p; ++j) points[j] = (at.s - at.p + j) % n == i % n ? 1.0 : 0.0;
+    return de_boor(points, at, inside);
+}
+
+Interval basis_support(const KnotVector& knots, std::size_t i) {
+    const auto p = static_cast<std::size_t>(knots.degree());
+    const Interval domain = knots.domain();
+    if (!knots.is_periodic()) return {domain.clamp(knots[i]), domain.clamp(knots[i + p + 1])};
+    const std::size_t n = knots.control_point_count();
+    std::size_t repetition = i % n;
+    while (repetition < p) repetition += n;
+    return {knots[repetition], knots[repetition + p + 1]};
+}
+
+}  // namespace batten::core

@@ -1,0 +1,48 @@
+#include "core/evaluate/detail/piece_motion.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/curve/detail/bspline.h"
+#include "core/measure/detail/piece_forms.h"
+
+namespace batten::core {
+
+namespace {
+
+// The Bernstein form of the first `count` points at t.
+template <class P>
+P bernstein_sum(LocalPoints<P>& points, std::size_t count, double t) {
+    const Ratio ratio{1.0 - t, t};
+    for (std::size_t left = count - 1; left > 0; --left)
+        for (std::size_t i = 0; i < left; ++i) points[i] = blend(points[i], points[i + 1], ratio);
+    return points[0];
+}
+
+}  // namespace
+
+Motion PieceMotion::at(double t) const {
+    const std::size_t p = piece_.points.size() - 1;
+    LocalPoints<HomogeneousPoint> points;
+    std::copy(piece_.points.begin(), piece_.points.end(), points.begin());
+    const HomogeneousPoint here = bernstein_sum(points, p + 1, t);
+    const Point position = project(here);
+    // Seen from C(t), where the derivative of the weight does not matter.
+    LocalPoints<Vector> legs;
+    const auto away = [&](const HomogeneousPoint& point) { return Vector(point) - point.z * position; };
+    for (std::size_t i = 0; i < p; ++i) legs[i] = away(piece_.points[i + 1]) - away(piece_.points[i]);
+    return {position, static_cast<double>(p) / here.z * bernstein_sum(legs, p, t)};
+}
+
+double PieceMotion::speed_at(double t) const {
+    const Vector velocity = at(t).velocity;
+    return std::hypot(velocity.x, velocity.y);
+}
+
+std::vector<PieceMotion> motions_of(const Curve& curve, Point origin) {
+    std::vector<PieceMotion> motions;
+    for (BezierPiece& piece : bezier_pieces(seen_from(curve, origin))) motions.emplace_back(std::move(piece));
+    return motions;
+}
+
+}  // namespace batten::core

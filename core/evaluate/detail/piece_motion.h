@@ -1,0 +1,35 @@
+/// Points and velocities of one Bézier piece, for integrating along it.
+#pragma once
+
+#include <vector>
+
+#include "core/evaluate/bezier_pieces.h"
+
+namespace batten::core {
+
+/// Where a point moving along a piece is and how fast.
+struct Motion {
+    Point position{};
+    Vector velocity{};  ///< dC/dt for t from 0 to 1 over the piece, whatever its interval is
+};
+
+/// One piece as a function of t in [0, 1], which loses no digits where the knots are close together and far from zero.
+class PieceMotion {
+  public:
+    explicit PieceMotion(BezierPiece piece) : piece_(std::move(piece)) {}
+
+    Interval interval() const { return piece_.interval; }
+
+    /// Cost O(p^2). Source: de Casteljau.
+    Motion at(double t) const;
+
+    double speed_at(double t) const;
+
+  private:
+    BezierPiece piece_;
+};
+
+/// All pieces of `curve`, seen from `origin`.
+std::vector<PieceMotion> motions_of(const Curve& curve, Point origin);
+
+}  // namespace batten::core

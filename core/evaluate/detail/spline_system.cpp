@@ -1,0 +1,100 @@
+#include "core/evaluate/detail/spline_system.h"
+
+#include <utility>
+
+#include "core/evaluate/basis.h"
+#include "core/evaluate/detail/precise_jet.h"
+
+namespace batten::core {
+
+namespace {
+
+// The place of unknown i of a ring of n in the order 0, n-1, 1, n-2, 2, ..., in which neighbours on the ring are never
+// farther apart than two places: what is banded around the ring becomes a plain band of twice the width.
+std::size_t folded(std::size_t i, std::size_t n) {
+    return 2 * i < n ? 2 * i : 2 * (n - 1 - i) + 1;
+}
+
+}  // namespace
+
+SplineSystem::SplineSystem(KnotVector knots, Point origin, std::span<const KnownPoint> known)
+    : knots_(std::move(knots)),
+      origin_(origin),
+      points_(knots_.control_point_count(), Point(0.0)),
+      unknown_(knots_.control_point_count(), 0) {
+    const std::size_t n = points_.size();
+    for (const KnownPoint& given : known) {
+        points_[given.index] = given.point - origin;
+        unknown_[given.index] = is_known;
+    }
+    for (std::size_t& unknown : unknown_)
+        if (unknown != is_known) unknown = unknown_count_++;
+    if (!knots_.is_periodic()) return;
+    for (std::size_t i = 0; i < n; ++i) unknown_[i] = folded(i, n);
+}
+
+void SplineSystem::require(double u, int order, Vector value, double weight, Side side) {
+    const BasisValues basis = basis_functions(knots_, u, order, side);
+    std::vector<double> coefficients = basis.derivatives[static_cast<std::size_t>(order)];
+    for (double& coefficient : coefficients) coefficient *= weight;
+    const std::size_t before = equations_.size();
+    // The functions sum to 1 and their derivatives to 0, so that only points have to be seen from the origin.
+    require_sum(basis.span - static_cast<std::size_t>(knots_.degree()), coefficients,
+                weight * (order == 0 ? value - origin_ : value));
+    if (equations_.size() > before && order <= 2) sites_.push_back({u, order, value, weight, side});
+}
+
+void SplineSystem::require_sum(std::size_t first, std::span<const double> coefficients, Vector right) {
+    const std::size_t n = points_.size();
+    std::size_t lowest = unknown_count_;
+    std::size_t highest = 0;
+    for (std::size_t j = 0; j < coefficients.size(); ++j) {
+        const std::size_t i = (first + j) % n;
+        if (unknown_[i] == is_known) {
+            right -= coefficients[j] * points_[i];
+        } else {
+            lowest = std::min(lowest, unknown_[i]);
+            highest = std::max(highest, unknown_[i]);
+        }
+    }
+    if (lowest == unknown_count_) return;
+    BandedEquation<Point> equation{lowest, std::vector<double>(highest - lowest + 1, 0.0), right};
+    for (std::size_t j = 0; j < coefficients.size(); ++j) {
+        const std::size_t unknown = unknown_[(first + j) % n];
+        if (unknown != is_known) equation.coefficients[unknown - lowest] += coefficients[j];
+    }
+    equations_.push_back(std::move(equation));
+}
+
+// One step of iterative refinement, with what the conditions lack seen in twice the precision. It makes up for rounding
+// in the solution and in the coefficients. Source: Wilkinson 1963; Golub and Van Loan, Matrix Computations, 3.5.3.
+std::vector<Point> SplineSystem::refined(std::vector<Point> points) const {
+    const auto curve = Curve::make(knots_, points, {});
+    if (!curve) return points;
+    std::vector<BandedEquation<Point>> equations = equations_;
+    for (std::size_t k = 0; k < sites_.size(); ++k) {
+        const Site& site = sites_[k];
+        const Location at = located(knots_, site.u, site.side);
+        const Point origin = site.order == 0 ? site.value : Point(0.0);
+        const auto found = precise_jet(*curve, at.at, at.u, origin)[static_cast<std::size_t>(site.order)];
+        const Vector wanted = site.order == 0 ? Vector(0.0) : site.value;
+        equations[k].right = site.weight * Vector((wanted.x - found.x).rounded(), (wanted.y - found.y).rounded());
+    }
+    const auto correction = solve_least_squares(std::move(equations), unknown_count_);
+    if (!correction) return points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (unknown_[i] != is_known) points[i] += (*correction)[unknown_[i]];
+    return points;
+}
+
+std::optional<std::vector<Point>> SplineSystem::solve() const {
+    const auto solution = solve_least_squares(equations_, unknown_count_);
+    if (!solution) return std::nullopt;
+    std::vector<Point> points = points_;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] = origin_ + (unknown_[i] == is_known ? points_[i] : (*solution)[unknown_[i]]);
+    const bool is_exact = equations_.size() == unknown_count_ && sites_.size() == unknown_count_;
+    return is_exact ? refined(std::move(points)) : points;
+}
+
+}  // namespace batten::core

@@ -1,0 +1,60 @@
+/// Linear conditions on the control points of a spline, of which the control points are computed.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/detail/banded_least_squares.h"
+#include "core/curve/knot_vector.h"
+
+namespace batten::core {
+
+/// A control point that is known beforehand.
+struct KnownPoint {
+    std::size_t index = 0;
+    Point point{};
+};
+
+/// Collects conditions and solves them: exactly when they are as many as the unknown control points, by least squares
+/// when they are more. Coordinates are reckoned from an origin, which should lie near the points.
+class SplineSystem {
+  public:
+    SplineSystem(KnotVector knots, Point origin, std::span<const KnownPoint> known = {});
+
+    /// The derivative of order `order` at `u` shall be `value`, a point of the plane when `order` is 0. The condition
+    /// counts `weight` times in the errors that are squared. Cost O(p^2).
+    void require(double u, int order, Vector value, double weight = 1.0, Side side = Side::right);
+
+    /// sum of coefficients[j] (P_{first + j} - origin) shall be `right`; indices are those of the unrolled spline.
+    void require_sum(std::size_t first, std::span<const double> coefficients, Vector right);
+
+    /// All control points; none where the conditions do not determine them. As many conditions on the spline, of order
+    /// up to 2, as unknowns are met to the last digits of the control points. Cost O(m p^2) for m conditions.
+    std::optional<std::vector<Point>> solve() const;
+
+    const KnotVector& knots() const { return knots_; }
+
+  private:
+    static constexpr std::size_t is_known = static_cast<std::size_t>(-1);
+
+    struct Site {
+        double u = 0.0;
+        int order = 0;
+        Vector value{};
+        double weight = 1.0;
+        Side side = Side::right;
+    };
+
+    std::vector<Point> refined(std::vector<Point> points) const;
+
+    KnotVector knots_;
+    Point origin_;
+    std::vector<Point> points_;         ///< the known ones, seen from the origin; zero for the others
+    std::vector<std::size_t> unknown_;  ///< control point to unknown, or is_known
+    std::size_t unknown_count_ = 0;
+    std::vector<BandedEquation<Point>> equations_;
+    std::vector<Site> sites_;  ///< where the equations come from; fewer than equations when some are sums
+};
+
+}  // namespace batten::core

@@ -1,0 +1,137 @@
+#include "core/evaluate/uniform_cubic.h"
+
+#include <utility>
+
+#include "core/curve/detail/bspline.h"
+#include "core/curve/knot_analysis.h"
+
+namespace batten::core {
+
+namespace {
+
+Result<void> check_uniform_cubic(const Curve& curve) {
+    if (is_uniform_cubic(curve)) return {};
+    return refuse({.code = CurveErrorCode::curve_not_uniform_cubic});
+}
+
+Result<void> check_polynomial(const Curve& curve) {
+    return check_uniform_cubic(curve).and_then([&]() -> Result<void> {
+        if (!curve.is_rational()) return {};
+        return refuse({.code = CurveErrorCode::curve_rational});
+    });
+}
+
+std::size_t segment_total(const Curve& curve) {
+    return curve.control_points().size() - (curve.is_periodic() ? 0 : 3);
+}
+
+Interval interval_of(const Curve& curve, std::size_t segment) {
+    return {curve.knots()[segment + 3], curve.knots()[segment + 4]};
+}
+
+Point control_point(const Curve& curve, std::size_t i) {
+    return curve.control_points()[i % curve.control_points().size()];
+}
+
+// The joint of three neighbours, seen from the middle one, so that equal points give themselves.
+Point joint(Point before, Point at, Point after) {
+    return at + ((before - at) + (after - at)) / 6.0;
+}
+
+CubicSegment matrix_form(const Curve& curve, std::size_t segment) {
+    CubicSegment result{.interval = interval_of(curve, segment), .first_point = segment};
+    for (std::size_t k = 0; k < 4; ++k) {
+        HomogeneousPoint sum(0.0);
+        for (std::size_t j = 0; j < 4; ++j)
+            sum += static_cast<double>(uniform_cubic_matrix[k][j]) * curve.homogeneous_point(segment + j);
+        result.coefficients[k] = sum / 6.0;
+    }
+    return result;
+}
+
+FergusonSegment ferguson_form(const Curve& curve, std::size_t segment) {
+    std::array<Point, 4> P;
+    for (std::size_t j = 0; j < 4; ++j) P[j] = control_point(curve, segment + j);
+    return {.interval = interval_of(curve, segment),
+            .start = joint(P[0], P[1], P[2]),
+            .end = joint(P[1], P[2], P[3]),
+            .start_tangent = 0.5 * (P[2] - P[0]),
+            .end_tangent = 0.5 * (P[3] - P[1])};
+}
+
+Anticentroid construction(std::size_t index, double u, Point before, Point at, Point after) {
+    return {.index = index,
+            .u = u,
+            .vertex = at,
+            .base_middle = before + 0.5 * (after - before),
+            .anticentroid = joint(before, at, after),
+            .tangent = 0.5 * (after - before),
+            .second_derivative = (before - at) + (after - at)};
+}
+
+}  // namespace
+
+bool is_uniform_cubic(const Curve& curve) {
+    const KnotKind kind = curve.is_periodic() ? KnotKind::periodic : KnotKind::uniform;
+    return curve.degree() == 3 && is_of_kind(curve.knots(), kind);
+}
+
+Result<std::vector<CubicSegment>> cubic_segments(const Curve& curve) {
+    if (const auto check = check_uniform_cubic(curve); !check) return refuse(check.error());
+    std::vector<CubicSegment> segments;
+    for (std::size_t k = 0; k < segment_total(curve); ++k) segments.push_back(matrix_form(curve, k));
+    return segments;
+}
+
+Result<std::vector<FergusonSegment>> ferguson_segments(const Curve& curve) {
+    if (const auto check = check_polynomial(curve); !check) return refuse(check.error());
+    std::vector<FergusonSegment> segments;
+    for (std::size_t k = 0; k < segment_total(curve); ++k) segments.push_back(ferguson_form(curve, k));
+    return segments;
+}
+
+// The blossom of a_0 + a_1 t + a_2 t^2 + a_3 t^3 at (-2, -1, 0), (-1, 0, 1), (0, 1, 2), (1, 2, 3), seen from the start.
+std::array<Point, 4> uniform_control_points(const FergusonSegment& segment) {
+    const Vector chord = segment.end - segment.start;
+    const Vector a1 = segment.start_tangent;
+    const Vector a2 = 3.0 * chord - 2.0 * segment.start_tangent - segment.end_tangent;
+    const Vector a3 = segment.start_tangent + segment.end_tangent - 2.0 * chord;
+    return {segment.start + (2.0 / 3.0 * a2 - a1), segment.start - a2 / 3.0, segment.start + (a1 + 2.0 / 3.0 * a2),
+            segment.start + (2.0 * a1 + 11.0 / 3.0 * a2 + 6.0 * a3)};
+}
+
+Result<Curve> curve_from_ferguson(const std::vector<FergusonSegment>& segments) {
+    if (segments.empty()) return refuse({.code = CurveErrorCode::too_few_points, .value = 0.0, .lower = 4.0});
+    CurveDefinition curve{.degree = 3,
+                          .knots = std::vector<double>(4, segments.front().interval.lower),
+                          .kind = KnotKind::piecewise_bezier};
+    curve.points.push_back(segments.front().start);
+    for (const FergusonSegment& segment : segments) {
+        curve.points.push_back(segment.start + segment.start_tangent / 3.0);
+        curve.points.push_back(segment.end - segment.end_tangent / 3.0);
+        curve.points.push_back(segment.end);
+        curve.knots.insert(curve.knots.end(), 3, segment.interval.upper);
+    }
+    curve.knots.push_back(segments.back().interval.upper);
+    return Curve::make(std::move(curve));
+}
+
+Result<std::vector<Anticentroid>> anticentroids(const Curve& curve) {
+    if (const auto check = check_polynomial(curve); !check) return refuse(check.error());
+    const std::size_t n = curve.control_points().size();
+    std::vector<Anticentroid> joints;
+    if (curve.is_periodic()) {
+        // Point i is the blossom of the knots t_{i-2}, t_{i-1}, t_i: its joint is at the middle one.
+        for (std::size_t i = 0; i < n; ++i)
+            joints.push_back(construction(i, curve.knots().into_domain(curve.knots()[i + 2], Side::right),
+                                          control_point(curve, i + n - 1), control_point(curve, i),
+                                          control_point(curve, i + 1)));
+    } else {
+        for (std::size_t i = 1; i + 1 < n; ++i)
+            joints.push_back(construction(i, curve.knots()[i + 2], control_point(curve, i - 1), control_point(curve, i),
+                                          control_point(curve, i + 1)));
+    }
+    return joints;
+}
+
+}  // namespace batten::core

@@ -1,0 +1,354 @@
+#include "core/make/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "core/base/detail/gauss_rule.h"
+#include "core/evaluate/detail/spline_system.h"
+#include "core/evaluate/evaluate.h"
+
+namespace batten::core {
+
+namespace {
+
+constexpr std::size_t spans_of_first_closed_fit = 3;
+
+// Data whose reversal is the same data in the other direction is fitted in one of the two, always the same. Then no
+// rounding can tell the directions apart.
+bool is_canonical(std::span<const Point> points, bool is_closed) {
+    const auto less = [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
+    const std::span<const Point> moving = is_closed ? points.subspan(1) : points;
+    return !std::lexicographical_compare(moving.rbegin(), moving.rend(), moving.begin(), moving.end(), less);
+}
+
+// 1 - u is exact for these values, so that reversing twice is the identity.
+double reversible(double u) {
+    return 1.0 - (1.0 - u);
+}
+
+Curve reversed(const Curve& curve) {
+    const auto p = static_cast<std::size_t>(curve.degree());
+    CurveDefinition definition = curve.definition();
+    for (double& knot : definition.knots) knot = 1.0 - knot;
+    std::reverse(definition.knots.begin(), definition.knots.end());
+    std::reverse(definition.points.begin(), definition.points.end());
+    // Control point i of the reversed period is the old p-1-i.
+    const std::size_t n = definition.points.size();
+    if (curve.is_periodic())
+        std::rotate(definition.points.begin(), definition.points.begin() + static_cast<std::ptrdiff_t>((n - p % n) % n),
+                    definition.points.end());
+    return Curve::make(std::move(definition)).value();
+}
+
+struct DirectedData {
+    std::vector<Point> points;
+    FitRequest request;
+    bool is_reversed = false;
+};
+
+DirectedData directed(std::span<const Point> points, const FitRequest& request) {
+    DirectedData data{{points.begin(), points.end()}, request, !is_canonical(points, request.is_closed)};
+    if (!data.is_reversed) return data;
+    std::reverse(data.points.begin() + (request.is_closed ? 1 : 0), data.points.end());
+    const auto negative = [](const std::optional<Vector>& tangent) {
+        return tangent ? std::optional(-*tangent) : std::nullopt;
+    };
+    data.request.start_tangent = negative(request.end_tangent);
+    data.request.end_tangent = negative(request.start_tangent);
+    return data;
+}
+
+class Fitter {
+  public:
+    Fitter(DirectedData data, std::vector<double> parameters)
+        : points_(std::move(data.points)),
+          request_(data.request),
+          parameters_(std::move(parameters)),
+          p_(static_cast<std::size_t>(request_.degree)),
+          is_reversed_(data.is_reversed) {}
+
+    std::size_t least_count() const {
+        if (request_.is_closed) return 2;
+        return std::max(p_ + 1, 2 + tangent_count());
+    }
+
+    std::size_t most_count() const { return points_.size() + tangent_count(); }
+
+    Result<void> check_point_count() const {
+        if (most_count() >= least_count()) return {};
+        return refuse({.code = CurveErrorCode::data_points_too_few,
+                       .value = static_cast<double>(points_.size()),
+                       .lower = static_cast<double>(least_count() - tangent_count())});
+    }
+
+    Result<Approximation> with_count(std::size_t count) {
+        if (count < least_count())
+            return refuse({.code = CurveErrorCode::too_few_points,
+                           .value = static_cast<double>(count),
+                           .lower = static_cast<double>(least_count())});
+        if (count > most_count())
+            return refuse({.code = CurveErrorCode::control_points_too_many,
+                           .value = static_cast<double>(count),
+                           .upper = static_cast<double>(most_count())});
+        return over(even_breaks(count)).map([&](Approximation found) { return in_given_direction(std::move(found)); });
+    }
+
+    Result<Approximation> within(double tolerance) {
+        std::vector<double> breaks = even_breaks(first_count());
+        Result<Approximation> best = over(breaks);
+        while (best && best->error > tolerance && refine(breaks, best->curve, tolerance)) best = over(breaks);
+        if (best && best->error > tolerance) best = over(even_breaks(most_count()));
+        if (best && best->error > tolerance)
+            return refuse({.code = CurveErrorCode::tolerance_not_reached, .value = tolerance, .lower = best->error});
+        return best.map([&](Approximation found) { return in_given_direction(std::move(found)); });
+    }
+
+  private:
+    std::size_t tangent_count() const { return (request_.start_tangent ? 1U : 0U) + (request_.end_tangent ? 1U : 0U); }
+
+    std::size_t step_count() const { return parameters_.size() - 1; }
+
+    std::size_t first_count() const {
+        return request_.is_closed ? std::min(spans_of_first_closed_fit, points_.size()) : least_count();
+    }
+
+    // Places are counted in points: 2.5 is midway between points 2 and 3. These are so many, evenly from one end to the
+    // other, and symmetric to the last bit.
+    std::vector<double> even_places(std::size_t count) const {
+        const std::size_t steps = step_count();
+        const std::size_t last = count - 1;
+        std::vector<double> places(count);
+        for (std::size_t k = 0; k <= last; ++k)
+            places[k] = static_cast<double>(k * steps / last) +
+                        static_cast<double>(k * steps % last) / static_cast<double>(last);
+        return places;
+    }
+
+    // The breaks between spans for `count` control points. Each is the mean of p sites, as in interpolation, so that no
+    // part of the curve has more control points than points to determine it. Of even degree a closed curve has them
+    // half a span later, because knots at the parameters may leave it undetermined.
+    std::vector<double> even_breaks(std::size_t count) const {
+        if (request_.is_closed) {
+            std::vector<double> breaks = even_places(count + 1);
+            if (p_ % 2 == 0)
+                for (double& at : breaks) at -= 0.5 * static_cast<double>(step_count()) / static_cast<double>(count);
+            return breaks;
+        }
+        std::vector<double> sites = even_places(count - tangent_count());
+        if (request_.start_tangent) sites.insert(sites.begin(), sites.front());
+        if (request_.end_tangent) sites.push_back(sites.back());
+        const std::vector<double> knots = averaged_knots(sites, p_);
+        return {knots.begin() + static_cast<std::ptrdiff_t>(p_), knots.end() - static_cast<std::ptrdiff_t>(p_)};
+    }
+
+    // How many points a span must be long: one, and at the ends as many as averaged knots leave there.
+    double least_length(std::size_t span, std::size_t span_count) const {
+        if (request_.is_closed) return 1.0;
+        const double at_end = 0.5 * static_cast<double>(p_ + 1);
+        double least = 1.0;
+        if (span == 0) least = std::max(least, at_end - (request_.start_tangent ? 1.0 : 0.0));
+        if (span + 1 == span_count) least = std::max(least, at_end - (request_.end_tangent ? 1.0 : 0.0));
+        return least;
+    }
+
+    // Where in the domain the place `at` is, continued periodically.
+    double parameter_at(double at) const {
+        const auto steps = static_cast<double>(step_count());
+        const double turns = request_.is_closed ? std::floor(at / steps) : 0.0;
+        at -= turns * steps;
+        const double whole = std::min(std::floor(at), steps - 1.0);
+        const auto k = static_cast<std::size_t>(whole);
+        return turns + parameters_[k] + (at - whole) * (parameters_[k + 1] - parameters_[k]);
+    }
+
+    // What is added to the parameters so that the period begins at 0.
+    double shift_of(const std::vector<double>& breaks) const { return -parameter_at(breaks.front()); }
+
+    Result<KnotVector> knots_for(const std::vector<double>& breaks) const {
+        std::vector<double> knots(request_.is_closed ? 1 : p_ + 1, 0.0);
+        const double shift = shift_of(breaks);
+        for (std::size_t j = 1; j + 1 < breaks.size(); ++j)
+            knots.push_back(reversible(parameter_at(breaks[j]) + shift));
+        knots.insert(knots.end(), request_.is_closed ? 1 : p_ + 1, 1.0);
+        return request_.is_closed ? KnotVector::make_periodic(request_.degree, std::move(knots), KnotKind::periodic)
+                                  : KnotVector::make(request_.degree, std::move(knots), KnotKind::clamped_uniform);
+    }
+
+    std::vector<KnownPoint> known_points(const KnotVector& knots) const {
+        if (request_.is_closed) return {};
+        const std::size_t last = knots.control_point_count() - 1;
+        const auto degree = static_cast<double>(p_);
+        std::vector<KnownPoint> known{{0, points_.front()}, {last, points_.back()}};
+        if (const auto& tangent = request_.start_tangent)
+            known.push_back({1, points_.front() + (knots[p_ + 1] - knots[1]) / degree * *tangent});
+        if (const auto& tangent = request_.end_tangent)
+            known.push_back({last - 1, points_.back() - (knots[last + p_] - knots[last]) / degree * *tangent});
+        return known;
+    }
+
+    void require_points(SplineSystem& system, double shift) const {
+        const std::size_t first = request_.is_closed ? 0 : 1;
+        for (std::size_t k = first; k + first < points_.size(); ++k)
+            system.require(parameters_[k] + shift, 0, points_[k]);
+    }
+
+    void require_smoothness(SplineSystem& system) const {
+        if (request_.smoothing == 0.0) return;
+        const int order = std::min({request_.penalized_derivative, request_.degree, 3});
+        const auto rule = gauss_rule(p_ - static_cast<std::size_t>(order) + 1);
+        const KnotVector& knots = system.knots();
+        for (std::size_t s = p_; s + p_ + 1 < knots.size(); ++s) {
+            const double half = 0.5 * (knots[s + 1] - knots[s]);
+            for (const GaussNode& node : rule)
+                system.require(knots[s] + half * (1.0 + node.position), order, Vector(0.0),
+                               std::sqrt(request_.smoothing * half * node.weight));
+        }
+    }
+
+    Result<Approximation> over(const std::vector<double>& breaks) const {
+        auto knots = knots_for(breaks);
+        if (!knots) return refuse(knots.error());
+        const auto known = known_points(*knots);
+        SplineSystem system(*knots, points_.front(), known);
+        require_points(system, shift_of(breaks));
+        require_smoothness(system);
+        auto points = system.solve();
+        if (!points) return refuse({.code = CurveErrorCode::equations_singular});
+        if (!request_.is_closed) {
+            points->front() = points_.front();
+            points->back() = points_.back();
+        }
+        return Curve::make(*std::move(knots), *std::move(points), {}).map([&](Curve curve) {
+            double error = 0.0;
+            for (std::size_t k = 0; k < points_.size(); ++k)
+                error = std::max(error, error_at(curve, k, shift_of(breaks)));
+            return Approximation{std::move(curve), error};
+        });
+    }
+
+    double error_at(const Curve& curve, std::size_t k, double shift) const {
+        return glm::distance(point_at(curve, parameters_[k] + shift), points_[k]);
+    }
+
+    // Which spans contain a point with a larger error than allowed; a point at a break is in both of its spans.
+    std::vector<char> bad_spans(const std::vector<double>& breaks, const Curve& curve, double tolerance) const {
+        const double shift = shift_of(breaks);
+        std::vector<char> is_bad(breaks.size() - 1, 0);
+        for (std::size_t k = 0; k < points_.size(); ++k) {
+            if (!(error_at(curve, k, shift) > tolerance)) continue;
+            auto at = static_cast<double>(k);
+            if (request_.is_closed && at > breaks.back()) at -= static_cast<double>(step_count());
+            const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, at);
+            const auto span = static_cast<std::size_t>(above - breaks.begin()) - 1;
+            is_bad[span] = 1;
+            if (breaks[span] == at && span > 0) is_bad[span - 1] = 1;
+        }
+        return is_bad;
+    }
+
+    // More breaks where the errors are too large; whether there is room for any.
+    bool refine(std::vector<double>& breaks, const Curve& curve, double tolerance) const {
+        std::vector<char> is_bad = bad_spans(breaks, curve, tolerance);
+        return halve(breaks, is_bad) || divide_evenly(breaks, is_bad);
+    }
+
+    // Halves the bad spans that are long enough for points on both sides.
+    bool halve(std::vector<double>& breaks, const std::vector<char>& is_bad) const {
+        std::vector<double> finer{breaks.front()};
+        for (std::size_t j = 0; j < is_bad.size(); ++j) {
+            const double half = 0.5 * (breaks[j + 1] - breaks[j]);
+            if (is_bad[j] != 0 && half >= least_length(j, is_bad.size())) finer.push_back(breaks[j] + half);
+            finer.push_back(breaks[j + 1]);
+        }
+        return take_if_finer(breaks, std::move(finer));
+    }
+
+    // Divides runs of bad spans, and one on either side, into spans of little more than one point each; the end spans
+    // of an open curve stay.
+    bool divide_evenly(std::vector<double>& breaks, const std::vector<char>& is_bad) const {
+        const std::size_t spans = is_bad.size();
+        const std::size_t margin = request_.is_closed ? 0 : 1;
+        const auto takes_part = [&](std::size_t j) {
+            if (j < margin || j + margin >= spans) return false;
+            return is_bad[j] != 0 || (j > 0 && is_bad[j - 1] != 0) || (j + 1 < spans && is_bad[j + 1] != 0);
+        };
+        std::vector<double> finer{breaks.front()};
+        for (std::size_t j = 0; j < spans;) {
+            std::size_t end = j;
+            while (end < spans && takes_part(end)) ++end;
+            const double length = breaks[end] - breaks[j];
+            const auto parts = static_cast<std::size_t>(length);
+            if (parts > end - j) {
+                for (std::size_t k = 1; k <= parts; ++k)
+                    finer.push_back(k == parts
+                                        ? breaks[end]
+                                        : breaks[j] + length * static_cast<double>(k) / static_cast<double>(parts));
+                j = end;
+            } else {
+                end = std::max(end, j + 1);
+                for (; j < end; ++j) finer.push_back(breaks[j + 1]);
+            }
+        }
+        return take_if_finer(breaks, std::move(finer));
+    }
+
+    static bool take_if_finer(std::vector<double>& breaks, std::vector<double> finer) {
+        if (finer.size() == breaks.size()) return false;
+        breaks = std::move(finer);
+        return true;
+    }
+
+    Approximation in_given_direction(Approximation found) const {
+        if (is_reversed_) found.curve = reversed(found.curve);
+        return found;
+    }
+
+    std::vector<Point> points_;
+    FitRequest request_;
+    std::vector<double> parameters_;
+    std::size_t p_;
+    bool is_reversed_;
+};
+
+bool is_finite(const std::optional<Vector>& vector) {
+    return !vector || (std::isfinite(vector->x) && std::isfinite(vector->y));
+}
+
+Result<Fitter> make_fitter(std::span<const Point> points, FitRequest request) {
+    if (const auto check = check_degree(request.degree); !check) return refuse(check.error());
+    if (request.is_closed) request.start_tangent = request.end_tangent = std::nullopt;
+    if ((request.start_tangent || request.end_tangent) && request.degree < 2)
+        return refuse(
+            {.code = CurveErrorCode::degree_too_low, .value = static_cast<double>(request.degree), .lower = 2.0});
+    // First in the direction given, so that a refusal names the point as it was given.
+    const auto check = parametrize(points, request.parametrization, request.is_closed);
+    if (!check) return refuse(check.error());
+    if (!(request.smoothing >= 0.0) || !std::isfinite(request.smoothing))
+        return refuse({.code = CurveErrorCode::smoothing_negative, .value = request.smoothing});
+    if (!is_finite(request.start_tangent) || !is_finite(request.end_tangent))
+        return refuse({.code = CurveErrorCode::vector_not_finite});
+    DirectedData data = directed(points, request);
+    auto parameters = parametrize(data.points, request.parametrization, request.is_closed);
+    if (!parameters) return refuse(parameters.error());
+    Fitter fitter(std::move(data), *std::move(parameters));
+    if (auto enough = fitter.check_point_count(); !enough) return refuse(enough.error());
+    return fitter;
+}
+
+}  // namespace
+
+Result<Approximation> fit(std::span<const Point> points, std::size_t count, const FitRequest& request) {
+    return make_fitter(points, request).and_then([&](Fitter fitter) { return fitter.with_count(count); });
+}
+
+Result<Approximation> fit_within(std::span<const Point> points, double tolerance, const FitRequest& request) {
+    return make_fitter(points, request).and_then([&](Fitter fitter) -> Result<Approximation> {
+        if (!(tolerance > 0.0) || !std::isfinite(tolerance))
+            return refuse({.code = CurveErrorCode::tolerance_not_positive, .value = tolerance});
+        return fitter.within(tolerance);
+    });
+}
+
+}  // namespace batten::core

@@ -1,0 +1,57 @@
+#include "core/make/shapes.h"
+
+#include <array>
+#include <utility>
+
+#include "core/base/detail/angle.h"
+#include "core/curve/knot_kinds.h"
+
+namespace batten::core {
+
+namespace {
+
+Result<void> check_count(std::size_t found, std::size_t least) {
+    if (found >= least) return {};
+    return refuse({.code = CurveErrorCode::too_few_points,
+                   .value = static_cast<double>(found),
+                   .lower = static_cast<double>(least)});
+}
+
+Result<void> check_neighbours(std::span<const Point> points, bool is_closed) {
+    const auto coincide = [&](std::size_t later, std::size_t earlier) -> Result<void> {
+        if (points[later] != points[earlier]) return {};
+        return refuse({.code = CurveErrorCode::points_coincide, .index = later, .value = static_cast<double>(earlier)});
+    };
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (const auto check = coincide(i, i - 1); !check) return check;
+    return is_closed ? coincide(points.size() - 1, 0) : Result<void>();
+}
+
+}  // namespace
+
+Result<Curve> line(Point from, Point to) {
+    return polyline(std::array{from, to});
+}
+
+Result<Curve> polyline(std::span<const Point> points, bool is_closed) {
+    const auto check =
+        check_count(points.size(), is_closed ? 3 : 2).and_then([&] { return check_neighbours(points, is_closed); });
+    if (!check) return refuse(check.error());
+    const KnotKind kind = is_closed ? KnotKind::periodic : KnotKind::clamped_uniform;
+    const double legs = static_cast<double>(points.size()) - (is_closed ? 0.0 : 1.0);
+    return make_knots(kind, 1, points.size(), {0.0, legs}).and_then([&](KnotVector knots) {
+        return Curve::make(std::move(knots), {points.begin(), points.end()}, {});
+    });
+}
+
+Result<Curve> regular_polygon(Point center, double radius, std::size_t sides, double start) {
+    if (const auto check = check_count(sides, 3); !check) return refuse(check.error());
+    if (!(radius > 0.0)) return refuse({.code = CurveErrorCode::length_not_positive, .value = radius});
+    std::vector<Point> corners;
+    for (std::size_t k = 0; k < sides; ++k)
+        corners.push_back(center +
+                          radius * unit_vector(start + 360.0 * static_cast<double>(k) / static_cast<double>(sides)));
+    return polyline(corners, true);
+}
+
+}  // namespace batten::core

@@ -1,0 +1,64 @@
+#include "core/measure/area.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/base/detail/quadrature.h"
+#include "core/evaluate/detail/piece_motion.h"
+#include "core/measure/bounds.h"
+#include "core/measure/continuity.h"
+#include "core/measure/detail/piece_forms.h"
+
+namespace batten::core {
+
+namespace {
+
+// Parts whose error is less than this share of size^2 are done.
+constexpr double enough = 1e-16;
+
+constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
+
+// det(C, C') times (1, x, y): what is integrated for the area and both moments.
+glm::dvec3 moments_at(const PieceMotion& piece, double t) {
+    const auto [position, velocity] = piece.at(t);
+    const double swept = position.x * velocity.y - position.y * velocity.x;
+    return {swept, swept * position.x, swept * position.y};
+}
+
+// The largest part of the curve's size, of its square and of its cube that an entry is allowed to be off.
+double error_of(const RulePair<glm::dvec3>& rules, double size) {
+    const glm::dvec3 difference = glm::abs(rules.kronrod - rules.gauss) / glm::dvec3(1.0, size, size);
+    const double largest = std::max({difference.x, difference.y, difference.z}) / (size * size);
+    return std::min(largest, std::pow(200.0 * largest, 1.5)) * size * size;
+}
+
+bool is_torn(const Curve& curve) {
+    const auto joints = joint_continuity(curve);
+    return std::any_of(joints.begin(), joints.end(), [](const JointContinuity& joint) { return joint.geometric < 0; });
+}
+
+}  // namespace
+
+Result<Area> enclosed_area(const Curve& curve) {
+    if (!is_closed(curve) || is_torn(curve)) return refuse({.code = CurveErrorCode::curve_not_closed});
+    const Point origin = middle_of(curve);
+    const Vector extent = control_box(curve).size();
+    const double size = std::max(extent.x, extent.y);
+    if (size == 0.0) return Area{};
+    glm::dvec3 sum(0.0);
+    double error = rounding * size * size;
+    for (const PieceMotion& piece : motions_of(curve, origin))
+        integrate_adaptively<glm::dvec3>(
+            [&](double t) { return moments_at(piece, t); }, {0.0, 1.0},
+            [&](const RulePair<glm::dvec3>& rules) { return !(error_of(rules, size) > enough * size * size); },
+            [&](const RulePair<glm::dvec3>& rules) {
+                sum += rules.kronrod;
+                error += error_of(rules, size);
+            });
+    Area area{0.5 * sum.x, 0.5 * error, std::nullopt};
+    if (std::abs(area.signed_area) > 4.0 * area.error)
+        area.centroid = origin + Vector(sum.y, sum.z) / (3.0 * area.signed_area);
+    return area;
+}
+
+}  // namespace batten::core

@@ -1,0 +1,96 @@
+#include "core/measure/bounds.h"
+
+#include <algorithm>
+
+#include "core/base/detail/unit_interval.h"
+#include "core/evaluate/evaluate.h"
+#include "core/measure/detail/piece_forms.h"
+
+namespace batten::core {
+
+namespace {
+
+bool is_left_of(Point a, Point b) {
+    return a.x < b.x || (a.x == b.x && a.y < b.y);
+}
+
+bool turns_left(Point a, Point b, Point c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0.0;
+}
+
+// Extends the chain that begins at `base` of `hull` by `point`, dropping what would not turn left.
+void extend_chain(std::vector<Point>& hull, std::size_t base, Point point) {
+    while (hull.size() >= base + 2 && !turns_left(hull[hull.size() - 2], hull.back(), point)) hull.pop_back();
+    hull.push_back(point);
+}
+
+// The control points of one span, in order.
+std::vector<Point> control_points_of_span(const Curve& curve, std::size_t span) {
+    const auto p = static_cast<std::size_t>(curve.degree());
+    std::vector<Point> points;
+    points.reserve(p + 1);
+    for (std::size_t i = span - p; i <= span; ++i)
+        points.push_back(curve.control_points()[i % curve.control_points().size()]);
+    return points;
+}
+
+bool contains(const Box& box, std::span<const Point> points) {
+    return std::all_of(points.begin(), points.end(), [&](Point point) { return box.contains(point); });
+}
+
+// Takes in the places of `piece` where a coordinate turns back.
+void include_turns(Box& box, const Curve& curve, const PieceForms& piece, const Expression& slope) {
+    for (const SignRun& run : sign_runs(piece.forms, slope)) {
+        if (run.sign != 0 || run.where.length() > 0.0 || run.where.lower == 0.0 || run.where.lower == 1.0) continue;
+        box.include(point_at(curve, from_unit(piece.interval, run.where.lower)));
+    }
+}
+
+}  // namespace
+
+Box control_box(const Curve& curve) {
+    Box box;
+    for (const Point& point : curve.control_points()) box.include(point);
+    return box;
+}
+
+Box tight_box(const Curve& curve) {
+    const auto pieces = piece_forms(curve, 1);
+    Box box;
+    for (const PieceForms& piece : pieces) {
+        box.include(point_at(curve, piece.interval.lower, Side::right));
+        box.include(point_at(curve, piece.interval.upper, Side::left));
+    }
+    for (const PieceForms& piece : pieces) {
+        if (contains(box, control_points_of_span(curve, curve.knots().span_at(piece.interval.lower)))) continue;
+        include_turns(box, curve, piece, hodograph_x);
+        include_turns(box, curve, piece, hodograph_y);
+    }
+    return box;
+}
+
+std::vector<Point> convex_hull(std::span<const Point> points) {
+    std::vector<Point> sorted(points.begin(), points.end());
+    if (sorted.size() < 3) return sorted;
+    std::sort(sorted.begin(), sorted.end(), is_left_of);
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    if (sorted.size() < 3) return sorted;
+    std::vector<Point> hull;
+    for (const Point& point : sorted) extend_chain(hull, 0, point);
+    const std::size_t lower_end = hull.size() - 1;
+    for (auto point = sorted.rbegin() + 1; point != sorted.rend(); ++point) extend_chain(hull, lower_end, *point);
+    hull.pop_back();
+    return hull;
+}
+
+std::vector<SpanHull> span_hulls(const Curve& curve) {
+    const auto knots = curve.knots().values();
+    const auto p = static_cast<std::size_t>(curve.degree());
+    std::vector<SpanHull> hulls;
+    for (std::size_t s = p; s + p + 1 < knots.size(); ++s)
+        if (knots[s] < knots[s + 1])
+            hulls.push_back({{knots[s], knots[s + 1]}, convex_hull(control_points_of_span(curve, s))});
+    return hulls;
+}
+
+}  // namespace batten::core

@@ -1,0 +1,31 @@
+/// Boxes and hulls around curves and control points.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/curve/curve.h"
+
+namespace batten::core {
+
+/// The box of the control points, which contains the curve.
+Box control_box(const Curve& curve);
+
+/// The smallest box that contains the curve, right to rounding: of the ends of all pieces and the zeros of x' and y',
+/// which are found globally (core/sign_runs.h). Source: variation diminishing.
+Box tight_box(const Curve& curve);
+
+/// The convex hull of `points`, counter-clockwise, without collinear points; fewer than three points come back as they
+/// are. Cost O(n log n). Source: Andrew 1979.
+std::vector<Point> convex_hull(std::span<const Point> points);
+
+/// A piece of a curve and what is known to contain it.
+struct SpanHull {
+    Interval interval;        ///< the piece's parameters
+    std::vector<Point> hull;  ///< of its p+1 control points, as convex_hull gives it
+};
+
+/// The hulls of all non-empty spans, in order. Each piece lies in its own (strong convex hull property).
+std::vector<SpanHull> span_hulls(const Curve& curve);
+
+}  // namespace batten::core

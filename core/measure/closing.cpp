@@ -1,0 +1,94 @@
+#include "core/measure/closing.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/evaluate/evaluate.h"
+#include "core/measure/bounds.h"
+
+namespace batten::core {
+
+namespace {
+
+constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+
+// The knots repeat after the domain's length, up to rounding and `tolerance` of it.
+bool knots_repeat(const KnotVector& knots, std::size_t period, double tolerance) {
+    const Interval domain = knots.domain();
+    const double largest = std::max(std::abs(knots.values().front()), std::abs(knots.values().back()));
+    const double allowed = tolerance * domain.length() + rounding * largest;
+    for (std::size_t i = 0; i + period < knots.size(); ++i)
+        if (std::abs(knots[i + period] - knots[i] - domain.length()) > allowed) return false;
+    return true;
+}
+
+bool points_repeat(const Curve& curve, std::size_t period, double tolerance) {
+    const auto points = curve.control_points();
+    const auto weights = curve.weights();
+    const double allowed = absolute_tolerance(curve, tolerance);
+    for (std::size_t i = 0; i + period < points.size(); ++i) {
+        if (glm::distance(points[i], points[i + period]) > allowed) return false;
+        if (std::abs(weights[i] - weights[i + period]) > (tolerance + rounding) * weights[i]) return false;
+    }
+    return true;
+}
+
+bool is_wrapped(const Curve& curve, double tolerance) {
+    const auto p = static_cast<std::size_t>(curve.degree());
+    const std::size_t period = curve.control_points().size() - p;
+    // A periodic curve has at least two points.
+    return period >= 2 && knots_repeat(curve.knots(), period, tolerance) && points_repeat(curve, period, tolerance);
+}
+
+int measured_continuity(const Curve& curve, double tolerance) {
+    const auto [lower, upper] = curve.domain();
+    const auto u = curve.knots().values();
+    const std::size_t first = curve.knots().span_at(lower);
+    const std::size_t last = curve.knots().span_at(upper);
+    const double step = std::min(u[first + 1] - u[first], u[last + 1] - u[last]);
+    const auto start = derivatives_at(curve, lower, curve.degree(), Side::right);
+    const auto end = derivatives_at(curve, upper, curve.degree(), Side::left);
+    double allowed = absolute_tolerance(curve, tolerance);
+    int continuity = -1;
+    for (std::size_t k = 0; k < start.size() && glm::distance(start[k], end[k]) <= allowed; ++k) {
+        continuity = static_cast<int>(k);
+        allowed *= static_cast<double>(curve.degree()) / step;
+    }
+    return continuity;
+}
+
+}  // namespace
+
+double absolute_tolerance(const Curve& curve, double relative) {
+    const Box box = control_box(curve);
+    const double largest =
+        std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.upper.x), std::abs(box.upper.y)});
+    return std::max(relative * std::max(box.size().x, box.size().y), rounding * largest);
+}
+
+ClosingReport closing_of(const Curve& curve, double tolerance) {
+    const auto [lower, upper] = curve.domain();
+    if (curve.is_periodic())
+        return {.closing = Closing::periodic, .continuity = curve.degree() - curve.knots().multiplicity(lower)};
+    const double gap = glm::distance(point_at(curve, lower), point_at(curve, upper));
+    const int continuity = measured_continuity(curve, tolerance);
+    if (continuity < 0) return {.closing = Closing::open, .gap = gap};
+    const Closing closing = is_wrapped(curve, tolerance) ? Closing::wrapped : Closing::ends_meet;
+    return {.closing = closing, .gap = gap, .continuity = continuity};
+}
+
+const char* name_of(Closing closing) {
+    switch (closing) {
+        case Closing::open:
+            return "open";
+        case Closing::ends_meet:
+            return "ends meet";
+        case Closing::wrapped:
+            return "wrapped control points";
+        case Closing::periodic:
+            return "periodic";
+    }
+    return "";
+}
+
+}  // namespace batten::core

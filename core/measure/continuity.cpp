@@ -1,0 +1,155 @@
+#include "core/measure/continuity.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/curve/detail/bspline.h"
+#include "core/curve/knot_analysis.h"
+#include "core/evaluate/evaluate.h"
+#include "core/evaluate/tangent.h"
+#include "core/measure/bounds.h"
+#include "core/measure/detail/piece_forms.h"
+
+namespace batten::core {
+
+namespace {
+
+constexpr int derivative_count = 2;
+
+// Of any size; the square of it need not be a double.
+double length_of(Vector vector) {
+    return std::hypot(vector.x, vector.y);
+}
+
+// What can be said of the curve on one side of a joint.
+struct OneSide {
+    std::array<Vector, derivative_count + 1> derivatives{};
+    std::array<double, derivative_count + 1> noise{};  // errors of the derivatives that rounded coordinates explain
+    std::optional<Vector> tangent;
+    std::optional<double> curvature;
+};
+
+// The points' rounding of a few units, carried through the derivatives.
+std::array<double, derivative_count + 1> noise_of_derivatives(const Curve& curve, double rounding, double u,
+                                                              Side side) {
+    const auto [inside, at] = located(curve.knots(), u, side);
+    LocalPoints<double> errors{};
+    LocalPoints<double> weights{};
+    for (std::size_t j = 0; j <= at.p; ++j) {
+        weights[j] = curve.weights()[(at.s - at.p + j) % curve.weights().size()];
+        errors[j] = rounding * weights[j];
+    }
+    const double weight = de_boor(weights, at, inside);
+    std::array<double, derivative_count + 1> noise{rounding, 0.0, 0.0};
+    for (std::size_t r = 1; r <= std::min<std::size_t>(derivative_count, at.p); ++r) {
+        const auto factor = static_cast<double>(at.p - r + 1);
+        for (std::size_t j = at.p; j >= r; --j)
+            errors[j] = factor / (at.upper(j, r) - at.lower(j)) * (errors[j] + errors[j - 1]);
+        noise[r] = *std::max_element(errors.begin() + static_cast<std::ptrdiff_t>(r),
+                                     errors.begin() + static_cast<std::ptrdiff_t>(at.p) + 1) /
+                   weight;
+    }
+    return noise;
+}
+
+class JointMeter {
+  public:
+    JointMeter(const Curve& curve, const ContinuityTolerances& tolerances)
+        : tolerances_(tolerances), curve_(seen_from(curve, middle_of(curve))) {
+        const Box box = control_box(curve_);
+        size_ = length_of(box.size());
+        for (const Point& point : curve.control_points())
+            rounding_ = std::max({rounding_, std::abs(point.x), std::abs(point.y)});
+        rounding_ *= 2.0 * std::numeric_limits<double>::epsilon();
+    }
+
+    JointContinuity measure(JointKind kind, double before, double after) const {
+        const OneSide left = look(before, Side::left);
+        const OneSide right = look(after, Side::right);
+        JointContinuity joint{.kind = kind, .u = after, .angle = std::nullopt};
+        joint.position = jump(left, right, 0);
+        joint.position.relative = size_ > 0.0 ? joint.position.size / size_ : 0.0;
+        joint.first = jump(left, right, 1);
+        joint.second = jump(left, right, 2);
+        if (left.tangent && right.tangent) joint.angle = angle_between(*left.tangent, *right.tangent);
+        joint.before = left.curvature;
+        joint.after = right.curvature;
+        const bool meets = joint.position.size <= tolerances_.position * size_ + left.noise[0] + right.noise[0];
+        joint.parametric = meets ? parametric_level(joint, left, right) : -1;
+        joint.geometric = meets ? geometric_level(joint) : -1;
+        return joint;
+    }
+
+  private:
+    OneSide look(double u, Side side) const {
+        OneSide view;
+        const auto derivatives = derivatives_at(curve_, u, derivative_count, side);
+        std::copy(derivatives.begin(), derivatives.end(), view.derivatives.begin());
+        view.noise = noise_of_derivatives(curve_, rounding_, u, side);
+        view.tangent = tangent_at(curve_, u, side);
+        view.curvature = curvature_at(curve_, u, side);
+        return view;
+    }
+
+    static Jump jump(const OneSide& left, const OneSide& right, std::size_t order) {
+        const Vector& a = left.derivatives[order];
+        const Vector& b = right.derivatives[order];
+        const double size = length_of(b - a);
+        const double larger = std::max(length_of(a), length_of(b));
+        return {size, size > 0.0 ? size / larger : 0.0};
+    }
+
+    bool agrees(const Jump& jump, const OneSide& left, const OneSide& right, std::size_t order) const {
+        return jump.relative <= tolerances_.derivative || jump.size <= left.noise[order] + right.noise[order];
+    }
+
+    int parametric_level(const JointContinuity& joint, const OneSide& left, const OneSide& right) const {
+        if (!agrees(joint.first, left, right, 1)) return 0;
+        return agrees(joint.second, left, right, 2) ? 2 : 1;
+    }
+
+    int geometric_level(const JointContinuity& joint) const {
+        if (!joint.angle || !(std::abs(*joint.angle) <= tolerances_.angle)) return 0;
+        if (!joint.before || !joint.after) return 1;
+        const double larger = std::max({std::abs(*joint.before), std::abs(*joint.after), 1.0 / size_});
+        return std::abs(*joint.after - *joint.before) <= tolerances_.curvature * larger ? 2 : 1;
+    }
+
+    const ContinuityTolerances& tolerances_;
+    Curve curve_;
+    double size_ = 0.0;
+    double rounding_ = 0.0;
+};
+
+}  // namespace
+
+std::vector<JointContinuity> joint_continuity(const Curve& curve, const ContinuityTolerances& tolerances) {
+    const JointMeter meter(curve, tolerances);
+    const Interval domain = curve.domain();
+    std::vector<JointContinuity> joints;
+    for (const DistinctKnot& knot : distinct_knots(curve.knots())) {
+        if (!knot.is_interior) continue;
+        const bool is_seam = curve.is_periodic() && knot.value == domain.lower;
+        auto joint =
+            meter.measure(is_seam ? JointKind::seam : JointKind::knot, is_seam ? domain.upper : knot.value, knot.value);
+        joint.multiplicity = knot.multiplicity;
+        joint.promised = knot.continuity;
+        joints.push_back(joint);
+    }
+    if (curve.is_periodic()) return joints;
+    const auto ends = meter.measure(JointKind::ends, domain.upper, domain.lower);
+    if (ends.geometric >= 0) joints.push_back(ends);
+    return joints;
+}
+
+JointContinuity continuity_of_ends(const Curve& curve, const ContinuityTolerances& tolerances) {
+    const Interval domain = curve.domain();
+    return JointMeter(curve, tolerances)
+        .measure(curve.is_periodic() ? JointKind::seam : JointKind::ends, domain.upper, domain.lower);
+}
+
+bool is_closed(const Curve& curve, const ContinuityTolerances& tolerances) {
+    return curve.is_periodic() || continuity_of_ends(curve, tolerances).geometric >= 0;
+}
+
+}  // namespace batten::core

@@ -1,0 +1,53 @@
+/// How a curve bends: its curvature and where that is zero or greatest or least.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/curve/curve.h"
+#include "core/measure/detail/sign_runs.h"
+
+namespace batten::core {
+
+/// The signed curvature (positive where the curve turns left) and how fast it changes.
+struct Bending {
+    double curvature = 0.0;      ///< as curvature_at gives it
+    double by_parameter = 0.0;   ///< d curvature / du
+    double by_arc_length = 0.0;  ///< d curvature / ds, which does not depend on the parametrisation
+};
+
+/// The bending at `u`, seen from `side` at a knot: with v = |C'|,
+///     k' = (det(C', C''') - 3 det(C', C'') (C' . C'') / v^2) / v^3
+/// None at zero speed, as curvature_at. Cost O(p^2).
+std::optional<Bending> bending_at(const Curve& curve, double u, Side side = Side::right);
+
+/// Where the curve passes from bending to one side to bending to the other.
+struct Inflection {
+    Interval where;        ///< one parameter, or the whole of a straight piece between the two bends
+    double u = 0.0;        ///< the middle of `where`
+    Point point{};         ///< C(u)
+    bool is_jump = false;  ///< the curvature jumps from one sign to the other, which it does at a knot only
+};
+
+/// All inflections in order of u. They are the changes of sign of det(A, A', A'') for the homogeneous curve A, found
+/// globally (core/sign_runs.h); zeros without a change of sign are none. A knot where the curvature jumps from one sign
+/// to the other is an inflection if the tangent is continuous there, a corner or cusp is not. The seam of a curve that
+/// closes with a continuous tangent counts like a knot; a straight piece across it is given unwrapped.
+std::vector<Inflection> inflections(const Curve& curve);
+
+/// A local extremum of the signed curvature.
+struct CurvatureExtremum {
+    Interval where;          ///< one parameter, or the whole of an arc of constant curvature
+    double u = 0.0;          ///< the middle of `where`
+    Point point{};           ///< C(u)
+    double curvature = 0.0;  ///< there; where it jumps, on the side where it is more extreme
+    bool is_maximum = false;
+};
+
+/// All extrema of the signed curvature strictly inside the curve, in order of u: the changes of sign of its derivative,
+/// a polynomial of degree up to 8p, found globally. Arcs of constant curvature count once, and only if they lie higher
+/// or lower than what is on both sides; a circle has none. Corners, tears and cusps are no extrema. The seam of a
+/// curve that closes with a continuous tangent counts like a knot.
+std::vector<CurvatureExtremum> curvature_extrema(const Curve& curve);
+
+}  // namespace batten::core

@@ -1,0 +1,129 @@
+#include "core/measure/detail/piece_forms.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/base/detail/unit_interval.h"
+#include "core/measure/bounds.h"
+
+namespace batten::core {
+
+namespace {
+
+constexpr double unit_roundoff = 0.5 * std::numeric_limits<double>::epsilon();
+
+// Runs of definite sign between zeros that are shorter than this part of their span are rounding at a knot.
+constexpr double shortest_run = 1e-11;
+
+// How far rounding may have moved the coordinates of Bézier points of weight 1, seen from the middle of the curve: by
+// a unit of the original coordinates, and in each of the p levels of the triangle.
+double coordinate_error(const Curve& curve, const Curve& seen, std::size_t span) {
+    const auto p = static_cast<std::size_t>(curve.degree());
+    const std::size_t n = curve.control_points().size();
+    double far = 0.0;
+    double near = 0.0;
+    for (std::size_t i = span - p; i <= span; ++i) {
+        const Point original = curve.control_points()[i % n];
+        far = std::max({far, std::abs(original.x), std::abs(original.y)});
+        near = std::max(near, glm::length(seen.control_points()[i % n]));
+    }
+    return unit_roundoff * (far + static_cast<double>(curve.degree() + 4) * near);
+}
+
+Bernstein weight_form(const BezierPiece& piece, double relative_error) {
+    Bernstein form;
+    bool is_constant = true;
+    for (const HomogeneousPoint& point : piece.points) {
+        form.values.push_back(point.z);
+        form.errors.push_back(relative_error * point.z);
+        is_constant = is_constant && point.z == piece.points.front().z;
+    }
+    return is_constant ? constant(piece.points.front().z) : form;
+}
+
+Bernstein coordinate_form(const BezierPiece& piece, int axis, double error) {
+    Bernstein form;
+    for (const HomogeneousPoint& point : piece.points) {
+        form.values.push_back(point[axis]);
+        form.errors.push_back(error * point.z);
+    }
+    return form;
+}
+
+// The power of two that brings `size` to about 1; 1 where there is none.
+double scale_to_one(double size) {
+    return size > 0.0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
+}
+
+double size_of(const Curve& curve) {
+    const Box box = control_box(curve);
+    return std::max(0.5 * box.upper.x - 0.5 * box.lower.x, 0.5 * box.upper.y - 0.5 * box.lower.y);
+}
+
+PieceForms forms_of(BezierPiece piece, double error, const HomogeneousPoint& scale, int order) {
+    for (HomogeneousPoint& point : piece.points) point *= scale;
+    PieceForms result{piece.interval, {}};
+    const double weight_error = unit_roundoff * static_cast<double>(piece.points.size() + 3);
+    result.forms = {coordinate_form(piece, 0, error), coordinate_form(piece, 1, error),
+                    weight_form(piece, weight_error)};
+    for (int k = 0; k < order; ++k)
+        for (int axis = 0; axis < 3; ++axis) result.forms.push_back(derivative(result.forms[result.forms.size() - 3]));
+    return result;
+}
+
+void join_at_knot(std::vector<SignRun>& runs, Interval last_piece) {
+    const std::size_t count = runs.size();
+    if (count < 3 || runs[count - 1].sign != 0 || runs[count - 2].sign == 0 || runs[count - 3].sign != 0) return;
+    if (runs[count - 2].where.length() > shortest_run * last_piece.length()) return;
+    runs[count - 3].where.upper = runs[count - 1].where.upper;
+    runs.resize(count - 2);
+}
+
+}  // namespace
+
+Curve seen_from(const Curve& curve, Point origin) {
+    std::vector<Point> points(curve.control_points().begin(), curve.control_points().end());
+    for (Point& point : points) point -= origin;
+    return Curve::make(curve.knots(), std::move(points), {curve.weights().begin(), curve.weights().end()}).value();
+}
+
+Point middle_of(const Curve& curve) {
+    const Box box = control_box(curve);
+    return 0.5 * box.lower + 0.5 * box.upper;
+}
+
+double form_scale(const Curve& curve) {
+    return scale_to_one(size_of(curve));
+}
+
+std::vector<PieceForms> piece_forms(const Curve& curve, int order) {
+    const Curve seen = seen_from(curve, middle_of(curve));
+    const double length_scale = form_scale(curve);
+    const double weight_scale = scale_to_one(*std::max_element(curve.weights().begin(), curve.weights().end()));
+    const HomogeneousPoint scale(length_scale * weight_scale, length_scale * weight_scale, weight_scale);
+    std::vector<PieceForms> result;
+    for (const BezierPiece& piece : bezier_pieces(seen))
+        result.push_back(forms_of(piece, length_scale * coordinate_error(curve, seen, piece.span), scale, order));
+    return result;
+}
+
+std::vector<SignRun> sign_runs_along(const Curve& curve, int order, const Expression& expression) {
+    std::vector<SignRun> runs;
+    for (const PieceForms& piece : piece_forms(curve, order))
+        for (const SignRun& run : sign_runs(piece.forms, expression)) {
+            append_run(runs, {{from_unit(piece.interval, run.where.lower), from_unit(piece.interval, run.where.upper)},
+                              run.sign});
+            join_at_knot(runs, piece.interval);
+        }
+    return runs;
+}
+
+Bernstein hodograph_x(std::span<const Bernstein> forms) {
+    return difference(product(forms[3], forms[2]), product(forms[0], forms[5]));
+}
+
+Bernstein hodograph_y(std::span<const Bernstein> forms) {
+    return difference(product(forms[4], forms[2]), product(forms[1], forms[5]));
+}
+
+}  // namespace batten::core

@@ -1,0 +1,42 @@
+/// Where a curve meets a straight line.
+#pragma once
+
+#include <vector>
+
+#include "core/curve/curve.h"
+
+namespace batten::core {
+
+/// How two curves behave where they meet.
+enum class ContactKind {
+    crossing,  ///< from one side to the other
+    touching,  ///< the same side before and after
+    ending     ///< the curve begins or ends there
+};
+
+/// A place where a curve meets a line.
+struct LineContact {
+    Interval where;      ///< one parameter, or the whole of a piece that lies in the line
+    double u = 0.0;      ///< the middle of `where`
+    Point point{};       ///< C(u)
+    double along = 0.0;  ///< where on the line: 0 at its first point, 1 at its second
+    ContactKind kind = ContactKind::crossing;
+};
+
+/// All that a line has in common with a curve and with its control polygon.
+struct LineContacts {
+    std::vector<LineContact> contacts;  ///< in order of u
+    std::size_t crossings = 0;          ///< of the curve
+    std::size_t polygon_crossings = 0;  ///< of the control polygon, never fewer (variation diminishing)
+};
+
+/// The contacts with the infinite line through `a` and `b`, all of them (core/sign_runs.h): each once, tangential ones
+/// too, a straight piece in the line as one interval. Where the ends of the curve meet they count as one place, and an
+/// interval across the seam is given unwrapped. Gaps of a torn curve are no contacts. Error: points_coincide.
+[[nodiscard]] Result<LineContacts> intersect_line(const Curve& curve, Point a, Point b);
+
+/// The contacts with the segment from `a` to `b` only. A straight piece in the line counts as far as the segment
+/// reaches. The crossings of the polygon are those of the segment as well and so no bound. Error: points_coincide.
+[[nodiscard]] Result<LineContacts> intersect_segment(const Curve& curve, Point a, Point b);
+
+}  // namespace batten::core

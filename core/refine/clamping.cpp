@@ -1,0 +1,100 @@
+#include "core/refine/clamping.h"
+
+#include <utility>
+
+#include "core/refine/detail/carried_point.h"
+#include "core/refine/detail/end_knots.h"
+
+namespace batten::core {
+
+namespace {
+
+CarriedSpline turned(CarriedSpline spline, CurveEnd end) {
+    return end == CurveEnd::end ? mirrored(std::move(spline)) : spline;
+}
+
+CarriedSpline clamped_at_start(CarriedSpline spline) {
+    const std::size_t p = spline.p;
+    const double a = spline.domain().lower;
+    if (spline.multiplicity(a) < p) insert_ascending(spline, std::vector(p - spline.multiplicity(a), a));
+    const std::size_t outside = spline.last_of_run(a) - p;
+    const auto count = static_cast<std::ptrdiff_t>(outside);
+    spline.knots.erase(spline.knots.begin(), spline.knots.begin() + count);
+    spline.points.erase(spline.points.begin(), spline.points.begin() + count);
+    spline.knots.front() = a;
+    return spline;
+}
+
+// The p+1 knots before and at the start of a domain whose spans are repeated outside it.
+void repeat_spans_before_start(CarriedSpline& spline) {
+    const std::size_t p = spline.p;
+    const std::size_t n = spline.points.size() - 1;
+    for (std::size_t i = 0; i < p; ++i)
+        spline.knots[p - i - 1] = spline.knots[p - i] - (spline.knots[n - i + 1] - spline.knots[n - i]);
+}
+
+CarriedSpline unclamped_at_start(CarriedSpline spline) {
+    const std::size_t p = spline.p;
+    CarriedSpline result = spline;
+    repeat_spans_before_start(result);
+    std::vector<double> values;
+    for (std::size_t i = 1; i < p; ++i) values.push_back(result.knots[p - i]);
+    exchange_start_knots(spline, values);
+    result.points = std::move(spline.points);
+    return result;
+}
+
+// A kind that says something of the ends goes over into the one for the other sort of ends, where the values have it.
+KnotKind kind_with_ends(KnotKind kind, bool clamped) {
+    if (clamped) return kind == KnotKind::uniform ? KnotKind::clamped_uniform : kind;
+    return kind == KnotKind::custom ? kind : KnotKind::uniform;
+}
+
+Result<Curve> with_end(const Curve& curve, CurveEnd end, CarriedSpline (*change)(CarriedSpline), bool clamped) {
+    if (curve.is_periodic()) return refuse({.code = CurveErrorCode::curve_periodic});
+    CarriedSpline spline = turned(change(turned(carried(curve), end)), end);
+    return settled(curve, std::move(spline), kind_with_ends(curve.knots().kind(), clamped));
+}
+
+}  // namespace
+
+Result<Curve> clamp(const Curve& curve, CurveEnd end) {
+    if (!curve.is_periodic() && is_clamped_at(curve.knots(), end)) return curve;
+    return with_end(curve, end, clamped_at_start, true);
+}
+
+Result<Curve> unclamp(const Curve& curve, CurveEnd end) {
+    return clamp(curve, end).and_then([&](const Curve& clamped) {
+        return with_end(clamped, end, unclamped_at_start, false);
+    });
+}
+
+namespace {
+
+Result<Curve> at_both_ends(const Curve& curve, Result<Curve> (*change)(const Curve&, CurveEnd), bool clamped) {
+    return change(curve, CurveEnd::start)
+        .and_then([&](const Curve& half) { return change(half, CurveEnd::end); })
+        .and_then([&](const Curve& both) {
+            CurveDefinition definition = both.definition();
+            definition.kind = kind_with_ends(curve.knots().kind(), clamped);
+            return Curve::make(std::move(definition));
+        });
+}
+
+}  // namespace
+
+Result<Curve> clamp_ends(const Curve& curve) {
+    return at_both_ends(curve, clamp, true);
+}
+
+Result<Curve> unclamp_ends(const Curve& curve) {
+    return at_both_ends(curve, unclamp, false);
+}
+
+bool is_clamped_at(const KnotVector& knots, CurveEnd end) {
+    if (knots.is_periodic()) return false;
+    return end == CurveEnd::start ? knots.values().front() == knots.domain().lower
+                                  : knots.values().back() == knots.domain().upper;
+}
+
+}  // namespace batten::core

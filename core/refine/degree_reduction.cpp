@@ -1,0 +1,203 @@
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+#include <Eigen/SparseLU>
+#include <algorithm>
+
+#include "core/curve/knot_analysis.h"
+#include "core/evaluate/basis.h"
+#include "core/evaluate/blossom.h"
+#include "core/refine/degree.h"
+
+namespace batten::core {
+
+namespace {
+
+// Beyond this many unknowns the band of the matrix is worth its trouble.
+constexpr Eigen::Index largest_dense_system = 64;
+
+struct Run {
+    double value = 0.0;
+    std::size_t length = 0;
+};
+
+std::vector<Run> runs_of(std::span<const double> knots) {
+    std::vector<Run> runs;
+    for (const double knot : knots) {
+        if (runs.empty() || runs.back().value != knot) runs.push_back({knot, 0});
+        ++runs.back().length;
+    }
+    return runs;
+}
+
+std::vector<double> knots_of(std::span<const Run> runs) {
+    std::vector<double> knots;
+    for (const Run& run : runs) knots.insert(knots.end(), run.length, run.value);
+    return knots;
+}
+
+void shorten(Run& run) {
+    if (run.length > 1) --run.length;
+}
+
+// One period in the lower degree. The seam's run lies at both ends, and one of its knots is counted twice.
+std::vector<double> reduced_period(std::span<const double> period) {
+    std::vector<Run> runs = runs_of(period);
+    for (std::size_t i = 1; i + 1 < runs.size(); ++i) shorten(runs[i]);
+    shorten(runs.front().length > 1 ? runs.front() : runs.back());
+    return knots_of(runs);
+}
+
+// The full vector in the lower degree. An end of the domain stands one place nearer to the end of the vector, either
+// because its own run became shorter or because the outermost knot is left out.
+std::vector<double> reduced_values(const KnotVector& knots) {
+    const auto p = static_cast<std::size_t>(knots.degree());
+    const Interval domain = knots.domain();
+    const bool lower_shortens = knots[p - 1] == domain.lower;
+    const bool upper_shortens = knots[knots.size() - p] == domain.upper;
+    std::vector<Run> runs = runs_of(knots.values());
+    for (Run& run : runs) {
+        const bool is_inside = domain.lower < run.value && run.value < domain.upper;
+        const bool is_shortened_end =
+            (run.value == domain.lower && lower_shortens) || (run.value == domain.upper && upper_shortens);
+        if (is_inside || is_shortened_end) shorten(run);
+    }
+    if (!lower_shortens) --runs.front().length;
+    if (!upper_shortens) --runs.back().length;
+    return knots_of(runs);
+}
+
+// The same knots inside the domain between ends of full multiplicity.
+std::vector<double> clamped(std::span<const double> values, std::size_t q, Interval domain) {
+    std::vector<double> knots(q + 1, domain.lower);
+    for (const double knot : values)
+        if (domain.lower < knot && knot < domain.upper) knots.push_back(knot);
+    knots.insert(knots.end(), q + 1, domain.upper);
+    return knots;
+}
+
+// Where control point j is decided: its Greville abscissa, seen from the side on which it acts.
+struct Site {
+    double u = 0.0;
+    Side side = Side::right;
+};
+
+std::vector<Site> interpolation_sites(const KnotVector& knots) {
+    const auto q = static_cast<std::size_t>(knots.degree());
+    std::vector<Site> sites;
+    for (const double u : greville_abscissae(knots)) {
+        const std::size_t j = sites.size();
+        const bool acts_left_only = !knots.is_periodic() && knots[j + 1] == knots[j + q + 1];
+        sites.push_back({u, acts_left_only ? Side::left : Side::right});
+    }
+    return sites;
+}
+
+HomogeneousPoint homogeneous_at(const Curve& curve, const Site& site) {
+    const std::vector<double> arguments(static_cast<std::size_t>(curve.degree()), site.u);
+    return blossom(curve, curve.knots().span_at(site.u, site.side), arguments);
+}
+
+Eigen::MatrixX3d solve(const Eigen::SparseMatrix<double>& matrix, const Eigen::MatrixX3d& right) {
+    if (matrix.rows() > largest_dense_system) {
+        Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(matrix);
+        if (factors.info() == Eigen::Success) return factors.solve(right);
+    }
+    // Periodic systems may be singular; the smallest of the best solutions is then taken.
+    return Eigen::MatrixXd(matrix).completeOrthogonalDecomposition().solve(right);
+}
+
+// The spline over `knots` that agrees with `curve` at the sites of the control points, in homogeneous coordinates.
+Result<Curve> interpolated(const Curve& curve, KnotVector knots) {
+    const std::vector<Site> sites = interpolation_sites(knots);
+    const auto count = static_cast<Eigen::Index>(sites.size());
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::MatrixX3d right(count, 3);
+    for (Eigen::Index row = 0; row < count; ++row) {
+        const Site& site = sites[static_cast<std::size_t>(row)];
+        const BasisValues basis = basis_functions(knots, site.u, 0, site.side);
+        const std::size_t first = basis.span - static_cast<std::size_t>(knots.degree());
+        for (std::size_t j = 0; j < basis.derivatives[0].size(); ++j)
+            entries.emplace_back(row, static_cast<Eigen::Index>((first + j) % sites.size()), basis.derivatives[0][j]);
+        const HomogeneousPoint point = homogeneous_at(curve, site);
+        right.row(row) << point.x, point.y, point.z;
+    }
+    Eigen::SparseMatrix<double> matrix(count, count);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::MatrixX3d solution = solve(matrix, right);
+    std::vector<Point> points;
+    std::vector<double> weights;
+    for (Eigen::Index row = 0; row < count; ++row) {
+        points.push_back(project({solution(row, 0), solution(row, 1), solution(row, 2)}));
+        // Rounding must not make a polynomial curve rational.
+        weights.push_back(curve.is_rational() ? solution(row, 2) : curve.weights().front());
+    }
+    return Curve::make(std::move(knots), std::move(points), std::move(weights));
+}
+
+// The clamped curve over other knots outside the same domain: control point j is the blossom at its knots, of any piece
+// on which it acts. Points that act nowhere are as many as in the curve before, and stay.
+Result<Curve> unclamped(const Curve& clamped_curve, KnotVector knots, const Curve& before) {
+    const auto q = static_cast<std::size_t>(knots.degree());
+    const std::size_t count = knots.control_point_count();
+    const auto point_at_knots = [&](std::size_t j) {
+        if (knots[j + q + 1] <= knots.domain().lower) return before.homogeneous_point(j);
+        if (knots[j] >= knots.domain().upper)
+            return before.homogeneous_point(before.control_points().size() - (count - j));
+        const auto arguments = knots.values().subspan(j + 1, q);
+        const double inside = arguments.front() + 0.5 * (arguments.back() - arguments.front());
+        const Side side = knots[j + q + 1] == inside ? Side::left : Side::right;
+        return blossom(clamped_curve, clamped_curve.knots().span_at(inside, side), arguments);
+    };
+    std::vector<Point> points;
+    std::vector<double> weights;
+    for (std::size_t j = 0; j < count; ++j) {
+        const HomogeneousPoint point = point_at_knots(j);
+        points.push_back(project(point));
+        weights.push_back(before.is_rational() ? point.z : before.weights().front());
+    }
+    return Curve::make(std::move(knots), std::move(points), std::move(weights));
+}
+
+Result<Curve> with_ends_of(const Curve& curve, const Curve& reduced) {
+    CurveDefinition definition = reduced.definition();
+    definition.points.front() = curve.control_points().front();
+    definition.points.back() = curve.control_points().back();
+    definition.weights.front() = curve.weights().front();
+    definition.weights.back() = curve.weights().back();
+    return Curve::make(std::move(definition));
+}
+
+Result<Curve> reduce_periodic(const Curve& curve) {
+    std::vector<double> period = reduced_period(curve.knots().stored());
+    if (period.size() < 3)
+        return tl::unexpected(CurveError{
+            .code = CurveErrorCode::too_few_points, .value = static_cast<double>(period.size() - 1), .lower = 2.0});
+    return KnotVector::make_periodic(curve.degree() - 1, std::move(period), curve.knots().kind())
+        .and_then([&](KnotVector knots) { return interpolated(curve, std::move(knots)); });
+}
+
+Result<Curve> reduce_open(const Curve& curve) {
+    const int degree = curve.degree() - 1;
+    const Tears tears = curve.definition().tears;
+    const std::vector<double> values = reduced_values(curve.knots());
+    const auto target = KnotVector::make(degree, values, curve.knots().kind(), tears);
+    if (!target) return tl::unexpected(target.error());
+    const bool is_end_kept = is_clamped(curve.knots());
+    return KnotVector::make(degree, clamped(values, static_cast<std::size_t>(degree), curve.domain()),
+                            curve.knots().kind(), tears)
+        .and_then([&](KnotVector knots) { return interpolated(curve, std::move(knots)); })
+        .and_then([&](const Curve& reduced) {
+            return is_end_kept ? with_ends_of(curve, reduced) : unclamped(reduced, *target, curve);
+        });
+}
+
+}  // namespace
+
+Result<Curve> reduce_degree(const Curve& curve) {
+    if (curve.degree() <= min_degree)
+        return tl::unexpected(
+            CurveError{.code = CurveErrorCode::degree_out_of_range, .value = static_cast<double>(curve.degree() - 1)});
+    return curve.is_periodic() ? reduce_periodic(curve) : reduce_open(curve);
+}
+
+}  // namespace batten::core

@@ -1,0 +1,148 @@
+#include "core/refine/detail/removable_knot.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "core/refine/detail/spline_removal.h"
+
+namespace batten::core {
+
+namespace {
+
+// Whether the knots at the upper end of the period become fewer: a seam's only knot at the lower end stays.
+bool is_from_upper_end(const Curve& curve, const CarriedSpline& spline, const RemovableKnot& knot) {
+    const bool is_seam = curve.is_periodic() && spline.knots[knot.index] == curve.domain().lower;
+    return is_seam && (knot.from_upper_end || knot.index == removal_offset(curve));
+}
+
+// The points on which the curve depends wherever the removal reaches.
+std::span<const CarriedPoint> points_around(const CarriedSpline& spline, const RemovableKnot& knot) {
+    const std::size_t first = knot.first > spline.p ? knot.first - spline.p : 0;
+    const std::size_t end = std::min(knot.first + knot.replaced + spline.p, spline.points.size());
+    return std::span(spline.points).subspan(first, end - first);
+}
+
+// With A' = A + dA and w' = w + dw the shadow moves by (dA - C dw) / w', and dA, dw are at most `error` in size.
+double bound_of(const CarriedSpline& spline, const RemovableKnot& knot, HomogeneousPoint error) {
+    if (error.z == 0.0) return std::hypot(error.x, error.y) / spline.points[knot.first].point.z;
+    const Point near = project(spline.points[knot.first].point);
+    double least_weight = std::numeric_limits<double>::infinity();
+    double reach = 0.0;
+    for (const CarriedPoint& around : points_around(spline, knot)) {
+        least_weight = std::min(least_weight, around.point.z - std::abs(error.z));
+        reach = std::max(reach, glm::distance(near, project(around.point)));
+    }
+    for (const CarriedPoint& point : knot.points) least_weight = std::min(least_weight, point.point.z);
+    if (!(least_weight > 0.0)) return std::numeric_limits<double>::infinity();
+    return (glm::length(Point(error) - near * error.z) + reach * std::abs(error.z)) / least_weight;
+}
+
+// The two sides of a tear are pulled together.
+double close_tear(const CarriedSpline& spline, RemovableKnot& knot) {
+    knot.first = knot.index - spline.p - 1;
+    knot.replaced = 2;
+    const CarriedPoint half = 0.5 * (spline.points[knot.first + 1] - spline.points[knot.first]);
+    knot.points = {spline.points[knot.first] + half};
+    return bound_of(spline, knot, half.point);
+}
+
+std::vector<double> stored_without(const Curve& curve, const CarriedSpline& spline,
+                                   std::span<const RemovableKnot> removed) {
+    const auto stored = curve.knots().stored();
+    const std::size_t offset = removal_offset(curve);
+    std::vector<bool> is_removed(stored.size(), false);
+    for (const RemovableKnot& knot : removed)
+        is_removed[is_from_upper_end(curve, spline, knot) ? stored.size() - 1 : knot.index - offset] = true;
+    std::vector<double> knots;
+    for (std::size_t i = 0; i < stored.size(); ++i)
+        if (!is_removed[i]) knots.push_back(stored[i]);
+    return knots;
+}
+
+// The points from the first replaced one on; all of them, or one period.
+std::vector<CarriedPoint> points_without(const CarriedSpline& spline, std::span<const RemovableKnot> removed,
+                                         std::size_t first, std::size_t end) {
+    std::vector<CarriedPoint> points;
+    std::size_t i = first;
+    const auto copy_until = [&](std::size_t stop) {
+        for (; i < stop; ++i) points.push_back(spline.points[i]);
+    };
+    for (const RemovableKnot& knot : removed) {
+        copy_until(knot.first);
+        points.insert(points.end(), knot.points.begin(), knot.points.end());
+        i += knot.replaced;
+    }
+    copy_until(end);
+    return points;
+}
+
+}  // namespace
+
+CarriedSpline unrolled_for_removal(const Curve& curve) {
+    return carried(curve, 1);
+}
+
+std::size_t removal_offset(const Curve& curve) {
+    return curve.is_periodic() ? static_cast<std::size_t>(curve.degree()) + curve.control_points().size() : 0;
+}
+
+bool has_room_for_removal(const Curve& curve) {
+    return !curve.is_periodic() || curve.control_points().size() > static_cast<std::size_t>(curve.degree()) + 1;
+}
+
+std::vector<std::size_t> removable_indices(const Curve& curve, const CarriedSpline& spline) {
+    const Interval domain = curve.domain();
+    const bool is_periodic = curve.is_periodic();
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i + 1 < spline.knots.size(); ++i) {
+        const double u = spline.knots[i];
+        if (u == spline.knots[i + 1]) continue;
+        const bool is_inside = domain.lower < u && u < domain.upper;
+        const bool is_multiple_seam = is_periodic && u == domain.lower && spline.knots[i - 1] == u;
+        if (is_inside || is_multiple_seam) indices.push_back(i);
+    }
+    return indices;
+}
+
+std::optional<RemovableKnot> removable_knot(const CarriedSpline& spline, std::size_t index) {
+    const std::size_t p = spline.p;
+    const double u = spline.knots[index];
+    const std::size_t multiplicity = index + 1 - spline.first_of_run(u);
+    RemovableKnot knot{.index = index, .first = index - p, .replaced = p + 1 - multiplicity, .points = {}};
+    if (multiplicity > p) {
+        knot.bound = close_tear(spline, knot);
+    } else {
+        std::vector<Ratio> ratios;
+        for (std::size_t i = knot.first; i < knot.first + knot.replaced; ++i)
+            ratios.push_back(ratio_between(spline.knots[i], spline.knots[i + p + 1], u));
+        auto found = removal<CarriedPoint>(ratios, std::span(spline.points).subspan(knot.first - 1, knot.replaced + 2));
+        knot.points = std::move(found.points);
+        knot.bound = bound_of(spline, knot, found.error.point);
+    }
+    if (!std::isfinite(knot.bound)) return std::nullopt;
+    return knot;
+}
+
+Result<Curve> without_knots(const Curve& curve, const CarriedSpline& spline, std::span<const RemovableKnot> removed) {
+    CarriedForm form{.degree = curve.degree(),
+                     .knots = stored_without(curve, spline, removed),
+                     .is_periodic = curve.is_periodic(),
+                     .kind = curve.knots().kind()};
+    if (!curve.is_periodic())
+        return settled(curve, std::move(form), points_without(spline, removed, 0, spline.points.size()));
+    const std::size_t n = curve.control_points().size();
+    const std::size_t first = removed.front().first;
+    const std::vector<CarriedPoint> turned = points_without(spline, removed, first, first + n);
+    // Point 0 is p places before the lower end of the period; at a seam that is another one of its knots than before if
+    // one is taken from those of the upper end.
+    const std::size_t offset = removal_offset(curve);
+    const std::size_t end_of_period = is_from_upper_end(curve, spline, removed.front()) ? offset - 1 : offset;
+    const std::size_t count = turned.size();
+    std::vector<CarriedPoint> points;
+    for (std::size_t i = 0; i < count; ++i)
+        points.push_back(turned[(end_of_period - spline.p + i + 2 * count - first % count) % count]);
+    return settled(curve, std::move(form), points);
+}
+
+}  // namespace batten::core

@@ -1,0 +1,145 @@
+#include "core/refine/extend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "core/base/detail/quadrature.h"
+#include "core/evaluate/evaluate.h"
+#include "core/evaluate/tangent.h"
+#include "core/measure/arc_length.h"
+#include "core/refine/clamping.h"
+#include "core/refine/detail/carried_point.h"
+#include "core/refine/detail/end_knots.h"
+
+namespace batten::core {
+
+namespace {
+
+Result<void> check_length(double length) {
+    if (length > 0.0 && std::isfinite(length)) return {};
+    return refuse({.code = CurveErrorCode::length_not_positive, .value = length});
+}
+
+double end_of(const Curve& curve, CurveEnd end) {
+    return end == CurveEnd::start ? curve.domain().lower : curve.domain().upper;
+}
+
+double moved_out(double u, CurveEnd end, double by) {
+    return end == CurveEnd::start ? u - by : u + by;
+}
+
+Result<Curve> with_end_at(const Curve& clamped, CurveEnd end, double u) {
+    CarriedSpline spline = carried(clamped);
+    if (end == CurveEnd::end) spline = mirrored(std::move(spline));
+    const double target = end == CurveEnd::end ? -u : u;
+    exchange_start_knots(spline, std::vector(spline.p, target));
+    std::fill(spline.knots.begin(), spline.knots.begin() + static_cast<std::ptrdiff_t>(spline.p) + 1, target);
+    if (end == CurveEnd::end) spline = mirrored(std::move(spline));
+    return settled(clamped, std::move(spline), clamped.knots().kind());
+}
+
+double speed_at(const Curve& curve, CurveEnd end) {
+    return glm::length(derivatives_at(curve, end_of(curve, end), 1)[1]);
+}
+
+// No finer than lengths are measured.
+constexpr double length_accuracy = 1e-12;
+
+// Where the parameter cannot grow further because a weight runs out, this part of it is as near as is looked.
+constexpr double closeness_to_failure = 1e-3;
+
+// The arc length over `range`. No finer than so many halvings: where a weight is nearly 0 and its point far away, the
+// speed is so inexact that more of them gain nothing.
+double length_over(const Curve& curve, Interval range) {
+    constexpr int halvings = 8;
+    constexpr int first_depth = 60 - halvings;
+    const auto speed = [&](double u) { return glm::length(derivatives_at(curve, u, 1)[1]); };
+    const double size = integrate_once<double>(speed, range).kronrod;
+    double length = 0.0;
+    integrate_adaptively<double>(
+        speed, range,
+        [&](const RulePair<double>& rules) { return std::abs(rules.kronrod - rules.gauss) <= length_accuracy * size; },
+        [&](const RulePair<double>& rules) { length += rules.kronrod; }, first_depth);
+    return length;
+}
+
+// The arc length that is added at `end` to make `longer` of `curve`.
+double added_length(const Curve& curve, const Curve& longer, CurveEnd end) {
+    const double old = end_of(curve, end);
+    const double tip = end_of(longer, end);
+    return length_over(longer, {std::min(old, tip), std::max(old, tip)});
+}
+
+// Newton's iteration in a bracket that shrinks: the added length grows with the parameter.
+Result<Curve> longer_by(const Curve& curve, CurveEnd end, double length) {
+    Interval bracket{0.0, std::numeric_limits<double>::infinity()};
+    double by = length / speed_at(curve, end);
+    for (;;) {
+        const auto longer = extend_parameter(curve, end, by);
+        if (!longer && bracket.upper - bracket.lower <= closeness_to_failure * bracket.upper) return longer;
+        const double found = longer ? added_length(curve, *longer, end) : std::numeric_limits<double>::infinity();
+        if (std::abs(found - length) <= length_accuracy * length) return longer;
+        (found < length ? bracket.lower : bracket.upper) = by;
+        double next = std::isinf(bracket.upper) ? 2.0 * by : bracket.lower + 0.5 * bracket.length();
+        const double newton = longer ? by + (length - found) / speed_at(*longer, end) : next;
+        if (bracket.lower < newton && newton < bracket.upper && newton < 4.0 * by) next = newton;
+        if (next == bracket.lower || next == bracket.upper) return longer;
+        by = next;
+    }
+}
+
+void add_straight_piece(CurveDefinition& definition, CurveEnd end, Vector step, double u) {
+    const auto p = static_cast<std::size_t>(definition.degree);
+    const auto at_start = end == CurveEnd::start;
+    const Point from = at_start ? definition.points.front() : definition.points.back();
+    const double weight = at_start ? definition.weights.front() : definition.weights.back();
+    const auto place = [&](auto& values) { return at_start ? values.begin() : values.end(); };
+    for (std::size_t i = 1; i <= p; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(p);
+        definition.points.insert(place(definition.points), from + share * step);
+        definition.weights.insert(place(definition.weights), weight);
+    }
+    definition.knots.erase(at_start ? definition.knots.begin() : definition.knots.end() - 1);
+    definition.knots.insert(place(definition.knots), p + 1, u);
+}
+
+}  // namespace
+
+Result<Curve> extend_parameter(const Curve& curve, CurveEnd end, double by) {
+    if (const auto check = check_length(by); !check) return refuse(check.error());
+    const auto clamped = clamp(curve, end);
+    if (!clamped) return refuse(clamped.error());
+    const double old = end_of(curve, end);
+    const double target = moved_out(old, end, by);
+    if (target == old) return refuse({.code = CurveErrorCode::range_empty, .lower = old, .upper = target});
+    return with_end_at(*clamped, end, target);
+}
+
+Result<Curve> extend_length(const Curve& curve, CurveEnd end, double length) {
+    if (const auto check = check_length(length); !check) return refuse(check.error());
+    const auto clamped = clamp(curve, end);
+    if (!clamped) return refuse(clamped.error());
+    if (!curvature_at(*clamped, end_of(curve, end)))
+        return refuse({.code = CurveErrorCode::curve_stands_still, .value = end_of(curve, end)});
+    return longer_by(*clamped, end, length);
+}
+
+Result<Curve> extend_straight(const Curve& curve, CurveEnd end, double length) {
+    if (const auto check = check_length(length); !check) return refuse(check.error());
+    const auto clamped = clamp(curve, end);
+    if (!clamped) return refuse(clamped.error());
+    const double old = end_of(curve, end);
+    const auto tangent = tangent_at(*clamped, old);
+    if (!tangent) return refuse({.code = CurveErrorCode::curve_stands_still, .value = old});
+    double speed = speed_at(*clamped, end);
+    if (!(speed > 0.0)) speed = arc_length(*clamped).value / clamped->domain().length();
+    const double target = moved_out(old, end, length / speed);
+    if (target == old) return refuse({.code = CurveErrorCode::range_empty, .lower = old, .upper = target});
+    CurveDefinition definition = clamped->definition();
+    add_straight_piece(definition, end, (end == CurveEnd::start ? -length : length) * *tangent, target);
+    return Curve::make(std::move(definition));
+}
+
+}  // namespace batten::core

@@ -1,0 +1,50 @@
+#include "core/document/document.h"
+
+#include <gtest/gtest.h>
+
+namespace batten::core {
+namespace {
+
+Document with_names(std::initializer_list<const char*> names) {
+    Document document;
+    for (const char* name : names) {
+        DocumentCurve entry;
+        entry.name = name;
+        document.curves.push_back(entry);
+    }
+    return document;
+}
+
+TEST(Document, free_name_is_kept) {
+    EXPECT_EQ(unused_name(Document{}, "wave"), "wave");
+    EXPECT_EQ(unused_name(with_names({"wave 2"}), "wave"), "wave");
+    EXPECT_EQ(unused_name(with_names({"wave"}), "Wave"), "Wave");
+}
+
+TEST(Document, taken_name_gets_the_next_number) {
+    EXPECT_EQ(unused_name(with_names({"wave"}), "wave"), "wave 2");
+    EXPECT_EQ(unused_name(with_names({"wave", "wave 2"}), "wave"), "wave 3");
+    EXPECT_EQ(unused_name(with_names({"wave", "wave 2"}), "wave 2"), "wave 3");
+    EXPECT_EQ(unused_name(with_names({"wave", "wave 3"}), "wave"), "wave 2");
+}
+
+TEST(Document, number_is_only_what_follows_a_blank) {
+    EXPECT_EQ(unused_name(with_names({"T1"}), "T1"), "T1 2");
+    EXPECT_EQ(unused_name(with_names({"7"}), "7"), "7 2");
+    EXPECT_EQ(unused_name(with_names({" 7"}), " 7"), " 7 2");
+}
+
+TEST(Document, empty_wish_is_a_curve) {
+    EXPECT_EQ(unused_name(Document{}, ""), "curve");
+    EXPECT_EQ(unused_name(with_names({"curve"}), ""), "curve 2");
+}
+
+TEST(Document, active_curve_is_none_without_curves) {
+    EXPECT_EQ(Document{}.active_curve(), nullptr);
+    Document document = with_names({"a", "b"});
+    document.active = 1;
+    EXPECT_EQ(document.active_curve()->name, "b");
+}
+
+}  // namespace
+}  // namespace batten::core

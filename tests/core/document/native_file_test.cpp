@@ -1,0 +1,411 @@
+#include "core/document/native_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "tests/core/random_curves.h"
+
+namespace batten::core {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of its own that goes with the test.
+class NativeFile : public testing::Test {
+  protected:
+    NativeFile() : folder_(fs::temp_directory_path() / ("batten-" + std::to_string(getpid()))) {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    ~NativeFile() override { fs::remove_all(folder_); }
+
+    fs::path in_folder(const char* name) const { return folder_ / name; }
+
+    std::size_t files_in_folder() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
+
+  private:
+    fs::path folder_;
+};
+
+std::string file_of(const std::string& curve_members) {
+    return R"({"format": "batten", "version": 1, "curves": [{)" + curve_members + "}]}";
+}
+
+const std::string plain_members = R"("degree": 2, "knots": [0,0,0,1,1,1], "points": [[0,0],[1,2],[2,0]])";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+FileError error_of(const std::string& text) {
+    const auto document = parse_document(text);
+    EXPECT_FALSE(document.has_value()) << text;
+    return document ? FileError{} : document.error();
+}
+
+void expect_error(const std::string& text, const std::string& where, const std::string& part_of_what) {
+    const FileError error = error_of(text);
+    EXPECT_EQ(error.where, where) << error.what;
+    EXPECT_NE(error.what.find(part_of_what), std::string::npos) << error.what;
+}
+
+Document random_document(RandomCurves& random) {
+    Document document;
+    document.title = "Title \"with\" \\ and \n é";
+    for (int i = random.whole(0, 4); i > 0; --i) {
+        DocumentCurve entry;
+        entry.name = random.whole(0, 1) == 0 ? "same" : std::to_string(i);
+        entry.curve = std::make_shared<const Curve>(random.curve());
+        if (random.whole(0, 1) == 0) entry.color = DocumentColor{0x4c, 0x7f, 0xe0};
+        entry.visible = random.whole(0, 1) == 0;
+        entry.locked = random.whole(0, 1) == 0;
+        if (random.whole(0, 1) == 0) entry.unknown_members = R"({"z":{"deep":[1,[2.5,{}]]},"a":null})";
+        document.curves.push_back(entry);
+    }
+    if (!document.curves.empty())
+        document.active = static_cast<std::size_t>(random.whole(0, static_cast<int>(document.curves.size()) - 1));
+    if (random.whole(0, 1) == 0) document.view.parameter = random.number(-9.0, 9.0);
+    if (random.whole(0, 1) == 0) document.view.overlays = {"polygon", "knots"};
+    if (random.whole(0, 1) == 0) document.view.unknown_members = R"({"zoom":1e-12})";
+    if (random.whole(0, 1) == 0) document.unknown_members = R"({"author":"nobody","1":[true]})";
+    return document;
+}
+
+TEST(NativeFormat, text_is_laid_out_for_people_and_diffs) {
+    const std::string text =
+        "{\n"
+        "  \"format\": \"batten\",\n"
+        "  \"version\": 1,\n"
+        "  \"title\": \"A wave\",\n"
+        "  \"description\": \"Drag it.\",\n"
+        "  \"curves\": [\n"
+        "    {\n"
+        "      \"name\": \"wave\",\n"
+        "      \"degree\": 2,\n"
+        "      \"knots\": [0, 0, 0, 0.1, 1, 1, 1],\n"
+        "      \"points\": [\n"
+        "        [0, 0],\n"
+        "        [1, -2.5],\n"
+        "        [3, 2],\n"
+        "        [4e+20, 0]\n"
+        "      ],\n"
+        "      \"weights\": [1, 0.7071067811865476, 1, 1],\n"
+        "      \"periodic\": false,\n"
+        "      \"kind\": \"custom\",\n"
+        "      \"color\": \"#4c7fe0\",\n"
+        "      \"visible\": true,\n"
+        "      \"locked\": false,\n"
+        "      \"note\": \"kept\"\n"
+        "    }\n"
+        "  ],\n"
+        "  \"view\": {\n"
+        "    \"parameter\": 0.4,\n"
+        "    \"overlays\": [\"polygon\", \"knots\"]\n"
+        "  },\n"
+        "  \"author\": {}\n"
+        "}\n";
+    const auto document = parse_document(text);
+    ASSERT_TRUE(document.has_value()) << document.error().sentence();
+    EXPECT_EQ(format_document(*document), text);
+    EXPECT_EQ(document->title, "A wave");
+    EXPECT_EQ(document->description, "Drag it.");
+    EXPECT_EQ(document->curves[0].color, (DocumentColor{0x4c, 0x7f, 0xe0}));
+    EXPECT_EQ(document->view.parameter, 0.4);
+    EXPECT_EQ(document->view.overlays, (std::vector<std::string>{"polygon", "knots"}));
+}
+
+TEST(NativeFormat, everything_comes_back_and_the_text_too) {
+    RandomCurves random(111);
+    for (int i = 0; i < 300; ++i) {
+        const Document document = random_document(random);
+        const std::string text = format_document(document);
+        const auto back = parse_document(text);
+        ASSERT_TRUE(back.has_value()) << back.error().sentence();
+        EXPECT_EQ(format_document(*back), text);
+        ASSERT_EQ(back->curves.size(), document.curves.size());
+        for (std::size_t k = 0; k < document.curves.size(); ++k) {
+            EXPECT_EQ(*back->curves[k].curve, *document.curves[k].curve) << "bit by bit";
+            EXPECT_EQ(back->curves[k].name, document.curves[k].name);
+            EXPECT_EQ(back->curves[k].color, document.curves[k].color);
+            EXPECT_EQ(back->curves[k].visible, document.curves[k].visible);
+            EXPECT_EQ(back->curves[k].locked, document.curves[k].locked);
+            EXPECT_EQ(back->curves[k].unknown_members, document.curves[k].unknown_members);
+        }
+        EXPECT_EQ(back->active, document.active);
+        EXPECT_EQ(back->view, document.view);
+        EXPECT_EQ(back->title, document.title);
+        EXPECT_EQ(back->unknown_members, document.unknown_members);
+    }
+}
+
+TEST(NativeFormat, numbers_come_back_to_the_last_bit) {
+    const std::vector<double> hard{0.1,    1.0 / 3.0, 5e-324, 2.2250738585072014e-308, 1.7976931348623157e308, -0.0,
+                                   1e15,   1e16,      1e22,   9007199254740993.0,      123456789012345.0,      -1e15,
+                                   1e-300, 4.35,      0.5};
+    for (const double value : hard) {
+        Document document;
+        const auto curve = std::make_shared<const Curve>(
+            Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{value, 0}, {1, value}}}).value());
+        document.curves.push_back({.name = "n", .curve = curve, .color = {}, .unknown_members = {}});
+        const std::string text = format_document(document);
+        const auto back = parse_document(text).value();
+        const Point point = back.curves[0].curve->control_points()[0];
+        EXPECT_EQ(std::signbit(point.x), std::signbit(value));
+        EXPECT_EQ(point.x, value);
+        EXPECT_EQ(format_document(back), text);
+    }
+}
+
+TEST(NativeFormat, document_without_curves_is_one) {
+    EXPECT_EQ(format_document(Document{}), "{\n  \"format\": \"batten\",\n  \"version\": 1,\n  \"curves\": []\n}\n");
+    EXPECT_TRUE(parse_document(format_document(Document{}))->curves.empty());
+    EXPECT_TRUE(parse_document(R"({"format": "batten", "version": 1})")->curves.empty());
+}
+
+TEST(NativeFormat, what_may_be_left_out_has_its_default) {
+    const Document document = parse_document(file_of(plain_members)).value();
+    const DocumentCurve& entry = document.curves[0];
+    EXPECT_TRUE(entry.visible);
+    EXPECT_FALSE(entry.locked);
+    EXPECT_FALSE(entry.color.has_value());
+    EXPECT_FALSE(entry.curve->is_rational());
+    EXPECT_FALSE(entry.curve->is_periodic());
+    EXPECT_EQ(entry.curve->knots().kind(), KnotKind::bezier) << "the kind is what the values say";
+    EXPECT_FALSE(document.view.parameter.has_value());
+}
+
+TEST(NativeFormat, kind_is_believed_only_when_the_values_have_it) {
+    const auto kind_of = [](const std::string& kind) {
+        return parse_document(file_of(plain_members + ", \"kind\": \"" + kind + "\""))->curves[0].curve->knots().kind();
+    };
+    EXPECT_EQ(kind_of("bezier"), KnotKind::bezier);
+    EXPECT_EQ(kind_of("clamped-uniform"), KnotKind::clamped_uniform);
+    EXPECT_EQ(kind_of("piecewise-bezier"), KnotKind::piecewise_bezier);
+    EXPECT_EQ(kind_of("uniform"), KnotKind::custom);
+    EXPECT_EQ(kind_of("periodic"), KnotKind::custom);
+    EXPECT_EQ(kind_of("custom"), KnotKind::custom);
+    expect_error(file_of(plain_members + R"(, "kind": "wavy")"), "/curves/0/kind", "\"wavy\"");
+}
+
+TEST(NativeFormat, unknown_members_stay_on_every_level) {
+    const std::string text = R"({"format": "batten", "version": 1, "maker": {"name": "x"}, "curves": [{)" +
+                             plain_members +
+                             R"(, "tags": [1, "two", null, [3]]}], "view": {"zoom": 2.50, "parameter": 1}})";
+    const std::string formatted = format_document(parse_document(text).value());
+    for (const char* part : {"\"maker\": {\n    \"name\": \"x\"\n  }", "\"zoom\": 2.5", "\"tags\": [\n", "\"two\""})
+        EXPECT_NE(formatted.find(part), std::string::npos) << part << " in\n" << formatted;
+    EXPECT_EQ(format_document(parse_document(formatted).value()), formatted);
+}
+
+TEST(NativeFormat, active_curve_is_named_unless_it_is_the_first) {
+    const auto curve = parse_document(file_of(plain_members))->curves[0].curve;
+    Document document;
+    for (const char* name : {"a", "b", "b"})
+        document.curves.push_back({.name = name, .curve = curve, .color = {}, .unknown_members = {}});
+    EXPECT_EQ(format_document(document).find("active"), std::string::npos);
+    document.active = 1;
+    EXPECT_NE(format_document(document).find("\"active\": \"b\""), std::string::npos);
+    document.active = 2;
+    EXPECT_EQ(parse_document(format_document(document))->active, 2U) << "although another curve has the name";
+    const std::string stranger = replaced(format_document(document), "\"active\": 2", "\"active\": \"c\"");
+    EXPECT_EQ(parse_document(stranger)->active, 0U);
+}
+
+TEST(NativeFormat, text_that_is_not_utf8_is_written_all_the_same) {
+    Document document;
+    document.title = "caf\xe9";
+    EXPECT_TRUE(parse_document(format_document(document)).has_value());
+}
+
+TEST(NativeFormat, syntax_errors_have_line_and_column) {
+    expect_error("{\n  \"format\": \"batten\",\n  \"version\": nul\n}", "line 3, column 17", "invalid literal");
+    expect_error("", "line 1, column 1", "unexpected end of input");
+    expect_error("[1, 2,]", "line 1, column 7", "unexpected ']'");
+    expect_error("{\"format\": \"caf\xe9\"}", "line 1, column 17", "UTF-8");
+    expect_error("{\"a\": NaN}", "line 1, column 7", "invalid literal");
+    expect_error("{\"a\": Infinity}", "line 1, column 7", "invalid literal");
+    EXPECT_EQ(error_of("[1 2]").what.find("last read"), std::string::npos);
+}
+
+TEST(NativeFormat, numbers_beyond_doubles_are_refused) {
+    for (const std::string number : {"1e400", "-1e999999"}) {
+        const std::string text = replaced(file_of(plain_members), "[1,2]", "[1," + number + "]");
+        const std::size_t end_of_number = text.find(number) + number.size();
+        expect_error(text, "line 1, column " + std::to_string(end_of_number), "too large");
+    }
+}
+
+TEST(NativeFormat, doubled_members_are_refused) {
+    expect_error(file_of(plain_members + R"(, "degree": 3)"), "", "\"degree\" occurs twice");
+    expect_error(R"({"format": "batten", "version": 1, "x": {"y": 1, "y": 2}})", "", "\"y\" occurs twice");
+    EXPECT_TRUE(parse_document(R"({"format": "batten", "version": 1, "x": [{"y": 1}, {"y": 2}]})").has_value());
+}
+
+TEST(NativeFormat, format_and_version_are_looked_at_first) {
+    expect_error("[]", "", "an object");
+    expect_error("{}", "", "\"format\" is missing");
+    expect_error(R"({"format": "other", "version": 9, "curves": 5})", "/format", "\"other\"");
+    expect_error(R"({"format": "batten", "curves": 5})", "", "\"version\" is missing");
+    expect_error(R"({"format": "batten", "version": 2, "curves": 5})", "/version", "version 2");
+    expect_error(R"({"format": "batten", "version": 1.5})", "/version", "version 1.5");
+    expect_error(R"({"format": "batten", "version": "1"})", "/version", "a number");
+}
+
+TEST(NativeFormat, required_members_are_missed_by_name) {
+    for (const std::string name : {"degree", "knots", "points"})
+        expect_error(replaced(file_of(plain_members), "\"" + name + "\"", "\"other\""), "/curves/0",
+                     "\"" + name + "\" is missing");
+}
+
+TEST(NativeFormat, wrong_types_are_named_with_their_place) {
+    const std::string good = file_of(plain_members);
+    expect_error(replaced(good, "\"degree\": 2", "\"degree\": \"two\""), "/curves/0/degree", "\"two\"");
+    expect_error(replaced(good, "\"degree\": 2", "\"degree\": 2.5"), "/curves/0/degree", "whole");
+    expect_error(replaced(good, "\"degree\": 2", "\"degree\": 1e300"), "/curves/0/degree", "from 1 to 25");
+    expect_error(replaced(good, "[0,0,0,1,1,1]", "7"), "/curves/0/knots", "a list");
+    expect_error(replaced(good, "[0,0,0,1,1,1]", "[0,0,0,1,null,1]"), "/curves/0/knots/4", "null");
+    expect_error(replaced(good, "[1,2]", "[1]"), "/curves/0/points/1", "two numbers");
+    expect_error(replaced(good, "[1,2]", "[1,2,3]"), "/curves/0/points/1", "two numbers");
+    expect_error(replaced(good, "[1,2]", "[1,\"2\"]"), "/curves/0/points/1/1", "a number");
+    expect_error(file_of(plain_members + R"(, "weights": [1, true, 1])"), "/curves/0/weights/1", "true");
+    expect_error(file_of(plain_members + R"(, "periodic": 0)"), "/curves/0/periodic", "true or false");
+    expect_error(file_of(plain_members + R"(, "name": 5)"), "/curves/0/name", "a text");
+    expect_error(file_of(plain_members + R"(, "color": "red")"), "/curves/0/color", "#4c7fe0");
+    expect_error(file_of(plain_members + R"(, "color": "#12345g")"), "/curves/0/color", "#4c7fe0");
+    expect_error(file_of(plain_members + R"(, "visible": null)"), "/curves/0/visible", "true or false");
+    expect_error(R"({"format": "batten", "version": 1, "curves": {}})", "/curves", "a list of curves");
+    expect_error(R"({"format": "batten", "version": 1, "curves": [7]})", "/curves/0", "an object");
+    expect_error(R"({"format": "batten", "version": 1, "view": []})", "/view", "an object");
+    expect_error(R"({"format": "batten", "version": 1, "view": {"parameter": "x"}})", "/view/parameter", "a number");
+    expect_error(R"({"format": "batten", "version": 1, "view": {"overlays": ["a", 1]}})", "/view/overlays/1", "a text");
+}
+
+TEST(NativeFormat, invalid_curves_are_refused_with_place_and_sentence) {
+    const std::string good = file_of(plain_members);
+    expect_error(replaced(good, "[0,0,0,1,1,1]", "[0,0,0,1,0.5,1]"), "/curves/0/knots/4",
+                 "knot 4 is 0.5, less than knot 3, which is 1");
+    expect_error(replaced(good, "[0,0,0,1,1,1]", "[0,0,0,1,1]"), "/curves/0/knots", "5 knots were found; 6 are needed");
+    expect_error(replaced(good, "[0,0,0,1,1,1]", "[0,0,0,0,0,0]"), "/curves/0/knots", "begins and ends at 0");
+    expect_error(replaced(good, "\"degree\": 2", "\"degree\": 26"), "/curves/0/degree", "26");
+    expect_error(replaced(good, "\"degree\": 2", "\"degree\": 3"), "/curves/0/points", "at least 4");
+    expect_error(file_of(plain_members + R"(, "weights": [1, 1])"), "/curves/0/weights", "2 weights");
+    expect_error(file_of(plain_members + R"(, "weights": [1, -1, 1])"), "/curves/0/weights/1", "weight 1 is -1");
+    const std::string torn = R"("degree": 1, "knots": [0,0,1,1,2,2], "points": [[0,0],[1,1],[2,0],[3,1]])";
+    expect_error(file_of(torn), "/curves/0/knots/2", "occurs 2 times");
+    EXPECT_TRUE(parse_document(file_of(torn + R"(, "tears": true)")).has_value());
+}
+
+TEST(NativeFormat, tears_come_back) {
+    const std::string text =
+        file_of(R"("degree": 1, "knots": [0,0,1,1,2,2], "points": [[0,0],[1,1],[2,0],[3,1]], "tears": true)");
+    const std::string formatted = format_document(parse_document(text).value());
+    EXPECT_NE(formatted.find("\"tears\": true"), std::string::npos);
+    EXPECT_EQ(format_document(parse_document(formatted).value()), formatted);
+}
+
+TEST(NativeFormat, nesting_without_end_is_refused) {
+    const std::size_t deep = 1'000'000;
+    expect_error(std::string(deep, '['), "", "nested");
+    expect_error(R"({"format": "batten", "version": 1, "x": )" + std::string(deep, '[') + std::string(deep, ']') + "}",
+                 "", "nested");
+    std::string objects;
+    for (int i = 0; i < 100'000; ++i) objects += "{\"a\":";
+    expect_error(objects, "", "nested");
+}
+
+TEST(NativeFormat, members_without_end_are_refused) {
+    std::string members = R"({"format": "batten", "version": 1)";
+    for (int i = 0; i < 20'000; ++i) members += ", \"m" + std::to_string(i) + "\": 1";
+    expect_error(members + "}", "", "members");
+}
+
+TEST(NativeFormat, large_files_are_read) {
+    std::string points;
+    std::string knots;
+    constexpr int count = 50'000;
+    for (int i = 0; i < count; ++i) points += (i ? ",[" : "[") + std::to_string(i) + ",0.123456789]";
+    for (int i = 0; i < count + 2; ++i) knots += (i ? "," : "") + std::to_string(i);
+    const auto document =
+        parse_document(file_of("\"degree\": 1, \"knots\": [" + knots + "], \"points\": [" + points + "]"));
+    ASSERT_TRUE(document.has_value()) << document.error().sentence();
+    EXPECT_EQ(document->curves[0].curve->control_points().size(), static_cast<std::size_t>(count));
+}
+
+TEST(NativeFormat, damaged_files_never_crash) {
+    RandomCurves random(112);
+    for (int i = 0; i < 2000; ++i) {
+        std::string text = format_document(random_document(random));
+        const auto place = [&] { return static_cast<std::size_t>(random.whole(0, static_cast<int>(text.size()) - 1)); };
+        if (i % 2 == 0) text.resize(place());
+        for (int flips = random.whole(0, 3); flips > 0 && !text.empty(); --flips)
+            text[place()] = static_cast<char>(random.whole(0, 255));
+        const auto document = parse_document(text);
+        if (!document) {
+            EXPECT_FALSE(document.error().what.empty());
+            continue;
+        }
+        const std::string formatted = format_document(*document);
+        EXPECT_EQ(format_document(parse_document(formatted).value()), formatted);
+    }
+}
+
+TEST_F(NativeFile, saved_and_loaded_is_the_same) {
+    RandomCurves random(113);
+    const Document document = random_document(random);
+    const fs::path path = in_folder("a wave.json");
+    ASSERT_TRUE(save_document(document, path).has_value());
+    EXPECT_EQ(format_document(load_document(path).value()), format_document(document));
+    EXPECT_EQ(files_in_folder(), 1U) << "no temporary file stays";
+}
+
+TEST_F(NativeFile, saving_over_a_file_keeps_its_permissions) {
+    const fs::path path = in_folder("wave.json");
+    std::ofstream(path) << "old";
+    ASSERT_EQ(chmod(path.c_str(), 0640), 0);
+    ASSERT_TRUE(save_document(Document{}, path).has_value());
+    struct stat status {};
+    ASSERT_EQ(stat(path.c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 07777U, 0640U);
+    EXPECT_TRUE(load_document(path).has_value());
+}
+
+TEST_F(NativeFile, new_file_follows_the_mask) {
+    const mode_t mask = umask(027);
+    ASSERT_TRUE(save_document(Document{}, in_folder("wave.json")).has_value());
+    umask(mask);
+    struct stat status {};
+    ASSERT_EQ(stat(in_folder("wave.json").c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 07777U, 0640U);
+}
+
+TEST_F(NativeFile, saving_through_a_link_keeps_the_link) {
+    std::ofstream(in_folder("real.json")) << "old";
+    fs::create_symlink(in_folder("real.json"), in_folder("link.json"));
+    ASSERT_TRUE(save_document(Document{}, in_folder("link.json")).has_value());
+    EXPECT_TRUE(fs::is_symlink(in_folder("link.json")));
+    EXPECT_TRUE(load_document(in_folder("real.json")).has_value());
+}
+
+TEST_F(NativeFile, what_cannot_be_read_or_written_is_a_sentence) {
+    EXPECT_NE(load_document(in_folder("missing.json")).error().sentence().find("No such file"), std::string::npos);
+    EXPECT_NE(load_document(in_folder("")).error().sentence().find("a folder"), std::string::npos);
+    EXPECT_NE(save_document(Document{}, in_folder("no/such/folder.json")).error().sentence().find("No such file"),
+              std::string::npos);
+    EXPECT_NE(save_document(Document{}, in_folder(".")).error().sentence().find("not an ordinary file"),
+              std::string::npos);
+    std::ofstream(in_folder("broken.json")) << "{";
+    EXPECT_EQ(load_document(in_folder("broken.json")).error().where, "line 1, column 2");
+    EXPECT_EQ(files_in_folder(), 1U);
+}
+
+}  // namespace
+}  // namespace batten::core

@@ -1,0 +1,111 @@
+#include "core/edit/end_vertices.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "core/evaluate/evaluate.h"
+
+namespace batten::core {
+
+namespace {
+
+Curve sample(std::vector<double> weights = {}, Point offset = {}) {
+    return Curve::make({.degree = 3,
+                        .knots = {-3, -2, -1, 0, 1, 2, 3, 4, 5},
+                        .points = {offset, offset + Point(6, 18), offset + Point(24, 18), offset + Point(30, -6),
+                                   offset + Point(42, 12)},
+                        .weights = std::move(weights),
+                        .kind = KnotKind::uniform})
+        .value();
+}
+
+void expect_near(Point found, Point expected, double tolerance = 1e-14) {
+    EXPECT_LE(glm::distance(found, expected), tolerance)
+        << found.x << ' ' << found.y << " instead of " << expected.x << ' ' << expected.y;
+}
+
+// The old part of the curve is bit-equal.
+void expect_kept(const Curve& before, const Curve& after) {
+    for (const double u : {0.0, 0.4, 1.0, 1.9, 2.0}) EXPECT_EQ(point_at(after, u), point_at(before, u)) << u;
+    EXPECT_EQ(after.knots().kind(), KnotKind::uniform);
+}
+
+}  // namespace
+
+TEST(EndVertices, doubled_begins_a_sixth_along_the_first_leg_without_curvature) {
+    const Curve curve = add_end_vertex(sample(), CurveEnd::start, EndVertex::doubled).value();
+    EXPECT_EQ(curve.domain(), (Interval{-1, 2}));
+    const auto start = derivatives_at(curve, -1.0, 2);
+    expect_near(start[0], {1, 3});
+    expect_near(start[1], {3, 9});
+    EXPECT_NEAR(curvature_at(curve, -1.0).value(), 0.0, 1e-14);
+    expect_kept(sample(), curve);
+    // Unequal weights: the share is w1 / (5 w0 + w1) = 5 / 15.
+    const Curve rational = add_end_vertex(sample({2, 5, 1, 1, 1}), CurveEnd::start, EndVertex::doubled).value();
+    expect_near(point_at(rational, -1.0), {2, 6});
+}
+
+TEST(EndVertices, tripled_begins_in_the_point_and_is_straight_over_a_span) {
+    const Curve curve = add_end_vertex(sample(), CurveEnd::start, EndVertex::tripled).value();
+    EXPECT_EQ(curve.domain(), (Interval{-2, 2}));
+    const auto start = derivatives_at(curve, -2.0, 1);
+    expect_near(start[0], {0, 0});
+    expect_near(start[1], {0, 0});
+    expect_near(point_at(curve, -1.0), {1, 3});
+    // t^3 / 6 of the leg.
+    expect_near(point_at(curve, -1.5), {0.125, 0.375});
+    expect_kept(sample(), curve);
+}
+
+TEST(EndVertices, phantom_begins_in_the_point_without_second_derivative) {
+    const Curve curve = add_end_vertex(sample(), CurveEnd::start, EndVertex::phantom).value();
+    EXPECT_EQ(curve.control_points()[0], Point(-6, -18));
+    const auto start = derivatives_at(curve, -1.0, 2);
+    expect_near(start[0], {0, 0});
+    expect_near(start[1], {6, 18});
+    expect_near(start[2], {0, 0});
+    expect_kept(sample(), curve);
+    const Curve rational = add_end_vertex(sample({2, 5, 1, 1, 1}), CurveEnd::start, EndVertex::phantom).value();
+    const auto rational_start = derivatives_at(rational, -1.0, 2);
+    expect_near(rational_start[0], {0, 0});
+    expect_near(rational_start[2], {0, 0}, 1e-13);
+    EXPECT_GT(glm::length(rational_start[1]), 1.0);
+}
+
+TEST(EndVertices, act_at_the_other_end_likewise) {
+    const Curve phantom = add_end_vertex(sample(), CurveEnd::end, EndVertex::phantom).value();
+    EXPECT_EQ(phantom.domain(), (Interval{0, 3}));
+    EXPECT_EQ(phantom.control_points().back(), Point(54, 30));
+    const auto end = derivatives_at(phantom, 3.0, 2, Side::left);
+    expect_near(end[0], {42, 12});
+    expect_near(end[1], {12, 18});
+    expect_near(end[2], {0, 0}, 1e-13);
+    expect_kept(sample(), phantom);
+    const Curve doubled = add_end_vertex(sample(), CurveEnd::end, EndVertex::doubled).value();
+    expect_near(point_at(doubled, 3.0), {40, 9});
+    const Curve tripled = add_end_vertex(sample(), CurveEnd::end, EndVertex::tripled).value();
+    expect_near(point_at(tripled, 4.0), {42, 12});
+}
+
+TEST(EndVertices, work_far_from_the_origin) {
+    const Point offset(1048576, -1048576);
+    const Curve curve = add_end_vertex(sample({}, offset), CurveEnd::start, EndVertex::phantom).value();
+    EXPECT_EQ(point_at(curve, -1.0), offset);
+    expect_near(derivatives_at(curve, -1.0, 2)[2], {0, 0}, 1e-9);
+}
+
+TEST(EndVertices, are_refused_where_the_curve_is_not_a_uniform_cubic) {
+    const auto clamped =
+        Curve::make({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = {{0, 0}, {1, 1}, {2, 1}, {3, 0}}})
+            .value();
+    const auto periodic =
+        Curve::make(
+            {.degree = 3, .knots = {0, 1, 2, 3, 4}, .points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .periodic = true})
+            .value();
+    for (const Curve& curve : {clamped, periodic})
+        EXPECT_EQ(add_end_vertex(curve, CurveEnd::start, EndVertex::doubled).error().code,
+                  CurveErrorCode::curve_not_uniform_cubic);
+}
+
+}  // namespace batten::core

@@ -1,0 +1,142 @@
+#include "core/edit/fair.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/evaluate/evaluate.h"
+#include "core/measure/deviation.h"
+#include "tests/core/random_curves.h"
+
+namespace batten::core {
+
+namespace {
+
+// The integral of |C'''|^2 by the midpoint rule.
+double variation(const Curve& curve) {
+    const auto knots = curve.knots().values();
+    const Interval domain = curve.domain();
+    double sum = 0.0;
+    for (std::size_t s = 0; s + 1 < knots.size(); ++s) {
+        if (knots[s] < domain.lower || knots[s + 1] > domain.upper) continue;
+        const double step = (knots[s + 1] - knots[s]) / 200.0;
+        for (int k = 0; k < 200 && step > 0.0; ++k) {
+            const Vector third = derivatives_at(curve, knots[s] + (k + 0.5) * step, 3)[3];
+            sum += step * glm::dot(third, third);
+        }
+    }
+    return sum;
+}
+
+Curve bumpy(bool periodic, bool rational, bool clamped = true) {
+    CurveDefinition definition{.degree = 3, .knots = {}, .points = {}, .periodic = periodic};
+    const int n = 16;
+    for (int i = 0; i < n; ++i) {
+        const double angle = 6.0 * i / n;
+        const double radius = 10.0 + (i == 6 ? 0.8 : 0.0) - (i == 11 ? 0.5 : 0.0);
+        definition.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+        definition.weights.push_back(rational ? 1.0 + 0.2 * (i % 3) : 1.0);
+    }
+    for (int i = 0; i < (periodic ? n + 1 : n + 4); ++i) {
+        const int inner = std::min(std::max(i, 3), n);
+        definition.knots.push_back(periodic || !clamped ? i : inner);
+    }
+    return Curve::make(std::move(definition)).value();
+}
+
+}  // namespace
+
+TEST(Fair, varies_less_within_the_distance_and_uses_it) {
+    for (const bool periodic : {false, true})
+        for (const bool rational : {false, true}) {
+            const Curve curve = bumpy(periodic, rational);
+            double before = variation(curve);
+            for (const double distance : {1e-6, 0.05, 0.3}) {
+                const auto result = fair(curve, distance).value();
+                EXPECT_LE(result.error, distance);
+                EXPECT_GT(result.error, 0.9 * distance);
+                EXPECT_EQ(result.error, largest_deviation(curve, result.curve));
+                const double now = variation(result.curve);
+                EXPECT_LT(now, before);
+                before = now;
+                EXPECT_EQ(result.curve.knots(), curve.knots());
+                EXPECT_TRUE(std::ranges::equal(result.curve.weights(), curve.weights()));
+            }
+            EXPECT_LT(before, 0.75 * variation(curve));
+        }
+}
+
+TEST(Fair, ends_stay) {
+    const Curve clamped = bumpy(false, true);
+    const Curve faired = fair(clamped, 0.2).value().curve;
+    EXPECT_EQ(faired.control_points().front(), clamped.control_points().front());
+    EXPECT_EQ(faired.control_points().back(), clamped.control_points().back());
+    const Curve open = bumpy(false, false, false);
+    const auto result = fair(open, 0.2).value();
+    for (const double u : {open.domain().lower, open.domain().upper})
+        EXPECT_LT(glm::distance(point_at(open, u), point_at(result.curve, u)), 1e-13);
+    EXPECT_LT(variation(result.curve), 0.5 * variation(open));
+}
+
+TEST(Fair, does_the_same_far_from_the_origin_and_over_any_domain) {
+    const Curve curve = bumpy(false, true);
+    const Curve expected = fair(curve, 0.1).value().curve;
+    for (const double scale : {1e-9, 1.0, 1e9}) {
+        CurveDefinition definition = curve.definition();
+        for (double& knot : definition.knots) knot *= scale;
+        for (Point& point : definition.points) point += Vector(1e6, -1e6);
+        const auto result = fair(Curve::make(std::move(definition)).value(), 0.1).value();
+        EXPECT_LE(result.error, 0.1);
+        for (std::size_t i = 0; i < expected.control_points().size(); ++i)
+            EXPECT_LT(glm::distance(result.curve.control_points()[i], expected.control_points()[i] + Vector(1e6, -1e6)),
+                      1e-4);
+    }
+}
+
+// With no limit a cubic without inner knots becomes a parabola: P3 - 3 P2 + 3 P1 - P0 = 0.
+TEST(Fair, a_cubic_piece_becomes_a_parabola_where_it_may) {
+    const Curve curve =
+        Curve::make({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = {{0, 0}, {1, 3}, {2, -3}, {4, 1}}})
+            .value();
+    const Curve faired = fair(curve, 100.0).value().curve;
+    const auto points = faired.control_points();
+    const Vector third = points[3] - 3.0 * points[2] + 3.0 * points[1] - points[0];
+    EXPECT_LT(glm::length(third), 1e-11);
+}
+
+TEST(Fair, low_degrees_have_smaller_jumps) {
+    for (const int degree : {1, 2}) {
+        CurveDefinition definition{.degree = degree, .knots = {}, .points = {}};
+        for (int i = 0; i < 10; ++i) definition.points.emplace_back(i, i % 2 == 0 ? 0.0 : 0.3);
+        for (int i = 0; i < 10 + degree + 1; ++i) definition.knots.push_back(std::min(std::max(i, degree), 10));
+        const Curve curve = Curve::make(std::move(definition)).value();
+        const auto result = fair(curve, 0.1).value();
+        EXPECT_LE(result.error, 0.1);
+        EXPECT_GT(result.error, 0.09);
+        double before = 0.0;
+        double after = 0.0;
+        for (int k = degree + 1; k < 10; ++k)
+            for (const auto& [c, sum] : {std::pair{&curve, &before}, std::pair{&result.curve, &after}}) {
+                const auto r = static_cast<std::size_t>(degree);
+                const Vector jump =
+                    derivatives_at(*c, k, degree, Side::right)[r] - derivatives_at(*c, k, degree, Side::left)[r];
+                *sum += glm::dot(jump, jump);
+            }
+        EXPECT_LT(after, 0.6 * before);
+    }
+}
+
+TEST(Fair, stays_within_the_distance_on_any_curve) {
+    RandomCurves random(111);
+    for (int trial = 0; trial < 20; ++trial) {
+        const Curve curve = random.curve();
+        const auto result = fair(curve, 0.05);
+        ASSERT_TRUE(result);
+        EXPECT_LE(result->error, 0.05);
+        EXPECT_EQ(result->error, largest_deviation(curve, result->curve));
+    }
+    EXPECT_EQ(fair(random.curve(), 0.0).error().code, CurveErrorCode::tolerance_not_positive);
+}
+
+}  // namespace batten::core

@@ -1,0 +1,179 @@
+#include "core/edit/offset.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "core/evaluate/evaluate.h"
+#include "core/measure/nearest.h"
+#include "tests/core/random_curves.h"
+
+namespace batten::core {
+
+namespace {
+
+// The unit circle, left turning, as nine points of degree 2.
+Curve circle(Point center, double radius) {
+    CurveDefinition definition{.degree = 2, .knots = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}, .points = {}, .weights = {}};
+    const double w = std::sqrt(0.5);
+    for (const Point point : {Point(1, 0), Point(1, 1), Point(0, 1), Point(-1, 1), Point(-1, 0), Point(-1, -1),
+                              Point(0, -1), Point(1, -1), Point(1, 0)}) {
+        definition.points.push_back(center + radius * point);
+        definition.weights.push_back(definition.weights.size() % 2 == 0 ? 1.0 : w);
+    }
+    return Curve::make(std::move(definition)).value();
+}
+
+Curve gentle(bool periodic, bool rational, int degree = 3) {
+    CurveDefinition definition{.degree = degree, .knots = {}, .points = {}, .periodic = periodic};
+    const int n = 9;
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / n;
+        const double radius = 10.0 + 0.7 * std::sin(2.0 * angle);
+        definition.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+        definition.weights.push_back(rational ? 1.0 + 0.1 * (i % 2) : 1.0);
+    }
+    for (int i = 0; i < (periodic ? n + 1 : n + degree + 1); ++i)
+        definition.knots.push_back(periodic ? i : std::min(std::max(i, degree), n));
+    return Curve::make(std::move(definition)).value();
+}
+
+Point true_offset(const Curve& curve, double u, double distance) {
+    const auto d = derivatives_at(curve, u, 1);
+    return d[0] + distance / glm::length(d[1]) * Vector(-d[1].y, d[1].x);
+}
+
+double sampled_error(const Curve& curve, const Curve& result, double distance) {
+    const Interval domain = curve.domain();
+    double largest = 0.0;
+    for (int k = 0; k <= 1000; ++k) {
+        const double u = domain.clamp(domain.lower + domain.length() * k / 1000.0);
+        largest = std::max(largest, glm::distance(point_at(result, u), true_offset(curve, u, distance)));
+    }
+    return largest;
+}
+
+}  // namespace
+
+TEST(Offset, of_a_circle_is_a_circle) {
+    const Curve inner = offset(circle({3, -2}, 2.0), 0.5, 1e-9).value().curve;
+    const Curve outer = offset(circle({3, -2}, 2.0), -0.5, 1e-9).value().curve;
+    EXPECT_EQ(inner.degree(), 2);
+    EXPECT_EQ(inner.control_points().size(), 9U);
+    for (double u = 0.0; u <= 4.0; u += 0.01) {
+        EXPECT_NEAR(glm::distance(point_at(inner, u), Point(3, -2)), 1.5, 4e-15);
+        EXPECT_NEAR(glm::distance(point_at(outer, u), Point(3, -2)), 2.5, 4e-15);
+    }
+    EXPECT_EQ(describe(offset(circle({0, 0}, 2.0), 2.5, 1e-9).error()).substr(0, 20), "the distance is 2.5,");
+}
+
+TEST(Offset, of_a_line_is_the_parallel) {
+    const Curve line = Curve::make({.degree = 2,
+                                    .knots = {0, 0, 0, 1, 2, 2, 2},
+                                    .points = {{0, 0}, {3, 4}, {6, 8}, {12, 16}},
+                                    .weights = {1, 2, 3, 1}})
+                           .value();
+    const auto result = offset(line, 5.0, 1e-6).value();
+    EXPECT_LT(result.error, 1e-14);
+    const Vector move(-4, 3);
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_LT(glm::distance(result.curve.control_points()[i], line.control_points()[i] + move), 1e-14);
+}
+
+TEST(Offset, of_a_polygon_is_mitred) {
+    const Curve square =
+        Curve::make(
+            {.degree = 1, .knots = {0, 1, 2, 3, 4}, .points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}}, .periodic = true})
+            .value();
+    const auto inside = offset(square, 1.0, 1e-6).value();
+    const Point expected[] = {{1, 1}, {3, 1}, {3, 3}, {1, 3}};
+    EXPECT_TRUE(std::ranges::equal(inside.curve.control_points(), expected));
+    EXPECT_EQ(inside.error, 0.0);
+    EXPECT_EQ(offset(square, -1.0, 1e-6).value().curve.control_points()[2], Point(5, 5));
+    EXPECT_EQ(describe(offset(square, 2.0, 1e-6).error()),
+              "leg 0 of the polygon would vanish or turn round; the distance must be less");
+    const Curve open = Curve::make({.degree = 1, .knots = {0, 0, 1, 2, 2}, .points = {{0, 0}, {4, 0}, {4, 4}}}).value();
+    const Point beside[] = {{0, -1}, {5, -1}, {5, 4}};
+    EXPECT_TRUE(std::ranges::equal(offset(open, -1.0, 1e-6).value().curve.control_points(), beside));
+    const Curve back = Curve::make({.degree = 1, .knots = {0, 0, 1, 2, 2}, .points = {{0, 0}, {4, 0}, {1, 0}}}).value();
+    EXPECT_EQ(offset(back, 1.0, 1e-6).error(), (CurveError{.code = CurveErrorCode::curve_has_corner, .value = 1}));
+}
+
+TEST(Offset, keeps_its_tolerance_everywhere) {
+    for (const bool periodic : {false, true})
+        for (const bool rational : {false, true})
+            for (const int degree : {2, 5})
+                for (const double distance : {1.5, -3.0})
+                    for (const double tolerance : {1e-2, 1e-7}) {
+                        const Curve curve = gentle(periodic, rational, degree);
+                        const auto result = offset(curve, distance, tolerance);
+                        ASSERT_TRUE(result) << describe(result.error());
+                        EXPECT_EQ(result->curve.is_periodic(), periodic);
+                        EXPECT_EQ(result->curve.domain(), curve.domain());
+                        EXPECT_LE(result->error, tolerance);
+                        EXPECT_LE(sampled_error(curve, result->curve, distance), tolerance);
+                    }
+}
+
+TEST(Offset, lies_to_the_left_when_the_distance_is_positive) {
+    const Curve curve = gentle(true, false);  // runs round (0, 0) to the left, which is inside
+    const Curve inside = offset(curve, 2.0, 1e-6).value().curve;
+    for (const double u : {0.0, 2.3, 7.9}) {
+        EXPECT_LT(glm::length(point_at(inside, u)), glm::length(point_at(curve, u)) - 1.9);
+        EXPECT_NEAR(glm::distance(nearest_point(curve, point_at(inside, u)).point, point_at(inside, u)), 2.0, 2e-6);
+    }
+}
+
+TEST(Offset, is_as_good_far_from_the_origin_and_over_any_domain) {
+    CurveDefinition definition = gentle(false, true).definition();
+    for (Point& point : definition.points) point += Vector(1e6, -1e6);
+    const Curve far = Curve::make(definition).value();
+    const auto result = offset(far, 1.0, 1e-7).value();
+    EXPECT_LE(sampled_error(far, result.curve, 1.0), 1e-7);
+    for (const double scale : {1e-9, 1e9}) {
+        CurveDefinition scaled = gentle(false, true).definition();
+        for (double& knot : scaled.knots) knot *= scale;
+        const Curve curve = Curve::make(scaled).value();
+        EXPECT_LE(sampled_error(curve, offset(curve, 1.0, 1e-7).value().curve, 1.0), 1e-7);
+    }
+}
+
+TEST(Offset, refuses_cusps_corners_and_standstill) {
+    const Curve parabola =
+        Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{-1, 1}, {0, -1}, {1, 1}}}).value();
+    // y = x^2 has the radius of curvature 1/2 at u = 1/2, on its left.
+    const auto error = offset(parabola, 0.6, 1e-6).error();
+    EXPECT_EQ(error.code, CurveErrorCode::offset_too_far);
+    EXPECT_LT(error.lower, 0.6);
+    EXPECT_TRUE(offset(parabola, 0.45, 1e-6));
+    EXPECT_TRUE(offset(parabola, -0.6, 1e-6));
+    const Curve bent =
+        Curve::make(
+            {.degree = 2, .knots = {0, 0, 0, 1, 1, 2, 2, 2}, .points = {{0, 0}, {1, 1}, {2, 0}, {3, 1}, {4, 0}}})
+            .value();
+    EXPECT_EQ(offset(bent, 0.1, 1e-6).error(), (CurveError{.code = CurveErrorCode::curve_has_corner, .value = 1}));
+    const Curve still =
+        Curve::make({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = {{0, 0}, {0, 0}, {1, 2}, {3, 0}}})
+            .value();
+    EXPECT_EQ(offset(still, 0.1, 1e-6).error(), (CurveError{.code = CurveErrorCode::curve_stands_still, .value = 0}));
+    EXPECT_EQ(offset(parabola, 0.1, 0.0).error().code, CurveErrorCode::tolerance_not_positive);
+    EXPECT_EQ(offset(parabola, 0.1, 1e-30).error().code, CurveErrorCode::tolerance_not_reached);
+    EXPECT_EQ(offset(parabola, 0.0, 1e-3).value().curve, parabola);
+}
+
+TEST(Offset, gives_an_answer_or_a_reason_for_any_curve) {
+    RandomCurves random(121);
+    int answers = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        const Curve curve = random.curve();
+        const auto result = offset(curve, 0.02, 1e-3);
+        if (!result) continue;
+        ++answers;
+        EXPECT_LE(result->error, 1e-3);
+    }
+    EXPECT_GT(answers, 10);
+}
+
+}  // namespace batten::core

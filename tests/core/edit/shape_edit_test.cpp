@@ -1,0 +1,174 @@
+#include "core/edit/shape_edit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/evaluate/evaluate.h"
+#include "core/evaluate/rational_basis.h"
+#include "tests/core/random_curves.h"
+
+namespace batten::core {
+
+namespace {
+
+double change_between(const Curve& a, const Curve& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.control_points().size(); ++i) {
+        const Vector move = b.control_points()[i] - a.control_points()[i];
+        sum += glm::dot(move, move);
+    }
+    return std::sqrt(sum);
+}
+
+double size_of(const Curve& curve) {
+    double largest = 0.0;
+    for (const Point& point : curve.control_points()) largest = std::max(largest, glm::length(point));
+    return largest;
+}
+
+}  // namespace
+
+TEST(RationalBasis, makes_the_derivatives_of_the_curve) {
+    RandomCurves random(101);
+    for (int trial = 0; trial < 100; ++trial) {
+        const Curve curve = random.curve();
+        const double u = random.parameter(curve);
+        const int order = std::min(curve.degree(), 3);
+        const auto expected = derivatives_at(curve, u, order);
+        const RationalBasis basis = rational_basis(curve, u, order);
+        for (int r = 0; r <= order; ++r) {
+            Vector sum(0.0);
+            double scale = 0.0;
+            const auto& row = basis.derivatives[static_cast<std::size_t>(r)];
+            for (std::size_t j = 0; j < row.size(); ++j) {
+                const Point point = curve.control_points()[(basis.first + j) % curve.control_points().size()];
+                sum += row[j] * point;
+                scale = std::max(scale, std::abs(row[j]) * glm::length(point));
+            }
+            EXPECT_LT(glm::distance(sum, expected[static_cast<std::size_t>(r)]), 1e-12 * scale);
+        }
+    }
+}
+
+// On a line from (0, 0) to (4, 0) of degree 1 the middle is half of each end: both move by the same.
+TEST(MoveCurvePoint, moves_the_control_points_by_their_shares) {
+    const Curve line = Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 0}, {4, 0}}}).value();
+    const Curve moved = move_curve_point(line, 0.5, {2, 1}).value();
+    EXPECT_EQ(moved.control_points()[0], Point(0, 1));
+    EXPECT_EQ(moved.control_points()[1], Point(4, 1));
+    // A quarter of the way the shares are 3/4 and 1/4: the moves are (3/4) / (10/16) = 6/5 and 2/5.
+    const Curve tilted = move_curve_point(line, 0.25, {1, 1}).value();
+    EXPECT_DOUBLE_EQ(tilted.control_points()[0].y, 1.2);
+    EXPECT_DOUBLE_EQ(tilted.control_points()[1].y, 0.4);
+}
+
+TEST(MoveCurvePoint, reaches_the_target_with_the_least_change) {
+    RandomCurves random(102);
+    for (int trial = 0; trial < 200; ++trial) {
+        const Curve curve = random.curve();
+        const double u = random.parameter(curve);
+        const Point target(random.number(-9, 9), random.number(-9, 9));
+        const Curve moved = move_curve_point(curve, u, target).value();
+        EXPECT_LT(glm::distance(point_at(moved, u), target), 1e-14 * size_of(moved));
+        EXPECT_TRUE(std::ranges::equal(moved.weights(), curve.weights()));
+        EXPECT_EQ(moved.knots(), curve.knots());
+        // Any other change that keeps C(u) is larger: trade between two points that act there.
+        const RationalBasis basis = rational_basis(curve, u);
+        const std::size_t n = curve.control_points().size();
+        if (n <= static_cast<std::size_t>(curve.degree())) continue;
+        for (std::size_t j = 1; j < basis.derivatives[0].size(); ++j) {
+            CurveDefinition other = moved.definition();
+            other.points[(basis.first + j) % n] += 1e-3 * basis.derivatives[0][j - 1] * Vector(1, 1);
+            other.points[(basis.first + j - 1) % n] -= 1e-3 * basis.derivatives[0][j] * Vector(1, 1);
+            EXPECT_GE(change_between(curve, Curve::make(other).value()), change_between(curve, moved) * (1 - 1e-12));
+        }
+    }
+}
+
+TEST(MoveCurvePoint, leaves_what_does_not_act_there) {
+    const Curve curve = Curve::make({.degree = 2,
+                                     .knots = {0, 0, 0, 1, 2, 3, 3, 3},
+                                     .points = {{0.1, 0.7}, {1.3, 2.1}, {3.3, 0.9}, {4.7, 2.3}, {6.1, 0.3}},
+                                     .weights = {1, 3, 0.3, 2, 1}})
+                            .value();
+    const Curve moved = move_curve_point(curve, 0.5, {2, 2}).value();
+    EXPECT_EQ(moved.control_points()[3], curve.control_points()[3]);
+    EXPECT_EQ(moved.control_points()[4], curve.control_points()[4]);
+    const Curve at_end = move_curve_point(curve, 3.0, {0.1, 0.2}).value();
+    EXPECT_EQ(at_end.control_points()[4], Point(0.1, 0.2));
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(at_end.control_points()[i], curve.control_points()[i]);
+}
+
+TEST(MoveCurvePoint, is_as_exact_far_from_the_origin_and_over_any_domain) {
+    RandomCurves random(104);
+    for (const double scale : {1e-9, 1e9})
+        for (int trial = 0; trial < 50; ++trial) {
+            CurveDefinition definition = random.curve().definition();
+            for (double& knot : definition.knots) knot *= scale;
+            for (Point& point : definition.points) point += Vector(1e6, -1e6);
+            const Curve curve = Curve::make(std::move(definition)).value();
+            const double u = random.parameter(curve);
+            const Point target = point_at(curve, u) + Vector(1, 2);
+            const Curve moved = move_curve_point(curve, u, target).value();
+            EXPECT_LT(glm::distance(point_at(moved, u), target), 3e-9);
+            const Vector tangent = derivatives_at(curve, u, 1)[1];
+            const auto kept = move_curve_point_and_tangent(curve, u, target, tangent);
+            if (!kept) continue;
+            EXPECT_LT(glm::distance(point_at(*kept, u), target), 3e-9);
+        }
+}
+
+TEST(MoveCurvePoint, refuses_places_off_the_domain) {
+    const Curve line = Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 0}, {4, 0}}}).value();
+    EXPECT_EQ(move_curve_point(line, 1.5, {0, 0}).error().code, CurveErrorCode::parameter_outside_domain);
+    EXPECT_EQ(move_curve_point(line, NAN, {0, 0}).error().code, CurveErrorCode::parameter_not_finite);
+    EXPECT_EQ(move_curve_point(line, 0.5, {0, NAN}).error().code, CurveErrorCode::vector_not_finite);
+}
+
+TEST(MovePointAndTangent, reaches_both_with_the_least_change) {
+    RandomCurves random(103);
+    for (int trial = 0; trial < 200; ++trial) {
+        const Curve curve = random.curve();
+        if (curve.is_periodic() && curve.control_points().size() < 4) continue;
+        const double u = random.parameter(curve);
+        const Side side = random.whole(0, 1) == 0 ? Side::left : Side::right;
+        const Point target(random.number(-9, 9), random.number(-9, 9));
+        const Vector tangent(random.number(-9, 9), random.number(-9, 9));
+        const auto result = move_curve_point_and_tangent(curve, u, target, tangent, side);
+        ASSERT_TRUE(result);
+        const auto found = derivatives_at(*result, u, 1, side);
+        double size = 10.0;
+        for (const Point& point : result->control_points()) size = std::max(size, glm::length(point));
+        EXPECT_LT(glm::distance(found[0], target), 1e-13 * size);
+        const RationalBasis basis = rational_basis(curve, u, 1, side);
+        double steepest = 1.0;
+        for (const double slope : basis.derivatives[1]) steepest = std::max(steepest, std::abs(slope));
+        EXPECT_LT(glm::distance(found[1], tangent), 1e-13 * size * steepest);
+        // The change is a combination of shares and slopes, which is what makes it least.
+        const std::size_t n = curve.control_points().size();
+        if (n <= static_cast<std::size_t>(curve.degree()) || basis.derivatives[0].size() < 3) continue;
+        const auto& r = basis.derivatives[0];
+        const auto& s = basis.derivatives[1];
+        for (std::size_t j = 2; j < r.size(); ++j) {
+            const double a = r[j - 1] * s[j] - r[j] * s[j - 1];
+            const double b = r[j] * s[j - 2] - r[j - 2] * s[j];
+            const double c = r[j - 2] * s[j - 1] - r[j - 1] * s[j - 2];
+            CurveDefinition other = result->definition();
+            const double step = 1e-3 / (std::abs(a) + std::abs(b) + std::abs(c) + 1e-300);
+            other.points[(basis.first + j - 2) % n].x += step * a;
+            other.points[(basis.first + j - 1) % n].x += step * b;
+            other.points[(basis.first + j) % n].x += step * c;
+            EXPECT_GE(change_between(curve, Curve::make(other).value()), change_between(curve, *result) * (1 - 1e-9));
+        }
+    }
+}
+
+TEST(MovePointAndTangent, refuses_where_the_tangent_does_not_depend_on_the_points) {
+    const Curve two =
+        Curve::make({.degree = 2, .knots = {0, 1, 2}, .points = {{0, 0}, {4, 0}}, .periodic = true}).value();
+    EXPECT_EQ(move_curve_point_and_tangent(two, 0.5, {0, 0}, {1, 0}).error().code, CurveErrorCode::tangent_not_free);
+}
+
+}  // namespace batten::core

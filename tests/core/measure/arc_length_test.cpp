@@ -1,0 +1,195 @@
+#include "core/measure/arc_length.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "core/evaluate/evaluate.h"
+#include "tests/core/golden.h"
+#include "tests/core/random_curves.h"
+
+namespace batten::core {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Curve moved(const Curve& curve, Vector offset) {
+    CurveDefinition definition = curve.definition();
+    for (Point& point : definition.points) point += offset;
+    return Curve::make(std::move(definition)).value();
+}
+
+Curve over(const Curve& curve, double lower, double factor) {
+    CurveDefinition definition = curve.definition();
+    for (double& knot : definition.knots) knot = lower + factor * knot;
+    return Curve::make(std::move(definition)).value();
+}
+
+Curve ellipse(double a, double b) {
+    const double w = std::sqrt(0.5);
+    return Curve::make({.degree = 2,
+                        .knots = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1},
+                        .points = {{a, 0}, {a, b}, {0, b}, {-a, b}, {-a, 0}, {-a, -b}, {0, -b}, {a, -b}, {a, 0}},
+                        .weights = {1, w, 1, w, 1, w, 1, w, 1}})
+        .value();
+}
+
+// y = x^2 for x from 0 to 2, of length sqrt(17) + asinh(4) / 4.
+Curve parabola() {
+    return Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{0, 0}, {1, 0}, {2, 4}}}).value();
+}
+
+double parabola_length(double x) {
+    return 0.5 * x * std::sqrt(1 + 4 * x * x) + 0.25 * std::asinh(2 * x);
+}
+
+// (t^2, t^3) for t from -1 to 1.
+Curve cusp() {
+    return Curve::make({.degree = 3,
+                        .knots = {0, 0, 0, 0, 1, 1, 1, 1},
+                        .points = {{1, -1}, {-1.0 / 3, 1}, {-1.0 / 3, -1}, {1, 1}}})
+        .value();
+}
+
+Curve loop() {
+    return Curve::make({.degree = 3,
+                        .knots = {0, 1, 2, 4, 5},
+                        .points = {{1, 1}, {-1, 2}, {-1, -1}, {1, -1}},
+                        .periodic = true})
+        .value();
+}
+
+TEST(Golden, arc_length) {
+    golden::Tally tally("arc_length.json");
+    for (const auto& members : golden::cases("arc_length.json")) {
+        tally.count_case();
+        const Curve curve = golden::curve_of(members);
+        const double length = members.at("length").get<double>();
+        const Integral found = arc_length(curve);
+        const auto name = members.at("name").get<std::string>();
+        tally.add("length", std::abs(found.value - length) / length, 1e-12, name);
+        tally.add("length of the table", std::abs(ArcLengthTable(curve).total().value - length) / length, 1e-12, name);
+        EXPECT_LE(std::abs(found.value - length), found.error) << name;
+        EXPECT_LE(found.error, 1e-12 * length) << name;
+    }
+}
+
+TEST(ArcLength, closed_forms) {
+    EXPECT_NEAR(arc_length(ellipse(1, 1)).value, 2 * pi, 1e-14);
+    EXPECT_NEAR(arc_length(parabola()).value, parabola_length(2), 1e-14);
+    // (t^2, t^3): integral of |t| sqrt(4 + 9 t^2).
+    EXPECT_NEAR(arc_length(cusp()).value, 2 * (std::pow(13.0, 1.5) - 8) / 27, 1e-13);
+    // Complete elliptic integral of the second kind, ellipse with half axes 2 and 1.
+    EXPECT_NEAR(arc_length(ellipse(2, 1)).value, 9.688448220547675, 1e-13);
+    const Curve line =
+        Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{1, 1}, {4, 5}}, .weights = {1, 1e6}}).value();
+    EXPECT_NEAR(arc_length(line).value, 5.0, 1e-12);
+}
+
+TEST(ArcLength, cusp_away_from_the_middle) {
+    // t from -1 to 2.
+    const Curve curve =
+        Curve::make({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = {{1, -1}, {-1, 2}, {0, -4}, {4, 8}}})
+            .value();
+    const double length = (std::pow(13.0, 1.5) + std::pow(40.0, 1.5) - 16) / 27;
+    EXPECT_NEAR(arc_length(curve).value, length, 1e-12 * length);
+    EXPECT_GE(arc_length(curve).error, std::abs(arc_length(curve).value - length));
+}
+
+TEST(ArcLength, of_intervals_adds_up_and_has_a_sign) {
+    const Curve curve = parabola();
+    EXPECT_NEAR(arc_length(curve, 0.25, 0.75).value, parabola_length(1.5) - parabola_length(0.5), 1e-14);
+    EXPECT_NEAR(arc_length(curve, 0.75, 0.25).value, parabola_length(0.5) - parabola_length(1.5), 1e-14);
+    EXPECT_EQ(arc_length(curve, 0.3, 0.3).value, 0.0);
+    EXPECT_EQ(arc_length(curve, -5, 5).value, arc_length(curve).value);
+    const double small = parabola_length(1 + 1e-6) - parabola_length(1);
+    EXPECT_NEAR(arc_length(curve, 0.5, 0.5 + 0.5e-6).value, small, 1e-9 * small);
+}
+
+TEST(ArcLength, goes_round_a_periodic_curve) {
+    const double whole = arc_length(loop()).value;
+    EXPECT_NEAR(arc_length(loop(), 4, 6).value, arc_length(loop(), 4, 5).value + arc_length(loop(), 0, 1).value, 1e-13);
+    EXPECT_NEAR(arc_length(loop(), 1, 16).value, 3 * whole, 1e-12);
+    EXPECT_NEAR(arc_length(loop(), 2, -3).value, -whole, 1e-13);
+}
+
+TEST(ArcLength, does_not_depend_on_place_and_domain) {
+    const double expected = arc_length(ellipse(2, 1)).value;
+    EXPECT_NEAR(arc_length(moved(ellipse(2, 1), {1e6, -3e6})).value, expected, 1e-9);
+    EXPECT_NEAR(arc_length(over(ellipse(2, 1), 0, 1e-9)).value, expected, 1e-14);
+    EXPECT_NEAR(arc_length(over(ellipse(2, 1), 7, 1e9)).value, expected, 1e-14);
+    EXPECT_NEAR(arc_length(over(ellipse(2, 1), 1e9, 1e-3)).value, expected, 1e-13);
+}
+
+TEST(ArcLength, is_no_longer_than_the_polygon_and_no_shorter_than_chords) {
+    RandomCurves random(321);
+    for (int i = 0; i < 200; ++i) {
+        const Curve curve = random.curve();
+        const Integral length = arc_length(curve);
+        double chords = 0.0;
+        Point last = point_at(curve, curve.domain().lower);
+        for (int k = 1; k <= 2000; ++k) {
+            const Point next = point_at(curve, curve.domain().lower + curve.domain().length() * k / 2000.0,
+                                        k == 2000 ? Side::left : Side::right);
+            chords += glm::distance(last, next);
+            last = next;
+        }
+        EXPECT_GE(length.value, chords - 1e-12);
+        EXPECT_LE(length.value, chords * (1 + 1e-2) + 1e-12);
+        EXPECT_LE(length.error, 1e-12 * length.value);
+    }
+}
+
+TEST(ArcLengthTable, parameter_at_is_the_inverse_of_length_at) {
+    RandomCurves random(322);
+    for (int i = 0; i < 60; ++i) {
+        const Curve curve = random.curve();
+        const ArcLengthTable table(curve);
+        const double total = table.total().value;
+        EXPECT_EQ(table.parameter_at(0.0), curve.domain().lower);
+        for (int k = 1; k < 12; ++k) {
+            const double s = total * k / 12.0;
+            const double u = table.parameter_at(s);
+            EXPECT_NEAR(table.length_at(u), s, 1e-12 * total) << i;
+            EXPECT_NEAR(arc_length(curve, curve.domain().lower, u).value, s, 1e-12 * total) << i;
+        }
+    }
+}
+
+TEST(ArcLengthTable, closed_forms_and_ends) {
+    const ArcLengthTable circle(ellipse(1, 1));
+    for (int k = 0; k <= 16; ++k) {
+        const Point point = point_at(ellipse(1, 1), circle.parameter_at(2 * pi * k / 16));
+        EXPECT_NEAR(point.x, std::cos(2 * pi * k / 16), 1e-14);
+        EXPECT_NEAR(point.y, std::sin(2 * pi * k / 16), 1e-14);
+    }
+    EXPECT_EQ(circle.parameter_at(-1), 0.0);
+    EXPECT_EQ(circle.parameter_at(100), 1.0);
+    EXPECT_EQ(circle.length_at(7), circle.length_at(1));
+    const ArcLengthTable round(loop());
+    const double total = round.total().value;
+    EXPECT_NEAR(round.parameter_at(total + 1.0), round.parameter_at(1.0), 1e-12);
+    EXPECT_NEAR(round.parameter_at(-1.0), round.parameter_at(total - 1.0), 1e-12);
+    EXPECT_NEAR(round.length_at(6.0), round.length_at(1.0), 1e-13);
+    EXPECT_NEAR(round.length_at(5.0), total, 1e-13);
+}
+
+TEST(ArcLengthTable, stretches_without_length_do_no_harm) {
+    const Curve still =
+        Curve::make({.degree = 1, .knots = {0, 0, 1, 2, 3, 3}, .points = {{0, 0}, {1, 0}, {1, 0}, {1, 1}}}).value();
+    const ArcLengthTable table(still);
+    EXPECT_EQ(table.total().value, 2.0);
+    EXPECT_EQ(table.parameter_at(1.0), 1.0);
+    EXPECT_NEAR(table.parameter_at(1.5), 2.5, 1e-15);
+    EXPECT_EQ(table.length_at(1.5), 1.0);
+    const Curve point = Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {3, Point(1, 1)}}).value();
+    EXPECT_EQ(arc_length(point).value, 0.0);
+    EXPECT_EQ(ArcLengthTable(point).parameter_at(0.5), 0.0);
+    EXPECT_TRUE(std::isfinite(ArcLengthTable(cusp()).parameter_at(arc_length(cusp()).value / 2)));
+    EXPECT_NEAR(ArcLengthTable(cusp()).parameter_at(arc_length(cusp()).value / 2), 0.5, 1e-6);
+}
+
+}  // namespace
+}  // namespace batten::core

@@ -1,0 +1,444 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/evaluate/evaluate.h"
+#include "core/measure/intersect_curves.h"
+#include "core/measure/intersect_line.h"
+#include "core/refine/degree.h"
+#include "core/refine/knot_insertion.h"
+#include "tests/core/random_curves.h"
+
+namespace batten::core {
+namespace {
+
+Curve moved(const Curve& curve, Vector offset) {
+    CurveDefinition definition = curve.definition();
+    for (Point& point : definition.points) point += offset;
+    return Curve::make(std::move(definition)).value();
+}
+
+Curve reversed(const Curve& curve) {
+    CurveDefinition definition = curve.definition();
+    std::reverse(definition.points.begin(), definition.points.end());
+    std::reverse(definition.weights.begin(), definition.weights.end());
+    std::reverse(definition.knots.begin(), definition.knots.end());
+    for (double& knot : definition.knots) knot = -knot;
+    return Curve::make(std::move(definition)).value();
+}
+
+Curve over(const Curve& curve, double lower, double factor) {
+    CurveDefinition definition = curve.definition();
+    for (double& knot : definition.knots) knot = lower + factor * knot;
+    return Curve::make(std::move(definition)).value();
+}
+
+Curve bezier(std::vector<Point> points) {
+    const int degree = static_cast<int>(points.size()) - 1;
+    std::vector<double> knots(points.size(), 0.0);
+    knots.resize(2 * points.size(), 1.0);
+    return Curve::make({.degree = degree, .knots = std::move(knots), .points = std::move(points)}).value();
+}
+
+Curve polygon(std::vector<Point> points) {
+    std::vector<double> knots{0};
+    for (std::size_t i = 0; i < points.size(); ++i) knots.push_back(static_cast<double>(i));
+    knots.push_back(knots.back());
+    return Curve::make({.degree = 1, .knots = std::move(knots), .points = std::move(points)}).value();
+}
+
+Curve ellipse(double a, double b, Point center = Point(0.0)) {
+    const double w = std::sqrt(0.5);
+    return moved(Curve::make({.degree = 2,
+                              .knots = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1},
+                              .points = {{a, 0}, {a, b}, {0, b}, {-a, b}, {-a, 0}, {-a, -b}, {0, -b}, {a, -b}, {a, 0}},
+                              .weights = {1, w, 1, w, 1, w, 1, w, 1}})
+                     .value(),
+                 center);
+}
+
+// (t^2, t^3 - t) for t from -3/2 to 3/2 has its double point at t = -1 and 1, u = 1/6 and 5/6.
+Curve loop() {
+    return bezier({{2.25, -1.875}, {-0.75, 3.875}, {-0.75, -3.875}, {2.25, 1.875}});
+}
+
+// Crossings of two polylines that follow the curves, each once.
+std::size_t polyline_crossings(const std::vector<Point>& a, const std::vector<Point>& b) {
+    const auto side = [](Point p, Point q, Point r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); };
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 1 < a.size(); ++i)
+        for (std::size_t j = 0; j + 1 < b.size(); ++j)
+            if (side(a[i], a[i + 1], b[j]) * side(a[i], a[i + 1], b[j + 1]) < 0 &&
+                side(b[j], b[j + 1], a[i]) * side(b[j], b[j + 1], a[i + 1]) < 0)
+                ++count;
+    return count;
+}
+
+// `count` points in every span, corners among them.
+std::vector<Point> samples_of(const Curve& curve, int count) {
+    const auto knots = curve.knots().values();
+    std::vector<Point> points{point_at(curve, curve.domain().lower)};
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+        if (knots[i] < curve.domain().lower || knots[i + 1] > curve.domain().upper || knots[i] == knots[i + 1])
+            continue;
+        for (int k = 1; k <= count; ++k)
+            points.push_back(point_at(curve, knots[i] + (knots[i + 1] - knots[i]) * k / count,
+                                      k == count ? Side::left : Side::right));
+    }
+    return points;
+}
+
+TEST(IntersectLine, circle_crossed_touched_and_missed) {
+    for (const Vector offset : {Vector(0, 0), Vector(1e6, -3e6)}) {
+        const Curve circle = moved(ellipse(1, 1), offset);
+        const double rounding = offset.x == 0 ? 1e-14 : 1e-8;
+        const auto two = intersect_line(circle, offset + Vector(-2, 0.6), offset + Vector(3, 0.6)).value();
+        ASSERT_EQ(two.contacts.size(), 2U);
+        EXPECT_EQ(two.crossings, 2U);
+        EXPECT_NEAR(two.contacts[0].point.x - offset.x, 0.8, rounding);
+        EXPECT_NEAR(two.contacts[1].point.x - offset.x, -0.8, rounding);
+        EXPECT_NEAR(two.contacts[0].along, 2.8 / 5, rounding);
+        EXPECT_EQ(two.contacts[0].kind, ContactKind::crossing);
+        const auto one = intersect_line(circle, offset + Vector(-2, 1), offset + Vector(3, 1)).value();
+        ASSERT_EQ(one.contacts.size(), 1U);
+        EXPECT_EQ(one.contacts[0].kind, ContactKind::touching);
+        EXPECT_NEAR(one.contacts[0].u, 0.25, 1e-9);
+        EXPECT_EQ(one.crossings, 0U);
+        EXPECT_TRUE(intersect_line(circle, offset + Vector(-2, 1.01), offset + Vector(3, 1.01))->contacts.empty());
+    }
+    // An oblique tangent at 45 degrees, in the middle of a piece.
+    const double root = std::sqrt(2.0);
+    const auto oblique = intersect_line(ellipse(1, 1), {root, 0}, {0, root}).value();
+    ASSERT_EQ(oblique.contacts.size(), 1U);
+    EXPECT_EQ(oblique.contacts[0].kind, ContactKind::touching);
+    EXPECT_NEAR(oblique.contacts[0].u, 0.125, 1e-12);
+}
+
+TEST(IntersectLine, at_a_joint_once_and_at_the_closing_point_once) {
+    const auto found = intersect_line(ellipse(1, 1), {-1, -1}, {1, 1}).value();
+    EXPECT_EQ(found.crossings, 2U);
+    const auto axis = intersect_line(ellipse(1, 1), {0, 0}, {1, 0}).value();
+    ASSERT_EQ(axis.contacts.size(), 2U);
+    EXPECT_EQ(axis.contacts[0].u, 0.0);
+    EXPECT_EQ(axis.contacts[0].kind, ContactKind::crossing);
+    EXPECT_EQ(axis.contacts[1].u, 0.5);
+    EXPECT_EQ(axis.crossings, 2U);
+    EXPECT_EQ(axis.polygon_crossings, 2U);
+    const auto corner = intersect_line(polygon({{0, 0}, {1, 1}, {2, 0}}), {0, 1}, {1, 1}).value();
+    ASSERT_EQ(corner.contacts.size(), 1U);
+    EXPECT_EQ(corner.contacts[0].kind, ContactKind::touching);
+    EXPECT_EQ(corner.contacts[0].u, 1.0);
+}
+
+TEST(IntersectLine, multiple_contacts_of_a_cubic_graph) {
+    // y = x^3 for x from -1 to 2 touches its tangent at the inflection and crosses it.
+    const Curve cubic = bezier({{-1, -1}, {0, 2}, {1, -4}, {2, 8}});
+    const auto flat = intersect_line(cubic, {0, 0}, {1, 0}).value();
+    ASSERT_EQ(flat.contacts.size(), 1U);
+    EXPECT_EQ(flat.contacts[0].kind, ContactKind::crossing);
+    EXPECT_NEAR(flat.contacts[0].u, 1.0 / 3.0, 1e-12);
+    const auto three = intersect_line(cubic, {-1, -0.25}, {1, 0.25}).value();
+    ASSERT_EQ(three.contacts.size(), 3U);
+    for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_NEAR(three.contacts[k].point.x, 0.5 * (static_cast<double>(k) - 1.0), 1e-15);
+    EXPECT_EQ(three.polygon_crossings, 3U);
+}
+
+TEST(IntersectLine, piece_in_the_line_is_an_interval) {
+    const Curve hook = Curve::make({.degree = 2,
+                                    .knots = {0, 0, 0, 1, 1, 2, 2, 3, 3, 3},
+                                    .points = {{0, 0}, {1, 0}, {1, 1}, {1, 2}, {1, 4}, {1, 5}, {2, 5}}})
+                           .value();
+    const auto found = intersect_line(hook, {1, 0}, {1, 10}).value();
+    ASSERT_EQ(found.contacts.size(), 1U);
+    EXPECT_EQ(found.contacts[0].where, (Interval{1, 2}));
+    EXPECT_EQ(found.contacts[0].kind, ContactKind::crossing);
+    const Curve square =
+        Curve::make(
+            {.degree = 1, .knots = {0, 1, 2, 3, 4}, .points = {{1, 1}, {0, 1}, {0, 0}, {1, 0}}, .periodic = true})
+            .value();
+    const auto side = intersect_line(square, {0, 0}, {0, 1}).value();
+    ASSERT_EQ(side.contacts.size(), 1U);
+    EXPECT_EQ(side.contacts[0].where.length(), 1.0);
+    EXPECT_EQ(side.contacts[0].kind, ContactKind::touching);
+}
+
+TEST(IntersectLine, gaps_are_no_contacts_and_a_line_needs_two_points) {
+    const Curve torn = Curve::make({.degree = 1,
+                                    .knots = {0, 0, 1, 1, 2, 2},
+                                    .points = {{0, -1}, {1, -1}, {1, 3}, {2, 3}},
+                                    .tears = Tears::allow})
+                           .value();
+    EXPECT_TRUE(intersect_line(torn, {0, 0}, {1, 0})->contacts.empty());
+    EXPECT_EQ(intersect_line(torn, {1, 1}, {1, 1}).error().code, CurveErrorCode::points_coincide);
+}
+
+TEST(IntersectLine, never_more_crossings_than_the_polygon_and_as_many_as_samples_show) {
+    RandomCurves random(341);
+    for (int i = 0; i < 300; ++i) {
+        CurveDefinition definition = random.curve().definition();
+        if (i % 3 == 0)
+            for (Point& point : definition.points) point += Vector(1e6, 1e6);
+        const Curve curve = Curve::make(definition).value();
+        const Vector offset = i % 3 == 0 ? Vector(1e6, 1e6) : Vector(0, 0);
+        const double x = random.number(-4, 4);
+        const double y = random.number(-4, 4);
+        const Point a = offset + Vector(x, random.number(-4, 4));
+        const Point b = a + Vector(random.number(0.1, 3), y);
+        const auto found = intersect_line(curve, a, b).value();
+        EXPECT_LE(found.crossings, found.polygon_crossings) << i;
+        const auto side = [&](Point p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); };
+        for (const LineContact& contact : found.contacts) {
+            EXPECT_LE(std::abs(side(contact.point)), i % 3 == 0 ? 1e-7 : 1e-12) << i;
+            EXPECT_NEAR(glm::distance(a + contact.along * (b - a), contact.point), 0.0, i % 3 == 0 ? 1e-7 : 1e-12);
+        }
+        std::size_t sampled = 0;
+        const auto points = samples_of(curve, 500);
+        for (std::size_t k = 0; k + 1 < points.size(); ++k)
+            if (side(points[k]) * side(points[k + 1]) < 0) ++sampled;
+        EXPECT_EQ(found.crossings, sampled) << i;
+    }
+}
+
+TEST(IntersectSegment, takes_what_lies_between_its_ends) {
+    const auto one = intersect_segment(ellipse(1, 1), {0, 0}, {5, 0}).value();
+    ASSERT_EQ(one.contacts.size(), 1U);
+    EXPECT_EQ(one.contacts[0].point.x, 1.0);
+    EXPECT_EQ(one.polygon_crossings, 1U);
+    EXPECT_EQ(intersect_segment(ellipse(1, 1), {-1, 0}, {1, 0})->contacts.size(), 2U);
+    EXPECT_TRUE(intersect_segment(ellipse(1, 1), {-0.5, 0}, {0.5, 0})->contacts.empty());
+    const auto part = intersect_segment(polygon({{0, 0}, {4, 0}, {4, 1}}), {1, 0}, {3, 0}).value();
+    ASSERT_EQ(part.contacts.size(), 1U);
+    EXPECT_NEAR(part.contacts[0].where.lower, 0.25, 1e-15);
+    EXPECT_NEAR(part.contacts[0].where.upper, 0.75, 1e-15);
+}
+
+TEST(IntersectCurves, circles_in_closed_form) {
+    for (const Vector offset : {Vector(0, 0), Vector(1e6, -3e6)}) {
+        const Curve a = moved(ellipse(1, 1), offset);
+        const double rounding = offset.x == 0 ? 1e-14 : 1e-8;
+        const auto two = intersect_curves(a, ellipse(1, 1, offset + Vector(1.2, 0)));
+        ASSERT_EQ(two.size(), 2U);
+        for (const CurveContact& contact : two) {
+            EXPECT_NEAR(contact.point.x - offset.x, 0.6, rounding);
+            EXPECT_NEAR(std::abs(contact.point.y - offset.y), 0.8, rounding);
+            EXPECT_FALSE(contact.is_tangent);
+        }
+        // From outside, from inside, and not at all.
+        for (const auto& [radius, x] : {std::pair(1.0, 2.0), std::pair(0.5, 0.5), std::pair(0.25, 1.25)}) {
+            const auto one = intersect_curves(a, ellipse(radius, radius, offset + Vector(x, 0)));
+            ASSERT_EQ(one.size(), 1U) << radius;
+            EXPECT_TRUE(one[0].is_tangent);
+            EXPECT_NEAR(one[0].point.x - offset.x, 1.0, 1e-8);
+            EXPECT_NEAR(one[0].point.y - offset.y, 0.0, 1e-3);
+        }
+        EXPECT_TRUE(intersect_curves(a, ellipse(1, 1, offset + Vector(2.001, 0))).empty());
+        EXPECT_TRUE(intersect_curves(a, ellipse(0.5, 0.5, offset)).empty());
+    }
+    // Tangent in the middle of pieces, at 3-4-5.
+    const auto oblique = intersect_curves(ellipse(1, 1), ellipse(2, 2, {1.8, 2.4}));
+    ASSERT_EQ(oblique.size(), 1U);
+    EXPECT_NEAR(oblique[0].point.x, 0.6, 1e-9);
+    EXPECT_NEAR(oblique[0].point.y, 0.8, 1e-9);
+}
+
+TEST(IntersectCurves, crossed_ellipses_meet_four_times) {
+    const auto found = intersect_curves(ellipse(2, 1), ellipse(1, 2));
+    ASSERT_EQ(found.size(), 4U);
+    // x^2 / 4 + y^2 = 1 and x^2 + y^2 / 4 = 1: both coordinates 2 / sqrt(5).
+    for (const CurveContact& contact : found) {
+        EXPECT_NEAR(std::abs(contact.point.x), 2 / std::sqrt(5.0), 1e-14);
+        EXPECT_NEAR(std::abs(contact.point.y), 2 / std::sqrt(5.0), 1e-14);
+    }
+    for (const double factor : {1e-9, 1e9})
+        EXPECT_EQ(intersect_curves(over(ellipse(2, 1), 0, factor), over(ellipse(1, 2), 5, 1 / factor)).size(), 4U);
+}
+
+TEST(IntersectCurves, two_cubics_meet_nine_times) {
+    // Chebyshev's y = T3(x) and x = T3(y), so T9(x) = x.
+    const Curve a = bezier({{-1, -1}, {-1.0 / 3, 5}, {1.0 / 3, -5}, {1, 1}});
+    CurveDefinition mirrored = a.definition();
+    for (Point& point : mirrored.points) point = {point.y, point.x};
+    const Curve b = Curve::make(mirrored).value();
+    const auto found = intersect_curves(a, b);
+    EXPECT_EQ(found.size(), 9U);
+    for (const CurveContact& contact : found)
+        EXPECT_LE(glm::distance(point_at(a, contact.u), point_at(b, contact.v)), 1e-14);
+}
+
+TEST(IntersectCurves, common_ends_and_corners_once) {
+    const auto joined = intersect_curves(bezier({{0, 0}, {1, 2}, {2, 0}}), bezier({{2, 0}, {3, 1}, {4, 4}}));
+    ASSERT_EQ(joined.size(), 1U);
+    EXPECT_EQ(joined[0].u, 1.0);
+    EXPECT_EQ(joined[0].v, 0.0);
+    const auto smooth = intersect_curves(bezier({{0, 0}, {1, 1}, {2, 1}}), bezier({{2, 1}, {3, 1}, {4, 4}}));
+    ASSERT_EQ(smooth.size(), 1U);
+    EXPECT_TRUE(smooth[0].is_tangent);
+    const auto corner = intersect_curves(polygon({{0, 0}, {1, 1}, {2, 0}}), polygon({{0, 2}, {1, 1}, {2, 2}}));
+    ASSERT_EQ(corner.size(), 1U);
+    EXPECT_EQ(corner[0].u, 1.0);
+    const Curve cusp = bezier({{1, -1}, {-1.0 / 3, 1}, {-1.0 / 3, -1}, {1, 1}});
+    const auto at_cusp = intersect_curves(cusp, bezier({{0, -1}, {0, 1}}));
+    ASSERT_EQ(at_cusp.size(), 1U);
+    EXPECT_NEAR(at_cusp[0].point.x, 0.0, 1e-12);
+}
+
+TEST(IntersectCurves, tangential_crossing_once) {
+    // y = x^3 and its tangent at the origin as curves.
+    const auto found =
+        intersect_curves(bezier({{-1, -1}, {-1.0 / 3, 1}, {1.0 / 3, -1}, {1, 1}}), bezier({{-2, 0}, {1, 0}}));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(found[0].point.x, 0.0, 1e-4);
+    EXPECT_TRUE(found[0].is_tangent);
+}
+
+TEST(IntersectCurves, coinciding_pieces_are_intervals) {
+    const Curve wave = Curve::make({.degree = 3,
+                                    .knots = {0, 0, 0, 0, 1, 2, 3, 3, 3, 3},
+                                    .points = {{0, 0}, {1, 3}, {3, -2}, {5, 2}, {6, 0}, {8, 1}}})
+                           .value();
+    for (const Curve& other :
+         {wave, elevate_degree(wave, 2).value(), insert_knot(wave, 0.7).value(), over(wave, 10, 1e9)}) {
+        const auto found = intersect_curves(wave, other);
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_NEAR(found[0].on_first.lower, 0.0, 1e-9);
+        EXPECT_NEAR(found[0].on_first.upper, 3.0, 1e-9);
+        EXPECT_EQ(found[0].second_begin, other.domain().lower);
+        EXPECT_EQ(found[0].second_end, other.domain().upper);
+    }
+    const auto against = intersect_curves(wave, reversed(wave));
+    ASSERT_EQ(against.size(), 1U);
+    EXPECT_TRUE(against[0].is_overlap());
+    EXPECT_EQ(against[0].second_begin, 0.0);
+    EXPECT_EQ(against[0].second_end, -3.0);
+}
+
+TEST(IntersectCurves, coinciding_parts_of_lines_and_circles) {
+    const auto lines = intersect_curves(polygon({{0, 0}, {4, 0}, {4, 3}}), polygon({{1, 0}, {9, 0}}));
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_NEAR(lines[0].on_first.lower, 0.25, 1e-12);
+    EXPECT_NEAR(lines[0].on_first.upper, 1.0, 1e-12);
+    EXPECT_NEAR(lines[0].second_end, 0.375, 1e-12);
+    // The quarter of the unit circle from 45 to 135 degrees.
+    const double r = std::sqrt(0.5);
+    const Curve quarter =
+        Curve::make(
+            {.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{r, r}, {0, 2 * r}, {-r, r}}, .weights = {1, r, 1}})
+            .value();
+    const auto arcs = intersect_curves(ellipse(1, 1), quarter);
+    ASSERT_EQ(arcs.size(), 1U);
+    EXPECT_NEAR(arcs[0].on_first.lower, 0.125, 1e-9);
+    EXPECT_NEAR(arcs[0].on_first.upper, 0.375, 1e-9);
+}
+
+TEST(IntersectCurves, double_points_of_coinciding_curves_are_crossings_too) {
+    const Curve eight =
+        Curve::make(
+            {.degree = 2, .knots = {0, 1, 2, 3, 4}, .points = {{-2, -1}, {2, 1}, {2, -1}, {-2, 1}}, .periodic = true})
+            .value();
+    const auto found = intersect_curves(eight, elevate_degree(eight, 1).value());
+    ASSERT_EQ(found.size(), 3U);
+    EXPECT_EQ(std::count_if(found.begin(), found.end(), [](const CurveContact& c) { return c.is_overlap(); }), 1);
+    // A piece that closes, whose ends are the same point.
+    const Curve drop = bezier({{0, 0}, {3, 0}, {0, 3}, {0, 0}});
+    const auto whole = intersect_curves(drop, elevate_degree(drop, 1).value());
+    ASSERT_EQ(whole.size(), 1U);
+    EXPECT_EQ(whole[0].on_first, (Interval{0, 1}));
+    EXPECT_EQ(whole[0].second_end, 1.0);
+    EXPECT_EQ(intersect_curves(drop, reversed(drop))[0].second_end, -1.0);
+}
+
+TEST(IntersectCurves, as_many_as_fine_polylines) {
+    RandomCurves random(351);
+    std::size_t all = 0;
+    for (int i = 0; i < 60; ++i) {
+        const Curve a = random.curve();
+        const Curve b = random.curve();
+        if (a.control_points().size() < 3 || b.control_points().size() < 3) continue;
+        const auto found = intersect_curves(a, b);
+        for (const CurveContact& contact : found)
+            EXPECT_LE(glm::distance(point_at(a, contact.u), point_at(b, contact.v)), 1e-11) << i;
+        EXPECT_EQ(found.size(), polyline_crossings(samples_of(a, 150), samples_of(b, 150))) << i;
+        EXPECT_EQ(intersect_curves(b, a).size(), found.size()) << i;
+        const Vector offset(1e6, -2e6);
+        EXPECT_EQ(intersect_curves(moved(a, offset), moved(b, offset)).size(), found.size()) << i;
+        all += found.size();
+    }
+    EXPECT_GT(all, 100U);
+}
+
+TEST(SelfIntersections, double_point_of_a_cubic) {
+    for (const Curve& curve :
+         {loop(), moved(loop(), {1e6, 1e6}), insert_knot(loop(), 0.5).value(),
+          insert_knot(loop(), 1.0 / 6.0, 3).value(), elevate_degree(loop(), 3).value(), over(loop(), 0, 1e-9)}) {
+        const auto found = self_intersections(curve);
+        ASSERT_EQ(found.size(), 1U);
+        const double length = curve.domain().length();
+        EXPECT_NEAR(found[0].u / length, 1.0 / 6.0, 1e-9);
+        EXPECT_NEAR(found[0].v / length, 5.0 / 6.0, 1e-9);
+        EXPECT_FALSE(found[0].is_tangent);
+    }
+    EXPECT_NEAR(self_intersections(loop())[0].u, 1.0 / 6.0, 1e-15);
+}
+
+TEST(SelfIntersections, none_of_arcs_closed_curves_cusps_and_corners) {
+    EXPECT_TRUE(self_intersections(ellipse(3, 1)).empty());
+    EXPECT_TRUE(self_intersections(bezier({{0, 0}, {1, 3}, {2, -3}, {3, 0}})).empty());
+    EXPECT_TRUE(self_intersections(bezier({{1, -1}, {-1.0 / 3, 1}, {-1.0 / 3, -1}, {1, 1}})).empty());
+    EXPECT_TRUE(self_intersections(bezier({{1, -1}, {-1, 2}, {0, -4}, {4, 8}})).empty());
+    EXPECT_TRUE(self_intersections(polygon({{0, 0}, {4, 0}, {0, 1}, {4, 2}})).empty());
+    // Closed, of one piece and of two.
+    EXPECT_TRUE(self_intersections(bezier({{0, 0}, {3, 0}, {0, 3}, {0, 0}})).empty());
+    EXPECT_TRUE(self_intersections(Curve::make({.degree = 2,
+                                                .knots = {0, 0, 0, 1, 1, 2, 2, 2},
+                                                .points = {{0, 0}, {2, 2}, {2, 0}, {2, -2}, {0, 0}}})
+                                       .value())
+                    .empty());
+}
+
+TEST(SelfIntersections, figure_8_and_pentagram) {
+    const Curve eight =
+        Curve::make(
+            {.degree = 2, .knots = {0, 1, 2, 3, 4}, .points = {{-2, -1}, {2, 1}, {2, -1}, {-2, 1}}, .periodic = true})
+            .value();
+    const auto one = self_intersections(eight);
+    ASSERT_EQ(one.size(), 1U);
+    EXPECT_NEAR(glm::length(one[0].point), 0.0, 1e-14);
+    std::vector<Point> star;
+    for (int k = 0; k <= 5; ++k)
+        star.emplace_back(std::cos(4 * 3.141592653589793 * k / 5), std::sin(4 * 3.141592653589793 * k / 5));
+    EXPECT_EQ(self_intersections(polygon(star)).size(), 5U);
+}
+
+TEST(SelfIntersections, way_there_and_back_is_an_interval) {
+    const auto found = self_intersections(polygon({{0, 0}, {4, 0}, {1, 0}, {1, 3}}));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_TRUE(found[0].is_overlap());
+    EXPECT_NEAR(found[0].on_first.lower, 0.25, 1e-12);
+    EXPECT_NEAR(found[0].on_first.upper, 1.0, 1e-12);
+    EXPECT_NEAR(found[0].second_begin, 2.0, 1e-12);
+    EXPECT_NEAR(found[0].second_end, 1.0, 1e-12);
+}
+
+TEST(SelfIntersections, as_many_as_fine_polylines) {
+    RandomCurves random(352);
+    std::size_t all = 0;
+    for (int i = 0; i < 80; ++i) {
+        const Curve curve = random.curve();
+        if (curve.control_points().size() < 3) continue;
+        const auto found = self_intersections(curve);
+        for (const CurveContact& contact : found) {
+            EXPECT_LT(contact.u, contact.v);
+            EXPECT_LE(glm::distance(point_at(curve, contact.u), point_at(curve, contact.v)), 1e-11) << i;
+        }
+        // Every crossing of the polyline with itself is met twice.
+        const auto points = samples_of(curve, 150);
+        EXPECT_EQ(2 * found.size(), polyline_crossings(points, points)) << i << " degree " << curve.degree();
+        all += found.size();
+    }
+    EXPECT_GT(all, 50U);
+}
+
+}  // namespace
+}  // namespace batten::core

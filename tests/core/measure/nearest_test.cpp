@@ -1,0 +1,131 @@
+#include "core/measure/nearest.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/evaluate/evaluate.h"
+#include "tests/core/golden.h"
+#include "tests/core/random_curves.h"
+
+namespace batten::core {
+namespace {
+
+const double half_root = std::sqrt(0.5);
+
+Curve circle() {
+    const double w = half_root;
+    return Curve::make({.degree = 2,
+                        .knots = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1},
+                        .points = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}},
+                        .weights = {1, w, 1, w, 1, w, 1, w, 1}})
+        .value();
+}
+
+TEST(Golden, closest_point) {
+    golden::Tally tally("closest_point.json");
+    for (const auto& members : golden::cases("closest_point.json")) {
+        tally.count_case();
+        const auto name = members.at("name").get<std::string>();
+        const Curve curve = golden::curve_of(members);
+        const Point query(members.at("query").at(0).get<double>(), members.at("query").at(1).get<double>());
+        const CurveSample found = nearest_point(curve, query);
+        const double size = golden::largest_coordinate(curve.control_points());
+        const double distance = members.at("distance").get<double>();
+        tally.add("distance", std::abs(glm::distance(found.point, query) - distance) / size, 1e-14, name);
+        EXPECT_EQ(found.point, point_at(curve, found.u)) << name;
+        tally.add("parameter", std::abs(found.u - members.at("u").get<double>()) / curve.domain().length(), 1e-11,
+                  name);
+    }
+}
+
+TEST(Nearest, is_never_farther_than_any_sample) {
+    RandomCurves random(71);
+    for (int i = 0; i < 300; ++i) {
+        const Curve curve = random.curve();
+        const double x = random.number(-10.0, 10.0);
+        const Point query(x, random.number(-10.0, 10.0));
+        const double found = glm::distance(nearest_point(curve, query).point, query);
+        for (int k = 0; k <= 500; ++k) {
+            const double u = curve.domain().lower + curve.domain().length() * k / 500.0;
+            EXPECT_LE(found, glm::distance(point_at(curve, u), query) + 1e-12);
+        }
+    }
+}
+
+TEST(Nearest, point_of_the_curve_is_its_own_nearest) {
+    RandomCurves random(72);
+    for (int i = 0; i < 300; ++i) {
+        const Curve curve = random.curve();
+        const Point query = point_at(curve, random.parameter(curve));
+        EXPECT_LE(glm::distance(nearest_point(curve, query).point, query), 8.0 * 2e-14);
+    }
+}
+
+TEST(Nearest, of_equally_near_points_the_first_is_taken) {
+    EXPECT_EQ(nearest_point(circle(), {0, 0}).u, 0.0);
+    const Curve valley =
+        Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{-1, 1}, {0, -1}, {1, 1}}}).value();
+    // y = x^2 has the two nearest points x = -+sqrt(1/2) to (0, 1).
+    const CurveSample found = nearest_point(valley, {0, 1});
+    EXPECT_NEAR(found.point.x, -half_root, 1e-12);
+    EXPECT_NEAR(found.u, 0.5 - 0.5 * half_root, 1e-12);
+}
+
+TEST(Nearest, seam_of_a_closed_curve_is_its_beginning) {
+    EXPECT_EQ(nearest_point(circle(), {2, 0}).u, 0.0);
+    const Curve loop =
+        Curve::make(
+            {.degree = 2, .knots = {0, 1, 2, 3, 4}, .points = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}, .periodic = true})
+            .value();
+    EXPECT_EQ(nearest_point(loop, 3.0 * point_at(loop, 0.0)).u, 0.0);
+}
+
+TEST(Nearest, corner_and_ends_are_found) {
+    const Curve polyline =
+        Curve::make({.degree = 1, .knots = {0, 0, 1, 2, 2}, .points = {{0, 0}, {2, 0}, {2, 2}}}).value();
+    EXPECT_EQ(nearest_point(polyline, {3, -1}).u, 1.0);
+    EXPECT_EQ(nearest_point(polyline, {-1, -1}).u, 0.0);
+    EXPECT_EQ(nearest_point(polyline, {2.5, 9}).u, 2.0);
+    EXPECT_NEAR(nearest_point(polyline, {0.5, -3}).u, 0.25, 1e-15);
+}
+
+TEST(Nearest, cusp_has_no_speed_and_is_found_all_the_same) {
+    const Curve cusp =
+        Curve::make({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = {{0, 0}, {1, 1}, {0, 1}, {1, 0}}})
+            .value();
+    EXPECT_NEAR(nearest_point(cusp, {0.5, 2.0}).u, 0.5, 1e-6);
+    EXPECT_NEAR(glm::distance(nearest_point(cusp, {0.5, 2.0}).point, Point(0.5, 0.75)), 0.0, 1e-12);
+}
+
+TEST(Nearest, far_from_the_origin_as_near_it) {
+    const Vector offset(1e6, -3e6);
+    RandomCurves random(73);
+    for (int i = 0; i < 50; ++i) {
+        const Curve curve = random.open_curve();
+        CurveDefinition moved = curve.definition();
+        for (Point& point : moved.points) point += offset;
+        const Point query(random.number(-10.0, 10.0), 4.0);
+        const double near = glm::distance(nearest_point(curve, query).point, query);
+        const Curve far = Curve::make(moved).value();
+        EXPECT_NEAR(glm::distance(nearest_point(far, query + offset).point, query + offset), near, 1e-8);
+    }
+}
+
+TEST(Nearest, query_beyond_all_measure_ends) {
+    EXPECT_NEAR(nearest_point(circle(), {1e12, 0}).u, 0.0, 1e-9);
+    EXPECT_TRUE(std::isfinite(nearest_point(circle(), {0, 1e200}).point.y));
+    EXPECT_NEAR(nearest_point(circle(), {1e-9, 1e-9}).u, 0.125, 1e-5);
+    const Curve overflowing = Curve::make({.degree = 3,
+                                           .knots = {5, 5, 5, 5, 6, 6, 6, 6},
+                                           .points = {{0, 0}, {1e20, 5}, {2, -1e300}, {3, 0}},
+                                           .weights = {1e-300, 1e300, 1e10, 1e-300}})
+                                  .value();
+    EXPECT_TRUE(overflowing.domain().contains(nearest_point(overflowing, {1, 1}).u));
+    const Curve point = Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {3, Point(1, 1)}}).value();
+    EXPECT_EQ(nearest_point(point, {1, 1}).u, 0.0);
+}
+
+}  // namespace
+}  // namespace batten::core

@@ -1,0 +1,263 @@
+#include "core/refine/degree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/curve/knot_analysis.h"
+#include "core/curve/knot_kinds.h"
+#include "core/evaluate/evaluate.h"
+#include "core/measure/deviation.h"
+#include "tests/core/golden.h"
+#include "tests/core/random_curves.h"
+#include "tests/core/shape_check.h"
+
+namespace batten::core {
+namespace {
+
+using Knots = std::vector<double>;
+
+constexpr double size = 8.0;  // of the random curves
+
+double largest_weight(const Curve& curve) {
+    return *std::max_element(curve.weights().begin(), curve.weights().end());
+}
+
+TEST(Golden, degree_elevation) {
+    golden::Tally tally("degree_elevation.json");
+    for (const auto& members : golden::cases("degree_elevation.json")) {
+        tally.count_case();
+        const auto name = members.at("name").get<std::string>();
+        const Curve curve = golden::curve_of(members);
+        const Curve expected = golden::curve_of(members.at("result"));
+        const Curve found = elevate_degree(curve, members.at("by").get<int>()).value();
+        EXPECT_EQ(stored(found), stored(expected)) << name;
+        const double scale = golden::largest_coordinate(curve.control_points());
+        tally.add("points", golden::largest_difference(found.control_points(), expected.control_points()) / scale,
+                  1e-12, name);
+        tally.add("weights", golden::largest_difference(found.weights(), expected.weights()) / largest_weight(curve),
+                  1e-12, name);
+    }
+}
+
+TEST(ElevateDegree, keeps_every_sort_of_curve) {
+    RandomCurves random(101);
+    for (int i = 0; i < 300; ++i) {
+        const Curve curve = random.curve();
+        const int by = random.whole(1, 3);
+        const auto elevated = elevate_degree(curve, by);
+        ASSERT_TRUE(elevated.has_value()) << describe(elevated.error());
+        EXPECT_EQ(elevated->degree(), curve.degree() + by);
+        EXPECT_EQ(elevated->domain(), curve.domain());
+        EXPECT_EQ(elevated->is_periodic(), curve.is_periodic());
+        EXPECT_LE(largest_deviation(curve, *elevated), 1e-12 * size);
+    }
+}
+
+TEST(ElevateDegree, is_right_to_the_last_digits_in_every_degree) {
+    RandomCurves random(108);
+    for (const int degree : {2, 6, 12, 18, 24}) {
+        const Curve curve = high_degree_curve(degree, 8, random);
+        EXPECT_LE(shape_change(curve, elevate_degree(curve).value(), random), 1.5e-15) << degree;
+        CurveDefinition definition = curve.definition();
+        std::fill(definition.knots.begin(), definition.knots.end(), 0.0);
+        for (std::size_t i = 0; i < definition.knots.size(); ++i) definition.knots[i] = static_cast<double>(i);
+        const Curve uniform = Curve::make(definition).value();
+        EXPECT_LE(shape_change(uniform, elevate_degree(uniform).value(), random), 1.5e-15) << degree;
+    }
+    const Curve quadratic = high_degree_curve(2, 8, random);
+    EXPECT_LE(shape_change(quadratic, elevate_degree(quadratic, 23).value(), random), 4e-15);
+}
+
+TEST(ElevateDegree, far_away_and_with_rings_of_few_points) {
+    RandomCurves random(109);
+    for (int i = 0; i < 100; ++i) {
+        const Curve far = translated(random.curve(), {1e6, -1e6});
+        EXPECT_LE(shape_change(far, elevate_degree(far, 2).value(), random), 1e-15);
+    }
+    for (const int degree : {5, 12, 24}) {
+        const Curve ring = Curve::make({.degree = degree,
+                                        .knots = {0, 1, 3, 3},
+                                        .points = {{-3, 1}, {4, 8}, {2, -5}},
+                                        .weights = {1, 2, 0.5},
+                                        .periodic = true})
+                               .value();
+        EXPECT_LE(shape_change(ring, elevate_degree(ring).value(), random), 2e-15);
+    }
+}
+
+TEST(ElevateDegree, raises_every_multiplicity) {
+    RandomCurves random(102);
+    for (int i = 0; i < 200; ++i) {
+        const Curve curve = random.curve();
+        const Curve elevated = elevate_degree(curve, 2).value();
+        for (const DistinctKnot& knot : distinct_knots(curve.knots()))
+            EXPECT_TRUE(!knot.is_interior || elevated.knots().multiplicity(knot.value) == knot.multiplicity + 2);
+    }
+}
+
+TEST(ElevateDegree, keeps_ends_bit_by_bit_and_weights_positive) {
+    RandomCurves random(103);
+    for (int i = 0; i < 200; ++i) {
+        const Curve curve = random.open_curve();
+        const Curve elevated = elevate_degree(curve).value();
+        for (const double weight : elevated.weights()) EXPECT_GT(weight, 0.0);
+        if (!is_clamped(curve.knots())) continue;
+        EXPECT_EQ(elevated.control_points().front(), curve.control_points().front());
+        EXPECT_EQ(elevated.control_points().back(), curve.control_points().back());
+        EXPECT_EQ(elevated.weights().back(), curve.weights().back());
+    }
+}
+
+TEST(ElevateDegree, parabola_as_a_cubic_has_the_points_of_the_book) {
+    const Curve parabola =
+        Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{0, 0}, {3, 6}, {6, 0}}}).value();
+    const Curve cubic = elevate_degree(parabola).value();
+    const std::vector<Point> expected{{0, 0}, {2, 4}, {4, 4}, {6, 0}};
+    EXPECT_LE(golden::largest_difference(cubic.control_points(), expected), 1e-15);
+    EXPECT_EQ(set_degree(parabola, 3).value(), cubic) << "a custom vector is not regenerated";
+    const Curve bezier = Curve::make(make_knots(KnotKind::bezier, 2, 3).value(), {{0, 0}, {3, 6}, {6, 0}}, {}).value();
+    EXPECT_EQ(elevate_degree(bezier)->knots().kind(), KnotKind::bezier);
+    EXPECT_EQ(set_degree(bezier, 3).error().code, CurveErrorCode::too_few_points);
+}
+
+TEST(ElevateDegree, torn_curves_stay_torn) {
+    const Curve torn = Curve::make({.degree = 2,
+                                    .knots = {0, 0, 0, 1, 1, 1, 2, 2, 2},
+                                    .points = {{0, 0}, {1, 2}, {2, 0}, {5, 0}, {6, 2}, {7, 0}},
+                                    .tears = Tears::allow})
+                           .value();
+    const Curve elevated = elevate_degree(torn).value();
+    EXPECT_LE(largest_deviation(torn, elevated), 1e-14);
+    EXPECT_EQ(point_at(elevated, 1.0, Side::left), Point(2, 0));
+    EXPECT_EQ(point_at(elevated, 1.0, Side::right), Point(5, 0));
+    EXPECT_LE(largest_deviation(reduce_degree(elevated).value(), torn), 1e-12);
+}
+
+TEST(ElevateDegree, refuses_degrees_out_of_range) {
+    const Curve line = Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 0}, {1, 1}}}).value();
+    EXPECT_EQ(elevate_degree(line, 0).error().code, CurveErrorCode::degree_out_of_range);
+    EXPECT_EQ(elevate_degree(line, -1).error().code, CurveErrorCode::degree_out_of_range);
+    EXPECT_EQ(elevate_degree(line, 24)->degree(), 25);
+    EXPECT_EQ(elevate_degree(line, 25).error(), (CurveError{.code = CurveErrorCode::degree_out_of_range, .value = 26}));
+    EXPECT_LE(largest_deviation(line, elevate_degree(line, 24).value()), 1e-13);
+}
+
+TEST(ReduceDegree, undoes_elevation) {
+    RandomCurves random(104);
+    for (int i = 0; i < 300; ++i) {
+        const Curve curve = random.curve();
+        const auto back = reduce_degree(elevate_degree(curve).value());
+        ASSERT_TRUE(back.has_value()) << describe(back.error());
+        EXPECT_EQ(back->degree(), curve.degree());
+        EXPECT_LE(largest_deviation(curve, *back), 1e-9 * size);
+        if (!curve.is_periodic() && !is_clamped(curve.knots())) continue;
+        EXPECT_EQ(stored(*back), stored(curve));
+        EXPECT_LE(golden::largest_difference(back->control_points(), curve.control_points()), 1e-9 * size);
+        EXPECT_LE(golden::largest_difference(back->weights(), curve.weights()), 1e-9 * largest_weight(curve));
+    }
+}
+
+TEST(ReduceDegree, keeps_the_ends_of_a_clamped_curve) {
+    RandomCurves random(105);
+    for (int i = 0; i < 200; ++i) {
+        const Curve curve = random.open_curve();
+        if (curve.degree() == 1 || !is_clamped(curve.knots())) continue;
+        const auto reduced = reduce_degree(curve);
+        if (!reduced) {
+            EXPECT_EQ(reduced.error().code, CurveErrorCode::weight_not_positive);
+            continue;
+        }
+        EXPECT_EQ(point_at(*reduced, curve.domain().lower), point_at(curve, curve.domain().lower));
+        EXPECT_EQ(point_at(*reduced, curve.domain().upper), point_at(curve, curve.domain().upper));
+    }
+}
+
+TEST(ReduceDegree, never_fails_for_polynomial_curves) {
+    RandomCurves random(106);
+    for (int i = 0; i < 500; ++i) {
+        CurveDefinition definition = random.curve().definition();
+        std::fill(definition.weights.begin(), definition.weights.end(), 1.0);
+        if (definition.degree == 1) continue;
+        const Curve curve = Curve::make(definition).value();
+        const auto reduced = reduce_degree(curve);
+        if (!reduced) {
+            EXPECT_EQ(reduced.error().code, CurveErrorCode::too_few_points);
+            EXPECT_TRUE(curve.is_periodic());
+            continue;
+        }
+        EXPECT_EQ(reduced->degree(), curve.degree() - 1);
+        EXPECT_EQ(reduced->domain(), curve.domain());
+        EXPECT_FALSE(reduced->is_rational());
+        EXPECT_FALSE(elevate_degree(curve)->is_rational());
+    }
+}
+
+TEST(ReduceDegree, long_curves_take_the_sparse_way) {
+    RandomCurves random(107);
+    std::vector<Point> points;
+    for (int i = 0; i < 200; ++i) points.emplace_back(0.1 * i, random.number(-8.0, 8.0));
+    for (const KnotKind kind : {KnotKind::clamped_uniform, KnotKind::periodic}) {
+        const Curve curve = Curve::make(make_knots(kind, 3, points.size()).value(), points, {}).value();
+        EXPECT_LE(largest_deviation(curve, reduce_degree(elevate_degree(curve).value()).value()), 1e-9 * 20.0);
+    }
+}
+
+TEST(ReduceDegree, to_a_tolerance_reports_or_refuses_the_error) {
+    RandomCurves random(110);
+    const Curve cubic = high_degree_curve(3, 4, random);
+    const auto back = reduce_degree(elevate_degree(cubic, 3).value(), 3, 1e-6).value();
+    EXPECT_EQ(back.curve.degree(), 3);
+    EXPECT_LE(back.error, 1e-9);
+    const auto refused = reduce_degree(cubic, 1, 1e-6);
+    ASSERT_EQ(refused.error().code, CurveErrorCode::deviation_too_large);
+    EXPECT_EQ(refused.error().upper, 1e-6);
+    const auto allowed = reduce_degree(cubic, 1, refused.error().value).value();
+    EXPECT_EQ(allowed.error, refused.error().value);
+    EXPECT_EQ(allowed.error, largest_deviation(cubic, allowed.curve));
+    EXPECT_EQ(reduce_degree(cubic, 3, 1.0).error().code, CurveErrorCode::degree_out_of_range);
+    EXPECT_EQ(reduce_degree(cubic, 0, 1.0).error().code, CurveErrorCode::degree_out_of_range);
+    EXPECT_EQ(reduce_degree(cubic, 1, 0.0).error().code, CurveErrorCode::tolerance_not_positive);
+}
+
+TEST(ReduceDegree, refuses_a_polyline) {
+    const Curve line = Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 0}, {1, 1}}}).value();
+    EXPECT_EQ(reduce_degree(line).error(), (CurveError{.code = CurveErrorCode::degree_out_of_range, .value = 0}));
+}
+
+TEST(SetDegree, special_kinds_are_regenerated_with_the_same_points) {
+    std::vector<Point> points{{0, 0}, {1, 2}, {2, 0}, {3, 2}, {4, 0}, {5, 2}, {6, 0}};
+    for (const KnotKind kind : {KnotKind::uniform, KnotKind::clamped_uniform, KnotKind::periodic}) {
+        const Curve curve = Curve::make(make_knots(kind, 3, 7, {2.0, 5.0}).value(), points, {}).value();
+        for (const int degree : {1, 2, 4, 6}) {
+            const Curve changed = set_degree(curve, degree).value();
+            EXPECT_EQ(changed.degree(), degree);
+            EXPECT_EQ(changed.knots().kind(), kind);
+            EXPECT_EQ(changed.domain(), curve.domain());
+            EXPECT_TRUE(std::ranges::equal(changed.control_points(), points));
+        }
+        EXPECT_EQ(set_degree(curve, 3).value(), curve);
+    }
+    const Curve arcs = Curve::make(make_knots(KnotKind::piecewise_bezier, 3, 7).value(), points, {}).value();
+    EXPECT_EQ(set_degree(arcs, 2)->knots().kind(), KnotKind::piecewise_bezier);
+    EXPECT_EQ(set_degree(arcs, 4)->knots().kind(), KnotKind::clamped_uniform);
+}
+
+TEST(SetDegree, bezier_polygon_becomes_clamped_uniform_when_its_degree_falls) {
+    const Curve bezier =
+        Curve::make(make_knots(KnotKind::bezier, 3, 4).value(), {{0, 0}, {1, 2}, {3, 2}, {4, 0}}, {}).value();
+    const Curve quadratic = set_degree(bezier, 2).value();
+    EXPECT_EQ(quadratic.knots().kind(), KnotKind::clamped_uniform);
+    EXPECT_EQ(stored(quadratic), (Knots{0, 0, 0, 0.5, 1, 1, 1}));
+}
+
+TEST(SetDegree, refuses_degrees_and_counts_out_of_range) {
+    const Curve curve = Curve::make(make_knots(KnotKind::clamped_uniform, 3, 5).value(), {5, Point(1, 1)}, {}).value();
+    EXPECT_EQ(set_degree(curve, 0).error().code, CurveErrorCode::degree_out_of_range);
+    EXPECT_EQ(set_degree(curve, 26).error(), (CurveError{.code = CurveErrorCode::degree_out_of_range, .value = 26}));
+    EXPECT_EQ(set_degree(curve, 5).error(),
+              (CurveError{.code = CurveErrorCode::too_few_points, .value = 5, .lower = 6}));
+}
+
+}  // namespace
+}  // namespace batten::core

@@ -1,0 +1,115 @@
+#include "core/refine/extend.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/measure/arc_length.h"
+#include "core/refine/split.h"
+#include "tests/core/shape_check.h"
+
+namespace batten::core {
+namespace {
+
+constexpr CurveEnd both[]{CurveEnd::start, CurveEnd::end};
+
+TEST(Extend, goes_on_as_the_same_polynomial) {
+    // The parabola (u, u²) over [0, 1], continued.
+    const Curve parabola =
+        Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{0, 0}, {0.5, 0}, {1, 1}}}).value();
+    const Curve longer = extend_parameter(parabola, CurveEnd::end, 2.0).value();
+    EXPECT_EQ(longer.domain(), (Interval{0, 3}));
+    EXPECT_EQ(longer.control_points()[1], Point(1.5, 0));
+    EXPECT_EQ(longer.control_points()[2], Point(3, 9));
+    const Curve earlier = extend_parameter(parabola, CurveEnd::start, 1.0).value();
+    EXPECT_EQ(earlier.domain(), (Interval{-1, 1}));
+    EXPECT_EQ(earlier.control_points()[0], Point(-1, 1));
+    EXPECT_EQ(earlier.control_points()[1], Point(0, -1));
+}
+
+TEST(Extend, keeps_what_was_there) {
+    RandomCurves random(381);
+    int extended = 0;
+    for (int k = 0; k < 300; ++k) {
+        const Curve curve = random.open_curve();
+        for (const CurveEnd end : both) {
+            const auto longer = extend_parameter(curve, end, 0.05);
+            if (!longer) {
+                EXPECT_EQ(longer.error().code, CurveErrorCode::weight_not_positive);
+                continue;
+            }
+            ++extended;
+            const Curve old_part = sub_curve(*longer, curve.domain().lower, curve.domain().upper).value();
+            EXPECT_LE(shape_change(curve, old_part, random), 1e-11);
+            EXPECT_NEAR(longer->domain().length(), curve.domain().length() + 0.05, 1e-14);
+        }
+    }
+    EXPECT_GT(extended, 500);
+}
+
+TEST(Extend, by_arc_length_meets_it) {
+    RandomCurves random(382);
+    int extended = 0;
+    for (int k = 0; k < 60; ++k) {
+        const Curve curve = random.open_curve();
+        for (const CurveEnd end : both) {
+            const auto longer = extend_length(curve, end, 0.5);
+            if (!longer) continue;
+            ++extended;
+            const double u = end == CurveEnd::start ? curve.domain().lower : curve.domain().upper;
+            const double length = end == CurveEnd::start ? arc_length(*longer, longer->domain().lower, u).value
+                                                         : arc_length(*longer, u, longer->domain().upper).value;
+            EXPECT_NEAR(length, 0.5, 1e-10);
+        }
+    }
+    EXPECT_GT(extended, 90);
+}
+
+TEST(Extend, straight_by_the_length_and_in_the_direction_of_the_end) {
+    RandomCurves random(383);
+    for (int k = 0; k < 200; ++k) {
+        const Curve curve = random.open_curve();
+        for (const CurveEnd end : both) {
+            const Curve longer = extend_straight(curve, end, 2.0).value();
+            const bool at_start = end == CurveEnd::start;
+            const double u = at_start ? curve.domain().lower : curve.domain().upper;
+            const Point tip = point_at(longer, at_start ? longer.domain().lower : longer.domain().upper);
+            const auto motion = derivatives_at(curve, u, 1);
+            const Vector expected = (at_start ? -2.0 : 2.0) * glm::normalize(motion[1]);
+            EXPECT_LE(glm::distance(tip, motion[0] + expected), 1e-12);
+            EXPECT_LE(
+                shape_change(curve, sub_curve(longer, curve.domain().lower, curve.domain().upper).value(), random),
+                1e-13);
+            const auto outside = derivatives_at(longer, u, 1, at_start ? Side::left : Side::right);
+            EXPECT_LE(glm::distance(outside[1], motion[1]), 1e-9 * (1 + glm::length(motion[1])));
+        }
+    }
+}
+
+TEST(Extend, refuses_rings_and_lengths_that_are_none) {
+    using Code = CurveErrorCode;
+    const Curve ring =
+        Curve::make({.degree = 2, .knots = {0, 1, 2}, .points = {{0, 0}, {1, 2}}, .periodic = true}).value();
+    const Curve line = Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 0}, {2, 0}}}).value();
+    const Curve point = Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{1, 1}, {1, 1}}}).value();
+    for (const CurveEnd end : both) {
+        EXPECT_EQ(extend_parameter(ring, end, 1).error().code, Code::curve_periodic);
+        EXPECT_EQ(extend_straight(ring, end, 1).error().code, Code::curve_periodic);
+        for (const double length : {0.0, -1.0, std::nan("")}) {
+            EXPECT_EQ(extend_parameter(line, end, length).error().code, Code::length_not_positive);
+            EXPECT_EQ(extend_length(line, end, length).error().code, Code::length_not_positive);
+            EXPECT_EQ(extend_straight(line, end, length).error().code, Code::length_not_positive);
+        }
+        EXPECT_EQ(extend_length(point, end, 1).error().code, Code::curve_stands_still);
+        EXPECT_EQ(extend_straight(point, end, 1).error().code, Code::curve_stands_still);
+    }
+    EXPECT_EQ(extend_parameter(line, CurveEnd::end, 1e-30).error().code, Code::range_empty);
+    // The denominator 1 - u of this arc runs out at 1.
+    const Curve arc =
+        Curve::make({.degree = 1, .knots = {0, 0, 0.5, 0.5}, .points = {{0, 0}, {1, 0}}, .weights = {1, 0.5}}).value();
+    EXPECT_TRUE(extend_parameter(arc, CurveEnd::end, 0.4));
+    EXPECT_EQ(extend_parameter(arc, CurveEnd::end, 0.5).error().code, Code::weight_not_positive);
+}
+
+}  // namespace
+}  // namespace batten::core
