@@ -6,7 +6,7 @@ import sys
 
 # Folder: the folders of the project and the outside headers it may include (beside the standard library).
 LAYERS = {
-    "core": ({"core"}, {"glm", "tl", "Eigen", "nlohmann", "posix"}),
+    "core": ({"core"}, {"glm", "tl", "Eigen", "fmt", "nlohmann", "posix"}),
     "render": ({"render"}, {"glm", "tl", "glad"}),
     "app/editor": ({"core", "app/editor"}, {"glm", "tl", "nlohmann"}),
     "app/ui": ({"core", "app/editor", "app/ui"}, {"glm", "tl", "imgui", "misc"}),

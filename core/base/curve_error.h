@@ -81,8 +81,16 @@ inline tl::unexpected<CurveError> refuse(CurveError error) {
     return tl::unexpected(error);
 }
 
+/// The English template of the sentence about `error`, with the places {index}, {previous} (the index before), {value},
+/// {lower}, {upper}, {min_degree} and {max_degree} where it needs them. The plural form is that of the count it speaks
+/// of.
+const char* sentence_template(const CurveError& error);
+
 /// One sentence: what was found, where, and what is allowed.
 /// "knot 5 is 0.25, less than knot 4, which is 0.5; knots must not decrease".
 std::string describe(const CurveError& error);
+
+/// The same by another `pattern` with these places, as of a translation.
+std::string describe_by(const char* pattern, const CurveError& error);
 
 }  // namespace batten::core

@@ -15,11 +15,19 @@ struct FileError {
     std::string what;   ///< what was found, and what is allowed
 
     /// "<where>: <what>"
-    std::string sentence() const { return where.empty() ? what : where + ": " + what; }
+    std::string sentence() const;
 };
 
 template <class T>
 using FileResult = tl::expected<T, FileError>;
+
+/// The curve in the file at `path`: the active one where it holds several. Errors: those of load_document; the file has
+/// no curve.
+[[nodiscard]] FileResult<Curve> load_curve(const std::filesystem::path& path);
+
+/// Saves a document that has `curve` alone, under `name`; as save_document.
+[[nodiscard]] FileResult<void> save_curve(const Curve& curve, const std::filesystem::path& path,
+                                          const std::string& name = "curve");
 
 /// The document in `text`, checked completely. Unknown members are kept, unknown versions refused by name. Without a
 /// "kind" the kind is what the values say.

@@ -1,5 +1,7 @@
 #include "core/evaluate/blossom_labels.h"
 
+#include <fmt/format.h>
+
 #include <cassert>
 
 #include "core/base/number_text.h"
@@ -13,10 +15,10 @@ namespace {
 // The arguments as words, knot k told by `word_of`.
 template <class WordOf>
 std::string joined(const BlossomLabel& label, WordOf word_of) {
-    std::string text;
-    for (std::size_t k = 0; k < label.knots.size(); ++k) text += (text.empty() ? "" : " ") + word_of(k);
-    for (std::size_t k = 0; k < label.parameter_count; ++k) text += text.empty() ? "t" : " t";
-    return text;
+    std::vector<std::string> words;
+    for (std::size_t k = 0; k < label.knots.size(); ++k) words.push_back(word_of(k));
+    words.insert(words.end(), label.parameter_count, "t");
+    return fmt::format("{}", fmt::join(words, " "));
 }
 
 }  // namespace
@@ -39,7 +41,7 @@ std::vector<double> arguments_of(const BlossomLabel& label, double t) {
 }
 
 std::string symbolic_text(const BlossomLabel& label) {
-    return joined(label, [&](std::size_t k) { return "u" + std::to_string(label.first_knot + k); });
+    return joined(label, [&](std::size_t k) { return fmt::format("u{}", label.first_knot + k); });
 }
 
 std::string value_text(const BlossomLabel& label) {

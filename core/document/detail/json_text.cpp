@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "core/base/sentence.h"
+
 namespace batten::core {
 
 namespace {
@@ -11,7 +13,7 @@ std::string line_and_column(std::string_view text, std::size_t byte) {
     const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t line_start = before.rfind('\n') + 1;
-    return "line " + std::to_string(line) + ", column " + std::to_string(before.size() - line_start + 1);
+    return sentence("line {line}, column {column}", {{"line", line}, {"column", before.size() - line_start + 1}});
 }
 
 // The library says "[...] parse error at line 1, column 2: syntax error while parsing value - invalid literal; last
@@ -48,26 +50,28 @@ class SyntaxCheck : public nlohmann::json_sax<Json> {
 
     bool key(string_t& name) override {
         if (names_.back().size() == most_members)
-            return refuse({"", "an object has more than " + std::to_string(most_members) +
-                                   " members; that is no curve document"});
+            return refuse({"", sentence("an object has more than {most} members; that is no curve document",
+                                        {{"most", most_members}})});
         if (names_.back().insert(name).second) return true;
-        return refuse({"", "the member \"" + name + "\" occurs twice in one object; every name may occur once"});
+        return refuse({"", sentence("the member \"{name}\" occurs twice in one object; every name may occur once",
+                                    {{"name", name}})});
     }
 
     bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception& exception) override {
         // The only error of another kind than syntax is a number beyond the range of doubles.
         const bool is_syntax = dynamic_cast<const Json::parse_error*>(&exception) != nullptr;
-        return refuse({line_and_column(text_, byte), is_syntax
-                                                         ? "this is not JSON: " + without_decoration(exception.what())
-                                                         : "the number is too large; numbers must be finite"});
+        if (!is_syntax)
+            return refuse({line_and_column(text_, byte), "the number is too large; numbers must be finite"});
+        return refuse({line_and_column(text_, byte),
+                       sentence("this is not JSON: {reason}", {{"reason", without_decoration(exception.what())}})});
     }
 
   private:
     bool enter() {
         names_.emplace_back();
         if (names_.size() <= deepest_nesting) return true;
-        return refuse({"", "lists and objects are nested more than " + std::to_string(deepest_nesting) +
-                               " deep; that is no curve document"});
+        return refuse({"", sentence("lists and objects are nested more than {most} deep; that is no curve document",
+                                    {{"most", deepest_nesting}})});
     }
 
     bool leave() {

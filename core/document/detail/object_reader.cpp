@@ -1,5 +1,9 @@
 #include "core/document/detail/object_reader.h"
 
+#include <fmt/core.h>
+
+#include "core/base/sentence.h"
+
 namespace batten::core {
 
 namespace {
@@ -10,17 +14,30 @@ constexpr std::size_t longest_quotation = 60;
 std::string quotation(const Json& value) {
     if (value.is_object()) return "an object";
     if (value.is_array())
-        return value.size() == 1 ? "a list of one item" : "a list of " + std::to_string(value.size()) + " items";
+        return sentence({.one = "a list of one item", .many = "a list of {count} items"}, value.size());
     const std::string text = value.dump();
     if (text.size() <= longest_quotation) return text;
-    return value.is_string() ? "a text of " + std::to_string(text.size() - 2) + " bytes"
-                             : text.substr(0, longest_quotation);
+    if (!value.is_string()) return text.substr(0, longest_quotation);
+    return sentence("a text of {count} bytes", {{"count", text.size() - 2}});
 }
 
 }  // namespace
 
+std::string place_in(std::string_view pointer, std::string_view name) {
+    return fmt::format("{}/{}", pointer, name);
+}
+
+std::string place_in(std::string_view pointer, std::size_t index) {
+    return fmt::format("{}/{}", pointer, index);
+}
+
+FileError missing_member(const std::string& pointer, std::string_view name) {
+    return {pointer, sentence("the member \"{name}\" is missing", {{"name", name}})};
+}
+
 FileError wrong_value(const std::string& pointer, const Json& found, const std::string& allowed) {
-    return {pointer, "found " + quotation(found) + ", but it must be " + allowed};
+    return {pointer,
+            sentence("found {found}, but it must be {allowed}", {{"found", quotation(found)}, {"allowed", allowed}})};
 }
 
 std::optional<FileError> take(const Json& value, const std::string& pointer, bool& target) {
@@ -43,8 +60,8 @@ std::optional<FileError> take(const Json& value, const std::string& pointer, std
 
 std::optional<FileError> take(const Json& value, const std::string& pointer, Point& target) {
     if (!value.is_array() || value.size() != 2) return wrong_value(pointer, value, "a list of two numbers, x and y");
-    if (auto error = take(value[0], pointer + "/0", target.x)) return error;
-    return take(value[1], pointer + "/1", target.y);
+    if (auto error = take(value[0], place_in(pointer, 0), target.x)) return error;
+    return take(value[1], place_in(pointer, 1), target.y);
 }
 
 ObjectReader::ObjectReader(const Json& object, std::string pointer) : object_(object), pointer_(std::move(pointer)) {

@@ -9,7 +9,14 @@
 
 namespace batten::core {
 
-/// "found 2.5, but <allowed>" at `pointer`.
+/// The JSON pointer of a member or an item of what stands at `pointer`.
+std::string place_in(std::string_view pointer, std::string_view name);
+std::string place_in(std::string_view pointer, std::size_t index);
+
+/// "the member "knots" is missing" at `pointer`.
+FileError missing_member(const std::string& pointer, std::string_view name);
+
+/// "found 2.5, but it must be <allowed>" at `pointer`.
 FileError wrong_value(const std::string& pointer, const Json& found, const std::string& allowed);
 
 /// Each take() stores `value` in `target`, or gives the reason why it cannot.
@@ -23,7 +30,7 @@ std::optional<FileError> take(const Json& value, const std::string& pointer, std
     if (!value.is_array()) return wrong_value(pointer, value, "a list");
     target.resize(value.size());
     for (std::size_t i = 0; i < target.size(); ++i)
-        if (auto error = take(value[i], pointer + "/" + std::to_string(i), target[i])) return error;
+        if (auto error = take(value[i], place_in(pointer, i), target[i])) return error;
     return std::nullopt;
 }
 
@@ -50,7 +57,7 @@ class ObjectReader {
         if (const Json* value = find(name))
             note(take(*value, place(name), target));
         else
-            note(FileError{pointer_, std::string("the member \"") + name + "\" is missing"});
+            note(missing_member(pointer_, name));
     }
 
     /// The member `name`, or null; asked for by name, it counts as known.
@@ -62,7 +69,7 @@ class ObjectReader {
     const std::optional<FileError>& error() const { return error_; }
 
     /// The JSON pointer of member `name`.
-    std::string place(const std::string& name) const { return pointer_ + "/" + name; }
+    std::string place(std::string_view name) const { return place_in(pointer_, name); }
 
     /// The members that nobody asked for, as a JSON object; empty if none.
     std::string unknown_members() const;
