@@ -41,11 +41,11 @@ void read(const Json& object, const char* name, int& value, core::Interval allow
     value = static_cast<int>(number);
 }
 
-template <class Value>
-void read_named(const Json& object, const char* name, Value& value, std::optional<Value> (*named)(const std::string&)) {
+template <core::HasNames Enum>
+void read_named(const Json& object, const char* name, Enum& value) {
     const Json found = member(object, name);
     if (!found.is_string()) return;
-    value = named(found.get<std::string>()).value_or(value);
+    value = core::value_named<Enum>(found.get<std::string>()).value_or(value);
 }
 
 std::optional<WindowGeometry> window_of(const Json& object) {
@@ -73,7 +73,8 @@ void read_overlays(const Json& names, Overlays& overlays) {
     if (!names.is_array()) return;
     for (std::size_t i = 0; i < overlay_count; ++i) overlays.show(static_cast<Overlay>(i), false);
     for (const Json& name : names) {
-        const std::optional<Overlay> overlay = name.is_string() ? overlay_named(name.get<std::string>()) : std::nullopt;
+        const std::optional<Overlay> overlay =
+            name.is_string() ? core::value_named<Overlay>(name.get<std::string>()) : std::nullopt;
         if (overlay) overlays.show(*overlay, true);
     }
 }
@@ -81,7 +82,7 @@ void read_overlays(const Json& names, Overlays& overlays) {
 Json json_of(const Overlays& overlays) {
     Json names = Json::array();
     for (std::size_t i = 0; i < overlay_count; ++i)
-        if (overlays.is_shown(static_cast<Overlay>(i))) names.push_back(name_of(static_cast<Overlay>(i)));
+        if (overlays.is_shown(static_cast<Overlay>(i))) names.push_back(core::name_of(static_cast<Overlay>(i)));
     return names;
 }
 
@@ -112,10 +113,10 @@ Settings parse_settings(const std::string& text) {
     const Json json = Json::parse(text, nullptr, false);
     Settings settings;
     settings.window = window_of(member(json, "window"));
-    read_named(json, "theme", settings.theme, theme_named);
+    read_named(json, "theme", settings.theme);
     read(json, "user_scale", settings.user_scale, user_scales);
     read_overlays(member(json, "overlays"), settings.overlays);
-    read_named(json, "knot_move", settings.knot_move, knot_move_named);
+    read_named(json, "knot_move", settings.knot_move);
     read(json, "inspector_is_open", settings.inspector_is_open);
     read(json, "dock_is_open", settings.dock_is_open);
     read(json, "inspector_width", settings.inspector_width, inspector_widths);
@@ -127,10 +128,10 @@ Settings parse_settings(const std::string& text) {
 std::string format_settings(const Settings& settings) {
     Json json = Json::object();
     if (settings.window) json["window"] = json_of(*settings.window);
-    json["theme"] = name_of(settings.theme);
+    json["theme"] = core::name_of(settings.theme);
     json["user_scale"] = settings.user_scale;
     json["overlays"] = json_of(settings.overlays);
-    json["knot_move"] = name_of(settings.knot_move);
+    json["knot_move"] = core::name_of(settings.knot_move);
     json["inspector_is_open"] = settings.inspector_is_open;
     json["dock_is_open"] = settings.dock_is_open;
     json["inspector_width"] = settings.inspector_width;

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/base/names.h"
 #include "render/color.h"
 
 namespace batten::editor {
@@ -24,3 +25,13 @@ struct Theme {
 Theme theme_of(ThemeName name);
 
 }  // namespace batten::editor
+
+namespace batten::core {
+
+template <>
+struct Names<editor::ThemeName> {
+    using enum editor::ThemeName;
+    static constexpr std::array table{Named{dark, "dark", "dark"}, Named{light, "light", "light"}};
+};
+
+}  // namespace batten::core

@@ -4,10 +4,10 @@
 #include <array>
 #include <bitset>
 #include <optional>
-#include <string>
 
 #include "app/editor/theme.h"
 #include "core/base/geometry.h"
+#include "core/base/names.h"
 #include "core/edit/knot_edit.h"
 #include "render/camera.h"
 
@@ -16,10 +16,6 @@ namespace batten::editor {
 /// What can be shown on the canvas beside the curve.
 enum class Overlay { polygon, hull, bezier_pieces, curvature_comb, knots, hodograph, labels, grid, construction };
 inline constexpr std::size_t overlay_count = 9;
-
-/// "polygon", "bezier-pieces", ...: the name in files and commands.
-const char* name_of(Overlay overlay);
-std::optional<Overlay> overlay_named(const std::string& name);
 
 class Overlays {
   public:
@@ -35,14 +31,6 @@ class Overlays {
 enum class Tool { select, add_point, insert_knot, weight, draw_curve, parameter };
 inline constexpr std::array all_tools{Tool::select, Tool::add_point,  Tool::insert_knot,
                                       Tool::weight, Tool::draw_curve, Tool::parameter};
-const char* name_of(Tool tool);  ///< "select", "add-point", ...
-std::optional<Tool> tool_named(const std::string& name);
-
-/// "stop", "push", "snap"; "dark", "light".
-const char* name_of(core::KnotMove move);
-std::optional<core::KnotMove> knot_move_named(const std::string& name);
-const char* name_of(ThemeName theme);
-std::optional<ThemeName> theme_named(const std::string& name);
 
 /// The parameter running by itself: t seconds move it by direction * speed * t / 5 of the domain's length. At an end it
 /// turns, or jumps to the other end, and goes on by what is left of the way.
@@ -78,3 +66,32 @@ struct View {
 };
 
 }  // namespace batten::editor
+
+namespace batten::core {
+
+template <>
+struct Names<editor::Overlay> {
+    using enum editor::Overlay;
+    static constexpr std::array table{Named{polygon, "polygon", "polygon"},
+                                      Named{hull, "hull", "hull"},
+                                      Named{bezier_pieces, "bezier-pieces", "Bézier pieces"},
+                                      Named{curvature_comb, "curvature-comb", "curvature comb"},
+                                      Named{knots, "knots", "knots"},
+                                      Named{hodograph, "hodograph", "hodograph"},
+                                      Named{labels, "labels", "labels"},
+                                      Named{grid, "grid", "grid"},
+                                      Named{construction, "construction", "construction"}};
+};
+
+template <>
+struct Names<editor::Tool> {
+    using enum editor::Tool;
+    static constexpr std::array table{Named{select, "select", "select"},
+                                      Named{add_point, "add-point", "add points"},
+                                      Named{insert_knot, "insert-knot", "insert knots"},
+                                      Named{weight, "weight", "change weights"},
+                                      Named{draw_curve, "draw-curve", "draw a curve"},
+                                      Named{parameter, "parameter", "move the parameter"}};
+};
+
+}  // namespace batten::core

@@ -88,12 +88,12 @@ void draw_degree_row(const PanelContext& context, const core::Curve& curve) {
 }
 
 const char* kind_text(const core::KnotVector& knots, KnotKind kind) {
-    return kind == KnotKind::custom && !core::is_uniform(knots) ? "non-uniform" : core::name_of(kind);
+    return kind == KnotKind::custom && !core::is_uniform(knots) ? "non-uniform" : core::title_of(kind);
 }
 
 void draw_choice(const PanelContext& context, const core::Curve& curve, const Choice& choice, float width_px) {
     const core::Result<core::Curve> result = core::set_knot_kind(curve, choice.kind);
-    Button button{std::string("knots ") + choice.argument, core::name_of(choice.kind), Icon::none, width_px};
+    Button button{std::string("knots ") + choice.argument, core::title_of(choice.kind), Icon::none, width_px};
     button.has_frame = false;
     button.anchor = render::Anchor::left;
     button.is_active = curve.knots().kind() == choice.kind;

@@ -247,7 +247,7 @@ void draw_move_row(const PanelContext& context) {
     draw_row_label(context, "Dragging");
     const float width = (field_width(context) - 2.0F * context.px(row_gap)) / 3.0F;
     for (const MoveChoice& choice : move_choices) {
-        const std::string text = editor::name_of(choice.move);
+        const std::string text = core::name_of(choice.move);
         Button button{"knot move " + text, text, Icon::none, width};
         button.is_active = context.state.view.knot_move == choice.move;
         button.tooltip = choice.tooltip;

@@ -34,7 +34,7 @@ constexpr std::array switches{
 void draw_switch(const PanelContext& context, const Switch& item, float width_px) {
     const editor::CommandSpec* spec = editor::find_command(item.command);
     Button box;
-    box.name = std::string("show ") + editor::name_of(item.overlay);
+    box.name = std::string("show ") + core::name_of(item.overlay);
     box.text = item.text;
     box.width_px = width_px;
     box.height = 20.0;

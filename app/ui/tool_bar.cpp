@@ -28,7 +28,7 @@ struct ToolButton {
 std::vector<ToolButton> tool_buttons(const editor::EditorState& state) {
     std::vector<ToolButton> buttons;
     for (const editor::Tool tool : editor::all_tools) {
-        const std::string name = editor::name_of(tool);
+        const std::string name = core::name_of(tool);
         buttons.push_back({"tool-" + name, "tool " + name, state.tool == tool});
     }
     return buttons;

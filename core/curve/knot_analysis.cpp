@@ -124,22 +124,4 @@ KnotKind classify(const KnotVector& knots) {
     return KnotKind::custom;
 }
 
-const char* name_of(KnotKind kind) {
-    switch (kind) {
-        case KnotKind::uniform:
-            return "uniform";
-        case KnotKind::clamped_uniform:
-            return "clamped uniform";
-        case KnotKind::bezier:
-            return "Bézier";
-        case KnotKind::piecewise_bezier:
-            return "piecewise Bézier";
-        case KnotKind::periodic:
-            return "periodic";
-        case KnotKind::custom:
-            return "custom";
-    }
-    return "custom";
-}
-
 }  // namespace batten::core

@@ -46,7 +46,4 @@ bool is_of_kind(const KnotVector& knots, KnotKind kind);
 /// The most special kind that the values satisfy (bezier before clamped_uniform and piecewise_bezier).
 KnotKind classify(const KnotVector& knots);
 
-/// "uniform", "clamped uniform", "Bézier", "piecewise Bézier", "periodic", "custom".
-const char* name_of(KnotKind kind);
-
 }  // namespace batten::core

@@ -5,12 +5,11 @@
 #include <vector>
 
 #include "core/base/curve_error.h"
+#include "core/base/degree_range.h"
 #include "core/base/geometry.h"
+#include "core/base/names.h"
 
 namespace batten::core {
-
-inline constexpr int min_degree = 1;
-inline constexpr int max_degree = 25;
 
 /// Error: degree_out_of_range, unless `degree` is from min_degree to max_degree.
 [[nodiscard]] Result<void> check_degree(int degree);
@@ -25,8 +24,23 @@ enum class KnotKind {
     custom             ///< anything else, or typed by hand
 };
 
+template <>
+struct Names<KnotKind> {
+    static constexpr std::array table{Named{KnotKind::uniform, "uniform", "uniform"},
+                                      Named{KnotKind::clamped_uniform, "clamped-uniform", "clamped uniform"},
+                                      Named{KnotKind::bezier, "bezier", "Bézier"},
+                                      Named{KnotKind::piecewise_bezier, "piecewise-bezier", "piecewise Bézier"},
+                                      Named{KnotKind::periodic, "periodic", "periodic"},
+                                      Named{KnotKind::custom, "custom", "custom"}};
+};
+
 /// Which one-sided limit is meant at a knot.
 enum class Side { left, right };
+
+template <>
+struct Names<Side> {
+    static constexpr std::array table{Named{Side::left, "left", "left"}, Named{Side::right, "right", "right"}};
+};
 
 /// Whether an interior knot may have multiplicity p+1, which tears the curve apart.
 enum class Tears { refuse, allow };

@@ -1,5 +1,10 @@
 #include "core/document/document.h"
 
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+
 namespace batten::core {
 
 namespace {
@@ -16,7 +21,26 @@ std::string without_number(const std::string& name) {
     return is_numbered ? name.substr(0, last_letter) : name;
 }
 
+std::string numbered(const std::string& stem, std::size_t number) {
+    return fmt::format("{} {}", stem, number);
+}
+
 }  // namespace
+
+std::string color_text(DocumentColor color) {
+    return fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue);
+}
+
+std::optional<DocumentColor> color_of_text(std::string_view text) {
+    if (text.size() != 7 || text.front() != '#') return std::nullopt;
+    std::array<std::uint8_t, 3> parts{};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const char* begin = text.data() + 1 + 2 * i;
+        const auto [end, error] = std::from_chars(begin, begin + 2, parts[i], 16);
+        if (error != std::errc() || end != begin + 2) return std::nullopt;
+    }
+    return DocumentColor{parts[0], parts[1], parts[2]};
+}
 
 std::optional<std::size_t> index_of_curve(const Document& document, const std::string& name) {
     for (std::size_t i = 0; i < document.curves.size(); ++i)
@@ -25,9 +49,9 @@ std::optional<std::size_t> index_of_curve(const Document& document, const std::s
 }
 
 std::string quoted_names(const Document& document) {
-    std::string names;
-    for (const DocumentCurve& curve : document.curves) names += (names.empty() ? "'" : ", '") + curve.name + "'";
-    return names.empty() ? "none" : names;
+    std::vector<std::string> names;
+    for (const DocumentCurve& curve : document.curves) names.push_back(fmt::format("'{}'", curve.name));
+    return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::string unused_name(const Document& document, const std::string& wish) {
@@ -35,8 +59,8 @@ std::string unused_name(const Document& document, const std::string& wish) {
     if (!has_name(document, first)) return first;
     const std::string stem = without_number(first);
     std::size_t number = 2;
-    while (has_name(document, stem + " " + std::to_string(number))) ++number;
-    return stem + " " + std::to_string(number);
+    while (has_name(document, numbered(stem, number))) ++number;
+    return numbered(stem, number);
 }
 
 }  // namespace batten::core

@@ -5,13 +5,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/curve/curve.h"
 
 namespace batten::core {
 
-/// A colour as it stands in the file, "#4c7fe0".
+/// A color as it stands in the file, "#4c7fe0".
 struct DocumentColor {
     std::uint8_t red = 0;
     std::uint8_t green = 0;
@@ -19,11 +20,15 @@ struct DocumentColor {
     bool operator==(const DocumentColor&) const = default;
 };
 
+/// The text of a color, and the color of a text; none where it is of another form.
+std::string color_text(DocumentColor color);
+std::optional<DocumentColor> color_of_text(std::string_view text);
+
 /// One curve of a document with what belongs to it but not to its mathematics.
 struct DocumentCurve {
     std::string name;
     std::shared_ptr<const Curve> curve;  ///< never null in a document
-    std::optional<DocumentColor> color;  ///< none: the theme's curve colour
+    std::optional<DocumentColor> color;  ///< none: the theme's curve color
     bool visible = true;
     bool locked = false;
     std::string unknown_members;  ///< members that this version does not know, as a JSON object; empty if none

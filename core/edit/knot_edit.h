@@ -1,6 +1,7 @@
 /// Edits of the knot vector that keep the control points and so change the shape.
 #pragma once
 
+#include "core/base/names.h"
 #include "core/curve/curve.h"
 
 namespace batten::core {
@@ -10,6 +11,12 @@ enum class KnotMove {
     stop,  ///< stops at the neighbouring knot's value, joining its stack while the multiplicity allows
     push,  ///< takes the neighbours along, never joining them; the ends of the domain are pushed by no knot inside it
     snap   ///< like stop, but jumps onto a knot not farther than the snap distance, and out of a stack only beyond it
+};
+
+template <>
+struct Names<KnotMove> {
+    static constexpr std::array table{Named{KnotMove::stop, "stop", "stop"}, Named{KnotMove::push, "push", "push"},
+                                      Named{KnotMove::snap, "snap", "snap"}};
 };
 
 /// The curve with knot `index` of stored() moved to `u`, taking `mode` and, for snap, the `snap_distance` (in

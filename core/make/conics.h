@@ -1,6 +1,7 @@
 /// Makes conics as rational quadratic curves: circles, ellipses, parabolas, hyperbolas and their arcs.
 #pragma once
 
+#include "core/base/names.h"
 #include "core/curve/curve.h"
 
 namespace batten::core {
@@ -9,6 +10,12 @@ namespace batten::core {
 enum class CirclePolygon {
     square,   ///< 9 points, four quarters; weights 1 and the root of 1/2
     triangle  ///< 7 points, three thirds; weights 1 and 1/2
+};
+
+template <>
+struct Names<CirclePolygon> {
+    static constexpr std::array table{Named{CirclePolygon::square, "9", "9, in a square"},
+                                      Named{CirclePolygon::triangle, "7", "7, in a triangle"}};
 };
 
 /// Where an ellipse lies: its first semi-axis points in the direction `rotation` (degrees), its second one 90 degrees

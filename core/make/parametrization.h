@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/names.h"
 #include "core/curve/knot_vector.h"
 
 namespace batten::core {
@@ -13,6 +14,13 @@ enum class Parametrization {
     uniform,     ///< all equally far
     chordal,     ///< as far as the points
     centripetal  ///< as the square roots of these distances
+};
+
+template <>
+struct Names<Parametrization> {
+    static constexpr std::array table{Named{Parametrization::uniform, "uniform", "uniform"},
+                                      Named{Parametrization::chordal, "chordal", "chordal"},
+                                      Named{Parametrization::centripetal, "centripetal", "centripetal"}};
 };
 
 /// Parameters from 0 to 1 for `points`, in order; when `is_closed` one more, 1, for the way back to the first point.

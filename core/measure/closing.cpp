@@ -77,18 +77,4 @@ ClosingReport closing_of(const Curve& curve, double tolerance) {
     return {.closing = closing, .gap = gap, .continuity = continuity};
 }
 
-const char* name_of(Closing closing) {
-    switch (closing) {
-        case Closing::open:
-            return "open";
-        case Closing::ends_meet:
-            return "ends meet";
-        case Closing::wrapped:
-            return "wrapped control points";
-        case Closing::periodic:
-            return "periodic";
-    }
-    return "";
-}
-
 }  // namespace batten::core

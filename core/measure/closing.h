@@ -1,6 +1,7 @@
 /// In which way a curve is closed, told by its data and never by a flag.
 #pragma once
 
+#include "core/base/names.h"
 #include "core/curve/curve.h"
 
 namespace batten::core {
@@ -10,6 +11,13 @@ enum class Closing {
     ends_meet,  ///< the first and the last point of the curve are one
     wrapped,    ///< an open curve whose last p control points are the first p again, over knots that repeat likewise
     periodic    ///< no ends at all: n points, one period of knots
+};
+
+template <>
+struct Names<Closing> {
+    static constexpr std::array table{
+        Named{Closing::open, "open", "open"}, Named{Closing::ends_meet, "ends-meet", "ends meet"},
+        Named{Closing::wrapped, "wrapped", "wrapped control points"}, Named{Closing::periodic, "periodic", "periodic"}};
 };
 
 /// Ends that are nearer than this part of the curve's size meet.
@@ -32,8 +40,5 @@ ClosingReport closing_of(const Curve& curve, double tolerance = default_closing_
 /// The length that `relative` means for `curve`: times the larger side of the box of its control points, and never less
 /// than the rounding of their coordinates.
 double absolute_tolerance(const Curve& curve, double relative);
-
-/// "open", "ends meet", "wrapped control points", "periodic".
-const char* name_of(Closing closing);
 
 }  // namespace batten::core

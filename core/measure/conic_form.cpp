@@ -111,16 +111,4 @@ Result<ConicForm> conic_form(const BezierPiece& piece) {
                      .equation = equation_of(points, weight_squared)};
 }
 
-const char* name_of(ConicType type) {
-    switch (type) {
-        case ConicType::ellipse:
-            return "ellipse";
-        case ConicType::parabola:
-            return "parabola";
-        case ConicType::hyperbola:
-            return "hyperbola";
-    }
-    return "";
-}
-
 }  // namespace batten::core

@@ -1,11 +1,19 @@
 /// What sort of conic a rational quadratic piece is, and its implicit equation.
 #pragma once
 
+#include "core/base/names.h"
 #include "core/evaluate/bezier_pieces.h"
 
 namespace batten::core {
 
 enum class ConicType { ellipse, parabola, hyperbola };
+
+template <>
+struct Names<ConicType> {
+    static constexpr std::array table{Named{ConicType::ellipse, "ellipse", "ellipse"},
+                                      Named{ConicType::parabola, "parabola", "parabola"},
+                                      Named{ConicType::hyperbola, "hyperbola", "hyperbola"}};
+};
 
 /// A X^2 + B XY + C Y^2 + D X + E Y + F with (X, Y) = (x, y) - origin; zero along the conic. The largest of |A|, |B|,
 /// |C| is 1, and the first of them that is not zero is positive.
@@ -41,8 +49,5 @@ struct ConicForm {
 /// Errors: degree_unsuitable unless the degree is 2; points_collinear when the piece is straight. Source: Lee 1987,
 /// The rational Bézier representation for conics; Farin 2002, chapter 12.
 [[nodiscard]] Result<ConicForm> conic_form(const BezierPiece& piece);
-
-/// The name of a type: "ellipse", "parabola", "hyperbola".
-const char* name_of(ConicType type);
 
 }  // namespace batten::core

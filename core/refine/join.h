@@ -1,12 +1,20 @@
 /// Joins two curves to one, with the continuity asked for.
 #pragma once
 
+#include "core/base/names.h"
 #include "core/curve/curve.h"
 
 namespace batten::core {
 
 /// C: equal derivatives by the parameter. G: equal tangent directions (and curvatures), whatever the speed.
 enum class JoinContinuity { c0, c1, c2, g1, g2 };
+
+template <>
+struct Names<JoinContinuity> {
+    static constexpr std::array table{Named{JoinContinuity::c0, "C0", "C0"}, Named{JoinContinuity::c1, "C1", "C1"},
+                                      Named{JoinContinuity::c2, "C2", "C2"}, Named{JoinContinuity::g1, "G1", "G1"},
+                                      Named{JoinContinuity::g2, "G2", "G2"}};
+};
 
 struct JoinedCurve {
     Curve curve;

@@ -246,7 +246,7 @@ TEST_F(CanvasPress, without_a_curve_nothing_breaks) {
     Editor empty;
     test::CanvasPointer idle{empty, test::CanvasStep{}};
     for (const Tool tool : all_tools) {
-        empty.run(Command{"set-tool", {name_of(tool)}});
+        empty.run(Command{"set-tool", {core::name_of(tool)}});
         idle.drag(px(-2, 2), px(2, -2));
         idle.escape(px(0, 0));
         idle.double_click(px(0, 0));

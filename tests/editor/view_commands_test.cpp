@@ -163,8 +163,8 @@ TEST_F(ViewCommands, toggle_overlays_one_by_one) {
         EXPECT_EQ(view().overlays, expected) << name;
     }
     for (std::size_t i = 0; i < overlay_count; ++i)
-        EXPECT_EQ(overlay_named(name_of(static_cast<Overlay>(i))), static_cast<Overlay>(i));
-    EXPECT_EQ(overlay_named("nothing"), std::nullopt);
+        EXPECT_EQ(core::value_named<Overlay>(core::name_of(static_cast<Overlay>(i))), static_cast<Overlay>(i));
+    EXPECT_EQ(core::value_named<Overlay>("nothing"), std::nullopt);
 }
 
 TEST_F(ViewCommands, scale_the_interface_in_tenths) {
@@ -185,7 +185,7 @@ TEST_F(ViewCommands, scale_the_interface_in_tenths) {
 
 TEST_F(ViewCommands, take_tools_themes_and_sizes) {
     for (const Tool tool : all_tools) {
-        EXPECT_TRUE(run("set-tool", {name_of(tool)}));
+        EXPECT_TRUE(run("set-tool", {core::name_of(tool)}));
         EXPECT_EQ(editor_.state().tool, tool);
     }
     EXPECT_TRUE(run("tool-weight"));

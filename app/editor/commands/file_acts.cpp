@@ -37,7 +37,7 @@ void take_view(View& view, const core::Document& document) {
     const std::vector<std::string>& shown = *document.view.overlays;
     for (std::size_t i = 0; i < overlay_count; ++i) {
         const auto overlay = static_cast<Overlay>(i);
-        view.overlays.show(overlay, std::find(shown.begin(), shown.end(), name_of(overlay)) != shown.end());
+        view.overlays.show(overlay, std::find(shown.begin(), shown.end(), core::name_of(overlay)) != shown.end());
     }
 }
 
@@ -77,9 +77,10 @@ core::Document joined(core::Document document, const core::Document& added) {
 std::vector<std::string> overlay_names(const EditorState& state) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < overlay_count; ++i)
-        if (state.view.overlays.is_shown(static_cast<Overlay>(i))) names.emplace_back(name_of(static_cast<Overlay>(i)));
+        if (state.view.overlays.is_shown(static_cast<Overlay>(i)))
+            names.emplace_back(core::name_of(static_cast<Overlay>(i)));
     for (const std::string& name : state.history.present().view.overlays.value_or(std::vector<std::string>{}))
-        if (!overlay_named(name)) names.push_back(name);
+        if (!core::value_named<Overlay>(name)) names.push_back(name);
     return names;
 }
 

@@ -23,7 +23,7 @@ Outcome<void> show_closing(EditorState& state, const Arguments&) {
     const core::Curve& curve = active_curve(state);
     const core::ClosingReport report = core::closing_of(curve);
     const double start = curve.domain().lower;
-    Finding finding{.label = core::name_of(report.closing),
+    Finding finding{.label = core::title_of(report.closing),
                     .parameter = start,
                     .point = core::point_at(curve, start),
                     .numbers = {{"gap", report.gap}, {"continuity", static_cast<double>(report.continuity)}}};
@@ -126,7 +126,7 @@ Outcome<void> show_conic_form(EditorState& state, const Arguments&) {
             continue;
         }
         const core::ImplicitConic& k = form->equation;
-        Finding finding{.label = core::name_of(form->type),
+        Finding finding{.label = core::title_of(form->type),
                         .point = form->shoulder,
                         .numbers = {{"w", form->weight}, {"w/(1+w)", form->shoulder_ratio}},
                         .note = "A X² + B XY + C Y² + D X + E Y + F = 0, (X, Y) seen from the origin given"};

@@ -69,7 +69,7 @@ Selection selection_after_move(const EditorState& state, std::size_t index, doub
 Outcome<Edit> move_knot(const EditorState& state, const Arguments& arguments) {
     const Outcome<std::size_t> index = knot_index(state, arguments.number(0));
     if (!index) return tl::unexpected(index.error());
-    const std::optional<core::KnotMove> mode = knot_move_named(arguments.text(2));
+    const std::optional<core::KnotMove> mode = core::value_named<core::KnotMove>(arguments.text(2));
     if (!mode) return tl::unexpected("mode is '" + arguments.text(2) + "'; it must be stop, push or snap");
     if (arguments.number(3) < 0.0) return tl::unexpected(Refusal("the snap distance must not be negative"));
     const core::Curve& curve = active_curve(state);
@@ -172,7 +172,7 @@ void add_insertions(std::vector<CommandSpec>& table) {
 }
 
 std::optional<Argument> current_knot_move(const EditorState& state) {
-    return name_of(state.view.knot_move);
+    return core::name_of(state.view.knot_move);
 }
 
 std::optional<Argument> no_distance(const EditorState&) {

@@ -107,7 +107,7 @@ std::string conic_label(const EditorState&, const Arguments& arguments) {
     const auto curve = conic_through(arguments.numbers(0), arguments.number(1));
     const auto form = curve.and_then([](const core::Curve& conic) { return conic_form(core::bezier_piece(conic, 2)); });
     if (!form) return "Make conic";
-    return std::string("Make conic: ") + core::name_of(form->type) +
+    return std::string("Make conic: ") + core::title_of(form->type) +
            ", w/(1 + w) = " + number_text(form->shoulder_ratio);
 }
 

@@ -27,7 +27,7 @@ void add_tool(std::vector<CommandSpec>& table, const char* name, const char* tit
 }
 
 Outcome<void> set_tool(EditorState& state, const Arguments& arguments) {
-    const std::optional<Tool> tool = tool_named(arguments.text(0));
+    const std::optional<Tool> tool = core::value_named<Tool>(arguments.text(0));
     if (!tool)
         return tl::unexpected("there is no tool called '" + arguments.text(0) +
                               "'; there are select, add-point, insert-knot, weight, draw-curve and parameter");

@@ -66,7 +66,7 @@ Outcome<void> toggle_theme(EditorState& state, const Arguments&) {
 }
 
 Outcome<void> set_theme(EditorState& state, const Arguments& arguments) {
-    const std::optional<ThemeName> theme = theme_named(arguments.text(0));
+    const std::optional<ThemeName> theme = core::value_named<ThemeName>(arguments.text(0));
     if (!theme) return tl::unexpected("there is no theme called '" + arguments.text(0) + "'; there are dark and light");
     state.view.theme = *theme;
     return {};
@@ -104,7 +104,7 @@ Outcome<void> fit_plot(EditorState& state, const Arguments&) {
 }
 
 Outcome<void> set_knot_move(EditorState& state, const Arguments& arguments) {
-    const std::optional<core::KnotMove> move = knot_move_named(arguments.text(0));
+    const std::optional<core::KnotMove> move = core::value_named<core::KnotMove>(arguments.text(0));
     if (!move)
         return tl::unexpected("knots cannot be moved by '" + arguments.text(0) + "'; there are stop, push and snap");
     state.view.knot_move = *move;

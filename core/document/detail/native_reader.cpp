@@ -1,5 +1,8 @@
+#include <fmt/core.h>
+
 #include <cmath>
 
+#include "core/base/sentence.h"
 #include "core/curve/knot_analysis.h"
 #include "core/document/detail/json_text.h"
 #include "core/document/detail/native_format.h"
@@ -10,54 +13,50 @@ namespace batten::core {
 
 namespace {
 
-std::optional<FileError> take(const Json& value, const std::string& pointer, KnotKind& target) {
-    std::string allowed = "one of";
-    for (const auto& [kind, name] : kind_names) {
-        if (value == name) {
-            target = kind;
-            return std::nullopt;
-        }
-        allowed += std::string(" \"") + name + "\"";
-    }
-    return wrong_value(pointer, value, allowed);
+// "\"uniform\", \"clamped-uniform\" ... or \"custom\""
+std::string allowed_kinds() {
+    std::vector<std::string> names;
+    for (const Named<KnotKind>& kind : Names<KnotKind>::table) names.push_back(fmt::format("\"{}\"", kind.name));
+    return listed_as_alternatives(names);
 }
 
-std::optional<FileError> take(const Json& value, const std::string& pointer, DocumentColor& target) {
-    const std::string text = value.is_string() ? value.get<std::string>() : "";
-    const bool is_color =
-        text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-    if (!is_color) return wrong_value(pointer, value, "a colour of the form \"#4c7fe0\"");
-    const auto part = [&](std::size_t at) {
-        return static_cast<std::uint8_t>(std::stoi(text.substr(at, 2), nullptr, 16));
-    };
-    target = {part(1), part(3), part(5)};
+std::optional<FileError> take(const Json& value, const std::string& pointer, KnotKind& target) {
+    const auto kind = value.is_string() ? value_named<KnotKind>(value.get<std::string>()) : std::nullopt;
+    if (!kind) return wrong_value(pointer, value, allowed_kinds());
+    target = *kind;
     return std::nullopt;
 }
 
-// Where in the object of a curve the error sits.
-std::string place_of(const CurveError& error) {
-    const std::string item = "/" + std::to_string(error.index);
+std::optional<FileError> take(const Json& value, const std::string& pointer, DocumentColor& target) {
+    const auto color = value.is_string() ? color_of_text(value.get<std::string>()) : std::nullopt;
+    if (!color) return wrong_value(pointer, value, "a color of the form \"#4c7fe0\"");
+    target = *color;
+    return std::nullopt;
+}
+
+// Where in the object of a curve, which stands at `pointer`, the error sits.
+std::string place_of(const std::string& pointer, const CurveError& error) {
     switch (error.code) {
         case CurveErrorCode::degree_out_of_range:
-            return "/degree";
+            return place_in(pointer, "degree");
         case CurveErrorCode::too_few_points:
-            return "/points";
+            return place_in(pointer, "points");
         case CurveErrorCode::point_not_finite:
-            return "/points" + item;
+            return place_in(place_in(pointer, "points"), error.index);
         case CurveErrorCode::weight_count_mismatch:
-            return "/weights";
+            return place_in(pointer, "weights");
         case CurveErrorCode::weight_not_finite:
         case CurveErrorCode::weight_not_positive:
-            return "/weights" + item;
+            return place_in(place_in(pointer, "weights"), error.index);
         case CurveErrorCode::knot_count_mismatch:
         case CurveErrorCode::domain_empty:
-            return "/knots";
+            return place_in(pointer, "knots");
         case CurveErrorCode::knot_not_finite:
         case CurveErrorCode::knot_decreasing:
         case CurveErrorCode::multiplicity_too_high:
-            return "/knots" + item;
+            return place_in(place_in(pointer, "knots"), error.index);
         default:
-            return "";
+            return pointer;
     }
 }
 
@@ -115,7 +114,7 @@ FileResult<DocumentCurve> read_curve(const Json& object, const std::string& poin
     reader.optional("locked", entry.locked);
     if (reader.error()) return tl::unexpected(*reader.error());
     auto curve = make_curve(std::move(definition), kind);
-    if (!curve) return tl::unexpected(FileError{pointer + place_of(curve.error()), describe(curve.error())});
+    if (!curve) return tl::unexpected(FileError{place_of(pointer, curve.error()), describe(curve.error())});
     entry.curve = std::make_shared<const Curve>(std::move(*curve));
     entry.unknown_members = reader.unknown_members();
     return entry;
@@ -126,12 +125,12 @@ void read_format(ObjectReader& reader) {
     double version = 0.0;
     reader.required("format", format);
     if (!reader.error() && format != format_name)
-        reader.note(wrong_value(reader.place("format"), format, "\"" + std::string(format_name) + "\""));
+        reader.note(wrong_value(reader.place("format"), format, fmt::format("\"{}\"", format_name)));
     reader.required("version", version);
     if (!reader.error() && version != format_version)
-        reader.note(FileError{reader.place("version"), "version " + Json(*reader.find("version")).dump() +
-                                                           " of the format is not known; this program reads version " +
-                                                           std::to_string(format_version)});
+        reader.note(FileError{reader.place("version"),
+                              sentence("version {found} of the format is not known; this program reads version {known}",
+                                       {{"found", reader.find("version")->dump()}, {"known", format_version}})});
 }
 
 void read_curves(ObjectReader& reader, std::vector<DocumentCurve>& curves) {
@@ -139,7 +138,7 @@ void read_curves(ObjectReader& reader, std::vector<DocumentCurve>& curves) {
     if (!list) return;
     if (!list->is_array()) return reader.note(wrong_value(reader.place("curves"), *list, "a list of curves"));
     for (std::size_t i = 0; i < list->size(); ++i) {
-        auto curve = read_curve((*list)[i], reader.place("curves/" + std::to_string(i)));
+        auto curve = read_curve((*list)[i], place_in(reader.place("curves"), i));
         if (!curve) return reader.note(curve.error());
         curves.push_back(std::move(*curve));
     }

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "core/document/detail/native_format.h"
@@ -29,22 +31,6 @@ Json coordinates(std::span<const Point> points) {
     return list;
 }
 
-std::string name_in_file(KnotKind kind) {
-    for (const auto& [known, name] : kind_names)
-        if (known == kind) return name;
-    return "custom";
-}
-
-std::string text_of(DocumentColor color) {
-    const char* digits = "0123456789abcdef";
-    std::string text = "#";
-    for (const std::uint8_t part : {color.red, color.green, color.blue}) {
-        text += digits[part / 16];
-        text += digits[part % 16];
-    }
-    return text;
-}
-
 // The members of `unknown` (a JSON object as text) that the object does not have yet.
 void add_unknown_members(Json& object, const std::string& unknown) {
     const Json members = Json::parse(unknown, nullptr, false);
@@ -62,9 +48,9 @@ Json json_of(const DocumentCurve& entry) {
     object["points"] = coordinates(definition.points);
     object["weights"] = numbers(definition.weights);
     object["periodic"] = definition.periodic;
-    object["kind"] = name_in_file(definition.kind);
+    object["kind"] = name_of(definition.kind);
     if (definition.tears == Tears::allow) object["tears"] = true;
-    if (entry.color) object["color"] = text_of(*entry.color);
+    if (entry.color) object["color"] = color_text(*entry.color);
     object["visible"] = entry.visible;
     object["locked"] = entry.locked;
     add_unknown_members(object, entry.unknown_members);
@@ -124,18 +110,23 @@ void write_on_one_line(std::string& text, const Json& list) {
     text += ']';
 }
 
+// The end of a line and the indent of the next.
+std::string line_of(std::size_t indent) {
+    return fmt::format("\n{:{}}", "", indent);
+}
+
 // Objects and lists of lists: one item a line, so that a changed item is one changed line.
 void write_on_lines(std::string& text, const Json& value, std::size_t indent) {
-    const std::string line = "\n" + std::string(indent + 2, ' ');
+    const std::string line = line_of(indent + 2);
     text += value.is_object() ? '{' : '[';
     const char* separator = "";
     for (const auto& [name, item] : value.items()) {
         text += separator + line;
-        if (value.is_object()) text += text_of_scalar(name) + ": ";
+        if (value.is_object()) text += fmt::format("{}: ", text_of_scalar(name));
         write_value(text, item, indent + 2);
         separator = ",";
     }
-    if (!value.empty()) text += "\n" + std::string(indent, ' ');
+    if (!value.empty()) text += line_of(indent);
     text += value.is_object() ? '}' : ']';
 }
 

@@ -110,12 +110,12 @@ TEST(KnotAnalysis, classifies_the_most_special_kind) {
 }
 
 TEST(KnotAnalysis, names_the_kinds) {
-    EXPECT_STREQ(name_of(KnotKind::uniform), "uniform");
-    EXPECT_STREQ(name_of(KnotKind::clamped_uniform), "clamped uniform");
-    EXPECT_STREQ(name_of(KnotKind::bezier), "Bézier");
-    EXPECT_STREQ(name_of(KnotKind::piecewise_bezier), "piecewise Bézier");
-    EXPECT_STREQ(name_of(KnotKind::periodic), "periodic");
-    EXPECT_STREQ(name_of(KnotKind::custom), "custom");
+    EXPECT_STREQ(title_of(KnotKind::uniform), "uniform");
+    EXPECT_STREQ(title_of(KnotKind::clamped_uniform), "clamped uniform");
+    EXPECT_STREQ(title_of(KnotKind::bezier), "Bézier");
+    EXPECT_STREQ(title_of(KnotKind::piecewise_bezier), "piecewise Bézier");
+    EXPECT_STREQ(title_of(KnotKind::periodic), "periodic");
+    EXPECT_STREQ(title_of(KnotKind::custom), "custom");
 }
 
 }  // namespace batten::core

@@ -42,7 +42,7 @@ TEST(KnotKinds, every_vector_made_is_of_its_kind_over_its_domain) {
                       std::pair{KnotKind::bezier, p + 1}}) {
                     const auto knots = make_knots(kind, degree, count, domain);
                     ASSERT_TRUE(knots) << describe(knots.error());
-                    EXPECT_EQ(knots->kind(), kind) << name_of(kind) << ' ' << degree << ' ' << count;
+                    EXPECT_EQ(knots->kind(), kind) << title_of(kind) << ' ' << degree << ' ' << count;
                     EXPECT_EQ(knots->domain(), domain);
                     EXPECT_EQ(knots->control_point_count(), count);
                 }
