@@ -49,13 +49,24 @@ std::string message_of(const editor::EditorState& state, const editor::CommandSp
     return state.message.text.empty() && spec.edit != nullptr ? "nothing had to be changed" : state.message.text;
 }
 
+// Adds an argument to a list, as it stands in a log.
+struct AddTo {
+    Json& list;
+
+    void operator()(std::monostate) const { list.push_back(nullptr); }
+    void operator()(const editor::Word& word) const { list.push_back(word.text); }
+    template <class Value>
+    void operator()(const Value& value) const {
+        list.push_back(value);
+    }
+};
+
 // What is printed about an operation that has just run.
 Json json_of(const editor::Editor& editor, const Operation& operation) {
     const editor::EditorState& state = editor.state();
     const editor::CommandSpec& spec = *editor::find_command(operation.command.name);
     Json arguments = Json::array();
-    for (const editor::Argument& argument : editor.log().back().arguments)
-        std::visit([&arguments](const auto& value) { arguments.push_back(value); }, argument);
+    for (const editor::Argument& argument : editor.log().back().arguments) std::visit(AddTo{arguments}, argument);
     Json result{{"operation", spec.name},
                 {"arguments", std::move(arguments)},
                 {"message", message_of(state, spec)},

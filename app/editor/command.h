@@ -1,21 +1,37 @@
 /// A command as data: a name and its arguments, so that a session can be logged, replayed and tested.
 #pragma once
 
+#include <concepts>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
+
+#include "app/editor/argument.h"
 
 namespace batten::editor {
 
-/// A number, a text, or a list of numbers (indices, coordinates).
-using Argument = std::variant<double, std::string, std::vector<double>>;
+struct CommandSpec;
+
+/// A struct that the command table describes.
+template <class C>
+concept DescribedCommand = requires {
+    { C::spec() } -> std::same_as<const CommandSpec&>;
+};
 
 struct Command {
     std::string name;  ///< as in the command table, "insert-knot"
     std::vector<Argument> arguments;
 
+    Command() = default;
+    Command(std::string command_name, std::vector<Argument> given)
+        : name(std::move(command_name)), arguments(std::move(given)) {}
+    template <DescribedCommand C>
+    Command(const C& command) : Command(C::spec(), &command) {}  // NOLINT(google-explicit-constructor)
+
     bool operator==(const Command&) const = default;
+
+  private:
+    Command(const CommandSpec& spec, const void* command);
 };
 
 /// Whether a command is meant or only shown.
@@ -36,6 +52,8 @@ struct Request {
 /// What the interface asks for during a frame; the editor runs it afterwards, in order.
 class CommandQueue {
   public:
+    void run(Command command) { requests_.emplace_back(std::move(command), Phase::commit); }
+    void preview(Command command) { requests_.emplace_back(std::move(command), Phase::preview); }
     void run(std::string name, std::vector<Argument> arguments = {}) {
         requests_.emplace_back(Command{std::move(name), std::move(arguments)}, Phase::commit);
     }

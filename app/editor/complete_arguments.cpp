@@ -23,7 +23,9 @@ const char* name_of(ParameterKind kind) {
 std::string described(const Argument& argument) {
     if (const auto* number = std::get_if<double>(&argument)) return core::shortest_text(*number);
     if (const auto* text = std::get_if<std::string>(&argument)) return "the text '" + *text + "'";
-    return "a list of " + std::to_string(std::get<std::vector<double>>(argument).size()) + " numbers";
+    if (const auto* list = std::get_if<std::vector<double>>(&argument))
+        return "a list of " + std::to_string(list->size()) + " numbers";
+    return "yes or no";
 }
 
 std::string counted(std::size_t count) {
@@ -47,6 +49,10 @@ Outcome<Argument> of_kind(const ParameterSpec& parameter, const Argument& argume
         return tl::unexpected(std::string(parameter.name) + " is not finite; " + name_of(parameter.kind) +
                               " is needed, " + parameter.meaning);
     if (argument.index() == static_cast<std::size_t>(parameter.kind)) return argument;
+    if (const auto* word = std::get_if<Word>(&argument)) {
+        if (parameter.kind == ParameterKind::text) return word->text;
+        return of_kind(parameter, parse_argument(word->text));
+    }
     if (const auto* number = std::get_if<double>(&argument)) {
         if (parameter.kind == ParameterKind::numbers) return std::vector<double>{*number};
         return core::shortest_text(*number);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/sentence.h"
+
 namespace batten::editor {
 namespace {
 
@@ -146,6 +148,15 @@ std::string cell_formula(const core::DeBoorTriangle& triangle, std::size_t level
     return cell_text(triangle, level, index, point_count) + " = (1 " + minus + " α) " +
            cell_text(triangle, level - 1, index, point_count) + " + α " +
            cell_text(triangle, level - 1, index + 1, point_count);
+}
+
+std::string point_text(std::size_t index) {
+    return plain_text(core::sentence("P_{{{index}}}", {{"index", index}}));
+}
+
+std::string points_text(const std::vector<std::size_t>& indices) {
+    if (indices.size() == 1) return point_text(indices.front());
+    return core::sentence({.one = "one point", .many = "{count} points", .none = "no points"}, indices.size());
 }
 
 std::string continuity_text(int continuity) {

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "core/evaluate/de_boor.h"
 
@@ -33,6 +34,12 @@ AlphaFormula alpha_formula(const core::Curve& curve, const core::DeBoorTriangle&
 /// "P_{3}^{1} = (1 − α) P_{2} + α P_{3}", for level >= 1; `point_count` as for cell_text.
 std::string cell_formula(const core::DeBoorTriangle& triangle, std::size_t level, std::size_t index,
                          std::size_t point_count = std::numeric_limits<std::size_t>::max());
+
+/// "P₅".
+std::string point_text(std::size_t index);
+
+/// "P₅", or "3 points".
+std::string points_text(const std::vector<std::size_t>& indices);
 
 /// "C^{2}", or "jump" for -1.
 std::string continuity_text(int continuity);

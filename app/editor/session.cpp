@@ -22,6 +22,18 @@ Json json_of(const std::string& text) {
     return text;
 }
 
+Json json_of(bool value) {
+    return value;
+}
+
+Json json_of(std::monostate) {
+    return nullptr;
+}
+
+Json json_of(const Word& word) {
+    return word.text;
+}
+
 Json json_of(const std::vector<double>& numbers) {
     Json list = Json::array();
     for (const double number : numbers) list.push_back(json_of(number));
@@ -33,34 +45,15 @@ bool is_list_of_numbers(const Json& json) {
 }
 
 Outcome<Argument> argument_of(const Json& json) {
+    if (json.is_null()) return std::monostate{};
+    if (json.is_boolean()) return json.get<bool>();
     if (json.is_number()) return json.get<double>();
     if (json.is_string()) return json.get<std::string>();
     if (is_list_of_numbers(json)) return json.get<std::vector<double>>();
     return tl::unexpected("an argument is " + json.dump() + "; a number, a text or a list of numbers is needed");
 }
 
-std::optional<double> number_of(std::string_view word) {
-    double value = 0.0;
-    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    const bool is_number = error == std::errc() && end == word.data() + word.size() && std::isfinite(value);
-    return is_number ? std::optional(value) : std::nullopt;
-}
-
-// "1,2,3" and, so that a list of one can be typed, "1,".
-std::optional<std::vector<double>> numbers_of(std::string_view word) {
-    std::vector<double> numbers;
-    while (!word.empty()) {
-        const std::size_t end = std::min(word.find(','), word.size());
-        const std::optional<double> number = number_of(word.substr(0, end));
-        if (!number) return std::nullopt;
-        numbers.push_back(*number);
-        word.remove_prefix(std::min(end + 1, word.size()));
-    }
-    return numbers;
-}
-
-struct Word {
+struct TypedWord {
     std::string text;
     bool is_quoted = false;
 };
@@ -68,22 +61,22 @@ struct Word {
 constexpr const char* blanks = " \t\r\n";
 
 // Takes the next word off the front of `rest`, which begins with it.
-Outcome<Word> take_word(std::string_view& rest) {
+Outcome<TypedWord> take_word(std::string_view& rest) {
     const bool is_quoted = rest.front() == '"';
     if (is_quoted) rest.remove_prefix(1);
     const std::size_t end = is_quoted ? rest.find('"') : std::min(rest.find_first_of(blanks), rest.size());
     if (end == std::string_view::npos) return tl::unexpected(Refusal("a quotation mark \" is not closed"));
-    Word word{std::string(rest.substr(0, end)), is_quoted};
+    TypedWord word{std::string(rest.substr(0, end)), is_quoted};
     rest.remove_prefix(end + (is_quoted ? 1 : 0));
     return word;
 }
 
-Outcome<std::vector<Word>> words_of(std::string_view typed) {
-    std::vector<Word> words;
+Outcome<std::vector<TypedWord>> words_of(std::string_view typed) {
+    std::vector<TypedWord> words;
     while (true) {
         typed.remove_prefix(std::min(typed.find_first_not_of(blanks), typed.size()));
         if (typed.empty()) return words;
-        Outcome<Word> word = take_word(typed);
+        Outcome<TypedWord> word = take_word(typed);
         if (!word) return tl::unexpected(word.error());
         words.push_back(*std::move(word));
     }
@@ -113,20 +106,13 @@ Outcome<Command> parse_command(const std::string& line) {
     return command;
 }
 
-Argument parse_argument(const std::string& word) {
-    if (const std::optional<double> number = number_of(word)) return *number;
-    const bool has_comma = word.find(',') != std::string::npos;
-    if (const auto numbers = has_comma ? numbers_of(word) : std::nullopt) return *numbers;
-    return word;
-}
-
 Outcome<Command> parse_typed_command(const std::string& typed) {
-    const Outcome<std::vector<Word>> words = words_of(typed);
+    const Outcome<std::vector<TypedWord>> words = words_of(typed);
     if (!words) return tl::unexpected(words.error());
     if (words->empty()) return tl::unexpected(Refusal("nothing was typed; a command is needed, like insert-knot 0.5"));
     Command command{words->front().text, {}};
     for (std::size_t i = 1; i < words->size(); ++i) {
-        const Word& word = (*words)[i];
+        const TypedWord& word = (*words)[i];
         command.arguments.push_back(word.is_quoted ? Argument(word.text) : parse_argument(word.text));
     }
     return command;

@@ -15,9 +15,6 @@ std::string format_command(const Command& command);
 /// The inverse of format_command; the sentence says what is wrong with the line.
 Outcome<Command> parse_command(const std::string& line);
 
-/// A word as an argument: a number, a list like "1,2,3" ("1," for a list of one), else the text itself.
-Argument parse_argument(const std::string& word);
-
 /// What a person types in the palette or on the command line, "insert-knot 0.5": words separated by spaces, read by
 /// parse_argument; "..." keeps spaces together and is text.
 Outcome<Command> parse_typed_command(const std::string& typed);

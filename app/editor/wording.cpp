@@ -3,6 +3,7 @@
 #include <array>
 
 #include "app/editor/formula.h"
+#include "core/base/sentence.h"
 
 namespace batten::editor {
 
@@ -36,6 +37,17 @@ std::string edit_sentence(const std::string& label, ShapeEffect effect, std::opt
     const bool is_unchanged = effect == ShapeEffect::keeps || (effect == ShapeEffect::changes && deviation == 0.0);
     if (is_unchanged) return done + ": the curve is unchanged";
     if (effect == ShapeEffect::changes && deviation) return done + ": deviates by at most " + number_text(*deviation);
+    return done;
+}
+
+std::string done_sentence(const std::string& done, ShapeEffect effect, std::optional<double> deviation,
+                          std::optional<double> error) {
+    const bool is_unchanged = deviation ? *deviation == 0.0 : effect == ShapeEffect::keeps && !error;
+    if (is_unchanged) return core::sentence("{done}: the curve is unchanged", {{"done", done}});
+    if (deviation)
+        return core::sentence("{done}: deviates by at most {deviation}",
+                              {{"done", done}, {"deviation", number_text(*deviation)}});
+    if (error) return core::sentence("{done}: error at most {error}", {{"done", done}, {"error", number_text(*error)}});
     return done;
 }
 

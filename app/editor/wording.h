@@ -15,6 +15,11 @@ std::string past_of(const std::string& label);
 /// 0.12". `deviation` counts for shape-changing commands only; none where there is no curve to compare with.
 std::string edit_sentence(const std::string& label, ShapeEffect effect, std::optional<double> deviation);
 
+/// What is said after a step: `done` ("Moved P₅") with what it did to the shape, or how far off its result is. Without
+/// a curve to compare with there is no deviation, without an approximation no error.
+std::string done_sentence(const std::string& done, ShapeEffect effect, std::optional<double> deviation,
+                          std::optional<double> error);
+
 /// The same sentence for an edit that approximates: "Fitted curve to points: error at most 0.003".
 std::string with_error(const std::string& sentence, double error);
 

@@ -28,7 +28,7 @@ TEST(Session, reads_back_what_it_wrote) {
 
 TEST(Session, says_what_is_wrong_with_a_line) {
     for (const char* line :
-         {"", "undo", "{}", "[]", "[1]", "[\"undo\"", "[\"a\",null]", "[\"a\",[\"b\"]]", "[\"a\",{}]"}) {
+         {"", "undo", "{}", "[]", "[1]", "[\"undo\"", "[\"a\",[\"b\"]]", "[\"a\",{}]"}) {
         const Outcome<Command> read = parse_command(line);
         ASSERT_FALSE(read) << line;
         EXPECT_FALSE(read.error().empty()) << line;

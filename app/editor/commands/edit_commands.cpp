@@ -87,7 +87,7 @@ Outcome<Edit> delete_selected(const EditorState& state, const Arguments&) {
 
 std::string label_of_delete(const EditorState& state, const Arguments&) {
     const std::vector<std::size_t>& points = state.selection.points;
-    if (!points.empty()) return "Delete " + points_text({points.begin(), points.end()});
+    if (!points.empty()) return "Delete " + points_text(points);
     return "Delete knot " + number_text(active_curve(state).knots().stored()[*state.selection.knot]);
 }
 

@@ -56,7 +56,7 @@ Outcome<Edit> nudge(const EditorState& state, const Arguments& arguments) {
 
 std::string label_of_nudge(const EditorState& state, const Arguments&) {
     const std::vector<std::size_t>& points = state.selection.points;
-    return "Nudge " + points_text({points.begin(), points.end()});
+    return "Nudge " + points_text(points);
 }
 
 void add_moves(std::vector<CommandSpec>& table) {

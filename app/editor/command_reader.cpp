@@ -1,0 +1,117 @@
+#include "app/editor/command_reader.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "app/editor/command.h"
+#include "app/editor/field_text.h"
+#include "core/base/sentence.h"
+
+namespace batten::editor {
+
+namespace {
+
+using core::sentence;
+
+std::size_t part_count(const CommandSpec& spec) {
+    return std::accumulate(spec.fields.begin(), spec.fields.end(), std::size_t{0},
+                           [](std::size_t sum, const Field& field) { return sum + field.parts.size(); });
+}
+
+Refusal too_many(const CommandSpec& spec, std::size_t given) {
+    const std::size_t taken = part_count(spec);
+    return sentence({.one = "{name} takes one argument; found {given}",
+                     .many = "{name} takes {count} arguments; found {given}",
+                     .none = "{name} takes no arguments; found {given}"},
+                    taken, {{"name", spec.name}, {"given", given}});
+}
+
+Refusal missing(const CommandSpec& spec, const Field& field, const FieldPart& part) {
+    const std::initializer_list<core::Place> places{
+        {"command", spec.name}, {"name", part.name}, {"meaning", part.meaning}};
+    if (field.can_be_left_out())
+        return sentence("{command} needs {name}, {meaning}; nothing of that kind is selected", places);
+    return sentence("{command} needs {name}, {meaning}", places);
+}
+
+// Which parts are left out when `given` arguments come: the last ones that can be.
+std::vector<bool> left_out(const CommandSpec& spec, std::size_t given) {
+    std::vector<bool> can_be;
+    for (const Field& field : spec.fields) can_be.insert(can_be.end(), field.parts.size(), field.can_be_left_out());
+    std::vector<bool> result(can_be.size(), false);
+    std::size_t missing = can_be.size() - given;
+    for (std::size_t i = can_be.size(); i-- > 0 && missing > 0;) {
+        if (!can_be[i]) continue;
+        result[i] = true;
+        --missing;
+    }
+    return result;
+}
+
+// Goes through the arguments part by part.
+class Reader {
+  public:
+    Reader(const CommandSpec& spec, const EditorState& state, const std::vector<Argument>& given)
+        : spec_(spec),
+          state_(state),
+          next_(given.begin()),
+          end_(given.end()),
+          is_left_out_(left_out(spec, given.size())) {}
+
+    Outcome<FieldValue> take(const Field& field) {
+        const FieldValue suggestion = field.suggestion(state_);
+        const std::vector<Argument> suggested = editor::arguments_of(field, suggestion);
+        std::vector<Argument> arguments;
+        for (std::size_t k = 0; k < field.parts.size(); ++k) {
+            if (!is_left_out_[part_++] && next_ != end_)
+                arguments.push_back(*next_++);
+            else if (field.can_be_left_out() && (field.is_optional || !is_absent(suggestion)))
+                arguments.push_back(suggested[k]);
+            else
+                return tl::unexpected(missing(spec_, field, field.parts[k]));
+        }
+        return read_field(field, arguments);
+    }
+
+  private:
+    const CommandSpec& spec_;
+    const EditorState& state_;
+    std::vector<Argument>::const_iterator next_;
+    std::vector<Argument>::const_iterator end_;
+    std::vector<bool> is_left_out_;
+    std::size_t part_ = 0;
+};
+
+}  // namespace
+
+Command::Command(const CommandSpec& spec, const void* command)
+    : Command(spec.name, editor::arguments_of(spec, command)) {}
+
+Outcome<std::shared_ptr<const void>> read_fields(const CommandSpec& spec, const EditorState& state,
+                                                 const std::vector<Argument>& given) {
+    if (given.size() > part_count(spec)) return tl::unexpected(too_many(spec, given.size()));
+    const std::shared_ptr<void> command = spec.run.make();
+    Reader reader(spec, state, given);
+    for (const Field& field : spec.fields) {
+        const Outcome<FieldValue> value = reader.take(field);
+        if (!value) return tl::unexpected(value.error());
+        if (std::optional<Refusal> refusal = check_field(field, *value, state)) return tl::unexpected(*refusal);
+        field.set(command.get(), *value);
+    }
+    return command;
+}
+
+std::vector<Argument> arguments_of(const CommandSpec& spec, const void* command) {
+    std::vector<Argument> arguments;
+    for (const Field& field : spec.fields)
+        for (Argument& argument : arguments_of(field, field.get(command))) arguments.push_back(std::move(argument));
+    return arguments;
+}
+
+std::optional<Refusal> check_fields(const CommandSpec& spec, const EditorState& state, const void* command) {
+    for (const Field& field : spec.fields)
+        if (std::optional<Refusal> refusal = check_field(field, field.get(command), state)) return refusal;
+    return std::nullopt;
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,150 @@
+/// What a command's description says: its names and explanation, where it is offered, its fields, and what it does.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor/argument.h"
+#include "app/editor/field.h"
+#include "app/editor/key.h"
+#include "app/editor/selection.h"
+#include "core/base/names.h"
+#include "core/document/document.h"
+
+namespace batten::editor {
+
+/// What a command does to the shape of a curve.
+enum class ShapeEffect { none, keeps, changes };
+
+/// Where a command is listed. The groups up to `help` are the menus, in order.
+enum class CommandGroup { file, edit, make, curve, construct, analyze, view, help, gesture };
+
+/// Who is offered a command.
+struct Offer {
+    bool menu = true;
+    bool palette = true;
+    bool scripts = true;  ///< as an operation of the command line
+};
+inline constexpr Offer everywhere{};
+inline constexpr Offer in_the_window{.scripts = false};
+inline constexpr Offer nowhere{.menu = false, .palette = false, .scripts = false};
+
+enum class ParameterKind { number, text, numbers };
+
+/// One argument of a command that has no struct yet.
+struct ParameterSpec {
+    const char* name;  ///< "u"
+    ParameterKind kind;
+    const char* meaning;  ///< "where in the domain"
+    /// What stands for the argument when it is left out, taken from the state; null where it must be given.
+    std::optional<Argument> (*suggestion)(const EditorState&) = nullptr;
+};
+
+/// Arguments that fit the parameters of a command: all there and of the right kind.
+class Arguments {
+  public:
+    explicit Arguments(std::vector<Argument> values) : values_(std::move(values)) {}
+    double number(std::size_t i) const { return std::get<double>(values_[i]); }
+    const std::string& text(std::size_t i) const { return std::get<std::string>(values_[i]); }
+    const std::vector<double>& numbers(std::size_t i) const { return std::get<std::vector<double>>(values_[i]); }
+    const std::vector<Argument>& values() const { return values_; }
+
+  private:
+    std::vector<Argument> values_;
+};
+
+/// The document after an edit, and the selection where the edit changes it.
+struct Edit {
+    core::Document document;
+    std::optional<Selection> selection{};
+    std::optional<std::string> clipboard{};  ///< text for the clipboard once the edit is committed
+    std::optional<double> error{};           ///< how far off the result really is, where the edit knows it
+};
+
+/// What a step is called in the history, "Move P₅", and what is said when it is done, "Moved P₅".
+struct StepTexts {
+    std::string step;
+    std::string done;
+};
+
+/// What a command does, given its struct. One of `edit` and `act` is there: an edit makes a new document from the
+/// committed one and becomes a step of the history; an act changes what is not undone (view, selection, files).
+struct CommandBody {
+    std::shared_ptr<void> (*make)() = nullptr;  ///< a struct whose fields are all to be set
+    Outcome<Edit> (*edit)(const EditorState& state, const void* command) = nullptr;
+    Outcome<void> (*act)(EditorState& state, const void* command) = nullptr;
+};
+
+struct CommandSpec {
+    const char* name;           ///< "insert-knot", as in logs and on the command line
+    const char* title;          ///< "Insert knot", as in menus
+    const char* explanation;    ///< one sentence
+    const char* synonyms = "";  ///< further words by which the palette finds it
+    CommandGroup group;
+    const char* submenu = nullptr;  ///< of the group's menu, "Knots"; it stands where its first command does
+    Offer offered = everywhere;
+    ShapeEffect effect = ShapeEffect::none;
+    Shortcut shortcut{};
+    Shortcut second_shortcut{};
+    std::vector<Field> fields{};
+    std::vector<ParameterSpec> parameters{};
+
+    /// Why the command cannot be run now, as a sentence; null where it always can.
+    std::optional<Refusal> (*refusal)(const EditorState&) = nullptr;
+    /// Whether the command shows a check mark now; null where it is not a switch.
+    bool (*is_checked)(const EditorState&) = nullptr;
+
+    CommandBody run{};
+    Outcome<Edit> (*edit)(const EditorState&, const Arguments&) = nullptr;
+    Outcome<void> (*act)(EditorState&, const Arguments&) = nullptr;
+    std::string (*label)(const EditorState&, const Arguments&) = nullptr;
+
+    /// The step's name in the history, "Insert knot {u}", where that is not the title, and what is said when it is
+    /// done, "Inserted knot {u}". The places are the names of fields. Edits have them, or `texts` in their place.
+    const char* step = nullptr;
+    const char* done = nullptr;
+    StepTexts (*texts)(const EditorState& state, const void* command) = nullptr;
+
+    bool is_logged = true;
+};
+
+namespace detail {
+
+template <auto function>
+struct BodyOf;
+template <class C, Outcome<Edit> (*function)(const EditorState&, const C&)>
+struct BodyOf<function> {
+    static constexpr CommandBody body{
+        .make = []() -> std::shared_ptr<void> { return std::make_shared<C>(); },
+        .edit = [](const EditorState& state, const void* c) { return function(state, *static_cast<const C*>(c)); }};
+};
+template <class C, Outcome<void> (*function)(EditorState&, const C&)>
+struct BodyOf<function> {
+    static constexpr CommandBody body{
+        .make = []() -> std::shared_ptr<void> { return std::make_shared<C>(); },
+        .act = [](EditorState& state, const void* c) { return function(state, *static_cast<const C*>(c)); }};
+};
+
+template <auto function>
+struct TextsOf;
+template <class C, StepTexts (*function)(const EditorState&, const C&)>
+struct TextsOf<function> {
+    static StepTexts texts(const EditorState& state, const void* c) {
+        return function(state, *static_cast<const C*>(c));
+    }
+};
+
+}  // namespace detail
+
+/// The body of the command that `function` takes: Outcome<Edit>(const EditorState&, const InsertKnot&), or
+/// Outcome<void>(EditorState&, const SetTool&).
+template <auto function>
+inline constexpr CommandBody body_of = detail::BodyOf<function>::body;
+
+/// The texts of a step by StepTexts(const EditorState&, const InsertKnot&).
+template <auto function>
+inline constexpr auto texts_of = &detail::TextsOf<function>::texts;
+
+}  // namespace batten::editor

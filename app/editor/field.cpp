@@ -1,0 +1,136 @@
+#include "app/editor/field.h"
+
+#include "app/editor/formula.h"
+#include "app/editor/state.h"
+#include "core/base/sentence.h"
+
+namespace batten::editor {
+
+namespace {
+
+using core::sentence;
+
+std::string pair_text(core::Point pair) {
+    return sentence("({x}, {y})", {{"x", number_text(pair.x)}, {"y", number_text(pair.y)}});
+}
+
+std::string shown_whole(const Field& field, std::int64_t value, const EditorState& state) {
+    const auto index = static_cast<std::size_t>(value);
+    if (field.kind == FieldKind::point_index) return point_text(index);
+    const core::Document& document = state.history.present();
+    const std::vector<core::DocumentCurve>& curves = document.curves;
+    if (field.kind == FieldKind::knot_index && document.active_curve() != nullptr) {
+        const std::span<const double> knots = document.active_curve()->curve->knots().stored();
+        if (index < knots.size()) return number_text(knots[index]);
+    }
+    if (field.kind == FieldKind::curve_index && index < curves.size())
+        return sentence("'{name}'", {{"name", curves[index].name}});
+    return std::to_string(value);
+}
+
+std::string shown_string(const Field& field, const std::string& value) {
+    if (field.kind == FieldKind::file) return std::filesystem::path(value).filename().string();
+    if (field.kind == FieldKind::curve_name) return sentence("'{name}'", {{"name", value}});
+    for (const Choice& choice : field.choices)
+        if (value == choice.name) return choice.title;
+    return value;
+}
+
+// One case for each type of value.
+struct ShownText {
+    const Field& field;
+    const EditorState& state;
+
+    std::string operator()(Absent) const { return "none"; }
+    std::string operator()(bool value) const { return value ? "yes" : "no"; }
+    std::string operator()(std::int64_t value) const { return shown_whole(field, value, state); }
+    std::string operator()(double value) const { return number_text(value); }
+    std::string operator()(const std::string& value) const { return shown_string(field, value); }
+    std::string operator()(core::Point value) const { return pair_text(value); }
+    std::string operator()(const std::vector<double>& values) const {
+        return sentence({.one = "one number", .many = "{count} numbers"}, values.size());
+    }
+    std::string operator()(const std::vector<std::size_t>& indices) const { return points_text(indices); }
+    std::string operator()(const std::vector<core::Point>& points) const {
+        return sentence({.one = "one point", .many = "{count} points"}, points.size());
+    }
+};
+
+std::string names_of(const std::vector<Choice>& choices) {
+    std::vector<std::string> names;
+    for (const Choice& choice : choices) names.emplace_back(choice.name);
+    return core::listed_as_alternatives(names);
+}
+
+}  // namespace
+
+Field Field::above(double lower) && {
+    limits.lower = lower;
+    limits.excludes_lower = true;
+    return std::move(*this);
+}
+
+Field Field::at_least(double lower) && {
+    limits.lower = lower;
+    return std::move(*this);
+}
+
+Field Field::at_most(double upper) && {
+    limits.upper = upper;
+    return std::move(*this);
+}
+
+Field Field::absent_as(const char* word) && {
+    absent_word = word;
+    return std::move(*this);
+}
+
+Field Field::or_one_more() && {
+    allows_one_more = true;
+    return std::move(*this);
+}
+
+Field Field::unasked() && {
+    is_asked = false;
+    return std::move(*this);
+}
+
+std::string shown_text(const Field& field, const FieldValue& value, const EditorState& state) {
+    return std::visit(ShownText{field, state}, value);
+}
+
+std::string needed_text(const Field& field) {
+    switch (field.kind) {
+        case FieldKind::number:
+        case FieldKind::parameter:
+        case FieldKind::length:
+        case FieldKind::angle:
+        case FieldKind::position:
+        case FieldKind::vector:
+            return field.parts.size() == 1 && field.kind >= FieldKind::position ? "a list of two numbers" : "a number";
+        case FieldKind::count:
+        case FieldKind::point_index:
+        case FieldKind::knot_index:
+        case FieldKind::curve_index:
+            return "a whole number";
+        case FieldKind::flag:
+            return "yes or no";
+        case FieldKind::choice:
+            return names_of(field.choices);
+        case FieldKind::positions:
+        case FieldKind::parameters:
+        case FieldKind::point_indices:
+            return "a list of numbers";
+        case FieldKind::curve_name:
+            return "the name of a curve";
+        case FieldKind::color:
+            return "a color";
+        case FieldKind::text:
+            return "a text";
+        case FieldKind::file:
+            return "a file";
+    }
+    return "";
+}
+
+}  // namespace batten::editor
