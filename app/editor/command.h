@@ -1,12 +1,14 @@
-/// A command as data: a name and its arguments, so that a session can be logged, replayed and tested.
+/// A command as a value: one of the structs of commands/, with what the table says about it. So a session is a list of
+/// commands, which can be logged, replayed and tested.
 #pragma once
 
 #include <concepts>
-#include <string>
+#include <memory>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "app/editor/argument.h"
+#include "app/editor/view_change.h"
 
 namespace batten::editor {
 
@@ -18,49 +20,54 @@ concept DescribedCommand = requires {
     { C::spec() } -> std::same_as<const CommandSpec&>;
 };
 
-struct Command {
-    std::string name;  ///< as in the command table, "insert-knot"
-    std::vector<Argument> arguments;
-
-    Command() = default;
-    Command(std::string command_name, std::vector<Argument> given)
-        : name(std::move(command_name)), arguments(std::move(given)) {}
+class Command {
+  public:
     template <DescribedCommand C>
-    Command(const C& command) : Command(C::spec(), &command) {}  // NOLINT(google-explicit-constructor)
+    Command(C command)  // NOLINT(google-explicit-constructor): queue.run(InsertKnot{.u = 0.5})
+        : spec_(&C::spec()), fields_(std::make_shared<const C>(std::move(command))) {}
 
-    bool operator==(const Command&) const = default;
+    /// `fields` is the struct that `spec` describes.
+    Command(const CommandSpec& spec, std::shared_ptr<const void> fields) : spec_(&spec), fields_(std::move(fields)) {}
+
+    const CommandSpec& spec() const { return *spec_; }
+
+    /// The struct that spec() describes.
+    const void* fields() const { return fields_.get(); }
+
+    /// The struct as what it is; null where the command is another one.
+    template <DescribedCommand C>
+    const C* as() const {
+        return spec_ == &C::spec() ? static_cast<const C*>(fields_.get()) : nullptr;
+    }
 
   private:
-    Command(const CommandSpec& spec, const void* command);
+    const CommandSpec* spec_;
+    std::shared_ptr<const void> fields_;
 };
 
 /// Whether a command is meant or only shown.
 enum class Phase {
-    commit,   ///< do it, as one step of the history
-    preview,  ///< show what it would do to the committed document; replaces an earlier preview
-    cancel    ///< drop the preview; the command is ignored
+    commit,  ///< do it, as one step of the history
+    preview  ///< show what it would do to the committed document; replaces an earlier preview
 };
 
-struct Request {
-    // A constructor, so that run({"open", {path}}) can only mean a command.
-    explicit Request(Command asked, Phase meant = Phase::commit) : command(std::move(asked)), phase(meant) {}
-
+struct CommandRequest {
     Command command;
-    Phase phase;
+    Phase phase = Phase::commit;
 };
+
+/// Drops the preview.
+struct CancelPreview {};
+
+using Request = std::variant<CommandRequest, CancelPreview, ViewChange>;
 
 /// What the interface asks for during a frame; the editor runs it afterwards, in order.
 class CommandQueue {
   public:
-    void run(Command command) { requests_.emplace_back(std::move(command), Phase::commit); }
-    void preview(Command command) { requests_.emplace_back(std::move(command), Phase::preview); }
-    void run(std::string name, std::vector<Argument> arguments = {}) {
-        requests_.emplace_back(Command{std::move(name), std::move(arguments)}, Phase::commit);
-    }
-    void preview(std::string name, std::vector<Argument> arguments = {}) {
-        requests_.emplace_back(Command{std::move(name), std::move(arguments)}, Phase::preview);
-    }
-    void cancel_preview() { requests_.emplace_back(Command{}, Phase::cancel); }
+    void run(Command command) { requests_.emplace_back(CommandRequest{std::move(command)}); }
+    void preview(Command command) { requests_.emplace_back(CommandRequest{std::move(command), Phase::preview}); }
+    void cancel_preview() { requests_.emplace_back(CancelPreview{}); }
+    void change(ViewChange change) { requests_.emplace_back(std::move(change)); }
 
     bool is_empty() const { return requests_.empty(); }
 

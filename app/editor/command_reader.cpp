@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "app/editor/command.h"
 #include "app/editor/field_text.h"
 #include "core/base/sentence.h"
 
@@ -84,13 +83,11 @@ class Reader {
 
 }  // namespace
 
-Command::Command(const CommandSpec& spec, const void* command)
-    : Command(spec.name, editor::arguments_of(spec, command)) {}
-
-Outcome<std::shared_ptr<const void>> read_fields(const CommandSpec& spec, const EditorState& state,
-                                                 const std::vector<Argument>& given) {
+Outcome<Command> read_command(const CommandSpec& spec, const EditorState& state, const std::vector<Argument>& given) {
+    if (spec.refusal != nullptr)
+        if (std::optional<Refusal> refusal = spec.refusal(state)) return tl::unexpected(*std::move(refusal));
     if (given.size() > part_count(spec)) return tl::unexpected(too_many(spec, given.size()));
-    const std::shared_ptr<void> command = spec.run.make();
+    std::shared_ptr<void> command = spec.run.make();
     Reader reader(spec, state, given);
     for (const Field& field : spec.fields) {
         const Outcome<FieldValue> value = reader.take(field);
@@ -98,19 +95,20 @@ Outcome<std::shared_ptr<const void>> read_fields(const CommandSpec& spec, const 
         if (std::optional<Refusal> refusal = check_field(field, *value, state)) return tl::unexpected(*refusal);
         field.set(command.get(), *value);
     }
-    return command;
+    return Command(spec, std::move(command));
 }
 
-std::vector<Argument> arguments_of(const CommandSpec& spec, const void* command) {
+std::vector<Argument> arguments_of(const Command& command) {
     std::vector<Argument> arguments;
-    for (const Field& field : spec.fields)
-        for (Argument& argument : arguments_of(field, field.get(command))) arguments.push_back(std::move(argument));
+    for (const Field& field : command.spec().fields)
+        for (Argument& argument : arguments_of(field, field.get(command.fields())))
+            arguments.push_back(std::move(argument));
     return arguments;
 }
 
-std::optional<Refusal> check_fields(const CommandSpec& spec, const EditorState& state, const void* command) {
-    for (const Field& field : spec.fields)
-        if (std::optional<Refusal> refusal = check_field(field, field.get(command), state)) return refusal;
+std::optional<Refusal> check_fields(const Command& command, const EditorState& state) {
+    for (const Field& field : command.spec().fields)
+        if (std::optional<Refusal> refusal = check_field(field, field.get(command.fields()), state)) return refusal;
     return std::nullopt;
 }
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/argument.h"
 #include "app/editor/field.h"
 #include "app/editor/key.h"
 #include "app/editor/selection.h"
@@ -25,35 +24,12 @@ enum class CommandGroup { file, edit, make, curve, construct, analyze, view, hel
 struct Offer {
     bool menu = true;
     bool palette = true;
-    bool scripts = true;  ///< as an operation of the command line
+    bool scripts = true;    ///< as an operation of the command line
+    bool key_sheet = true;  ///< where it has a shortcut
 };
 inline constexpr Offer everywhere{};
 inline constexpr Offer in_the_window{.scripts = false};
-inline constexpr Offer nowhere{.menu = false, .palette = false, .scripts = false};
-
-enum class ParameterKind { number, text, numbers };
-
-/// One argument of a command that has no struct yet.
-struct ParameterSpec {
-    const char* name;  ///< "u"
-    ParameterKind kind;
-    const char* meaning;  ///< "where in the domain"
-    /// What stands for the argument when it is left out, taken from the state; null where it must be given.
-    std::optional<Argument> (*suggestion)(const EditorState&) = nullptr;
-};
-
-/// Arguments that fit the parameters of a command: all there and of the right kind.
-class Arguments {
-  public:
-    explicit Arguments(std::vector<Argument> values) : values_(std::move(values)) {}
-    double number(std::size_t i) const { return std::get<double>(values_[i]); }
-    const std::string& text(std::size_t i) const { return std::get<std::string>(values_[i]); }
-    const std::vector<double>& numbers(std::size_t i) const { return std::get<std::vector<double>>(values_[i]); }
-    const std::vector<Argument>& values() const { return values_; }
-
-  private:
-    std::vector<Argument> values_;
-};
+inline constexpr Offer nowhere{.menu = false, .palette = false, .scripts = false, .key_sheet = false};
 
 /// The document after an edit, and the selection where the edit changes it.
 struct Edit {
@@ -89,7 +65,6 @@ struct CommandSpec {
     Shortcut shortcut{};
     Shortcut second_shortcut{};
     std::vector<Field> fields{};
-    std::vector<ParameterSpec> parameters{};
 
     /// Why the command cannot be run now, as a sentence; null where it always can.
     std::optional<Refusal> (*refusal)(const EditorState&) = nullptr;
@@ -97,9 +72,6 @@ struct CommandSpec {
     bool (*is_checked)(const EditorState&) = nullptr;
 
     CommandBody run{};
-    Outcome<Edit> (*edit)(const EditorState&, const Arguments&) = nullptr;
-    Outcome<void> (*act)(EditorState&, const Arguments&) = nullptr;
-    std::string (*label)(const EditorState&, const Arguments&) = nullptr;
 
     /// The step's name in the history, "Insert knot {u}", where that is not the title, and what is said when it is
     /// done, "Inserted knot {u}". The places are the names of fields. Edits have them, or `texts` in their place.
@@ -148,3 +120,28 @@ template <auto function>
 inline constexpr auto texts_of = &detail::TextsOf<function>::texts;
 
 }  // namespace batten::editor
+
+namespace batten::core {
+
+template <>
+struct Names<editor::ShapeEffect> {
+    using enum editor::ShapeEffect;
+    static constexpr std::array table{Named{none, "none", ""}, Named{keeps, "keeps", "keeps the shape"},
+                                      Named{changes, "changes", "changes the shape"}};
+};
+
+template <>
+struct Names<editor::CommandGroup> {
+    using enum editor::CommandGroup;
+    static constexpr std::array table{Named{file, "file", "File"},
+                                      Named{edit, "edit", "Edit"},
+                                      Named{make, "make", "Make"},
+                                      Named{curve, "curve", "Curve"},
+                                      Named{construct, "construct", "Construct"},
+                                      Named{analyze, "analyze", "Analyze"},
+                                      Named{view, "view", "View"},
+                                      Named{help, "help", "Help"},
+                                      Named{gesture, "gesture", ""}};
+};
+
+}  // namespace batten::core

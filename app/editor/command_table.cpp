@@ -3,19 +3,20 @@
 #include <algorithm>
 
 #include "app/editor/commands/groups.h"
+#include "core/base/sentence.h"
 
 namespace batten::editor {
 
 namespace {
 
-std::vector<CommandSpec> make_table() {
-    std::vector<CommandSpec> table;
+CommandTable make_table() {
+    CommandTable table;
     add_file_commands(table);
     add_edit_commands(table);
     add_selection_commands(table);
     add_tool_commands(table);
     add_point_commands(table);
-    add_curve_commands(table);
+    add_degree_commands(table);
     add_knot_commands(table);
     add_refinement_commands(table);
     add_piece_commands(table);
@@ -30,7 +31,6 @@ std::vector<CommandSpec> make_table() {
     add_construction_commands(table);
     add_view_commands(table);
     add_help_commands(table);
-    add_gesture_commands(table);
     // Menus are in the order of the groups; within a group the order above stands.
     std::stable_sort(table.begin(), table.end(),
                      [](const CommandSpec& a, const CommandSpec& b) { return a.group < b.group; });
@@ -39,15 +39,20 @@ std::vector<CommandSpec> make_table() {
 
 }  // namespace
 
-std::span<const CommandSpec> command_table() {
-    static const std::vector<CommandSpec> table = make_table();
+std::span<const std::reference_wrapper<const CommandSpec>> command_table() {
+    static const CommandTable table = make_table();
     return table;
 }
 
-const CommandSpec* find_command(const std::string& name) {
+const CommandSpec* find_command(std::string_view name) {
     for (const CommandSpec& spec : command_table())
         if (name == spec.name) return &spec;
     return nullptr;
+}
+
+Outcome<const CommandSpec*> command_named(std::string_view name) {
+    if (const CommandSpec* spec = find_command(name)) return spec;
+    return tl::unexpected(core::sentence("there is no command called '{name}'", {{"name", name}}));
 }
 
 const CommandSpec* find_command(const Shortcut& shortcut) {

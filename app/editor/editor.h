@@ -19,20 +19,27 @@ class Editor {
 
     const EditorState& state() const { return state_; }
 
-    /// Runs one request. A refused command changes nothing but the message; only the preview of an edit goes with every
+    /// Runs a command. A refused command changes nothing but the message; only the preview of an edit goes with every
     /// further edit. A commit of an edit becomes one step of the history, unless it changes nothing, and shows the
     /// older shape as a ghost where the command changes it. The preview of an act does nothing. Returns whether the
     /// command did what it was asked for.
-    bool run(const Request& request);
-    bool run(const Command& command) { return run(Request{command, Phase::commit}); }
-    void run(CommandQueue& queue);
+    bool run(const Command& command, Phase phase = Phase::commit);
 
-    /// The logged commands committed so far, in order, with the arguments that stood for those left out: running them
-    /// again from the same start gives the same document.
+    /// Drops the preview.
+    void cancel_preview();
+
+    /// Changes what is neither undone nor logged.
+    void change(const ViewChange& change);
+
+    /// Does what is asked for; all of a queue in order.
+    void perform(const Request& request);
+    void perform(CommandQueue& queue);
+
+    /// The logged commands committed so far, in order: running them again from the same start gives the same document.
     const std::vector<Command>& log() const { return log_; }
 
   private:
-    bool run_command(const Request& request);
+    bool run_checked(const Command& command, Phase phase);
 
     EditorState state_;
     std::vector<Command> log_;

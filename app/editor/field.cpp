@@ -62,7 +62,52 @@ std::string names_of(const std::vector<Choice>& choices) {
     return core::listed_as_alternatives(names);
 }
 
+struct KindWords {
+    const char* kind;
+    const char* needed;
+};
+
+KindWords words_of(const Field& field) {
+    switch (field.kind) {
+        case FieldKind::number:
+        case FieldKind::parameter:
+        case FieldKind::length:
+        case FieldKind::angle:
+            return {"number", "a number"};
+        case FieldKind::position:
+        case FieldKind::vector:
+            return field.parts.size() == 1 ? KindWords{"x,y", "a list of two numbers"}
+                                           : KindWords{"number", "a number"};
+        case FieldKind::count:
+        case FieldKind::point_index:
+        case FieldKind::knot_index:
+        case FieldKind::curve_index:
+            return {"whole number", "a whole number"};
+        case FieldKind::flag:
+            return {"yes or no", "yes or no"};
+        case FieldKind::positions:
+        case FieldKind::parameters:
+        case FieldKind::point_indices:
+            return {"list", "a list of numbers"};
+        case FieldKind::curve_name:
+            return {"name", "the name of a curve"};
+        case FieldKind::color:
+            return {"color", "a color"};
+        case FieldKind::file:
+            return {"file", "a file"};
+        case FieldKind::choice:
+        case FieldKind::text:
+            break;
+    }
+    return {"text", "a text"};
+}
+
 }  // namespace
+
+FieldValue Field::initial(const EditorState& state) const {
+    const FieldValue suggested = suggestion(state);
+    return is_absent(suggested) && initial_from != nullptr ? initial_from(state) : suggested;
+}
 
 Field Field::above(double lower) && {
     limits.lower = lower;
@@ -95,42 +140,21 @@ Field Field::unasked() && {
     return std::move(*this);
 }
 
+Field Field::required() && {
+    must_be_given = true;
+    return std::move(*this);
+}
+
 std::string shown_text(const Field& field, const FieldValue& value, const EditorState& state) {
     return std::visit(ShownText{field, state}, value);
 }
 
+std::string kind_text(const Field& field) {
+    return field.kind == FieldKind::choice ? names_of(field.choices) : words_of(field).kind;
+}
+
 std::string needed_text(const Field& field) {
-    switch (field.kind) {
-        case FieldKind::number:
-        case FieldKind::parameter:
-        case FieldKind::length:
-        case FieldKind::angle:
-        case FieldKind::position:
-        case FieldKind::vector:
-            return field.parts.size() == 1 && field.kind >= FieldKind::position ? "a list of two numbers" : "a number";
-        case FieldKind::count:
-        case FieldKind::point_index:
-        case FieldKind::knot_index:
-        case FieldKind::curve_index:
-            return "a whole number";
-        case FieldKind::flag:
-            return "yes or no";
-        case FieldKind::choice:
-            return names_of(field.choices);
-        case FieldKind::positions:
-        case FieldKind::parameters:
-        case FieldKind::point_indices:
-            return "a list of numbers";
-        case FieldKind::curve_name:
-            return "the name of a curve";
-        case FieldKind::color:
-            return "a color";
-        case FieldKind::text:
-            return "a text";
-        case FieldKind::file:
-            return "a file";
-    }
-    return "";
+    return field.kind == FieldKind::choice ? names_of(field.choices) : words_of(field).needed;
 }
 
 }  // namespace batten::editor

@@ -68,17 +68,24 @@ struct Field {
     std::vector<Choice> choices{};
     Limits limits{};
     bool is_optional = false;           ///< may be absent for good
+    bool must_be_given = false;         ///< also where absent is allowed, which must then be said
     const char* absent_word = nullptr;  ///< a further word for absent, beside "none"
     bool allows_one_more = false;       ///< the index may be that of a control point yet to come
     bool is_asked = true;               ///< false: a form takes what suggests itself without showing it
     FieldValue (*suggestion_from)(const EditorState& state) = nullptr;
     FieldValue usual{};  ///< suggests itself where suggestion_from is null
+    FieldValue (*initial_from)(const EditorState& state) = nullptr;
 
     /// What stands for the field where it is left out; absent where nothing suggests itself now.
     FieldValue suggestion(const EditorState& state) const { return suggestion_from ? suggestion_from(state) : usual; }
 
+    /// What a form begins with: what suggests itself, else what is there now.
+    FieldValue initial(const EditorState& state) const;
+
     /// Whether it may be left out, at least when something suggests itself.
-    bool can_be_left_out() const { return is_optional || suggestion_from != nullptr || !is_absent(usual); }
+    bool can_be_left_out() const {
+        return !must_be_given && (is_optional || suggestion_from != nullptr || !is_absent(usual));
+    }
 
     // What a description says of a field, behind the function that makes it.
     Field above(double lower) &&;
@@ -87,6 +94,7 @@ struct Field {
     Field absent_as(const char* word) &&;
     Field or_one_more() &&;
     Field unasked() &&;
+    Field required() &&;
 
     /// This value suggests itself always.
     template <class T>
@@ -95,14 +103,25 @@ struct Field {
         return std::move(*this);
     }
 
-    /// What `suggest` makes of the state suggests itself: a value of the member's type, or an optional one.
-    template <auto suggest>
+    /// What `function` makes of the state suggests itself: a value of the member's type, or an optional one.
+    template <auto function>
     Field suggesting() && {
-        suggestion_from = [](const EditorState& state) -> FieldValue {
-            const auto value = suggest(state);
-            return FieldConversion<std::remove_const_t<decltype(value)>>::to(value);
-        };
+        suggestion_from = value_by<function>;
         return std::move(*this);
+    }
+
+    /// It must be given, but a form begins with what `function` makes of the state.
+    template <auto function>
+    Field beginning_with() && {
+        initial_from = value_by<function>;
+        return std::move(*this);
+    }
+
+  private:
+    template <auto function>
+    static FieldValue value_by(const EditorState& state) {
+        const auto value = function(state);
+        return FieldConversion<std::remove_const_t<decltype(value)>>::to(value);
     }
 };
 
@@ -113,7 +132,10 @@ std::optional<Refusal> check_field(const Field& field, const FieldValue& value, 
 /// What a person reads for `value`: "0.5", "P₅", "3 points", "'wave'", "clamped uniform"; for a knot its value.
 std::string shown_text(const Field& field, const FieldValue& value, const EditorState& state);
 
-/// What is needed, for help and refusals: "a number", "stop, push or snap".
+/// The kind in a word or two, for help: "number", "list", "stop, push or snap".
+std::string kind_text(const Field& field);
+
+/// What is needed, for refusals: "a number", "a list of numbers", "stop, push or snap".
 std::string needed_text(const Field& field);
 
 }  // namespace batten::editor

@@ -35,12 +35,12 @@ Refusal not_finite(const Field& field) {
         {{"name", name_of(field)}, {"needed", needed_text(field)}, {"meaning", field.parts.front().meaning}});
 }
 
-std::optional<Refusal> check_limits(const Field& field, double value) {
+// `found` is how a person would write the value.
+std::optional<Refusal> check_limits(const Field& field, double value, const core::Place& found) {
     const auto& [lower, upper, excludes_lower] = field.limits;
     const bool is_below = lower && (excludes_lower ? value <= *lower : value < *lower);
     if (!is_below && !(upper && value > *upper)) return std::nullopt;
     const core::Place name("name", name_of(field));
-    const core::Place found("value", core::shortest_text(value));
     const core::Place least("lower", core::shortest_text(lower.value_or(0.0)));
     if (upper)
         return sentence("{name} is {value}; it must be from {lower} to {upper}",
@@ -49,13 +49,26 @@ std::optional<Refusal> check_limits(const Field& field, double value) {
     return sentence("{name} is {value}; it must be {lower} or more", {name, found, least});
 }
 
+std::optional<Refusal> check_number(const Field& field, double value) {
+    return check_limits(field, value, {"value", core::shortest_text(value)});
+}
+
 std::optional<Refusal> check_item_count(const Field& field, std::size_t count) {
     const auto least = static_cast<std::size_t>(field.limits.lower.value_or(0.0));
-    if (count >= least) return std::nullopt;
-    return sentence({.one = "{name} has one item; at least {least} are needed",
-                     .many = "{name} has {count} items; at least {least} are needed",
-                     .none = "{name} is empty; at least {least} items are needed"},
-                    count, {{"name", name_of(field)}, {"least", least}});
+    const bool is_exact = field.limits.upper == field.limits.lower && least > 0;
+    if (count >= least && !(is_exact && count > least)) return std::nullopt;
+    const std::initializer_list<core::Place> places{{"name", name_of(field)}, {"least", least}};
+    if (field.kind != FieldKind::positions)
+        return sentence({.one = "one number was found for {name}; at least {least} are needed",
+                         .many = "{count} numbers were found for {name}; at least {least} are needed"},
+                        count, places);
+    if (is_exact)
+        return sentence({.one = "one point was found for {name}; {least} are needed",
+                         .many = "{count} points were found for {name}; {least} are needed"},
+                        count, places);
+    return sentence({.one = "one point was found for {name}; at least {least} are needed",
+                     .many = "{count} points were found for {name}; at least {least} are needed"},
+                    count, places);
 }
 
 std::optional<Refusal> check_whole(const Field& field, std::int64_t value) {
@@ -64,7 +77,7 @@ std::optional<Refusal> check_whole(const Field& field, std::int64_t value) {
     if (value < 0) return sentence("{name} is {value}; a whole number from 0 is needed", {name, found});
     if (value > greatest_whole)
         return sentence("{name} is {value}; a whole number from 0 to 1000000000 is needed", {name, found});
-    return check_limits(field, static_cast<double>(value));
+    return check_limits(field, static_cast<double>(value), found);
 }
 
 // `pattern` says that there is no {index}, the last one being {last}. Where there is nothing at all the command itself
@@ -128,7 +141,7 @@ std::optional<Refusal> check_kind(const Field& field, const FieldValue& value, c
         case FieldKind::parameter:
         case FieldKind::length:
         case FieldKind::angle:
-            return check_limits(field, std::get<double>(value));
+            return check_number(field, std::get<double>(value));
         case FieldKind::count:
             return check_whole(field, std::get<std::int64_t>(value));
         case FieldKind::point_index:

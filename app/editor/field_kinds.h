@@ -1,10 +1,10 @@
-/// Makes the fields of a description, one function for each kind: parameter<&MoveKnot::u>("u", "where to").
+/// Makes the fields of a description, one function for each kind: field::parameter<&MoveKnot::u>("u", "where to").
 #pragma once
 
 #include "app/editor/field.h"
 #include "core/document/document.h"
 
-namespace batten::editor {
+namespace batten::editor::field {
 
 namespace detail {
 
@@ -32,7 +32,7 @@ template <auto member, class Wanted>
 concept MemberOf = std::is_same_v<typename Member<member>::InnerType, Wanted>;
 
 template <auto member>
-Field field(FieldKind kind, std::vector<FieldPart> parts) {
+Field made(FieldKind kind, std::vector<FieldPart> parts) {
     using Command = typename Member<member>::Command;
     using Type = typename Member<member>::Type;
     Field field{.kind = kind, .parts = std::move(parts)};
@@ -50,55 +50,55 @@ Field field(FieldKind kind, std::vector<FieldPart> parts) {
 
 template <auto member>
 requires detail::MemberOf<member, double> Field number(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::number, {{name, meaning}});
+    return detail::made<member>(FieldKind::number, {{name, meaning}});
 }
 
 template <auto member>
 requires detail::MemberOf<member, double> Field parameter(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::parameter, {{name, meaning}});
+    return detail::made<member>(FieldKind::parameter, {{name, meaning}});
 }
 
 template <auto member>
 requires detail::MemberOf<member, double> Field length(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::length, {{name, meaning}});
+    return detail::made<member>(FieldKind::length, {{name, meaning}});
 }
 
 template <auto member>
 requires detail::MemberOf<member, double> Field angle(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::angle, {{name, meaning}});
+    return detail::made<member>(FieldKind::angle, {{name, meaning}});
 }
 
 template <auto member>
 requires std::is_integral_v<typename detail::Member<member>::InnerType> Field count(const char* name,
                                                                                     const char* meaning) {
-    return detail::field<member>(FieldKind::count, {{name, meaning}});
+    return detail::made<member>(FieldKind::count, {{name, meaning}});
 }
 
 template <auto member>
 requires detail::MemberOf<member, std::size_t> Field point_index(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::point_index, {{name, meaning}});
+    return detail::made<member>(FieldKind::point_index, {{name, meaning}});
 }
 
 template <auto member>
 requires detail::MemberOf<member, std::size_t> Field knot_index(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::knot_index, {{name, meaning}});
+    return detail::made<member>(FieldKind::knot_index, {{name, meaning}});
 }
 
 template <auto member>
 requires detail::MemberOf<member, std::size_t> Field curve_index(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::curve_index, {{name, meaning}});
+    return detail::made<member>(FieldKind::curve_index, {{name, meaning}});
 }
 
 template <auto member>
 requires detail::MemberOf<member, bool> Field flag(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::flag, {{name, meaning}});
+    return detail::made<member>(FieldKind::flag, {{name, meaning}});
 }
 
 /// Allows the values of the member's enumeration by their names.
 template <auto member>
 requires core::HasNames<typename detail::Member<member>::InnerType> Field choice(const char* name,
                                                                                  const char* meaning) {
-    Field field = detail::field<member>(FieldKind::choice, {{name, meaning}});
+    Field field = detail::made<member>(FieldKind::choice, {{name, meaning}});
     for (const auto& entry : core::Names<typename detail::Member<member>::InnerType>::table)
         field.choices.push_back({entry.name, entry.title});
     return field;
@@ -107,52 +107,52 @@ requires core::HasNames<typename detail::Member<member>::InnerType> Field choice
 /// Two words with a name and a meaning each.
 template <auto member>
 requires detail::MemberOf<member, core::Point> Field position(FieldPart x, FieldPart y) {
-    return detail::field<member>(FieldKind::position, {x, y});
+    return detail::made<member>(FieldKind::position, {x, y});
 }
 
 /// Two words, or one list of two numbers where one part is given.
 template <auto member>
 requires detail::MemberOf<member, core::Vector> Field vector(FieldPart x, FieldPart y) {
-    return detail::field<member>(FieldKind::vector, {x, y});
+    return detail::made<member>(FieldKind::vector, {x, y});
 }
 template <auto member>
 requires detail::MemberOf<member, core::Vector> Field vector(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::vector, {{name, meaning}});
+    return detail::made<member>(FieldKind::vector, {{name, meaning}});
 }
 
 template <auto member>
 requires detail::MemberOf<member, std::vector<core::Point>> Field positions(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::positions, {{name, meaning}});
+    return detail::made<member>(FieldKind::positions, {{name, meaning}});
 }
 
 template <auto member>
 requires detail::MemberOf<member, std::vector<double>> Field parameters(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::parameters, {{name, meaning}});
+    return detail::made<member>(FieldKind::parameters, {{name, meaning}});
 }
 
 template <auto member>
 requires detail::MemberOf<member, std::vector<std::size_t>> Field point_indices(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::point_indices, {{name, meaning}});
+    return detail::made<member>(FieldKind::point_indices, {{name, meaning}});
 }
 
 template <auto member>
 requires detail::MemberOf<member, std::string> Field curve_name(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::curve_name, {{name, meaning}});
+    return detail::made<member>(FieldKind::curve_name, {{name, meaning}});
 }
 
 template <auto member>
 requires detail::MemberOf<member, core::DocumentColor> Field color(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::color, {{name, meaning}});
+    return detail::made<member>(FieldKind::color, {{name, meaning}});
 }
 
 template <auto member>
 requires detail::MemberOf<member, std::string> Field text(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::text, {{name, meaning}});
+    return detail::made<member>(FieldKind::text, {{name, meaning}});
 }
 
 template <auto member>
 requires detail::MemberOf<member, std::filesystem::path> Field file(const char* name, const char* meaning) {
-    return detail::field<member>(FieldKind::file, {{name, meaning}});
+    return detail::made<member>(FieldKind::file, {{name, meaning}});
 }
 
-}  // namespace batten::editor
+}  // namespace batten::editor::field

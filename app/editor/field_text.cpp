@@ -127,7 +127,8 @@ Outcome<FieldValue> read_pair(const Field& field, Given given) {
 // What stands for absent: nothing in a log, "none" where it is typed, and what stood for it once.
 bool means_absent(const Field& field, const Argument& given) {
     if (std::holds_alternative<Absent>(given)) return true;
-    if (const auto* text = std::get_if<std::string>(&given)) return *text == "none" || *text == field.absent_word;
+    const bool is_free_text = field.kind == FieldKind::text || field.kind == FieldKind::file;
+    if (!is_free_text && given == Argument("none")) return true;
     return field.absent_word != nullptr && parse_argument(field.absent_word) == given;
 }
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "app/editor/command.h"
+#include "app/editor/argument.h"
 #include "app/editor/field.h"
 
 namespace batten::editor {

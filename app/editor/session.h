@@ -2,21 +2,17 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "app/editor/command.h"
-#include "app/editor/command_table.h"
+#include "app/editor/field.h"
 
 namespace batten::editor {
 
-/// One line of JSON: ["insert-knot", 0.5].
+/// One line of JSON, the command's name and its fields: ["insert-knot", 0.5].
 std::string format_command(const Command& command);
 
-/// The inverse of format_command; the sentence says what is wrong with the line.
-Outcome<Command> parse_command(const std::string& line);
-
-/// What a person types in the palette or on the command line, "insert-knot 0.5": words separated by spaces, read by
-/// parse_argument; "..." keeps spaces together and is text.
-Outcome<Command> parse_typed_command(const std::string& typed);
+/// The inverse of format_command. Fields that an older log leaves out are what suggests itself in `state`. The sentence
+/// says what is wrong with the line, or why the command cannot be run now.
+Outcome<Command> parse_command(const std::string& line, const EditorState& state);
 
 }  // namespace batten::editor

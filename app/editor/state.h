@@ -8,17 +8,28 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/command.h"
+#include "app/editor/commands/file_commands.h"
 #include "app/editor/findings.h"
 #include "app/editor/history.h"
 #include "app/editor/selection.h"
 #include "app/editor/view.h"
+#include "core/base/names.h"
 #include "core/document/document.h"
 
 namespace batten::editor {
 
 /// What covers the window and asks for an answer.
-enum class Dialog { none, welcome, open_file, save_file, unsaved_changes, command_palette, key_sheet, about };
+enum class Dialog {
+    none,
+    welcome,
+    open_file,
+    save_file,
+    unsaved_changes,
+    command_palette,
+    command_form,
+    key_sheet,
+    about
+};
 
 /// A sentence for the status bar; errors also stay as a notice on the canvas until dismissed or followed by another
 /// command.
@@ -41,6 +52,9 @@ struct Desktop {
     std::filesystem::path examples;  ///< the folder of the example files
 };
 
+/// What begins another document or none, and so asks about unsaved changes first.
+using Pending = std::variant<NewDocument, Open, OpenExample, Quit>;
+
 struct EditorState {
     History history;                        ///< its present is the committed document
     std::optional<core::Document> preview;  ///< what the gesture under way would make
@@ -51,7 +65,8 @@ struct EditorState {
     View view;
     Tool tool = Tool::select;
     Dialog dialog = Dialog::none;
-    std::optional<Command> pending;  ///< waits until unsaved changes are saved or given up
+    const CommandSpec* form = nullptr;  ///< whose fields Dialog::command_form asks for
+    std::optional<Pending> pending;     ///< waits until unsaved changes are saved or given up
     Message message;
     std::filesystem::path path;  ///< empty for a document without a file
     std::vector<std::filesystem::path> recent_files;
@@ -78,3 +93,21 @@ struct EditorState {
 };
 
 }  // namespace batten::editor
+
+namespace batten::core {
+
+template <>
+struct Names<editor::Dialog> {
+    using enum editor::Dialog;
+    static constexpr std::array table{Named{none, "none", ""},
+                                      Named{welcome, "welcome", "Welcome"},
+                                      Named{open_file, "open-file", "Open"},
+                                      Named{save_file, "save-file", "Save"},
+                                      Named{unsaved_changes, "unsaved-changes", "Unsaved changes"},
+                                      Named{command_palette, "command-palette", "Commands"},
+                                      Named{command_form, "command-form", "Command"},
+                                      Named{key_sheet, "key-sheet", "Keys and gestures"},
+                                      Named{about, "about", "About Batten"}};
+};
+
+}  // namespace batten::core

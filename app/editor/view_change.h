@@ -1,0 +1,75 @@
+/// What changes how the document is looked at without being a command: neither undone nor logged, since it happens
+/// every frame or follows the window. A plain variant beside the command table.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <string>
+#include <variant>
+
+#include "app/editor/selection.h"
+#include "core/base/geometry.h"
+
+namespace batten::editor {
+
+struct CommandSpec;
+struct EditorState;
+
+/// The pointer is over something; over nothing where the shown curve does not have it.
+struct SetHover {
+    Hover hover;
+};
+
+struct PanCamera {
+    glm::dvec2 offset_px;
+};
+
+/// Enlarges the picture by `factor` (> 0) around a pixel.
+struct ZoomCamera {
+    double factor;
+    glm::dvec2 anchor_px;
+};
+
+struct ResizeCanvas {
+    glm::dvec2 size_px;
+};
+
+/// So many pixels of the window make a design pixel.
+struct SetInterfaceScale {
+    double scale;
+};
+
+struct SetInspectorWidth {
+    double width;  ///< design pixels
+};
+
+struct SetDockHeight {
+    double height;  ///< design pixels
+};
+
+/// The plot shows these parameters; not an empty interval.
+struct SetPlotRange {
+    core::Interval range;
+};
+
+/// So many seconds (>= 0) went by, in which a running parameter moves on.
+struct Advance {
+    double seconds;
+};
+
+/// Why something that was asked for could not even become a command.
+struct ShowRefusal {
+    std::string sentence;
+};
+
+/// Opens the form that asks for the fields of a command.
+struct ShowForm {
+    const CommandSpec* spec;
+};
+
+using ViewChange = std::variant<SetHover, PanCamera, ZoomCamera, ResizeCanvas, SetInterfaceScale, SetInspectorWidth,
+                                SetDockHeight, SetPlotRange, Advance, ShowRefusal, ShowForm>;
+
+/// Makes the change; sizes are brought into their ranges.
+void apply(EditorState& state, const ViewChange& change);
+
+}  // namespace batten::editor
