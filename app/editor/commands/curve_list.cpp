@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "app/editor/commands/active_curve.h"
+#include "core/base/sentence.h"
 #include "core/edit/point_edit.h"
 
 namespace batten::editor {
@@ -20,24 +21,8 @@ Edit with_curve(const EditorState& state, const std::string& wish, core::Curve c
 Outcome<std::size_t> curve_named(const EditorState& state, const std::string& name) {
     const core::Document& document = state.history.present();
     if (const auto index = core::index_of_curve(document, name)) return *index;
-    return tl::unexpected("there is no curve '" + name + "'; there are " + core::quoted_names(document));
-}
-
-std::optional<Argument> next_curve_name(const EditorState& state) {
-    const core::Document& document = state.history.present();
-    if (document.curves.size() < 2) return std::nullopt;
-    return document.curves[(document.active + 1) % document.curves.size()].name;
-}
-
-Outcome<std::vector<core::Point>> points_of(const std::vector<double>& coordinates, std::size_t least,
-                                            const std::string& what) {
-    if (coordinates.size() < 2 * least || coordinates.size() % 2 != 0)
-        return tl::unexpected(what + " needs x and y of " + std::to_string(least) + " points or more; " +
-                              std::to_string(coordinates.size()) + " coordinates were given");
-    std::vector<core::Point> points;
-    points.reserve(coordinates.size() / 2);
-    for (std::size_t i = 0; i < coordinates.size(); i += 2) points.emplace_back(coordinates[i], coordinates[i + 1]);
-    return points;
+    return tl::unexpected(core::sentence("there is no curve '{name}'; there are {names}",
+                                         {{"name", name}, {"names", core::quoted_names(document)}}));
 }
 
 Edit with_parts(const EditorState& state, std::vector<core::Curve> parts) {

@@ -1,7 +1,8 @@
 /// Edits of the list of curves that several commands make.
 #pragma once
 
-#include "app/editor/command_table.h"
+#include "app/editor/command_spec.h"
+#include "app/editor/state.h"
 
 namespace batten::editor {
 
@@ -10,14 +11,6 @@ Edit with_curve(const EditorState& state, const std::string& wish, core::Curve c
 
 /// The index of the committed document's curve called `name`; the refusal lists the names there are.
 Outcome<std::size_t> curve_named(const EditorState& state, const std::string& name);
-
-/// Suggestion: the name of the curve after the active one, the first one after the last; none where there is no other.
-std::optional<Argument> next_curve_name(const EditorState& state);
-
-/// x0, y0, x1, y1, ... as points; refused unless there are as many x as y, and `least` points or more. `what` names
-/// what they are for: "a new curve".
-Outcome<std::vector<core::Point>> points_of(const std::vector<double>& coordinates, std::size_t least,
-                                            const std::string& what);
 
 /// The committed document with the active curve replaced by its parts, at least one: the first keeps its place and
 /// name, the others follow it under free names and look like it.

@@ -1,37 +1,33 @@
 #include "app/editor/commands/finding_rows.h"
 
-#include "app/editor/commands/active_curve.h"
+#include <fmt/core.h>
 
 namespace batten::editor {
 
-const std::string& active_name(const EditorState& state) {
-    return state.history.present().active_curve()->name;
+core::Place active_name(const EditorState& state) {
+    return {"name", state.history.present().active_curve()->name};
 }
 
-std::string count_text(std::size_t count, const char* one, const char* many) {
-    if (count == 0) return std::string("no ") + many;
-    return std::to_string(count) + " " + (count == 1 ? one : many);
+void add_numbers(Finding& finding, const char* name, glm::dvec2 vector) {
+    finding.numbers.push_back({fmt::format("{} x", name), vector.x});
+    finding.numbers.push_back({fmt::format("{} y", name), vector.y});
 }
 
-void add_numbers(Finding& finding, const std::string& name, glm::dvec2 vector) {
-    finding.numbers.push_back({name + " x", vector.x});
-    finding.numbers.push_back({name + " y", vector.y});
+void add_interval(Finding& finding, core::Interval where) {
+    if (where.length() == 0.0) return;
+    finding.numbers.push_back({"from", where.lower});
+    finding.numbers.push_back({"to", where.upper});
 }
 
-Outcome<void> show_rows(EditorState& state, const char* title, const std::string& what, std::vector<Finding> rows) {
-    show_findings(state, {title, active_name(state) + " " + what, std::move(rows)});
+Outcome<void> show_rows(EditorState& state, const char* title, std::string summary, std::vector<Finding> rows) {
+    show_findings(state, {title, std::move(summary), std::move(rows)});
     return {};
 }
 
-CommandSpec measuring_command(const char* name, const char* title, const char* explanation, const char* submenu,
-                              Outcome<void> (*act)(EditorState&, const Arguments&)) {
-    return {.name = name,
-            .title = title,
-            .explanation = explanation,
-            .group = CommandGroup::analyze,
-            .submenu = submenu,
-            .refusal = no_curve,
-            .act = act};
+Outcome<void> show_counted_rows(EditorState& state, const char* title, const core::PluralPattern& summary,
+                                std::vector<Finding> rows) {
+    std::string text = core::sentence(summary, rows.size(), {active_name(state)});
+    return show_rows(state, title, std::move(text), std::move(rows));
 }
 
 }  // namespace batten::editor

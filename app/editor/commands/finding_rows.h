@@ -1,24 +1,27 @@
 /// What commands that measure the active curve share.
 #pragma once
 
-#include "app/editor/command_table.h"
+#include "app/editor/command_spec.h"
+#include "app/editor/findings.h"
+#include "app/editor/state.h"
+#include "core/base/sentence.h"
 
 namespace batten::editor {
 
-/// The name of the committed active curve; there must be one.
-const std::string& active_name(const EditorState& state);
-
-/// "1 cusp", "3 cusps", "no cusps".
-std::string count_text(std::size_t count, const char* one, const char* many);
+/// The name of the committed active curve as the place {name}; there must be one.
+core::Place active_name(const EditorState& state);
 
 /// Two numbers for a point or vector: "tangent x", "tangent y".
-void add_numbers(Finding& finding, const std::string& name, glm::dvec2 vector);
+void add_numbers(Finding& finding, const char* name, glm::dvec2 vector);
 
-/// Shows `rows` under `title` with the sentence "NAME WHAT" ("wave" + "has 3 cusps").
-Outcome<void> show_rows(EditorState& state, const char* title, const std::string& what, std::vector<Finding> rows);
+/// "from" and "to", unless the interval is a single parameter.
+void add_interval(Finding& finding, core::Interval where);
 
-/// A command of the menu Analyze that shows findings of the active curve.
-CommandSpec measuring_command(const char* name, const char* title, const char* explanation, const char* submenu,
-                              Outcome<void> (*act)(EditorState&, const Arguments&));
+/// Shows `rows` under `title` with a sentence about them.
+Outcome<void> show_rows(EditorState& state, const char* title, std::string summary, std::vector<Finding> rows);
+
+/// The same; the sentence speaks of as many things as there are rows, of the curve as {name}.
+Outcome<void> show_counted_rows(EditorState& state, const char* title, const core::PluralPattern& summary,
+                                std::vector<Finding> rows);
 
 }  // namespace batten::editor

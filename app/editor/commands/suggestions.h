@@ -1,0 +1,39 @@
+/// What suggests itself for the fields of commands, from the selection, the parameter, the view and the active curve.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor/state.h"
+
+namespace batten::editor::suggest {
+
+/// u; the selected knot, and its value; the selected points, and the first and the last of them; the active curve.
+double current_parameter(const EditorState& state);
+std::optional<std::size_t> selected_knot(const EditorState& state);
+std::optional<double> selected_knot_value(const EditorState& state);
+std::optional<std::vector<std::size_t>> selected_points(const EditorState& state);
+std::optional<std::size_t> first_selected_point(const EditorState& state);
+std::optional<std::size_t> last_selected_point(const EditorState& state);
+std::optional<std::size_t> active_curve(const EditorState& state);
+
+/// The name of the curve after the active one, the first one after the last; none where there is no other.
+std::optional<std::string> next_curve_name(const EditorState& state);
+
+/// The ends of the active curve's domain.
+std::optional<double> domain_begin(const EditorState& state);
+std::optional<double> domain_end(const EditorState& state);
+
+/// One minor grid step; a tenth of it.
+double grid_step(const EditorState& state);
+double tenth_of_grid_step(const EditorState& state);
+
+/// Lengths beside the size of the active curve: `share` of it; a billionth, which nobody sees; parts of it.
+std::optional<double> share_of_size(const EditorState& state, double share);
+std::optional<double> tiny_length(const EditorState& state);
+std::optional<double> hundredth_of_size(const EditorState& state);
+std::optional<double> thousandth_of_size(const EditorState& state);
+std::optional<double> millionth_of_size(const EditorState& state);
+
+}  // namespace batten::editor::suggest
