@@ -1,187 +1,237 @@
+#include "app/editor/commands/point_commands.h"
+
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/suggestions.h"
+#include "app/editor/field_kinds.h"
 #include "app/editor/formula.h"
+#include "core/base/sentence.h"
 #include "core/edit/point_edit.h"
 
 namespace batten::editor {
 
 namespace {
 
-using Kind = ParameterKind;
+using core::sentence;
 
 constexpr const char* which_point = "the number of a control point, counted from 0";
 
-Outcome<Edit> move_by(const EditorState& state, const std::vector<double>& points, core::Vector offset) {
-    const Outcome<std::vector<std::size_t>> indices = indices_of(points, "a control point");
-    if (!indices) return tl::unexpected(indices.error());
-    return edit_active(state, core::move_control_points(active_curve(state), *indices, offset));
-}
-
-Outcome<Edit> move_points(const EditorState& state, const Arguments& arguments) {
-    return move_by(state, arguments.numbers(0), {arguments.number(1), arguments.number(2)});
-}
-
-Outcome<Edit> set_point(const EditorState& state, const Arguments& arguments) {
-    const Outcome<std::size_t> index = index_of(arguments.number(0), "index");
-    if (!index) return tl::unexpected(index.error());
-    return edit_active(
-        state, core::set_control_point(active_curve(state), *index, {arguments.number(1), arguments.number(2)}));
-}
-
-Outcome<Edit> set_weight(const EditorState& state, const Arguments& arguments) {
-    const Outcome<std::size_t> index = index_of(arguments.number(0), "index");
-    if (!index) return tl::unexpected(index.error());
-    return edit_active(state, core::set_weight(active_curve(state), *index, arguments.number(1)));
-}
-
-Outcome<Edit> add_point(const EditorState& state, const Arguments& arguments) {
-    const Outcome<std::size_t> index = index_of(arguments.number(0), "index");
-    if (!index) return tl::unexpected(index.error());
+Outcome<Edit> move_points(const EditorState& state, const MovePoints& command) {
     return edit_active(state,
-                       core::add_control_point(active_curve(state), *index, {arguments.number(1), arguments.number(2)}),
-                       Selection{{*index}, {}});
+                       core::move_control_points(active_curve(state), ascending(command.points), command.offset));
 }
 
-Outcome<Edit> delete_points(const EditorState& state, const Arguments& arguments) {
-    const Outcome<std::vector<std::size_t>> indices = indices_of(arguments.numbers(0), "a control point");
-    if (!indices) return tl::unexpected(indices.error());
-    return edit_active(state, core::delete_control_points(active_curve(state), *indices), Selection{});
+Outcome<Edit> set_point(const EditorState& state, const SetPoint& command) {
+    return edit_active(state, core::set_control_point(active_curve(state), command.index, command.position));
 }
 
-Outcome<Edit> nudge(const EditorState& state, const Arguments& arguments) {
-    const std::vector<std::size_t>& points = state.selection.points;
-    return edit_active(
-        state, core::move_control_points(active_curve(state), points, {arguments.number(0), arguments.number(1)}));
+Outcome<Edit> set_weight(const EditorState& state, const SetWeight& command) {
+    return edit_active(state, core::set_weight(active_curve(state), command.index, command.weight));
 }
 
-std::string label_of_nudge(const EditorState& state, const Arguments&) {
-    const std::vector<std::size_t>& points = state.selection.points;
-    return "Nudge " + points_text(points);
+Outcome<Edit> add_point(const EditorState& state, const AddPoint& command) {
+    return edit_active(state, core::add_control_point(active_curve(state), command.index, command.position),
+                       Selection{{command.index}, {}});
 }
 
-void add_moves(std::vector<CommandSpec>& table) {
-    table.push_back({.name = "move-points",
-                     .title = "Move points",
-                     .explanation = "Moves control points by an offset.",
-                     .group = CommandGroup::edit,
-                     .effect = ShapeEffect::changes,
-                     .parameters = {{"indices", Kind::numbers, "which control points, counted from 0"},
-                                    {"dx", Kind::number, "to the right"},
-                                    {"dy", Kind::number, "upwards"}},
-                     .refusal = no_editable_curve,
-                     .edit = move_points,
-                     .label = [](const EditorState&, const Arguments& arguments) {
-                         return "Move " + points_text(arguments.numbers(0));
-                     }});
-    table.push_back({.name = "set-point",
-                     .title = "Set point",
-                     .explanation = "Puts a control point where its coordinates say.",
-                     .group = CommandGroup::edit,
-                     .effect = ShapeEffect::changes,
-                     .parameters = {{"index", Kind::number, which_point},
-                                    {"x", Kind::number, "its new x"},
-                                    {"y", Kind::number, "its new y"}},
-                     .refusal = no_editable_curve,
-                     .edit = set_point,
-                     .label = [](const EditorState&, const Arguments& arguments) {
-                         return "Move " + point_text(arguments.number(0));
-                     }});
-    table.push_back(
-        {.name = "set-weight",
-         .title = "Set weight",
-         .explanation = "Sets the weight of a control point; a larger one pulls the curve towards the point.",
-         .group = CommandGroup::edit,
-         .effect = ShapeEffect::changes,
-         .parameters = {{"index", Kind::number, which_point}, {"w", Kind::number, "its new weight, above 0"}},
-         .refusal = no_editable_curve,
-         .edit = set_weight,
-         .label = [](const EditorState&, const Arguments& arguments) {
-             return "Set weight of " + point_text(arguments.number(0));
-         }});
+Outcome<Edit> delete_points(const EditorState& state, const DeletePoints& command) {
+    return edit_active(state, core::delete_control_points(active_curve(state), ascending(command.points)), Selection{});
 }
 
-void add_additions(std::vector<CommandSpec>& table) {
-    table.push_back({.name = "add-point",
-                     .title = "Add point",
-                     .explanation = "Adds a control point, and with it a knot, before another one or at the end.",
-                     .group = CommandGroup::edit,
-                     .effect = ShapeEffect::changes,
-                     .parameters = {{"index", Kind::number, "the number that the new control point will have"},
-                                    {"x", Kind::number, "its x"},
-                                    {"y", Kind::number, "its y"}},
-                     .refusal = no_editable_curve,
-                     .edit = add_point,
-                     .label = [](const EditorState&, const Arguments& arguments) {
-                         return "Add " + point_text(arguments.number(0));
-                     }});
-    table.push_back(
-        {.name = "delete-points",
-         .title = "Delete points",
-         .explanation = "Deletes control points, and with each of them a knot.",
-         .group = CommandGroup::edit,
-         .effect = ShapeEffect::changes,
-         .parameters = {{"indices", Kind::numbers, "which control points, counted from 0", selected_points}},
-         .refusal = no_editable_curve,
-         .edit = delete_points,
-         .label = [](const EditorState&, const Arguments& arguments) {
-             return "Delete " + points_text(arguments.numbers(0));
-         }});
-    table.push_back({.name = "nudge",
-                     .title = "Nudge",
-                     .explanation = "Moves the selected control points by an offset.",
-                     .group = CommandGroup::edit,
-                     .effect = ShapeEffect::changes,
-                     .parameters = {{"dx", Kind::number, "to the right"}, {"dy", Kind::number, "upwards"}},
-                     .refusal = no_editable_points,
-                     .edit = nudge,
-                     .label = label_of_nudge});
+Outcome<Edit> nudge_by(const EditorState& state, core::Vector offset) {
+    return edit_active(state, core::move_control_points(active_curve(state), state.selection.points, offset));
 }
 
-// The distance is an argument, so that a replay does not depend on the camera.
-std::optional<Argument> tenth_of_grid_step(const EditorState& state) {
-    return std::get<double>(*grid_step(state)) / 10.0;
+Outcome<Edit> nudge(const EditorState& state, const Nudge& command) {
+    return nudge_by(state, command.offset);
 }
 
-template <int x, int y>
-Outcome<Edit> nudge_towards(const EditorState& state, const Arguments& arguments) {
-    const double distance = arguments.number(0);
-    return nudge(state, Arguments({x * distance, y * distance}));
+template <class Command, int x, int y>
+Outcome<Edit> nudge_towards(const EditorState& state, const Command& command) {
+    return nudge_by(state, {x * command.distance, y * command.distance});
 }
 
-template <int x, int y>
-void add_nudge(std::vector<CommandSpec>& table, const char* name, const char* title, Shortcut shortcut) {
+template <class Command>
+StepTexts texts_of_nudge(const EditorState& state, const Command&) {
+    const std::string points = points_text(state.selection.points);
+    return {sentence("Nudge {points}", {{"points", points}}), sentence("Nudged {points}", {{"points", points}})};
+}
+
+// What the arrow keys do. The distance is a field, so that a replay does not depend on the camera.
+template <class Command, int x, int y>
+CommandSpec arrow(const char* name, const char* title, Shortcut shortcut) {
     const bool is_far = shortcut.modifiers.shift;
-    table.push_back({.name = name,
-                     .title = title,
-                     .explanation = is_far ? "Moves the selected control points by a step of the grid."
-                                           : "Moves the selected control points by a tenth of a step of the grid.",
-                     .group = CommandGroup::edit,
-                     .effect = ShapeEffect::changes,
-                     .shortcut = shortcut,
-                     .parameters = {{"distance", Kind::number, "how far", is_far ? grid_step : tenth_of_grid_step}},
-                     .refusal = no_editable_points,
-                     .edit = nudge_towards<x, y>,
-                     .label = label_of_nudge});
+    Field distance = field::length<&Command::distance>("distance", "how far");
+    return {.name = name,
+            .title = title,
+            .explanation = is_far ? "Moves the selected control points by a step of the grid."
+                                  : "Moves the selected control points by a tenth of a step of the grid.",
+            .group = CommandGroup::edit,
+            .offered = {.scripts = false, .key_sheet = false},
+            .effect = ShapeEffect::changes,
+            .shortcut = shortcut,
+            .fields = {(is_far ? std::move(distance).template suggesting<suggest::grid_step>()
+                               : std::move(distance).template suggesting<suggest::tenth_of_grid_step>())
+                           .unasked()},
+            .refusal = no_editable_points,
+            .run = body_of<nudge_towards<Command, x, y>>,
+            .texts = texts_of<texts_of_nudge<Command>>};
 }
 
-void add_nudges(std::vector<CommandSpec>& table) {
-    constexpr Modifiers shift{false, true, false};
-    add_nudge<-1, 0>(table, "nudge-left", "Nudge left", {Key::left, {}});
-    add_nudge<1, 0>(table, "nudge-right", "Nudge right", {Key::right, {}});
-    add_nudge<0, 1>(table, "nudge-up", "Nudge up", {Key::up, {}});
-    add_nudge<0, -1>(table, "nudge-down", "Nudge down", {Key::down, {}});
-    add_nudge<-1, 0>(table, "nudge-left-far", "Nudge left by a grid step", {Key::left, shift});
-    add_nudge<1, 0>(table, "nudge-right-far", "Nudge right by a grid step", {Key::right, shift});
-    add_nudge<0, 1>(table, "nudge-up-far", "Nudge up by a grid step", {Key::up, shift});
-    add_nudge<0, -1>(table, "nudge-down-far", "Nudge down by a grid step", {Key::down, shift});
-}
+constexpr Modifiers shift{false, true, false};
 
 }  // namespace
 
-void add_point_commands(std::vector<CommandSpec>& table) {
-    add_moves(table);
-    add_additions(table);
-    add_nudges(table);
+const CommandSpec& MovePoints::spec() {
+    static const CommandSpec spec{
+        .name = "move-points",
+        .title = "Move points",
+        .explanation = "Moves control points by an offset.",
+        .synonyms = "shift translate",
+        .group = CommandGroup::edit,
+        .effect = ShapeEffect::changes,
+        .fields = {field::point_indices<&MovePoints::points>("indices", "which control points, counted from 0")
+                       .beginning_with<suggest::selected_points>(),
+                   field::vector<&MovePoints::offset>({"dx", "to the right"}, {"dy", "upwards"})},
+        .refusal = no_editable_curve,
+        .run = body_of<move_points>,
+        .step = "Move {indices}",
+        .done = "Moved {indices}"};
+    return spec;
+}
+
+const CommandSpec& SetPoint::spec() {
+    static const CommandSpec spec{
+        .name = "set-point",
+        .title = "Set point",
+        .explanation = "Moves a control point to a place.",
+        .synonyms = "move",
+        .group = CommandGroup::edit,
+        .effect = ShapeEffect::changes,
+        .fields =
+            {field::point_index<&SetPoint::index>("index", which_point).beginning_with<suggest::first_selected_point>(),
+             field::position<&SetPoint::position>({"x", "its new x"}, {"y", "its new y"})},
+        .refusal = no_editable_curve,
+        .run = body_of<set_point>,
+        .step = "Move {index}",
+        .done = "Moved {index}"};
+    return spec;
+}
+
+const CommandSpec& SetWeight::spec() {
+    static const CommandSpec spec{
+        .name = "set-weight",
+        .title = "Set weight",
+        .explanation = "Sets the weight of a control point; a larger one pulls the curve towards the point.",
+        .synonyms = "rational NURBS",
+        .group = CommandGroup::edit,
+        .effect = ShapeEffect::changes,
+        .fields = {field::point_index<&SetWeight::index>("index", which_point)
+                       .beginning_with<suggest::first_selected_point>(),
+                   field::number<&SetWeight::weight>("w", "its new weight, above 0")},
+        .refusal = no_editable_curve,
+        .run = body_of<set_weight>,
+        .step = "Set weight of {index}",
+        .done = "Set weight of {index}"};
+    return spec;
+}
+
+const CommandSpec& AddPoint::spec() {
+    static const CommandSpec spec{
+        .name = "add-point",
+        .title = "Add point",
+        .explanation = "Adds a control point, and with it a knot, before another one or at the end.",
+        .synonyms = "insert",
+        .group = CommandGroup::edit,
+        .effect = ShapeEffect::changes,
+        .fields = {field::point_index<&AddPoint::index>("index", "the number that the new control point will have")
+                       .or_one_more(),
+                   field::position<&AddPoint::position>({"x", "its x"}, {"y", "its y"})},
+        .refusal = no_editable_curve,
+        .run = body_of<add_point>,
+        .step = "Add {index}",
+        .done = "Added {index}"};
+    return spec;
+}
+
+const CommandSpec& DeletePoints::spec() {
+    static const CommandSpec spec{
+        .name = "delete-points",
+        .title = "Delete points",
+        .explanation = "Deletes control points, and with each of them a knot.",
+        .synonyms = "remove",
+        .group = CommandGroup::edit,
+        .effect = ShapeEffect::changes,
+        .fields = {field::point_indices<&DeletePoints::points>("indices", "which control points, counted from 0")
+                       .suggesting<suggest::selected_points>()},
+        .refusal = no_editable_curve,
+        .run = body_of<delete_points>,
+        .step = "Delete {indices}",
+        .done = "Deleted {indices}"};
+    return spec;
+}
+
+const CommandSpec& Nudge::spec() {
+    static const CommandSpec spec{.name = "nudge",
+                                  .title = "Nudge",
+                                  .explanation = "Moves the selected control points by an offset.",
+                                  .synonyms = "move shift",
+                                  .group = CommandGroup::edit,
+                                  .effect = ShapeEffect::changes,
+                                  .fields = {field::vector<&Nudge::offset>({"dx", "to the right"}, {"dy", "upwards"})},
+                                  .refusal = no_editable_points,
+                                  .run = body_of<nudge>,
+                                  .texts = texts_of<texts_of_nudge<Nudge>>};
+    return spec;
+}
+
+const CommandSpec& NudgeLeft::spec() {
+    static const CommandSpec spec = arrow<NudgeLeft, -1, 0>("nudge-left", "Nudge left", {Key::left, {}});
+    return spec;
+}
+
+const CommandSpec& NudgeRight::spec() {
+    static const CommandSpec spec = arrow<NudgeRight, 1, 0>("nudge-right", "Nudge right", {Key::right, {}});
+    return spec;
+}
+
+const CommandSpec& NudgeUp::spec() {
+    static const CommandSpec spec = arrow<NudgeUp, 0, 1>("nudge-up", "Nudge up", {Key::up, {}});
+    return spec;
+}
+
+const CommandSpec& NudgeDown::spec() {
+    static const CommandSpec spec = arrow<NudgeDown, 0, -1>("nudge-down", "Nudge down", {Key::down, {}});
+    return spec;
+}
+
+const CommandSpec& NudgeLeftFar::spec() {
+    static const CommandSpec spec =
+        arrow<NudgeLeftFar, -1, 0>("nudge-left-far", "Nudge left by a grid step", {Key::left, shift});
+    return spec;
+}
+
+const CommandSpec& NudgeRightFar::spec() {
+    static const CommandSpec spec =
+        arrow<NudgeRightFar, 1, 0>("nudge-right-far", "Nudge right by a grid step", {Key::right, shift});
+    return spec;
+}
+
+const CommandSpec& NudgeUpFar::spec() {
+    static const CommandSpec spec =
+        arrow<NudgeUpFar, 0, 1>("nudge-up-far", "Nudge up by a grid step", {Key::up, shift});
+    return spec;
+}
+
+const CommandSpec& NudgeDownFar::spec() {
+    static const CommandSpec spec =
+        arrow<NudgeDownFar, 0, -1>("nudge-down-far", "Nudge down by a grid step", {Key::down, shift});
+    return spec;
+}
+
+void add_point_commands(CommandTable& table) {
+    add_all<MovePoints, SetPoint, SetWeight, AddPoint, DeletePoints, Nudge>(table);
+    add_all<NudgeLeft, NudgeRight, NudgeUp, NudgeDown, NudgeLeftFar, NudgeRightFar, NudgeUpFar, NudgeDownFar>(table);
 }
 
 }  // namespace batten::editor

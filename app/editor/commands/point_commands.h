@@ -1,0 +1,77 @@
+/// Commands on the control points of the active curve.
+#pragma once
+
+#include "app/editor/command.h"
+#include "core/base/geometry.h"
+
+namespace batten::editor {
+
+struct MovePoints {
+    std::vector<std::size_t> points;
+    core::Vector offset;
+    static const CommandSpec& spec();
+};
+
+struct SetPoint {
+    std::size_t index;
+    core::Point position;
+    static const CommandSpec& spec();
+};
+
+struct SetWeight {
+    std::size_t index;
+    double weight;
+    static const CommandSpec& spec();
+};
+
+struct AddPoint {
+    std::size_t index;  ///< that the new point will have
+    core::Point position;
+    static const CommandSpec& spec();
+};
+
+struct DeletePoints {
+    std::vector<std::size_t> points;
+    static const CommandSpec& spec();
+};
+
+/// Moves the selected points, as the ones below do in one direction.
+struct Nudge {
+    core::Vector offset;
+    static const CommandSpec& spec();
+};
+
+struct NudgeLeft {
+    double distance;
+    static const CommandSpec& spec();
+};
+struct NudgeRight {
+    double distance;
+    static const CommandSpec& spec();
+};
+struct NudgeUp {
+    double distance;
+    static const CommandSpec& spec();
+};
+struct NudgeDown {
+    double distance;
+    static const CommandSpec& spec();
+};
+struct NudgeLeftFar {
+    double distance;
+    static const CommandSpec& spec();
+};
+struct NudgeRightFar {
+    double distance;
+    static const CommandSpec& spec();
+};
+struct NudgeUpFar {
+    double distance;
+    static const CommandSpec& spec();
+};
+struct NudgeDownFar {
+    double distance;
+    static const CommandSpec& spec();
+};
+
+}  // namespace batten::editor
