@@ -1,7 +1,11 @@
+#include "app/editor/commands/refinement_commands.h"
+
 #include "app/editor/commands/active_curve.h"
-#include "app/editor/commands/curve_end_named.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/suggestions.h"
+#include "app/editor/field_kinds.h"
 #include "app/editor/formula.h"
+#include "core/base/sentence.h"
 #include "core/edit/knot_edit.h"
 #include "core/edit/knot_merging.h"
 #include "core/measure/closing.h"
@@ -16,171 +20,263 @@ namespace batten::editor {
 
 namespace {
 
-using Kind = ParameterKind;
+using core::sentence;
 
-Outcome<Edit> insert_knots(const EditorState& state, const Arguments& arguments) {
-    return edit_active(state, core::refine_knots(active_curve(state), arguments.numbers(0)));
+constexpr const char* how_far = "how far the curve may move, above 0";
+
+Outcome<Edit> insert_knots(const EditorState& state, const InsertKnots& command) {
+    return edit_active(state, core::refine_knots(active_curve(state), command.knots));
 }
 
 // What is wrong when not all knots asked for could be removed: nothing is changed then.
 Refusal not_removed(const core::KnotRemoval& removal, double tolerance) {
-    return "only " + std::to_string(removal.count) + " of the knots can be removed; one more would make the curve " +
-           "deviate by " + number_text(removal.refused.value_or(removal.error)) + ", and " + number_text(tolerance) +
-           " is allowed";
+    return sentence(
+        {.one = "only one knot can be removed; removing another would change the curve by {deviation}, and "
+                "{tolerance} is allowed",
+         .many = "only {count} knots can be removed; removing another would change the curve by "
+                 "{deviation}, and {tolerance} is allowed",
+         .none = "the knot cannot be removed; that would change the curve by {deviation}, and {tolerance} "
+                 "is allowed"},
+        static_cast<std::size_t>(removal.count),
+        {{"deviation", number_text(removal.refused.value_or(removal.error))}, {"tolerance", number_text(tolerance)}});
 }
 
-Outcome<Edit> remove_knot(const EditorState& state, const Arguments& arguments) {
-    const Outcome<std::size_t> times = index_of(arguments.number(1), "times");
-    if (!times) return tl::unexpected(times.error());
-    if (*times == 0) return tl::unexpected(Refusal("times is 0; it must be 1 or more"));
-    const double tolerance = arguments.number(2);
+Outcome<Edit> remove_knot(const EditorState& state, const RemoveKnot& command) {
     core::Result<core::KnotRemoval> removal =
-        core::remove_knot(active_curve(state), arguments.number(0), static_cast<int>(*times), tolerance);
+        core::remove_knot(active_curve(state), command.u, command.times, command.tolerance);
     if (!removal) return tl::unexpected(core::describe(removal.error()));
-    if (removal->refused) return tl::unexpected(not_removed(*removal, tolerance));
+    if (removal->refused) return tl::unexpected(not_removed(*removal, command.tolerance));
     return edit_active(state, std::move(removal->curve));
 }
 
-Outcome<Edit> remove_knots(const EditorState& state, const Arguments& arguments) {
-    core::Result<core::KnotRemoval> removal = core::remove_knots(active_curve(state), arguments.number(0));
+Outcome<Edit> remove_knots(const EditorState& state, const RemoveKnots& command) {
+    core::Result<core::KnotRemoval> removal = core::remove_knots(active_curve(state), command.tolerance);
     if (!removal) return tl::unexpected(core::describe(removal.error()));
     if (removal->count == 0)
-        return tl::unexpected("no knot can be removed within a deviation of " + number_text(arguments.number(0)));
+        return tl::unexpected(sentence("no knot can be removed within a deviation of {tolerance}",
+                                       {{"tolerance", number_text(command.tolerance)}}));
     return edit_active(state, std::move(removal->curve));
 }
 
-Outcome<Edit> merge_knots(const EditorState& state, const Arguments& arguments) {
-    core::Result<core::KnotMerging> merging = core::merge_knots(active_curve(state), arguments.number(0));
+Outcome<Edit> merge_knots(const EditorState& state, const MergeKnots& command) {
+    core::Result<core::KnotMerging> merging = core::merge_knots(active_curve(state), command.tolerance);
     if (!merging) return tl::unexpected(core::describe(merging.error()));
     if (merging->count == 0)
-        return tl::unexpected("no two knots are nearer than " + number_text(arguments.number(0)) + " of the domain");
+        return tl::unexpected(sentence("no two knots are nearer than {tolerance} of the domain",
+                                       {{"tolerance", number_text(command.tolerance)}}));
     return edit_active(state, std::move(merging->curve));
 }
 
-Outcome<Edit> reparametrize(const EditorState& state, const Arguments& arguments) {
-    return edit_active(state, core::reparametrize(active_curve(state), {arguments.number(0), arguments.number(1)}));
+Outcome<Edit> to_bezier(const EditorState& state, const ToBezier&) {
+    return edit_active(state, core::to_bezier(active_curve(state)));
 }
 
-Outcome<Edit> normalize(const EditorState& state, const Arguments&) {
+Outcome<Edit> reparametrize(const EditorState& state, const Reparametrize& command) {
+    return edit_active(state, core::reparametrize(active_curve(state), {command.begin, command.end}));
+}
+
+Outcome<Edit> normalize(const EditorState& state, const Normalize&) {
     return edit_active(state, core::reparametrize(active_curve(state), {0.0, 1.0}));
 }
 
-template <core::Result<core::Curve> (*changed)(const core::Curve&, core::CurveEnd),
-          core::Result<core::Curve> (*both_changed)(const core::Curve&)>
-Outcome<Edit> change_clamping(const EditorState& state, const Arguments& arguments) {
-    if (arguments.text(0) == "both") return edit_active(state, both_changed(active_curve(state)));
-    Outcome<core::Curve> curve = change_ends(active_curve(state), arguments.text(0), changed);
-    if (!curve) return tl::unexpected(curve.error());
-    return edit_active(state, *std::move(curve));
+Outcome<Edit> make_uniform(const EditorState& state, const MakeUniform&) {
+    return edit_active(state, core::make_uniform(active_curve(state)));
+}
+
+// Both ends at once are one operation of the core, which cannot stop half-way.
+Outcome<Edit> clamp(const EditorState& state, const Clamp& command) {
+    const core::Curve& curve = active_curve(state);
+    if (command.end == CurveEnds::both) return edit_active(state, core::clamp_ends(curve));
+    return edit_active(state, change_ends(curve, command.end, core::clamp));
 }
 
 // Extrapolated control points of high degree lose digits, which must not be passed over in silence.
-Outcome<Edit> unclamp(const EditorState& state, const Arguments& arguments) {
-    Outcome<Edit> edit = change_clamping<core::unclamp, core::unclamp_ends>(state, arguments);
-    if (!edit) return edit;
+Outcome<Edit> unclamp(const EditorState& state, const Unclamp& command) {
     const core::Curve& curve = active_curve(state);
+    Outcome<Edit> edit = command.end == CurveEnds::both
+                             ? edit_active(state, core::unclamp_ends(curve))
+                             : edit_active(state, change_ends(curve, command.end, core::unclamp));
+    if (!edit) return edit;
     const double deviation = core::largest_deviation(curve, *edit->document.active_curve()->curve);
     if (deviation > core::absolute_tolerance(curve, 1e-12)) edit->error = deviation;
     return edit;
 }
 
-Outcome<Edit> make_uniform(const EditorState& state, const Arguments&) {
-    return edit_active(state, core::make_uniform(active_curve(state)));
-}
-
-Outcome<Edit> to_bezier(const EditorState& state, const Arguments&) {
-    return edit_active(state, core::to_bezier(active_curve(state)));
-}
-
-std::optional<Argument> selected_knot_value(const EditorState& state) {
-    const std::optional<std::size_t> knot = state.selection.knot;
-    if (!knot || state.history.present().active_curve() == nullptr) return std::nullopt;
-    return active_curve(state).knots().stored()[*knot];
-}
-
-std::optional<Argument> once(const EditorState&) {
-    return 1.0;
-}
-
-std::optional<Argument> billionth(const EditorState&) {
-    return 1e-9;
-}
-
-CommandSpec knot_command(const char* name, const char* title, const char* explanation, ShapeEffect effect,
-                         std::vector<ParameterSpec> parameters,
-                         Outcome<Edit> (*edit)(const EditorState&, const Arguments&)) {
-    return {.name = name,
-            .title = title,
-            .explanation = explanation,
-            .group = CommandGroup::curve,
-            .submenu = "Knots",
-            .effect = effect,
-            .parameters = std::move(parameters),
-            .refusal = no_editable_curve,
-            .edit = edit};
-}
-
-void add_counts_of_knots(std::vector<CommandSpec>& table) {
-    const ParameterSpec tolerance{"tolerance", Kind::number, "how far the curve may move, above 0", tiny_length};
-    table.push_back(knot_command(
-        "insert-knots", "Insert knots", "Inserts many knots at once; the curve stays as it is.", ShapeEffect::keeps,
-        {{"knots", Kind::numbers, "where in the domain, in any order; repeats count"}}, insert_knots));
-    table.push_back(knot_command("remove-knot", "Remove knot",
-                                 "Removes a knot, where the curve hardly needs it; otherwise nothing changes.",
-                                 ShapeEffect::changes,
-                                 {{"u", Kind::number, "the value of the knot", selected_knot_value},
-                                  {"times", Kind::number, "how often", once},
-                                  tolerance},
-                                 remove_knot));
-    table.back().label = [](const EditorState&, const Arguments& arguments) {
-        return "Remove knot " + number_text(arguments.number(0));
-    };
-    table.push_back(knot_command("remove-knots", "Remove all spare knots",
-                                 "Removes as many knots as the curve can spare, those that matter least first.",
-                                 ShapeEffect::changes, {tolerance}, remove_knots));
-    table.push_back(knot_command("merge-knots", "Merge near knots",
-                                 "Makes knots equal that nearly are; the control points stay.", ShapeEffect::changes,
-                                 {{"tolerance", Kind::number, "how near, as a part of the domain, above 0", billionth}},
-                                 merge_knots));
-    table.push_back(knot_command("to-bezier", "Raise all knots to Bézier form",
-                                 "Raises every knot to the multiplicity p, so that the control points are those of the "
-                                 "Bézier pieces; the curve stays as it is.",
-                                 ShapeEffect::keeps, {}, to_bezier));
-}
-
-void add_changes_of_parameter(std::vector<CommandSpec>& table) {
-    table.push_back(
-        knot_command("reparametrize", "Set domain",
-                     "Stretches and shifts all knots so that the domain begins and ends as asked; the "
-                     "curve stays as it is.",
-                     ShapeEffect::keeps,
-                     {{"a", Kind::number, "where the domain begins"}, {"b", Kind::number, "where it ends, above a"}},
-                     reparametrize));
-    table.back().label = [](const EditorState&, const Arguments& arguments) {
-        return "Set domain to [" + number_text(arguments.number(0)) + ", " + number_text(arguments.number(1)) + "]";
-    };
-    table.push_back(knot_command("normalize", "Normalize domain",
-                                 "Stretches and shifts all knots so that the domain runs from 0 to 1; the curve stays "
-                                 "as it is.",
-                                 ShapeEffect::keeps, {}, normalize));
-    table.push_back(knot_command("make-uniform", "Space knots equally",
-                                 "Spaces the knots equally over the same domain; the control points stay.",
-                                 ShapeEffect::changes, {}, make_uniform));
-    const ParameterSpec ends{"end", Kind::text, "start, end or both", both_ends};
-    table.push_back(knot_command("clamp", "Clamp ends",
-                                 "Lets an open curve begin and end in its end points; the curve stays as it is.",
-                                 ShapeEffect::keeps, {ends}, change_clamping<core::clamp, core::clamp_ends>));
-    table.push_back(knot_command("unclamp", "Unclamp ends",
-                                 "Spreads the knots at the ends of an open curve beyond its domain; the curve stays as "
-                                 "it is.",
-                                 ShapeEffect::keeps, {ends}, unclamp));
-}
-
 }  // namespace
 
-void add_refinement_commands(std::vector<CommandSpec>& table) {
-    add_counts_of_knots(table);
-    add_changes_of_parameter(table);
+const CommandSpec& InsertKnots::spec() {
+    static const CommandSpec spec{
+        .name = "insert-knots",
+        .title = "Insert knots",
+        .explanation = "Inserts many knots at once; the curve stays as it is.",
+        .synonyms = "refine Oslo",
+        .group = CommandGroup::curve,
+        .submenu = "Knots",
+        .effect = ShapeEffect::keeps,
+        .fields = {field::parameters<&InsertKnots::knots>("knots", "where in the domain, in any order; repeats count")},
+        .refusal = no_editable_curve,
+        .run = body_of<insert_knots>,
+        .done = "Inserted knots"};
+    return spec;
+}
+
+const CommandSpec& RemoveKnot::spec() {
+    static const CommandSpec spec{
+        .name = "remove-knot",
+        .title = "Remove knot",
+        .explanation = "Removes a knot, where the curve hardly needs it; otherwise nothing changes.",
+        .synonyms = "delete",
+        .group = CommandGroup::curve,
+        .submenu = "Knots",
+        .effect = ShapeEffect::changes,
+        .fields =
+            {field::parameter<&RemoveKnot::u>("u", "the value of the knot").suggesting<suggest::selected_knot_value>(),
+             field::count<&RemoveKnot::times>("times", "how often").usually(1).at_least(1.0),
+             field::length<&RemoveKnot::tolerance>("tolerance", how_far).suggesting<suggest::tiny_length>()},
+        .refusal = no_editable_curve,
+        .run = body_of<remove_knot>,
+        .step = "Remove knot {u}",
+        .done = "Removed knot {u}"};
+    return spec;
+}
+
+const CommandSpec& RemoveKnots::spec() {
+    static const CommandSpec spec{
+        .name = "remove-knots",
+        .title = "Remove all spare knots",
+        .explanation = "Removes as many knots as the curve can spare, those that matter least first.",
+        .synonyms = "simplify delete",
+        .group = CommandGroup::curve,
+        .submenu = "Knots",
+        .effect = ShapeEffect::changes,
+        .fields = {field::length<&RemoveKnots::tolerance>("tolerance", how_far).suggesting<suggest::tiny_length>()},
+        .refusal = no_editable_curve,
+        .run = body_of<remove_knots>,
+        .done = "Removed all spare knots"};
+    return spec;
+}
+
+const CommandSpec& MergeKnots::spec() {
+    static const CommandSpec spec{
+        .name = "merge-knots",
+        .title = "Merge near knots",
+        .explanation = "Makes knots equal that nearly are; the control points stay.",
+        .synonyms = "clean",
+        .group = CommandGroup::curve,
+        .submenu = "Knots",
+        .effect = ShapeEffect::changes,
+        .fields = {field::number<&MergeKnots::tolerance>("tolerance", "how near, as a part of the domain, above 0")
+                       .usually(1e-9)},
+        .refusal = no_editable_curve,
+        .run = body_of<merge_knots>,
+        .done = "Merged near knots"};
+    return spec;
+}
+
+const CommandSpec& ToBezier::spec() {
+    static const CommandSpec spec{
+        .name = "to-bezier",
+        .title = "Raise all knots to Bézier form",
+        .explanation =
+            "Raises every knot to the multiplicity p, so that the control points are those of the Bézier "
+            "pieces; the curve stays as it is.",
+        .synonyms = "decompose",
+        .group = CommandGroup::curve,
+        .submenu = "Knots",
+        .effect = ShapeEffect::keeps,
+        .refusal = no_editable_curve,
+        .run = body_of<to_bezier>,
+        .done = "Raised all knots to Bézier form"};
+    return spec;
+}
+
+const CommandSpec& Reparametrize::spec() {
+    static const CommandSpec spec{
+        .name = "reparametrize",
+        .title = "Set domain",
+        .explanation =
+            "Stretches and shifts all knots so that the domain begins and ends as asked; the curve stays as "
+            "it is.",
+        .synonyms = "reparametrize scale interval",
+        .group = CommandGroup::curve,
+        .submenu = "Knots",
+        .effect = ShapeEffect::keeps,
+        .fields = {field::parameter<&Reparametrize::begin>("a", "where the domain begins")
+                       .beginning_with<suggest::domain_begin>(),
+                   field::parameter<&Reparametrize::end>("b", "where it ends, above a")
+                       .beginning_with<suggest::domain_end>()},
+        .refusal = no_editable_curve,
+        .run = body_of<reparametrize>,
+        .step = "Set domain to [{a}, {b}]",
+        .done = "Set domain to [{a}, {b}]"};
+    return spec;
+}
+
+const CommandSpec& Normalize::spec() {
+    static const CommandSpec spec{
+        .name = "normalize",
+        .title = "Normalize domain",
+        .explanation = "Stretches and shifts all knots so that the domain runs from 0 to 1; the curve stays as it is.",
+        .synonyms = "reparametrize",
+        .group = CommandGroup::curve,
+        .submenu = "Knots",
+        .effect = ShapeEffect::keeps,
+        .refusal = no_editable_curve,
+        .run = body_of<normalize>,
+        .done = "Normalized domain"};
+    return spec;
+}
+
+const CommandSpec& MakeUniform::spec() {
+    static const CommandSpec spec{
+        .name = "make-uniform",
+        .title = "Space knots equally",
+        .explanation = "Spaces the knots equally over the same domain; the control points stay.",
+        .synonyms = "uniform",
+        .group = CommandGroup::curve,
+        .submenu = "Knots",
+        .effect = ShapeEffect::changes,
+        .refusal = no_editable_curve,
+        .run = body_of<make_uniform>,
+        .done = "Spaced knots equally"};
+    return spec;
+}
+
+const CommandSpec& Clamp::spec() {
+    static const CommandSpec spec{
+        .name = "clamp",
+        .title = "Clamp ends",
+        .explanation = "Lets an open curve begin and end in its end points; the curve stays as it is.",
+        .synonyms = "open",
+        .group = CommandGroup::curve,
+        .submenu = "Knots",
+        .effect = ShapeEffect::keeps,
+        .fields = {field::choice<&Clamp::end>("end", "which ends").usually(CurveEnds::both)},
+        .refusal = no_editable_curve,
+        .run = body_of<clamp>,
+        .done = "Clamped ends"};
+    return spec;
+}
+
+const CommandSpec& Unclamp::spec() {
+    static const CommandSpec spec{
+        .name = "unclamp",
+        .title = "Unclamp ends",
+        .explanation = "Spreads the knots at the ends of an open curve beyond its domain; the curve stays as it is.",
+        .synonyms = "float",
+        .group = CommandGroup::curve,
+        .submenu = "Knots",
+        .effect = ShapeEffect::keeps,
+        .fields = {field::choice<&Unclamp::end>("end", "which ends").usually(CurveEnds::both)},
+        .refusal = no_editable_curve,
+        .run = body_of<unclamp>,
+        .done = "Unclamped ends"};
+    return spec;
+}
+
+void add_refinement_commands(CommandTable& table) {
+    add_all<InsertKnots, RemoveKnot, RemoveKnots, MergeKnots, ToBezier>(table);
+    add_all<Reparametrize, Normalize, MakeUniform, Clamp, Unclamp>(table);
 }
 
 }  // namespace batten::editor
