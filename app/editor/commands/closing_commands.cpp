@@ -1,7 +1,9 @@
+#include "app/editor/commands/closing_commands.h"
+
 #include "app/editor/commands/active_curve.h"
-#include "app/editor/commands/curve_end_named.h"
 #include "app/editor/commands/groups.h"
-#include "app/editor/formula.h"
+#include "app/editor/commands/suggestions.h"
+#include "app/editor/field_kinds.h"
 #include "core/edit/end_vertices.h"
 #include "core/measure/collinear.h"
 #include "core/refine/periodic.h"
@@ -9,8 +11,6 @@
 namespace batten::editor {
 
 namespace {
-
-using Kind = ParameterKind;
 
 // Equal parameters need not mean equal places afterwards, so the deviation is what the conversion says.
 Outcome<Edit> edit_with_error(const EditorState& state, const core::Result<core::Approximation>& found) {
@@ -20,141 +20,185 @@ Outcome<Edit> edit_with_error(const EditorState& state, const core::Result<core:
     return edit;
 }
 
-Outcome<Edit> to_periodic(const EditorState& state, const Arguments& arguments) {
-    return edit_with_error(state, core::to_periodic(active_curve(state), arguments.number(0)));
+Outcome<Edit> to_periodic(const EditorState& state, const ToPeriodic& command) {
+    return edit_with_error(state, core::to_periodic(active_curve(state), command.tolerance));
 }
 
-Outcome<Edit> to_wrapped(const EditorState& state, const Arguments& arguments) {
-    return edit_with_error(state, core::to_wrapped(active_curve(state), arguments.number(0)));
+Outcome<Edit> to_wrapped(const EditorState& state, const ToWrapped& command) {
+    return edit_with_error(state, core::to_wrapped(active_curve(state), command.tolerance));
 }
 
-Outcome<Edit> to_clamped(const EditorState& state, const Arguments&) {
+Outcome<Edit> to_clamped(const EditorState& state, const ToClamped&) {
     return edit_active(state, core::to_clamped(active_curve(state)));
 }
 
-Outcome<Edit> move_seam(const EditorState& state, const Arguments& arguments) {
-    return edit_with_error(state, core::move_seam(active_curve(state), arguments.number(0), arguments.number(1)));
+Outcome<Edit> move_seam(const EditorState& state, const MoveSeam& command) {
+    return edit_with_error(state, core::move_seam(active_curve(state), command.u, command.tolerance));
 }
 
-template <core::EndVertex vertex>
-Outcome<Edit> add_end_vertex(const EditorState& state, const Arguments& arguments) {
+template <class Command, core::EndVertex vertex>
+Outcome<Edit> add_end_vertex(const EditorState& state, const Command& command) {
     const auto add = [](const core::Curve& curve, core::CurveEnd end) {
         return core::add_end_vertex(curve, end, vertex);
     };
-    Outcome<core::Curve> curve = change_ends(active_curve(state), arguments.text(0), add);
-    if (!curve) return tl::unexpected(curve.error());
-    return edit_active(state, *std::move(curve));
+    return edit_active(state, change_ends(active_curve(state), command.end, add));
 }
 
-Outcome<Edit> straighten(const EditorState& state, const Arguments& arguments) {
-    const Outcome<std::size_t> first = index_of(arguments.number(0), "from");
-    if (!first) return tl::unexpected(first.error());
-    const Outcome<std::size_t> last = index_of(arguments.number(1), "to");
-    if (!last) return tl::unexpected(last.error());
-    return edit_active(state, core::straighten(active_curve(state), *first, *last));
+Outcome<Edit> straighten(const EditorState& state, const Straighten& command) {
+    return edit_active(state, core::straighten(active_curve(state), command.from, command.to));
 }
 
-std::optional<Argument> first_selected(const EditorState& state) {
-    if (state.selection.points.empty()) return std::nullopt;
-    return static_cast<double>(state.selection.points.front());
+template <auto member>
+Field tolerance_field() {
+    return field::length<member>("tolerance", "how far the curve may move, above 0")
+        .template suggesting<suggest::tiny_length>();
 }
 
-std::optional<Argument> last_selected(const EditorState& state) {
-    if (state.selection.points.empty()) return std::nullopt;
-    return static_cast<double>(state.selection.points.back());
-}
-
-void add_conversions(std::vector<CommandSpec>& table) {
-    const ParameterSpec tolerance{"tolerance", Kind::number, "how far the curve may move, above 0", tiny_length};
-    table.push_back({.name = "to-periodic",
-                     .title = "Make periodic",
-                     .explanation = "Turns a curve whose ends meet, or whose control points are wrapped, into a truly "
-                                    "periodic one.",
-                     .group = CommandGroup::curve,
-                     .submenu = "Closing",
-                     .effect = ShapeEffect::changes,
-                     .parameters = {tolerance},
-                     .refusal = no_editable_curve,
-                     .edit = to_periodic});
-    table.push_back({.name = "to-wrapped",
-                     .title = "Make wrapped",
-                     .explanation = "Turns a closed curve into an open one that repeats its first p control points.",
-                     .group = CommandGroup::curve,
-                     .submenu = "Closing",
-                     .effect = ShapeEffect::changes,
-                     .parameters = {tolerance},
-                     .refusal = no_editable_curve,
-                     .edit = to_wrapped});
-    table.push_back({.name = "to-clamped",
-                     .title = "Make clamped",
-                     .explanation = "Opens a periodic curve at its seam, or raises the end knots of an open one; the "
-                                    "curve stays as it is.",
-                     .group = CommandGroup::curve,
-                     .submenu = "Closing",
-                     .effect = ShapeEffect::keeps,
-                     .refusal = no_editable_curve,
-                     .edit = to_clamped});
-    table.push_back({.name = "move-seam",
-                     .title = "Move seam",
-                     .explanation = "Lets a closed curve begin and end at u; a periodic one gains a knot there.",
-                     .group = CommandGroup::curve,
-                     .submenu = "Closing",
-                     .effect = ShapeEffect::changes,
-                     .parameters = {{"u", Kind::number, "where in the domain", current_parameter}, tolerance},
-                     .refusal = no_editable_curve,
-                     .edit = move_seam,
-                     .label = [](const EditorState&, const Arguments& arguments) {
-                         return "Move seam to " + number_text(arguments.number(0));
-                     }});
-}
-
-CommandSpec end_command(const char* name, const char* title, const char* explanation,
-                        Outcome<Edit> (*edit)(const EditorState&, const Arguments&)) {
-    return {.name = name,
-            .title = title,
-            .explanation = explanation,
-            .group = CommandGroup::curve,
-            .submenu = "Ends of uniform cubics",
-            .effect = ShapeEffect::changes,
-            .parameters = {{"end", Kind::text, "start, end or both", both_ends}},
-            .refusal = no_editable_curve,
-            .edit = edit};
-}
-
-void add_ends(std::vector<CommandSpec>& table) {
-    table.push_back(end_command("double-end", "Double end vertices",
-                                "Repeats the end point of a uniform cubic, which then ends on the last leg without "
-                                "curvature.",
-                                add_end_vertex<core::EndVertex::doubled>));
-    table.push_back(
-        end_command("triple-end", "Triple end vertices",
-                    "Repeats the end point of a uniform cubic twice, so that the curve ends in it, straight.",
-                    add_end_vertex<core::EndVertex::tripled>));
-    table.push_back(end_command("phantom-end", "Add phantom end vertices",
-                                "Adds a point that mirrors the last but one of a uniform cubic, so that the curve ends "
-                                "in its end point without curvature.",
-                                add_end_vertex<core::EndVertex::phantom>));
-    table.push_back({.name = "straighten",
-                     .title = "Straighten between points",
-                     .explanation = "Moves the control points between two others onto the line through them, which "
-                                    "makes a straight piece.",
-                     .group = CommandGroup::curve,
-                     .effect = ShapeEffect::changes,
-                     .parameters = {{"from", Kind::number, "the number of a control point", first_selected},
-                                    {"to", Kind::number, "the number of another one", last_selected}},
-                     .refusal = no_editable_curve,
-                     .edit = straighten,
-                     .label = [](const EditorState&, const Arguments& arguments) {
-                         return "Straighten from " + point_text(arguments.number(0)) + " to " +
-                                point_text(arguments.number(1));
-                     }});
+template <auto member>
+Field ends_field() {
+    return field::choice<member>("end", "which ends").usually(CurveEnds::both);
 }
 
 }  // namespace
 
-void add_closing_commands(std::vector<CommandSpec>& table) {
-    add_conversions(table);
-    add_ends(table);
+const CommandSpec& ToPeriodic::spec() {
+    static const CommandSpec spec{
+        .name = "to-periodic",
+        .title = "Make periodic",
+        .explanation = "Turns a curve whose ends meet, or whose control points are wrapped, into a truly periodic one.",
+        .synonyms = "close smooth",
+        .group = CommandGroup::curve,
+        .submenu = "Closing",
+        .effect = ShapeEffect::changes,
+        .fields = {tolerance_field<&ToPeriodic::tolerance>()},
+        .refusal = no_editable_curve,
+        .run = body_of<to_periodic>,
+        .done = "Made periodic"};
+    return spec;
+}
+
+const CommandSpec& ToWrapped::spec() {
+    static const CommandSpec spec{
+        .name = "to-wrapped",
+        .title = "Make wrapped",
+        .explanation = "Turns a closed curve into an open one that repeats its first p control points.",
+        .synonyms = "unwrap",
+        .group = CommandGroup::curve,
+        .submenu = "Closing",
+        .effect = ShapeEffect::changes,
+        .fields = {tolerance_field<&ToWrapped::tolerance>()},
+        .refusal = no_editable_curve,
+        .run = body_of<to_wrapped>,
+        .done = "Made wrapped"};
+    return spec;
+}
+
+const CommandSpec& ToClamped::spec() {
+    static const CommandSpec spec{
+        .name = "to-clamped",
+        .title = "Make clamped",
+        .explanation =
+            "Opens a periodic curve at its seam, or raises the end knots of an open one; the curve stays as "
+            "it is.",
+        .synonyms = "open",
+        .group = CommandGroup::curve,
+        .submenu = "Closing",
+        .effect = ShapeEffect::keeps,
+        .refusal = no_editable_curve,
+        .run = body_of<to_clamped>,
+        .done = "Made clamped"};
+    return spec;
+}
+
+const CommandSpec& MoveSeam::spec() {
+    static const CommandSpec spec{
+        .name = "move-seam",
+        .title = "Move seam",
+        .explanation = "Lets a closed curve begin and end at u; a periodic one gains a knot there.",
+        .synonyms = "start",
+        .group = CommandGroup::curve,
+        .submenu = "Closing",
+        .effect = ShapeEffect::changes,
+        .fields = {field::parameter<&MoveSeam::u>("u", "where in the domain").suggesting<suggest::current_parameter>(),
+                   tolerance_field<&MoveSeam::tolerance>()},
+        .refusal = no_editable_curve,
+        .run = body_of<move_seam>,
+        .step = "Move seam to {u}",
+        .done = "Moved seam to {u}"};
+    return spec;
+}
+
+const CommandSpec& DoubleEnd::spec() {
+    static const CommandSpec spec{
+        .name = "double-end",
+        .title = "Double end vertices",
+        .explanation = "Repeats the end point of a uniform cubic, which then ends on the last leg without curvature.",
+        .group = CommandGroup::curve,
+        .submenu = "Ends of uniform cubics",
+        .effect = ShapeEffect::changes,
+        .fields = {ends_field<&DoubleEnd::end>()},
+        .refusal = no_editable_curve,
+        .run = body_of<add_end_vertex<DoubleEnd, core::EndVertex::doubled>>,
+        .done = "Doubled end vertices"};
+    return spec;
+}
+
+const CommandSpec& TripleEnd::spec() {
+    static const CommandSpec spec{
+        .name = "triple-end",
+        .title = "Triple end vertices",
+        .explanation = "Repeats the end point of a uniform cubic twice, so that the curve ends in it, straight.",
+        .group = CommandGroup::curve,
+        .submenu = "Ends of uniform cubics",
+        .effect = ShapeEffect::changes,
+        .fields = {ends_field<&TripleEnd::end>()},
+        .refusal = no_editable_curve,
+        .run = body_of<add_end_vertex<TripleEnd, core::EndVertex::tripled>>,
+        .done = "Tripled end vertices"};
+    return spec;
+}
+
+const CommandSpec& PhantomEnd::spec() {
+    static const CommandSpec spec{
+        .name = "phantom-end",
+        .title = "Add phantom end vertices",
+        .explanation =
+            "Adds a point that mirrors the last but one of a uniform cubic, so that the curve ends in its "
+            "end point without curvature.",
+        .group = CommandGroup::curve,
+        .submenu = "Ends of uniform cubics",
+        .effect = ShapeEffect::changes,
+        .fields = {ends_field<&PhantomEnd::end>()},
+        .refusal = no_editable_curve,
+        .run = body_of<add_end_vertex<PhantomEnd, core::EndVertex::phantom>>,
+        .done = "Added phantom end vertices"};
+    return spec;
+}
+
+const CommandSpec& Straighten::spec() {
+    static const CommandSpec spec{
+        .name = "straighten",
+        .title = "Straighten between points",
+        .explanation =
+            "Moves the control points between two others onto the line through them, which makes a straight "
+            "piece.",
+        .synonyms = "collinear line",
+        .group = CommandGroup::curve,
+        .effect = ShapeEffect::changes,
+        .fields = {field::point_index<&Straighten::from>("from", "the number of a control point")
+                       .suggesting<suggest::first_selected_point>(),
+                   field::point_index<&Straighten::to>("to", "the number of another one")
+                       .suggesting<suggest::last_selected_point>()},
+        .refusal = no_editable_curve,
+        .run = body_of<straighten>,
+        .step = "Straighten from {from} to {to}",
+        .done = "Straightened from {from} to {to}"};
+    return spec;
+}
+
+void add_closing_commands(CommandTable& table) {
+    add_all<ToPeriodic, ToWrapped, ToClamped, MoveSeam>(table);
+    add_all<DoubleEnd, TripleEnd, PhantomEnd, Straighten>(table);
 }
 
 }  // namespace batten::editor

@@ -1,0 +1,50 @@
+/// Commands that close curves, convert between the ways of being closed, and shape the ends of uniform cubics.
+#pragma once
+
+#include "app/editor/command.h"
+#include "app/editor/commands/curve_ends.h"
+
+namespace batten::editor {
+
+struct ToPeriodic {
+    double tolerance;
+    static const CommandSpec& spec();
+};
+
+struct ToWrapped {
+    double tolerance;
+    static const CommandSpec& spec();
+};
+
+struct ToClamped {
+    static const CommandSpec& spec();
+};
+
+struct MoveSeam {
+    double u;
+    double tolerance;
+    static const CommandSpec& spec();
+};
+
+struct DoubleEnd {
+    CurveEnds end;
+    static const CommandSpec& spec();
+};
+
+struct TripleEnd {
+    CurveEnds end;
+    static const CommandSpec& spec();
+};
+
+struct PhantomEnd {
+    CurveEnds end;
+    static const CommandSpec& spec();
+};
+
+struct Straighten {
+    std::size_t from;
+    std::size_t to;
+    static const CommandSpec& spec();
+};
+
+}  // namespace batten::editor
