@@ -1,7 +1,11 @@
+#include "app/editor/commands/shape_commands.h"
+
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
-#include "app/editor/formula.h"
+#include "app/editor/commands/suggestions.h"
+#include "app/editor/field_kinds.h"
+#include "core/base/sentence.h"
 #include "core/edit/fair.h"
 #include "core/edit/offset.h"
 #include "core/edit/shape_edit.h"
@@ -11,112 +15,152 @@ namespace batten::editor {
 
 namespace {
 
-using Kind = ParameterKind;
-
-core::Vector pair_at(const Arguments& arguments, std::size_t i) {
-    return {arguments.number(i), arguments.number(i + 1)};
+Outcome<Edit> move_curve_point(const EditorState& state, const MoveCurvePoint& command) {
+    return edit_active(state, core::move_curve_point(active_curve(state), command.u, command.position));
 }
 
-Outcome<Edit> move_curve_point(const EditorState& state, const Arguments& arguments) {
+Outcome<Edit> set_tangent(const EditorState& state, const SetTangent& command) {
     const core::Curve& curve = active_curve(state);
-    return edit_active(state, core::move_curve_point(curve, arguments.number(0), pair_at(arguments, 1)));
+    return edit_active(state, core::move_curve_point_and_tangent(curve, command.u, core::point_at(curve, command.u),
+                                                                 command.derivative));
 }
 
-Outcome<Edit> set_tangent(const EditorState& state, const Arguments& arguments) {
-    const core::Curve& curve = active_curve(state);
-    const double u = arguments.number(0);
-    return edit_active(state,
-                       core::move_curve_point_and_tangent(curve, u, core::point_at(curve, u), pair_at(arguments, 1)));
+Outcome<Edit> move_point_and_tangent(const EditorState& state, const MovePointAndTangent& command) {
+    return edit_active(state, core::move_curve_point_and_tangent(active_curve(state), command.u, command.position,
+                                                                 command.derivative));
 }
 
-Outcome<Edit> move_point_and_tangent(const EditorState& state, const Arguments& arguments) {
-    return edit_active(state, core::move_curve_point_and_tangent(active_curve(state), arguments.number(0),
-                                                                 pair_at(arguments, 1), pair_at(arguments, 3)));
-}
-
-Outcome<Edit> fair(const EditorState& state, const Arguments& arguments) {
-    return edit_active(state, core::fair(active_curve(state), arguments.number(0)).map([](core::Approximation faired) {
+Outcome<Edit> fair(const EditorState& state, const Fair& command) {
+    return edit_active(state, core::fair(active_curve(state), command.distance).map([](core::Approximation faired) {
         return std::move(faired.curve);
     }));
 }
 
-Outcome<Edit> offset(const EditorState& state, const Arguments& arguments) {
-    auto found = core::offset(active_curve(state), arguments.number(0), arguments.number(1));
+Outcome<Edit> offset(const EditorState& state, const Offset& command) {
+    auto found = core::offset(active_curve(state), command.distance, command.tolerance);
     if (!found) return tl::unexpected(core::describe(found.error()));
     const std::string& name = state.history.present().active_curve()->name;
-    Edit edit = with_curve(state, "offset of " + name, std::move(found->curve));
+    Edit edit = with_curve(state, core::sentence("offset of {name}", {{"name", name}}), std::move(found->curve));
     edit.error = found->error;
     return edit;
 }
 
-template <int inverse_share>
-std::optional<Argument> part_of_size(const EditorState& state) {
-    return share_of_size(state, 1.0 / inverse_share);
+std::optional<core::Point> point_at_parameter(const EditorState& state) {
+    if (no_curve(state)) return std::nullopt;
+    return core::point_at(active_curve(state), state.parameter());
 }
 
-void add_point_moves(std::vector<CommandSpec>& table) {
-    const ParameterSpec u{"u", Kind::number, "which point, in the domain", current_parameter};
-    const ParameterSpec x{"x", Kind::number, "its new x"};
-    const ParameterSpec y{"y", Kind::number, "its new y"};
-    const ParameterSpec dx{"dx", Kind::number, "x of the derivative there"};
-    const ParameterSpec dy{"dy", Kind::number, "y of the derivative there"};
-    table.push_back({.name = "move-curve-point",
-                     .title = "Move curve point",
-                     .explanation = "Moves the point C(u) of the curve, with the least change of the control points.",
-                     .group = CommandGroup::curve,
-                     .submenu = "Shape",
-                     .effect = ShapeEffect::changes,
-                     .parameters = {u, x, y},
-                     .refusal = no_editable_curve,
-                     .edit = move_curve_point});
-    table.push_back(
-        {.name = "set-tangent",
-         .title = "Set tangent",
-         .explanation = "Sets the derivative at u and keeps C(u), with the least change of the control points.",
-         .group = CommandGroup::curve,
-         .submenu = "Shape",
-         .effect = ShapeEffect::changes,
-         .parameters = {u, dx, dy},
-         .refusal = no_editable_curve,
-         .edit = set_tangent});
-    table.push_back(
-        {.name = "move-point-and-tangent",
-         .title = "Move curve point and tangent",
-         .explanation = "Sets the point and the derivative at u, with the least change of the control points.",
-         .group = CommandGroup::curve,
-         .submenu = "Shape",
-         .effect = ShapeEffect::changes,
-         .parameters = {u, x, y, dx, dy},
-         .refusal = no_editable_curve,
-         .edit = move_point_and_tangent});
+std::optional<core::Vector> derivative_at_parameter(const EditorState& state) {
+    if (no_curve(state)) return std::nullopt;
+    return core::derivatives_at(active_curve(state), state.parameter(), 1)[1];
+}
+
+template <class Command>
+Field parameter_field() {
+    return field::parameter<&Command::u>("u", "which point, in the domain")
+        .template suggesting<suggest::current_parameter>();
+}
+
+template <class Command>
+Field position_field() {
+    return field::position<&Command::position>({"x", "its new x"}, {"y", "its new y"})
+        .template beginning_with<point_at_parameter>();
+}
+
+template <class Command>
+Field derivative_field() {
+    return field::vector<&Command::derivative>({"dx", "x of the derivative there"}, {"dy", "y of the derivative there"})
+        .template beginning_with<derivative_at_parameter>();
 }
 
 }  // namespace
 
-void add_shape_commands(std::vector<CommandSpec>& table) {
-    add_point_moves(table);
-    table.push_back(
-        {.name = "fair",
-         .title = "Fair curve",
-         .explanation = "Lets the curvature vary less, no farther from the old curve than a distance; the "
-                        "ends stay.",
-         .group = CommandGroup::curve,
-         .submenu = "Shape",
-         .effect = ShapeEffect::changes,
-         .parameters = {{"distance", Kind::number, "how far the curve may move, above 0", part_of_size<100>}},
-         .refusal = no_editable_curve,
-         .edit = fair});
-    table.push_back({.name = "offset",
-                     .title = "Offset curve",
-                     .explanation = "Adds the curve at a constant distance beside the active one.",
-                     .group = CommandGroup::make,
-                     .parameters = {{"distance", Kind::number, "to the left, negative to the right", grid_step},
-                                    {"tolerance", Kind::number, "the largest error, above 0", part_of_size<1000000>}},
-                     .refusal = no_curve,
-                     .edit = offset,
-                     .label = [](const EditorState&, const Arguments& arguments) {
-                         return "Add offset by " + number_text(arguments.number(0));
-                     }});
+const CommandSpec& MoveCurvePoint::spec() {
+    static const CommandSpec spec{
+        .name = "move-curve-point",
+        .title = "Move curve point",
+        .explanation = "Moves the point C(u) of the curve, with the least change of the control points.",
+        .synonyms = "drag",
+        .group = CommandGroup::curve,
+        .submenu = "Shape",
+        .effect = ShapeEffect::changes,
+        .fields = {parameter_field<MoveCurvePoint>(), position_field<MoveCurvePoint>()},
+        .refusal = no_editable_curve,
+        .run = body_of<move_curve_point>,
+        .done = "Moved curve point"};
+    return spec;
+}
+
+const CommandSpec& SetTangent::spec() {
+    static const CommandSpec spec{
+        .name = "set-tangent",
+        .title = "Set tangent",
+        .explanation = "Sets the derivative at u and keeps C(u), with the least change of the control points.",
+        .synonyms = "direction slope",
+        .group = CommandGroup::curve,
+        .submenu = "Shape",
+        .effect = ShapeEffect::changes,
+        .fields = {parameter_field<SetTangent>(), derivative_field<SetTangent>()},
+        .refusal = no_editable_curve,
+        .run = body_of<set_tangent>,
+        .done = "Set tangent"};
+    return spec;
+}
+
+const CommandSpec& MovePointAndTangent::spec() {
+    static const CommandSpec spec{
+        .name = "move-point-and-tangent",
+        .title = "Move curve point and tangent",
+        .explanation = "Sets the point and the derivative at u, with the least change of the control points.",
+        .synonyms = "drag direction",
+        .group = CommandGroup::curve,
+        .submenu = "Shape",
+        .effect = ShapeEffect::changes,
+        .fields = {parameter_field<MovePointAndTangent>(), position_field<MovePointAndTangent>(),
+                   derivative_field<MovePointAndTangent>()},
+        .refusal = no_editable_curve,
+        .run = body_of<move_point_and_tangent>,
+        .done = "Moved curve point and tangent"};
+    return spec;
+}
+
+const CommandSpec& Fair::spec() {
+    static const CommandSpec spec{
+        .name = "fair",
+        .title = "Fair curve",
+        .explanation = "Lets the curvature vary less, no farther from the old curve than a distance; the ends stay.",
+        .synonyms = "smooth",
+        .group = CommandGroup::curve,
+        .submenu = "Shape",
+        .effect = ShapeEffect::changes,
+        .fields = {field::length<&Fair::distance>("distance", "how far the curve may move, above 0")
+                       .suggesting<suggest::hundredth_of_size>()},
+        .refusal = no_editable_curve,
+        .run = body_of<fair>,
+        .done = "Faired curve"};
+    return spec;
+}
+
+const CommandSpec& Offset::spec() {
+    static const CommandSpec spec{
+        .name = "offset",
+        .title = "Offset curve",
+        .explanation = "Adds the curve at a constant distance beside the active one.",
+        .synonyms = "parallel",
+        .group = CommandGroup::make,
+        .fields = {field::length<&Offset::distance>("distance", "to the left, negative to the right")
+                       .suggesting<suggest::grid_step>(),
+                   field::length<&Offset::tolerance>("tolerance", "the largest error, above 0")
+                       .suggesting<suggest::millionth_of_size>()},
+        .refusal = no_curve,
+        .run = body_of<offset>,
+        .step = "Add offset by {distance}",
+        .done = "Added offset by {distance}"};
+    return spec;
+}
+
+void add_shape_commands(CommandTable& table) {
+    add_all<MoveCurvePoint, SetTangent, MovePointAndTangent, Fair, Offset>(table);
 }
 
 }  // namespace batten::editor
