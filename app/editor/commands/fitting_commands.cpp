@@ -1,8 +1,12 @@
+#include "app/editor/commands/fitting_commands.h"
+
 #include <algorithm>
 
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/suggestions.h"
+#include "app/editor/field_kinds.h"
 #include "core/make/fit.h"
 #include "core/make/interpolate.h"
 
@@ -10,88 +14,40 @@ namespace batten::editor {
 
 namespace {
 
-using Kind = ParameterKind;
 using Points = std::vector<core::Point>;
 
-Outcome<core::Parametrization> parametrization_named(const std::string& name) {
-    if (name == "uniform") return core::Parametrization::uniform;
-    if (name == "chordal") return core::Parametrization::chordal;
-    if (name == "centripetal") return core::Parametrization::centripetal;
-    return tl::unexpected("parametrization is '" + name + "'; it must be uniform, chordal or centripetal");
-}
-
-// Of too few points the degree is lowered, as for a drawn curve.
-Outcome<int> degree_for(const Points& points, double value) {
-    return index_of(value, "degree").map([&](std::size_t degree) {
-        return static_cast<int>(std::min(degree, points.size() - 1));
-    });
-}
-
-// Arguments `first`.. are coordinates, degree and parametrization.
-Outcome<Edit> interpolated(const EditorState& state, const Arguments& arguments, std::size_t first, core::Ends ends,
-                           bool lowers_degree) {
-    const auto points = points_of(arguments.numbers(first), 2, "interpolation");
-    if (!points) return tl::unexpected(points.error());
-    const auto lowered = degree_for(*points, arguments.number(first + 1));
-    if (!lowered) return tl::unexpected(lowered.error());
-    const auto way = parametrization_named(arguments.text(first + 2));
-    if (!way) return tl::unexpected(way.error());
-    const int degree = lowers_degree ? *lowered : static_cast<int>(arguments.number(first + 1));
-    auto result = core::interpolate(*points, {degree, *way, std::move(ends), {}});
+template <class Command>
+Outcome<Edit> interpolated(const EditorState& state, const Command& command, int degree, core::Ends ends) {
+    auto result = core::interpolate(command.points, {degree, command.parametrization, std::move(ends), {}});
     if (!result) return tl::unexpected(core::describe(result.error()));
     return with_curve(state, "curve", std::move(result->curve));
 }
 
-Outcome<Edit> interpolate(const EditorState& state, const Arguments& arguments) {
-    return interpolated(state, arguments, 0, core::FreeEnds{}, true);
+// Of too few points the degree is lowered, as for a drawn curve.
+Outcome<Edit> interpolate(const EditorState& state, const Interpolate& command) {
+    const int degree = std::min(command.degree, static_cast<int>(command.points.size()) - 1);
+    return interpolated(state, command, degree, core::FreeEnds{});
 }
 
-Outcome<Edit> interpolate_closed(const EditorState& state, const Arguments& arguments) {
-    return interpolated(state, arguments, 0, core::ClosedEnds{}, false);
+Outcome<Edit> interpolate_closed(const EditorState& state, const InterpolateClosed& command) {
+    return interpolated(state, command, command.degree, core::ClosedEnds{});
 }
 
-Outcome<Edit> interpolate_natural(const EditorState& state, const Arguments& arguments) {
-    return interpolated(state, arguments, 0, core::NaturalEnds{}, false);
+Outcome<Edit> interpolate_natural(const EditorState& state, const InterpolateNatural& command) {
+    return interpolated(state, command, command.degree, core::NaturalEnds{});
 }
 
-// x and y of a tangent; none where both are 0.
-Outcome<std::optional<core::Vector>> tangent_of(const std::vector<double>& numbers, const char* what) {
-    if (numbers.size() != 2)
-        return tl::unexpected(std::string(what) + " needs x and y; " + std::to_string(numbers.size()) +
-                              (numbers.size() == 1 ? " number was given" : " numbers were given"));
-    if (numbers[0] == 0.0 && numbers[1] == 0.0) return std::optional<core::Vector>();
-    return std::optional(core::Vector(numbers[0], numbers[1]));
+Outcome<Edit> interpolate_tangents(const EditorState& state, const InterpolateTangents& command) {
+    return interpolated(state, command, command.degree, core::EndTangents{command.start, command.end});
 }
 
-Outcome<Edit> interpolate_tangents(const EditorState& state, const Arguments& arguments) {
-    const auto start = tangent_of(arguments.numbers(0), "start");
-    if (!start) return tl::unexpected(start.error());
-    const auto end = tangent_of(arguments.numbers(1), "end");
-    if (!end) return tl::unexpected(end.error());
-    return interpolated(state, arguments, 2, core::EndTangents{*start, *end}, false);
-}
-
-struct FitTask {
-    Points points;
-    core::FitRequest request;
-};
-
-// Arguments 1.. are coordinates, degree, closed, smoothing, and the derivatives at start and end.
-Outcome<FitTask> fit_task(const Arguments& arguments) {
-    const auto points = points_of(arguments.numbers(1), 2, "fitting");
-    if (!points) return tl::unexpected(points.error());
-    const auto degree = index_of(arguments.number(2), "degree");
-    if (!degree) return tl::unexpected(degree.error());
-    const auto start = tangent_of(arguments.numbers(5), "start");
-    if (!start) return tl::unexpected(start.error());
-    const auto end = tangent_of(arguments.numbers(6), "end");
-    if (!end) return tl::unexpected(end.error());
-    return FitTask{*points,
-                   {.degree = static_cast<int>(*degree),
-                    .is_closed = arguments.number(3) != 0.0,
-                    .start_tangent = *start,
-                    .end_tangent = *end,
-                    .smoothing = arguments.number(4)}};
+template <class Command>
+core::FitRequest request_of(const Command& command) {
+    return {.degree = command.degree,
+            .is_closed = command.closed,
+            .start_tangent = command.start,
+            .end_tangent = command.end,
+            .smoothing = command.smoothing};
 }
 
 Outcome<Edit> with_fitted(const EditorState& state, core::Result<core::Approximation> found) {
@@ -101,145 +57,167 @@ Outcome<Edit> with_fitted(const EditorState& state, core::Result<core::Approxima
     return edit;
 }
 
-Outcome<Edit> fit_points(const EditorState& state, const Arguments& arguments) {
-    const auto count = index_of(arguments.number(0), "count");
-    if (!count) return tl::unexpected(count.error());
-    const auto task = fit_task(arguments);
-    if (!task) return tl::unexpected(task.error());
-    return with_fitted(state, core::fit(task->points, *count, task->request));
+Outcome<Edit> fit_points(const EditorState& state, const FitPoints& command) {
+    return with_fitted(state, core::fit(command.points, command.count, request_of(command)));
 }
 
-Outcome<Edit> fit_points_within(const EditorState& state, const Arguments& arguments) {
-    const auto task = fit_task(arguments);
-    if (!task) return tl::unexpected(task.error());
-    return with_fitted(state, core::fit_within(task->points, arguments.number(0), task->request));
+Outcome<Edit> fit_points_within(const EditorState& state, const FitPointsWithin& command) {
+    return with_fitted(state, core::fit_within(command.points, command.tolerance, request_of(command)));
 }
 
 // The selected control points of the active curve, all of them where fewer than two are selected.
-std::optional<Argument> points_of_curve(const EditorState& state) {
-    if (state.history.present().active_curve() == nullptr) return std::nullopt;
+std::optional<Points> points_of_curve(const EditorState& state) {
+    if (no_curve(state)) return std::nullopt;
     const auto points = active_curve(state).control_points();
-    const auto& selected = state.selection.points;
-    std::vector<double> coordinates;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (selected.size() < 2 || state.selection.contains_point(i))
-            coordinates.insert(coordinates.end(), {points[i].x, points[i].y});
-    return coordinates;
-}
-
-std::optional<Argument> nothing_prescribed(const EditorState&) {
-    return std::vector<double>{0.0, 0.0};
+    if (state.selection.points.size() < 2) return Points(points.begin(), points.end());
+    Points selected;
+    for (const std::size_t i : state.selection.points) selected.push_back(points[i]);
+    return selected;
 }
 
 // Half as many as there are points, and enough for a cubic.
-std::optional<Argument> half_the_points(const EditorState& state) {
-    const auto points = points_of_curve(state);
+std::optional<std::size_t> half_the_points(const EditorState& state) {
+    const std::optional<Points> points = points_of_curve(state);
     if (!points) return std::nullopt;
-    const std::size_t count = std::get<std::vector<double>>(*points).size() / 2;
-    return static_cast<double>(std::max<std::size_t>((count + 1) / 2, 4));
+    return std::max<std::size_t>((points->size() + 1) / 2, 4);
 }
 
-std::optional<Argument> thousandth_of_size(const EditorState& state) {
-    return share_of_size(state, 1e-3);
+template <class Command>
+Field points_field() {
+    return field::positions<&Command::points>("coordinates",
+                                              "x and y of each point; left out, the selected or all control points")
+        .template suggesting<points_of_curve>()
+        .at_least(2.0);
 }
 
-template <int value>
-std::optional<Argument> number(const EditorState&) {
-    return static_cast<double>(value);
+template <class Command>
+Field degree_field(const char* meaning) {
+    return field::count<&Command::degree>("degree", meaning).usually(3);
 }
 
-std::optional<Argument> centripetal(const EditorState&) {
-    return "centripetal";
+template <class Command>
+Field parametrization_field() {
+    return field::choice<&Command::parametrization>("parametrization", "how far apart the parameters of points are")
+        .usually(core::Parametrization::centripetal);
 }
 
-const ParameterSpec coordinates{"coordinates", Kind::numbers,
-                                "x and y of each point; left out, the selected or all control points", points_of_curve};
-const ParameterSpec parametrization{"parametrization", Kind::text, "uniform, chordal or centripetal", centripetal};
+constexpr const char* start_meaning = "x and y of the derivative at the start; none leaves it free";
+constexpr const char* end_meaning = "x and y of the derivative at the end; none leaves it free";
 
-void add_interpolations(std::vector<CommandSpec>& table) {
-    const ParameterSpec degree{"degree", Kind::number, "from 1 to 25", number<3>};
-    table.push_back({.name = "interpolate",
-                     .title = "Interpolate points",
-                     .explanation = "Adds a curve through points, with knots averaged from their parameters.",
-                     .group = CommandGroup::make,
-                     .submenu = "Through points",
-                     .parameters = {coordinates,
-                                    {"degree", Kind::number, "lowered where there are too few points", number<3>},
-                                    parametrization},
-                     .edit = interpolate});
-    table.push_back({.name = "interpolate-closed",
-                     .title = "Interpolate closed",
-                     .explanation = "Adds a periodic curve through points that returns to the first one.",
-                     .group = CommandGroup::make,
-                     .submenu = "Through points",
-                     .parameters = {coordinates, degree, parametrization},
-                     .edit = interpolate_closed});
-    table.push_back({.name = "interpolate-natural",
-                     .title = "Interpolate with natural ends",
-                     .explanation = "Adds a curve through points whose second derivative is zero at both ends.",
-                     .group = CommandGroup::make,
-                     .submenu = "Through points",
-                     .parameters = {coordinates, {"degree", Kind::number, "from 3 to 25", number<3>}, parametrization},
-                     .edit = interpolate_natural});
-    table.push_back(
-        {.name = "interpolate-tangents",
-         .title = "Interpolate with end tangents",
-         .explanation = "Adds a curve through points with given derivatives at its ends, over the domain "
-                        "from 0 to 1.",
-         .group = CommandGroup::make,
-         .submenu = "Through points",
-         .parameters = {{"start", Kind::numbers, "x and y of the derivative at the start; 0,0 leaves it free"},
-                        {"end", Kind::numbers, "x and y of the derivative at the end; 0,0 leaves it free"},
-                        coordinates,
-                        {"degree", Kind::number, "from 2 to 25", number<3>},
-                        parametrization},
-         .edit = interpolate_tangents});
-}
-
-void add_fits(std::vector<CommandSpec>& table) {
-    const ParameterSpec degree{"degree", Kind::number, "from 1 to 25", number<3>};
-    const ParameterSpec closed{"closed", Kind::number, "1 for a periodic curve, 0 for an open one", number<0>};
-    const ParameterSpec smoothing{"smoothing", Kind::number, "how much bending counts beside the errors, 0 or more",
-                                  number<0>};
-    const ParameterSpec start{"start", Kind::numbers, "x and y of the derivative at the start; 0,0 leaves it free",
-                              nothing_prescribed};
-    const ParameterSpec end{"end", Kind::numbers, "x and y of the derivative at the end; 0,0 leaves it free",
-                            nothing_prescribed};
-    table.push_back(
-        {.name = "fit-points",
-         .title = "Fit curve to points",
-         .explanation = "Adds the curve with so many control points that is nearest to points, by least squares.",
-         .group = CommandGroup::make,
-         .submenu = "Near points",
-         .parameters = {{"count", Kind::number, "how many control points", half_the_points},
-                        coordinates,
-                        degree,
-                        closed,
-                        smoothing,
-                        start,
-                        end},
-         .edit = fit_points});
-    table.push_back({.name = "fit-points-within",
-                     .title = "Fit curve within tolerance",
-                     .explanation = "Adds a curve that is nowhere farther from points than a tolerance, with knots "
-                                    "where they are needed.",
-                     .group = CommandGroup::make,
-                     .submenu = "Near points",
-                     .parameters = {{"tolerance", Kind::number, "the largest distance, above 0", thousandth_of_size},
-                                    coordinates,
-                                    degree,
-                                    closed,
-                                    smoothing,
-                                    start,
-                                    end},
-                     .edit = fit_points_within});
+// What the fits have in common: coordinates, degree, closed, smoothing, and the derivatives at start and end.
+template <class Command>
+std::vector<Field> fit_fields(Field first) {
+    return {std::move(first),
+            points_field<Command>(),
+            degree_field<Command>("from 1 to 25"),
+            field::flag<&Command::closed>("closed", "yes for a periodic curve, no for an open one").usually(false),
+            field::number<&Command::smoothing>("smoothing", "how much bending counts beside the errors, 0 or more")
+                .usually(0.0),
+            field::vector<&Command::start>("start", start_meaning).absent_as("0,0"),
+            field::vector<&Command::end>("end", end_meaning).absent_as("0,0")};
 }
 
 }  // namespace
 
-void add_fitting_commands(std::vector<CommandSpec>& table) {
-    add_interpolations(table);
-    add_fits(table);
+const CommandSpec& Interpolate::spec() {
+    static const CommandSpec spec{
+        .name = "interpolate",
+        .title = "Interpolate points",
+        .explanation = "Adds a curve through points, with knots averaged from their parameters.",
+        .synonyms = "through spline",
+        .group = CommandGroup::make,
+        .submenu = "Through points",
+        .fields = {points_field<Interpolate>(), degree_field<Interpolate>("lowered where there are too few points"),
+                   parametrization_field<Interpolate>()},
+        .run = body_of<interpolate>,
+        .done = "Interpolated points"};
+    return spec;
+}
+
+const CommandSpec& InterpolateClosed::spec() {
+    static const CommandSpec spec{
+        .name = "interpolate-closed",
+        .title = "Interpolate closed",
+        .explanation = "Adds a periodic curve through points that returns to the first one.",
+        .synonyms = "through spline periodic",
+        .group = CommandGroup::make,
+        .submenu = "Through points",
+        .fields = {points_field<InterpolateClosed>(), degree_field<InterpolateClosed>("from 1 to 25"),
+                   parametrization_field<InterpolateClosed>()},
+        .run = body_of<interpolate_closed>,
+        .step = "Interpolate closed curve",
+        .done = "Interpolated closed curve"};
+    return spec;
+}
+
+const CommandSpec& InterpolateNatural::spec() {
+    static const CommandSpec spec{
+        .name = "interpolate-natural",
+        .title = "Interpolate with natural ends",
+        .explanation = "Adds a curve through points whose second derivative is zero at both ends.",
+        .synonyms = "through spline",
+        .group = CommandGroup::make,
+        .submenu = "Through points",
+        .fields = {points_field<InterpolateNatural>(), degree_field<InterpolateNatural>("from 3 to 25"),
+                   parametrization_field<InterpolateNatural>()},
+        .run = body_of<interpolate_natural>,
+        .done = "Interpolated with natural ends"};
+    return spec;
+}
+
+const CommandSpec& InterpolateTangents::spec() {
+    static const CommandSpec spec{
+        .name = "interpolate-tangents",
+        .title = "Interpolate with end tangents",
+        .explanation = "Adds a curve through points with given derivatives at its ends, over the domain from 0 to 1.",
+        .synonyms = "through spline Hermite",
+        .group = CommandGroup::make,
+        .submenu = "Through points",
+        .fields = {field::vector<&InterpolateTangents::start>("start", start_meaning).absent_as("0,0").required(),
+                   field::vector<&InterpolateTangents::end>("end", end_meaning).absent_as("0,0").required(),
+                   points_field<InterpolateTangents>(), degree_field<InterpolateTangents>("from 2 to 25"),
+                   parametrization_field<InterpolateTangents>()},
+        .run = body_of<interpolate_tangents>,
+        .done = "Interpolated with end tangents"};
+    return spec;
+}
+
+const CommandSpec& FitPoints::spec() {
+    static const CommandSpec spec{
+        .name = "fit-points",
+        .title = "Fit curve to points",
+        .explanation = "Adds the curve with so many control points that is nearest to points, by least squares.",
+        .synonyms = "approximate smooth",
+        .group = CommandGroup::make,
+        .submenu = "Near points",
+        .fields = fit_fields<FitPoints>(
+            field::count<&FitPoints::count>("count", "how many control points").suggesting<half_the_points>()),
+        .run = body_of<fit_points>,
+        .done = "Fitted curve to points"};
+    return spec;
+}
+
+const CommandSpec& FitPointsWithin::spec() {
+    static const CommandSpec spec{
+        .name = "fit-points-within",
+        .title = "Fit curve within tolerance",
+        .explanation =
+            "Adds a curve that is nowhere farther from points than a tolerance, with knots where they are "
+            "needed.",
+        .synonyms = "approximate smooth",
+        .group = CommandGroup::make,
+        .submenu = "Near points",
+        .fields = fit_fields<FitPointsWithin>(
+            field::length<&FitPointsWithin::tolerance>("tolerance", "the largest distance, above 0")
+                .suggesting<suggest::thousandth_of_size>()),
+        .run = body_of<fit_points_within>,
+        .done = "Fitted curve within tolerance"};
+    return spec;
+}
+
+void add_fitting_commands(CommandTable& table) {
+    add_all<Interpolate, InterpolateClosed, InterpolateNatural, InterpolateTangents>(table);
+    add_all<FitPoints, FitPointsWithin>(table);
 }
 
 }  // namespace batten::editor
