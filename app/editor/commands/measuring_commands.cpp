@@ -1,9 +1,13 @@
+#include "app/editor/commands/measuring_commands.h"
+
 #include <glm/geometric.hpp>
 
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/suggestions.h"
+#include "app/editor/field_kinds.h"
 #include "app/editor/formula.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/tangent.h"
@@ -18,36 +22,36 @@ namespace batten::editor {
 
 namespace {
 
-using Kind = ParameterKind;
+using core::sentence;
 
-core::Point point_of(const Arguments& arguments, std::size_t i) {
-    return {arguments.number(i), arguments.number(i + 1)};
+constexpr int digits = 6;
+
+Outcome<void> measure_arc_length(EditorState& state, const MeasureArcLength& command) {
+    const core::Integral length = core::arc_length(active_curve(state), command.begin, command.end);
+    Finding row{
+        .label = "length",
+        .numbers = {{"length", length.value}, {"error", length.error}, {"from", command.begin}, {"to", command.end}}};
+    return show_rows(
+        state, "Arc length",
+        sentence("{name} has the length {length}", {active_name(state), {"length", number_text(length.value, digits)}}),
+        {std::move(row)});
 }
 
-Outcome<void> show_arc_length(EditorState& state, const Arguments& arguments) {
+Outcome<void> find_point_at_length(EditorState& state, const FindPointAtLength& command) {
     const core::Curve& curve = active_curve(state);
-    const core::Integral length = core::arc_length(curve, arguments.number(0), arguments.number(1));
-    Finding row{.label = "length",
-                .numbers = {{"length", length.value},
-                            {"error", length.error},
-                            {"from", arguments.number(0)},
-                            {"to", arguments.number(1)}}};
-    return show_rows(state, "Arc length", "has the length " + number_text(length.value, 6), {std::move(row)});
-}
-
-Outcome<void> show_point_at_length(EditorState& state, const Arguments& arguments) {
-    const core::Curve& curve = active_curve(state);
-    const double u = core::ArcLengthTable(curve).parameter_at(arguments.number(0));
+    const double u = core::ArcLengthTable(curve).parameter_at(command.length);
     Finding row{.label = "point",
                 .parameter = u,
                 .point = core::point_at(curve, u),
-                .numbers = {{"length", arguments.number(0)}, {"u", u}}};
+                .numbers = {{"length", command.length}, {"u", u}}};
     add_numbers(row, "point", *row.point);
-    const std::string what = "has the length " + number_text(arguments.number(0)) + " at u = " + number_text(u, 6);
-    return show_rows(state, "Point at length", what, {std::move(row)});
+    std::string summary =
+        sentence("{name} has the length {length} at u = {u}",
+                 {active_name(state), {"length", number_text(command.length)}, {"u", number_text(u, digits)}});
+    return show_rows(state, "Point at length", std::move(summary), {std::move(row)});
 }
 
-Outcome<void> show_area(EditorState& state, const Arguments&) {
+Outcome<void> measure_area(EditorState& state, const MeasureArea&) {
     const auto area = core::enclosed_area(active_curve(state));
     if (!area) return tl::unexpected(core::describe(area.error()));
     Finding row{.label = "area",
@@ -55,24 +59,26 @@ Outcome<void> show_area(EditorState& state, const Arguments&) {
                 .numbers = {{"area", area->signed_area}, {"error", area->error}},
                 .note = area->signed_area < 0.0 ? "negative: the curve runs clockwise" : ""};
     if (area->centroid) add_numbers(row, "centroid", *area->centroid);
-    const std::string what = "encloses the area " + number_text(area->signed_area, 6);
-    return show_rows(state, "Area", what, {std::move(row)});
+    std::string summary = sentence("{name} encloses the area {area}",
+                                   {active_name(state), {"area", number_text(area->signed_area, digits)}});
+    return show_rows(state, "Area", std::move(summary), {std::move(row)});
 }
 
-Outcome<void> show_nearest(EditorState& state, const Arguments& arguments) {
-    const core::Point query = point_of(arguments, 0);
-    const core::CurveSample found = core::nearest_point(active_curve(state), query);
-    const double distance = glm::distance(found.point, query);
+Outcome<void> find_nearest(EditorState& state, const FindNearest& command) {
+    const core::CurveSample found = core::nearest_point(active_curve(state), command.position);
+    const double distance = glm::distance(found.point, command.position);
     Finding row{.label = "nearest point",
                 .parameter = found.u,
                 .point = found.point,
                 .numbers = {{"distance", distance}, {"u", found.u}}};
     add_numbers(row, "point", found.point);
-    return show_rows(state, "Nearest point", "is " + number_text(distance) + " away at u = " + number_text(found.u),
-                     {std::move(row)});
+    std::string summary =
+        sentence("{name} is {distance} away at u = {u}",
+                 {active_name(state), {"distance", number_text(distance)}, {"u", number_text(found.u)}});
+    return show_rows(state, "Nearest point", std::move(summary), {std::move(row)});
 }
 
-const char* kind_text(core::ContactKind kind) {
+const char* text_of(core::ContactKind kind) {
     switch (kind) {
         case core::ContactKind::touching:
             return "touches";
@@ -84,67 +90,74 @@ const char* kind_text(core::ContactKind kind) {
     return "crosses";
 }
 
-Outcome<void> show_line_contacts(EditorState& state, const char* what, core::Result<core::LineContacts> contacts) {
+std::string times_text(std::size_t count) {
+    return sentence({.one = "once", .many = "{count} times", .none = "not at all"}, count);
+}
+
+Finding contact_row(const core::LineContact& contact) {
+    Finding row{.label = text_of(contact.kind),
+                .parameter = contact.u,
+                .point = contact.point,
+                .numbers = {{"along", contact.along}}};
+    if (contact.where.length() > 0.0) row.note = "a straight piece in the line";
+    add_interval(row, contact.where);
+    return row;
+}
+
+// `pattern` has the places {name}, {crossings} and {polygon_crossings}.
+Outcome<void> show_line_contacts(EditorState& state, const char* pattern, core::Result<core::LineContacts> contacts) {
     if (!contacts) return tl::unexpected(core::describe(contacts.error()));
     std::vector<Finding> rows;
-    for (const core::LineContact& contact : contacts->contacts) {
-        Finding row{.label = kind_text(contact.kind),
-                    .parameter = contact.u,
-                    .point = contact.point,
-                    .numbers = {{"along", contact.along}}};
-        if (contact.where.length() > 0.0) {
-            row.note = "a straight piece in the line";
-            row.numbers.push_back({"from", contact.where.lower});
-            row.numbers.push_back({"to", contact.where.upper});
-        }
-        rows.push_back(std::move(row));
-    }
-    const std::string summary = std::string("crosses the ") + what + " " +
-                                count_text(contacts->crossings, "time", "times") + ", its polygon " +
-                                count_text(contacts->polygon_crossings, "time", "times");
-    return show_rows(state, "Intersections", summary, std::move(rows));
+    for (const core::LineContact& contact : contacts->contacts) rows.push_back(contact_row(contact));
+    std::string summary = sentence(pattern, {active_name(state),
+                                             {"crossings", times_text(contacts->crossings)},
+                                             {"polygon_crossings", times_text(contacts->polygon_crossings)}});
+    return show_rows(state, "Intersections", std::move(summary), std::move(rows));
 }
 
-Outcome<void> show_line_intersections(EditorState& state, const Arguments& arguments) {
-    return show_line_contacts(
-        state, "line", core::intersect_line(active_curve(state), point_of(arguments, 0), point_of(arguments, 2)));
+Outcome<void> intersect_line(EditorState& state, const IntersectLine& command) {
+    return show_line_contacts(state, "{name} crosses the line {crossings}, its polygon {polygon_crossings}",
+                              core::intersect_line(active_curve(state), command.first, command.second));
 }
 
-Outcome<void> show_segment_intersections(EditorState& state, const Arguments& arguments) {
-    return show_line_contacts(
-        state, "segment", core::intersect_segment(active_curve(state), point_of(arguments, 0), point_of(arguments, 2)));
+Outcome<void> intersect_segment(EditorState& state, const IntersectSegment& command) {
+    return show_line_contacts(state, "{name} crosses the segment {crossings}, its polygon {polygon_crossings}",
+                              core::intersect_segment(active_curve(state), command.first, command.second));
 }
 
-Outcome<void> show_intersections(EditorState& state, const Arguments& arguments) {
-    const Outcome<std::size_t> index = curve_named(state, arguments.text(0));
+Finding contact_row(const core::CurveContact& contact) {
+    Finding row{.label = contact.is_overlap() ? "coincides"
+                         : contact.is_tangent ? "touches"
+                                              : "crosses",
+                .parameter = contact.u,
+                .point = contact.point,
+                .numbers = {{"other u", contact.v}}};
+    if (!contact.is_overlap()) return row;
+    add_interval(row, contact.on_first);
+    row.numbers.push_back({"other from", contact.second_begin});
+    row.numbers.push_back({"other to", contact.second_end});
+    return row;
+}
+
+Outcome<void> intersect_curve(EditorState& state, const IntersectCurve& command) {
+    const Outcome<std::size_t> index = curve_named(state, command.other);
     if (!index) return tl::unexpected(index.error());
     if (*index == state.history.present().active)
-        return tl::unexpected("'" + arguments.text(0) +
-                              "' is the active curve itself; name another one, or use self-intersections");
+        return tl::unexpected(
+            sentence("'{name}' is the active curve itself; name another one, or use self-intersections",
+                     {{"name", command.other}}));
     const core::Curve& other = *state.history.present().curves[*index].curve;
     std::vector<Finding> rows;
-    for (const core::CurveContact& contact : core::intersect_curves(active_curve(state), other)) {
-        Finding row{.label = contact.is_overlap() ? "coincides"
-                             : contact.is_tangent ? "touches"
-                                                  : "crosses",
-                    .parameter = contact.u,
-                    .point = contact.point,
-                    .numbers = {{"other u", contact.v}}};
-        if (contact.is_overlap())
-            for (const auto& [name, value] : {std::pair{"from", contact.on_first.lower},
-                                              {"to", contact.on_first.upper},
-                                              {"other from", contact.second_begin},
-                                              {"other to", contact.second_end}})
-                row.numbers.push_back({name, value});
-        rows.push_back(std::move(row));
-    }
-    const std::string what = "meets " + arguments.text(0) + " " + count_text(rows.size(), "time", "times");
-    return show_rows(state, "Intersections", what, std::move(rows));
+    for (const core::CurveContact& contact : core::intersect_curves(active_curve(state), other))
+        rows.push_back(contact_row(contact));
+    std::string summary = sentence("{name} meets {other} {times}",
+                                   {active_name(state), {"other", command.other}, {"times", times_text(rows.size())}});
+    return show_rows(state, "Intersections", std::move(summary), std::move(rows));
 }
 
 Finding evaluation_row(const core::Curve& curve, const std::string& label, double u, core::Side side) {
     const auto derivatives = core::derivatives_at(curve, u, 3, side);
-    Finding row{.label = label, .parameter = u, .point = derivatives[0]};
+    Finding row{.label = label, .parameter = u, .point = core::point_at(curve, u, side)};
     const char* names[]{"C", "C'", "C''", "C'''"};
     for (std::size_t k = 0; k < derivatives.size(); ++k) add_numbers(row, names[k], derivatives[k]);
     if (const auto tangent = core::tangent_at(curve, u, side)) add_numbers(row, "tangent", *tangent);
@@ -156,84 +169,148 @@ Finding evaluation_row(const core::Curve& curve, const std::string& label, doubl
 }
 
 // One row, or two at a knot inside the domain, where both sides may differ.
-Outcome<void> show_evaluation(EditorState& state, const Arguments& arguments) {
+Outcome<void> evaluate(EditorState& state, const Evaluate& command) {
     const core::Curve& curve = active_curve(state);
-    const double u = curve.knots().into_domain(arguments.number(0));
+    const double u = curve.knots().into_domain(command.u);
     const core::Interval domain = curve.domain();
     const bool is_inside = curve.is_periodic() || (domain.lower < u && u < domain.upper);
-    const std::string at = "u = " + number_text(u, 6);
+    const core::Place at("u", number_text(u, digits));
     std::vector<Finding> rows;
     if (is_inside && curve.knots().multiplicity(u) > 0) {
-        rows.push_back(evaluation_row(curve, "left of " + at, u, core::Side::left));
-        rows.push_back(evaluation_row(curve, "right of " + at, u, core::Side::right));
+        rows.push_back(evaluation_row(curve, sentence("left of u = {u}", {at}), u, core::Side::left));
+        rows.push_back(evaluation_row(curve, sentence("right of u = {u}", {at}), u, core::Side::right));
     } else {
-        rows.push_back(evaluation_row(curve, at, u, core::Side::right));
+        rows.push_back(evaluation_row(curve, sentence("u = {u}", {at}), u, core::Side::right));
     }
     const core::Point point = *rows.back().point;
-    const std::string what = "is at (" + number_text(point.x) + ", " + number_text(point.y) + ") for " + at;
-    return show_rows(state, "Point and derivatives", what, std::move(rows));
+    std::string summary = sentence("{name} is at ({x}, {y}) for u = {u}",
+                                   {active_name(state), {"x", number_text(point.x)}, {"y", number_text(point.y)}, at});
+    return show_rows(state, "Point and derivatives", std::move(summary), std::move(rows));
 }
 
-std::optional<Argument> domain_begin(const EditorState& state) {
-    if (no_curve(state)) return std::nullopt;
-    return active_curve(state).domain().lower;
-}
-
-std::optional<Argument> domain_end(const EditorState& state) {
-    if (no_curve(state)) return std::nullopt;
-    return active_curve(state).domain().upper;
-}
-
-std::vector<ParameterSpec> two_points() {
-    return {{"x0", Kind::number, "x of a first point"},
-            {"y0", Kind::number, "y of it"},
-            {"x1", Kind::number, "x of a second point"},
-            {"y1", Kind::number, "y of it"}};
-}
-
-CommandSpec with_parameters(CommandSpec spec, std::vector<ParameterSpec> parameters) {
-    spec.parameters = std::move(parameters);
-    return spec;
+template <class Command>
+std::vector<Field> two_points() {
+    return {field::position<&Command::first>({"x0", "x of a first point"}, {"y0", "y of it"}),
+            field::position<&Command::second>({"x1", "x of a second point"}, {"y1", "y of it"})};
 }
 
 }  // namespace
 
-void add_measuring_commands(std::vector<CommandSpec>& table) {
-    table.push_back(with_parameters(
-        measuring_command("evaluate", "Point and derivatives",
-                          "Gives point, derivatives, tangent and curvature at a parameter, on both sides of a knot.",
-                          "Measure", show_evaluation),
-        {{"u", Kind::number, "where in the domain", current_parameter}}));
-    table.push_back(with_parameters(
-        measuring_command("arc-length", "Arc length", "Measures the curve between two parameters.", "Measure",
-                          show_arc_length),
-        {{"a", Kind::number, "from this parameter", domain_begin}, {"b", Kind::number, "to this one", domain_end}}));
-    table.push_back(
-        with_parameters(measuring_command("point-at-length", "Point at length",
-                                          "Finds the parameter at a length from the beginning of the curve.", "Measure",
-                                          show_point_at_length),
-                        {{"s", Kind::number, "length along the curve"}}));
-    table.push_back(measuring_command("area", "Area", "Measures what a closed curve encloses, and its centroid.",
-                                      "Measure", show_area));
-    table.push_back(with_parameters(
-        measuring_command("nearest", "Nearest point", "Finds the point of the curve that is nearest to a given one.",
-                          "Measure", show_nearest),
-        {{"x", Kind::number, "x of the point"}, {"y", Kind::number, "y of the point"}}));
-    table.push_back(with_parameters(
-        measuring_command("intersect-line", "Intersect with a line",
-                          "Finds all points on a line, and counts how often curve and polygon cross it.", "Measure",
-                          show_line_intersections),
-        two_points()));
-    table.push_back(with_parameters(
-        measuring_command("intersect-segment", "Intersect with a segment",
-                          "Finds all points on a segment, and counts how often curve and polygon cross it.", "Measure",
-                          show_segment_intersections),
-        two_points()));
-    table.push_back(
-        with_parameters(measuring_command("intersect", "Intersect with a curve",
-                                          "Finds all points and pieces that the curve has in common with another one.",
-                                          "Measure", show_intersections),
-                        {{"other", Kind::text, "name of the other curve", next_curve_name}}));
+const CommandSpec& Evaluate::spec() {
+    static const CommandSpec spec{
+        .name = "evaluate",
+        .title = "Point and derivatives",
+        .explanation = "Gives point, derivatives, tangent and curvature at a parameter, on both sides of a knot.",
+        .synonyms = "value position speed",
+        .group = CommandGroup::analyze,
+        .submenu = "Measure",
+        .fields = {field::parameter<&Evaluate::u>("u", "where in the domain").suggesting<suggest::current_parameter>()},
+        .refusal = no_curve,
+        .run = body_of<evaluate>};
+    return spec;
+}
+
+const CommandSpec& MeasureArcLength::spec() {
+    static const CommandSpec spec{
+        .name = "arc-length",
+        .title = "Arc length",
+        .explanation = "Measures the curve between two parameters.",
+        .synonyms = "distance perimeter",
+        .group = CommandGroup::analyze,
+        .submenu = "Measure",
+        .fields =
+            {field::parameter<&MeasureArcLength::begin>("a", "from this parameter").suggesting<suggest::domain_begin>(),
+             field::parameter<&MeasureArcLength::end>("b", "to this one").suggesting<suggest::domain_end>()},
+        .refusal = no_curve,
+        .run = body_of<measure_arc_length>};
+    return spec;
+}
+
+const CommandSpec& FindPointAtLength::spec() {
+    static const CommandSpec spec{.name = "point-at-length",
+                                  .title = "Point at length",
+                                  .explanation = "Finds the parameter at a length from the beginning of the curve.",
+                                  .synonyms = "arc distance",
+                                  .group = CommandGroup::analyze,
+                                  .submenu = "Measure",
+                                  .fields = {field::length<&FindPointAtLength::length>("s", "length along the curve")},
+                                  .refusal = no_curve,
+                                  .run = body_of<find_point_at_length>};
+    return spec;
+}
+
+const CommandSpec& MeasureArea::spec() {
+    static const CommandSpec spec{.name = "area",
+                                  .title = "Area",
+                                  .explanation = "Measures what a closed curve encloses, and its centroid.",
+                                  .synonyms = "center of gravity",
+                                  .group = CommandGroup::analyze,
+                                  .submenu = "Measure",
+                                  .refusal = no_curve,
+                                  .run = body_of<measure_area>};
+    return spec;
+}
+
+const CommandSpec& FindNearest::spec() {
+    static const CommandSpec spec{
+        .name = "nearest",
+        .title = "Nearest point",
+        .explanation = "Finds the point of the curve that is nearest to a given one.",
+        .synonyms = "closest project distance",
+        .group = CommandGroup::analyze,
+        .submenu = "Measure",
+        .fields = {field::position<&FindNearest::position>({"x", "x of the point"}, {"y", "y of the point"})},
+        .refusal = no_curve,
+        .run = body_of<find_nearest>};
+    return spec;
+}
+
+const CommandSpec& IntersectLine::spec() {
+    static const CommandSpec spec{
+        .name = "intersect-line",
+        .title = "Intersect with a line",
+        .explanation = "Finds all points on a line, and counts how often curve and polygon cross it.",
+        .synonyms = "crossing variation diminishing",
+        .group = CommandGroup::analyze,
+        .submenu = "Measure",
+        .fields = two_points<IntersectLine>(),
+        .refusal = no_curve,
+        .run = body_of<intersect_line>};
+    return spec;
+}
+
+const CommandSpec& IntersectSegment::spec() {
+    static const CommandSpec spec{
+        .name = "intersect-segment",
+        .title = "Intersect with a segment",
+        .explanation = "Finds all points on a segment, and counts how often curve and polygon cross it.",
+        .synonyms = "crossing",
+        .group = CommandGroup::analyze,
+        .submenu = "Measure",
+        .fields = two_points<IntersectSegment>(),
+        .refusal = no_curve,
+        .run = body_of<intersect_segment>};
+    return spec;
+}
+
+const CommandSpec& IntersectCurve::spec() {
+    static const CommandSpec spec{
+        .name = "intersect",
+        .title = "Intersect with a curve",
+        .explanation = "Finds all points and pieces that the curve has in common with another one.",
+        .synonyms = "crossing meet",
+        .group = CommandGroup::analyze,
+        .submenu = "Measure",
+        .fields = {field::curve_name<&IntersectCurve::other>("other", "name of the other curve")
+                       .suggesting<suggest::next_curve_name>()},
+        .refusal = no_curve,
+        .run = body_of<intersect_curve>};
+    return spec;
+}
+
+void add_measuring_commands(CommandTable& table) {
+    add_all<Evaluate, MeasureArcLength, FindPointAtLength, MeasureArea, FindNearest>(table);
+    add_all<IntersectLine, IntersectSegment, IntersectCurve>(table);
 }
 
 }  // namespace batten::editor
