@@ -1,3 +1,7 @@
+#include "app/editor/commands/analysis_commands.h"
+
+#include <fmt/core.h>
+
 #include <glm/trigonometric.hpp>
 
 #include "app/editor/commands/active_curve.h"
@@ -15,23 +19,25 @@ namespace batten::editor {
 
 namespace {
 
-void add_interval(Finding& finding, core::Interval where) {
-    if (where.length() == 0.0) return;
-    finding.numbers.push_back({"from", where.lower});
-    finding.numbers.push_back({"to", where.upper});
-}
+using core::sentence;
 
+// "C⁰", "G¹".
 std::string level_text(const char* letter, int level) {
-    return level < 0 ? "a gap" : plain_text(std::string(letter) + "^{" + std::to_string(level) + "}");
+    return plain_text(fmt::format("{}^{{{}}}", letter, level));
 }
 
 // "C⁰ by its knots, C⁰ and G¹ by its shape"; what is found goes up to 2 only.
 std::string continuity_note(const core::JointContinuity& joint) {
-    const std::string found = joint.parametric < 0 ? "a gap by its shape"
-                                                   : level_text("C", joint.parametric) + " and " +
-                                                         level_text("G", joint.geometric) + " by its shape";
-    if (joint.kind == core::JointKind::ends) return "ends meet, " + found;
-    return level_text("C", joint.promised) + " by its knots, " + found;
+    const bool are_ends = joint.kind == core::JointKind::ends;
+    const core::Place promised("promised", joint.promised < 0 ? "a gap" : level_text("C", joint.promised));
+    if (joint.parametric < 0)
+        return are_ends ? "ends meet, a gap by its shape"
+                        : sentence("{promised} by its knots, a gap by its shape", {promised});
+    const core::Place parametric("parametric", level_text("C", joint.parametric));
+    const core::Place geometric("geometric", level_text("G", joint.geometric));
+    if (are_ends) return sentence("ends meet, {parametric} and {geometric} by its shape", {parametric, geometric});
+    return sentence("{promised} by its knots, {parametric} and {geometric} by its shape",
+                    {promised, parametric, geometric});
 }
 
 bool is_smoother_than_promised(const core::JointContinuity& joint) {
@@ -39,15 +45,16 @@ bool is_smoother_than_promised(const core::JointContinuity& joint) {
 }
 
 std::string joint_label(const core::JointContinuity& joint) {
+    const core::Place u("u", number_text(joint.u));
     switch (joint.kind) {
         case core::JointKind::seam:
-            return "seam " + number_text(joint.u);
+            return sentence("seam {u}", {u});
         case core::JointKind::ends:
             return "ends";
         case core::JointKind::knot:
             break;
     }
-    return "knot " + number_text(joint.u);
+    return sentence("knot {u}", {u});
 }
 
 Finding joint_row(const core::Curve& curve, const core::JointContinuity& joint) {
@@ -71,7 +78,7 @@ Finding joint_row(const core::Curve& curve, const core::JointContinuity& joint) 
     return row;
 }
 
-Outcome<void> show_continuity(EditorState& state, const Arguments&) {
+Outcome<void> find_continuity(EditorState& state, const FindContinuity&) {
     const core::Curve& curve = active_curve(state);
     std::vector<Finding> rows;
     std::size_t smoother = 0;
@@ -79,12 +86,19 @@ Outcome<void> show_continuity(EditorState& state, const Arguments&) {
         rows.push_back(joint_row(curve, joint));
         if (joint.kind != core::JointKind::ends && is_smoother_than_promised(joint)) ++smoother;
     }
-    std::string what = "has " + count_text(rows.size(), "joint", "joints");
-    if (smoother > 0) what += "; " + std::to_string(smoother) + " smoother by shape than by the knots";
-    return show_rows(state, "Continuity", what, std::move(rows));
+    if (smoother == 0)
+        return show_counted_rows(
+            state, "Continuity",
+            {.one = "{name} has 1 joint", .many = "{name} has {count} joints", .none = "{name} has no joints"},
+            std::move(rows));
+    std::string summary =
+        sentence({.one = "{name} has 1 joint; {smoother} smoother by shape than by the knots",
+                  .many = "{name} has {count} joints; {smoother} smoother by shape than by the knots"},
+                 rows.size(), {active_name(state), {"smoother", smoother}});
+    return show_rows(state, "Continuity", std::move(summary), std::move(rows));
 }
 
-Outcome<void> show_inflections(EditorState& state, const Arguments&) {
+Outcome<void> find_inflections(EditorState& state, const FindInflections&) {
     std::vector<Finding> rows;
     for (const core::Inflection& found : core::inflections(active_curve(state))) {
         Finding row{.label = found.where.length() > 0.0 ? "straight piece" : "inflection",
@@ -94,11 +108,14 @@ Outcome<void> show_inflections(EditorState& state, const Arguments&) {
         add_interval(row, found.where);
         rows.push_back(std::move(row));
     }
-    const std::string what = "has " + count_text(rows.size(), "inflection", "inflections");
-    return show_rows(state, "Inflections", what, std::move(rows));
+    return show_counted_rows(state, "Inflections",
+                             {.one = "{name} has 1 inflection",
+                              .many = "{name} has {count} inflections",
+                              .none = "{name} has no inflections"},
+                             std::move(rows));
 }
 
-Outcome<void> show_curvature_extrema(EditorState& state, const Arguments&) {
+Outcome<void> find_curvature_extrema(EditorState& state, const FindCurvatureExtrema&) {
     std::vector<Finding> rows;
     for (const core::CurvatureExtremum& found : core::curvature_extrema(active_curve(state))) {
         Finding row{.label = found.is_maximum ? "maximum" : "minimum",
@@ -109,11 +126,24 @@ Outcome<void> show_curvature_extrema(EditorState& state, const Arguments&) {
         add_interval(row, found.where);
         rows.push_back(std::move(row));
     }
-    const std::string what = "has " + count_text(rows.size(), "extremum", "extrema") + " of curvature";
-    return show_rows(state, "Curvature extrema", what, std::move(rows));
+    return show_counted_rows(state, "Curvature extrema",
+                             {.one = "{name} has 1 extremum of curvature",
+                              .many = "{name} has {count} extrema of curvature",
+                              .none = "{name} has no extrema of curvature"},
+                             std::move(rows));
 }
 
-Outcome<void> show_cusps(EditorState& state, const Arguments&) {
+std::string summary_of_cusps(const EditorState& state, std::size_t cusps, std::size_t stops) {
+    if (stops == 0)
+        return sentence({.one = "{name} has 1 cusp", .many = "{name} has {count} cusps", .none = "{name} has no cusps"},
+                        cusps, {active_name(state)});
+    const core::Place found("cusps", sentence({.one = "1 cusp", .many = "{count} cusps", .none = "no cusps"}, cusps));
+    return sentence(
+        {.one = "{name} has {cusps} and 1 other stop", .many = "{name} has {cusps} and {count} other stops"}, stops,
+        {active_name(state), found});
+}
+
+Outcome<void> find_cusps(EditorState& state, const FindCusps&) {
     std::vector<Finding> rows;
     std::size_t proper = 0;
     for (const core::Cusp& found : core::cusps(active_curve(state))) {
@@ -124,12 +154,11 @@ Outcome<void> show_cusps(EditorState& state, const Arguments&) {
         add_interval(row, found.where);
         rows.push_back(std::move(row));
     }
-    std::string what = "has " + count_text(proper, "cusp", "cusps");
-    if (rows.size() > proper) what += " and " + count_text(rows.size() - proper, "other stop", "other stops");
-    return show_rows(state, "Cusps", what, std::move(rows));
+    std::string summary = summary_of_cusps(state, proper, rows.size() - proper);
+    return show_rows(state, "Cusps", std::move(summary), std::move(rows));
 }
 
-Outcome<void> show_self_intersections(EditorState& state, const Arguments&) {
+Outcome<void> find_self_intersections(EditorState& state, const FindSelfIntersections&) {
     std::vector<Finding> rows;
     for (const core::CurveContact& found : core::self_intersections(active_curve(state))) {
         Finding row{.label = found.is_overlap() ? "passed twice" : "double point",
@@ -140,8 +169,11 @@ Outcome<void> show_self_intersections(EditorState& state, const Arguments&) {
         add_interval(row, found.on_first);
         rows.push_back(std::move(row));
     }
-    const std::string what = "has " + count_text(rows.size(), "self-intersection", "self-intersections");
-    return show_rows(state, "Self-intersections", what, std::move(rows));
+    return show_counted_rows(state, "Self-intersections",
+                             {.one = "{name} has 1 self-intersection",
+                              .many = "{name} has {count} self-intersections",
+                              .none = "{name} has no self-intersections"},
+                             std::move(rows));
 }
 
 Finding box_row(const char* label, const core::Box& box) {
@@ -154,49 +186,122 @@ Finding box_row(const char* label, const core::Box& box) {
                         {"height", box.size().y}}};
 }
 
-Outcome<void> show_bounds(EditorState& state, const Arguments&) {
+Outcome<void> find_bounds(EditorState& state, const FindBounds&) {
     const core::Curve& curve = active_curve(state);
     const core::Box box = core::tight_box(curve);
-    const std::string what = "is " + number_text(box.size().x) + " wide and " + number_text(box.size().y) + " high";
-    return show_rows(state, "Bounds", what,
+    std::string summary =
+        sentence("{name} is {width} wide and {height} high",
+                 {active_name(state), {"width", number_text(box.size().x)}, {"height", number_text(box.size().y)}});
+    return show_rows(state, "Bounds", std::move(summary),
                      {box_row("curve", box), box_row("control points", core::control_box(curve))});
 }
 
-Outcome<void> show_span_hulls(EditorState& state, const Arguments&) {
+Outcome<void> find_span_hulls(EditorState& state, const FindSpanHulls&) {
     std::vector<Finding> rows;
     for (const core::SpanHull& found : core::span_hulls(active_curve(state))) {
-        Finding row{.label = "span " + std::to_string(rows.size() + 1), .parameter = found.interval.lower};
+        Finding row{.label = sentence("span {number}", {{"number", rows.size() + 1}}),
+                    .parameter = found.interval.lower};
         add_interval(row, found.interval);
         for (std::size_t i = 0; i < found.hull.size(); ++i)
-            add_numbers(row, "corner " + std::to_string(i + 1), found.hull[i]);
+            add_numbers(row, fmt::format("corner {}", i + 1).c_str(), found.hull[i]);
         rows.push_back(std::move(row));
     }
-    const std::string what = "lies in " + count_text(rows.size(), "hull", "hulls") + ", one for each span";
-    return show_rows(state, "Hulls of the spans", what, std::move(rows));
+    return show_counted_rows(
+        state, "Hulls of the spans",
+        {.one = "{name} lies in 1 hull, one for each span", .many = "{name} lies in {count} hulls, one for each span"},
+        std::move(rows));
 }
 
 }  // namespace
 
-void add_analysis_commands(std::vector<CommandSpec>& table) {
-    table.push_back(measuring_command("continuity", "Continuity",
-                                      "Tells at every knot how smooth the curve is by its knots and by its shape.",
-                                      nullptr, show_continuity));
-    table.push_back(measuring_command("inflections", "Inflections",
-                                      "Finds where the curve passes from bending left to bending right.", "Shape",
-                                      show_inflections));
-    table.push_back(measuring_command("curvature-extrema", "Curvature extrema",
-                                      "Finds where the signed curvature is greatest and least.", "Shape",
-                                      show_curvature_extrema));
-    table.push_back(measuring_command("cusps", "Cusps", "Finds where the speed is zero.", "Shape", show_cusps));
-    table.push_back(measuring_command("self-intersections", "Self-intersections",
-                                      "Finds the points through which the curve passes twice.", "Shape",
-                                      show_self_intersections));
-    table.push_back(measuring_command("bounds", "Bounds",
-                                      "Gives the smallest box around the curve and that of its control points.",
-                                      "Shape", show_bounds));
-    table.push_back(measuring_command("span-hulls", "Hulls of the spans",
-                                      "Gives the convex hull of the control points of every span.", "Shape",
-                                      show_span_hulls));
+const CommandSpec& FindContinuity::spec() {
+    static const CommandSpec spec{
+        .name = "continuity",
+        .title = "Continuity",
+        .explanation = "Tells at every knot how smooth the curve is by its knots and by its shape.",
+        .synonyms = "smooth joints C1 C2 G1 G2",
+        .group = CommandGroup::analyze,
+        .refusal = no_curve,
+        .run = body_of<find_continuity>};
+    return spec;
+}
+
+const CommandSpec& FindInflections::spec() {
+    static const CommandSpec spec{.name = "inflections",
+                                  .title = "Inflections",
+                                  .explanation = "Finds where the curve passes from bending left to bending right.",
+                                  .synonyms = "curvature zero",
+                                  .group = CommandGroup::analyze,
+                                  .submenu = "Shape",
+                                  .refusal = no_curve,
+                                  .run = body_of<find_inflections>};
+    return spec;
+}
+
+const CommandSpec& FindCurvatureExtrema::spec() {
+    static const CommandSpec spec{.name = "curvature-extrema",
+                                  .title = "Curvature extrema",
+                                  .explanation = "Finds where the signed curvature is greatest and least.",
+                                  .synonyms = "vertices maximum minimum radius",
+                                  .group = CommandGroup::analyze,
+                                  .submenu = "Shape",
+                                  .refusal = no_curve,
+                                  .run = body_of<find_curvature_extrema>};
+    return spec;
+}
+
+const CommandSpec& FindCusps::spec() {
+    static const CommandSpec spec{.name = "cusps",
+                                  .title = "Cusps",
+                                  .explanation = "Finds where the speed is zero.",
+                                  .synonyms = "stop singular",
+                                  .group = CommandGroup::analyze,
+                                  .submenu = "Shape",
+                                  .refusal = no_curve,
+                                  .run = body_of<find_cusps>};
+    return spec;
+}
+
+const CommandSpec& FindSelfIntersections::spec() {
+    static const CommandSpec spec{.name = "self-intersections",
+                                  .title = "Self-intersections",
+                                  .explanation = "Finds the points through which the curve passes twice.",
+                                  .synonyms = "loop double point crossing",
+                                  .group = CommandGroup::analyze,
+                                  .submenu = "Shape",
+                                  .refusal = no_curve,
+                                  .run = body_of<find_self_intersections>};
+    return spec;
+}
+
+const CommandSpec& FindBounds::spec() {
+    static const CommandSpec spec{
+        .name = "bounds",
+        .title = "Bounds",
+        .explanation = "Gives the smallest box around the curve and that of its control points.",
+        .synonyms = "box size width height",
+        .group = CommandGroup::analyze,
+        .submenu = "Shape",
+        .refusal = no_curve,
+        .run = body_of<find_bounds>};
+    return spec;
+}
+
+const CommandSpec& FindSpanHulls::spec() {
+    static const CommandSpec spec{.name = "span-hulls",
+                                  .title = "Hulls of the spans",
+                                  .explanation = "Gives the convex hull of the control points of every span.",
+                                  .synonyms = "convex polygon",
+                                  .group = CommandGroup::analyze,
+                                  .submenu = "Shape",
+                                  .refusal = no_curve,
+                                  .run = body_of<find_span_hulls>};
+    return spec;
+}
+
+void add_analysis_commands(CommandTable& table) {
+    add_all<FindContinuity, FindInflections, FindCurvatureExtrema, FindCusps, FindSelfIntersections>(table);
+    add_all<FindBounds, FindSpanHulls>(table);
 }
 
 }  // namespace batten::editor
