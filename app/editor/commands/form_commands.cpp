@@ -1,6 +1,12 @@
+#include "app/editor/commands/form_commands.h"
+
+#include <fmt/format.h>
+
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/suggestions.h"
+#include "app/editor/field_kinds.h"
 #include "app/editor/formula.h"
 #include "core/evaluate/blossom.h"
 #include "core/evaluate/blossom_labels.h"
@@ -15,11 +21,24 @@ namespace batten::editor {
 
 namespace {
 
-std::string numbered(const char* noun, std::size_t index) {
-    return std::string(noun) + " " + std::to_string(index);
+using core::sentence;
+
+std::string summary_of_closing(const EditorState& state, const core::ClosingReport& report) {
+    switch (report.closing) {
+        case core::Closing::open:
+            return sentence("{name} is open; its ends are {gap} apart",
+                            {active_name(state), {"gap", number_text(report.gap)}});
+        case core::Closing::ends_meet:
+            return sentence("{name} is closed by ends that meet", {active_name(state)});
+        case core::Closing::wrapped:
+            return sentence("{name} is closed by wrapped control points", {active_name(state)});
+        case core::Closing::periodic:
+            break;
+    }
+    return sentence("{name} is truly periodic", {active_name(state)});
 }
 
-Outcome<void> show_closing(EditorState& state, const Arguments&) {
+Outcome<void> find_closing(EditorState& state, const FindClosing&) {
     const core::Curve& curve = active_curve(state);
     const core::ClosingReport report = core::closing_of(curve);
     const double start = curve.domain().lower;
@@ -27,81 +46,84 @@ Outcome<void> show_closing(EditorState& state, const Arguments&) {
                     .parameter = start,
                     .point = core::point_at(curve, start),
                     .numbers = {{"gap", report.gap}, {"continuity", static_cast<double>(report.continuity)}}};
-    switch (report.closing) {
-        case core::Closing::open:
-            return show_rows(state, "Closing", "is open; its ends are " + number_text(report.gap) + " apart",
-                             {finding});
-        case core::Closing::ends_meet:
-            return show_rows(state, "Closing", "is closed by ends that meet", {finding});
-        case core::Closing::wrapped:
-            return show_rows(state, "Closing", "is closed by wrapped control points", {finding});
-        case core::Closing::periodic:
-            break;
-    }
-    return show_rows(state, "Closing", "is truly periodic", {finding});
+    return show_rows(state, "Closing", summary_of_closing(state, report), {std::move(finding)});
 }
 
-Outcome<void> show_collinear_runs(EditorState& state, const Arguments&) {
+Finding row_of(const core::Curve& curve, const core::CollinearRun& run) {
+    const std::size_t last = (run.first + run.count - 1) % curve.control_points().size();
+    Finding row{.label = sentence("{first} to {last}", {{"first", point_text(run.first)}, {"last", point_text(last)}}),
+                .parameter = run.straight.lower,
+                .point = core::point_at(curve, run.straight.lower),
+                .numbers = {{"points", static_cast<double>(run.count)}}};
+    row.numbers.push_back({"from", run.straight.lower});
+    row.numbers.push_back({"to", run.straight.upper});
+    return row;
+}
+
+Outcome<void> find_collinear_runs(EditorState& state, const FindCollinearRuns&) {
     const core::Curve& curve = active_curve(state);
     std::vector<Finding> rows;
-    for (const core::CollinearRun& run : core::collinear_runs(curve)) {
-        const std::size_t last = (run.first + run.count - 1) % curve.control_points().size();
-        rows.push_back(
-            {.label = point_text(static_cast<double>(run.first)) + " to " + point_text(static_cast<double>(last)),
-             .parameter = run.straight.lower,
-             .point = core::point_at(curve, run.straight.lower),
-             .numbers = {{"points", static_cast<double>(run.count)},
-                         {"from", run.straight.lower},
-                         {"to", run.straight.upper}}});
-    }
-    const std::string what = "has " + count_text(rows.size(), "straight piece", "straight pieces");
-    return show_rows(state, "Straight pieces", what, std::move(rows));
+    for (const core::CollinearRun& run : core::collinear_runs(curve)) rows.push_back(row_of(curve, run));
+    return show_counted_rows(state, "Straight pieces",
+                             {.one = "{name} has 1 straight piece",
+                              .many = "{name} has {count} straight pieces",
+                              .none = "{name} has no straight pieces"},
+                             std::move(rows));
 }
 
-Outcome<void> show_matrix(EditorState& state, const Arguments&) {
+std::string segment_label(std::size_t index) {
+    return sentence("segment {index}", {{"index", index}});
+}
+
+Outcome<void> find_matrix_form(EditorState& state, const FindMatrixForm&) {
     const core::Curve& curve = active_curve(state);
     const auto segments = core::cubic_segments(curve);
     if (!segments) return tl::unexpected(core::describe(segments.error()));
     std::vector<Finding> rows;
     for (const core::CubicSegment& segment : *segments) {
-        Finding finding{.label = numbered("segment", rows.size()),
+        Finding finding{.label = segment_label(rows.size()),
                         .parameter = segment.interval.lower,
                         .point = core::point_at(curve, segment.interval.lower),
                         .note = "a₀ + a₁ t + a₂ t² + a₃ t³, t from 0 to 1"};
         for (std::size_t k = 0; k < 4; ++k) {
-            const std::string name = "a" + std::to_string(k);
-            add_numbers(finding, name, segment.coefficients[k]);
-            if (curve.is_rational()) finding.numbers.push_back({name + " w", segment.coefficients[k].z});
+            const std::string name = fmt::format("a{}", k);
+            const core::HomogeneousPoint& coefficient = segment.coefficients[k];
+            add_numbers(finding, name.c_str(), {coefficient.x, coefficient.y});
+            if (curve.is_rational()) finding.numbers.push_back({fmt::format("{} w", name), coefficient.z});
         }
         rows.push_back(std::move(finding));
     }
-    const std::string what = "has " + count_text(rows.size(), "segment", "segments") + " in matrix form";
-    return show_rows(state, "Matrix form", what, std::move(rows));
+    return show_counted_rows(
+        state, "Matrix form",
+        {.one = "{name} has 1 segment in matrix form", .many = "{name} has {count} segments in matrix form"},
+        std::move(rows));
 }
 
-Outcome<void> show_ferguson(EditorState& state, const Arguments&) {
+Outcome<void> find_ferguson_form(EditorState& state, const FindFergusonForm&) {
     const auto segments = core::ferguson_segments(active_curve(state));
     if (!segments) return tl::unexpected(core::describe(segments.error()));
     std::vector<Finding> rows;
     for (const core::FergusonSegment& segment : *segments) {
         Finding finding{
-            .label = numbered("segment", rows.size()), .parameter = segment.interval.lower, .point = segment.start};
+            .label = segment_label(rows.size()), .parameter = segment.interval.lower, .point = segment.start};
         add_numbers(finding, "start", segment.start);
         add_numbers(finding, "end", segment.end);
         add_numbers(finding, "start tangent", segment.start_tangent);
         add_numbers(finding, "end tangent", segment.end_tangent);
         rows.push_back(std::move(finding));
     }
-    const std::string what = "has " + count_text(rows.size(), "segment", "segments") + " in Ferguson form";
-    return show_rows(state, "Ferguson form", what, std::move(rows));
+    return show_counted_rows(
+        state, "Ferguson form",
+        {.one = "{name} has 1 segment in Ferguson form", .many = "{name} has {count} segments in Ferguson form"},
+        std::move(rows));
 }
 
-Outcome<void> show_anticentroids(EditorState& state, const Arguments&) {
+Outcome<void> find_anticentroids(EditorState& state, const FindAnticentroids&) {
     const auto joints = core::anticentroids(active_curve(state));
     if (!joints) return tl::unexpected(core::describe(joints.error()));
     std::vector<Finding> rows;
     for (const core::Anticentroid& joint : *joints) {
-        Finding finding{.label = "triangle at " + point_text(static_cast<double>(joint.index)),
+        Finding finding{.label = sentence("triangle at {point}", {{"point", point_text(joint.index)}}),
                         .parameter = joint.u,
                         .point = joint.anticentroid};
         add_numbers(finding, "anticentroid", joint.anticentroid);
@@ -111,48 +133,50 @@ Outcome<void> show_anticentroids(EditorState& state, const Arguments&) {
         add_numbers(finding, "second derivative", joint.second_derivative);
         rows.push_back(std::move(finding));
     }
-    const std::string what = "has " + count_text(rows.size(), "anticentroid", "anticentroids");
-    return show_rows(state, "Anticentroids", what, std::move(rows));
+    return show_counted_rows(state, "Anticentroids",
+                             {.one = "{name} has 1 anticentroid",
+                              .many = "{name} has {count} anticentroids",
+                              .none = "{name} has no anticentroids"},
+                             std::move(rows));
 }
 
-Outcome<void> show_conic_form(EditorState& state, const Arguments&) {
+Finding row_of(const core::ConicForm& form) {
+    const core::ImplicitConic& k = form.equation;
+    Finding row{.label = core::title_of(form.type),
+                .point = form.shoulder,
+                .numbers = {{"w", form.weight},
+                            {"w/(1+w)", form.shoulder_ratio},
+                            {"A", k.a},
+                            {"B", k.b},
+                            {"C", k.c},
+                            {"D", k.d},
+                            {"E", k.e},
+                            {"F", k.f}},
+                .note = "A X² + B XY + C Y² + D X + E Y + F = 0, (X, Y) seen from the origin given"};
+    add_numbers(row, "origin", k.origin);
+    return row;
+}
+
+Outcome<void> find_conic_form(EditorState& state, const FindConicForm&) {
     std::vector<Finding> rows;
     for (const core::BezierPiece& piece : core::bezier_pieces(active_curve(state))) {
         const auto form = core::conic_form(piece);
         if (!form && form.error().code != core::CurveErrorCode::points_collinear)
             return tl::unexpected(core::describe(form.error()));
-        if (!form) {
-            rows.push_back({.label = "straight line", .parameter = piece.interval.lower});
-            continue;
-        }
-        const core::ImplicitConic& k = form->equation;
-        Finding finding{.label = core::title_of(form->type),
-                        .point = form->shoulder,
-                        .numbers = {{"w", form->weight}, {"w/(1+w)", form->shoulder_ratio}},
-                        .note = "A X² + B XY + C Y² + D X + E Y + F = 0, (X, Y) seen from the origin given"};
-        for (const auto& [name, value] :
-             {std::pair{"A", k.a}, {"B", k.b}, {"C", k.c}, {"D", k.d}, {"E", k.e}, {"F", k.f}})
-            finding.numbers.push_back({name, value});
-        add_numbers(finding, "origin", k.origin);
-        rows.push_back(std::move(finding));
+        rows.push_back(form ? row_of(*form) : Finding{.label = "straight line", .parameter = piece.interval.lower});
     }
-    const std::string what = "has " + count_text(rows.size(), "conic piece", "conic pieces");
-    return show_rows(state, "Conic form", what, std::move(rows));
+    return show_counted_rows(state, "Conic form",
+                             {.one = "{name} has 1 conic piece", .many = "{name} has {count} conic pieces"},
+                             std::move(rows));
 }
 
 std::string label_text(const core::BlossomLabel& label) {
-    return core::symbolic_text(label) + " = " + core::value_text(label);
+    return fmt::format("{} = {}", core::symbolic_text(label), core::value_text(label));
 }
 
-Outcome<void> show_blossom_labels(EditorState& state, const Arguments& arguments) {
-    const core::Curve& curve = active_curve(state);
+std::vector<Finding> rows_of(const core::Curve& curve, const core::DeBoorTriangle& triangle) {
     const std::size_t n = curve.control_points().size();
     std::vector<Finding> rows;
-    for (std::size_t i = 0; i < n; ++i)
-        rows.push_back({.label = point_text(static_cast<double>(i)),
-                        .point = curve.control_points()[i],
-                        .note = label_text(core::control_point_label(curve.knots(), i))});
-    const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, arguments.number(0));
     for (std::size_t r = 1; r < triangle.levels.size(); ++r)
         for (std::size_t j = 0; j < triangle.levels[r].size(); ++j) {
             const core::DeBoorCell& cell = triangle.levels[r][j];
@@ -160,77 +184,186 @@ Outcome<void> show_blossom_labels(EditorState& state, const Arguments& arguments
                             .point = cell.point,
                             .note = label_text(core::de_boor_label(curve.knots(), cell.index, r))});
         }
-    const std::string what =
-        "has " + count_text(rows.size(), "blossom label", "blossom labels") + ", t = " + number_text(triangle.u);
-    return show_rows(state, "Blossom labels", what, std::move(rows));
+    return rows;
 }
 
-Outcome<void> show_blossom(EditorState& state, const Arguments& arguments) {
+Outcome<void> find_blossom_labels(EditorState& state, const FindBlossomLabels& command) {
     const core::Curve& curve = active_curve(state);
-    const std::vector<double>& values = arguments.numbers(0);
-    if (values.size() != static_cast<std::size_t>(curve.degree()))
-        return tl::unexpected("a blossom of degree " + std::to_string(curve.degree()) + " has as many arguments; " +
-                              std::to_string(values.size()) + " were given");
-    const double u = curve.knots().into_domain(arguments.number(1));
-    const core::HomogeneousPoint value = core::blossom(curve, curve.knots().span_at(u), values);
-    std::string label;
-    for (const double argument : values) label += (label.empty() ? "b(" : ", ") + number_text(argument);
-    Finding finding{.label = label + ")", .numbers = {{"weight", value.z}}};
-    if (value.z != 0.0) finding.point = core::project(value);
-    return show_rows(state, "Blossom", "has this polar form over the span of " + number_text(u), {std::move(finding)});
+    std::vector<Finding> rows;
+    for (std::size_t i = 0; i < curve.control_points().size(); ++i)
+        rows.push_back({.label = point_text(i),
+                        .point = curve.control_points()[i],
+                        .note = label_text(core::control_point_label(curve.knots(), i))});
+    const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, command.u);
+    for (Finding& row : rows_of(curve, triangle)) rows.push_back(std::move(row));
+    std::string summary = sentence("{name} has {count} blossom labels, t = {t}",
+                                   {active_name(state), {"count", rows.size()}, {"t", number_text(triangle.u)}});
+    return show_rows(state, "Blossom labels", std::move(summary), std::move(rows));
 }
 
-Outcome<void> show_greville_points(EditorState& state, const Arguments&) {
+// "b(0.1, 0.2, 0.3)"
+std::string blossom_text(const std::vector<double>& arguments) {
+    std::vector<std::string> texts;
+    for (const double argument : arguments) texts.push_back(number_text(argument));
+    return fmt::format("b({})", fmt::join(texts, ", "));
+}
+
+Outcome<void> find_blossom(EditorState& state, const FindBlossom& command) {
+    const core::Curve& curve = active_curve(state);
+    if (command.arguments.size() != static_cast<std::size_t>(curve.degree()))
+        return tl::unexpected(sentence("a blossom of degree {degree} has {degree} arguments; found {count}",
+                                       {{"degree", curve.degree()}, {"count", command.arguments.size()}}));
+    const double u = curve.knots().into_domain(command.u);
+    const core::HomogeneousPoint value = core::blossom(curve, curve.knots().span_at(u), command.arguments);
+    Finding finding{.label = blossom_text(command.arguments), .numbers = {{"weight", value.z}}};
+    if (value.z != 0.0) finding.point = core::project(value);
+    std::string summary =
+        sentence("{name} has this polar form over the span of {u}", {active_name(state), {"u", number_text(u)}});
+    return show_rows(state, "Blossom", std::move(summary), {std::move(finding)});
+}
+
+Outcome<void> find_greville_points(EditorState& state, const FindGrevillePoints&) {
     const core::Curve& curve = active_curve(state);
     std::vector<Finding> rows;
     for (const core::GrevillePoint& point : core::greville_points(curve)) {
-        Finding finding{.label = "ξ of " + point_text(static_cast<double>(rows.size())), .point = point.curve_point};
+        Finding finding{.label = sentence("ξ of {point}", {{"point", point_text(rows.size())}}),
+                        .point = point.curve_point};
         if (curve.domain().contains(point.abscissa)) finding.parameter = point.abscissa;
         finding.numbers.push_back({"abscissa", point.abscissa});
         add_numbers(finding, "control point", point.control_point);
         rows.push_back(std::move(finding));
     }
-    const std::string what = "has " + count_text(rows.size(), "Greville point", "Greville points");
-    return show_rows(state, "Greville points", what, std::move(rows));
+    return show_counted_rows(state, "Greville points",
+                             {.one = "{name} has 1 Greville point", .many = "{name} has {count} Greville points"},
+                             std::move(rows));
 }
 
 }  // namespace
 
-void add_form_commands(std::vector<CommandSpec>& table) {
-    table.push_back(measuring_command("closing", "Closing",
-                                      "Tells whether the ends meet, the control points are wrapped, or the curve is "
-                                      "periodic.",
-                                      nullptr, show_closing));
-    table.push_back(measuring_command("collinear-runs", "Straight pieces",
-                                      "Finds runs of control points on one line and the straight pieces they make.",
-                                      nullptr, show_collinear_runs));
-    table.push_back(measuring_command(
-        "conic-form", "Conic form", "Tells which conic each piece of a quadratic curve is, and its implicit equation.",
-        "Forms", show_conic_form));
-    table.push_back(measuring_command("cubic-matrix", "Matrix form",
-                                      "Gives the coefficients of each segment of a uniform cubic.", "Forms",
-                                      show_matrix));
-    table.push_back(measuring_command("ferguson", "Ferguson form",
-                                      "Gives the ends and end tangents of each segment of a uniform cubic.", "Forms",
-                                      show_ferguson));
-    table.push_back(measuring_command("anticentroids", "Anticentroids",
-                                      "Gives the triangles of neighbouring control points of a uniform cubic, whose "
-                                      "anticentroids are its joints.",
-                                      "Forms", show_anticentroids));
-    CommandSpec labels = measuring_command("blossom-labels", "Blossom labels",
-                                           "Names every control point and every point of the construction by the "
-                                           "arguments of its blossom.",
-                                           "Forms", show_blossom_labels);
-    labels.parameters = {{"u", ParameterKind::number, "where in the domain", current_parameter}};
-    table.push_back(std::move(labels));
-    CommandSpec blossom = measuring_command(
-        "blossom", "Blossom", "Gives the polar form of one polynomial piece at any arguments.", "Forms", show_blossom);
-    blossom.parameters = {{"arguments", ParameterKind::numbers, "as many as the degree"},
-                          {"u", ParameterKind::number, "a parameter of the piece", current_parameter}};
-    table.push_back(std::move(blossom));
-    table.push_back(measuring_command("greville-points", "Greville points",
-                                      "Gives for each control point the parameter at which it acts most.", "Forms",
-                                      show_greville_points));
+const CommandSpec& FindClosing::spec() {
+    static const CommandSpec spec{
+        .name = "closing",
+        .title = "Closing",
+        .explanation = "Tells whether the ends meet, the control points are wrapped, or the curve is periodic.",
+        .synonyms = "closed open",
+        .group = CommandGroup::analyze,
+        .refusal = no_curve,
+        .run = body_of<find_closing>};
+    return spec;
+}
+
+const CommandSpec& FindCollinearRuns::spec() {
+    static const CommandSpec spec{
+        .name = "collinear-runs",
+        .title = "Straight pieces",
+        .explanation = "Finds runs of control points on one line and the straight pieces they make.",
+        .synonyms = "line",
+        .group = CommandGroup::analyze,
+        .refusal = no_curve,
+        .run = body_of<find_collinear_runs>};
+    return spec;
+}
+
+const CommandSpec& FindConicForm::spec() {
+    static const CommandSpec spec{
+        .name = "conic-form",
+        .title = "Conic form",
+        .explanation = "Tells which conic each piece of a quadratic curve is, and its implicit equation.",
+        .synonyms = "ellipse parabola hyperbola",
+        .group = CommandGroup::analyze,
+        .submenu = "Forms",
+        .refusal = no_curve,
+        .run = body_of<find_conic_form>};
+    return spec;
+}
+
+const CommandSpec& FindMatrixForm::spec() {
+    static const CommandSpec spec{.name = "cubic-matrix",
+                                  .title = "Matrix form",
+                                  .explanation = "Gives the coefficients of each segment of a uniform cubic.",
+                                  .synonyms = "Coons power polynomial",
+                                  .group = CommandGroup::analyze,
+                                  .submenu = "Forms",
+                                  .refusal = no_curve,
+                                  .run = body_of<find_matrix_form>};
+    return spec;
+}
+
+const CommandSpec& FindFergusonForm::spec() {
+    static const CommandSpec spec{.name = "ferguson",
+                                  .title = "Ferguson form",
+                                  .explanation = "Gives the ends and end tangents of each segment of a uniform cubic.",
+                                  .synonyms = "Hermite",
+                                  .group = CommandGroup::analyze,
+                                  .submenu = "Forms",
+                                  .refusal = no_curve,
+                                  .run = body_of<find_ferguson_form>};
+    return spec;
+}
+
+const CommandSpec& FindAnticentroids::spec() {
+    static const CommandSpec spec{
+        .name = "anticentroids",
+        .title = "Anticentroids",
+        .explanation =
+            "Gives the triangles of neighboring control points of a uniform cubic, whose anticentroids are "
+            "its joints.",
+        .synonyms = "median",
+        .group = CommandGroup::analyze,
+        .submenu = "Forms",
+        .refusal = no_curve,
+        .run = body_of<find_anticentroids>};
+    return spec;
+}
+
+const CommandSpec& FindBlossomLabels::spec() {
+    static const CommandSpec spec{
+        .name = "blossom-labels",
+        .title = "Blossom labels",
+        .explanation =
+            "Names every control point and every point of the construction by the arguments of its "
+            "blossom.",
+        .synonyms = "polar",
+        .group = CommandGroup::analyze,
+        .submenu = "Forms",
+        .fields = {field::parameter<&FindBlossomLabels::u>("u", "where in the domain")
+                       .suggesting<suggest::current_parameter>()},
+        .refusal = no_curve,
+        .run = body_of<find_blossom_labels>};
+    return spec;
+}
+
+const CommandSpec& FindBlossom::spec() {
+    static const CommandSpec spec{
+        .name = "blossom",
+        .title = "Blossom",
+        .explanation = "Gives the polar form of one polynomial piece at any arguments.",
+        .synonyms = "polar",
+        .group = CommandGroup::analyze,
+        .submenu = "Forms",
+        .fields = {field::parameters<&FindBlossom::arguments>("arguments", "as many as the degree"),
+                   field::parameter<&FindBlossom::u>("u", "a parameter of the piece")
+                       .suggesting<suggest::current_parameter>()},
+        .refusal = no_curve,
+        .run = body_of<find_blossom>};
+    return spec;
+}
+
+const CommandSpec& FindGrevillePoints::spec() {
+    static const CommandSpec spec{.name = "greville-points",
+                                  .title = "Greville points",
+                                  .explanation = "Gives for each control point the parameter at which it acts most.",
+                                  .synonyms = "abscissae nodes",
+                                  .group = CommandGroup::analyze,
+                                  .submenu = "Forms",
+                                  .refusal = no_curve,
+                                  .run = body_of<find_greville_points>};
+    return spec;
+}
+
+void add_form_commands(CommandTable& table) {
+    add_all<FindClosing, FindCollinearRuns, FindConicForm, FindMatrixForm, FindFergusonForm>(table);
+    add_all<FindAnticentroids, FindBlossomLabels, FindBlossom, FindGrevillePoints>(table);
 }
 
 }  // namespace batten::editor
