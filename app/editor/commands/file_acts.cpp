@@ -1,9 +1,12 @@
 #include "app/editor/commands/file_acts.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "app/editor/dialog.h"
 #include "app/editor/fit_view.h"
+#include "core/base/sentence.h"
 #include "core/document/native_file.h"
 
 namespace batten::editor {
@@ -11,6 +14,8 @@ namespace batten::editor {
 namespace {
 
 namespace fs = std::filesystem;
+
+using core::sentence;
 
 constexpr std::size_t most_recent_files = 10;
 
@@ -22,8 +27,8 @@ void remember(std::vector<fs::path>& recent_files, const fs::path& path) {
 
 // "wave.json: line 3, column 7: ..."; an error of the whole file names its path, of which the file's name is enough.
 Refusal file_refusal(const fs::path& path, const core::FileError& error) {
-    const std::string sentence = error.where == path.string() ? error.what : error.sentence();
-    return path.filename().string() + ": " + sentence;
+    return sentence("{file}: {what}", {{"file", path.filename().string()},
+                                       {"what", error.where == path.string() ? error.what : error.sentence()}});
 }
 
 void take_view(View& view, const core::Document& document) {
@@ -46,20 +51,20 @@ Outcome<void> open_file(EditorState& state, const fs::path& path) {
     if (!document) return tl::unexpected(file_refusal(path, document.error()));
     show_document(state, *std::move(document), path);
     remember(state.recent_files, path);
-    state.message = {"Opened " + path.filename().string(), false};
+    state.message = {sentence("Opened {file}", {{"file", path.filename().string()}}), false};
     return {};
 }
 
 Outcome<void> open_example(EditorState& state, const std::string& name) {
     // A name, not a path: nothing outside the folder of examples is an example.
-    const fs::path path = state.desktop.examples / (name + ".json");
+    const fs::path path = state.desktop.examples / fmt::format("{}.json", name);
     std::error_code error;
     if (name.empty() || fs::path(name).has_parent_path() || !fs::is_regular_file(path, error))
-        return tl::unexpected("there is no example called '" + name + "'");
+        return tl::unexpected(sentence("there is no example called '{name}'", {{"name", name}}));
     core::FileResult<core::Document> document = core::load_document(path);
     if (!document) return tl::unexpected(file_refusal(path, document.error()));
     show_document(state, *std::move(document), {});
-    state.message = {"Opened example " + name, false};
+    state.message = {sentence("Opened example {name}", {{"name", name}}), false};
     return {};
 }
 
@@ -84,6 +89,22 @@ std::vector<std::string> overlay_names(const EditorState& state) {
     return names;
 }
 
+// One case for each command that may have waited.
+struct Proceed {
+    EditorState& state;
+
+    Outcome<void> operator()(const NewDocument&) const {
+        show_document(state, {}, {});
+        return {};
+    }
+    Outcome<void> operator()(const Open& command) const { return open_file(state, fs::absolute(*command.path)); }
+    Outcome<void> operator()(const OpenExample& command) const { return open_example(state, command.name); }
+    Outcome<void> operator()(const Quit&) const {
+        state.wants_quit = true;
+        return {};
+    }
+};
+
 }  // namespace
 
 void show_document(EditorState& state, core::Document document, const fs::path& path) {
@@ -99,20 +120,15 @@ void show_document(EditorState& state, core::Document document, const fs::path& 
     fit_view(state);
 }
 
-Outcome<void> proceed(EditorState& state, const Command& command) {
-    if (command.name == "open") return open_file(state, fs::absolute(std::get<std::string>(command.arguments.front())));
-    if (command.name == "open-example") return open_example(state, std::get<std::string>(command.arguments.front()));
-    if (command.name == "new")
-        show_document(state, {}, {});
-    else
-        state.wants_quit = true;
-    return {};
+Outcome<void> proceed(EditorState& state, const Pending& command) {
+    return std::visit(Proceed{state}, command);
 }
 
 Outcome<Edit> with_curves_of(const EditorState& state, const fs::path& path) {
     const core::FileResult<core::Document> added = core::load_document(path);
     if (!added) return tl::unexpected(file_refusal(path, added.error()));
-    if (added->curves.empty()) return tl::unexpected(path.filename().string() + ": the file has no curves");
+    if (added->curves.empty())
+        return tl::unexpected(sentence("{file}: the file has no curves", {{"file", path.filename().string()}}));
     return Edit{joined(state.history.present(), *added), Selection{}};
 }
 
@@ -125,7 +141,7 @@ Outcome<void> save_document_to(EditorState& state, const fs::path& path) {
     state.path = path;
     state.history.mark_saved();
     remember(state.recent_files, path);
-    state.message = {"Saved " + path.filename().string(), false};
+    state.message = {sentence("Saved {file}", {{"file", path.filename().string()}}), false};
     return {};
 }
 

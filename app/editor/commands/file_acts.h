@@ -3,13 +3,14 @@
 
 #include <filesystem>
 
-#include "app/editor/command_table.h"
+#include "app/editor/command_spec.h"
+#include "app/editor/state.h"
 
 namespace batten::editor {
 
-/// Does what "new", "open", "open-example" or "quit" ask for, whether or not there are unsaved changes. A file is read
+/// Does what the command asks for, whether or not there are unsaved changes. A file is read
 /// and checked completely before anything changes.
-Outcome<void> proceed(EditorState& state, const Command& command);
+Outcome<void> proceed(EditorState& state, const Pending& command);
 
 /// Opens `document`, read from `path` (empty: from no file): a new history, nothing selected, all of it in view.
 void show_document(EditorState& state, core::Document document, const std::filesystem::path& path);
