@@ -1,0 +1,40 @@
+/// Undo, redo, the clipboard, and deleting what is selected.
+#pragma once
+
+#include <string>
+
+#include "app/editor/command.h"
+
+namespace batten::editor {
+
+struct Undo {
+    static const CommandSpec& spec();
+};
+
+struct Redo {
+    static const CommandSpec& spec();
+};
+
+struct Cut {
+    static const CommandSpec& spec();
+};
+
+struct Copy {
+    static const CommandSpec& spec();
+};
+
+struct Paste {
+    std::string text;  ///< curves as in a file
+    static const CommandSpec& spec();
+};
+
+struct Duplicate {
+    double shift;  ///< to the right and down
+    static const CommandSpec& spec();
+};
+
+struct Delete {
+    static const CommandSpec& spec();
+};
+
+}  // namespace batten::editor
