@@ -1,62 +1,46 @@
+#include "app/editor/commands/selection_commands.h"
+
 #include <numeric>
 
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/suggestions.h"
+#include "app/editor/field_kinds.h"
 #include "app/editor/upkeep.h"
 
 namespace batten::editor {
 
 namespace {
 
-using Kind = ParameterKind;
-
-Outcome<void> select_all(EditorState& state, const Arguments&) {
+Outcome<void> select_all(EditorState& state, const SelectAll&) {
     std::vector<std::size_t> points(active_curve(state).control_points().size());
     std::iota(points.begin(), points.end(), std::size_t{0});
     state.selection = {std::move(points), {}};
     return {};
 }
 
-Outcome<void> select_none(EditorState& state, const Arguments&) {
+Outcome<void> select_none(EditorState& state, const SelectNone&) {
     state.selection = {};
     return {};
 }
 
-Refusal missing(const char* what, std::size_t index, std::size_t count) {
-    return std::string("there is no ") + what + " " + std::to_string(index) + "; the last one is " +
-           std::to_string(count - 1);
-}
-
-Outcome<void> select_points(EditorState& state, const Arguments& arguments) {
-    Outcome<std::vector<std::size_t>> points = indices_of(arguments.numbers(0), "a control point");
-    if (!points) return tl::unexpected(points.error());
-    const std::size_t count = active_curve(state).control_points().size();
-    if (!points->empty() && points->back() >= count)
-        return tl::unexpected(missing("control point", points->back(), count));
-    state.selection = {*std::move(points), {}};
+Outcome<void> select_points(EditorState& state, const SelectPoints& command) {
+    state.selection = {ascending(command.points), {}};
     return {};
 }
 
-Outcome<void> select_knot(EditorState& state, const Arguments& arguments) {
-    if (arguments.number(0) == -1.0) {
+Outcome<void> select_knot(EditorState& state, const SelectKnot& command) {
+    if (command.index)
+        state.selection = {{}, command.index};
+    else
         state.selection.knot.reset();
-        return {};
-    }
-    const Outcome<std::size_t> knot = index_of(arguments.number(0), "n");
-    if (!knot) return tl::unexpected(knot.error());
-    const std::size_t count = active_curve(state).knots().stored().size();
-    if (*knot >= count) return tl::unexpected(missing("knot", *knot, count));
-    state.selection = {{}, *knot};
     return {};
 }
 
-Outcome<void> activate_curve(EditorState& state, const Arguments& arguments) {
-    const Outcome<std::size_t> index = index_of(arguments.number(0), "n");
-    if (!index) return tl::unexpected(index.error());
+Outcome<void> activate_curve(EditorState& state, const ActivateCurve& command) {
     const core::Document before = state.history.present();
-    if (*index >= before.curves.size()) return tl::unexpected(missing("curve", *index, before.curves.size()));
     core::Document document = before;
-    document.active = *index;
+    document.active = command.index;
     state.history.amend(std::move(document));
     follow_document(state, before);
     return {};
@@ -64,40 +48,68 @@ Outcome<void> activate_curve(EditorState& state, const Arguments& arguments) {
 
 }  // namespace
 
-void add_selection_commands(std::vector<CommandSpec>& table) {
-    table.push_back({.name = "select-all",
-                     .title = "Select all points",
-                     .explanation = "Selects all control points of the active curve.",
-                     .group = CommandGroup::edit,
-                     .shortcut = {Key::a, {true, false, false}},
-                     .refusal = no_curve,
-                     .act = select_all});
-    table.push_back({.name = "select-none",
-                     .title = "Select nothing",
-                     .explanation = "Selects no control point and no knot.",
-                     .group = CommandGroup::edit,
-                     .act = select_none});
-    table.push_back({.name = "select-points",
-                     .title = "Select points",
-                     .explanation = "Selects these control points and no other.",
-                     .group = CommandGroup::edit,
-                     .parameters = {{"points", Kind::numbers, "which control points, counted from 0"}},
-                     .refusal = no_curve,
-                     .act = select_points});
-    table.push_back({.name = "select-knot",
-                     .title = "Select knot",
-                     .explanation = "Selects a knot, or none.",
-                     .group = CommandGroup::edit,
-                     .parameters = {{"n", Kind::number, "the number of a knot, counted from 0, or -1 for none"}},
-                     .refusal = no_curve,
-                     .act = select_knot});
-    table.push_back({.name = "activate-curve",
-                     .title = "Activate curve",
-                     .explanation = "Makes a curve the one that edits go to.",
-                     .group = CommandGroup::edit,
-                     .parameters = {{"n", Kind::number, "the number of a curve, counted from 0"}},
-                     .refusal = no_curve,
-                     .act = activate_curve});
+const CommandSpec& SelectAll::spec() {
+    static const CommandSpec spec{.name = "select-all",
+                                  .title = "Select all points",
+                                  .explanation = "Selects all control points of the active curve.",
+                                  .group = CommandGroup::edit,
+                                  .shortcut = {Key::a, {true, false, false}},
+                                  .refusal = no_curve,
+                                  .run = body_of<select_all>};
+    return spec;
+}
+
+const CommandSpec& SelectNone::spec() {
+    static const CommandSpec spec{.name = "select-none",
+                                  .title = "Select nothing",
+                                  .explanation = "Selects no control point and no knot.",
+                                  .synonyms = "deselect clear",
+                                  .group = CommandGroup::edit,
+                                  .run = body_of<select_none>};
+    return spec;
+}
+
+const CommandSpec& SelectPoints::spec() {
+    static const CommandSpec spec{
+        .name = "select-points",
+        .title = "Select points",
+        .explanation = "Selects these control points and no other.",
+        .group = CommandGroup::edit,
+        .fields = {field::point_indices<&SelectPoints::points>("points", "which control points, counted from 0")},
+        .refusal = no_curve,
+        .run = body_of<select_points>};
+    return spec;
+}
+
+const CommandSpec& SelectKnot::spec() {
+    static const CommandSpec spec{
+        .name = "select-knot",
+        .title = "Select knot",
+        .explanation = "Selects a knot, or none.",
+        .group = CommandGroup::edit,
+        .fields = {field::knot_index<&SelectKnot::index>("n", "the number of a knot, counted from 0, or none")
+                       .absent_as("-1")
+                       .required()},
+        .refusal = no_curve,
+        .run = body_of<select_knot>};
+    return spec;
+}
+
+const CommandSpec& ActivateCurve::spec() {
+    static const CommandSpec spec{
+        .name = "activate-curve",
+        .title = "Activate curve",
+        .explanation = "Makes a curve the one that edits go to.",
+        .synonyms = "select switch",
+        .group = CommandGroup::edit,
+        .fields = {field::curve_index<&ActivateCurve::index>("n", "the number of a curve, counted from 0")},
+        .refusal = no_curve,
+        .run = body_of<activate_curve>};
+    return spec;
+}
+
+void add_selection_commands(CommandTable& table) {
+    add_all<SelectAll, SelectNone, SelectPoints, SelectKnot, ActivateCurve>(table);
 }
 
 }  // namespace batten::editor
