@@ -1,101 +1,146 @@
+#include "app/editor/commands/help_commands.h"
+
 #include "app/editor/commands/groups.h"
 #include "app/editor/dialog.h"
+#include "app/editor/field_kinds.h"
 
 namespace batten::editor {
 
 namespace {
 
 // A second time closes it again.
-template <Dialog dialog>
-Outcome<void> toggle_dialog(EditorState& state, const Arguments&) {
+template <class Command, Dialog dialog>
+Outcome<void> toggle_dialog(EditorState& state, const Command&) {
     show_dialog(state, state.dialog == dialog ? Dialog::none : dialog);
     return {};
 }
 
-Outcome<void> close_dialog(EditorState& state, const Arguments&) {
+Outcome<void> close_dialog(EditorState& state, const CloseDialog&) {
     show_dialog(state, Dialog::none);
     return {};
 }
 
-Outcome<void> dismiss_message(EditorState& state, const Arguments&) {
+Outcome<void> dismiss_message(EditorState& state, const DismissMessage&) {
     state.message = {};
     return {};
 }
 
-// What Escape means now, one thing at a time, the most fleeting first. An argument, so that a replay, which knows no
-// previews, gives up the same.
-std::optional<Argument> what_to_give_up(const EditorState& state) {
-    if (state.dialog != Dialog::none) return "dialog";
-    if (state.preview || state.ghost || state.message.is_error) return "preview";
-    if (state.findings) return "findings";
-    if (state.selection != Selection{}) return "selection";
-    return "presentation";
+// What Escape means now, one thing at a time. A field, so that a replay, which knows no previews, gives up the same.
+Escapable what_to_give_up(const EditorState& state) {
+    if (state.dialog != Dialog::none) return Escapable::dialog;
+    if (state.preview || state.ghost || state.message.is_error) return Escapable::preview;
+    if (state.findings) return Escapable::findings;
+    if (state.selection != Selection{}) return Escapable::selection;
+    return Escapable::presentation;
 }
 
-Outcome<void> escape(EditorState& state, const Arguments& arguments) {
-    const std::string& what = arguments.text(0);
-    if (what == "dialog") {
-        show_dialog(state, Dialog::none);
-    } else if (what == "preview") {
-        state.preview.reset();
-        state.ghost.reset();
-    } else if (what == "findings") {
-        state.findings.reset();
-    } else if (what == "selection") {
-        state.selection = {};
-    } else if (what == "presentation") {
-        state.view.is_presenting = false;
-    } else {
-        return tl::unexpected("there is no giving up of '" + what +
-                              "'; there are dialog, preview, findings, selection and presentation");
+Outcome<void> escape(EditorState& state, const Escape& command) {
+    switch (command.what) {
+        case Escapable::dialog:
+            show_dialog(state, Dialog::none);
+            break;
+        case Escapable::preview:
+            state.preview.reset();
+            state.ghost.reset();
+            break;
+        case Escapable::findings:
+            state.findings.reset();
+            break;
+        case Escapable::selection:
+            state.selection = {};
+            break;
+        case Escapable::presentation:
+            state.view.is_presenting = false;
+            break;
     }
     return {};
 }
 
 }  // namespace
 
-void add_help_commands(std::vector<CommandSpec>& table) {
-    table.push_back({.name = "command-palette",
-                     .title = "Command palette…",
-                     .explanation = "Finds and runs any command by its name.",
-                     .group = CommandGroup::help,
-                     .shortcut = {Key::p, {true, false, false}},
-                     .act = toggle_dialog<Dialog::command_palette>});
-    table.push_back({.name = "key-sheet",
-                     .title = "Keys",
-                     .explanation = "Shows all keys and gestures.",
-                     .group = CommandGroup::help,
-                     .shortcut = {Key::f1, {}},
-                     .act = toggle_dialog<Dialog::key_sheet>});
-    table.push_back({.name = "welcome",
-                     .title = "Welcome and examples",
-                     .explanation = "Offers the examples and recent files.",
-                     .group = CommandGroup::help,
-                     .act = toggle_dialog<Dialog::welcome>});
-    table.push_back({.name = "about",
-                     .title = "About Batten",
-                     .explanation = "Says what Batten is.",
-                     .group = CommandGroup::help,
-                     .act = toggle_dialog<Dialog::about>});
-    table.push_back({.name = "close-dialog",
-                     .title = "Close dialog",
-                     .explanation = "Closes what covers the window, without an answer.",
-                     .group = CommandGroup::gesture,
-                     .act = close_dialog});
-    table.push_back({.name = "dismiss-message",
-                     .title = "Dismiss message",
-                     .explanation = "Takes the message away.",
-                     .group = CommandGroup::gesture,
-                     .act = dismiss_message});
-    table.push_back(
-        {.name = "escape",
-         .title = "Cancel",
-         .explanation =
-             "Closes a dialog, or gives up the gesture under way and the old shape shown, or else the selection.",
-         .group = CommandGroup::edit,
-         .shortcut = {Key::escape, {}},
-         .parameters = {{"what", ParameterKind::text, "dialog, preview, selection or presentation", what_to_give_up}},
-         .act = escape});
+const CommandSpec& TogglePalette::spec() {
+    static const CommandSpec spec{.name = "command-palette",
+                                  .title = "Command palette…",
+                                  .explanation = "Finds and runs any command by its name.",
+                                  .synonyms = "search",
+                                  .group = CommandGroup::help,
+                                  .offered = in_the_window,
+                                  .shortcut = {Key::p, {true, false, false}},
+                                  .run = body_of<toggle_dialog<TogglePalette, Dialog::command_palette>>};
+    return spec;
+}
+
+const CommandSpec& ToggleKeySheet::spec() {
+    static const CommandSpec spec{.name = "key-sheet",
+                                  .title = "Keys",
+                                  .explanation = "Shows all keys and gestures.",
+                                  .synonyms = "shortcuts help mouse",
+                                  .group = CommandGroup::help,
+                                  .offered = in_the_window,
+                                  .shortcut = {Key::f1, {}},
+                                  .run = body_of<toggle_dialog<ToggleKeySheet, Dialog::key_sheet>>};
+    return spec;
+}
+
+const CommandSpec& ToggleWelcome::spec() {
+    static const CommandSpec spec{.name = "welcome",
+                                  .title = "Welcome and examples",
+                                  .explanation = "Offers the examples and recent files.",
+                                  .synonyms = "start",
+                                  .group = CommandGroup::help,
+                                  .offered = in_the_window,
+                                  .run = body_of<toggle_dialog<ToggleWelcome, Dialog::welcome>>};
+    return spec;
+}
+
+const CommandSpec& ToggleAbout::spec() {
+    static const CommandSpec spec{.name = "about",
+                                  .title = "About Batten",
+                                  .explanation = "Says what Batten is.",
+                                  .synonyms = "version license",
+                                  .group = CommandGroup::help,
+                                  .offered = in_the_window,
+                                  .run = body_of<toggle_dialog<ToggleAbout, Dialog::about>>};
+    return spec;
+}
+
+const CommandSpec& CloseDialog::spec() {
+    static const CommandSpec spec{.name = "close-dialog",
+                                  .title = "Close dialog",
+                                  .explanation = "Closes what covers the window, without an answer.",
+                                  .group = CommandGroup::gesture,
+                                  .offered = nowhere,
+                                  .run = body_of<close_dialog>};
+    return spec;
+}
+
+const CommandSpec& DismissMessage::spec() {
+    static const CommandSpec spec{.name = "dismiss-message",
+                                  .title = "Dismiss message",
+                                  .explanation = "Takes the message away.",
+                                  .group = CommandGroup::gesture,
+                                  .offered = nowhere,
+                                  .run = body_of<dismiss_message>};
+    return spec;
+}
+
+const CommandSpec& Escape::spec() {
+    static const CommandSpec spec{
+        .name = "escape",
+        .title = "Cancel",
+        .explanation =
+            "Closes a dialog, or gives up the gesture under way and the old shape shown, or else the selection.",
+        .group = CommandGroup::edit,
+        .offered = in_the_window,
+        .shortcut = {Key::escape, {}},
+        .fields = {field::choice<&Escape::what>("what", "what to give up").suggesting<what_to_give_up>().unasked()},
+        .run = body_of<escape>};
+    return spec;
+}
+
+void add_help_commands(CommandTable& table) {
+    add_all<TogglePalette, ToggleKeySheet, ToggleWelcome, ToggleAbout>(table);
+    add_all<CloseDialog, DismissMessage, Escape>(table);
 }
 
 }  // namespace batten::editor
