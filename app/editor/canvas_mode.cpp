@@ -5,6 +5,13 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/canvas_press.h"
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/shape_commands.h"
+#include "app/editor/commands/tool_commands.h"
 #include "app/editor/gesture.h"
 #include "app/editor/hit_test.h"
 #include "app/editor/hover_request.h"
@@ -37,7 +44,7 @@ bool is_escape(const Gesture& gesture) {
 
 void zoom(const Gesture& gesture) {
     const glm::dvec2 anchor = gesture.event.position_px;
-    gesture.queue.run("zoom-camera", {std::pow(zoom_per_notch, gesture.event.wheel), anchor.x, anchor.y});
+    gesture.queue.change(ZoomCamera{std::pow(zoom_per_notch, gesture.event.wheel), anchor});
 }
 
 core::Point world_at_pointer(const Gesture& gesture) {
@@ -83,11 +90,11 @@ CanvasMode step_edit(Mode mode, const Gesture& gesture, const Ask& ask, const Cl
     return mode;
 }
 
-void request(const Gesture& gesture, Phase phase, const char* name, std::vector<Argument> arguments) {
+void request(const Gesture& gesture, Phase phase, const Command& command) {
     if (phase == Phase::commit)
-        gesture.queue.run(name, std::move(arguments));
+        gesture.queue.run(command);
     else
-        gesture.queue.preview(name, std::move(arguments));
+        gesture.queue.preview(command);
 }
 
 void ask_to_move_points(const DraggingPoints& mode, const Gesture& gesture, Phase phase) {
@@ -98,10 +105,10 @@ void ask_to_move_points(const DraggingPoints& mode, const Gesture& gesture, Phas
     if (target == start) {
         gesture.queue.cancel_preview();
     } else if (mode.indices.size() == 1) {
-        request(gesture, phase, "set-point", {number(mode.grabbed), target.x, target.y});
+        request(gesture, phase, SetPoint{.index = mode.grabbed, .position = target});
     } else {
         const core::Vector offset = exact_offset(start, target);
-        request(gesture, phase, "move-points", {index_list(mode.indices), offset.x, offset.y});
+        request(gesture, phase, MovePoints{.points = mode.indices, .offset = offset});
     }
 }
 
@@ -112,7 +119,7 @@ void click_on_point(const DraggingPoints& mode, const Gesture& gesture) {
         points = mode.indices;
         points.erase(std::remove(points.begin(), points.end(), mode.grabbed), points.end());
     }
-    if (points != gesture.state.selection.points) gesture.queue.run("select-points", {index_list(points)});
+    if (points != gesture.state.selection.points) gesture.queue.run(SelectPoints{.points = points});
 }
 
 CanvasMode step(const DraggingPoints& mode, const Gesture& gesture) {
@@ -125,7 +132,7 @@ void ask_to_set_weight(const DraggingWeight& mode, const Gesture& gesture, Phase
     if (weight == mode.start_weight)
         gesture.queue.cancel_preview();
     else
-        request(gesture, phase, "set-weight", {number(mode.index), weight});
+        request(gesture, phase, SetWeight{.index = mode.index, .weight = weight});
 }
 
 CanvasMode step(const DraggingWeight& mode, const Gesture& gesture) {
@@ -144,8 +151,9 @@ void ask_to_move_knot(const DraggingCurveKnot& mode, const Gesture& gesture, Pha
     if (curve == nullptr) return;
     const double u = core::nearest_point(*curve, world_at_pointer(gesture)).u;
     const double snap_distance = std::min(snap_distance_at(gesture, *curve, u), curve->domain().length());
-    request(gesture, phase, "move-knot",
-            {number(mode.index), u, argument_of(gesture.state.view.knot_move), snap_distance});
+    request(
+        gesture, phase,
+        MoveKnot{.index = mode.index, .u = u, .mode = gesture.state.view.knot_move, .snap_distance = snap_distance});
     request_hover(HoveredKnot{moving_knot(gesture.state, mode.index)}, gesture.state, gesture.queue);
 }
 
@@ -161,13 +169,13 @@ void ask_to_move_curve(const DraggingCurvePoint& mode, const Gesture& gesture, P
     if (target == start)
         gesture.queue.cancel_preview();
     else
-        request(gesture, phase, "move-curve-point", {mode.u, target.x, target.y});
+        request(gesture, phase, MoveCurvePoint{.u = mode.u, .position = target});
 }
 
 CanvasMode step(const DraggingCurvePoint& mode, const Gesture& gesture) {
     // A click on the curve means no more than one beside it.
     return step_edit(mode, gesture, ask_to_move_curve, [](const auto&, const Gesture& click) {
-        if (click.state.selection != Selection{}) click.queue.run("select-none");
+        if (click.state.selection != Selection{}) click.queue.run(SelectNone{});
     });
 }
 
@@ -191,9 +199,9 @@ void finish_box(const BoxSelecting& mode, const Gesture& gesture) {
     const Selection& selection = gesture.state.selection;
     if (is_drag(gesture.state, mode.press_px, gesture.event.position_px)) {
         const std::vector<std::size_t> points = points_in_box(mode, gesture);
-        if (points != selection.points) gesture.queue.run("select-points", {index_list(points)});
+        if (points != selection.points) gesture.queue.run(SelectPoints{.points = points});
     } else if (!gesture.event.modifiers.shift && selection != Selection{}) {
-        gesture.queue.run("select-none");
+        gesture.queue.run(SelectNone{});
     }
 }
 
@@ -210,7 +218,7 @@ CanvasMode step(const Panning& mode, const Gesture& gesture) {
     if (action == PointerAction::escape || action == PointerAction::release) return CanvasIdle{};
     if (action != PointerAction::move) return mode;
     const glm::dvec2 moved_px = gesture.event.position_px - mode.last_px;
-    if (moved_px != glm::dvec2(0.0)) gesture.queue.run("pan-camera", {moved_px.x, moved_px.y});
+    if (moved_px != glm::dvec2(0.0)) gesture.queue.change(PanCamera{moved_px});
     return Panning{gesture.event.position_px};
 }
 
@@ -218,12 +226,12 @@ CanvasMode step(const DraggingParameter& mode, const Gesture& gesture) {
     const core::Curve* curve = gesture.state.active_curve();
     if (is_release(gesture) || curve == nullptr) return CanvasIdle{};
     if (is_escape(gesture)) {
-        gesture.queue.run("set-parameter", {mode.start});
+        gesture.queue.run(SetParameter{.u = mode.start});
         return CanvasIdle{};
     }
     if (is_move(gesture)) {
         const double u = core::nearest_point(*curve, world_at_pointer(gesture)).u;
-        if (u != gesture.state.parameter()) gesture.queue.run("set-parameter", {u});
+        if (u != gesture.state.parameter()) gesture.queue.run(SetParameter{.u = u});
     }
     return mode;
 }
@@ -239,10 +247,8 @@ bool ends_drawing(const DrawingCurve& mode, const Gesture& gesture) {
 }
 
 void finish_drawing(const DrawingCurve& mode, const Gesture& gesture) {
-    std::vector<double> coordinates;
-    for (const core::Point point : mode.points) coordinates.insert(coordinates.end(), {point.x, point.y});
-    gesture.queue.run("new-curve", {std::move(coordinates)});
-    gesture.queue.run("set-tool", {"select"});
+    gesture.queue.run(NewCurve{.points = {mode.points.begin(), mode.points.end()}});
+    gesture.queue.run(SetTool{.tool = Tool::select});
 }
 
 CanvasMode press_while_drawing(DrawingCurve mode, const Gesture& gesture) {

@@ -4,6 +4,10 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/selection_commands.h"
 #include "app/editor/hit_test.h"
 #include "app/editor/point_drag.h"
 #include "core/measure/nearest.h"
@@ -14,7 +18,7 @@ namespace {
 constexpr double insertion_reach = 24.0;  ///< design pixels from the curve within which the insert-knot tool acts
 
 void select_points(const Gesture& gesture, const std::vector<std::size_t>& points) {
-    if (gesture.state.selection.points != points) gesture.queue.run("select-points", {index_list(points)});
+    if (gesture.state.selection.points != points) gesture.queue.run(SelectPoints{.points = points});
 }
 
 std::vector<std::size_t> with_point(std::vector<std::size_t> points, std::size_t index) {
@@ -42,7 +46,7 @@ CanvasMode begin_point_drag(const Gesture& gesture, std::size_t index) {
 }
 
 CanvasMode begin_knot_drag(const Gesture& gesture, std::size_t index) {
-    gesture.queue.run("select-knot", {number(index)});
+    gesture.queue.run(SelectKnot{.index = index});
     if (!can_edit_curve(gesture.state)) return CanvasIdle{};
     return DraggingCurveKnot{index, gesture.event.position_px};
 }
@@ -69,7 +73,7 @@ struct SelectPress {
         return DraggingCurvePoint{hit.u, gesture.event.position_px};
     }
     CanvasMode operator()(const HoveredOtherCurve& hit) const {
-        gesture.queue.run("activate-curve", {number(hit.index)});
+        gesture.queue.run(ActivateCurve{.index = hit.index});
         return CanvasIdle{};
     }
     template <class Other>
@@ -85,12 +89,12 @@ struct SelectDoubleClick {
     bool operator()(const HoveredCurve& hit) const { return insert_knot(hit.u); }
     bool operator()(const HoveredParameter&) const { return insert_knot(gesture.state.parameter()); }
     bool operator()(const HoveredKnot& hit) const {
-        gesture.queue.run("raise-knot", {number(hit.index)});
+        gesture.queue.run(RaiseKnot{.index = hit.index});
         return true;
     }
     bool operator()(const HoveredLeg& hit) const {
         const core::Point position = pointed_at(gesture);
-        gesture.queue.run("add-point", {number(hit.index + 1), position.x, position.y});
+        gesture.queue.run(AddPoint{.index = hit.index + 1, .position = position});
         return true;
     }
     template <class Other>
@@ -100,7 +104,7 @@ struct SelectDoubleClick {
 
   private:
     bool insert_knot(double u) const {
-        gesture.queue.run("insert-knot", {u});
+        gesture.queue.run(InsertKnot{.u = u});
         return true;
     }
 };
@@ -127,7 +131,7 @@ CanvasMode press_add_point(const Gesture& gesture, const Hover& hit) {
     const core::Curve* curve = committed_curve(gesture.state);
     if (curve == nullptr) return CanvasIdle{};
     const core::Point position = pointed_at(gesture);
-    gesture.queue.run("add-point", {number(best_index_for(*curve, position)), position.x, position.y});
+    gesture.queue.run(AddPoint{.index = best_index_for(*curve, position), .position = position});
     return CanvasIdle{};
 }
 
@@ -135,14 +139,14 @@ CanvasMode press_insert_knot(const Gesture& gesture, const Hover& hit) {
     const core::Curve* curve = committed_curve(gesture.state);
     if (curve == nullptr) return CanvasIdle{};
     if (const auto* knot = std::get_if<HoveredKnot>(&hit)) {
-        gesture.queue.run("raise-knot", {number(knot->index)});
+        gesture.queue.run(RaiseKnot{.index = knot->index});
         return CanvasIdle{};
     }
     const render::Camera& camera = gesture.state.view.camera;
     const glm::dvec2 pointer = gesture.event.position_px;
     const core::CurveSample sample = core::nearest_point(*curve, render::world_from_screen(camera, pointer));
     const double distance = glm::distance(pointer, render::screen_from_world(camera, sample.point));
-    if (distance <= pixels(gesture.state, insertion_reach)) gesture.queue.run("insert-knot", {sample.u});
+    if (distance <= pixels(gesture.state, insertion_reach)) gesture.queue.run(InsertKnot{.u = sample.u});
     return CanvasIdle{};
 }
 
@@ -150,7 +154,7 @@ CanvasMode press_parameter(const Gesture& gesture) {
     const core::Curve* curve = gesture.state.active_curve();
     if (curve == nullptr) return CanvasIdle{};
     const core::Point position = render::world_from_screen(gesture.state.view.camera, gesture.event.position_px);
-    gesture.queue.run("set-parameter", {core::nearest_point(*curve, position).u});
+    gesture.queue.run(SetParameter{.u = core::nearest_point(*curve, position).u});
     return DraggingParameter{gesture.state.parameter()};
 }
 

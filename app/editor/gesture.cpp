@@ -54,20 +54,4 @@ std::size_t moving_knot(const EditorState& state, std::size_t index) {
     return index;
 }
 
-std::vector<double> index_list(const std::vector<std::size_t>& indices) {
-    return {indices.begin(), indices.end()};
-}
-
-const char* argument_of(core::KnotMove mode) {
-    switch (mode) {
-        case core::KnotMove::stop:
-            return "stop";
-        case core::KnotMove::push:
-            return "push";
-        case core::KnotMove::snap:
-            return "snap";
-    }
-    return "stop";
-}
-
 }  // namespace batten::editor

@@ -1,7 +1,5 @@
-/// What all pointer modes share: clicks and drags told apart, round numbers, numbers as arguments.
+/// What all pointer modes share: clicks and drags told apart, round numbers.
 #pragma once
-
-#include <vector>
 
 #include "app/editor/command.h"
 #include "app/editor/pointer.h"
@@ -39,16 +37,5 @@ double rounded_to_step(double value, double step);
 /// The knot of the shown curve (an index in stored()) that moves when the committed knot `index` is dragged: the one of
 /// its stack that the preview has elsewhere, else `index` itself.
 std::size_t moving_knot(const EditorState& state, std::size_t index);
-
-/// Indices as an argument of a command.
-std::vector<double> index_list(const std::vector<std::size_t>& indices);
-
-/// An index as an argument of a command.
-inline double number(std::size_t index) {
-    return static_cast<double>(index);
-}
-
-/// "stop", "push" or "snap": the argument of move-knot.
-const char* argument_of(core::KnotMove mode);
 
 }  // namespace batten::editor

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/view_commands.h"
 #include "app/editor/gesture.h"
 #include "app/editor/grid_step.h"
 #include "app/editor/hit_test.h"
@@ -34,14 +38,14 @@ bool is_release(const PlotGesture& gesture) {
 void show_range(const PlotGesture& gesture, core::Interval range) {
     const core::Interval whole = whole_plot_range(gesture.state);
     if (range.length() >= whole.length()) {
-        gesture.queue.run("fit-plot");
+        gesture.queue.run(FitPlot{});
         return;
     }
     const double shift = std::max(0.0, whole.lower - range.lower) - std::max(0.0, range.upper - whole.upper);
     range = {range.lower + shift, range.upper + shift};
     const double size = std::max({std::abs(range.lower), std::abs(range.upper), whole.length()});
     if (range.length() < least_relative_range * size || range == gesture.layout.range) return;
-    gesture.queue.run("set-plot-range", {range.lower, range.upper});
+    gesture.queue.change(SetPlotRange{range});
 }
 
 void zoom(const PlotGesture& gesture) {
@@ -55,11 +59,11 @@ void set_parameter(const PlotGesture& gesture) {
     const core::Curve* curve = gesture.state.active_curve();
     if (curve == nullptr) return;
     const double u = curve->domain().clamp(gesture.pointed_parameter());
-    if (u != gesture.state.parameter()) gesture.queue.run("set-parameter", {u});
+    if (u != gesture.state.parameter()) gesture.queue.run(SetParameter{.u = u});
 }
 
 PlotMode press_knot(const PlotGesture& gesture, std::size_t index) {
-    gesture.queue.run("select-knot", {number(index)});
+    gesture.queue.run(SelectKnot{.index = index});
     const core::Curve* curve = committed_curve(gesture.state);
     if (!can_edit_curve(gesture.state) || index >= curve->knots().stored().size()) return PlotIdle{};
     return DraggingKnot{index, curve->knots().stored()[index] - gesture.pointed_parameter(),
@@ -69,13 +73,13 @@ PlotMode press_knot(const PlotGesture& gesture, std::size_t index) {
 /// What a double click does that a press does not; whether there was such a thing.
 bool double_click(const PlotGesture& gesture, const Hover& hit) {
     if (const auto* knot = std::get_if<HoveredKnot>(&hit)) {
-        gesture.queue.run("raise-knot", {number(knot->index)});
+        gesture.queue.run(RaiseKnot{.index = knot->index});
         return true;
     }
     const core::Curve* curve = gesture.state.active_curve();
     const double u = gesture.pointed_parameter();
     if (curve == nullptr || !gesture.is_on_strip() || !curve->domain().contains(u)) return false;
-    gesture.queue.run("insert-knot", {u});
+    gesture.queue.run(InsertKnot{.u = u});
     return true;
 }
 
@@ -120,13 +124,14 @@ double dragged_parameter(const DraggingKnot& mode, const PlotGesture& gesture) {
 }
 
 void move_knot(const DraggingKnot& mode, const PlotGesture& gesture) {
-    std::vector<Argument> arguments{number(mode.index), dragged_parameter(mode, gesture),
-                                    argument_of(gesture.state.view.knot_move),
-                                    pixels(gesture.state, snap_reach) / gesture.px_per_unit()};
+    const MoveKnot command{.index = mode.index,
+                           .u = dragged_parameter(mode, gesture),
+                           .mode = gesture.state.view.knot_move,
+                           .snap_distance = pixels(gesture.state, snap_reach) / gesture.px_per_unit()};
     if (is_release(gesture))
-        gesture.queue.run("move-knot", std::move(arguments));
+        gesture.queue.run(command);
     else
-        gesture.queue.preview("move-knot", std::move(arguments));
+        gesture.queue.preview(command);
     request_hover(HoveredKnot{moving_knot(gesture.state, mode.index)}, gesture.state, gesture.queue);
 }
 
@@ -146,7 +151,7 @@ PlotMode step(DraggingKnot mode, const PlotGesture& gesture) {
 PlotMode step(const DraggingPlotParameter& mode, const PlotGesture& gesture) {
     if (is_release(gesture)) return PlotIdle{};
     if (gesture.event.action == PointerAction::escape) {
-        gesture.queue.run("set-parameter", {mode.start});
+        gesture.queue.run(SetParameter{.u = mode.start});
         return PlotIdle{};
     }
     if (gesture.event.action == PointerAction::move) set_parameter(gesture);
