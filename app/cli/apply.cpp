@@ -3,21 +3,19 @@
 #include "app/cli/input.h"
 #include "app/cli/json_output.h"
 #include "app/cli/operation.h"
+#include "app/editor/command_reader.h"
 #include "app/editor/editor.h"
 #include "core/base/number_text.h"
+#include "core/base/sentence.h"
 
 namespace batten::cli {
 
 namespace {
 
-std::string coordinates(core::Point point) {
-    return "(" + core::shortest_text(point.x) + ", " + core::shortest_text(point.y) + ")";
-}
-
 void print(std::ostream& out, const editor::Finding& finding) {
     out << "  " << finding.label;
     if (finding.parameter) out << "\tu = " << core::shortest_text(*finding.parameter);
-    if (finding.point) out << "\t" << coordinates(*finding.point);
+    if (finding.point) out << '\t' << point_text(*finding.point);
     for (const editor::FoundNumber& number : finding.numbers)
         out << "\t" << number.name << " = " << core::shortest_text(number.value);
     if (!finding.note.empty()) out << "\t" << finding.note;
@@ -33,20 +31,8 @@ Json json_of(const editor::Finding& finding) {
     return result;
 }
 
-const char* name_of(editor::ShapeEffect effect) {
-    switch (effect) {
-        case editor::ShapeEffect::none:
-            return "none";
-        case editor::ShapeEffect::keeps:
-            return "keeps";
-        case editor::ShapeEffect::changes:
-            return "changes";
-    }
-    return "";
-}
-
 std::string message_of(const editor::EditorState& state, const editor::CommandSpec& spec) {
-    return state.message.text.empty() && spec.edit != nullptr ? "nothing had to be changed" : state.message.text;
+    return state.message.text.empty() && spec.run.edit != nullptr ? "nothing had to be changed" : state.message.text;
 }
 
 // Adds an argument to a list, as it stands in a log.
@@ -64,14 +50,15 @@ struct AddTo {
 // What is printed about an operation that has just run.
 Json json_of(const editor::Editor& editor, const Operation& operation) {
     const editor::EditorState& state = editor.state();
-    const editor::CommandSpec& spec = *editor::find_command(operation.command.name);
+    const editor::CommandSpec& spec = *operation.spec;
     Json arguments = Json::array();
-    for (const editor::Argument& argument : editor.log().back().arguments) std::visit(AddTo{arguments}, argument);
+    for (const editor::Argument& argument : editor::arguments_of(editor.log().back()))
+        std::visit(AddTo{arguments}, argument);
     Json result{{"operation", spec.name},
                 {"arguments", std::move(arguments)},
                 {"message", message_of(state, spec)},
-                {"effect", name_of(spec.effect)}};
-    if (spec.edit != nullptr && state.ghost) result["deviation"] = state.ghost->deviation;
+                {"effect", core::name_of(spec.effect)}};
+    if (spec.run.edit != nullptr && state.ghost) result["deviation"] = state.ghost->deviation;
     if (spec.group != editor::CommandGroup::analyze || !state.findings) return result;
     result["findings"] = Json::array();
     for (const editor::Finding& finding : state.findings->rows) result["findings"].push_back(json_of(finding));
@@ -79,7 +66,7 @@ Json json_of(const editor::Editor& editor, const Operation& operation) {
 }
 
 void print(std::ostream& out, const editor::EditorState& state, const Operation& operation) {
-    const editor::CommandSpec& spec = *editor::find_command(operation.command.name);
+    const editor::CommandSpec& spec = *operation.spec;
     const std::string message = message_of(state, spec);
     out << operation.text << (message.empty() ? "" : ": ") << message << '\n';
     if (spec.group != editor::CommandGroup::analyze || !state.findings) return;
@@ -87,15 +74,23 @@ void print(std::ostream& out, const editor::EditorState& state, const Operation&
 }
 
 std::string place_of(std::size_t index, const Operation& operation) {
-    return "operation " + std::to_string(index + 1) + ", " + operation.text;
+    return core::sentence("operation {number}, {text}", {{"number", index + 1}, {"text", operation.text}});
+}
+
+// Why the operation could not be run, if it could not.
+std::optional<editor::Refusal> run(editor::Editor& editor, const Operation& operation) {
+    const auto command = editor::read_command(*operation.spec, editor.state(), operation.arguments);
+    if (!command) return command.error();
+    if (!editor.run(*command)) return editor.state().message.text;
+    return std::nullopt;
 }
 
 // Runs the operations; false after saying which one was refused and why.
 bool run(editor::Editor& editor, const std::vector<Operation>& operations, const ApplyOptions& options, Output output) {
     Json results = Json::array();
     for (std::size_t i = 0; i < operations.size(); ++i) {
-        if (!editor.run(operations[i].command)) {
-            say_error(output, options.file, place_of(i, operations[i]), editor.state().message.text);
+        if (const auto refusal = run(editor, operations[i])) {
+            say_error(output, options.file, place_of(i, operations[i]), *refusal);
             return false;
         }
         if (options.as_json) {

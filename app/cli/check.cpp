@@ -2,14 +2,15 @@
 
 #include "app/cli/input.h"
 #include "app/cli/json_output.h"
+#include "core/base/sentence.h"
 
 namespace batten::cli {
 
 namespace {
 
-std::string count_of_curves(const core::Document& document) {
-    const std::size_t count = document.curves.size();
-    return count == 1 ? "1 curve" : std::to_string(count) + " curves";
+std::string verdict(const std::filesystem::path& file, const core::Document& document) {
+    return core::sentence({.one = "{file}: valid, 1 curve", .many = "{file}: valid, {count} curves"},
+                          document.curves.size(), {{"file", file.string()}});
 }
 
 Json json_of(const std::filesystem::path& file, const core::FileResult<core::Document>& document) {
@@ -31,7 +32,7 @@ ExitStatus check(const CheckOptions& options, Output output) {
             status = ExitStatus::wrong_input;
             say_error(output, file, document.error());
         } else if (!options.as_json) {
-            output.results << file.string() << ": valid, " << count_of_curves(*document) << '\n';
+            output.results << verdict(file, *document) << '\n';
         }
         if (options.as_json) results.push_back(json_of(file, document));
     }

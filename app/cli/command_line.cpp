@@ -1,6 +1,10 @@
 #include "app/cli/command_line.h"
 
+// The only source that reads CLI11, which takes long.
+#include <CLI/CLI.hpp>
 #include <ostream>
+
+#include "app/cli/help_text.h"
 
 namespace batten::cli {
 
@@ -19,9 +23,32 @@ void add_json(CLI::App& command, bool& as_json) {
     command.add_flag("--json", as_json, "Print JSON, whose members stay the same from version to version");
 }
 
-}  // namespace
+// Adds the subcommands to a program's command line and runs the one that was given.
+class Subcommands {
+  public:
+    explicit Subcommands(CLI::App& program);
 
-CommandLine::CommandLine(CLI::App& program) {
+    // What the subcommand ended with; none where none was given. To be called after parsing.
+    std::optional<ExitStatus> run(Output output) const;
+
+  private:
+    void add_info(CLI::App& program);
+    void add_eval(CLI::App& program);
+    void add_apply(CLI::App& program);
+    void add_check(CLI::App& program);
+
+    InfoOptions info_;
+    EvalOptions eval_;
+    ApplyOptions apply_;
+    CheckOptions check_;
+    bool lists_operations_ = false;
+    const CLI::App* info_command_ = nullptr;
+    const CLI::App* eval_command_ = nullptr;
+    const CLI::App* apply_command_ = nullptr;
+    const CLI::App* check_command_ = nullptr;
+};
+
+Subcommands::Subcommands(CLI::App& program) {
     add_info(program);
     add_eval(program);
     add_apply(program);
@@ -30,14 +57,14 @@ CommandLine::CommandLine(CLI::App& program) {
     program.require_subcommand(0, 1);
 }
 
-void CommandLine::add_info(CLI::App& program) {
+void Subcommands::add_info(CLI::App& program) {
     CLI::App* command = add_command(program, "info", "Print what the curves of a file are");
     command->add_option("file", info_.file, file_meaning)->required()->type_name("FILE");
     add_json(*command, info_.as_json);
     info_command_ = command;
 }
 
-void CommandLine::add_eval(CLI::App& program) {
+void Subcommands::add_eval(CLI::App& program) {
     CLI::App* command = add_command(program, "eval", "Print points and derivatives of a curve");
     command->add_option("file", eval_.file, file_meaning)->required()->type_name("FILE");
     command->add_option("--at", eval_.at, "A parameter in the domain of the curve; may be given more than once")
@@ -60,7 +87,7 @@ void CommandLine::add_eval(CLI::App& program) {
     eval_command_ = command;
 }
 
-void CommandLine::add_apply(CLI::App& program) {
+void Subcommands::add_apply(CLI::App& program) {
     CLI::App* command = add_command(program, "apply", "Run operations on a curve, in order, and write the result");
     command->add_option("file", apply_.file, file_meaning)->type_name("FILE");
     command
@@ -76,14 +103,14 @@ void CommandLine::add_apply(CLI::App& program) {
     apply_command_ = command;
 }
 
-void CommandLine::add_check(CLI::App& program) {
+void Subcommands::add_check(CLI::App& program) {
     CLI::App* command = add_command(program, "check", "Say whether files are valid, and what is wrong where not");
     command->add_option("files", check_.files, "Curve files")->required()->type_name("FILE");
     add_json(*command, check_.as_json);
     check_command_ = command;
 }
 
-std::optional<ExitStatus> CommandLine::run(Output output) const {
+std::optional<ExitStatus> Subcommands::run(Output output) const {
     if (info_command_->parsed()) return info(info_, output);
     if (eval_command_->parsed()) return eval(eval_, output);
     if (check_command_->parsed()) return check(check_, output);
@@ -95,6 +122,47 @@ std::optional<ExitStatus> CommandLine::run(Output output) const {
     if (!apply_.file.empty() && !apply_.operations.empty()) return apply(apply_, output);
     output.errors << "batten apply: a file and one operation or more are needed; batten apply --list explains them\n";
     return ExitStatus::wrong_usage;
+}
+
+void add_window_options(CLI::App& program, WindowOptions& options) {
+    program.add_option("files", options.files, "Files to open; the curves of all but the first are added")
+        ->check(CLI::Validator(CLI::ExistingFile).description(""))
+        ->type_name("FILE");
+    program.add_option("--example", options.example, "Open this example, for instance circle-nurbs")->type_name("NAME");
+    program.add_option("--assets", options.assets, "Folder that holds examples/")->type_name("FOLDER");
+    program
+        .add_option("--display-scale", options.display_scale,
+                    "Window pixels per design pixel, from 0.5 to 4, instead of what the display says")
+        ->check(CLI::Validator(CLI::Range(0.5, 4.0)).description(""))
+        ->type_name("NUMBER");
+    program.add_option("--state-report", options.state_report, "Write what is on screen to this file after each frame")
+        ->type_name("FILE");
+    program.add_option("--session-log", options.session_log, "Write the commands of the session to this file")
+        ->type_name("FILE");
+}
+
+}  // namespace
+
+std::optional<int> run_command_line(int argc, const char* const* argv, WindowOptions* window, Output output) {
+    CLI::App program("Batten: an interactive editor for B-spline and NURBS curves", "batten");
+    program.set_version_flag("--version", "batten " BATTEN_VERSION);
+    program.set_help_all_flag("--help-all", "Print this help and that of the subcommands and exit");
+    program.formatter_fn(help_text);
+    program.footer(
+        "Without a subcommand the window opens.\n\n"
+        "Exit status:\n  0 where all is done, 1 where the input is wrong, 2 where the command line is.");
+    const Subcommands subcommands(program);
+    if (window != nullptr) add_window_options(program, *window);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        const bool is_done = program.exit(error, output.results, output.errors) == 0;
+        return static_cast<int>(is_done ? ExitStatus::done : ExitStatus::wrong_usage);
+    }
+    if (const auto status = subcommands.run(output)) return static_cast<int>(*status);
+    if (window != nullptr) return std::nullopt;
+    output.errors << "batten: this build has no window; the subcommands are info, eval, apply and check\n";
+    return static_cast<int>(ExitStatus::wrong_usage);
 }
 
 }  // namespace batten::cli

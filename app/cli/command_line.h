@@ -1,36 +1,27 @@
-/// The subcommands as the command line knows them.
+/// The command line of the whole program: the options of the window, and the subcommands.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/cli/subcommands.h"
 
 namespace batten::cli {
 
-/// Adds the subcommands to a program's command line and runs the one that was given.
-class CommandLine {
-  public:
-    explicit CommandLine(CLI::App& program);
-
-    /// What the subcommand ended with; none where none was given. To be called after parsing.
-    std::optional<ExitStatus> run(Output output) const;
-
-  private:
-    void add_info(CLI::App& program);
-    void add_eval(CLI::App& program);
-    void add_apply(CLI::App& program);
-    void add_check(CLI::App& program);
-
-    InfoOptions info_;
-    EvalOptions eval_;
-    ApplyOptions apply_;
-    CheckOptions check_;
-    bool lists_operations_ = false;
-    const CLI::App* info_command_ = nullptr;
-    const CLI::App* eval_command_ = nullptr;
-    const CLI::App* apply_command_ = nullptr;
-    const CLI::App* check_command_ = nullptr;
+/// What the window is asked for.
+struct WindowOptions {
+    std::vector<std::filesystem::path> files;
+    std::optional<std::string> example;
+    std::filesystem::path assets;
+    std::optional<double> display_scale;
+    std::optional<std::filesystem::path> state_report;
+    std::optional<std::filesystem::path> session_log;
 };
+
+/// Reads the command line and runs the subcommand that it names, if any. Returns what the process ends with; none where
+/// the window is to be opened, with its options in `window`. Without a window, `window` is null.
+std::optional<int> run_command_line(int argc, const char* const* argv, WindowOptions* window, Output output);
 
 }  // namespace batten::cli

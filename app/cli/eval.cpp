@@ -6,11 +6,16 @@
 #include "app/cli/input.h"
 #include "app/cli/json_output.h"
 #include "core/base/number_text.h"
+#include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 
 namespace batten::cli {
 
 namespace {
+
+std::string place_of(const core::DocumentCurve& entry) {
+    return core::sentence("curve '{name}'", {{"name", entry.name}});
+}
 
 // The parameters must lie in the domain of an open curve; a periodic one goes on for ever.
 bool are_parameters_inside(const EvalOptions& options, Output output, const core::DocumentCurve& entry) {
@@ -21,7 +26,7 @@ bool are_parameters_inside(const EvalOptions& options, Output output, const core
                                      .value = u,
                                      .lower = curve.domain().lower,
                                      .upper = curve.domain().upper};
-        say_error(output, options.file, "curve '" + entry.name + "'", core::describe(error));
+        say_error(output, options.file, place_of(entry), core::describe(error));
         return false;
     }
     return true;
@@ -60,8 +65,8 @@ ExitStatus eval(const EvalOptions& options, Output output) {
     for (const double u : options.at) {
         std::vector<core::Vector> values = core::derivatives_at(*entry.curve, u, options.derivatives, options.side);
         if (!are_finite(values)) {
-            say_error(output, options.file, "curve '" + entry.name + "'",
-                      "the values at " + core::shortest_text(u) + " are too large for a double");
+            say_error(output, options.file, place_of(entry),
+                      core::sentence("the values at {u} are too large for a double", {{"u", core::shortest_text(u)}}));
             return ExitStatus::wrong_input;
         }
         if (options.as_json) {

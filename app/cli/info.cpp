@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <cmath>
 #include <ostream>
 
@@ -45,14 +47,11 @@ Json json_of(const core::DocumentCurve& entry) {
             {"knots", std::move(knots)}};
 }
 
-std::string pair(core::Point point) {
-    return "(" + core::shortest_text(point.x) + ", " + core::shortest_text(point.y) + ")";
-}
-
 std::string text_of(const core::DistinctKnot& knot) {
-    std::string text = core::shortest_text(knot.value) + "\tmultiplicity " + std::to_string(knot.multiplicity);
-    if (!knot.is_interior) return text;
-    return text + (knot.continuity < 0 ? "\tjump" : "\tC^" + std::to_string(knot.continuity));
+    const std::string value = core::shortest_text(knot.value);
+    if (!knot.is_interior) return fmt::format("{}\tmultiplicity {}", value, knot.multiplicity);
+    if (knot.continuity < 0) return fmt::format("{}\tmultiplicity {}\tjump", value, knot.multiplicity);
+    return fmt::format("{}\tmultiplicity {}\tC^{}", value, knot.multiplicity, knot.continuity);
 }
 
 std::string length_text(double length) {
@@ -70,7 +69,7 @@ void print(std::ostream& out, const core::DocumentCurve& entry) {
         << "  domain    " << core::shortest_text(curve.domain().lower) << " to "
         << core::shortest_text(curve.domain().upper) << '\n'
         << "  length    " << length_text(core::arc_length(curve).value) << '\n'
-        << "  bounds    " << pair(box.lower) << " to " << pair(box.upper) << '\n'
+        << "  bounds    " << point_text(box.lower) << " to " << point_text(box.upper) << '\n'
         << "  knots\n";
     for (const core::DistinctKnot& knot : knots_of_domain(curve)) out << "    " << text_of(knot) << '\n';
 }

@@ -2,10 +2,12 @@
 
 #include <ostream>
 
+#include "core/base/sentence.h"
+
 namespace batten::cli {
 
 void say_error(Output output, const std::filesystem::path& file, const std::string& where, const std::string& what) {
-    output.errors << file.string() << ": " << (where.empty() ? "" : where + ": ") << what << '\n';
+    output.errors << file.string() << ": " << core::FileError{where, what}.sentence() << '\n';
 }
 
 void say_error(Output output, const std::filesystem::path& file, const core::FileError& error) {
@@ -27,7 +29,9 @@ std::optional<std::size_t> find_curve(Output output, const std::filesystem::path
     }
     if (name.empty()) return document.active;
     if (const auto index = core::index_of_curve(document, name)) return index;
-    say_error(output, file, "curves", "there is no curve '" + name + "'; there are " + core::quoted_names(document));
+    say_error(output, file, "curves",
+              core::sentence("there is no curve '{name}'; there are {names}",
+                             {{"name", name}, {"names", core::quoted_names(document)}}));
     return std::nullopt;
 }
 

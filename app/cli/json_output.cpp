@@ -1,8 +1,16 @@
 #include "app/cli/json_output.h"
 
+#include <fmt/core.h>
+
 #include <ostream>
 
+#include "core/base/number_text.h"
+
 namespace batten::cli {
+
+std::string point_text(core::Point point) {
+    return fmt::format("({}, {})", core::shortest_text(point.x), core::shortest_text(point.y));
+}
 
 void print(std::ostream& out, const Json& json) {
     constexpr int indent = 2;

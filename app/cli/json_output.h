@@ -3,6 +3,7 @@
 
 #include <iosfwd>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "core/base/geometry.h"
 
@@ -15,6 +16,9 @@ using Json = nlohmann::ordered_json;
 inline Json json_of(core::Vector v) {
     return Json::array({v.x, v.y});
 }
+
+/// "(0.5, 1)", as results are printed for people.
+std::string point_text(core::Point point);
 
 /// Prints `json` with one member a line. Texts that are not UTF-8 are mended.
 void print(std::ostream& out, const Json& json);

@@ -1,52 +1,56 @@
 #include "app/cli/operation.h"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
-
-#include "app/editor/session.h"
+#include "app/editor/command_table.h"
+#include "core/base/sentence.h"
 
 namespace batten::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> choices{"activate-curve", "select-points", "select-knot",
-                                                  "select-all",     "select-none",   "set-parameter"};
+using core::sentence;
+using editor::FieldKind;
 
 const editor::CommandSpec* operation_called(const std::string& name) {
     const editor::CommandSpec* spec = editor::find_command(name);
-    return spec != nullptr && is_operation(*spec) ? spec : nullptr;
+    return spec != nullptr && spec->offered.scripts ? spec : nullptr;
+}
+
+// A text may be anything, also the name of an operation, unless it can be left out.
+bool takes_any_word(const editor::Field& field) {
+    switch (field.kind) {
+        case FieldKind::choice:
+        case FieldKind::curve_name:
+        case FieldKind::color:
+        case FieldKind::text:
+        case FieldKind::file:
+            return !field.can_be_left_out();
+        default:
+            return false;
+    }
 }
 
 // Takes the words from `next` on that are arguments of `spec`.
 Operation take_operation(const editor::CommandSpec& spec, const std::vector<std::string>& words, std::size_t& next) {
-    Operation operation{{spec.name, {}}, spec.name};
-    for (const editor::ParameterSpec& parameter : spec.parameters) {
-        if (next == words.size()) break;
-        // A text may be anything, also the name of an operation, unless it can be left out.
-        const bool must_be_given = parameter.kind == editor::ParameterKind::text && parameter.suggestion == nullptr;
-        if (!must_be_given && operation_called(words[next]) != nullptr) break;
-        operation.text += " " + words[next];
-        operation.command.arguments.push_back(editor::parse_argument(words[next]));
-        ++next;
-    }
+    Operation operation{&spec, {}, spec.name};
+    for (const editor::Field& field : spec.fields)
+        for (std::size_t part = 0; part < field.parts.size(); ++part) {
+            if (next == words.size()) return operation;
+            if (!takes_any_word(field) && operation_called(words[next]) != nullptr) return operation;
+            operation.text.append(" ").append(words[next]);
+            operation.arguments.emplace_back(editor::Word{words[next]});
+            ++next;
+        }
     return operation;
 }
 
 editor::Refusal no_operation(const std::string& word, const std::vector<Operation>& before) {
-    const std::string place = before.empty() ? "" : " after '" + before.back().text + "'";
-    return "'" + word + "'" + place + " is no operation; batten apply --list explains those there are";
+    if (before.empty())
+        return sentence("'{word}' is not an operation; batten apply --list explains those there are", {{"word", word}});
+    return sentence("'{word}' after '{before}' is not an operation; batten apply --list explains those there are",
+                    {{"word", word}, {"before", before.back().text}});
 }
 
 }  // namespace
-
-bool is_operation(const editor::CommandSpec& spec) {
-    // The eight of them are for the arrow keys; a script says nudge.
-    if (std::string_view(spec.name).starts_with("nudge-")) return false;
-    if (spec.group == editor::CommandGroup::gesture || spec.group == editor::CommandGroup::file) return false;
-    return spec.edit != nullptr || spec.group == editor::CommandGroup::analyze ||
-           std::find(choices.begin(), choices.end(), spec.name) != choices.end();
-}
 
 editor::Outcome<std::vector<Operation>> parse_operations(const std::vector<std::string>& words) {
     std::vector<Operation> operations;

@@ -1,19 +1,18 @@
-/// The operations of `apply`: which commands they are, and how they are read from words.
+/// The operations of `apply`: commands that scripts are offered, read from words.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "app/editor/command_table.h"
+#include "app/editor/argument.h"
+#include "app/editor/command_spec.h"
 
 namespace batten::cli {
 
-/// Whether a script can use the command: it edits the document, measures it, or says what the next one acts on.
-bool is_operation(const editor::CommandSpec& spec);
-
 /// One operation as it was given.
 struct Operation {
-    editor::Command command;
+    const editor::CommandSpec* spec;
+    std::vector<editor::Argument> arguments;
     std::string text;  ///< "insert-knot 0.5"
 };
 

@@ -1,14 +1,17 @@
+#include <fmt/core.h>
+
 #include <ostream>
 #include <string_view>
 
-#include "app/cli/operation.h"
 #include "app/cli/subcommands.h"
+#include "app/editor/command_table.h"
 
 namespace batten::cli {
 
 namespace {
 
-const char* group_title(editor::CommandGroup group) {
+// Headings for scripts, which know no menus.
+const char* group_heading(editor::CommandGroup group) {
     switch (group) {
         case editor::CommandGroup::edit:
             return "Points and selection";
@@ -25,20 +28,8 @@ const char* group_title(editor::CommandGroup group) {
     }
 }
 
-const char* kind_text(editor::ParameterKind kind) {
-    switch (kind) {
-        case editor::ParameterKind::number:
-            return "number";
-        case editor::ParameterKind::text:
-            return "text";
-        case editor::ParameterKind::numbers:
-            return "list";
-    }
-    return "";
-}
-
-const char* effect_text(const editor::CommandSpec& spec) {
-    switch (spec.effect) {
+const char* effect_sentence(editor::ShapeEffect effect) {
+    switch (effect) {
         case editor::ShapeEffect::keeps:
             return " Keeps the shape.";
         case editor::ShapeEffect::changes:
@@ -49,20 +40,21 @@ const char* effect_text(const editor::CommandSpec& spec) {
     return "";
 }
 
-// "insert-knot [U]"
-std::string usage(const editor::CommandSpec& spec) {
-    std::string text = spec.name;
-    for (const editor::ParameterSpec& parameter : spec.parameters) {
-        std::string name = parameter.name;
-        text += parameter.suggestion == nullptr ? " <" + name + ">" : " [" + name + "]";
-    }
-    return text;
+// "insert-knot [u]"
+void print_usage(std::ostream& out, const editor::CommandSpec& spec) {
+    out << "  " << spec.name;
+    for (const editor::Field& field : spec.fields)
+        for (const editor::FieldPart& part : field.parts)
+            out << (field.can_be_left_out() ? fmt::format(" [{}]", part.name) : fmt::format(" <{}>", part.name));
+    out << '\n';
 }
 
-void list_operation(std::ostream& out, const editor::CommandSpec& spec) {
-    out << "  " << usage(spec) << "\n      " << spec.explanation << effect_text(spec) << '\n';
-    for (const editor::ParameterSpec& parameter : spec.parameters)
-        out << "      " << parameter.name << ": " << parameter.meaning << " (" << kind_text(parameter.kind) << ")\n";
+void print_operation(std::ostream& out, const editor::CommandSpec& spec) {
+    print_usage(out, spec);
+    out << "      " << spec.explanation << effect_sentence(spec.effect) << '\n';
+    for (const editor::Field& field : spec.fields)
+        for (const editor::FieldPart& part : field.parts)
+            out << fmt::format("      {}: {} ({})\n", part.name, part.meaning, editor::kind_text(field));
 }
 
 }  // namespace
@@ -70,13 +62,13 @@ void list_operation(std::ostream& out, const editor::CommandSpec& spec) {
 void list_operations(std::ostream& out) {
     out << "Operations act on the active curve, in the order given. <needed> [may be left out]\n"
            "A list is written 1,2.5,3; points as x0,y0,x1,y1. Knots, points and curves are counted from 0.\n";
-    const char* last_title = "";
+    std::string_view last_heading;
     for (const editor::CommandSpec& spec : editor::command_table()) {
-        if (!is_operation(spec)) continue;
-        const char* title = group_title(spec.group);
-        if (std::string_view(title) != last_title) out << '\n' << title << '\n';
-        last_title = title;
-        list_operation(out, spec);
+        if (!spec.offered.scripts) continue;
+        const std::string_view heading = group_heading(spec.group);
+        if (heading != last_heading) out << '\n' << heading << '\n';
+        last_heading = heading;
+        print_operation(out, spec);
     }
 }
 
