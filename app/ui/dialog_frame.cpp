@@ -16,12 +16,15 @@ namespace {
 
 constexpr double margin = 20.0;
 constexpr double padding = 18.0;
+constexpr double title_gap = 12.0;
 constexpr double rounding = 10.0;
 
 Rectangle place_of(const PanelContext& context, const Rectangle& window, const DialogFrame& frame) {
-    const glm::dvec2 room = window.size_px - 2.0 * margin * context.scale;
+    const glm::dvec2 corner = frame.beside ? frame.beside->origin_px : window.origin_px;
+    const glm::dvec2 room = window.origin_px + window.size_px - corner - 2.0 * margin * context.scale;
     const glm::dvec2 size(std::floor(std::min(frame.size.x * context.scale, room.x)),
                           std::floor(std::min(frame.size.y * context.scale, room.y)));
+    if (frame.beside) return {corner + std::floor(margin * context.scale), size};
     const double share = frame.is_at_top ? 0.25 : 0.5;
     const glm::dvec2 free = window.size_px - size;
     return {{std::floor(window.origin_px.x + 0.5 * free.x), std::floor(window.origin_px.y + share * free.y)}, size};
@@ -39,7 +42,7 @@ void draw_shadow(const PanelContext& context, const Rectangle& place) {
 }
 
 /// Covers the window, so that nothing below reacts. Returns whether it was clicked beside `place`.
-bool begin_cover(const PanelContext& context, const Rectangle& window, const Rectangle& place) {
+bool begin_cover(const PanelContext& context, const Rectangle& window, const Rectangle& place, bool is_dimmed) {
     const glm::vec2 low(window.origin_px);
     const glm::vec2 high(window.origin_px + window.size_px);
     ImGui::SetNextWindowPos({low.x, low.y});
@@ -52,8 +55,9 @@ bool begin_cover(const PanelContext& context, const Rectangle& window, const Rec
     ImGui::PopStyleVar();
     const bool appears = ImGui::IsWindowAppearing();
     if (appears) ImGui::SetWindowFocus();
-    ImGui::GetWindowDrawList()->AddRectFilled({low.x, low.y}, {high.x, high.y},
-                                              imgui_packed(render::faded(context.theme.canvas, 0.62)));
+    if (is_dimmed)
+        ImGui::GetWindowDrawList()->AddRectFilled({low.x, low.y}, {high.x, high.y},
+                                                  imgui_packed(render::faded(context.theme.canvas, 0.62)));
     draw_shadow(context, place);
     const ImVec2 mouse = ImGui::GetMousePos();
     return !appears && ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
@@ -69,7 +73,7 @@ bool draw_title(const PanelContext& context, const std::string& title) {
                                         imgui_packed(context.theme.text), title.c_str());
     ImGui::SetCursorScreenPos({right - cross, corner.y + std::floor(0.5F * (line - cross))});
     const bool is_closed = draw_cross_button(context, "dialog close", cross);
-    ImGui::SetCursorScreenPos({corner.x, corner.y + line + context.px(12)});
+    ImGui::SetCursorScreenPos({corner.x, corner.y + line + context.px(title_gap)});
     return is_closed;
 }
 
@@ -77,7 +81,7 @@ bool draw_title(const PanelContext& context, const std::string& title) {
 
 bool begin_dialog(const PanelContext& context, const Rectangle& window, const DialogFrame& frame) {
     const Rectangle place = place_of(context, window, frame);
-    const bool is_clicked_outside = begin_cover(context, window, place);
+    const bool is_clicked_outside = begin_cover(context, window, place, !frame.beside);
     const glm::vec2 corner(place.origin_px);
     const glm::vec2 size(place.size_px);
     ImGui::SetCursorScreenPos({corner.x, corner.y});
@@ -95,6 +99,14 @@ bool begin_dialog(const PanelContext& context, const Rectangle& window, const Di
 void end_dialog() {
     ImGui::EndChild();
     ImGui::End();
+}
+
+float dialog_padding_px(const PanelContext& context) {
+    return context.px(padding);
+}
+
+float dialog_head_px(const PanelContext& context) {
+    return 2.0F * context.px(padding) + font_height(context.fonts.text) + context.px(title_gap);
 }
 
 void draw_dialog_error(const PanelContext& context, const std::string& sentence) {

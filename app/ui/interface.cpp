@@ -30,7 +30,7 @@ bool is_press(const PointerEvent& event) {
 }
 
 void follow_canvas_size(const editor::EditorState& state, const Rectangle& canvas, editor::CommandQueue& queue) {
-    if (state.view.camera.size_px != canvas.size_px) queue.run("resize-canvas", {canvas.size_px.x, canvas.size_px.y});
+    if (state.view.camera.size_px != canvas.size_px) queue.change(editor::ResizeCanvas{canvas.size_px});
 }
 
 /// Whether a dialog that covers the window wants all keys. The welcome screen leaves those that act on the whole
@@ -44,7 +44,7 @@ bool is_kept_from_shortcuts(const editor::EditorState& state, const editor::Shor
 void run_shortcut(const PanelContext& context, const editor::Shortcut& shortcut) {
     if (is_kept_from_shortcuts(context.state, shortcut)) return;
     const editor::CommandSpec* spec = editor::find_command(shortcut);
-    if (spec != nullptr) choose_command(context, *spec);
+    if (spec != nullptr) run_command(context, *spec);
 }
 
 void draw_frame_panels(const PanelContext& context, const FrameAreas& areas, const std::string& hint) {
@@ -64,6 +64,7 @@ void draw_dialogs(const PanelContext& context, const FrameAreas& areas) {
     draw_welcome_screen(context, areas.window);
     draw_file_dialog(context, areas.window);
     draw_unsaved_dialog(context, areas.window);
+    draw_command_form(context, areas.window, areas.canvas);
     draw_command_palette(context, areas.window);
     draw_key_sheet(context, areas.window);
     draw_about_dialog(context, areas.window);

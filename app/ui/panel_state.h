@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/command_spec.h"
 #include "app/editor/pointer.h"
 #include "app/editor/selection.h"
 #include "core/document/document.h"
@@ -35,6 +36,20 @@ struct PaletteState {
     bool takes_focus = false;    ///< the field becomes the active one again in the next frame
     bool was_submitted = false;  ///< the command has run when the next frame begins
     std::string problem;         ///< why the typed command was refused
+};
+
+/// The form that asks for the fields of a command.
+struct FormState {
+    const editor::CommandSpec* spec = nullptr;
+    std::vector<std::vector<std::string>> typed;      ///< a text for each part of each field
+    std::vector<std::vector<std::string>> previewed;  ///< what the canvas shows
+    bool takes_focus = true;                          ///< `focused`, else the first input, becomes the active one
+    std::string focused;                              ///< the part whose input was active last
+    bool was_previewed = false;
+    bool was_tried = false;      ///< Apply or Enter was pressed
+    bool was_submitted = false;  ///< the command has run when the next frame begins
+    bool is_given_up = false;
+    std::string problem;  ///< what is wrong with the fields
 };
 
 /// An example with its curves, from which the thumbnail is drawn.
@@ -97,6 +112,7 @@ struct InspectorState {
 struct PanelState {
     FileDialogState file_dialog;
     PaletteState palette;
+    FormState form;
     FieldState field;
     InspectorState inspector;
     PointerState pointer;
