@@ -2,27 +2,47 @@
 
 #include <algorithm>
 
+#include "app/editor/command_reader.h"
+#include "core/base/sentence.h"
+
 namespace batten::ui {
+
+using core::sentence;
+using editor::Field;
+
+namespace {
+
+bool lacks_a_field(const editor::CommandSpec& spec, const editor::EditorState& state) {
+    return std::any_of(spec.fields.begin(), spec.fields.end(), [&state](const Field& field) {
+        return !field.can_be_left_out() || (!field.is_optional && editor::is_absent(field.suggestion(state)));
+    });
+}
+
+}  // namespace
 
 std::optional<std::string> refusal_of(const editor::CommandSpec& spec, const editor::EditorState& state) {
     return spec.refusal == nullptr ? std::nullopt : spec.refusal(state);
 }
 
-bool needs_typing(const editor::CommandSpec& spec, const editor::EditorState& state) {
-    return std::any_of(spec.parameters.begin(), spec.parameters.end(),
-                       [&state](const editor::ParameterSpec& parameter) {
-                           return parameter.suggestion == nullptr || !parameter.suggestion(state);
-                       });
+bool has_form(const editor::CommandSpec& spec) {
+    return std::any_of(spec.fields.begin(), spec.fields.end(), [](const Field& field) { return field.is_asked; });
 }
 
 void choose_command(const PanelContext& context, const editor::CommandSpec& spec) {
-    if (!needs_typing(spec, context.state)) {
-        context.queue.run(spec.name);
-        return;
+    if (has_form(spec) && !refusal_of(spec, context.state))
+        context.queue.change(editor::ShowForm{&spec});
+    else
+        run_command(context, spec);
+}
+
+void run_command(const PanelContext& context, const editor::CommandSpec& spec) {
+    if (editor::Outcome<editor::Command> command = editor::read_command(spec, context.state)) {
+        context.queue.run(*std::move(command));
+    } else if (has_form(spec) && lacks_a_field(spec, context.state) && !refusal_of(spec, context.state)) {
+        context.queue.change(editor::ShowForm{&spec});
+    } else {
+        context.queue.change(editor::ShowRefusal{command.error()});
     }
-    context.panels.palette = {};
-    context.panels.palette.typed = std::string(spec.name) + " ";
-    context.queue.run("command-palette");
 }
 
 const char* effect_sign(editor::ShapeEffect effect) {
@@ -42,22 +62,22 @@ const char* effect_text(editor::ShapeEffect effect) {
         case editor::ShapeEffect::none:
             return "";
         case editor::ShapeEffect::keeps:
-            return "keeps the shape";
+            return "≅ keeps the shape";
         case editor::ShapeEffect::changes:
-            return "changes the shape";
+            return "≠ changes the shape";
     }
     return "";
 }
 
 std::string command_tooltip(const editor::CommandSpec& spec, const editor::EditorState& state) {
-    std::string text = spec.title;
     const std::string shortcut = editor::text_of(spec.shortcut);
-    if (!shortcut.empty()) text += "  (" + shortcut + ")";
-    text += "\n" + std::string(spec.explanation);
-    if (spec.effect != editor::ShapeEffect::none) {
-        text += "\n" + std::string(effect_sign(spec.effect)) + " " + effect_text(spec.effect);
-    }
-    if (const std::optional<std::string> refusal = refusal_of(spec, state)) text += "\nNot now: " + *refusal;
+    std::string text =
+        shortcut.empty() ? spec.title : sentence("{title}  ({keys})", {{"title", spec.title}, {"keys", shortcut}});
+    const auto add_line = [&text](const std::string& line) { text.append("\n").append(line); };
+    add_line(spec.explanation);
+    if (spec.effect != editor::ShapeEffect::none) add_line(effect_text(spec.effect));
+    if (const std::optional<std::string> refusal = refusal_of(spec, state))
+        add_line(sentence("Not now: {reason}", {{"reason", *refusal}}));
     return text;
 }
 

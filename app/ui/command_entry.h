@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/editor/command_table.h"
+#include "app/editor/command_spec.h"
 #include "app/ui/panels.h"
 
 namespace batten::ui {
@@ -12,16 +12,20 @@ namespace batten::ui {
 /// Why the command cannot be chosen now; none where it can.
 std::optional<std::string> refusal_of(const editor::CommandSpec& spec, const editor::EditorState& state);
 
-/// Whether an argument must be typed because nothing suggests itself.
-bool needs_typing(const editor::CommandSpec& spec, const editor::EditorState& state);
+/// Whether a form asks for fields before the command runs.
+bool has_form(const editor::CommandSpec& spec);
 
-/// Runs the command, or opens the palette with its name typed where arguments are needed.
+/// What an entry of a menu or of the palette does: runs the command, or opens its form.
 void choose_command(const PanelContext& context, const editor::CommandSpec& spec);
+
+/// What a shortcut or a button does: runs the command with what suggests itself; opens the form where something must be
+/// given.
+void run_command(const PanelContext& context, const editor::CommandSpec& spec);
 
 /// "≅" where the shape is kept, "≠" where it changes, else empty.
 const char* effect_sign(editor::ShapeEffect effect);
 
-/// "keeps the shape", "changes the shape", or empty.
+/// "≅ keeps the shape", "≠ changes the shape", or empty.
 const char* effect_text(editor::ShapeEffect effect);
 
 /// "Insert knot (K)", the explanation, the effect on the shape and the refusal, for a tool tip.

@@ -1,19 +1,23 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "app/editor/formula.h"
-#include "app/editor/session.h"
+#include "app/editor/commands/file_commands.h"
+#include "app/editor/commands/help_commands.h"
+#include "app/editor/field.h"
+#include "app/editor/typed_command.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/dialog_frame.h"
-#include "app/ui/fuzzy_match.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
+#include "app/ui/palette_entries.h"
 #include "app/ui/panels.h"
 #include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
+#include "core/base/sentence.h"
 
 namespace batten::ui {
 
@@ -22,36 +26,6 @@ namespace {
 using editor::CommandSpec;
 
 constexpr double row_height = 28.0;
-
-struct Match {
-    const CommandSpec* spec;
-    int score;
-};
-
-bool is_listed(const CommandSpec& spec) {
-    return spec.group != editor::CommandGroup::gesture;
-}
-
-/// The command whose name is followed by a space: its arguments are being typed.
-const CommandSpec* named_command(const std::string& typed) {
-    const std::size_t space = typed.find(' ');
-    if (space == std::string::npos) return nullptr;
-    const CommandSpec* spec = editor::find_command(typed.substr(0, space));
-    return spec != nullptr && is_listed(*spec) ? spec : nullptr;
-}
-
-std::vector<Match> matches_of(const std::string& typed) {
-    if (const CommandSpec* spec = named_command(typed)) return {{spec, 0}};
-    std::vector<Match> matches;
-    for (const CommandSpec& spec : editor::command_table()) {
-        if (!is_listed(spec)) continue;
-        const std::optional<int> by_title = fuzzy_score(typed, spec.title);
-        const std::optional<int> by_name = fuzzy_score(typed, spec.name);
-        if (by_title || by_name) matches.push_back({&spec, std::max(by_title.value_or(-1), by_name.value_or(-1))});
-    }
-    std::stable_sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) { return a.score > b.score; });
-    return matches;
-}
 
 /// Puts the text that the palette itself wrote into the active field, and the cursor behind it.
 int follow_replacement(ImGuiInputTextCallbackData* data) {
@@ -75,7 +49,7 @@ void draw_input(const PanelContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.px(10), context.px(8)));
     ImGui::SetNextItemWidth(-1.0F);
     const std::string before = palette.typed;
-    ImGui::InputTextWithHint("##input", "Type a command, with its arguments behind it", &palette.typed,
+    ImGui::InputTextWithHint("##input", "Find a command or an example, or type it: insert-knot 0.3", &palette.typed,
                              ImGuiInputTextFlags_CallbackAlways, follow_replacement, &palette);
     ImGui::PopStyleVar();
     report_item(context, "palette input", palette.typed);
@@ -85,39 +59,41 @@ void draw_input(const PanelContext& context) {
 }
 
 /// Closes the palette and runs the command; it is opened again if the command is refused.
-void submit(const PanelContext& context, const editor::Command& command) {
-    context.queue.run("close-dialog");
-    context.queue.run(command.name, command.arguments);
+void submit(const PanelContext& context, editor::Command command) {
+    context.queue.run(editor::CloseDialog{});
+    context.queue.run(std::move(command));
     context.panels.palette.was_submitted = true;
 }
 
 void run_typed(const PanelContext& context) {
     PaletteState& palette = context.panels.palette;
-    const editor::Outcome<editor::Command> command = editor::parse_typed_command(palette.typed);
+    editor::Outcome<editor::Command> command = editor::parse_typed_command(palette.typed, context.state);
     palette.takes_focus = true;
-    if (command) {
-        submit(context, *command);
-    } else {
+    if (command)
+        submit(context, *std::move(command));
+    else
         palette.problem = command.error();
+}
+
+/// Runs a command without fields at once; others open their form.
+void choose(const PanelContext& context, const PaletteEntry& entry) {
+    PaletteState& palette = context.panels.palette;
+    if (spec_being_typed(palette.typed) != nullptr) return run_typed(context);
+    if (!entry.example.empty()) return submit(context, editor::OpenExample{.name = entry.example});
+    palette.takes_focus = true;
+    if (const auto refusal = refusal_of(*entry.spec, context.state)) {
+        palette.problem = *refusal;
+    } else if (has_form(*entry.spec)) {
+        palette = {};
+        context.queue.change(editor::ShowForm{entry.spec});
+    } else {
+        palette.typed = entry.spec->name;
+        run_typed(context);
     }
 }
 
-void choose(const PanelContext& context, const CommandSpec& spec) {
-    PaletteState& palette = context.panels.palette;
-    if (named_command(palette.typed) != nullptr) return run_typed(context);
-    palette.typed = spec.name;
-    palette.takes_focus = true;
-    if (!needs_typing(spec, context.state)) return submit(context, {spec.name, {}});
-    palette.typed += " ";
-}
-
-std::string side_text(const CommandSpec& spec) {
-    std::string text = effect_sign(spec.effect);
-    if (!text.empty()) text += std::string(" ") + effect_text(spec.effect);
-    return text;
-}
-
-void draw_row_texts(const PanelContext& context, const CommandSpec& spec, const Rectangle& place) {
+void draw_row_texts(const PanelContext& context, const PaletteEntry& entry, const Rectangle& place) {
+    const CommandSpec& spec = *entry.spec;
     ImDrawList* list = ImGui::GetWindowDrawList();
     const bool is_enabled = !refusal_of(spec, context.state);
     const float line = font_height(context.fonts.text);
@@ -125,32 +101,32 @@ void draw_row_texts(const PanelContext& context, const CommandSpec& spec, const 
     const float left = static_cast<float>(place.origin_px.x) + context.px(10);
     const float right = static_cast<float>(place.origin_px.x + place.size_px.x) - context.px(10);
     const render::Color text = is_enabled ? context.theme.text : context.theme.dim;
-    list->AddText({left, y}, imgui_packed(text), spec.title);
+    list->AddText({left, y}, imgui_packed(text), entry.title.c_str());
     const std::string shortcut = editor::text_of(spec.shortcut);
     list->AddText({right - text_width(shortcut, context.fonts.text), y}, imgui_packed(context.theme.dim),
                   shortcut.c_str());
-    const std::string side = side_text(spec);
+    const std::string side = effect_text(spec.effect);
     const float small = font_height(context.fonts.small);
     const float small_y = std::floor(y + 0.5F * (line - small) + context.px(0.5));
     list->AddText(context.fonts.small, small,
                   {right - context.px(104) - text_width(side, context.fonts.small), small_y},
                   imgui_packed(context.theme.dim), side.c_str());
-    const float name_x = left + text_width(spec.title, context.fonts.text) + context.px(10);
+    const float name_x = left + text_width(entry.title, context.fonts.text) + context.px(10);
     const float name_room = right - context.px(224) - name_x;
-    const std::string name = elided(spec.name, context.fonts.small, name_room);
+    const std::string name = elided(entry.name, context.fonts.small, name_room);
     if (name_room > context.px(30)) {
         list->AddText(context.fonts.small, small, {name_x, small_y},
                       imgui_packed(render::faded(context.theme.dim, 0.75)), name.c_str());
     }
 }
 
-void draw_row(const PanelContext& context, const CommandSpec& spec, bool is_chosen, bool follows_keys) {
+void draw_row(const PanelContext& context, const PaletteEntry& entry, bool is_chosen, bool follows_keys) {
     const float width = ImGui::GetContentRegionAvail().x;
-    ImGui::PushID(spec.name);
+    ImGui::PushID(entry.name.c_str());
     const bool is_clicked = ImGui::InvisibleButton("##row", ImVec2(width, context.px(row_height)));
     ImGui::PopID();
     const Rectangle place = last_item_place();
-    report_item(context, std::string("palette-item ") + spec.name, is_chosen ? "chosen" : "");
+    report_item(context, fmt::format("palette-item {}", entry.name), is_chosen ? "chosen" : "");
     if (is_chosen || ImGui::IsItemHovered()) {
         const glm::vec2 low(place.origin_px);
         const glm::vec2 high(place.origin_px + place.size_px);
@@ -159,8 +135,8 @@ void draw_row(const PanelContext& context, const CommandSpec& spec, bool is_chos
             context.px(5));
     }
     if (is_chosen && follows_keys) ImGui::SetScrollHereY();
-    draw_row_texts(context, spec, place);
-    if (is_clicked) choose(context, spec);
+    draw_row_texts(context, entry, place);
+    if (is_clicked) choose(context, entry);
 }
 
 /// Moves the choice by the arrow keys; returns whether it moved.
@@ -174,39 +150,25 @@ bool move_choice(const PanelContext& context, std::size_t count) {
     return palette.chosen != before;
 }
 
-std::string text_of(const editor::Argument& argument) {
-    if (const auto* number = std::get_if<double>(&argument)) return editor::number_text(*number, 6);
-    if (const auto* text = std::get_if<std::string>(&argument)) return text->empty() ? "nothing" : *text;
-    std::string list;
-    for (const double value : std::get<std::vector<double>>(argument)) {
-        list += (list.empty() ? "" : ",") + editor::number_text(value, 6);
-    }
-    return list.empty() ? "nothing" : list;
+/// "which knot (whole number; left out: 3)"
+std::string meaning_of(const PanelContext& context, const editor::Field& field, const editor::FieldPart& part) {
+    const core::Place meaning("meaning", part.meaning);
+    const core::Place kind("kind", editor::kind_text(field));
+    const editor::FieldValue suggestion = field.suggestion(context.state);
+    if (editor::is_absent(suggestion) || field.parts.size() > 1)
+        return core::sentence("{meaning} ({kind})", {meaning, kind});
+    return core::sentence("{meaning} ({kind}; left out: {suggestion})",
+                          {meaning, kind, {"suggestion", editor::shown_text(field, suggestion, context.state)}});
 }
 
-const char* kind_text(editor::ParameterKind kind) {
-    switch (kind) {
-        case editor::ParameterKind::number:
-            return "number";
-        case editor::ParameterKind::text:
-            return "text";
-        case editor::ParameterKind::numbers:
-            return "list, as 1,2,3";
+void draw_field(const PanelContext& context, const editor::Field& field) {
+    for (const editor::FieldPart& part : field.parts) {
+        ImGui::PushFont(context.fonts.number);
+        ImGui::TextUnformatted(part.name);
+        ImGui::PopFont();
+        ImGui::SameLine(context.px(110));
+        ImGui::TextWrapped("%s", meaning_of(context, field, part).c_str());
     }
-    return "";
-}
-
-void draw_parameter(const PanelContext& context, const editor::ParameterSpec& parameter) {
-    ImGui::PushFont(context.fonts.number);
-    ImGui::TextUnformatted(parameter.name);
-    ImGui::PopFont();
-    ImGui::SameLine(context.px(110));
-    std::string text = std::string(parameter.meaning) + " (" + kind_text(parameter.kind);
-    if (parameter.suggestion != nullptr) {
-        const std::optional<editor::Argument> suggestion = parameter.suggestion(context.state);
-        if (suggestion) text += "; left out: " + text_of(*suggestion);
-    }
-    ImGui::TextWrapped("%s)", text.c_str());
 }
 
 /// What the chosen command does and takes, and why it was or would be refused.
@@ -216,10 +178,10 @@ void draw_explanation(const PanelContext& context, const CommandSpec* spec) {
     if (spec != nullptr) {
         ImGui::TextWrapped("%s", spec->explanation);
         ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.dim));
-        for (const editor::ParameterSpec& parameter : spec->parameters) draw_parameter(context, parameter);
+        for (const editor::Field& field : spec->fields) draw_field(context, field);
         ImGui::PopStyleColor();
     } else {
-        ImGui::TextDisabled("No command is called like that.");
+        ImGui::TextDisabled("No command or example matches.");
     }
     std::string problem = context.panels.palette.problem;
     if (problem.empty() && spec != nullptr) problem = refusal_of(*spec, context.state).value_or("");
@@ -227,24 +189,26 @@ void draw_explanation(const PanelContext& context, const CommandSpec* spec) {
 }
 
 float explanation_height(const PanelContext& context, const CommandSpec* spec) {
-    const std::size_t lines = 4 + (spec == nullptr ? 0 : spec->parameters.size());
+    std::size_t lines = 4;
+    if (spec != nullptr)
+        for (const editor::Field& field : spec->fields) lines += field.parts.size();
     return static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing() + context.px(8);
 }
 
-void draw_list(const PanelContext& context, const std::vector<Match>& matches) {
-    const bool follows_keys = move_choice(context, matches.size());
+void draw_list(const PanelContext& context, const std::vector<PaletteEntry>& entries) {
+    const bool follows_keys = move_choice(context, entries.size());
     const std::size_t chosen = context.panels.palette.chosen;
-    const CommandSpec* spec = matches.empty() ? nullptr : matches[chosen].spec;
+    const CommandSpec* spec = entries.empty() ? nullptr : entries[chosen].spec;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
     // While arguments are typed what they mean stands right below.
-    const bool has_arguments = named_command(context.panels.palette.typed) != nullptr;
+    const bool has_arguments = spec_being_typed(context.panels.palette.typed) != nullptr;
     const float height = has_arguments ? context.px(row_height + 6.0) : -explanation_height(context, spec);
     ImGui::BeginChild("list", ImVec2(0.0F, height), false, ImGuiWindowFlags_NoNav);
-    for (std::size_t i = 0; i < matches.size(); ++i) draw_row(context, *matches[i].spec, i == chosen, follows_keys);
+    for (std::size_t i = 0; i < entries.size(); ++i) draw_row(context, entries[i], i == chosen, follows_keys);
     ImGui::EndChild();
     ImGui::PopStyleVar();
     draw_explanation(context, spec);
-    if (was_pressed(context, editor::Key::enter) && spec != nullptr) choose(context, *spec);
+    if (was_pressed(context, editor::Key::enter) && spec != nullptr) choose(context, entries[chosen]);
 }
 
 /// A command that was refused brings the palette back with what was typed and the reason.
@@ -256,7 +220,7 @@ void reopen_after_refusal(const PanelContext& context) {
         return;
     }
     palette.problem = context.state.message.text;
-    context.queue.run("command-palette");
+    context.queue.run(editor::TogglePalette{});
 }
 
 }  // namespace
@@ -275,11 +239,11 @@ void draw_command_palette(const PanelContext& context, const Rectangle& window) 
     const bool is_left =
         begin_dialog(context, window, frame) || was_pressed(context, editor::Key::p, {true, false, false});
     draw_input(context);
-    draw_list(context, matches_of(palette.typed));
+    draw_list(context, find_entries(context, palette.typed));
     end_dialog();
     if (!is_left) return;
     palette = {};
-    context.queue.run("close-dialog");
+    context.queue.run(editor::CloseDialog{});
 }
 
 }  // namespace batten::ui

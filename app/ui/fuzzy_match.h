@@ -3,12 +3,17 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace batten::ui {
 
-/// How well `text` fits the letters of `pattern`, which must all occur in it in order, whatever their case; none where
-/// they do not. Higher is better: letters in one run and at the beginnings of words count more. An empty pattern fits
-/// anything equally. ASCII letters only are compared without case. Cost: pattern times text.
-std::optional<int> fuzzy_score(const std::string& pattern, const std::string& text);
+/// How well `text` fits the letters of `pattern`, which must all occur in it in order, whatever their case and accents;
+/// none where they do not. Higher is better: letters in one run and at the beginnings of words count more. An empty
+/// pattern fits anything equally. Cost: pattern times text.
+std::optional<int> fuzzy_score(std::string_view pattern, std::string_view text);
+
+/// The same, but every word of `pattern` must be the beginning of a word of `text`: for long texts, in which scattered
+/// letters mean nothing.
+std::optional<int> word_score(std::string_view pattern, std::string_view text);
 
 }  // namespace batten::ui
