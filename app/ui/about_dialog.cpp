@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include "app/editor/commands/help_commands.h"
 #include "app/ui/dialog_frame.h"
 #include "app/ui/panels.h"
 #include "app/ui/style.h"
@@ -25,7 +26,7 @@ void draw_about_dialog(const PanelContext& context, const Rectangle& window) {
     ImGui::Dummy(ImVec2(1.0F, context.px(4)));
     ImGui::TextWrapped("Named after the thin strip of wood that shipwrights bent to draw fair curves.");
     end_dialog();
-    if (is_left) context.queue.run("close-dialog");
+    if (is_left) context.queue.run(editor::CloseDialog{});
 }
 
 }  // namespace batten::ui

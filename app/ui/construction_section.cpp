@@ -1,8 +1,10 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/commands/construction_commands.h"
 #include "app/editor/formula.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
@@ -10,6 +12,7 @@
 #include "app/ui/section.h"
 #include "app/ui/style.h"
 #include "app/ui/triangle_view.h"
+#include "core/base/sentence.h"
 #include "core/curve/knot_analysis.h"
 
 namespace batten::ui {
@@ -35,15 +38,15 @@ struct Construction {
     }
 
     std::string point_text(core::Point point) const {
-        return "(" + editor::number_text(point.x) + ", " + editor::number_text(point.y) + ")";
+        return fmt::format("({}, {})", editor::number_text(point.x), editor::number_text(point.y));
     }
 };
 
 std::string title_text(const Construction& shown) {
     const bool is_bezier = core::is_of_kind(shown.curve.knots(), core::KnotKind::bezier);
     const int decimals = decimals_for(shown.curve.domain().length());
-    return std::string(is_bezier ? "De Casteljau" : "De Boor") +
-           " at u = " + editor::fixed_text(shown.triangle.u, decimals);
+    return core::sentence(is_bezier ? "De Casteljau at u = {u}" : "De Boor at u = {u}",
+                          {{"u", editor::fixed_text(shown.triangle.u, decimals)}});
 }
 
 /// "span [0.25, 0.5)"; the last span holds its end too.
@@ -51,7 +54,8 @@ std::string span_text(const Construction& shown) {
     const core::KnotVector& knots = shown.curve.knots();
     const std::size_t s = shown.triangle.span;
     const bool is_last = knots[s + 1] == shown.curve.domain().upper && !shown.curve.is_periodic();
-    return "span [" + editor::number_text(knots[s]) + ", " + editor::number_text(knots[s + 1]) + (is_last ? "]" : ")");
+    return core::sentence(is_last ? "span [{begin}, {end}]" : "span [{begin}, {end})",
+                          {{"begin", editor::number_text(knots[s])}, {"end", editor::number_text(knots[s + 1])}});
 }
 
 /// A line of the formula box.
@@ -64,8 +68,9 @@ struct FormulaLine {
 FormulaLine point_line(const Construction& shown, std::size_t r, std::size_t j) {
     const core::DeBoorCell& cell = shown.triangle.levels[r][j];
     const std::string name = editor::cell_text(shown.triangle, r, j, shown.curve.control_points().size());
-    const std::string weight = shown.curve.is_rational() ? "  w " + editor::number_text(cell.weight, 3) : "";
-    return {name + " = " + shown.point_text(cell.point) + weight, shown.context.theme.text};
+    const std::string point = fmt::format("{} = {}", name, shown.point_text(cell.point));
+    if (!shown.curve.is_rational()) return {point, shown.context.theme.text};
+    return {fmt::format("{}  w {}", point, editor::number_text(cell.weight, 3)), shown.context.theme.text};
 }
 
 std::vector<FormulaLine> lines_of_cell(const Construction& shown, std::size_t r, std::size_t j) {
@@ -101,7 +106,7 @@ void draw_formula_box(const Construction& shown) {
         draw_text(context, ImVec2(origin.x + context.px(12), origin.y + context.px(y)),
                   {line.text, line.is_prose ? context.fonts.text : context.fonts.number, 0.0, line.color,
                    render::Anchor::left, size.x - context.px(24)});
-        value += (value.empty() ? "" : " | ") + editor::plain_text(line.text);
+        value.append(value.empty() ? "" : " | ").append(editor::plain_text(line.text));
         y += line_pitch;
     }
     report_item(context, "formula", value);
@@ -115,19 +120,22 @@ void draw_label(const PanelContext& context, const char* text) {
 
 std::string step_text(std::size_t r, std::size_t degree) {
     if (r == 0) return "P";
-    return r == degree ? "C(u)" : "level " + std::to_string(r);
+    return r == degree ? "C(u)" : core::sentence("level {level}", {{"level", r}});
 }
 
-/// All levels are asked for as -1, so that they stay all when the degree grows.
+/// Shows the levels up to r. All of them are asked for as such, so that they stay all when the degree grows.
+editor::SetLevel level_command(std::size_t r, std::size_t degree) {
+    return {.level = r == degree ? std::nullopt : std::optional(static_cast<int>(r))};
+}
+
 void draw_step(const Construction& shown, std::size_t r, float width_px) {
     const std::size_t degree = shown.degree();
     const bool has_words = width_px >= shown.context.px(54) || r == 0 || r == degree;
-    Button button{"step " + std::to_string(r), has_words ? step_text(r, degree) : std::to_string(r), Icon::none,
+    Button button{fmt::format("step {}", r), has_words ? step_text(r, degree) : std::to_string(r), Icon::none,
                   width_px};
     button.is_active = shown.level() == r;
     button.tooltip = r == 0 ? "Only the control points of the span" : "The construction up to here";
-    if (draw_button(shown.context, button))
-        shown.context.queue.run("set-level", {r == degree ? -1.0 : static_cast<double>(r)});
+    if (draw_button(shown.context, button)) shown.context.queue.run(level_command(r, degree));
 }
 
 void draw_all_steps(const Construction& shown, float width_px) {
@@ -142,12 +150,11 @@ void draw_all_steps(const Construction& shown, float width_px) {
 }
 
 void draw_step_by(const Construction& shown, const char* name, Icon icon, int by) {
-    const int degree = static_cast<int>(shown.degree());
     const int level = static_cast<int>(shown.level()) + by;
     Button button{name, "", icon, shown.context.px(28)};
-    button.is_enabled = level >= 0 && level <= degree;
+    button.is_enabled = level >= 0 && level <= static_cast<int>(shown.degree());
     if (draw_button(shown.context, button))
-        shown.context.queue.run("set-level", {level == degree ? -1.0 : static_cast<double>(level)});
+        shown.context.queue.run(level_command(static_cast<std::size_t>(level), shown.degree()));
 }
 
 /// P, C(u), and the level between as a number with - and +.
@@ -161,7 +168,8 @@ void draw_few_steps(const Construction& shown, float width_px) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const float width = width_px - 2.0F * (end_width + context.px(28 + 8));
     ImGui::Dummy(ImVec2(width, context.px(24)));
-    const std::string text = "level " + std::to_string(shown.level()) + " of " + std::to_string(shown.degree());
+    const std::string text =
+        core::sentence("level {level} of {last}", {{"level", shown.level()}, {"last", shown.degree()}});
     report_item(context, "level", text);
     draw_text(context, ImVec2(origin.x + 0.5F * width, origin.y + context.px(12)),
               {text, context.fonts.text, 0.0, context.theme.text, render::Anchor::center, width});
@@ -191,7 +199,7 @@ void draw_parameter_field(const Construction& shown, float width_px) {
     field.lowest = domain.lower;
     field.highest = domain.upper;
     field.is_live = true;
-    draw_number_field(shown.context, field, [](double u) { return editor::Command{"set-parameter", {u}}; });
+    draw_number_field(shown.context, field, [](double u) { return editor::SetParameter{.u = u}; });
 }
 
 void draw_speed_field(const PanelContext& context, float width_px) {
@@ -205,7 +213,7 @@ void draw_speed_field(const PanelContext& context, float width_px) {
     field.is_live = true;
     field.unit = "×";
     field.tooltip = "Speed; 1 crosses the domain in five seconds";
-    draw_number_field(context, field, [](double speed) { return editor::Command{"set-speed", {speed}}; });
+    draw_number_field(context, field, [](double speed) { return editor::SetSpeed{.speed = speed}; });
 }
 
 void draw_parameter_row(const Construction& shown) {
@@ -220,12 +228,12 @@ void draw_parameter_row(const Construction& shown) {
     stay_in_row(context, 8);
     Button play{"play", "", playback.is_playing ? Icon::pause : Icon::play, icon_width};
     play.is_active = playback.is_playing;
-    draw_command_button(context, play, "toggle-play");
+    draw_command_button(context, play, editor::TogglePlay{});
     stay_in_row(context, 8);
     draw_speed_field(context, speed_width);
     stay_in_row(context, 8);
     Button turn{"ping-pong", "", playback.ping_pong ? Icon::ping_pong : Icon::jump_back, icon_width};
-    draw_command_button(context, turn, "toggle-ping-pong");
+    draw_command_button(context, turn, editor::TogglePingPong{});
 }
 
 }  // namespace

@@ -1,13 +1,15 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
-#include <array>
-
+#include "app/editor/commands/degree_commands.h"
+#include "app/editor/commands/knot_commands.h"
 #include "app/editor/formula.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"
 #include "app/ui/section.h"
 #include "app/ui/style.h"
 #include "app/ui/typing.h"
+#include "core/base/sentence.h"
 #include "core/curve/knot_analysis.h"
 #include "core/edit/knot_edit.h"
 
@@ -15,17 +17,6 @@ namespace batten::ui {
 namespace {
 
 using core::KnotKind;
-
-struct Choice {
-    KnotKind kind;
-    const char* argument;  ///< of the command set-kind
-};
-
-constexpr std::array choices{
-    Choice{KnotKind::uniform, "uniform"},   Choice{KnotKind::clamped_uniform, "clamped-uniform"},
-    Choice{KnotKind::bezier, "bezier"},     Choice{KnotKind::piecewise_bezier, "piecewise-bezier"},
-    Choice{KnotKind::periodic, "periodic"}, Choice{KnotKind::custom, "custom"},
-};
 
 std::string family_text(const core::Curve& curve) {
     const bool is_bezier = core::is_of_kind(curve.knots(), KnotKind::bezier);
@@ -38,7 +29,8 @@ std::string info_text(const core::Curve& curve) {
     const core::KnotVector& knots = curve.knots();
     const char* ends = curve.is_periodic() ? "periodic" : core::is_clamped(knots) ? "clamped" : "unclamped";
     const std::optional<int> continuity = core::least_continuity(knots);
-    return family_text(curve) + " · " + ends + " · " + (continuity ? editor::continuity_text(*continuity) : "C^{∞}");
+    return fmt::format("{} · {} · {}", family_text(curve), ends,
+                       continuity ? editor::continuity_text(*continuity) : "C^{∞}");
 }
 
 void draw_degree_number(const PanelContext& context, const core::Curve& curve, float width_px) {
@@ -46,31 +38,33 @@ void draw_degree_number(const PanelContext& context, const core::Curve& curve, f
     field.name = "degree";
     field.value = curve.degree();
     field.decimals = 0;
+    field.is_whole = true;
     field.speed = 0.04;
     field.width_px = width_px;
     field.lowest = core::min_degree;
     field.highest = core::max_degree;
     field.is_enabled = is_editable(context.state);
     field.tooltip = locked_sentence(context.state);
-    draw_number_field(context, field, [](double value) { return editor::Command{"set-degree", {value}}; });
+    draw_number_field(context, field,
+                      [](double value) { return editor::SetDegree{.degree = static_cast<int>(value)}; });
 }
 
 /// Another degree with the same control points.
 void draw_degree_step(const PanelContext& context, const char* name, Icon icon, int degree) {
     Button button{name, "", icon, context.px(24)};
     button.is_enabled = degree >= core::min_degree && degree <= core::max_degree;
-    draw_command_button(context, button, "set-degree", {static_cast<double>(degree)});
+    draw_command_button(context, button, editor::SetDegree{.degree = degree});
 }
 
 /// Where there is no room for words the sign alone says whether the shape stays.
 void draw_degree_buttons(const PanelContext& context, bool has_words, float width_px) {
     Button button{"degree raise", has_words ? "≅ raise" : "≅", Icon::none, width_px};
     button.is_small = has_words;
-    draw_command_button(context, button, "elevate");
+    draw_command_button(context, button, editor::Elevate{.by = 1});
     stay_in_row(context);
     button.name = "degree lower";
     button.text = has_words ? "≠ lower" : "≠";
-    draw_command_button(context, button, "reduce");
+    draw_command_button(context, button, editor::Reduce{.by = 1});
 }
 
 void draw_degree_row(const PanelContext& context, const core::Curve& curve) {
@@ -91,17 +85,18 @@ const char* kind_text(const core::KnotVector& knots, KnotKind kind) {
     return kind == KnotKind::custom && !core::is_uniform(knots) ? "non-uniform" : core::title_of(kind);
 }
 
-void draw_choice(const PanelContext& context, const core::Curve& curve, const Choice& choice, float width_px) {
-    const core::Result<core::Curve> result = core::set_knot_kind(curve, choice.kind);
-    Button button{std::string("knots ") + choice.argument, core::title_of(choice.kind), Icon::none, width_px};
+void draw_choice(const PanelContext& context, const core::Curve& curve, KnotKind kind, float width_px) {
+    const core::Result<core::Curve> result = core::set_knot_kind(curve, kind);
+    Button button{fmt::format("knots {}", core::name_of(kind)), core::title_of(kind), Icon::none, width_px};
     button.has_frame = false;
     button.anchor = render::Anchor::left;
-    button.is_active = curve.knots().kind() == choice.kind;
+    button.is_active = curve.knots().kind() == kind;
     button.is_enabled = result.has_value();
-    if (choice.kind == KnotKind::custom) button.tooltip = "Keeps these knots whatever happens to the points.";
-    if (!result) button.tooltip = "Not possible: " + core::describe(result.error()) + ".";
+    if (kind == KnotKind::custom) button.tooltip = "Keeps these knots whatever happens to the points.";
+    if (!result)
+        button.tooltip = core::sentence("Not possible: {reason}.", {{"reason", core::describe(result.error())}});
     if (!draw_button(context, button)) return;
-    context.queue.run("set-kind", {choice.argument});
+    context.queue.run(editor::SetKind{.kind = kind});
     ImGui::CloseCurrentPopup();
 }
 
@@ -111,7 +106,8 @@ void draw_choices(const PanelContext& context, const core::Curve& curve, ImVec2 
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
     if (ImGui::BeginPopup("kinds")) {
         if (is_pressed(context, editor::Key::escape)) ImGui::CloseCurrentPopup();
-        for (const Choice& choice : choices) draw_choice(context, curve, choice, width_px - context.px(8));
+        for (const auto& kind : core::Names<KnotKind>::table)
+            draw_choice(context, curve, kind.value, width_px - context.px(8));
         ImGui::EndPopup();
     }
     ImGui::PopStyleVar(2);
@@ -145,8 +141,9 @@ void draw_closed_row(const PanelContext& context, const core::Curve& curve) {
     const bool is_possible = !curve.is_periodic() || core::set_periodic(curve, false).has_value();
     box.is_enabled = is_possible && is_editable(context.state);
     box.tooltip = is_possible ? locked_sentence(context.state)
-                              : "Not possible: " + core::describe(core::set_periodic(curve, false).error()) + ".";
-    if (draw_check_box(context, box)) context.queue.run("toggle-closed");
+                              : core::sentence("Not possible: {reason}.",
+                                               {{"reason", core::describe(core::set_periodic(curve, false).error())}});
+    if (draw_check_box(context, box)) context.queue.run(editor::ToggleClosed{});
 }
 
 }  // namespace

@@ -1,12 +1,14 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
-#include <array>
-#include <cstdio>
-
+#include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/tool_commands.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/section.h"
 #include "app/ui/style.h"
 #include "app/ui/typing.h"
+#include "core/base/sentence.h"
 
 namespace batten::ui {
 namespace {
@@ -17,13 +19,6 @@ constexpr double icon_width = 26.0;
 constexpr std::size_t most_rows = 8;
 constexpr std::size_t swatches_in_row = 4;
 
-std::string hex_text(core::DocumentColor color) {
-    std::array<char, 8> text{};
-    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", static_cast<unsigned>(color.red),
-                  static_cast<unsigned>(color.green), static_cast<unsigned>(color.blue));
-    return text.data();
-}
-
 core::DocumentColor document_color(render::Color color) {
     return {color.red, color.green, color.blue};
 }
@@ -33,13 +28,22 @@ render::Color shown_color(const PanelContext& context, const core::DocumentCurve
     return {curve.color->red, curve.color->green, curve.color->blue, 255};
 }
 
-void set_color(const PanelContext& context, std::size_t i, const std::string& color) {
-    context.queue.run("set-curve-color", {static_cast<double>(i), color});
+void set_color(const PanelContext& context, std::size_t i, std::optional<core::DocumentColor> color) {
+    context.queue.run(editor::SetCurveColor{.index = i, .color = color});
+}
+
+/// What was typed; a text that is no color is refused with a sentence.
+void set_typed_color(const PanelContext& context, std::size_t i, const std::string& text) {
+    if (const auto color = core::color_of_text(text))
+        set_color(context, i, *color);
+    else
+        context.queue.change(editor::ShowRefusal{
+            core::sentence("the color is '{text}'; it must be of the form #4c7fe0", {{"text", text}})});
 }
 
 bool draw_swatch(const PanelContext& context, const std::string& name, render::Color color, float size_px) {
     const bool is_clicked = ImGui::InvisibleButton(name.c_str(), ImVec2(size_px, size_px));
-    report_item(context, name, hex_text(document_color(color)));
+    report_item(context, name, core::color_text(document_color(color)));
     ImDrawList* list = ImGui::GetWindowDrawList();
     list->AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), imgui_packed(color), context.px(4));
     const render::Color edge = ImGui::IsItemHovered() ? context.theme.text : context.theme.line;
@@ -48,17 +52,16 @@ bool draw_swatch(const PanelContext& context, const std::string& name, render::C
     return is_clicked;
 }
 
-/// The typed colour; what is no colour is refused by the command with its sentence.
 void draw_typed_color(const PanelContext& context, std::size_t i, const core::DocumentCurve& curve) {
     TextField field;
     field.name = "color typed";
-    field.shown = curve.color ? hex_text(*curve.color) : "#";
+    field.shown = curve.color ? core::color_text(*curve.color) : "#";
     field.width_px = context.px(4 * 26 + 3 * row_gap);
     field.font = context.fonts.number;
     field.tooltip = "Red, green and blue as #rrggbb";
     const TextEvents events = draw_text_field(context, field);
     if (events.begins) begin_typing(context.panels.field, events.id, field.shown);
-    if (events.typed) set_color(context, i, *events.typed);
+    if (events.typed) set_typed_color(context, i, *events.typed);
 }
 
 void draw_color_popup(const PanelContext& context, std::size_t i, const core::DocumentCurve& curve) {
@@ -69,13 +72,13 @@ void draw_color_popup(const PanelContext& context, std::size_t i, const core::Do
         for (std::size_t k = 0; k < context.theme.palette.size(); ++k) {
             if (k % swatches_in_row != 0) stay_in_row(context);
             const render::Color color = context.theme.palette[k];
-            if (draw_swatch(context, "color " + std::to_string(k), color, context.px(26)))
-                set_color(context, i, hex_text(document_color(color)));
+            if (draw_swatch(context, fmt::format("color {}", k), color, context.px(26)))
+                set_color(context, i, document_color(color));
         }
         draw_typed_color(context, i, curve);
         Button none{"color none", "as the theme", Icon::none, context.px(4 * 26 + 3 * row_gap)};
         none.is_active = !curve.color;
-        if (draw_button(context, none)) set_color(context, i, "none");
+        if (draw_button(context, none)) set_color(context, i, std::nullopt);
         ImGui::EndPopup();
     }
     ImGui::PopStyleVar(2);
@@ -85,7 +88,7 @@ void draw_color(const PanelContext& context, std::size_t i, const core::Document
     const float size = context.px(14);
     const float top = origin.y + 0.5F * (context.px(row_height) - size);
     ImGui::SetCursorScreenPos(ImVec2(origin.x + context.px(overhang), top));
-    const std::string name = "curve " + std::to_string(i) + " color";
+    const std::string name = fmt::format("curve {} color", i);
     if (draw_swatch(context, name, shown_color(context, curve), size)) ImGui::OpenPopup("colors");
     draw_color_popup(context, i, curve);
 }
@@ -93,7 +96,7 @@ void draw_color(const PanelContext& context, std::size_t i, const core::Document
 void draw_name(const PanelContext& context, std::size_t i, const core::DocumentCurve& curve, ImVec2 origin,
                float right) {
     TextField field;
-    field.name = "curve " + std::to_string(i) + " name";
+    field.name = fmt::format("curve {} name", i);
     field.shown = curve.name;
     const float left = origin.x + context.px(overhang + 24);
     field.width_px = right - left - context.px(row_gap);
@@ -104,26 +107,25 @@ void draw_name(const PanelContext& context, std::size_t i, const core::DocumentC
     field.tooltip = "Click to make it the active curve, double-click to rename it";
     ImGui::SetCursorScreenPos(ImVec2(left, origin.y));
     const TextEvents events = draw_text_field(context, field);
-    const auto index = static_cast<double>(i);
     if (events.begins) begin_typing(context.panels.field, events.id, curve.name);
-    if (events.typed) context.queue.run("rename-curve", {index, *events.typed});
-    if (events.is_clicked && context.state.shown().active != i) context.queue.run("activate-curve", {index});
+    if (events.typed) context.queue.run(editor::RenameCurve{.index = i, .name = *events.typed});
+    if (events.is_clicked && context.state.shown().active != i) context.queue.run(editor::ActivateCurve{.index = i});
 }
 
 void draw_switches(const PanelContext& context, std::size_t i, const core::DocumentCurve& curve, ImVec2 origin,
                    float left) {
-    const std::string name = "curve " + std::to_string(i);
-    const auto index = static_cast<double>(i);
     ImGui::SetCursorScreenPos(ImVec2(left, origin.y + context.px(0.5)));
-    Button eye{name + " visible", "", curve.visible ? Icon::eye : Icon::closed_eye, context.px(icon_width)};
+    Button eye{fmt::format("curve {} visible", i), "", curve.visible ? Icon::eye : Icon::closed_eye,
+               context.px(icon_width)};
     eye.has_frame = false;
     eye.tooltip = curve.visible ? "Shown; click to hide" : "Hidden; click to show";
-    if (draw_button(context, eye)) context.queue.run("set-curve-visible", {index, curve.visible ? 0.0 : 1.0});
+    if (draw_button(context, eye)) context.queue.run(editor::SetCurveVisible{.index = i, .visible = !curve.visible});
     stay_in_row(context, 0.0);
-    Button lock{name + " locked", "", curve.locked ? Icon::lock : Icon::open_lock, context.px(icon_width)};
+    Button lock{fmt::format("curve {} locked", i), "", curve.locked ? Icon::lock : Icon::open_lock,
+                context.px(icon_width)};
     lock.has_frame = false;
     lock.tooltip = curve.locked ? "Locked; click to allow edits" : "Click to lock against edits";
-    if (draw_button(context, lock)) context.queue.run("set-curve-locked", {index, curve.locked ? 0.0 : 1.0});
+    if (draw_button(context, lock)) context.queue.run(editor::SetCurveLocked{.index = i, .locked = !curve.locked});
 }
 
 void draw_row(const PanelContext& context, std::size_t i, float width) {
@@ -152,11 +154,11 @@ void draw_buttons(const PanelContext& context) {
     const float width = (content_width(context) - 2.0F * context.px(row_gap)) / 3.0F;
     Button add{"new curve", "new", Icon::none, width};
     add.is_active = context.state.tool == editor::Tool::draw_curve;
-    draw_command_button(context, add, "tool-draw-curve");
+    draw_command_button(context, add, editor::TakeTool<editor::Tool::draw_curve>{});
     stay_in_row(context);
-    draw_command_button(context, {"duplicate curve", "duplicate", Icon::none, width}, "duplicate-curve");
+    draw_command_button(context, {"duplicate curve", "duplicate", Icon::none, width}, editor::DuplicateCurve::spec());
     stay_in_row(context);
-    draw_command_button(context, {"delete curve", "delete", Icon::none, width}, "delete-curve");
+    draw_command_button(context, {"delete curve", "delete", Icon::none, width}, editor::DeleteCurve::spec());
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "app/editor/commands/file_commands.h"
+#include "app/editor/commands/help_commands.h"
 #include "app/ui/dialog_frame.h"
 #include "app/ui/folder_list.h"
 #include "app/ui/imgui_compat.h"
@@ -50,7 +52,7 @@ void begin_choice(const PanelContext& context) {
         dialog.typed = path.empty() ? "untitled.json" : path.filename().string();
     }
     // An older sentence would look as if it were about this dialog.
-    if (context.state.message.is_error) context.queue.run("dismiss-message");
+    if (context.state.message.is_error) context.queue.run(editor::DismissMessage{});
 }
 
 /// The path that is meant by what was typed or pasted: absolute, from the home folder, or from the folder shown.
@@ -69,7 +71,7 @@ void save_as(const PanelContext& context, fs::path path) {
     if (fs::exists(path, error) && path != context.state.path) {
         context.panels.file_dialog.to_replace = path;
     } else {
-        context.queue.run("save-as", {path.string()});
+        context.queue.run(editor::SaveAs{.path = path});
     }
 }
 
@@ -86,7 +88,7 @@ void accept(const PanelContext& context) {
     } else if (is_saving(context)) {
         save_as(context, path);
     } else {
-        context.queue.run("open", {path.string()});
+        context.queue.run(editor::Open{.path = path});
         dialog.takes_focus = true;
     }
 }
@@ -206,7 +208,7 @@ void draw_question(const PanelContext& context, bool is_left) {
     const bool is_kept = draw_label_button(context, "dialog keep", "Keep");
     ImGui::SameLine();
     const bool is_replaced = draw_label_button(context, "dialog replace", "Replace", ButtonLook::primary);
-    if (is_replaced || was_pressed(context, editor::Key::enter)) context.queue.run("save-as", {path.string()});
+    if (is_replaced || was_pressed(context, editor::Key::enter)) context.queue.run(editor::SaveAs{.path = path});
     if (is_replaced || is_kept || is_left || was_pressed(context, editor::Key::enter)) {
         dialog.to_replace.reset();
         dialog.takes_focus = true;
@@ -216,7 +218,7 @@ void draw_question(const PanelContext& context, bool is_left) {
 void draw_answers(const PanelContext& context, bool is_left) {
     const char* accept_label = is_saving(context) ? "Save" : "Open";
     place_buttons(context, "Cancel", accept_label);
-    if (draw_label_button(context, "dialog cancel", "Cancel") || is_left) context.queue.run("close-dialog");
+    if (draw_label_button(context, "dialog cancel", "Cancel") || is_left) context.queue.run(editor::CloseDialog{});
     ImGui::SameLine();
     const bool is_accepted = draw_label_button(context, is_saving(context) ? "dialog save" : "dialog open",
                                                accept_label, ButtonLook::primary);

@@ -1,5 +1,7 @@
 #include <imgui.h>
 
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/help_commands.h"
 #include "app/editor/formula.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/section.h"
@@ -78,7 +80,7 @@ void draw_row(const PanelContext& context, std::size_t i, float width) {
     }
     show_tooltip(context, tooltip_of(finding));
     draw_texts(context, finding, i, origin, width);
-    if (is_clicked && finding.parameter) context.queue.run("set-parameter", {*finding.parameter});
+    if (is_clicked && finding.parameter) context.queue.run(editor::SetParameter{.u = *finding.parameter});
 }
 
 }  // namespace
@@ -91,7 +93,7 @@ void draw_findings_section(const PanelContext& context) {
         if (count > 0) draw_row_list(context, {"findings", count, most_rows, row_height, overhang}, draw_row);
         Button clear{"clear findings", "clear", Icon::none, content_width(context)};
         clear.tooltip = "Forgets these results and their marks on the canvas (Escape)";
-        if (draw_button(context, clear)) context.queue.run("escape", {"findings"});
+        if (draw_button(context, clear)) context.queue.run(editor::Escape{.what = editor::Escapable::findings});
     }
     add_space(context, 6);
 }

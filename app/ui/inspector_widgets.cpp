@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/command_table.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/rich_text.h"
@@ -123,14 +122,22 @@ bool draw_button(const PanelContext& context, const Button& button) {
     return is_clicked && button.is_enabled;
 }
 
-void draw_command_button(const PanelContext& context, Button button, const std::string& command,
-                         const std::vector<editor::Argument>& arguments) {
-    const editor::CommandSpec* spec = editor::find_command(command);
-    if (spec != nullptr) {
-        button.is_enabled = button.is_enabled && !refusal_of(*spec, context.state);
-        if (button.tooltip.empty()) button.tooltip = command_tooltip(*spec, context.state);
-    }
-    if (draw_button(context, button)) context.queue.run(command, arguments);
+namespace {
+
+bool draw_described_button(const PanelContext& context, Button button, const editor::CommandSpec& spec) {
+    button.is_enabled = button.is_enabled && !refusal_of(spec, context.state);
+    if (button.tooltip.empty()) button.tooltip = command_tooltip(spec, context.state);
+    return draw_button(context, button);
+}
+
+}  // namespace
+
+void draw_command_button(const PanelContext& context, Button button, const editor::Command& command) {
+    if (draw_described_button(context, std::move(button), command.spec())) context.queue.run(command);
+}
+
+void draw_command_button(const PanelContext& context, Button button, const editor::CommandSpec& spec) {
+    if (draw_described_button(context, std::move(button), spec)) run_command(context, spec);
 }
 
 bool draw_check_box(const PanelContext& context, const Button& button) {

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "app/editor/command_spec.h"
 #include "app/ui/panels.h"
 
 namespace batten::ui {
@@ -54,9 +55,11 @@ struct Button {
 /// Returns whether it was clicked while enabled.
 bool draw_button(const PanelContext& context, const Button& button);
 
-/// A button that runs a command of the table; explanation, shortcut, effect on the shape and refusal come from there.
-void draw_command_button(const PanelContext& context, Button button, const std::string& command,
-                         const std::vector<editor::Argument>& arguments = {});
+/// A button that runs a command; explanation, shortcut, effect on the shape and refusal come from its description.
+void draw_command_button(const PanelContext& context, Button button, const editor::Command& command);
+
+/// The same for a command with what suggests itself.
+void draw_command_button(const PanelContext& context, Button button, const editor::CommandSpec& spec);
 
 /// A box with a tick and a text beside it, `width_px` wide in all. Returns whether it was clicked.
 bool draw_check_box(const PanelContext& context, const Button& button);

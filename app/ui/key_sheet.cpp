@@ -1,9 +1,12 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
 
 #include "app/editor/command_table.h"
+#include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/tool_commands.h"
 #include "app/ui/dialog_frame.h"
 #include "app/ui/fuzzy_match.h"
 #include "app/ui/imgui_compat.h"
@@ -59,26 +62,19 @@ Block strip_block() {
 std::string keys_of(const editor::CommandSpec& spec) {
     std::string keys = editor::text_of(spec.shortcut);
     const std::string second = editor::text_of(spec.second_shortcut);
-    return second.empty() ? keys : keys + ", " + second;
+    return second.empty() ? keys : fmt::format("{}, {}", keys, second);
 }
 
-bool begins_with(const std::string& text, const std::string& beginning) {
-    return text.rfind(beginning, 0) == 0;
-}
-
-Block command_block(const char* title, CommandGroup group) {
-    Block block{title, {}};
-    for (const editor::CommandSpec& spec : editor::command_table()) {
-        // The tools have a block of their own, and eight nudges would say no more than one line does.
-        if (spec.group != group || keys_of(spec).empty()) continue;
-        if (begins_with(spec.name, "tool-") || begins_with(spec.name, "nudge-")) continue;
-        block.entries.push_back({keys_of(spec), spec.title});
-    }
+Block command_block(CommandGroup group) {
+    Block block{core::title_of(group), {}};
+    for (const editor::CommandSpec& spec : editor::command_table())
+        if (spec.group == group && spec.offered.key_sheet && !keys_of(spec).empty())
+            block.entries.push_back({keys_of(spec), spec.title});
     return block;
 }
 
 Block edit_block() {
-    Block block = command_block("Edit", CommandGroup::edit);
+    Block block = command_block(CommandGroup::edit);
     block.entries.push_back({"Arrows", "Nudge points by a tenth"});
     block.entries.push_back({"Shift + arrows", "Nudge points by a grid step"});
     return block;
@@ -86,8 +82,9 @@ Block edit_block() {
 
 Block tool_block() {
     Block block{"Tools", {}};
-    for (const editor::CommandSpec& spec : editor::command_table()) {
-        if (begins_with(spec.name, "tool-")) block.entries.push_back({keys_of(spec), spec.title});
+    for (const editor::Tool tool : editor::all_tools) {
+        const editor::CommandSpec& spec = editor::take_tool_spec(tool);
+        block.entries.push_back({keys_of(spec), spec.title});
     }
     return block;
 }
@@ -103,16 +100,16 @@ Block filtered(const Block& block, const std::string& filter) {
 
 std::vector<Block> blocks_of(const std::string& filter) {
     const std::array all{mouse_block(),
-                         command_block("View", CommandGroup::view),
+                         command_block(CommandGroup::view),
                          edit_block(),
                          tool_block(),
                          strip_block(),
-                         command_block("File", CommandGroup::file),
-                         command_block("Construct", CommandGroup::construct),
-                         command_block("Make", CommandGroup::make),
-                         command_block("Curve", CommandGroup::curve),
-                         command_block("Analyze", CommandGroup::analyze),
-                         command_block("Help", CommandGroup::help)};
+                         command_block(CommandGroup::file),
+                         command_block(CommandGroup::construct),
+                         command_block(CommandGroup::make),
+                         command_block(CommandGroup::curve),
+                         command_block(CommandGroup::analyze),
+                         command_block(CommandGroup::help)};
     std::vector<Block> blocks;
     for (const Block& block : all) {
         Block rest = filtered(block, filter);
@@ -174,7 +171,7 @@ void draw_key_sheet(const PanelContext& context, const Rectangle& window) {
     end_dialog();
     if (!is_left) return;
     context.panels.key_sheet_filter.clear();
-    context.queue.run("close-dialog");
+    context.queue.run(editor::CloseDialog{});
 }
 
 }  // namespace batten::ui

@@ -1,9 +1,13 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/view_commands.h"
 #include "app/editor/expression.h"
 #include "app/editor/formula.h"
 #include "app/ui/inspector_widgets.h"
@@ -12,6 +16,7 @@
 #include "app/ui/style.h"
 #include "app/ui/typing.h"
 #include "core/base/number_text.h"
+#include "core/base/sentence.h"
 #include "core/curve/knot_analysis.h"
 
 namespace batten::ui {
@@ -31,7 +36,7 @@ struct Stack {
     core::DistinctKnot knot;
     std::size_t first = 0;
     std::size_t last = 0;
-    double lowest = 0.0;  ///< the neighbouring values
+    double lowest = 0.0;  ///< the neighboring values
     double highest = 0.0;
 };
 
@@ -95,27 +100,27 @@ void draw_diamond(const PanelContext& context, ImVec2 center, render::Color colo
 
 void draw_name(const Table& table, const Stack& stack, ImVec2 origin) {
     const PanelContext& context = table.context;
-    const std::string first = std::to_string(stack.first);
-    const std::string indices = stack.first == stack.last ? first : first + "–" + std::to_string(stack.last);
-    const std::string name = "knot " + first + " name";
+    const std::string indices =
+        stack.first == stack.last ? fmt::format("{}", stack.first) : fmt::format("{}–{}", stack.first, stack.last);
+    const std::string name = fmt::format("knot {} name", stack.first);
     if (ImGui::InvisibleButton(name.c_str(), ImVec2(context.px(overhang + name_width), context.px(row_height)))) {
         context.panels.inspector.followed_knot = stack.last;
-        context.queue.run("select-knot", {static_cast<double>(stack.last)});
+        context.queue.run(editor::SelectKnot{.index = stack.last});
     }
-    report_item(context, name, "u" + indices);
+    report_item(context, name, fmt::format("u{}", indices));
     const float middle = origin.y + 0.5F * context.px(row_height);
     const render::Color color = stack.knot.in_domain ? context.theme.text : context.theme.dim;
     draw_diamond(context, ImVec2(origin.x + context.px(overhang + 8), middle),
                  is_selected(context, stack) ? context.theme.accent : color, is_selected(context, stack));
-    draw_text(
-        context, ImVec2(origin.x + context.px(overhang + 20), middle),
-        {"u_{" + indices + "}", context.fonts.text, 0.0, color, render::Anchor::left, context.px(name_width - 22)});
+    draw_text(context, ImVec2(origin.x + context.px(overhang + 20), middle),
+              {fmt::format("u_{{{}}}", indices), context.fonts.text, 0.0, color, render::Anchor::left,
+               context.px(name_width - 22)});
 }
 
 void draw_value(const Table& table, const Stack& stack) {
     const PanelContext& context = table.context;
     NumberField field;
-    field.name = "knot " + std::to_string(stack.first) + " value";
+    field.name = fmt::format("knot {} value", stack.first);
     field.value = stack.knot.value;
     field.decimals = table.decimals;
     field.speed = step_of(table.decimals);
@@ -129,7 +134,7 @@ void draw_value(const Table& table, const Stack& stack) {
         field.tooltip = "Takes one knot out of the stack: the last one upwards, the first one downwards.";
     draw_number_field(context, field, [stack](double u) {
         const std::size_t index = u < stack.knot.value ? stack.first : stack.last;
-        return editor::Command{"set-knot", {static_cast<double>(index), u}};
+        return editor::SetKnot{.index = index, .u = u};
     });
 }
 
@@ -138,7 +143,7 @@ void draw_multiplicity(const Table& table, const Stack& stack, ImVec2 origin) {
     const float middle = origin.y + 0.5F * context.px(row_height);
     const float left = origin.x + context.px(overhang + name_width + 10) + table.value_width;
     const render::Color color = stack.knot.is_interior ? context.theme.text : context.theme.dim;
-    const std::string count = "×" + std::to_string(stack.knot.multiplicity);
+    const std::string count = fmt::format("×{}", stack.knot.multiplicity);
     const bool is_end = stack.knot.in_domain && !stack.knot.is_interior;
     const bool is_clamped = is_end && stack.knot.multiplicity > table.curve.degree();
     const std::string continuity = !stack.knot.in_domain ? "outside"
@@ -150,26 +155,26 @@ void draw_multiplicity(const Table& table, const Stack& stack, ImVec2 origin) {
               {continuity, context.fonts.text, 0.0, color, render::Anchor::left, context.px(48)});
     ImGui::SetCursorScreenPos(ImVec2(left, origin.y));
     ImGui::Dummy(ImVec2(context.px(70), context.px(row_height)));
-    report_item(context, "knot " + std::to_string(stack.first) + " continuity",
-                count + " " + editor::plain_text(continuity));
+    report_item(context, fmt::format("knot {} continuity", stack.first),
+                fmt::format("{} {}", count, editor::plain_text(continuity)));
 }
 
 void draw_steps(const Table& table, const Stack& stack, ImVec2 origin) {
     const PanelContext& context = table.context;
-    const std::string name = "knot " + std::to_string(stack.first);
-    const std::vector<editor::Argument> index{static_cast<double>(stack.last)};
     const float width = context.px(22);
     const float left = origin.x + table.row_width - context.px(overhang + row_gap) - 2.0F * width;
     ImGui::SetCursorScreenPos(ImVec2(left, origin.y + context.px(0.5 * (row_height - 20.0))));
-    draw_command_button(context, {name + " less", "", Icon::minus, width, 20.0}, "delete-knot", index);
+    draw_command_button(context, {fmt::format("knot {} less", stack.first), "", Icon::minus, width, 20.0},
+                        editor::DeleteKnot{.index = stack.last});
     stay_in_row(context);
-    Button more{name + " more", "", Icon::plus, width, 20.0};
+    Button more{fmt::format("knot {} more", stack.first), "", Icon::plus, width, 20.0};
     more.is_enabled = stack.knot.in_domain && stack.knot.multiplicity < most_equal(table.curve, stack);
     if (!stack.knot.in_domain)
         more.tooltip = "The knot is outside the domain; knots are inserted only inside.";
     else if (!more.is_enabled)
-        more.tooltip = "The multiplicity is " + std::to_string(stack.knot.multiplicity) + ", the most allowed here.";
-    draw_command_button(context, more, "raise-knot", index);
+        more.tooltip = core::sentence("The multiplicity is {multiplicity}, the most allowed here.",
+                                      {{"multiplicity", stack.knot.multiplicity}});
+    draw_command_button(context, more, editor::RaiseKnot{.index = stack.last});
 }
 
 void draw_row(const Table& table, std::size_t row) {
@@ -203,7 +208,7 @@ void follow_selection(const Table& table) {
     if (top < ImGui::GetScrollY() || top > ImGui::GetScrollY() + free) ImGui::SetScrollY(top - 0.5F * free);
 }
 
-/// Enough for the domain and to tell neighbouring knots apart.
+/// Enough for the domain and to tell neighboring knots apart.
 int decimals_of(const core::Curve& curve) {
     const double length = curve.domain().length();
     const double span = length / static_cast<double>(core::segment_count(curve.knots()));
@@ -238,8 +243,8 @@ struct MoveChoice {
 };
 
 constexpr std::array move_choices{
-    MoveChoice{core::KnotMove::stop, "A dragged knot stops at its neighbours."},
-    MoveChoice{core::KnotMove::push, "A dragged knot takes its neighbours along."},
+    MoveChoice{core::KnotMove::stop, "A dragged knot stops at its neighbors."},
+    MoveChoice{core::KnotMove::push, "A dragged knot takes its neighbors along."},
     MoveChoice{core::KnotMove::snap, "A dragged knot jumps onto a near one and joins its stack."},
 };
 
@@ -248,10 +253,10 @@ void draw_move_row(const PanelContext& context) {
     const float width = (field_width(context) - 2.0F * context.px(row_gap)) / 3.0F;
     for (const MoveChoice& choice : move_choices) {
         const std::string text = core::name_of(choice.move);
-        Button button{"knot move " + text, text, Icon::none, width};
+        Button button{fmt::format("knot move {}", text), text, Icon::none, width};
         button.is_active = context.state.view.knot_move == choice.move;
         button.tooltip = choice.tooltip;
-        if (draw_button(context, button)) context.queue.run("set-knot-move", {text});
+        if (draw_button(context, button)) context.queue.run(editor::SetKnotMove{.mode = choice.move});
         if (choice.move != move_choices.back().move) stay_in_row(context);
     }
 }
@@ -282,19 +287,18 @@ void draw_insert_row(const PanelContext& context, const core::Curve& curve) {
     const std::optional<NumberEdit> edit = edit_number(context, field);
     if (edit) context.panels.inspector.insert_at = edit->value;
     const double u = edit ? edit->value : field.value;
-    if (edit && edit->is_entered) context.queue.run("insert-knot", {u});
+    if (edit && edit->is_entered) context.queue.run(editor::InsertKnot{.u = u});
     stay_in_row(context);
-    draw_command_button(context, insert, "insert-knot", {u});
+    draw_command_button(context, insert, editor::InsertKnot{.u = u});
     stay_in_row(context);
-    draw_command_button(context, midpoints, "insert-midpoints");
+    draw_command_button(context, midpoints, editor::InsertMidpoints{});
 }
 
 std::string list_text(std::span<const double> values, std::size_t most_characters) {
     std::string text;
     for (const double value : values) {
-        if (text.size() > most_characters) return text + ", …";
-        if (!text.empty()) text += ", ";
-        text += core::shortest_text(value);
+        if (text.size() > most_characters) return text.append(", …");
+        text.append(text.empty() ? "" : ", ").append(core::shortest_text(value));
     }
     return text;
 }
@@ -315,7 +319,7 @@ void draw_vector_row(const PanelContext& context, const core::Curve& curve) {
     if (events.typed) {
         const auto values = editor::parse_expressions(*events.typed);
         if (values) {
-            context.queue.run("set-knots", {*values});
+            context.queue.run(editor::SetKnots{.knots = *values});
         } else {
             set_problem(state, events.id, values.error());
         }
@@ -328,8 +332,8 @@ void draw_vector_row(const PanelContext& context, const core::Curve& curve) {
 void draw_knots_section(const PanelContext& context) {
     const core::Curve& curve = *context.state.active_curve();
     const std::size_t segments = core::segment_count(curve.knots());
-    const std::string info = std::to_string(curve.knots().stored().size()) + " · " + std::to_string(segments) +
-                             (segments == 1 ? " segment" : " segments");
+    const std::string info = core::sentence({.one = "{knots} · 1 segment", .many = "{knots} · {count} segments"},
+                                            segments, {{"knots", curve.knots().stored().size()}});
     if (draw_section_heading(context, {"knots", "Knots", info, false})) {
         draw_table(context, curve);
         add_space(context, 4);

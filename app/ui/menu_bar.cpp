@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -5,6 +6,8 @@
 #include <functional>
 #include <string_view>
 
+#include "app/editor/command_table.h"
+#include "app/editor/commands/file_commands.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/example_list.h"
 #include "app/ui/imgui_compat.h"
@@ -20,29 +23,15 @@ namespace {
 using editor::CommandGroup;
 using editor::CommandSpec;
 
-struct Menu {
-    CommandGroup group;
-    const char* title;
-    const char* place_name;
-};
-
-constexpr std::array menus{Menu{CommandGroup::file, "File", "menu file"},
-                           Menu{CommandGroup::edit, "Edit", "menu edit"},
-                           Menu{CommandGroup::make, "Make", "menu make"},
-                           Menu{CommandGroup::curve, "Curve", "menu curve"},
-                           Menu{CommandGroup::construct, "Construct", "menu construct"},
-                           Menu{CommandGroup::analyze, "Analyze", "menu analyze"},
-                           Menu{CommandGroup::view, "View", "menu view"},
-                           Menu{CommandGroup::help, "Help", "menu help"}};
-
 /// The commands of a menu, or of one of its submenus, that stand together in one column.
 struct Column {
     CommandGroup group;
     const char* submenu = nullptr;
 
     bool holds(const CommandSpec& spec) const {
-        return spec.group == group && std::string_view(spec.submenu == nullptr ? "" : spec.submenu) ==
-                                          std::string_view(submenu == nullptr ? "" : submenu);
+        return spec.offered.menu && spec.group == group &&
+               std::string_view(spec.submenu == nullptr ? "" : spec.submenu) ==
+                   std::string_view(submenu == nullptr ? "" : submenu);
     }
 };
 
@@ -59,11 +48,9 @@ float menu_text_width(const std::string& text) {
     return ImGui::CalcTextSize(text.c_str()).x;
 }
 
-/// With an ellipsis where arguments have to be typed first.
-std::string entry_title(const PanelContext& context, const CommandSpec& spec) {
-    const std::string title = spec.title;
-    const bool has_ellipsis = title.size() > 3 && title.substr(title.size() - 3) == "…";
-    return has_ellipsis || !needs_typing(spec, context.state) ? title : title + "…";
+/// With an ellipsis where a form asks for more.
+std::string entry_title(const CommandSpec& spec) {
+    return has_form(spec) ? fmt::format("{}…", spec.title) : spec.title;
 }
 
 Columns columns_of(const PanelContext& context, const Column& column) {
@@ -72,7 +59,7 @@ Columns columns_of(const PanelContext& context, const Column& column) {
     for (const CommandSpec& spec : editor::command_table()) {
         if (!column.holds(spec)) continue;
         const std::string shortcut = editor::text_of(spec.shortcut);
-        columns.title = std::max(columns.title, menu_text_width(entry_title(context, spec)) + context.px(8));
+        columns.title = std::max(columns.title, menu_text_width(entry_title(spec)) + context.px(8));
         if (spec.is_checked != nullptr) columns.check = context.px(22);
         if (spec.effect != editor::ShapeEffect::none) columns.sign = context.px(32);
         if (!shortcut.empty()) columns.shortcut = std::max(columns.shortcut, menu_text_width(shortcut) + gap);
@@ -95,7 +82,7 @@ void draw_entry_texts(const PanelContext& context, const CommandSpec& spec, cons
     const render::Color dim = is_enabled ? context.theme.dim : render::faded(context.theme.dim, 0.55);
     if (spec.is_checked != nullptr && spec.is_checked(context.state)) draw_check(context, corner);
     float x = corner.x + columns.check;
-    list->AddText({x, corner.y}, imgui_packed(text), entry_title(context, spec).c_str());
+    list->AddText({x, corner.y}, imgui_packed(text), entry_title(spec).c_str());
     x += columns.title + columns.sign;
     const char* sign = effect_sign(spec.effect);
     list->AddText({x - menu_text_width(sign), corner.y}, imgui_packed(dim), sign);
@@ -112,7 +99,7 @@ void draw_entry(const PanelContext& context, const CommandSpec& spec, const Colu
         ImGui::Selectable("##entry", false, is_enabled ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled,
                           ImVec2(columns.total(), 0.0F));
     ImGui::PopID();
-    report_item(context, std::string("menu-item ") + spec.name, is_enabled ? "enabled" : "disabled");
+    report_item(context, fmt::format("menu-item {}", spec.name), is_enabled ? "enabled" : "disabled");
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
         draw_side_tooltip(context, command_tooltip(spec, context.state));
     }
@@ -127,10 +114,10 @@ void draw_recent_files(const PanelContext& context) {
         const std::string path = files[i].string();
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Selectable(elided(path, context.fonts.text, context.px(460)).c_str())) {
-            context.queue.run("open", {path});
+            context.queue.run(editor::Open{.path = path});
         }
         ImGui::PopID();
-        report_item(context, "menu-item recent " + std::to_string(i), path);
+        report_item(context, fmt::format("menu-item recent {}", i), path);
     }
     ImGui::EndMenu();
 }
@@ -139,9 +126,9 @@ void draw_examples(const PanelContext& context) {
     if (!ImGui::BeginMenu("Examples")) return;
     for (const Example& example : examples_of(context)) {
         ImGui::PushID(example.name.c_str());
-        if (ImGui::Selectable(title_of(example).c_str())) context.queue.run("open-example", {example.name});
+        if (ImGui::Selectable(title_of(example).c_str())) context.queue.run(editor::OpenExample{.name = example.name});
         ImGui::PopID();
-        report_item(context, "menu-item example " + example.name);
+        report_item(context, fmt::format("menu-item example {}", example.name));
     }
     ImGui::EndMenu();
 }
@@ -171,7 +158,7 @@ void draw_submenu_of_commands(const PanelContext& context, const CommandSpec& fi
         draw_column(inner, {first.group, first.submenu});
         ImGui::EndMenu();
     };
-    draw_submenu(context, std::string("menu-item ") + first.submenu, draw);
+    draw_submenu(context, fmt::format("menu-item {}", first.submenu), draw);
 }
 
 /// The submenus of a menu stand where their first commands do.
@@ -187,27 +174,25 @@ void draw_column(const PanelContext& context, const Column& column) {
         const bool opens_submenu = column.submenu == nullptr && spec.group == column.group && spec.submenu != nullptr;
         if (opens_submenu && is_first_of_submenu(spec)) draw_submenu_of_commands(context, spec);
         if (!column.holds(spec)) continue;
-        const std::string name = spec.name;
-        if (name == "open-example") {
+        if (&spec == &editor::OpenExample::spec())
             draw_submenu(context, "menu-item examples", draw_examples);
-        } else {
+        else
             draw_entry(context, spec, columns);
-        }
-        if (name == "open") draw_submenu(context, "menu-item open-recent", draw_recent_files);
+        if (&spec == &editor::Open::spec()) draw_submenu(context, "menu-item open-recent", draw_recent_files);
     }
     if (columns.sign > 0.0F) draw_legend(context);
 }
 
-void draw_menu(const PanelContext& context, const Menu& menu, const Rectangle& bar) {
+void draw_menu(const PanelContext& context, const core::Named<CommandGroup>& menu, const Rectangle& bar) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     context.widgets.push_back(
-        {menu.place_name,
+        {fmt::format("menu {}", menu.name),
          {{ImGui::GetCursorScreenPos().x, bar.origin_px.y}, {menu_text_width(menu.title) + gap, bar.size_px.y}},
          {}});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(14), context.px(11)));
     if (ImGui::BeginMenu(menu.title)) {
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(16), context.px(9)));
-        draw_column(context, {menu.group});
+        draw_column(context, {menu.value});
         ImGui::PopStyleVar();
         ImGui::EndMenu();
     }
@@ -218,7 +203,8 @@ void draw_file_name(const PanelContext& context, const Rectangle& place) {
     const std::string mark = context.state.is_modified() ? " •" : "";
     const float right = static_cast<float>(place.origin_px.x + place.size_px.x) - context.px(16);
     const float room = right - ImGui::GetCursorScreenPos().x - context.px(16);
-    const std::string text = elided(context.state.file_name(), context.fonts.text, room - menu_text_width(mark)) + mark;
+    const std::string text =
+        elided(context.state.file_name(), context.fonts.text, room - menu_text_width(mark)).append(mark);
     const float line = font_height(context.fonts.text);
     const ImVec2 corner(right - menu_text_width(text),
                         static_cast<float>(place.origin_px.y) + 0.5F * (static_cast<float>(place.size_px.y) - line));
@@ -242,7 +228,8 @@ void draw_menu_bar(const PanelContext& context, const Rectangle& place) {
         ImGui::TextUnformatted("batten");
         ImGui::PopStyleColor();
         ImGui::PopFont();
-        for (const Menu& menu : menus) draw_menu(context, menu, place);
+        for (const auto& menu : core::Names<CommandGroup>::table)
+            if (menu.value != CommandGroup::gesture) draw_menu(context, menu, place);
         draw_file_name(context, place);
         ImGui::EndMenuBar();
     }

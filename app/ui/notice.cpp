@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <cmath>
 
+#include "app/editor/commands/help_commands.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/panels.h"
 #include "app/ui/shell_widgets.h"
@@ -68,7 +69,8 @@ void draw_notice(const PanelContext& context, const Rectangle& canvas) {
         {"notice text", {{text_corner.x, text_corner.y}, {text_size.x, text_size.y}}, message.text});
     ImGui::SetCursorScreenPos(
         {corner.x + size.x - context.px(padding + cross_size - 4.0), corner.y + context.px(padding - 2.0)});
-    if (draw_cross_button(context, "notice dismiss", context.px(cross_size))) context.queue.run("dismiss-message");
+    if (draw_cross_button(context, "notice dismiss", context.px(cross_size)))
+        context.queue.run(editor::DismissMessage{});
     ImGui::End();
 }
 

@@ -12,11 +12,10 @@
 #include "app/ui/rich_text.h"
 #include "app/ui/typing.h"
 #include "core/base/number_text.h"
+#include "core/base/sentence.h"
 
 namespace batten::ui {
 namespace {
-
-using editor::Phase;
 
 constexpr double padding = 8.0;         // of the text, in design pixels
 constexpr float drag_threshold = 3.0F;  // design pixels before a press becomes a drag
@@ -64,13 +63,13 @@ std::optional<NumberEdit> drag(const PanelContext& context, const NumberField& f
     if (state.is_given_up) return std::nullopt;
     if (is_pressed(context, editor::Key::escape)) {
         state.is_given_up = true;
-        return NumberEdit{state.start, Phase::cancel};
+        return NumberEdit{state.start, EditPhase::cancel};
     }
     follow_pointer(context, field);
     const double value = dragged_value(state, field);
     if (value == state.previewed) return std::nullopt;
     state.previewed = value;
-    return NumberEdit{value, Phase::preview};
+    return NumberEdit{value, EditPhase::preview};
 }
 
 std::optional<NumberEdit> end_drag(FieldState& state) {
@@ -78,7 +77,7 @@ std::optional<NumberEdit> end_drag(FieldState& state) {
     state.is_dragging = false;
     if (state.is_given_up) return std::nullopt;
     const bool is_changed = state.previewed != state.start;
-    return NumberEdit{state.previewed, is_changed ? Phase::commit : Phase::cancel};
+    return NumberEdit{state.previewed, is_changed ? EditPhase::commit : EditPhase::cancel};
 }
 
 void begin_drag(FieldState& state, unsigned id, double value) {
@@ -141,14 +140,19 @@ std::optional<NumberEdit> end_typed(const PanelContext& context, const NumberFie
     const bool is_entered = step == TypingStep::entered;
     // What was not touched stays exactly as it is.
     if (state.typed == state.original)
-        return is_entered ? std::optional(NumberEdit{field.value, Phase::commit, true}) : std::nullopt;
+        return is_entered ? std::optional(NumberEdit{field.value, EditPhase::commit, true}) : std::nullopt;
     const auto value = editor::parse_expression(state.typed);
     if (!value) {
         refuse(state, id, step, value.error());
         return std::nullopt;
     }
+    if (field.is_whole && std::trunc(*value) != *value) {
+        refuse(state, id, step,
+               core::sentence("{value} is not a whole number", {{"value", editor::number_text(*value, 6)}}));
+        return std::nullopt;
+    }
     if (*value == field.value && !is_entered) return std::nullopt;
-    return NumberEdit{*value, Phase::commit, is_entered};
+    return NumberEdit{*value, EditPhase::commit, is_entered};
 }
 
 std::optional<NumberEdit> type(const PanelContext& context, const NumberField& field, unsigned id, ImVec2 size) {
@@ -185,12 +189,12 @@ void draw_number_field(const PanelContext& context, const NumberField& field,
     if (!edit) return;
     const bool changes_nothing = edit->value == field.value && (edit->is_entered || field.is_live);
     if (changes_nothing) return;
-    if (edit->phase == Phase::cancel && !field.is_live) return context.queue.cancel_preview();
+    if (edit->phase == EditPhase::cancel && !field.is_live) return context.queue.cancel_preview();
     editor::Command request = command(edit->value);
-    if (edit->phase == Phase::preview && !field.is_live)
-        context.queue.preview(std::move(request.name), std::move(request.arguments));
+    if (edit->phase == EditPhase::preview && !field.is_live)
+        context.queue.preview(std::move(request));
     else
-        context.queue.run(std::move(request.name), std::move(request.arguments));
+        context.queue.run(std::move(request));
 }
 
 int decimals_for(double size) {

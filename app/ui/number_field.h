@@ -23,16 +23,20 @@ struct NumberField {
     double height = 24.0;                                      ///< design pixels
     double lowest = -std::numeric_limits<double>::infinity();  ///< where a drag ends; typed values go as they are
     double highest = std::numeric_limits<double>::infinity();
-    bool is_live = false;  ///< commands that are not undone run at every change instead of being previewed
-    std::string unit;      ///< shown after the number
+    bool is_whole = false;  ///< only whole numbers may be typed
+    bool is_live = false;   ///< commands that are not undone run at every change instead of being previewed
+    std::string unit;       ///< shown after the number
     std::string tooltip = {};
 };
+
+/// How far an edit of a field has come.
+enum class EditPhase { preview, commit, cancel };
 
 /// What happened to a field in this frame.
 struct NumberEdit {
     double value = 0.0;
-    editor::Phase phase = editor::Phase::commit;  ///< on cancel the value is the one before
-    bool is_entered = false;                      ///< typed and ended with Enter; the value may be the old one
+    EditPhase phase = EditPhase::commit;  ///< on cancel the value is the one before
+    bool is_entered = false;              ///< typed and ended with Enter; the value may be the old one
 };
 
 /// Draws the field, for what is not a command. Dragging gives previews and on release a commit, typing a commit on

@@ -1,9 +1,11 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/selection_commands.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"
 #include "app/ui/section.h"
@@ -28,13 +30,6 @@ struct Table {
     float row_width = 0.0F;
     float field_width = 0.0F;
 };
-
-std::vector<double> as_numbers(const std::vector<std::size_t>& indices) {
-    std::vector<double> numbers;
-    std::transform(indices.begin(), indices.end(), std::back_inserter(numbers),
-                   [](std::size_t i) { return static_cast<double>(i); });
-    return numbers;
-}
 
 /// Shift adds all from the nearest selected point on.
 void extend_to(std::vector<std::size_t>& points, std::size_t i) {
@@ -64,7 +59,7 @@ void select(const PanelContext& context, std::size_t i) {
         points = {i};
     // The row that was clicked is in sight already.
     context.panels.inspector.followed_points = points;
-    context.queue.run("select-points", {as_numbers(points)});
+    context.queue.run(editor::SelectPoints{.points = points});
 }
 
 void draw_row_back(const Table& table, std::size_t i, ImVec2 origin) {
@@ -83,13 +78,12 @@ void draw_row_back(const Table& table, std::size_t i, ImVec2 origin) {
 
 void draw_name(const Table& table, std::size_t i, ImVec2 origin) {
     const PanelContext& context = table.context;
-    const std::string number = std::to_string(i);
-    const std::string text = "P_{" + number + "}";
-    const std::string name = "point " + number + " name";
+    const std::string text = fmt::format("P_{{{}}}", i);
+    const std::string name = fmt::format("point {} name", i);
     if (ImGui::InvisibleButton(name.c_str(), ImVec2(context.px(overhang + name_width), context.px(row_height))))
         select(context, i);
     const bool is_selected = context.state.selection.contains_point(i);
-    report_item(context, name, is_selected ? "P" + number + " selected" : "P" + number);
+    report_item(context, name, is_selected ? fmt::format("P{} selected", i) : fmt::format("P{}", i));
     const float middle = origin.y + 0.5F * context.px(row_height);
     const ImVec2 dot(origin.x + context.px(overhang + 8), middle);
     ImGui::GetWindowDrawList()->AddCircleFilled(dot, context.px(5), imgui_packed(context.theme.point(i)));
@@ -99,7 +93,7 @@ void draw_name(const Table& table, std::size_t i, ImVec2 origin) {
 
 NumberField field_of(const Table& table, std::size_t i, const char* axis, double value) {
     NumberField field;
-    field.name = "point " + std::to_string(i) + " " + axis;
+    field.name = fmt::format("point {} {}", i, axis);
     field.value = value;
     field.decimals = table.decimals;
     field.speed = step_of(table.decimals);
@@ -112,13 +106,12 @@ NumberField field_of(const Table& table, std::size_t i, const char* axis, double
 
 void draw_coordinates(const Table& table, std::size_t i) {
     const core::Point point = table.curve.control_points()[i];
-    const double index = static_cast<double>(i);
     draw_number_field(table.context, field_of(table, i, "x", point.x), [=](double x) {
-        return editor::Command{"set-point", {index, x, point.y}};
+        return editor::SetPoint{.index = i, .position = {x, point.y}};
     });
     stay_in_row(table.context, field_gap);
     draw_number_field(table.context, field_of(table, i, "y", point.y), [=](double y) {
-        return editor::Command{"set-point", {index, point.x, y}};
+        return editor::SetPoint{.index = i, .position = {point.x, y}};
     });
 }
 
@@ -129,9 +122,7 @@ void draw_weight(const Table& table, std::size_t i) {
     field.is_multiplicative = true;
     field.lowest = 1.0 / largest_weight;
     field.highest = largest_weight;
-    draw_number_field(table.context, field, [i](double w) {
-        return editor::Command{"set-weight", {static_cast<double>(i), w}};
-    });
+    draw_number_field(table.context, field, [i](double w) { return editor::SetWeight{.index = i, .weight = w}; });
 }
 
 void draw_row(const Table& table, std::size_t i) {
@@ -149,14 +140,14 @@ void draw_row(const Table& table, std::size_t i) {
 }
 
 /// The place where a new point goes: in the middle of the leg after the last selected point, or beyond the end.
-editor::Command add_command(const editor::EditorState& state) {
+editor::AddPoint add_command(const editor::EditorState& state) {
     const auto points = state.active_curve()->control_points();
     const std::size_t n = points.size();
     const std::size_t before = state.selection.points.empty() ? n - 1 : std::min(state.selection.points.back(), n - 1);
     const bool has_next = before + 1 < n || state.active_curve()->is_periodic();
     const core::Point place = has_next ? 0.5 * (points[before] + points[(before + 1) % n])
                                        : points[before] + 0.5 * (points[before] - points[before - 1]);
-    return {"add-point", {static_cast<double>(before + 1), place.x, place.y}};
+    return editor::AddPoint{.index = before + 1, .position = {place.x, place.y}};
 }
 
 void draw_header(const Table& table) {
@@ -164,10 +155,10 @@ void draw_header(const Table& table) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     Button add{"add point", "", Icon::plus, context.px(24), 18.0};
     add.tooltip = "Add a control point after the selected one, or at the end.\n\u2260 changes the shape";
-    const editor::Command command = add_command(context.state);
-    draw_command_button(context, add, command.name, command.arguments);
+    draw_command_button(context, add, add_command(context.state));
     stay_in_row(context);
-    draw_command_button(context, {"delete points", "", Icon::minus, context.px(24), 18.0}, "delete-points");
+    draw_command_button(context, {"delete points", "", Icon::minus, context.px(24), 18.0},
+                        editor::DeletePoints::spec());
     float x = origin.x + context.px(name_width + 8);
     for (const char* axis : {"x", "y", "w"}) {
         draw_text(context, ImVec2(x, origin.y + context.px(9)), {axis, context.fonts.small, 0.0, context.theme.dim});

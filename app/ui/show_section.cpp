@@ -1,8 +1,7 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
-#include <array>
-
-#include "app/editor/command_table.h"
+#include "app/editor/commands/view_commands.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/section.h"
@@ -12,36 +11,17 @@ namespace {
 
 using editor::Overlay;
 
-struct Switch {
-    Overlay overlay;
-    const char* text;
-    const char* command;
-};
-
-/// In the order of rows, two in each.
-constexpr std::array switches{
-    Switch{Overlay::polygon, "polygon", "toggle-polygon"},
-    Switch{Overlay::hull, "hull", "toggle-hull"},
-    Switch{Overlay::bezier_pieces, "Bézier pieces", "toggle-pieces"},
-    Switch{Overlay::curvature_comb, "curvature comb", "toggle-comb"},
-    Switch{Overlay::knots, "knots", "toggle-knots"},
-    Switch{Overlay::hodograph, "hodograph", "toggle-hodograph"},
-    Switch{Overlay::labels, "labels", "toggle-labels"},
-    Switch{Overlay::grid, "grid", "toggle-grid"},
-    Switch{Overlay::construction, "construction", "toggle-construction"},
-};
-
-void draw_switch(const PanelContext& context, const Switch& item, float width_px) {
-    const editor::CommandSpec* spec = editor::find_command(item.command);
+void draw_switch(const PanelContext& context, Overlay overlay, float width_px) {
+    const editor::CommandSpec& spec = editor::toggle_overlay_spec(overlay);
     Button box;
-    box.name = std::string("show ") + core::name_of(item.overlay);
-    box.text = item.text;
+    box.name = fmt::format("show {}", core::name_of(overlay));
+    box.text = core::title_of(overlay);
     box.width_px = width_px;
     box.height = 20.0;
     box.has_frame = false;
-    box.is_active = context.state.view.overlays.is_shown(item.overlay);
-    if (spec != nullptr) box.tooltip = command_tooltip(*spec, context.state);
-    if (draw_check_box(context, box)) context.queue.run(item.command);
+    box.is_active = context.state.view.overlays.is_shown(overlay);
+    box.tooltip = command_tooltip(spec, context.state);
+    if (draw_check_box(context, box)) run_command(context, spec);
 }
 
 }  // namespace
@@ -50,9 +30,9 @@ void draw_show_section(const PanelContext& context) {
     if (draw_section_heading(context, {"show", "Show", ""})) {
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, context.px(2)));
         const float half = 0.5F * content_width(context);
-        for (std::size_t i = 0; i < switches.size(); ++i) {
+        for (std::size_t i = 0; i < editor::overlay_count; ++i) {
             if (i % 2 == 1) stay_in_row(context, 0.0);
-            draw_switch(context, switches[i], half);
+            draw_switch(context, static_cast<Overlay>(i), half);
         }
         ImGui::PopStyleVar();
     }

@@ -17,16 +17,24 @@ constexpr double reach = 4.0;  // design pixels to either side of the edge
 constexpr double usual_inspector_width = 340.0;
 constexpr double usual_dock_height = 260.0;
 
-/// One edge: its line, and the command that moves it.
+/// One edge: its line, and the change that moves it.
 struct Edge {
     const char* name;
-    const char* command;
+    editor::ViewChange (*change)(double size);
     glm::dvec2 from;
     glm::dvec2 to;
     double size_at_pointer;  ///< design pixels, if the edge were where the pointer is
     double usual_size;
     ImGuiMouseCursor cursor;
 };
+
+editor::ViewChange set_inspector_width(double size) {
+    return editor::SetInspectorWidth{size};
+}
+
+editor::ViewChange set_dock_height(double size) {
+    return editor::SetDockHeight{size};
+}
 
 void draw_edge_handle(const PanelContext& context, const Edge& edge) {
     const glm::dvec2 grip = reach * context.scale * (edge.from.x == edge.to.x ? glm::dvec2(1, 0) : glm::dvec2(0, 1));
@@ -43,9 +51,9 @@ void draw_edge_handle(const PanelContext& context, const Edge& edge) {
         ImGui::GetWindowDrawList()->AddLine({a.x, a.y}, {b.x, b.y}, imgui_packed(context.theme.accent), context.px(2));
     }
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        context.queue.run(edge.command, {edge.usual_size});
+        context.queue.change(edge.change(edge.usual_size));
     } else if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1.0F)) {
-        context.queue.run(edge.command, {std::max(0.0, std::round(edge.size_at_pointer))});
+        context.queue.change(edge.change(std::max(0.0, std::round(edge.size_at_pointer))));
     }
     end_panel();
     ImGui::PopStyleVar();
@@ -59,13 +67,13 @@ void draw_splitters(const PanelContext& context, const FrameAreas& areas) {
         const glm::dvec2 from = areas.inspector.origin_px;
         const double width = (areas.window.size_px.x - mouse.x) / context.scale;
         draw_edge_handle(
-            context, {"inspector edge", "set-inspector-width", from, from + glm::dvec2(0.0, areas.inspector.size_px.y),
+            context, {"inspector edge", set_inspector_width, from, from + glm::dvec2(0.0, areas.inspector.size_px.y),
                       width, usual_inspector_width, ImGuiMouseCursor_ResizeEW});
     }
     if (areas.dock.size_px.y > 0.0) {
         const glm::dvec2 from = areas.dock.origin_px;
         const double height = (from.y + areas.dock.size_px.y - mouse.y) / context.scale;
-        draw_edge_handle(context, {"dock edge", "set-dock-height", from, from + glm::dvec2(areas.dock.size_px.x, 0.0),
+        draw_edge_handle(context, {"dock edge", set_dock_height, from, from + glm::dvec2(areas.dock.size_px.x, 0.0),
                                    height, usual_dock_height, ImGuiMouseCursor_ResizeNS});
     }
 }

@@ -1,7 +1,12 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
-#include <array>
+#include <functional>
 
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/tool_commands.h"
+#include "app/editor/commands/view_commands.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/panels.h"
@@ -16,11 +21,9 @@ namespace {
 constexpr double button_size = 38.0;
 constexpr double button_pitch = 43.0;
 
-constexpr std::array other_commands{"undo", "redo", "fit", "toggle-play"};
-
 /// One button of the bar.
 struct ToolButton {
-    std::string command;
+    const editor::CommandSpec& spec;
     std::string place_name;
     bool is_active = false;
 };
@@ -28,9 +31,17 @@ struct ToolButton {
 std::vector<ToolButton> tool_buttons(const editor::EditorState& state) {
     std::vector<ToolButton> buttons;
     for (const editor::Tool tool : editor::all_tools) {
-        const std::string name = core::name_of(tool);
-        buttons.push_back({"tool-" + name, "tool " + name, state.tool == tool});
+        const std::string name = fmt::format("tool {}", core::name_of(tool));
+        buttons.push_back({editor::take_tool_spec(tool), name, state.tool == tool});
     }
+    return buttons;
+}
+
+std::vector<ToolButton> other_buttons() {
+    std::vector<ToolButton> buttons;
+    for (const editor::CommandSpec& spec : {std::cref(editor::Undo::spec()), std::cref(editor::Redo::spec()),
+                                            std::cref(editor::FitView::spec()), std::cref(editor::TogglePlay::spec())})
+        buttons.push_back({spec, fmt::format("tool-bar {}", spec.name)});
     return buttons;
 }
 
@@ -49,21 +60,19 @@ void draw_back(const PanelContext& context, const ToolButton& button, const Rect
 }
 
 void draw_tool_button(const PanelContext& context, const ToolButton& button) {
-    const editor::CommandSpec* spec = editor::find_command(button.command);
-    if (spec == nullptr) return;
-    const bool is_enabled = !refusal_of(*spec, context.state);
+    const bool is_enabled = !refusal_of(button.spec, context.state);
     ImGui::SetCursorPosX(0.5F * (ImGui::GetWindowWidth() - context.px(button_size)));
-    ImGui::PushID(spec->name);
+    ImGui::PushID(button.spec.name);
     const bool is_clicked = ImGui::InvisibleButton("##tool", ImVec2(context.px(button_size), context.px(button_size)));
     ImGui::PopID();
     report_item(context, button.place_name, button.is_active ? "active" : "");
-    if (ImGui::IsItemHovered()) draw_side_tooltip(context, command_tooltip(*spec, context.state));
+    if (ImGui::IsItemHovered()) draw_side_tooltip(context, command_tooltip(button.spec, context.state));
     const Rectangle place = last_item_place();
     draw_back(context, button, place);
     const glm::vec2 center(place.origin_px + 0.5 * place.size_px);
-    draw_icon(ImGui::GetWindowDrawList(), button.command, {center.x, center.y, context.px(18)},
+    draw_icon(ImGui::GetWindowDrawList(), button.spec, {center.x, center.y, context.px(18)},
               icon_color(context, button, is_enabled));
-    if (is_clicked && is_enabled) choose_command(context, *spec);
+    if (is_clicked && is_enabled) run_command(context, button.spec);
 }
 
 void draw_divider(const PanelContext& context) {
@@ -83,14 +92,13 @@ void draw_tool_bar(const PanelContext& context, const Rectangle& place) {
     begin_panel("tool bar", place, ImGuiWindowFlags_NoScrollWithMouse);
     const std::vector<ToolButton> tools = tool_buttons(context.state);
     for (const ToolButton& button : tools) draw_tool_button(context, button);
-    const std::size_t count = tools.size() + other_commands.size();
+    const std::vector<ToolButton> others = other_buttons();
+    const std::size_t count = tools.size() + others.size();
     const double needed = static_cast<double>(count) * button_pitch + 30.0;
     // In a low window only the tools themselves stay.
     if (place.size_px.y >= needed * context.scale) {
         draw_divider(context);
-        for (const char* command : other_commands) {
-            draw_tool_button(context, {command, std::string("tool-bar ") + command, false});
-        }
+        for (const ToolButton& button : others) draw_tool_button(context, button);
     }
     const double right = place.origin_px.x + place.size_px.x - 0.5;
     draw_edge(context, {right, place.origin_px.y}, {right, place.origin_px.y + place.size_px.y});

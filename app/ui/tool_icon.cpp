@@ -6,6 +6,10 @@
 #include <initializer_list>
 #include <vector>
 
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/tool_commands.h"
+#include "app/editor/commands/view_commands.h"
 #include "app/ui/style.h"
 
 namespace batten::ui {
@@ -126,28 +130,30 @@ void draw_play(const IconPen& pen) {
     pen.area({{0.26F, 0.14F}, {0.86F, 0.5F}, {0.26F, 0.86F}});
 }
 
+using editor::TakeTool;
+using editor::Tool;
+
 struct Icon {
-    const char* command;
+    const editor::CommandSpec& (*spec)();
     void (*draw)(const IconPen&);
 };
 
-constexpr std::array icons{Icon{"tool-select", draw_select},
-                           Icon{"tool-add-point", draw_add_point},
-                           Icon{"tool-insert-knot", draw_insert_knot},
-                           Icon{"tool-weight", draw_weight},
-                           Icon{"tool-draw-curve", draw_draw_curve},
-                           Icon{"tool-parameter", draw_parameter},
-                           Icon{"undo", draw_undo},
-                           Icon{"redo", draw_redo},
-                           Icon{"fit", draw_fit},
-                           Icon{"toggle-play", draw_play}};
+constexpr std::array icons{Icon{TakeTool<Tool::select>::spec, draw_select},
+                           Icon{TakeTool<Tool::add_point>::spec, draw_add_point},
+                           Icon{TakeTool<Tool::insert_knot>::spec, draw_insert_knot},
+                           Icon{TakeTool<Tool::weight>::spec, draw_weight},
+                           Icon{TakeTool<Tool::draw_curve>::spec, draw_draw_curve},
+                           Icon{TakeTool<Tool::parameter>::spec, draw_parameter},
+                           Icon{editor::Undo::spec, draw_undo},
+                           Icon{editor::Redo::spec, draw_redo},
+                           Icon{editor::FitView::spec, draw_fit},
+                           Icon{editor::TogglePlay::spec, draw_play}};
 
 }  // namespace
 
-void draw_icon(ImDrawList* list, const std::string& command, const IconPlace& place, render::Color color) {
-    for (const Icon& icon : icons) {
-        if (icon.command == command) icon.draw(IconPen(list, place, color));
-    }
+void draw_icon(ImDrawList* list, const editor::CommandSpec& spec, const IconPlace& place, render::Color color) {
+    for (const Icon& icon : icons)
+        if (&icon.spec() == &spec) icon.draw(IconPen(list, place, color));
 }
 
 }  // namespace batten::ui

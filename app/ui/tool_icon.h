@@ -1,8 +1,7 @@
 /// The pictures on the buttons of the tool bar, as strokes.
 #pragma once
 
-#include <string>
-
+#include "app/editor/command_spec.h"
 #include "render/color.h"
 
 struct ImDrawList;
@@ -16,7 +15,7 @@ struct IconPlace {
     float size_px = 16.0F;
 };
 
-/// Draws the icon of the command called `command`; nothing for a command without one.
-void draw_icon(ImDrawList* list, const std::string& command, const IconPlace& place, render::Color color);
+/// Draws the icon of the command that `spec` describes; nothing for a command without one.
+void draw_icon(ImDrawList* list, const editor::CommandSpec& spec, const IconPlace& place, render::Color color);
 
 }  // namespace batten::ui

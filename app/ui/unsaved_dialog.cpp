@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include "app/editor/commands/file_commands.h"
 #include "app/ui/dialog_frame.h"
 #include "app/ui/panels.h"
 #include "app/ui/shell_widgets.h"
@@ -8,8 +9,8 @@ namespace batten::ui {
 
 namespace {
 
-const char* consequence_of(const std::optional<editor::Command>& pending) {
-    if (pending && pending->name == "quit") return "Batten is about to close.";
+const char* consequence_of(const std::optional<editor::Pending>& pending) {
+    if (pending && std::holds_alternative<editor::Quit>(*pending)) return "Batten is about to close.";
     return "Another document is about to take its place.";
 }
 
@@ -29,13 +30,15 @@ void draw_unsaved_dialog(const PanelContext& context, const Rectangle& window) {
                           label_button_width(context, "Save") + 2.0F * ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetCursorPos(
         {ImGui::GetWindowWidth() - buttons - context.px(18), ImGui::GetWindowHeight() - context.px(46)});
-    if (draw_label_button(context, "dialog discard", "Don't save")) context.queue.run("answer-unsaved", {"discard"});
+    if (draw_label_button(context, "dialog discard", "Don't save"))
+        context.queue.run(editor::AnswerUnsaved{.answer = editor::UnsavedAnswer::discard});
     ImGui::SameLine();
     if (draw_label_button(context, "dialog cancel", "Cancel") || is_left)
-        context.queue.run("answer-unsaved", {"cancel"});
+        context.queue.run(editor::AnswerUnsaved{.answer = editor::UnsavedAnswer::cancel});
     ImGui::SameLine();
     const bool is_saved = draw_label_button(context, "dialog save", "Save", ButtonLook::primary);
-    if (is_saved || was_pressed(context, editor::Key::enter)) context.queue.run("answer-unsaved", {"save"});
+    if (is_saved || was_pressed(context, editor::Key::enter))
+        context.queue.run(editor::AnswerUnsaved{.answer = editor::UnsavedAnswer::save});
     end_dialog();
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/commands/file_commands.h"
+#include "app/editor/commands/help_commands.h"
 #include "app/ui/dialog_frame.h"
 #include "app/ui/example_list.h"
 #include "app/ui/imgui_compat.h"
@@ -30,7 +32,7 @@ void draw_recent(const PanelContext& context) {
         const std::filesystem::path& file = context.state.recent_files[i];
         ImGui::PushID(static_cast<int>(i));
         const std::string name = elided(file.filename().string(), context.fonts.text, context.px(side_width - 24.0));
-        if (ImGui::Selectable(name.c_str())) context.queue.run("open", {file.string()});
+        if (ImGui::Selectable(name.c_str())) context.queue.run(editor::Open{.path = file});
         ImGui::PopID();
         report_item(context, "recent " + std::to_string(i), file.string());
         show_tooltip(context, file.string());
@@ -49,9 +51,9 @@ void draw_side(const PanelContext& context) {
     ImGui::TextWrapped("B-spline and NURBS curves: draw them, and see what knots do.");
     ImGui::PopStyleColor();
     ImGui::Dummy(ImVec2(1.0F, context.px(10)));
-    if (draw_label_button(context, "welcome new", "New", ButtonLook::primary)) context.queue.run("new");
+    if (draw_label_button(context, "welcome new", "New", ButtonLook::primary)) context.queue.run(editor::NewDocument{});
     ImGui::SameLine();
-    if (draw_label_button(context, "welcome open", "Open…")) context.queue.run("open");
+    if (draw_label_button(context, "welcome open", "Open…")) context.queue.run(editor::Open{});
     if (context.state.message.is_error) {
         ImGui::Dummy(ImVec2(1.0F, context.px(4)));
         draw_dialog_error(context, context.state.message.text);
@@ -107,7 +109,7 @@ void draw_card(const PanelContext& context, const Example& example, float width_
         context, example,
         {place.origin_px + inset, {place.size_px.x - 2.0 * inset, context.px(thumbnail_height) - 2.0 * inset}});
     draw_card_texts(context, example, place);
-    if (is_clicked) context.queue.run("open-example", {example.name});
+    if (is_clicked) context.queue.run(editor::OpenExample{.name = example.name});
 }
 
 void draw_grid(const PanelContext& context) {
@@ -141,7 +143,7 @@ void draw_welcome_screen(const PanelContext& context, const Rectangle& window) {
     ImGui::SameLine(0.0F, context.px(16));
     draw_grid(context);
     end_dialog();
-    if (is_left) context.queue.run("close-dialog");
+    if (is_left) context.queue.run(editor::CloseDialog{});
 }
 
 }  // namespace batten::ui
