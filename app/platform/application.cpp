@@ -1,10 +1,13 @@
 #include "app/platform/application.h"
 
 #include <GLFW/glfw3.h>
+#include <fmt/core.h>
 
 #include <fstream>
 #include <iostream>
 
+#include "app/editor/commands/file_commands.h"
+#include "app/editor/commands/help_commands.h"
 #include "app/editor/editor.h"
 #include "app/editor/scene/canvas_scene.h"
 #include "app/editor/scene/plot_scene.h"
@@ -79,31 +82,33 @@ void Application::open_start_document() {
     if (!options_.files.empty()) {
         open_files(options_.files);
     } else if (options_.example) {
-        editor_.run({"open-example", {*options_.example}});
+        editor_.run(editor::OpenExample{.name = *options_.example});
     } else {
-        editor_.run({"welcome", {}});
+        editor_.run(editor::ToggleWelcome{});
     }
 }
 
 void Application::open_files(const std::vector<std::filesystem::path>& files) {
-    const char* name = "open";
     for (const std::filesystem::path& file : files) {
-        editor_.run({name, {file.string()}});
-        name = "add-file";
+        if (&file == &files.front())
+            editor_.run(editor::Open{.path = file});
+        else
+            editor_.run(editor::AddFile{.path = file});
     }
 }
 
 void Application::take_window_requests() {
-    if (window_.take_close_request()) queue_.run("quit");
+    if (window_.take_close_request()) queue_.run(editor::Quit{});
     const std::vector<std::filesystem::path> dropped = window_.input().take_dropped_files();
-    for (std::size_t i = 0; i < dropped.size(); ++i) queue_.run(i == 0 ? "open" : "add-file", {dropped[i].string()});
+    if (!dropped.empty()) queue_.run(editor::Open{.path = dropped.front()});
+    for (std::size_t i = 1; i < dropped.size(); ++i) queue_.run(editor::AddFile{.path = dropped[i]});
 }
 
 void Application::follow_scale() {
     const editor::View& view = editor_.state().view;
     const double display_scale = options_.display_scale.value_or(window_.display_scale());
     const double scale = display_scale * view.user_scale;
-    if (scale != view.interface_scale) editor_.run({"set-interface-scale", {scale}});
+    if (scale != view.interface_scale) editor_.change(editor::SetInterfaceScale{scale});
     if (scale == fonts_.scale && fonts_.text != nullptr) return;
     fonts_ = ui::load_fonts(scale);
     imgui_.renew_font_texture();
@@ -136,7 +141,7 @@ void Application::deliver_keys() {
 void Application::draw_frame() {
     const double elapsed = clock_.begin_frame(glfwGetTime());
     const editor::EditorState& state = editor_.state();
-    if (state.view.playback.is_playing && elapsed > 0.0) queue_.run("advance", {elapsed});
+    if (state.view.playback.is_playing && elapsed > 0.0) queue_.change(editor::Advance{elapsed});
     take_window_requests();
     follow_scale();
     follow_theme();
@@ -149,7 +154,7 @@ void Application::draw_frame() {
     }();
     const ui::FrameLayout layout = interface_.draw(state, input, fonts_, queue_);
     if (!queue_.is_empty()) clock_.note_activity();
-    editor_.run(queue_);
+    editor_.perform(queue_);
 
     const render::DrawList canvas = editor::canvas_scene(state, interface_.canvas_mode());
     const render::DrawList plot = editor::plot_scene(state, interface_.plot_mode(), layout.plot.size_px);
@@ -159,7 +164,7 @@ void Application::draw_frame() {
     paint(canvas, layout.canvas, theme.canvas);
     paint(plot, layout.plot, theme.panel);
     imgui_.paint_frame();
-    window_.set_title(state.file_name() + (state.is_modified() ? " •" : "") + " — Batten");
+    window_.set_title(fmt::format("{}{} — Batten", state.file_name(), state.is_modified() ? " •" : ""));
     // A frame in which the theme changed has panels of the old one; the next replaces it unseen.
     if (styled_theme_ == state.view.theme) window_.show_frame();
     if (state.view.playback.is_playing || interface_.is_animating()) clock_.note_animation();

@@ -1,5 +1,7 @@
 #include "app/platform/state_report.h"
 
+#include <fmt/core.h>
+
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -87,28 +89,6 @@ json knots_json(const core::Curve& curve) {
     return result;
 }
 
-const char* name_of(editor::Dialog dialog) {
-    switch (dialog) {
-        case editor::Dialog::none:
-            return "none";
-        case editor::Dialog::welcome:
-            return "welcome";
-        case editor::Dialog::open_file:
-            return "open-file";
-        case editor::Dialog::save_file:
-            return "save-file";
-        case editor::Dialog::unsaved_changes:
-            return "unsaved-changes";
-        case editor::Dialog::command_palette:
-            return "command-palette";
-        case editor::Dialog::key_sheet:
-            return "key-sheet";
-        case editor::Dialog::about:
-            return "about";
-    }
-    return "none";
-}
-
 void add_curve(json& report, const editor::EditorState& state, const ui::FrameLayout& layout) {
     report["points"] = points_json(state, layout.canvas);
     report["strip_knots"] = strip_knots_json(state, layout.plot);
@@ -134,16 +114,17 @@ void write_state_report(const ShownFrame& frame, const std::filesystem::path& pa
     report["selected_points"] = state.selection.points;
     report["message"] = state.message.text;
     report["message_is_error"] = state.message.is_error;
-    report["dialog"] = name_of(state.dialog);
+    report["dialog"] = core::name_of(state.dialog);
     report["undo_label"] = state.history.undo_label();
     report["undo_count"] = state.history.undo_count();
     report["redo_count"] = state.history.redo_count();
     report["is_modified"] = state.is_modified();
     report["has_preview"] = state.preview.has_value();
+    report["has_ghost"] = state.ghost.has_value();
     report["deviation"] = state.ghost ? json(state.ghost->deviation) : json(nullptr);
     report["path"] = state.path.string();
     report["interface_scale"] = state.view.interface_scale;
-    report["theme"] = state.view.theme == editor::ThemeName::dark ? "dark" : "light";
+    report["theme"] = core::name_of(state.view.theme);
     report["is_playing"] = state.view.playback.is_playing;
     report["pointer"] = pixel_json(frame.input.handled_position_px());
     report["buttons_down"] = frame.input.handled_buttons_down();
@@ -152,7 +133,7 @@ void write_state_report(const ShownFrame& frame, const std::filesystem::path& pa
     report["frame_count"] = frame.clock.frame_count();
     report["is_settled"] = frame.clock.is_settled() && !frame.input.is_pending();
 
-    const std::filesystem::path temporary = path.string() + ".new";
+    const std::filesystem::path temporary = fmt::format("{}.new", path.string());
     std::ofstream(temporary) << report.dump();
     std::error_code ignored;
     std::filesystem::rename(temporary, path, ignored);
