@@ -7,12 +7,12 @@ import sys
 # Folder: the folders of the project and the outside headers it may include (beside the standard library).
 LAYERS = {
     "core": ({"core"}, {"glm", "tl", "Eigen", "fmt", "nlohmann", "posix"}),
-    "render": ({"render"}, {"glm", "tl", "glad"}),
-    "app/editor": ({"core", "app/editor"}, {"glm", "tl", "nlohmann"}),
-    "app/ui": ({"core", "app/editor", "app/ui"}, {"glm", "tl", "imgui", "misc"}),
-    "app/platform": ({"core", "render", "app/editor", "app/ui", "app/platform"}, {"glm", "tl", "imgui", "backends", "nlohmann", "GLFW"}),
-    "app/cli": ({"core", "app/editor", "app/cli"}, {"glm", "tl", "CLI", "nlohmann"}),
-    "app": ({"app/platform", "app/cli"}, {"CLI"}),
+    "render": ({"render"}, {"glm", "tl", "fmt", "glad"}),
+    "app/editor": ({"core", "app/editor"}, {"glm", "tl", "fmt", "nlohmann"}),
+    "app/ui": ({"core", "app/editor", "app/ui"}, {"glm", "tl", "fmt", "imgui", "misc"}),
+    "app/platform": ({"core", "render", "app/editor", "app/ui", "app/platform"}, {"glm", "tl", "fmt", "imgui", "backends", "nlohmann", "GLFW"}),
+    "app/cli": ({"core", "app/editor", "app/cli"}, {"glm", "tl", "fmt", "CLI", "nlohmann"}),
+    "app": ({"app/platform", "app/cli"}, set()),
 }
 
 # The part of render that is plain data, open to all above it.

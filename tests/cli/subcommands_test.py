@@ -95,7 +95,7 @@ class Subcommands(unittest.TestCase):
         self.refused(2, "eval", self.file, "--at", 0, "--side", "above")
         self.refused(2, "apply", self.file)
         self.refused(2, "frobnicate", self.file)
-        self.assertIn("'frobnicate' after 'insert-knot 0.5' is no operation", self.refused(2, "apply", self.file, "insert-knot", "0.5", "frobnicate"))
+        self.assertIn("'frobnicate' after 'insert-knot 0.5' is not an operation", self.refused(2, "apply", self.file, "insert-knot", "0.5", "frobnicate"))
 
     def test_apply_runs_operations_in_order(self):
         process = run("apply", self.file, "insert-knot", "0.5", "insert-knot", "0.5", "elevate", "1", "-o", self.output)

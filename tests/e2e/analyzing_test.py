@@ -6,11 +6,6 @@ from case import WindowTest
 
 
 class AnalyzingTest(WindowTest):
-    def choose(self, editor, menu, submenu, command):
-        editor.click_widget(f"menu {menu}")
-        editor.click_widget(f"menu-item {submenu}")
-        editor.click_widget(f"menu-item {command}")
-
     def rows(self, editor):
         return [name for name in editor.state()["widgets"] if name.startswith("finding ")]
 
@@ -35,10 +30,12 @@ class AnalyzingTest(WindowTest):
             leave()
             editor.wait(lambda state: "finding 0" not in state["widgets"], "their end")
 
-    def test_a_shape_is_made_from_the_menu_at_once(self):
+    def test_a_shape_is_made_from_the_menu_with_the_size_that_suggests_itself(self):
         editor = self.open_editor()
         self.choose(editor, "make", "Shapes", "circle")
-        state = editor.wait(lambda state: state["curve_count"] == 2 and state["is_settled"], "the circle")
+        editor.wait(lambda state: state["dialog"] == "command-form" and state["has_preview"], "the form")
+        editor.key("Return")
+        state = editor.wait(lambda state: state["undo_count"] == 1 and state["is_settled"], "the circle")
         self.assertEqual((state["degree"], len(state["points"])), (2, 9))
         self.assertEqual(state["undo_label"], "Make circle")
         editor.screenshot("circle")

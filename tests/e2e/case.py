@@ -51,3 +51,14 @@ class WindowTest(unittest.TestCase):
         editor.wait_until(lambda: self.path.stat().st_ino != before, "the saved file")
         editor.wait(lambda state: not state["is_modified"] and state["is_settled"], "the end of saving")
         return self.saved()
+
+    def choose(self, editor, menu, submenu, command):
+        editor.click_widget(f"menu {menu}")
+        editor.click_widget(f"menu-item {submenu}")
+        editor.click_widget(f"menu-item {command}")
+
+    def retype(self, editor, name, text):
+        """Replaces the text of the active field, whose widget is `name`."""
+        editor.key("ctrl+a")
+        editor.type(text)
+        editor.wait(lambda state: state["widgets"][name]["value"] == text, f"'{text}' in the field")

@@ -178,7 +178,7 @@ class Editor:
         self.xdotool("key", *names)
 
     def type(self, text):
-        self.xdotool("type", "--delay", 5, text)
+        self.xdotool("type", "--delay", 5, "--", text)
 
     def widget(self, name):
         return self.wait(lambda state: name in state["widgets"], f"the widget '{name}'")["widgets"][name]

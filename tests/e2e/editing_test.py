@@ -84,9 +84,7 @@ class EditingTest(WindowTest):
 
     def type_into(self, editor, name, text):
         editor.click_widget(name)
-        editor.key("ctrl+a")
-        editor.type(text)
-        editor.wait(lambda state: state["widgets"][name]["value"] == text, f"'{text}' in the field")
+        self.retype(editor, name, text)
         editor.key("Return")
 
     def test_undoing_everything_gives_the_saved_file_byte_for_byte(self):

@@ -1,8 +1,12 @@
+#include "app/editor/commands/analysis_commands.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "sample_editor.h"
+#include "app/editor/commands/measuring_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "finding_fixture.h"
 
 namespace batten::editor {
 namespace {
@@ -17,28 +21,17 @@ constexpr const char* shapes_text = R"({ "format": "batten", "version": 1, "curv
   { "name": "cusp", "degree": 3, "knots": [0,0,0,0,1,1,1,1], "points": [[0,0],[1,1],[0,1],[1,0]] },
   { "name": "valley", "degree": 2, "knots": [0,0,0,1,1,1], "points": [[-2,4],[1,-8],[4,16]], "locked": true } ] })";
 
-class AnalysisCommands : public ::testing::Test {
+class AnalysisCommands : public FindingFixture {
   protected:
     void SetUp() override { open_text(editor_, shapes_text); }
-    const EditorState& state() const { return editor_.state(); }
-    const std::vector<Finding>& rows() const { return state().findings->rows; }
-    void find_in(double index, const std::string& name) {
-        ASSERT_TRUE(editor_.run({"activate-curve", {index}}));
-        ASSERT_TRUE(editor_.run({name, {}})) << state().message.text;
-        ASSERT_TRUE(state().findings.has_value());
+    void find_in(std::size_t index, const Command& command) {
+        ASSERT_TRUE(editor_.run(ActivateCurve{.index = index}));
+        find(command);
     }
-    double number(std::size_t row, const std::string& name) const {
-        for (const FoundNumber& found : rows()[row].numbers)
-            if (found.name == name) return found.value;
-        ADD_FAILURE() << "no number " << name;
-        return 0.0;
-    }
-
-    Editor editor_;
 };
 
 TEST_F(AnalysisCommands, continuity_by_knots_and_by_shape) {
-    find_in(0, "continuity");
+    find_in(0, FindContinuity{});
     ASSERT_EQ(rows().size(), 1U);
     EXPECT_EQ(rows()[0].label, "knot 0.5");
     EXPECT_EQ(rows()[0].note, "C⁰ by its knots, C⁰ and G¹ by its shape");
@@ -49,27 +42,27 @@ TEST_F(AnalysisCommands, continuity_by_knots_and_by_shape) {
 }
 
 TEST_F(AnalysisCommands, inflections_and_curvature_extrema) {
-    find_in(3, "inflections");
+    find_in(3, FindInflections{});
     EXPECT_TRUE(rows().empty());
     EXPECT_EQ(state().message.text, "valley has no inflections");
-    find_in(3, "curvature-extrema");
+    find_in(3, FindCurvatureExtrema{});
     ASSERT_EQ(rows().size(), 1U);
     EXPECT_EQ(rows()[0].label, "maximum");
     EXPECT_NEAR(rows()[0].parameter.value(), 1.0 / 3.0, 1e-12);
     EXPECT_NEAR(number(0, "curvature"), 2.0, 1e-10);
     EXPECT_NEAR(number(0, "radius"), 0.5, 1e-10);
-    find_in(0, "inflections");
+    find_in(0, FindInflections{});
     EXPECT_EQ(rows().size(), 2U);
 }
 
 TEST_F(AnalysisCommands, cusps_and_double_points) {
-    find_in(2, "cusps");
+    find_in(2, FindCusps{});
     ASSERT_EQ(rows().size(), 1U);
     EXPECT_EQ(rows()[0].label, "cusp");
     EXPECT_EQ(rows()[0].parameter, 0.5);
     EXPECT_NEAR(std::abs(number(0, "turn in degrees")), 180.0, 1e-9);
     EXPECT_EQ(state().message.text, "cusp has 1 cusp");
-    find_in(1, "self-intersections");
+    find_in(1, FindSelfIntersections{});
     ASSERT_EQ(rows().size(), 1U);
     EXPECT_NEAR(rows()[0].parameter.value(), 1.0 / 6.0, 1e-12);
     EXPECT_NEAR(number(0, "second u"), 5.0 / 6.0, 1e-12);
@@ -77,13 +70,13 @@ TEST_F(AnalysisCommands, cusps_and_double_points) {
 }
 
 TEST_F(AnalysisCommands, bounds_and_hulls) {
-    find_in(3, "bounds");
+    find_in(3, FindBounds{});
     ASSERT_EQ(rows().size(), 2U);
     EXPECT_NEAR(number(0, "bottom"), 0.0, 1e-14);
     EXPECT_EQ(number(0, "top"), 16.0);
     EXPECT_EQ(number(1, "bottom"), -8.0);
     EXPECT_EQ(state().message.text, "valley is 6 wide and 16 high");
-    find_in(0, "span-hulls");
+    find_in(0, FindSpanHulls{});
     ASSERT_EQ(rows().size(), 2U);
     EXPECT_EQ(number(0, "corner 1 x"), 0.0);
     EXPECT_EQ(number(1, "from"), 0.5);
@@ -91,9 +84,10 @@ TEST_F(AnalysisCommands, bounds_and_hulls) {
 
 TEST_F(AnalysisCommands, need_a_curve) {
     Editor empty;
-    for (const char* name : {"continuity", "inflections", "curvature-extrema", "cusps", "self-intersections", "bounds",
-                             "span-hulls", "area", "evaluate", "intersect"})
-        EXPECT_FALSE(empty.run({name, {}})) << name;
+    for (const Command& command : std::vector<Command>{
+             FindContinuity{}, FindInflections{}, FindCurvatureExtrema{}, FindCusps{}, FindSelfIntersections{},
+             FindBounds{}, FindSpanHulls{}, MeasureArea{}, Evaluate{.u = 0.5}, IntersectCurve{.other = "line"}})
+        EXPECT_FALSE(empty.run(command)) << command.spec().name;
 }
 
 }  // namespace

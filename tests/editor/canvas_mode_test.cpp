@@ -4,6 +4,11 @@
 
 #include <cmath>
 
+#include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/view_commands.h"
 #include "core/evaluate/evaluate.h"
 #include "tests/editor/canvas_fixture.h"
 
@@ -51,7 +56,7 @@ TEST_F(CanvasModes, drag_previews_without_touching_the_document) {
     pointer.release(px(-1.5, 2));
     EXPECT_EQ(point(1), core::Point(-1.5, 2));
     EXPECT_EQ(steps(), 1U);
-    editor.run(Command{"undo", {}});
+    editor.run(Undo{});
     EXPECT_EQ(state().history.present().active_curve()->curve, first_curve);
 }
 
@@ -85,7 +90,7 @@ TEST_F(CanvasModes, press_that_moves_less_than_three_pixels_is_a_click) {
 }
 
 TEST_F(CanvasModes, the_click_distance_grows_with_the_interface) {
-    editor.run(Command{"set-interface-scale", {2.0}});
+    editor.change(SetInterfaceScale{2.0});
     pointer.drag(px(-2, 2), px(-2, 2) + glm::dvec2(5, 0));
     EXPECT_EQ(steps(), 0U);
     pointer.drag(px(-2, 2), px(-2, 2) + glm::dvec2(16, 0));
@@ -102,7 +107,7 @@ TEST_F(CanvasModes, shift_click_toggles_a_point) {
 }
 
 TEST_F(CanvasModes, click_on_one_of_several_selected_points_selects_it_alone) {
-    editor.run(Command{"select-points", {std::vector<double>{1, 2, 3}}});
+    editor.run(SelectPoints{.points = {1, 2, 3}});
     pointer.press(px(2, 2));
     EXPECT_EQ(selected(), (Indices{1, 2, 3}));
     pointer.release(px(2, 2));
@@ -110,7 +115,7 @@ TEST_F(CanvasModes, click_on_one_of_several_selected_points_selects_it_alone) {
 }
 
 TEST_F(CanvasModes, drag_moves_the_whole_selection_in_one_step) {
-    editor.run(Command{"select-points", {std::vector<double>{1, 3}}});
+    editor.run(SelectPoints{.points = {1, 3}});
     pointer.drag(px(2, 2), px(2.5, 1));
     EXPECT_EQ(point(1), core::Point(-1.5, 1));
     EXPECT_EQ(point(3), core::Point(2.5, 1));
@@ -120,7 +125,7 @@ TEST_F(CanvasModes, drag_moves_the_whole_selection_in_one_step) {
 }
 
 TEST_F(CanvasModes, shift_drag_of_a_selected_point_keeps_it_selected) {
-    editor.run(Command{"select-points", {std::vector<double>{1, 3}}});
+    editor.run(SelectPoints{.points = {1, 3}});
     pointer.modifiers = shift;
     pointer.drag(px(2, 2), px(3, 2.25));
     EXPECT_EQ(point(1), core::Point(-1, 2));
@@ -146,7 +151,7 @@ TEST_F(CanvasModes, ctrl_puts_the_point_on_the_minor_grid) {
 
 TEST_F(CanvasModes, snapped_coordinates_are_the_doubles_of_their_decimals) {
     // At 1280 px a unit the major step is 0.1 and the minor one 0.02; P_2 at (0, -2) is brought to the centre.
-    editor.run(Command{"zoom-camera", {20.0, px(0, -2).x, px(0, -2).y}});
+    editor.change(ZoomCamera{20.0, px(0, -2)});
     const glm::dvec2 start = px(0, -2);
     pointer.modifiers = ctrl;
     pointer.drag(start, start + glm::dvec2(0.3 * 1280 + 5, -0.14 * 1280 - 5));
@@ -155,8 +160,8 @@ TEST_F(CanvasModes, snapped_coordinates_are_the_doubles_of_their_decimals) {
 }
 
 TEST_F(CanvasModes, snapping_a_selection_puts_the_grabbed_point_exactly_on_the_grid) {
-    editor.run(Command{"set-point", {1.0, -2.1, 2.3}});
-    editor.run(Command{"select-points", {std::vector<double>{1, 3}}});
+    editor.run(SetPoint{.index = 1, .position = {-2.1, 2.3}});
+    editor.run(SelectPoints{.points = {1, 3}});
     pointer.modifiers = ctrl;
     pointer.drag(px(-2.1, 2.3), px(-1.1, 1.1));
     EXPECT_EQ(point(1), core::Point(-1, 1));
@@ -192,7 +197,7 @@ TEST_F(CanvasModes, weights_stay_within_twelve_decades) {
 }
 
 TEST_F(CanvasModes, weight_drag_is_scaled_with_the_interface_and_given_up_by_escape) {
-    editor.run(Command{"set-interface-scale", {2.0}});
+    editor.change(SetInterfaceScale{2.0});
     pointer.modifiers = alt;
     pointer.drag(px(-2, 2), px(-2, 2) + glm::dvec2(400, 0));
     EXPECT_NEAR(weight(1), 10.0, 1e-14);
@@ -241,7 +246,7 @@ TEST_F(CanvasModes, click_on_the_empty_canvas_clears_the_selection_unless_shift_
 }
 
 TEST_F(CanvasModes, hidden_points_are_neither_grabbed_nor_boxed) {
-    editor.run(Command{"toggle-polygon", {}});
+    editor.run(ToggleOverlay<Overlay::polygon>{});
     pointer.drag(px(-2, 2), px(-1, 2.5));
     pointer.drag(px(-4.5, 3), px(-1.5, -3));
     EXPECT_TRUE(selected().empty());
@@ -283,7 +288,7 @@ TEST_F(CanvasModes, every_hovered_thing_of_the_canvas_arrives_in_the_state) {
 }
 
 TEST_F(CanvasModes, a_locked_curve_is_not_changed_and_says_why) {
-    editor.run(Command{"set-curve-locked", {0.0, 1.0}});
+    editor.run(SetCurveLocked{.index = 0, .locked = true});
     const std::shared_ptr<const core::Curve> locked = state().history.present().active_curve()->curve;
     pointer.drag(px(-2, 2), px(0, 2));
     pointer.modifiers = alt;
@@ -295,8 +300,8 @@ TEST_F(CanvasModes, a_locked_curve_is_not_changed_and_says_why) {
 TEST_F(CanvasModes, undoing_in_the_middle_of_a_drag_is_safe) {
     pointer.press(px(4, -2));
     pointer.move(px(4, 0));
-    editor.run(Command{"undo", {}});
-    editor.run(Command{"undo", {}});
+    editor.run(Undo{});
+    editor.run(Undo{});
     pointer.move(px(4, 1));
     pointer.release(px(4, 1));
     EXPECT_TRUE(is_in<CanvasIdle>());

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/tool_commands.h"
+#include "app/editor/commands/view_commands.h"
 #include "core/evaluate/evaluate.h"
 #include "core/measure/deviation.h"
 #include "tests/editor/canvas_fixture.h"
@@ -73,7 +78,7 @@ TEST_F(CanvasPress, escape_puts_the_dragged_parameter_back) {
 
 TEST_F(CanvasPress, drag_of_a_diamond_moves_the_knot_along_the_curve) {
     const core::Point target = core::point_at(*first_curve, 0.5);
-    editor.run(Command{"set-knot-move", {"stop"}});
+    editor.run(SetKnotMove{.mode = core::KnotMove::stop});
     pointer.drag(px(-1, 0), px(target.x, target.y));
     const std::vector<double> knots = test::stored_knots(committed(editor));
     EXPECT_NEAR(knots[3], 0.5, 1e-9);
@@ -84,11 +89,11 @@ TEST_F(CanvasPress, drag_of_a_diamond_moves_the_knot_along_the_curve) {
 
 TEST_F(CanvasPress, drag_of_a_diamond_snaps_onto_a_knot_within_eight_pixels) {
     // C'(2) is the leg (2, 4), so that 0.02 is 5.7 px there and 0.03 is 8.6 px.
-    editor.run(Command{"set-knot-move", {"snap"}});
+    editor.run(SetKnotMove{.mode = core::KnotMove::snap});
     const core::Point far = core::point_at(*first_curve, 1.97);
     pointer.drag(px(-1, 0), px(far.x, far.y));
     EXPECT_NEAR(test::stored_knots(committed(editor))[3], 1.97, 1e-9);
-    editor.run(Command{"undo", {}});
+    editor.run(Undo{});
     const core::Point near = core::point_at(*first_curve, 1.98);
     pointer.drag(px(-1, 0), px(near.x, near.y));
     EXPECT_EQ(test::stored_knots(committed(editor)), (std::vector<double>{0, 0, 0, 2, 2, 3, 3, 3}));
@@ -125,7 +130,7 @@ TEST_F(CanvasPress, escape_gives_up_the_drag_of_the_curve_and_a_click_only_desel
     pointer.release(px(start.x + 1, start.y));
     EXPECT_FALSE(state().preview.has_value());
     EXPECT_EQ(steps(), 0U);
-    editor.run(Command{"select-points", {std::vector<double>{1, 2}}});
+    editor.run(SelectPoints{.points = {1, 2}});
     pointer.click(px(start.x, start.y));
     EXPECT_TRUE(selected().empty());
     EXPECT_EQ(steps(), 0U);
@@ -133,7 +138,7 @@ TEST_F(CanvasPress, escape_gives_up_the_drag_of_the_curve_and_a_click_only_desel
 
 TEST_F(CanvasPress, a_locked_curve_is_not_dragged) {
     const core::Point start = core::point_at(*first_curve, 0.5);
-    editor.run(Command{"set-curve-locked", {0.0, 1.0}});
+    editor.run(SetCurveLocked{.index = 0, .locked = true});
     pointer.press(px(start.x, start.y));
     pointer.move(px(start.x + 1, start.y));
     pointer.release(px(start.x + 1, start.y));
@@ -141,7 +146,7 @@ TEST_F(CanvasPress, a_locked_curve_is_not_dragged) {
 }
 
 TEST_F(CanvasPress, click_on_another_curve_makes_it_active) {
-    editor.run(Command{"new-curve", {std::vector<double>{-4, 4, 4, 4}, 1.0}});
+    editor.run(NewCurve{.points = {{-4, 4}, {4, 4}}, .degree = 1});
     ASSERT_EQ(state().history.present().active, 1U);
     pointer.click(px(-1, 0));
     EXPECT_EQ(state().history.present().active, 0U);
@@ -160,7 +165,7 @@ TEST_F(CanvasPress, middle_drag_and_space_drag_pan) {
 }
 
 TEST_F(CanvasPress, add_point_tool_adds_on_the_nearest_leg_or_end) {
-    editor.run(Command{"set-tool", {"add-point"}});
+    editor.run(SetTool{.tool = Tool::add_point});
     pointer.click(px(-3, 0.5));
     EXPECT_EQ(point(1), core::Point(-3, 0.5));
     pointer.click(px(5, -3));
@@ -171,14 +176,14 @@ TEST_F(CanvasPress, add_point_tool_adds_on_the_nearest_leg_or_end) {
 }
 
 TEST_F(CanvasPress, add_point_tool_drags_a_point_that_is_there) {
-    editor.run(Command{"set-tool", {"add-point"}});
+    editor.run(SetTool{.tool = Tool::add_point});
     pointer.drag(px(-2, 2), px(-1, 2));
     EXPECT_EQ(committed(editor).control_points().size(), 5U);
     EXPECT_EQ(point(1), core::Point(-1, 2));
 }
 
 TEST_F(CanvasPress, insert_knot_tool_inserts_at_the_nearest_parameter) {
-    editor.run(Command{"set-tool", {"insert-knot"}});
+    editor.run(SetTool{.tool = Tool::insert_knot});
     pointer.click(px(0, -1) + glm::dvec2(0, 20));
     EXPECT_NEAR(test::stored_knots(committed(editor))[4], 1.5, 1e-9);
     EXPECT_EQ(steps(), 1U);
@@ -189,13 +194,13 @@ TEST_F(CanvasPress, insert_knot_tool_inserts_at_the_nearest_parameter) {
 }
 
 TEST_F(CanvasPress, weight_tool_drags_weights) {
-    editor.run(Command{"set-tool", {"weight"}});
+    editor.run(SetTool{.tool = Tool::weight});
     pointer.drag(px(-2, 2), px(-2, 2) + glm::dvec2(0, -200));
     EXPECT_NEAR(weight(1), 10.0, 1e-14);
 }
 
 TEST_F(CanvasPress, parameter_tool_sets_u_from_anywhere) {
-    editor.run(Command{"set-tool", {"parameter"}});
+    editor.run(SetTool{.tool = Tool::parameter});
     pointer.press(px(-8, -4));
     EXPECT_EQ(state().parameter(), 0.0);
     pointer.move(px(9, -4));
@@ -205,7 +210,7 @@ TEST_F(CanvasPress, parameter_tool_sets_u_from_anywhere) {
 }
 
 TEST_F(CanvasPress, draw_tool_makes_a_curve_of_its_clicks) {
-    editor.run(Command{"set-tool", {"draw-curve"}});
+    editor.run(SetTool{.tool = Tool::draw_curve});
     pointer.click(px(-1, 1));
     pointer.click(px(0, 3));
     pointer.move(px(1, 2));
@@ -224,18 +229,18 @@ TEST_F(CanvasPress, draw_tool_makes_a_curve_of_its_clicks) {
 }
 
 TEST_F(CanvasPress, drawing_ends_on_its_last_point_and_is_given_up_by_escape_or_another_tool) {
-    editor.run(Command{"set-tool", {"draw-curve"}});
+    editor.run(SetTool{.tool = Tool::draw_curve});
     pointer.click(px(-1, 1));
     pointer.click(px(-1, 1));
     EXPECT_TRUE(is_in<DrawingCurve>());
     pointer.escape(px(0, 3));
     EXPECT_TRUE(is_in<CanvasIdle>());
     pointer.click(px(-1, 1));
-    editor.run(Command{"set-tool", {"select"}});
+    editor.run(SetTool{.tool = Tool::select});
     pointer.move(px(0, 3));
     EXPECT_TRUE(is_in<CanvasIdle>());
     EXPECT_EQ(steps(), 0U);
-    editor.run(Command{"set-tool", {"draw-curve"}});
+    editor.run(SetTool{.tool = Tool::draw_curve});
     pointer.click(px(-1, 1));
     pointer.click(px(3, 3));
     pointer.click(px(3, 3));
@@ -246,7 +251,7 @@ TEST_F(CanvasPress, without_a_curve_nothing_breaks) {
     Editor empty;
     test::CanvasPointer idle{empty, test::CanvasStep{}};
     for (const Tool tool : all_tools) {
-        empty.run(Command{"set-tool", {core::name_of(tool)}});
+        empty.run(SetTool{.tool = tool});
         idle.drag(px(-2, 2), px(2, -2));
         idle.escape(px(0, 0));
         idle.double_click(px(0, 0));

@@ -3,6 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/command_table.h"
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/degree_commands.h"
+#include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/view_commands.h"
 #include "sample_editor.h"
 
 namespace batten::editor {
@@ -13,40 +22,42 @@ class EditorTest : public ::testing::Test {
     EditorTest() { open_text(editor_, bezier_text); }
 
     const EditorState& state() const { return editor_.state(); }
-    bool preview(const Command& command) { return editor_.run(Request{command, Phase::preview}); }
-    void cancel() { editor_.run(Request{{}, Phase::cancel}); }
+    bool preview(const Command& command) { return editor_.run(command, Phase::preview); }
+    void cancel() { editor_.cancel_preview(); }
 
     Editor editor_;
 };
 
-const Command move_all{"move-points", {std::vector<double>{0, 1, 2, 3}, 3.0, 4.0}};
+const MovePoints move_all{.points = {0, 1, 2, 3}, .offset = {3.0, 4.0}};
 
 TEST_F(EditorTest, begins_empty_and_refuses_edits_with_a_sentence) {
     Editor editor;
     EXPECT_EQ(editor.state().active_curve(), nullptr);
     EXPECT_EQ(editor.state().file_name(), "untitled");
-    for (const char* name : {"insert-knot", "select-all", "copy", "cut", "set-parameter", "elevate", "toggle-play"}) {
-        EXPECT_FALSE(editor.run({name, {}})) << name;
-        EXPECT_EQ(editor.state().message, (Message{"there is no curve; draw one or open a file", true})) << name;
+    for (const Command& command : std::vector<Command>{InsertKnot{.u = 0.5}, SelectAll{}, Copy{}, Cut{},
+                                                       SetParameter{.u = 0.5}, Elevate{.by = 1}, TogglePlay{}}) {
+        EXPECT_FALSE(editor.run(command)) << command.spec().name;
+        EXPECT_EQ(editor.state().message, (Message{"there is no curve; draw one or open a file", true}))
+            << command.spec().name;
     }
     EXPECT_FALSE(editor.state().is_modified());
     EXPECT_TRUE(editor.log().empty());
 }
 
 TEST_F(EditorTest, says_that_a_command_is_unknown) {
-    EXPECT_FALSE(editor_.run({"insert-not", {}}));
+    EXPECT_FALSE(run_typed(editor_, "insert-not"));
     EXPECT_EQ(state().message, (Message{"there is no command called 'insert-not'", true}));
 }
 
 TEST_F(EditorTest, refuses_undo_and_redo_where_there_is_nothing) {
-    EXPECT_FALSE(editor_.run({"undo", {}}));
+    EXPECT_FALSE(editor_.run(Undo{}));
     EXPECT_EQ(state().message, (Message{"there is nothing to undo", true}));
-    EXPECT_FALSE(editor_.run({"redo", {}}));
+    EXPECT_FALSE(editor_.run(Redo{}));
     EXPECT_EQ(state().message, (Message{"there is nothing to redo", true}));
 }
 
 TEST_F(EditorTest, commits_an_edit_as_one_named_step) {
-    EXPECT_TRUE(editor_.run({"move-points", {std::vector<double>{1, 2}, 0.5, -1.0}}));
+    EXPECT_TRUE(editor_.run(MovePoints{.points = {1, 2}, .offset = {0.5, -1.0}}));
     EXPECT_EQ(points(editor_), (std::vector<core::Point>{{0, 0}, {1.5, 1}, {3.5, 1}, {4, 0}}));
     EXPECT_EQ(state().history.undo_count(), 1U);
     EXPECT_EQ(state().history.undo_label(), "Move 2 points");
@@ -61,22 +72,22 @@ TEST_F(EditorTest, shows_the_old_curve_and_the_deviation_after_a_change_of_shape
     // Every point of the curve moves by (3, 4).
     EXPECT_NEAR(state().ghost->deviation, 5.0, 1e-12);
     EXPECT_EQ(state().message, (Message{"Moved 4 points: deviates by at most 5", false}));
-    editor_.run({"insert-knot", {0.5}});
+    editor_.run(InsertKnot{.u = 0.5});
     EXPECT_FALSE(state().ghost);
     EXPECT_EQ(state().message, (Message{"Inserted knot 0.5: the curve is unchanged", false}));
 }
 
 TEST_F(EditorTest, previews_without_touching_the_committed_document) {
     const auto before = document(editor_).curves[0].curve;
-    EXPECT_TRUE(preview({"set-point", {1.0, 7.0, 7.0}}));
-    EXPECT_TRUE(preview({"set-point", {1.0, 8.0, 9.0}}));
+    EXPECT_TRUE(preview(SetPoint{.index = 1, .position = {7.0, 7.0}}));
+    EXPECT_TRUE(preview(SetPoint{.index = 1, .position = {8.0, 9.0}}));
     ASSERT_TRUE(state().preview);
     EXPECT_EQ(state().active_curve()->control_points()[1], (core::Point{8, 9}));
     EXPECT_EQ(document(editor_).curves[0].curve, before);
     ASSERT_TRUE(state().ghost);
     EXPECT_EQ(state().ghost->curve, before);
     EXPECT_EQ(state().history.undo_count(), 0U);
-    EXPECT_TRUE(editor_.run({"set-point", {1.0, 8.0, 9.0}}));
+    EXPECT_TRUE(editor_.run(SetPoint{.index = 1, .position = {8.0, 9.0}}));
     EXPECT_FALSE(state().preview);
     EXPECT_EQ(points(editor_)[1], (core::Point{8, 9}));
     EXPECT_EQ(state().history.undo_count(), 1U);
@@ -100,31 +111,31 @@ TEST_F(EditorTest, a_cancelled_preview_leaves_no_trace) {
 
 TEST_F(EditorTest, a_refused_preview_shows_the_committed_document_and_a_sentence) {
     preview(move_all);
-    EXPECT_FALSE(preview({"set-weight", {0.0, -1.0}}));
+    EXPECT_FALSE(preview(SetWeight{.index = 0, .weight = -1.0}));
     EXPECT_FALSE(state().preview);
     EXPECT_TRUE(state().message.is_error);
-    EXPECT_TRUE(preview({"set-weight", {0.0, 2.0}}));
+    EXPECT_TRUE(preview(SetWeight{.index = 0, .weight = 2.0}));
     EXPECT_FALSE(state().message.is_error);
 }
 
 TEST_F(EditorTest, the_preview_of_an_act_does_nothing) {
     const double before = state().parameter();
-    EXPECT_TRUE(preview({"set-parameter", {0.9}}));
+    EXPECT_TRUE(preview(SetParameter{.u = 0.9}));
     EXPECT_EQ(state().parameter(), before);
     EXPECT_FALSE(state().preview);
 }
 
 TEST_F(EditorTest, an_act_between_previews_leaves_the_preview_alone) {
     preview(move_all);
-    editor_.run({"hover", {"point", 2.0}});
-    editor_.run({"set-parameter", {0.25}});
+    editor_.change(SetHover{HoveredPoint{2}});
+    editor_.run(SetParameter{.u = 0.25});
     EXPECT_TRUE(state().preview);
 }
 
 TEST_F(EditorTest, a_refused_edit_changes_nothing_but_the_message) {
-    editor_.run({"select-points", {2.0}});
+    editor_.run(SelectPoints{.points = {2}});
     const core::Document before = document(editor_);
-    EXPECT_FALSE(editor_.run({"set-weight", {1.0, 0.0}}));
+    EXPECT_FALSE(editor_.run(SetWeight{.index = 1, .weight = 0.0}));
     EXPECT_EQ(state().message, (Message{"weight 1 is 0; every weight must be above 0", true}));
     EXPECT_EQ(document(editor_).curves[0].curve, before.curves[0].curve);
     EXPECT_EQ(state().selection.points, std::vector<std::size_t>{2});
@@ -132,10 +143,10 @@ TEST_F(EditorTest, a_refused_edit_changes_nothing_but_the_message) {
 }
 
 TEST_F(EditorTest, an_edit_without_effect_makes_no_step) {
-    editor_.run({"set-weight", {1.0, 3.0}});
-    editor_.run({"undo", {}});
-    EXPECT_TRUE(editor_.run({"set-weight", {1.0, 1.0}}));
-    EXPECT_TRUE(editor_.run({"move-points", {1.0, 0.0, 0.0}}));
+    editor_.run(SetWeight{.index = 1, .weight = 3.0});
+    editor_.run(Undo{});
+    EXPECT_TRUE(editor_.run(SetWeight{.index = 1, .weight = 1.0}));
+    EXPECT_TRUE(editor_.run(MovePoints{.points = {1}, .offset = {0.0, 0.0}}));
     EXPECT_EQ(state().history.undo_count(), 0U);
     EXPECT_TRUE(state().history.can_redo());
     EXPECT_FALSE(state().ghost);
@@ -144,78 +155,78 @@ TEST_F(EditorTest, an_edit_without_effect_makes_no_step) {
 
 TEST_F(EditorTest, undoes_and_redoes_exactly) {
     const auto first = document(editor_).curves[0].curve;
-    editor_.run({"set-weight", {1.0, 3.0}});
+    editor_.run(SetWeight{.index = 1, .weight = 3.0});
     const auto second = document(editor_).curves[0].curve;
-    EXPECT_TRUE(editor_.run({"undo", {}}));
+    EXPECT_TRUE(editor_.run(Undo{}));
     EXPECT_EQ(document(editor_).curves[0].curve, first);
     EXPECT_EQ(state().message, (Message{"Undid: Set weight of P₁", false}));
     EXPECT_FALSE(state().ghost);
-    EXPECT_TRUE(editor_.run({"redo", {}}));
+    EXPECT_TRUE(editor_.run(Redo{}));
     EXPECT_EQ(document(editor_).curves[0].curve, second);
     EXPECT_EQ(state().message, (Message{"Redid: Set weight of P₁", false}));
 }
 
 TEST_F(EditorTest, drops_what_a_change_of_the_counts_makes_meaningless) {
-    editor_.run({"select-points", {std::vector<double>{1, 2}}});
-    editor_.run({"set-weight", {1.0, 3.0}});
+    editor_.run(SelectPoints{.points = {1, 2}});
+    editor_.run(SetWeight{.index = 1, .weight = 3.0});
     EXPECT_EQ(state().selection.points, (std::vector<std::size_t>{1, 2}));
-    editor_.run({"hover", {"cell", std::vector<double>{3, 0}}});
-    editor_.run({"set-level", {3.0}});
-    editor_.run({"elevate", {}});
+    editor_.change(SetHover{HoveredCell{3, 0}});
+    editor_.run(SetLevel{.level = 3});
+    run_typed(editor_, "elevate");
     EXPECT_EQ(state().selection, Selection{});
     EXPECT_EQ(state().view.level, 3);
     EXPECT_EQ(state().hover, Hover(HoveredCell{3, 0}));
-    editor_.run({"set-level", {4.0}});
-    editor_.run({"hover", {"cell", std::vector<double>{4, 0}}});
-    editor_.run({"undo", {}});
+    editor_.run(SetLevel{.level = 4});
+    editor_.change(SetHover{HoveredCell{4, 0}});
+    editor_.run(Undo{});
     EXPECT_EQ(state().hover, Hover(HoveredNothing{}));
     EXPECT_EQ(state().view.level, std::nullopt);
 }
 
 TEST_F(EditorTest, refuses_edits_of_a_locked_curve) {
-    editor_.run({"set-curve-locked", {0.0, 1.0}});
+    editor_.run(SetCurveLocked{.index = 0, .locked = true});
     EXPECT_EQ(state().history.undo_label(), "Lock curve 'arch'");
-    for (const Command& command : {Command{"insert-knot", {0.5}}, move_all, Command{"cut", {}},
-                                   Command{"delete-curve", {0.0}}, Command{"set-degree", {2.0}}}) {
-        EXPECT_FALSE(editor_.run(command)) << command.name;
-        EXPECT_EQ(state().message.text, "curve 'arch' is locked; unlock it in the inspector") << command.name;
+    for (const Command& command :
+         std::vector<Command>{InsertKnot{.u = 0.5}, move_all, Cut{}, DeleteCurve{.index = 0}, SetDegree{.degree = 2}}) {
+        EXPECT_FALSE(editor_.run(command)) << command.spec().name;
+        EXPECT_EQ(state().message.text, "curve 'arch' is locked; unlock it in the inspector") << command.spec().name;
     }
-    EXPECT_TRUE(editor_.run({"set-curve-locked", {0.0, 0.0}}));
+    EXPECT_TRUE(editor_.run(SetCurveLocked{.index = 0, .locked = false}));
     EXPECT_TRUE(editor_.run(move_all));
 }
 
 TEST_F(EditorTest, escape_gives_up_one_thing_at_a_time) {
-    editor_.run({"present", {}});
-    editor_.run({"select-all", {}});
-    editor_.run({"set-weight", {0.0, -1.0}});
-    editor_.run({"key-sheet", {}});
-    editor_.run({"set-weight", {0.0, -1.0}});
-    editor_.run({"escape", {}});
+    editor_.run(TogglePresenting{});
+    editor_.run(SelectAll{});
+    editor_.run(SetWeight{.index = 0, .weight = -1.0});
+    editor_.run(ToggleKeySheet{});
+    editor_.run(SetWeight{.index = 0, .weight = -1.0});
+    run_typed(editor_, "escape");
     EXPECT_EQ(state().dialog, Dialog::none);
-    editor_.run({"set-weight", {0.0, -1.0}});
-    editor_.run({"escape", {}});
+    editor_.run(SetWeight{.index = 0, .weight = -1.0});
+    run_typed(editor_, "escape");
     EXPECT_EQ(state().message, Message{});
     EXPECT_EQ(state().selection.points.size(), 4U);
     preview(move_all);
-    editor_.run({"escape", {}});
+    run_typed(editor_, "escape");
     EXPECT_FALSE(state().preview);
     EXPECT_EQ(state().selection.points.size(), 4U);
-    editor_.run({"escape", {}});
+    run_typed(editor_, "escape");
     EXPECT_EQ(state().selection, Selection{});
     EXPECT_TRUE(state().view.is_presenting);
-    editor_.run({"escape", {}});
+    run_typed(editor_, "escape");
     EXPECT_FALSE(state().view.is_presenting);
-    editor_.run({"escape", {}});
+    run_typed(editor_, "escape");
     EXPECT_FALSE(state().wants_quit);
 }
 
 TEST_F(EditorTest, runs_a_queue_in_order) {
     CommandQueue queue;
-    queue.run("set-weight", {1.0, 3.0});
-    queue.preview("set-weight", {1.0, 4.0});
+    queue.run(SetWeight{.index = 1, .weight = 3.0});
+    queue.preview(SetWeight{.index = 1, .weight = 4.0});
     queue.cancel_preview();
-    queue.run("undo");
-    editor_.run(queue);
+    queue.run(Undo{});
+    editor_.perform(queue);
     EXPECT_TRUE(queue.is_empty());
     EXPECT_FALSE(state().preview);
     EXPECT_EQ(state().history.redo_count(), 1U);

@@ -1,7 +1,16 @@
+#include "app/editor/commands/file_commands.h"
+
 #include <gtest/gtest.h>
 
 #include <iterator>
 
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/view_commands.h"
 #include "sample_editor.h"
 
 namespace batten::editor {
@@ -14,9 +23,8 @@ class FileCommands : public ::testing::Test {
     FileCommands() : wave_(folder_.write("wave.json", sample_text)), arch_(folder_.write("arch.json", bezier_text)) {}
 
     const EditorState& state() const { return editor_.state(); }
-    bool run(const std::string& name, std::vector<Argument> arguments = {}) {
-        return editor_.run({name, std::move(arguments)});
-    }
+    bool run(const Command& command) { return editor_.run(command); }
+    bool type(const std::string& text) { return run_typed(editor_, text); }
     static std::string content(const fs::path& path) {
         std::ifstream file(path, std::ios::binary);
         return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -29,8 +37,8 @@ class FileCommands : public ::testing::Test {
 };
 
 TEST_F(FileCommands, open_a_file) {
-    run("welcome");
-    EXPECT_TRUE(run("open", {wave_.string()}));
+    run(ToggleWelcome{});
+    EXPECT_TRUE(run(Open{.path = wave_}));
     EXPECT_EQ(state().path, wave_);
     EXPECT_EQ(state().file_name(), "wave.json");
     EXPECT_EQ(document(editor_).curves.size(), 3U);
@@ -44,7 +52,7 @@ TEST_F(FileCommands, open_a_file) {
 TEST_F(FileCommands, open_with_the_view_of_the_file) {
     const fs::path path = folder_.write("view.json", R"({"format":"batten","version":1,"curves":[
         {"degree":1,"knots":[0,0,2,2],"points":[[0,0],[1,1]]}], "view": {"parameter": 0.25, "overlays": ["grid","hodograph"]}})");
-    EXPECT_TRUE(run("open", {path.string()}));
+    EXPECT_TRUE(run(Open{.path = path}));
     EXPECT_EQ(state().parameter(), 0.25);
     for (std::size_t i = 0; i < overlay_count; ++i) {
         const auto overlay = static_cast<Overlay>(i);
@@ -54,12 +62,12 @@ TEST_F(FileCommands, open_with_the_view_of_the_file) {
 }
 
 TEST_F(FileCommands, a_broken_file_changes_nothing_but_the_message) {
-    run("open", {wave_.string()});
-    run("select-points", {2.0});
+    run(Open{.path = wave_});
+    run(SelectPoints{.points = {2}});
     const auto before = document(editor_).curves[0].curve;
     const fs::path broken = folder_.write("broken.json", R"({"format":"batten","version":1,"curves":[
         {"degree":3,"knots":[0,0,0,0,0.5,0.25,1,1,1,1],"points":[[0,0],[1,1],[2,2],[3,3],[4,4],[5,5]]}]})");
-    EXPECT_FALSE(run("open", {broken.string()}));
+    EXPECT_FALSE(run(Open{.path = broken}));
     EXPECT_TRUE(state().message.is_error);
     EXPECT_EQ(
         state().message.text,
@@ -67,28 +75,28 @@ TEST_F(FileCommands, a_broken_file_changes_nothing_but_the_message) {
     EXPECT_EQ(document(editor_).curves[0].curve, before);
     EXPECT_EQ(state().path, wave_);
     EXPECT_EQ(state().selection.points, std::vector<std::size_t>{2});
-    EXPECT_FALSE(run("open", {(folder_.path() / "missing.json").string()}));
+    EXPECT_FALSE(run(Open{.path = (folder_.path() / "missing.json")}));
     EXPECT_EQ(state().message.text.rfind("missing.json: the file cannot be opened", 0), 0U) << state().message.text;
     EXPECT_EQ(state().recent_files, std::vector<fs::path>{wave_});
 }
 
 TEST_F(FileCommands, open_without_a_path_asks_for_one) {
-    run("open", {wave_.string()});
-    run("set-weight", {0.0, 2.0});
-    EXPECT_TRUE(run("open"));
+    run(Open{.path = wave_});
+    run(SetWeight{.index = 0, .weight = 2.0});
+    EXPECT_TRUE(run(Open{}));
     EXPECT_EQ(state().dialog, Dialog::open_file);
-    EXPECT_EQ(state().pending, std::nullopt);
-    EXPECT_TRUE(run("open", {arch_.string()}));
+    EXPECT_FALSE(state().pending);
+    EXPECT_TRUE(run(Open{.path = arch_}));
     EXPECT_EQ(state().dialog, Dialog::unsaved_changes);
 }
 
 TEST_F(FileCommands, save_what_was_edited_and_no_more) {
-    run("open", {wave_.string()});
-    run("save");
+    run(Open{.path = wave_});
+    run(Save{});
     const std::string first = content(wave_);
-    run("move-points", {1.0, 0.5, 0.0});
+    run(MovePoints{.points = {1}, .offset = {0.5, 0.0}});
     EXPECT_TRUE(state().is_modified());
-    EXPECT_TRUE(run("save"));
+    EXPECT_TRUE(run(Save{}));
     EXPECT_FALSE(state().is_modified());
     EXPECT_EQ(state().message, (Message{"Saved wave.json", false}));
     const std::string second = content(wave_);
@@ -97,21 +105,21 @@ TEST_F(FileCommands, save_what_was_edited_and_no_more) {
     const auto saved = core::parse_document(second);
     ASSERT_TRUE(saved);
     EXPECT_EQ(saved->curves[0].curve->control_points()[1].x, moved.curves[0].curve->control_points()[1].x + 0.5);
-    run("undo");
+    run(Undo{});
     EXPECT_TRUE(state().is_modified());
-    run("save");
+    run(Save{});
     EXPECT_EQ(content(wave_), first);
 }
 
 TEST_F(FileCommands, save_the_view_too) {
-    run("open", {wave_.string()});
-    run("activate-curve", {1.0});
-    run("set-parameter", {3.5});
-    run("toggle-grid");
-    run("toggle-hodograph");
-    run("save");
+    run(Open{.path = wave_});
+    run(ActivateCurve{.index = 1});
+    run(SetParameter{.u = 3.5});
+    run(ToggleOverlay<Overlay::grid>{});
+    run(ToggleOverlay<Overlay::hodograph>{});
+    run(Save{});
     Editor other;
-    other.run({"open", {wave_.string()}});
+    other.run(Open{.path = wave_});
     EXPECT_EQ(other.state().parameter(), 3.5);
     EXPECT_EQ(other.state().view.overlays, state().view.overlays);
     EXPECT_EQ(document(other).active, 1U);
@@ -120,65 +128,66 @@ TEST_F(FileCommands, save_the_view_too) {
 TEST_F(FileCommands, keep_overlays_of_a_later_version) {
     const fs::path path = folder_.write("later.json", R"({"format":"batten","version":1,"curves":[],
         "view": {"overlays": ["grid","shadow"]}})");
-    run("open", {path.string()});
-    run("save");
+    run(Open{.path = path});
+    run(Save{});
     const auto saved = core::parse_document(content(path));
     ASSERT_TRUE(saved);
     EXPECT_EQ(saved->view.overlays, (std::vector<std::string>{"grid", "shadow"}));
 }
 
 TEST_F(FileCommands, save_as_another_file) {
-    run("open", {wave_.string()});
-    EXPECT_TRUE(run("save-as", {(folder_.path() / "copy").string()}));
+    run(Open{.path = wave_});
+    EXPECT_TRUE(run(SaveAs{.path = (folder_.path() / "copy")}));
     EXPECT_EQ(state().path, folder_.path() / "copy.json");
     EXPECT_TRUE(fs::exists(folder_.path() / "copy.json"));
     EXPECT_EQ(state().recent_files, (std::vector<fs::path>{folder_.path() / "copy.json", wave_}));
-    EXPECT_FALSE(run("save-as", {(folder_.path() / "no" / "such" / "folder.json").string()}));
+    EXPECT_FALSE(run(SaveAs{.path = (folder_.path() / "no" / "such" / "folder.json")}));
     EXPECT_TRUE(state().message.is_error);
     EXPECT_EQ(state().path, folder_.path() / "copy.json");
-    EXPECT_TRUE(run("save-as"));
+    EXPECT_TRUE(run(SaveAs{}));
     EXPECT_EQ(state().dialog, Dialog::save_file);
 }
 
 TEST_F(FileCommands, ask_about_unsaved_changes) {
-    run("open", {wave_.string()});
-    run("set-weight", {0.0, 2.0});
-    for (const Command& command : {Command{"new", {}}, Command{"open", {arch_.string()}}, Command{"quit", {}},
-                                   Command{"open-example", {"arch"}}}) {
-        EXPECT_TRUE(editor_.run(command));
+    run(Open{.path = wave_});
+    run(SetWeight{.index = 0, .weight = 2.0});
+    for (const Pending& pending :
+         std::vector<Pending>{NewDocument{}, Open{.path = arch_}, Quit{}, OpenExample{.name = "arch"}}) {
+        EXPECT_TRUE(editor_.run(std::visit([](const auto& command) { return Command(command); }, pending)));
         EXPECT_EQ(state().dialog, Dialog::unsaved_changes);
-        EXPECT_EQ(state().pending, command);
+        ASSERT_TRUE(state().pending);
+        EXPECT_EQ(state().pending->index(), pending.index());
         EXPECT_EQ(state().path, wave_);
-        EXPECT_TRUE(run("answer-unsaved", {"cancel"}));
+        EXPECT_TRUE(run(AnswerUnsaved{.answer = UnsavedAnswer::cancel}));
         EXPECT_EQ(state().dialog, Dialog::none);
-        EXPECT_EQ(state().pending, std::nullopt);
+        EXPECT_FALSE(state().pending);
         EXPECT_FALSE(state().wants_quit);
         EXPECT_TRUE(state().is_modified());
     }
-    EXPECT_FALSE(run("answer-unsaved", {"discard"}));
-    run("quit");
-    EXPECT_FALSE(run("answer-unsaved", {"maybe"}));
+    EXPECT_FALSE(run(AnswerUnsaved{.answer = UnsavedAnswer::discard}));
+    run(Quit{});
+    EXPECT_FALSE(type("answer-unsaved maybe"));
     EXPECT_EQ(state().dialog, Dialog::unsaved_changes);
-    EXPECT_TRUE(run("answer-unsaved", {"discard"}));
+    EXPECT_TRUE(run(AnswerUnsaved{.answer = UnsavedAnswer::discard}));
     EXPECT_TRUE(state().wants_quit);
 }
 
 TEST_F(FileCommands, save_before_going_on) {
-    run("open", {wave_.string()});
-    run("set-weight", {0.0, 2.0});
-    run("open", {arch_.string()});
-    EXPECT_TRUE(run("answer-unsaved", {"save"}));
+    run(Open{.path = wave_});
+    run(SetWeight{.index = 0, .weight = 2.0});
+    run(Open{.path = arch_});
+    EXPECT_TRUE(run(AnswerUnsaved{.answer = UnsavedAnswer::save}));
     EXPECT_EQ(state().path, arch_);
     EXPECT_EQ(core::load_document(wave_)->curves[0].curve->weights()[0], 2.0);
 }
 
 TEST_F(FileCommands, save_an_untitled_document_before_going_on) {
-    run("new-curve", {std::vector<double>{0, 0, 1, 1}});
-    run("quit");
-    EXPECT_TRUE(run("answer-unsaved", {"save"}));
+    run(NewCurve{.points = {{0, 0}, {1, 1}}});
+    run(Quit{});
+    EXPECT_TRUE(run(AnswerUnsaved{.answer = UnsavedAnswer::save}));
     EXPECT_EQ(state().dialog, Dialog::save_file);
     EXPECT_FALSE(state().wants_quit);
-    EXPECT_TRUE(run("save-as", {(folder_.path() / "line.json").string()}));
+    EXPECT_TRUE(run(SaveAs{.path = (folder_.path() / "line.json")}));
     EXPECT_TRUE(state().wants_quit);
     EXPECT_EQ(state().dialog, Dialog::none);
 }
@@ -187,31 +196,31 @@ TEST_F(FileCommands, a_failed_saving_gives_up_what_waited) {
     const fs::path path = folder_.path() / "gone" / "wave.json";
     fs::create_directory(path.parent_path());
     fs::copy_file(wave_, path);
-    run("open", {path.string()});
-    run("set-weight", {0.0, 2.0});
+    run(Open{.path = path});
+    run(SetWeight{.index = 0, .weight = 2.0});
     fs::remove_all(path.parent_path());
-    run("quit");
-    EXPECT_FALSE(run("answer-unsaved", {"save"}));
+    run(Quit{});
+    EXPECT_FALSE(run(AnswerUnsaved{.answer = UnsavedAnswer::save}));
     EXPECT_TRUE(state().message.is_error);
     EXPECT_TRUE(state().is_modified());
-    EXPECT_TRUE(run("save-as", {(folder_.path() / "kept.json").string()}));
+    EXPECT_TRUE(run(SaveAs{.path = (folder_.path() / "kept.json")}));
     EXPECT_FALSE(state().wants_quit);
 }
 
 TEST_F(FileCommands, a_failed_opening_after_discard_keeps_the_changes) {
-    run("open", {wave_.string()});
-    run("set-weight", {0.0, 2.0});
-    run("open", {(folder_.path() / "missing.json").string()});
-    EXPECT_FALSE(run("answer-unsaved", {"discard"}));
+    run(Open{.path = wave_});
+    run(SetWeight{.index = 0, .weight = 2.0});
+    run(Open{.path = (folder_.path() / "missing.json")});
+    EXPECT_FALSE(run(AnswerUnsaved{.answer = UnsavedAnswer::discard}));
     EXPECT_TRUE(state().message.is_error);
     EXPECT_TRUE(state().is_modified());
     EXPECT_EQ(curve(editor_).weights()[0], 2.0);
 }
 
 TEST_F(FileCommands, begin_a_new_document) {
-    run("open", {wave_.string()});
-    run("select-points", {1.0});
-    EXPECT_TRUE(run("new"));
+    run(Open{.path = wave_});
+    run(SelectPoints{.points = {1}});
+    EXPECT_TRUE(run(NewDocument{}));
     EXPECT_EQ(state().active_curve(), nullptr);
     EXPECT_EQ(state().file_name(), "untitled");
     EXPECT_EQ(state().selection, Selection{});
@@ -223,16 +232,16 @@ TEST_F(FileCommands, open_an_example_as_untitled) {
     Desktop desktop;
     desktop.examples = folder_.path();
     Editor editor(desktop);
-    EXPECT_TRUE(editor.run({"open-example", {"arch"}}));
+    EXPECT_TRUE(editor.run(OpenExample{.name = "arch"}));
     EXPECT_EQ(document(editor).curves[0].name, "arch");
     EXPECT_EQ(editor.state().path, "");
     EXPECT_FALSE(editor.state().is_modified());
     EXPECT_TRUE(editor.state().recent_files.empty());
-    EXPECT_TRUE(editor.run({"save", {}}));
+    EXPECT_TRUE(editor.run(Save{}));
     EXPECT_EQ(editor.state().dialog, Dialog::save_file);
     for (const std::string& name :
          {std::string("nothing"), std::string(), std::string("../wave"), (folder_.path() / "arch").string()}) {
-        EXPECT_FALSE(editor.run({"open-example", {name}})) << name;
+        EXPECT_FALSE(editor.run(OpenExample{.name = name})) << name;
         EXPECT_EQ(editor.state().message.text, "there is no example called '" + name + "'");
     }
 }
@@ -241,29 +250,29 @@ TEST_F(FileCommands, remember_ten_recent_files_newest_first) {
     std::vector<fs::path> expected;
     for (int i = 0; i < 12; ++i) {
         const fs::path path = folder_.write("file" + std::to_string(i) + ".json", bezier_text);
-        run("open", {path.string()});
+        run(Open{.path = path});
         expected.insert(expected.begin(), path);
     }
     expected.resize(10);
     EXPECT_EQ(state().recent_files, expected);
-    run("open", {expected[4].string()});
+    run(Open{.path = expected[4]});
     EXPECT_EQ(state().recent_files.size(), 10U);
     EXPECT_EQ(state().recent_files[0], expected[4]);
     EXPECT_EQ(state().recent_files[1], expected[0]);
 }
 
 TEST_F(FileCommands, add_the_curves_of_a_file) {
-    run("open", {arch_.string()});
-    EXPECT_TRUE(run("add-file", {wave_.string()}));
-    EXPECT_TRUE(run("add-file", {arch_.string()}));
+    run(Open{.path = arch_});
+    EXPECT_TRUE(run(AddFile{.path = wave_}));
+    EXPECT_TRUE(run(AddFile{.path = arch_}));
     ASSERT_EQ(document(editor_).curves.size(), 5U);
     EXPECT_EQ(document(editor_).curves[4].name, "arch 2");
     EXPECT_EQ(document(editor_).active, 4U);
     EXPECT_EQ(state().history.undo_label(), "Add file arch.json");
     EXPECT_EQ(state().path, arch_);
-    EXPECT_FALSE(run("add-file", {"/nowhere.json"}));
-    run("undo");
-    run("undo");
+    EXPECT_FALSE(run(AddFile{.path = "/nowhere.json"}));
+    run(Undo{});
+    run(Undo{});
     EXPECT_FALSE(state().is_modified());
 }
 

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/measuring_commands.h"
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/selection_commands.h"
 #include "app/editor/scene/canvas_scene.h"
 #include "sample_editor.h"
 #include "scene_sample.h"
@@ -14,8 +18,8 @@ class FindingsTest : public ::testing::Test {
     // (0, 0) (1, 2) (3, 2) (4, 0): y is greatest in the middle, at (2, 1.5).
     void SetUp() override {
         open_text(editor_, bezier_text);
-        ASSERT_TRUE(editor_.run({"resize-canvas", {1000.0, 600.0}}));
-        ASSERT_TRUE(editor_.run({"evaluate", {0.5}}));
+        editor_.change(ResizeCanvas{{1000.0, 600.0}});
+        ASSERT_TRUE(editor_.run(Evaluate{.u = 0.5}));
         ASSERT_TRUE(state().findings.has_value());
     }
     const EditorState& state() const { return editor_.state(); }
@@ -43,26 +47,26 @@ TEST_F(FindingsTest, are_marked_where_they_are) {
 }
 
 TEST_F(FindingsTest, are_not_marked_on_another_shape) {
-    ASSERT_TRUE(editor_.run(Request{{"set-point", {1.0, 1.0, 5.0}}, Phase::preview}));
+    ASSERT_TRUE(editor_.run(SetPoint{.index = 1, .position = {1.0, 5.0}}, Phase::preview));
     EXPECT_TRUE(marks(picture()).empty());
-    ASSERT_TRUE(editor_.run(Request{{}, Phase::cancel}));
+    editor_.cancel_preview();
     EXPECT_EQ(marks(picture()).size(), 1U);
 }
 
 TEST_F(FindingsTest, end_with_the_document_they_are_of) {
-    ASSERT_TRUE(editor_.run({"set-point", {1.0, 1.0, 5.0}}));
+    ASSERT_TRUE(editor_.run(SetPoint{.index = 1, .position = {1.0, 5.0}}));
     EXPECT_FALSE(state().findings.has_value());
-    ASSERT_TRUE(editor_.run({"evaluate", {0.5}}));
-    ASSERT_TRUE(editor_.run({"undo", {}}));
+    ASSERT_TRUE(editor_.run(Evaluate{.u = 0.5}));
+    ASSERT_TRUE(editor_.run(Undo{}));
     EXPECT_FALSE(state().findings.has_value());
 }
 
 TEST_F(FindingsTest, are_given_up_before_the_selection) {
-    ASSERT_TRUE(editor_.run({"select-points", {std::vector<double>{1.0}}}));
-    ASSERT_TRUE(editor_.run({"escape", {}}));
+    ASSERT_TRUE(editor_.run(SelectPoints{.points = {1}}));
+    ASSERT_TRUE(run_typed(editor_, "escape"));
     EXPECT_FALSE(state().findings.has_value());
     EXPECT_EQ(state().selection.points.size(), 1U);
-    ASSERT_TRUE(editor_.run({"escape", {}}));
+    ASSERT_TRUE(run_typed(editor_, "escape"));
     EXPECT_TRUE(state().selection.points.empty());
 }
 

@@ -1,8 +1,11 @@
+#include "app/editor/commands/fitting_commands.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/editor/commands/selection_commands.h"
 #include "core/evaluate/evaluate.h"
 #include "core/measure/nearest.h"
 #include "sample_editor.h"
@@ -14,14 +17,17 @@ class FittingCommands : public ::testing::Test {
   protected:
     const EditorState& state() const { return editor_.state(); }
     const std::string& message() const { return state().message.text; }
-    bool run(const std::string& name, std::vector<Argument> arguments = {}) {
-        return editor_.run({name, std::move(arguments)});
-    }
-    void expect_refused(const std::string& name, std::vector<Argument> arguments, const std::string& sentence) {
+    bool run(const Command& command) { return editor_.run(command); }
+    bool type(const std::string& text) { return run_typed(editor_, text); }
+    void expect_refused(const Command& command, const std::string& sentence) {
         const std::size_t before = document(editor_).curves.size();
-        EXPECT_FALSE(run(name, std::move(arguments)));
+        EXPECT_FALSE(run(command));
         EXPECT_EQ(message(), sentence);
         EXPECT_EQ(document(editor_).curves.size(), before);
+    }
+    void expect_refused(const std::string& typed, const std::string& sentence) {
+        EXPECT_FALSE(type(typed));
+        EXPECT_EQ(message(), sentence);
     }
     double distance_to(core::Point point) const {
         return glm::distance(core::nearest_point(curve(editor_), point).point, point);
@@ -30,38 +36,42 @@ class FittingCommands : public ::testing::Test {
     Editor editor_;
 };
 
-const std::vector<double> zigzag{0, 0, 1, 2, 3, 1, 4, 3, 6, 0};
+const std::vector<core::Point> zigzag{{0, 0}, {1, 2}, {3, 1}, {4, 3}, {6, 0}};
+
+Interpolate through_zigzag(core::Parametrization parametrization) {
+    return {.points = zigzag, .degree = 3, .parametrization = parametrization};
+}
 
 TEST_F(FittingCommands, interpolate_typed_points) {
-    EXPECT_TRUE(run("interpolate", {zigzag}));
+    EXPECT_TRUE(run(through_zigzag(core::Parametrization::centripetal)));
     EXPECT_EQ(message(), "Interpolated points");
     EXPECT_EQ(curve(editor_).degree(), 3);
     EXPECT_EQ(points(editor_).size(), 5U);
-    for (std::size_t k = 0; k < 5; ++k) EXPECT_LT(distance_to({zigzag[2 * k], zigzag[2 * k + 1]}), 1e-13);
-    EXPECT_TRUE(run("interpolate", {std::vector<double>{0, 0, 1, 1, 2, 0}}));
+    for (const core::Point point : zigzag) EXPECT_LT(distance_to(point), 1e-13);
+    EXPECT_TRUE(type("interpolate 0,0,1,1,2,0"));
     EXPECT_EQ(curve(editor_).degree(), 2);
     EXPECT_EQ(document(editor_).active_curve()->name, "curve 2");
 }
 
 TEST_F(FittingCommands, take_the_parametrization_by_name) {
-    run("interpolate", {zigzag, 3.0, "uniform"});
+    run(through_zigzag(core::Parametrization::uniform));
     const auto uniform = points(editor_);
-    run("interpolate", {zigzag, 3.0, "chordal"});
+    run(through_zigzag(core::Parametrization::chordal));
     EXPECT_NE(points(editor_), uniform);
     EXPECT_NE(knots(editor_)[4], 0.5);
-    expect_refused("interpolate", {zigzag, 3.0, "round"},
+    expect_refused("interpolate 0,0,1,2,3,1 3 round",
                    "parametrization is 'round'; it must be uniform, chordal or centripetal");
 }
 
 TEST_F(FittingCommands, left_out_points_are_the_control_points) {
     open_text(editor_, sample_text);
     const auto through = points(editor_);
-    EXPECT_TRUE(run("interpolate"));
+    EXPECT_TRUE(type("interpolate"));
     EXPECT_EQ(document(editor_).curves.size(), 4U);
     for (const core::Point& point : through) EXPECT_LT(distance_to(point), 1e-13);
-    run("activate-curve", {0.0});
-    run("select-points", {std::vector<double>{0, 2, 3, 5}});
-    EXPECT_TRUE(run("interpolate-closed"));
+    run(ActivateCurve{.index = 0});
+    run(SelectPoints{.points = {0, 2, 3, 5}});
+    EXPECT_TRUE(type("interpolate-closed"));
     EXPECT_TRUE(curve(editor_).is_periodic());
     EXPECT_EQ(points(editor_).size(), 4U);
     for (const std::size_t i : {0U, 2U, 3U, 5U}) EXPECT_LT(distance_to(through[i]), 1e-13);
@@ -69,36 +79,37 @@ TEST_F(FittingCommands, left_out_points_are_the_control_points) {
 }
 
 TEST_F(FittingCommands, natural_ends_and_tangents) {
-    EXPECT_TRUE(run("interpolate-natural", {zigzag}));
+    EXPECT_TRUE(
+        run(InterpolateNatural{.points = zigzag, .degree = 3, .parametrization = core::Parametrization::centripetal}));
     EXPECT_LT(glm::length(core::derivatives_at(curve(editor_), 0.0, 2)[2]), 1e-10);
-    EXPECT_TRUE(run("interpolate-tangents", {std::vector<double>{0, 5}, std::vector<double>{0, 0}, zigzag}));
+    EXPECT_TRUE(run(InterpolateTangents{.start = core::Vector(0, 5),
+                                        .end = std::nullopt,
+                                        .points = zigzag,
+                                        .degree = 3,
+                                        .parametrization = core::Parametrization::centripetal}));
     EXPECT_LT(glm::distance(core::derivatives_at(curve(editor_), 0.0, 1)[1], core::Vector(0, 5)), 1e-12);
     EXPECT_EQ(points(editor_).size(), 6U);
-    expect_refused("interpolate-tangents", {std::vector<double>{1}, std::vector<double>{0, 0}, zigzag},
-                   "start needs x and y; 1 number was given");
-    expect_refused("interpolate-natural", {zigzag, 2.0}, "the degree is 2; it must be at least 3 here");
+    expect_refused("interpolate-tangents 1, 0,0 0,0,1,2,3,1",
+                   "start is a list of one number; a list of two numbers is needed, x and y of the derivative at the "
+                   "start; none leaves it free");
+    expect_refused(InterpolateNatural{.points = zigzag, .degree = 2, .parametrization = core::Parametrization::chordal},
+                   "the degree is 2; it must be at least 3 here");
 }
 
 TEST_F(FittingCommands, name_the_point_that_is_repeated) {
-    expect_refused("interpolate", {std::vector<double>{0, 0, 1, 1, 1, 1, 2, 0}},
-                   "point 2 lies on point 1; the two must differ");
-    expect_refused("interpolate", {std::vector<double>{0, 0, 1}},
-                   "interpolation needs x and y of 2 points or more; 3 coordinates were given");
-    expect_refused("interpolate-closed", {std::vector<double>{0, 0, 1, 1}},
-                   "2 points were found; at least 3 are needed");
+    expect_refused("interpolate 0,0,1,1,1,1,2,0", "point 2 lies on point 1; the two must differ");
+    expect_refused("interpolate 0,0,1", "coordinates has 3 numbers; x and y of each point are needed");
+    expect_refused("interpolate-closed 0,0,1,1", "2 points were found; at least 3 are needed");
 }
 
-std::vector<double> bow(int count) {
-    std::vector<double> coordinates;
-    for (int k = 0; k <= count; ++k) {
-        coordinates.push_back(5.0 * k / count);
-        coordinates.push_back(std::sin(5.0 * k / count));
-    }
-    return coordinates;
+std::vector<core::Point> bow(int count) {
+    std::vector<core::Point> points;
+    for (int k = 0; k <= count; ++k) points.emplace_back(5.0 * k / count, std::sin(5.0 * k / count));
+    return points;
 }
 
 TEST_F(FittingCommands, fit_points_keeps_end_tangents) {
-    ASSERT_TRUE(run("fit-points", {8.0, bow(50), 3.0, 0.0, 0.0, std::vector<double>{3, 1}, std::vector<double>{0, -2}}))
+    ASSERT_TRUE(run(FitPoints{.count = 8, .points = bow(50), .start = core::Vector(3, 1), .end = core::Vector(0, -2)}))
         << message();
     const auto start = core::derivatives_at(curve(editor_), 0.0, 1);
     const auto end = core::derivatives_at(curve(editor_), 1.0, 1);
@@ -109,28 +120,29 @@ TEST_F(FittingCommands, fit_points_keeps_end_tangents) {
 }
 
 TEST_F(FittingCommands, fit_points_says_the_error) {
-    EXPECT_TRUE(run("fit-points", {8.0, bow(50)}));
+    EXPECT_TRUE(run(FitPoints{.count = 8, .points = bow(50)}));
     EXPECT_EQ(points(editor_).size(), 8U);
     EXPECT_EQ(message().substr(0, 38), "Fitted curve to points: error at most ") << message();
-    EXPECT_TRUE(run("fit-points-within", {1e-4, bow(50)}));
+    EXPECT_TRUE(run(FitPointsWithin{.tolerance = 1e-4, .points = bow(50)}));
     EXPECT_EQ(message().substr(0, 44), "Fitted curve within tolerance: error at most") << message();
     for (int k = 0; k <= 50; ++k) EXPECT_LT(distance_to({5.0 * k / 50, std::sin(5.0 * k / 50)}), 1e-4);
-    EXPECT_TRUE(run("fit-points", {8.0, bow(50), 3.0, 1.0}));
+    EXPECT_TRUE(run(FitPoints{.count = 8, .points = bow(50), .closed = true}));
     EXPECT_TRUE(curve(editor_).is_periodic());
-    expect_refused("fit-points", {60.0, bow(50)},
+    expect_refused(FitPoints{.count = 60, .points = bow(50)},
                    "60 control points were asked for; at most 51 can be determined by these points");
-    expect_refused("fit-points-within", {0.0, bow(50)}, "the tolerance is 0; it must be above 0 and finite");
+    expect_refused(FitPointsWithin{.tolerance = 0.0, .points = bow(50)},
+                   "the tolerance is 0; it must be above 0 and finite");
 }
 
 TEST_F(FittingCommands, fit_points_smoothly) {
-    EXPECT_TRUE(run("fit-points", {8.0, bow(50), 3.0, 0.0, 1e9}));
+    EXPECT_TRUE(run(FitPoints{.count = 8, .points = bow(50), .smoothing = 1e9}));
     for (const core::Point& point : points(editor_)) EXPECT_NEAR(point.y, point.x / 5.0 * std::sin(5.0), 1e-3);
 }
 
 TEST_F(FittingCommands, need_points_from_somewhere) {
-    EXPECT_FALSE(run("interpolate"));
+    EXPECT_FALSE(type("interpolate"));
     EXPECT_TRUE(state().message.is_error);
-    EXPECT_FALSE(run("fit-points-within", {0.1}));
+    EXPECT_FALSE(type("fit-points-within 0.1"));
 }
 
 }  // namespace

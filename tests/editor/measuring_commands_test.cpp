@@ -1,8 +1,11 @@
+#include "app/editor/commands/measuring_commands.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "sample_editor.h"
+#include "app/editor/commands/selection_commands.h"
+#include "finding_fixture.h"
 
 namespace batten::editor {
 namespace {
@@ -13,66 +16,48 @@ constexpr const char* measures_text = R"({ "format": "batten", "version": 1, "cu
   { "name": "triangle", "degree": 1, "knots": [0,0,1,2,3,3], "points": [[0,0],[0,3],[6,0],[0,0]] },
   { "name": "line", "degree": 1, "knots": [0,0,1,1], "points": [[0,1],[2,1]] } ] })";
 
-class MeasuringCommands : public ::testing::Test {
+class MeasuringCommands : public FindingFixture {
   protected:
     void SetUp() override { open_text(editor_, measures_text); }
-    const EditorState& state() const { return editor_.state(); }
-    const std::vector<Finding>& rows() const { return state().findings->rows; }
-    void find(const std::string& name, std::vector<Argument> arguments = {}) {
-        ASSERT_TRUE(editor_.run({name, std::move(arguments)})) << state().message.text;
-        ASSERT_TRUE(state().findings.has_value());
-    }
-    std::string refused(const std::string& name, std::vector<Argument> arguments = {}) {
-        EXPECT_FALSE(editor_.run({name, std::move(arguments)}));
-        return state().message.text;
-    }
-    double number(std::size_t row, const std::string& name) const {
-        for (const FoundNumber& found : rows()[row].numbers)
-            if (found.name == name) return found.value;
-        ADD_FAILURE() << "no number " << name;
-        return 0.0;
-    }
-
-    Editor editor_;
 };
 
 TEST_F(MeasuringCommands, arc_length_and_its_inverse) {
-    ASSERT_TRUE(editor_.run({"activate-curve", {0.0}}));
+    ASSERT_TRUE(editor_.run(ActivateCurve{.index = 0}));
     const double whole = std::sqrt(17.0) + 0.25 * std::asinh(4.0);
     const double half = 0.5 * std::sqrt(5.0) + 0.25 * std::asinh(2.0);
-    find("arc-length");
+    find(MeasureArcLength{.begin = 0.0, .end = 1.0});
     EXPECT_NEAR(number(0, "length"), whole, 1e-13);
     EXPECT_LE(number(0, "error"), 1e-12);
     EXPECT_EQ(state().message.text, "parabola has the length 4.64678");
-    find("arc-length", {0.5, 1.0});
+    find(MeasureArcLength{.begin = 0.5, .end = 1.0});
     EXPECT_NEAR(number(0, "length"), whole - half, 1e-13);
-    find("point-at-length", {half});
+    find(FindPointAtLength{.length = half});
     EXPECT_NEAR(rows()[0].parameter.value(), 0.5, 1e-13);
     EXPECT_NEAR(number(0, "point y"), 1.0, 1e-13);
 }
 
 TEST_F(MeasuringCommands, area_of_closed_curves_only) {
-    ASSERT_TRUE(editor_.run({"activate-curve", {1.0}}));
-    find("area");
+    ASSERT_TRUE(editor_.run(ActivateCurve{.index = 1}));
+    find(MeasureArea{});
     EXPECT_NEAR(number(0, "area"), -9.0, 1e-13);
     EXPECT_NEAR(rows()[0].point->x, 2.0, 1e-13);
     EXPECT_EQ(rows()[0].note, "negative: the curve runs clockwise");
-    ASSERT_TRUE(editor_.run({"activate-curve", {0.0}}));
-    EXPECT_EQ(refused("area"), "the curve is not closed; its ends must meet and it must have no gaps");
+    ASSERT_TRUE(editor_.run(ActivateCurve{.index = 0}));
+    EXPECT_EQ(refused(MeasureArea{}), "the curve is not closed; its ends must meet and it must have no gaps");
 }
 
 TEST_F(MeasuringCommands, nearest_point_and_evaluation) {
-    ASSERT_TRUE(editor_.run({"activate-curve", {1.0}}));
-    find("nearest", {-1.0, 1.5});
+    ASSERT_TRUE(editor_.run(ActivateCurve{.index = 1}));
+    find(FindNearest{.position = {-1.0, 1.5}});
     EXPECT_NEAR(number(0, "distance"), 1.0, 1e-15);
     EXPECT_NEAR(rows()[0].parameter.value(), 0.5, 1e-15);
-    find("evaluate", {1.0});
+    find(Evaluate{.u = 1.0});
     ASSERT_EQ(rows().size(), 2U);
     EXPECT_EQ(rows()[0].label, "left of u = 1");
     EXPECT_EQ(number(0, "C' y"), 3.0);
     EXPECT_EQ(number(1, "C' x"), 6.0);
-    ASSERT_TRUE(editor_.run({"activate-curve", {0.0}}));
-    find("evaluate", {0.5});
+    ASSERT_TRUE(editor_.run(ActivateCurve{.index = 0}));
+    find(Evaluate{.u = 0.5});
     ASSERT_EQ(rows().size(), 1U);
     EXPECT_EQ(number(0, "C x"), 1.0);
     EXPECT_EQ(number(0, "C'' y"), 8.0);
@@ -80,25 +65,26 @@ TEST_F(MeasuringCommands, nearest_point_and_evaluation) {
 }
 
 TEST_F(MeasuringCommands, intersections_with_lines_and_curves) {
-    ASSERT_TRUE(editor_.run({"activate-curve", {1.0}}));
-    find("intersect-line", {0.0, 1.0, 1.0, 1.0});
+    ASSERT_TRUE(editor_.run(ActivateCurve{.index = 1}));
+    find(IntersectLine{.first = {0.0, 1.0}, .second = {1.0, 1.0}});
     ASSERT_EQ(rows().size(), 2U);
     EXPECT_NEAR(number(0, "along"), 0.0, 1e-15);
     EXPECT_NEAR(number(1, "along"), 4.0, 1e-14);
     EXPECT_EQ(state().message.text, "triangle crosses the line 2 times, its polygon 2 times");
-    find("intersect-segment", {-1.0, 1.0, 1.0, 1.0});
+    find(IntersectSegment{.first = {-1.0, 1.0}, .second = {1.0, 1.0}});
     ASSERT_EQ(rows().size(), 1U);
     EXPECT_EQ(rows()[0].label, "crosses");
-    EXPECT_EQ(refused("intersect-line", {1.0, 1.0, 1.0, 1.0}), "point 1 lies on point 0; the two must differ");
-    ASSERT_TRUE(editor_.run({"activate-curve", {0.0}}));
-    find("intersect", {"line"});
+    EXPECT_EQ(refused(IntersectLine{.first = {1.0, 1.0}, .second = {1.0, 1.0}}),
+              "point 1 lies on point 0; the two must differ");
+    ASSERT_TRUE(editor_.run(ActivateCurve{.index = 0}));
+    find(IntersectCurve{.other = "line"});
     ASSERT_EQ(rows().size(), 1U);
     EXPECT_NEAR(rows()[0].parameter.value(), 0.5, 1e-15);
     EXPECT_NEAR(number(0, "other u"), 0.5, 1e-15);
-    EXPECT_EQ(state().message.text, "parabola meets line 1 time");
-    EXPECT_EQ(refused("intersect", {"parabola"}),
+    EXPECT_EQ(state().message.text, "parabola meets line once");
+    EXPECT_EQ(refused(IntersectCurve{.other = "parabola"}),
               "'parabola' is the active curve itself; name another one, or use self-intersections");
-    EXPECT_FALSE(editor_.run({"intersect", {"nobody"}}));
+    EXPECT_FALSE(editor_.run(IntersectCurve{.other = "nobody"}));
 }
 
 }  // namespace

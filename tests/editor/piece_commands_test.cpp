@@ -1,7 +1,13 @@
+#include "app/editor/commands/piece_commands.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/selection_commands.h"
 #include "core/evaluate/evaluate.h"
 #include "sample_editor.h"
 
@@ -17,9 +23,8 @@ constexpr const char* pieces_text = R"({ "format": "batten", "version": 1, "curv
 class PieceCommands : public ::testing::Test {
   protected:
     void SetUp() override { open_text(editor_, pieces_text); }
-    bool run(const std::string& name, std::vector<Argument> arguments = {}) {
-        return editor_.run({name, std::move(arguments)});
-    }
+    bool run(const Command& command) { return editor_.run(command); }
+    bool type(const std::string& text) { return run_typed(editor_, text); }
     const EditorState& state() const { return editor_.state(); }
     std::vector<std::string> names() const {
         std::vector<std::string> found;
@@ -32,7 +37,7 @@ class PieceCommands : public ::testing::Test {
 };
 
 TEST_F(PieceCommands, split_leaves_two_curves_side_by_side) {
-    ASSERT_TRUE(run("split", {0.25})) << state().message.text;
+    ASSERT_TRUE(run(Split{.u = 0.25})) << state().message.text;
     EXPECT_EQ(names(), (std::vector<std::string>{"parabola", "parabola 2", "line", "fixed"}));
     EXPECT_EQ(document(editor_).active, 0U);
     EXPECT_EQ(curve_at(0).domain(), (core::Interval{0.0, 0.25}));
@@ -43,33 +48,33 @@ TEST_F(PieceCommands, split_leaves_two_curves_side_by_side) {
     EXPECT_EQ(curve_at(1).control_points()[0], core::Point(0.5, 0.25));
     EXPECT_EQ(document(editor_).curves[1].color, document(editor_).curves[0].color);
     EXPECT_EQ(state().message.text, "Split at 0.25: the curve is unchanged");
-    ASSERT_TRUE(run("undo"));
+    ASSERT_TRUE(run(Undo{}));
     EXPECT_EQ(names().size(), 3U);
 }
 
 TEST_F(PieceCommands, split_refuses_an_end) {
-    EXPECT_FALSE(run("split", {1.0}));
-    EXPECT_FALSE(run("split", {2.0}));
+    EXPECT_FALSE(run(Split{.u = 1.0}));
+    EXPECT_FALSE(run(Split{.u = 2.0}));
     EXPECT_EQ(names().size(), 3U);
 }
 
 TEST_F(PieceCommands, sub_curve_keeps_the_part) {
-    ASSERT_TRUE(run("sub-curve", {0.25, 0.5})) << state().message.text;
+    ASSERT_TRUE(run(SubCurve{.begin = 0.25, .end = 0.5})) << state().message.text;
     EXPECT_EQ(curve_at(0).control_points().front(), core::Point(0.5, 0.25));
     EXPECT_EQ(curve_at(0).control_points().back(), core::Point(1.0, 1.0));
     EXPECT_EQ(state().message.text, "Kept part from 0.25 to 0.5");
-    EXPECT_FALSE(run("sub-curve", {0.5, 0.25}));
+    EXPECT_FALSE(run(SubCurve{.begin = 0.5, .end = 0.25}));
 }
 
 TEST_F(PieceCommands, bezier_pieces_and_back) {
-    ASSERT_TRUE(run("insert-knot", {0.5}));
-    ASSERT_TRUE(run("bezier-pieces")) << state().message.text;
+    ASSERT_TRUE(run(InsertKnot{.u = 0.5}));
+    ASSERT_TRUE(run(BezierPieces{})) << state().message.text;
     EXPECT_EQ(names(), (std::vector<std::string>{"parabola", "parabola 2", "line", "fixed"}));
-    ASSERT_TRUE(run("set-curve-locked", {3.0, 0.0}));
-    ASSERT_TRUE(run("delete-curve", {3.0}));
-    ASSERT_TRUE(run("delete-curve", {2.0}));
-    ASSERT_TRUE(run("activate-curve", {0.0}));
-    ASSERT_TRUE(run("join-pieces")) << state().message.text;
+    ASSERT_TRUE(run(SetCurveLocked{.index = 3, .locked = false}));
+    ASSERT_TRUE(run(DeleteCurve{.index = 3}));
+    ASSERT_TRUE(run(DeleteCurve{.index = 2}));
+    ASSERT_TRUE(run(ActivateCurve{.index = 0}));
+    ASSERT_TRUE(type("join-pieces")) << state().message.text;
     EXPECT_EQ(names(), (std::vector<std::string>{"parabola"}));
     ASSERT_EQ(curve_at(0).control_points().size(), 3U);
     EXPECT_NEAR(curve_at(0).control_points()[1].x, 1.0, 1e-15);
@@ -77,7 +82,7 @@ TEST_F(PieceCommands, bezier_pieces_and_back) {
 }
 
 TEST_F(PieceCommands, join_changes_only_the_beginning_of_the_second) {
-    ASSERT_TRUE(run("join", {"line", "C0"})) << state().message.text;
+    ASSERT_TRUE(run(Join{.other = "line", .continuity = core::JoinContinuity::c0})) << state().message.text;
     EXPECT_EQ(names(), (std::vector<std::string>{"parabola", "fixed"}));
     EXPECT_EQ(core::point_at(curve_at(0), 0.5), core::Point(1.0, 1.0));
     EXPECT_EQ(curve_at(0).control_points().back(), core::Point(4.0, 9.0));
@@ -86,7 +91,7 @@ TEST_F(PieceCommands, join_changes_only_the_beginning_of_the_second) {
 }
 
 TEST_F(PieceCommands, join_gives_the_continuity_asked_for) {
-    ASSERT_TRUE(run("join", {"line", "C1"})) << state().message.text;
+    ASSERT_TRUE(run(Join{.other = "line", .continuity = core::JoinContinuity::c1})) << state().message.text;
     const double joint = 1.0;
     const auto before = core::derivatives_at(curve_at(0), joint, 1, core::Side::left);
     const auto after = core::derivatives_at(curve_at(0), joint, 1, core::Side::right);
@@ -97,35 +102,35 @@ TEST_F(PieceCommands, join_gives_the_continuity_asked_for) {
 }
 
 TEST_F(PieceCommands, join_refuses_what_it_cannot_take) {
-    EXPECT_FALSE(run("join", {"nobody", "C0"}));
+    EXPECT_FALSE(run(Join{.other = "nobody", .continuity = core::JoinContinuity::c0}));
     EXPECT_EQ(state().message.text, "there is no curve 'nobody'; there are 'parabola', 'line', 'fixed'");
-    EXPECT_FALSE(run("join", {"parabola", "C0"}));
-    EXPECT_FALSE(run("join", {"fixed", "C0"}));
-    EXPECT_FALSE(run("join", {"line", "C3"}));
+    EXPECT_FALSE(run(Join{.other = "parabola", .continuity = core::JoinContinuity::c0}));
+    EXPECT_FALSE(run(Join{.other = "fixed", .continuity = core::JoinContinuity::c0}));
+    EXPECT_FALSE(type("join line C3"));
     EXPECT_EQ(state().message.text, "continuity is 'C3'; it must be C0, C1, C2, G1 or G2");
     EXPECT_EQ(names().size(), 3U);
 }
 
 TEST_F(PieceCommands, reverse_twice_is_the_same) {
     const core::Curve before = curve_at(0);
-    ASSERT_TRUE(run("reverse"));
+    ASSERT_TRUE(run(Reverse{}));
     EXPECT_EQ(curve_at(0).control_points().front(), core::Point(2.0, 4.0));
     EXPECT_EQ(state().message.text, "Reversed direction: the curve is unchanged");
-    ASSERT_TRUE(run("reverse"));
+    ASSERT_TRUE(run(Reverse{}));
     EXPECT_EQ(curve_at(0), before);
 }
 
 TEST_F(PieceCommands, extend_goes_on_at_the_end_asked_for) {
-    ASSERT_TRUE(run("extend-parameter", {0.5, "end"})) << state().message.text;
+    ASSERT_TRUE(run(ExtendParameter{.by = 0.5, .end = core::CurveEnd::end})) << state().message.text;
     EXPECT_EQ(curve_at(0).control_points().back(), core::Point(3.0, 9.0));
-    ASSERT_TRUE(run("undo"));
-    ASSERT_TRUE(run("extend-parameter", {0.5, "start"})) << state().message.text;
+    ASSERT_TRUE(run(Undo{}));
+    ASSERT_TRUE(run(ExtendParameter{.by = 0.5, .end = core::CurveEnd::start})) << state().message.text;
     EXPECT_EQ(curve_at(0).control_points().front(), core::Point(-1.0, 1.0));
-    ASSERT_TRUE(run("activate-curve", {1.0}));
-    ASSERT_TRUE(run("extend-straight", {std::sqrt(17.0), "end"})) << state().message.text;
+    ASSERT_TRUE(run(ActivateCurve{.index = 1}));
+    ASSERT_TRUE(run(ExtendStraight{.length = std::sqrt(17.0), .end = core::CurveEnd::end})) << state().message.text;
     EXPECT_NEAR(curve_at(1).control_points().back().x, 5.0, 1e-14);
     EXPECT_NEAR(curve_at(1).control_points().back().y, 13.0, 1e-14);
-    EXPECT_FALSE(run("extend", {1.0, "both"}));
+    EXPECT_FALSE(type("extend 1 both"));
     EXPECT_EQ(state().message.text, "end is 'both'; it must be start or end");
 }
 

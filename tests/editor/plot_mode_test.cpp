@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/view_commands.h"
 #include "core/measure/deviation.h"
 #include "tests/editor/pointer_driver.h"
 
@@ -21,15 +25,13 @@ class PlotModes : public testing::Test {
 
     static Editor cubic_editor(const Knots& interior) {
         Editor editor;
-        std::vector<double> coordinates;
-        for (const core::Point point : test::cubic().points) coordinates.insert(coordinates.end(), {point.x, point.y});
-        editor.run(Command{"new-curve", {coordinates, 3.0}});
+        editor.run(NewCurve{.points = test::cubic().points});
         Knots knots{0, 0, 0, 0};
         knots.insert(knots.end(), interior.begin(), interior.end());
         knots.insert(knots.end(), 4, 1.0);
-        editor.run(Command{"set-knots", {knots}});
-        editor.run(Command{"set-parameter", {0.4}});
-        editor.run(Command{"set-knot-move", {"stop"}});
+        editor.run(SetKnots{.knots = knots});
+        editor.run(SetParameter{.u = 0.4});
+        editor.run(SetKnotMove{.mode = core::KnotMove::stop});
         return editor;
     }
 
@@ -37,7 +39,6 @@ class PlotModes : public testing::Test {
         editor = cubic_editor(interior);
         first_steps = state().history.undo_count();
     }
-    void set_knot_move(const char* mode) { editor.run(Command{"set-knot-move", {mode}}); }
     const EditorState& state() const { return editor.state(); }
     std::size_t steps() const { return state().history.undo_count() - first_steps; }
     Knots interior() const {
@@ -89,7 +90,7 @@ TEST_F(PlotModes, stop_does_not_snap_from_afar) {
 }
 
 TEST_F(PlotModes, push_takes_the_neighbour_along) {
-    set_knot_move("push");
+    editor.run(SetKnotMove{.mode = core::KnotMove::push});
     pointer.drag(at(0.25), at(0.6));
     EXPECT_NEAR(interior()[0], 0.6, 1e-15);
     EXPECT_GE(interior()[1], 0.6);
@@ -99,22 +100,22 @@ TEST_F(PlotModes, push_takes_the_neighbour_along) {
 }
 
 TEST_F(PlotModes, snap_jumps_onto_a_knot_within_eight_pixels) {
-    set_knot_move("snap");
+    editor.run(SetKnotMove{.mode = core::KnotMove::snap});
     pointer.drag(at(0.25), at(0.5) - glm::dvec2(7, 0));
     EXPECT_EQ(interior(), (Knots{0.5, 0.5, 0.75}));
 }
 
 TEST_F(PlotModes, snap_leaves_a_knot_where_it_is_farther_away) {
-    set_knot_move("snap");
+    editor.run(SetKnotMove{.mode = core::KnotMove::snap});
     pointer.drag(at(0.25), at(0.5) - glm::dvec2(9.36, 0));
     EXPECT_NEAR(interior()[0], 0.49, 1e-15);
 }
 
 TEST_F(PlotModes, snap_reaches_as_far_on_the_screen_when_zoomed) {
-    editor.run(Command{"set-plot-range", {0.4, 0.6}});
+    editor.change(SetPlotRange{{0.4, 0.6}});
     use({0.45, 0.5, 0.75});
-    editor.run(Command{"set-plot-range", {0.4, 0.6}});
-    set_knot_move("snap");
+    editor.change(SetPlotRange{{0.4, 0.6}});
+    editor.run(SetKnotMove{.mode = core::KnotMove::snap});
     const auto zoomed = [](double u) { return glm::dvec2(32.0 + 936.0 * (u - 0.4) / 0.2, strip); };
     pointer.drag(zoomed(0.45), zoomed(0.497));
     EXPECT_NEAR(interior()[0], 0.497, 1e-15);
@@ -199,7 +200,7 @@ TEST_F(PlotModes, zooming_stops_where_doubles_end) {
 }
 
 TEST_F(PlotModes, middle_and_space_drag_pan_within_the_knots) {
-    editor.run(Command{"set-plot-range", {0.2, 0.7}});
+    editor.change(SetPlotRange{{0.2, 0.7}});
     pointer.button = PointerButton::middle;
     pointer.drag({500, 100}, {500 - 93.6, 100});
     EXPECT_NEAR(state().view.plot_range->lower, 0.25, 1e-12);
@@ -228,7 +229,7 @@ TEST_F(PlotModes, hover_tells_graphs_knots_and_spans_apart) {
 }
 
 TEST_F(PlotModes, the_last_knot_of_an_unclamped_curve_follows_the_pointer_without_running_away) {
-    editor.run(Command{"set-kind", {"uniform"}});
+    editor.run(SetKind{.kind = core::KnotKind::uniform});
     const Knots before = stored_knots(committed(editor));
     const double length = before.back() - before.front();
     pointer.press({968, strip});
@@ -238,7 +239,7 @@ TEST_F(PlotModes, the_last_knot_of_an_unclamped_curve_follows_the_pointer_withou
 }
 
 TEST_F(PlotModes, a_locked_curve_keeps_its_knots) {
-    editor.run(Command{"set-curve-locked", {0.0, 1.0}});
+    editor.run(SetCurveLocked{.index = 0, .locked = true});
     pointer.drag(at(0.25), at(0.35));
     EXPECT_EQ(interior(), (Knots{0.25, 0.5, 0.75}));
     EXPECT_EQ(state().selection.knot, std::optional<std::size_t>(4));
@@ -266,8 +267,8 @@ TEST_F(PlotModes, hints_tell_the_knot_and_its_continuity) {
 
 TEST(PlotModesScaled, behave_alike_at_twice_the_interface_scale) {
     Editor editor = test::zigzag_editor();
-    editor.run(Command{"set-interface-scale", {2.0}});
-    editor.run(Command{"set-knot-move", {"snap"}});
+    editor.change(SetInterfaceScale{2.0});
+    editor.run(SetKnotMove{.mode = core::KnotMove::snap});
     test::PlotPointer pointer{editor, test::PlotStep{{2000.0, 520.0}}};
     // u = 0..3 runs from x = 64 to 1936, the strip is at y = 412; 16 px are the reach of snapping.
     const auto at = [](double u) { return glm::dvec2(64.0 + 624.0 * u, 412.0); };

@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "app/editor/canvas_mode.h"
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/knot_commands.h"
 #include "app/editor/editor.h"
 #include "app/editor/plot_mode.h"
 
@@ -46,9 +49,9 @@ inline core::CurveDefinition closed_cubic() {
 /// of two legs, C(1) = (-1, 0) and C(2) = (1, 0); C(1.5) = (0, -1) where u stands at first. Drawn by commands.
 inline Editor zigzag_editor() {
     Editor editor;
-    editor.run(Command{"new-curve", {std::vector<double>{-4, -2, -2, 2, 0, -2, 2, 2, 4, -2}, 2.0}});
-    editor.run(Command{"set-knots", {std::vector<double>{0, 0, 0, 1, 2, 3, 3, 3}}});
-    editor.run(Command{"set-parameter", {1.5}});
+    editor.run(NewCurve{.points = {{-4, -2}, {-2, 2}, {0, -2}, {2, 2}, {4, -2}}, .degree = 2});
+    editor.run(SetKnots{.knots = {0, 0, 0, 1, 2, 3, 3, 3}});
+    editor.run(SetParameter{.u = 1.5});
     return editor;
 }
 
@@ -75,7 +78,7 @@ class Pointer {
             mode_, PointerEvent{action, position, has_button ? button : PointerButton::none, modifiers, space, wheel},
             editor_.state(), queue);
         was_asked_ = !queue.is_empty();
-        editor_.run(queue);
+        editor_.perform(queue);
     }
     void press(glm::dvec2 at) { send(PointerAction::press, at); }
     void move(glm::dvec2 at) { send(PointerAction::move, at); }

@@ -1,27 +1,55 @@
 #include "random_session.h"
 
+#include "app/editor/command_reader.h"
+#include "app/editor/commands/analysis_commands.h"
+#include "app/editor/commands/closing_commands.h"
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/degree_commands.h"
+#include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/fitting_commands.h"
+#include "app/editor/commands/form_commands.h"
+#include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/making_commands.h"
+#include "app/editor/commands/measuring_commands.h"
+#include "app/editor/commands/piece_commands.h"
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/refinement_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/shape_commands.h"
+
 namespace batten::editor {
 
 double RandomSession::between(double lower, double upper) {
     return lower + (upper - lower) * static_cast<double>(below(1024)) / 1024.0;
 }
 
+core::Point RandomSession::point(double reach) {
+    const double x = between(-reach, reach);
+    return {x, between(-reach, reach)};
+}
+
+core::Vector RandomSession::vector(double reach) {
+    const double x = between(-reach, reach);
+    return {x, between(-reach, reach)};
+}
+
 // Once in a while one that there is not.
-double RandomSession::index(std::size_t count) {
-    return static_cast<double>(below(20) == 0 ? count + below(3) : below(std::max<std::size_t>(count, 1)));
+std::size_t RandomSession::index(std::size_t count) {
+    return below(20) == 0 ? count + below(3) : below(std::max<std::size_t>(count, 1));
 }
 
 double RandomSession::parameter(const EditorState& state) {
-    const core::Curve* curve =
-        state.history.present().active_curve() ? state.history.present().active_curve()->curve.get() : nullptr;
-    const core::Interval domain = curve != nullptr ? curve->domain() : core::Interval{0.0, 1.0};
+    const core::DocumentCurve* active = state.history.present().active_curve();
+    const core::Interval domain = active != nullptr ? active->curve->domain() : core::Interval{0.0, 1.0};
     if (below(20) == 0) return domain.upper + 1.0;
     if (below(10) == 0) return below(2) == 0 ? domain.lower : domain.upper;
     return between(domain.lower, domain.upper);
 }
 
-std::vector<double> RandomSession::indices(std::size_t count) {
-    std::vector<double> result;
+std::vector<std::size_t> RandomSession::indices(std::size_t count) {
+    std::vector<std::size_t> result;
     for (std::size_t i = 1 + below(3); i > 0; --i) result.push_back(index(count));
     return result;
 }
@@ -35,295 +63,326 @@ std::vector<double> RandomSession::typed_knots(const core::Curve& curve) {
     return knots;
 }
 
-Command RandomSession::shape_command(const core::Curve& curve) {
+// Where nothing suggests itself, a command that is refused in the same way or does no harm.
+Command RandomSession::suggested(const EditorState& state, const CommandSpec& spec) {
+    Outcome<Command> command = read_command(spec, state);
+    return command ? *std::move(command) : Command(Nudge{.offset = {0.0, 0.0}});
+}
+
+Command RandomSession::one_of(const EditorState& state,
+                              std::initializer_list<std::reference_wrapper<const CommandSpec>> specs) {
+    return suggested(state, specs.begin()[below(specs.size())]);
+}
+
+Command RandomSession::shape_command(const EditorState& state, const core::Curve& curve) {
     const std::size_t n = curve.control_points().size();
     switch (below(12)) {
         case 0:
-            return {"move-points", {indices(n), between(-2, 2), between(-2, 2)}};
+            return MovePoints{.points = indices(n), .offset = vector(2)};
         case 1:
-            return {"set-point", {index(n), between(-9, 9), between(-9, 9)}};
+            return SetPoint{.index = index(n), .position = point(9)};
         case 2:
-            return {"set-weight", {index(n), between(-0.2, 4)}};
+            return SetWeight{.index = index(n), .weight = between(-0.2, 4)};
         case 3:
-            return {"add-point", {index(n + 1), between(-9, 9), between(-9, 9)}};
+            return AddPoint{.index = index(n + 1), .position = point(9)};
         case 4:
-            return {"delete-points", {indices(n)}};
+            return DeletePoints{.points = indices(n)};
         case 5:
-            return {"nudge", {between(-1, 1), between(-1, 1)}};
+            return Nudge{.offset = vector(1)};
         case 6:
-            return {below(2) == 0 ? "nudge-left" : "nudge-up-far", {}};
+            return one_of(state, {NudgeLeft::spec(), NudgeUpFar::spec()});
         case 7:
-            return {"delete", {}};
+            return Delete{};
         case 8:
             // Degrees stay small, so that a session of hundreds of commands stays fast.
-            return {"set-degree", {static_cast<double>(below(6))}};
+            return SetDegree{.degree = static_cast<int>(below(6))};
         case 9:
-            return curve.degree() < 5 ? Command{"elevate", {}} : Command{"reduce", {}};
+            return curve.degree() < 5 ? Command(Elevate{.by = 1}) : Command(Reduce{.by = 1});
         case 10:
-            return {"reduce", {}};
+            return Reduce{.by = 1};
         default:
-            return {"toggle-closed", {}};
+            return ToggleClosed{};
     }
 }
 
 Command RandomSession::knot_command(const EditorState& state, const core::Curve& curve) {
     const std::size_t count = curve.knots().stored().size();
-    static constexpr const char* kinds[]{"uniform",  "clamped-uniform", "bezier", "piecewise-bezier",
-                                         "periodic", "custom",          "odd"};
-    static constexpr const char* modes[]{"stop", "push", "snap"};
     switch (below(9)) {
         case 0:
-            return {"insert-knot", {parameter(state)}};
+            return InsertKnot{.u = parameter(state)};
         case 1:
-            return {"insert-knot", {}};
+            return suggested(state, InsertKnot::spec());
         case 2:
-            return count < 25 ? Command{"insert-midpoints", {}} : Command{"delete-knot", {index(count)}};
+            return count < 25 ? Command(InsertMidpoints{}) : Command(DeleteKnot{.index = index(count)});
         case 3:
-            return {"raise-knot", {index(count)}};
+            return RaiseKnot{.index = index(count)};
         case 4:
-            return {"move-knot", {index(count), parameter(state), modes[below(3)], between(0, 0.2)}};
+            return MoveKnot{.index = index(count),
+                            .u = parameter(state),
+                            .mode = any<core::KnotMove>(),
+                            .snap_distance = between(0, 0.2)};
         case 5:
-            return {"set-knot", {index(count), parameter(state)}};
+            return SetKnot{.index = index(count), .u = parameter(state)};
         case 6:
-            return {"delete-knot", {index(count)}};
+            return DeleteKnot{.index = index(count)};
         case 7:
-            return {"set-kind", {kinds[below(7)]}};
+            return SetKind{.kind = any<core::KnotKind>()};
         default:
-            return {"set-knots", {typed_knots(curve)}};
+            return SetKnots{.knots = typed_knots(curve)};
     }
 }
 
 Command RandomSession::closing_command(const EditorState& state, const core::Curve& curve) {
-    static constexpr const char* ends[]{"start", "end", "both", "middle"};
-    static constexpr const char* findings[]{"closing",       "collinear-runs", "conic-form",     "cubic-matrix",
-                                            "anticentroids", "ferguson",       "blossom-labels", "greville-points"};
+    const std::size_t n = curve.control_points().size();
     // Each of these may add points.
-    if (curve.control_points().size() > 25) return {"delete-points", {std::vector<double>{3.0}}};
+    if (n > 25) return DeletePoints{.points = {3}};
     switch (below(8)) {
         case 0:
-            return {"to-periodic", {between(-0.1, 2)}};
+            return ToPeriodic{.tolerance = between(-0.1, 2)};
         case 1:
-            return {"to-wrapped", {}};
+            return suggested(state, ToWrapped::spec());
         case 2:
-            return {"to-clamped", {}};
+            return ToClamped{};
         case 3:
-            return {"move-seam", {parameter(state)}};
+            return MoveSeam{.u = parameter(state), .tolerance = between(0, 0.1)};
         case 4:
-            return {below(2) == 0 ? "double-end" : "triple-end", {ends[below(4)]}};
+            return below(2) == 0 ? Command(DoubleEnd{.end = any<CurveEnds>()})
+                                 : Command(TripleEnd{.end = any<CurveEnds>()});
         case 5:
-            return {"phantom-end", {}};
+            return PhantomEnd{.end = any<CurveEnds>()};
         case 6:
-            return {"straighten", {index(curve.control_points().size()), index(curve.control_points().size())}};
+            return Straighten{.from = index(n), .to = index(n)};
         default:
-            return {findings[below(8)], {}};
+            return one_of(state, {FindClosing::spec(), FindCollinearRuns::spec(), FindConicForm::spec(),
+                                  FindMatrixForm::spec(), FindAnticentroids::spec(), FindFergusonForm::spec(),
+                                  FindBlossomLabels::spec(), FindGrevillePoints::spec()});
     }
 }
 
 Command RandomSession::refinement_command(const EditorState& state, const core::Curve& curve) {
     // Inserting and raising in turn would make curves of thousands of points.
-    if (curve.control_points().size() > 25 || curve.degree() > 6) return {"remove-knots", {between(-0.1, 2)}};
+    if (curve.control_points().size() > 25 || curve.degree() > 6) return RemoveKnots{.tolerance = between(-0.1, 2)};
     switch (below(9)) {
         case 0:
-            return {"insert-knots", {std::vector<double>{parameter(state), parameter(state)}}};
+            return InsertKnots{.knots = {parameter(state), parameter(state)}};
         case 1:
-            return {"remove-knot", {parameter(state), static_cast<double>(below(3)), between(-0.1, 2)}};
+            return RemoveKnot{
+                .u = parameter(state), .times = static_cast<int>(below(3)), .tolerance = between(-0.1, 2)};
         case 2:
-            return {"remove-knots", {between(-0.1, 2)}};
+            return RemoveKnots{.tolerance = between(-0.1, 2)};
         case 3:
-            return {"merge-knots", {between(-0.05, 0.2)}};
+            return MergeKnots{.tolerance = between(-0.05, 0.2)};
         case 4:
-            return {"reparametrize", {between(-2, 1), between(0, 4)}};
+            return Reparametrize{.begin = between(-2, 1), .end = between(0, 4)};
         case 5:
-            return {"normalize", {}};
+            return Normalize{};
         case 6:
-            return {"clamp", {below(2) == 0 ? "start" : "both"}};
+            return Clamp{.end = any<CurveEnds>()};
         case 7:
-            return {"unclamp", {below(2) == 0 ? "end" : "both"}};
+            return Unclamp{.end = any<CurveEnds>()};
         default:
-            return {"to-bezier", {}};
+            return ToBezier{};
     }
 }
 
 Command RandomSession::piece_command(const EditorState& state, const core::Curve& curve) {
-    static constexpr const char* continuities[]{"C0", "C1", "C2", "G1", "G2", "C3"};
     if (state.history.present().curves.size() > 6 || curve.control_points().size() > 40 || curve.degree() > 6)
-        return {"sub-curve", {parameter(state), parameter(state)}};
+        return SubCurve{.begin = parameter(state), .end = parameter(state)};
     switch (below(8)) {
         case 0:
-            return {"split", {parameter(state)}};
+            return Split{.u = parameter(state)};
         case 1:
-            return {"sub-curve", {parameter(state), parameter(state)}};
+            return SubCurve{.begin = parameter(state), .end = parameter(state)};
         case 2:
-            return curve.control_points().size() < 8 ? Command{"bezier-pieces", {}} : Command{"reverse", {}};
+            return curve.control_points().size() < 8 ? Command(BezierPieces{}) : Command(Reverse{});
         case 3:
-            return {"join-pieces", {between(-0.1, 20)}};
+            return JoinPieces{.tolerance = between(-0.1, 20)};
         case 4:
         case 5:
-            return {"join", {"name " + std::to_string(below(5)), continuities[below(std::size(continuities))]}};
+            return Join{.other = name(), .continuity = any<core::JoinContinuity>()};
         case 6:
-            return {below(2) == 0 ? "extend" : "extend-straight", {between(-1, 4), below(2) == 0 ? "start" : "end"}};
+            return below(2) == 0 ? Command(Extend{.length = between(-1, 4), .end = any<core::CurveEnd>()})
+                                 : Command(ExtendStraight{.length = between(-1, 4), .end = any<core::CurveEnd>()});
         default:
-            return {"extend-parameter", {between(-0.1, 1), below(2) == 0 ? "start" : "end"}};
+            return ExtendParameter{.by = between(-0.1, 1), .end = any<core::CurveEnd>()};
     }
 }
 
-Command RandomSession::making_command() {
-    static constexpr const char* shapes[]{"line",    "polyline",     "polygon",  "circle",    "arc",
-                                          "ellipse", "elliptic-arc", "parabola", "hyperbola", "conic"};
+Command RandomSession::making_command(const EditorState& state) {
     switch (below(4)) {
         case 0:
-            return {"arc", {between(-5, 5), 0.0, between(-0.2, 3), 30.0, between(-400, 400)}};
+            return AddArc{.center = {between(-5, 5), 0.0},
+                          .radius = between(-0.2, 3),
+                          .start = 30.0,
+                          .sweep = between(-400, 400)};
         case 1:
-            return {"conic", {std::vector<double>{0, 0, between(-2, 2), 1, 3, between(-1, 1)}, between(-0.2, 3)}};
+            return AddConic{.points = {{0, 0}, {between(-2, 2), 1}, {3, between(-1, 1)}}, .weight = between(-0.2, 3)};
         case 2:
-            return {"polygon", {between(-5, 5), 0.0, 1.5, static_cast<double>(below(9))}};
+            return AddPolygon{.center = {between(-5, 5), 0.0}, .radius = 1.5, .sides = below(9)};
         default:
-            return {shapes[below(10)], {}};
+            return one_of(state, {AddLine::spec(), AddPolyline::spec(), AddPolygon::spec(), AddCircle::spec(),
+                                  AddArc::spec(), AddEllipse::spec(), AddEllipticArc::spec(), AddParabola::spec(),
+                                  AddHyperbola::spec(), AddConic::spec()});
     }
 }
 
 Command RandomSession::fitting_command() {
-    std::vector<double> coordinates;
-    for (std::size_t i = 3 + below(6); i > 0; --i)
-        coordinates.insert(coordinates.end(), {between(-5, 5), between(-5, 5)});
-    if (below(10) == 0) coordinates.insert(coordinates.end(), {1.0, 1.0, 1.0, 1.0});
+    std::vector<core::Point> points;
+    for (std::size_t i = 3 + below(6); i > 0; --i) points.push_back(point(5));
+    if (below(10) == 0) points.insert(points.end(), 2, core::Point(1.0, 1.0));
+    const auto degree = static_cast<int>(below(6));
     switch (below(6)) {
         case 0:
-            return {"interpolate", {coordinates, static_cast<double>(below(6))}};
+            return Interpolate{
+                .points = points, .degree = degree, .parametrization = core::Parametrization::centripetal};
         case 1:
-            return {"interpolate-closed", {coordinates, static_cast<double>(below(6)), "uniform"}};
+            return InterpolateClosed{
+                .points = points, .degree = degree, .parametrization = core::Parametrization::uniform};
         case 2:
-            return {"interpolate-natural", {coordinates}};
+            return InterpolateNatural{
+                .points = points, .degree = 3, .parametrization = core::Parametrization::centripetal};
         case 3:
-            return {"interpolate-tangents",
-                    {std::vector<double>{between(-9, 9), 1}, std::vector<double>{0, 0}, coordinates}};
+            return InterpolateTangents{.start = vector(9),
+                                       .end = std::nullopt,
+                                       .points = points,
+                                       .degree = 3,
+                                       .parametrization = core::Parametrization::centripetal};
         case 4:
-            return {"fit-points", {static_cast<double>(below(9)), coordinates}};
+            return FitPoints{.count = below(9), .points = points};
         default:
-            return {"fit-points-within", {between(-0.2, 2), coordinates, 3.0, static_cast<double>(below(2))}};
+            return FitPointsWithin{.tolerance = between(-0.2, 2), .points = points, .closed = below(2) == 0};
     }
 }
 
 Command RandomSession::moving_command(const EditorState& state, const core::Curve& curve) {
-    if (curve.control_points().size() > 25) return {"delete-points", {std::vector<double>{3.0}}};
+    if (curve.control_points().size() > 25) return DeletePoints{.points = {3}};
     switch (below(5)) {
         case 0:
-            return {"move-curve-point", {parameter(state), between(-9, 9), between(-9, 9)}};
+            return MoveCurvePoint{.u = parameter(state), .position = point(9)};
         case 1:
-            return {"set-tangent", {parameter(state), between(-9, 9), between(-9, 9)}};
+            return SetTangent{.u = parameter(state), .derivative = vector(9)};
         case 2:
-            return {"move-point-and-tangent",
-                    {parameter(state), between(-9, 9), between(-9, 9), between(-9, 9), between(-9, 9)}};
+            return MovePointAndTangent{.u = parameter(state), .position = point(9), .derivative = vector(9)};
         case 3:
-            return {"fair", {between(-0.1, 0.5)}};
+            return Fair{.distance = between(-0.1, 0.5)};
         default:
-            return {"offset", {between(-1, 1), 0.05}};
+            return Offset{.distance = between(-1, 1), .tolerance = 0.05};
     }
 }
 
 Command RandomSession::measuring_command(const EditorState& state) {
-    static constexpr const char* simple[]{"continuity", "inflections", "curvature-extrema", "cusps",
-                                          "bounds",     "span-hulls",  "arc-length",        "area",
-                                          "evaluate",   "intersect",   "self-intersections"};
-    switch (below(5)) {
+    switch (below(6)) {
         case 0:
-            return {"point-at-length", {between(-1, 30)}};
+            return FindPointAtLength{.length = between(-1, 30)};
         case 1:
-            return {"nearest", {between(-9, 9), between(-9, 9)}};
+            return FindNearest{.position = point(9)};
         case 2:
-            return {below(2) == 0 ? "intersect-line" : "intersect-segment",
-                    {between(-9, 9), between(-9, 9), between(-9, 9), between(-9, 9)}};
+            return IntersectLine{.first = point(9), .second = point(9)};
         case 3:
-            return {"arc-length", {parameter(state), parameter(state)}};
+            return IntersectSegment{.first = point(9), .second = point(9)};
+        case 4:
+            return MeasureArcLength{.begin = parameter(state), .end = parameter(state)};
         default:
-            return {simple[below(std::size(simple))], {}};
+            return one_of(
+                state, {FindContinuity::spec(), FindInflections::spec(), FindCurvatureExtrema::spec(),
+                        FindCusps::spec(), FindBounds::spec(), FindSpanHulls::spec(), MeasureArcLength::spec(),
+                        MeasureArea::spec(), Evaluate::spec(), IntersectCurve::spec(), FindSelfIntersections::spec()});
     }
 }
 
 Command RandomSession::document_command(const EditorState& state) {
     const std::size_t count = state.history.present().curves.size();
     // Not too many curves, or too few.
-    if (count > 6) return {"delete-curve", {index(count)}};
+    if (count > 6) return DeleteCurve{.index = index(count)};
     switch (below(11)) {
         case 0:
-            return {"new-curve",
-                    {std::vector<double>{between(-5, 0), 0, 1, between(0, 5), 2, 2, 3, between(-5, 0), 5, 1}}};
+            return NewCurve{.points = {{between(-5, 0), 0}, {1, between(0, 5)}, {2, 2}, {3, between(-5, 0)}, {5, 1}}};
         case 1:
-            return {"delete-curve", {index(count)}};
+            return DeleteCurve{.index = index(count)};
         case 2:
-            return {"duplicate-curve", {index(count)}};
+            return DuplicateCurve{.index = index(count), .shift = between(0, 1)};
         case 3:
-            return {"rename-curve", {index(count), "name " + std::to_string(below(5))}};
+            return RenameCurve{.index = index(count), .name = name()};
         case 4:
-            return {"set-curve-color", {index(count), below(2) == 0 ? "#e69f00" : "none"}};
+            return SetCurveColor{
+                .index = index(count),
+                .color = below(2) == 0 ? std::optional(core::DocumentColor{230, 159, 0}) : std::nullopt};
         case 5:
-            return {"set-curve-visible", {index(count), static_cast<double>(below(2))}};
+            return SetCurveVisible{.index = index(count), .visible = below(2) == 0};
         case 6:
-            return {"set-curve-locked", {index(count), static_cast<double>(below(4) == 0)}};
+            return SetCurveLocked{.index = index(count), .locked = below(4) == 0};
         case 7:
-            return {"cut", {}};
+            return Cut{};
         case 8:
-            return {"copy", {}};
+            return Copy{};
         case 9:
-            return {"paste", {}};
+            return suggested(state, Paste::spec());
         default:
-            return {"duplicate", {}};
+            return suggested(state, Duplicate::spec());
     }
 }
 
 Command RandomSession::view_command(const EditorState& state) {
     const core::DocumentCurve* active = state.history.present().active_curve();
     const std::size_t n = active != nullptr ? active->curve->control_points().size() : 0;
-    switch (below(12)) {
+    switch (below(9)) {
         case 0:
-            return {"select-points", {indices(n)}};
+            return SelectPoints{.points = indices(n)};
         case 1:
-            return {"select-knot", {index(n)}};
+            return SelectKnot{.index = index(n)};
         case 2:
-            return {"select-all", {}};
+            return SelectAll{};
         case 3:
-            return {"select-none", {}};
+            return SelectNone{};
         case 4:
-            return {"activate-curve", {index(state.history.present().curves.size())}};
+            return ActivateCurve{.index = index(state.history.present().curves.size())};
         case 5:
-            return {"set-parameter", {parameter(state)}};
+            return SetParameter{.u = parameter(state)};
         case 6:
-            return {"toggle-play", {}};
+            return TogglePlay{};
         case 7:
-            return {"advance", {between(0, 20)}};
-        case 8:
-            return {"zoom-camera", {between(0.5, 2.0), 10.0, 20.0}};
-        case 9:
-            return {"hover", {"point", index(n)}};
-        case 10:
-            return {"set-level", {static_cast<double>(below(5)) - 1.0}};
+            return SetLevel{.level = below(5) == 0 ? std::nullopt : std::optional(static_cast<int>(below(4)))};
         default:
-            return {"escape", {}};
+            return suggested(state, Escape::spec());
+    }
+}
+
+ViewChange RandomSession::view_change(const EditorState& state) {
+    const core::DocumentCurve* active = state.history.present().active_curve();
+    const std::size_t n = active != nullptr ? active->curve->control_points().size() : 0;
+    switch (below(3)) {
+        case 0:
+            return Advance{between(0, 20)};
+        case 1:
+            return ZoomCamera{between(0.5, 2.0), {10.0, 20.0}};
+        default:
+            return SetHover{HoveredPoint{index(n)}};
     }
 }
 
 Command RandomSession::command(const EditorState& state) {
     const core::DocumentCurve* active = state.history.present().active_curve();
     const std::size_t group = below(22);
-    if (group < 3) return {"undo", {}};
-    if (group < 5) return {"redo", {}};
-    if (group < 9) return view_command(state);
-    if (active == nullptr || group < 12)
-        return below(4) != 0 || state.history.present().curves.size() > 6 ? document_command(state)
-               : below(2) == 0                                            ? making_command()
-                                                                          : fitting_command();
+    if (group < 3) return Undo{};
+    if (group < 5) return Redo{};
+    if (group < 8) return view_command(state);
+    if (active == nullptr || group < 12) {
+        if (below(4) != 0 || state.history.present().curves.size() > 6) return document_command(state);
+        return below(2) == 0 ? making_command(state) : fitting_command();
+    }
     if (group == 12) return closing_command(state, *active->curve);
     if (group == 14 && below(2) == 0) return measuring_command(state);
     if (group == 13) return moving_command(state, *active->curve);
     if (group == 20) return refinement_command(state, *active->curve);
     if (group == 21) return piece_command(state, *active->curve);
-    return group < 16 ? shape_command(*active->curve) : knot_command(state, *active->curve);
+    return group < 16 ? shape_command(state, *active->curve) : knot_command(state, *active->curve);
 }
 
 Request RandomSession::next(const EditorState& state) {
     const std::size_t chance = below(20);
-    if (chance == 0) return Request({}, Phase::cancel);
-    return Request(command(state), chance < 6 ? Phase::preview : Phase::commit);
+    if (chance == 0) return CancelPreview{};
+    if (chance == 1) return view_change(state);
+    return CommandRequest{command(state), chance < 7 ? Phase::preview : Phase::commit};
 }
 
 }  // namespace batten::editor

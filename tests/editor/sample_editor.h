@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/editor/commands/file_commands.h"
 #include "app/editor/editor.h"
+#include "app/editor/typed_command.h"
 #include "core/document/native_file.h"
 
 namespace batten::editor {
@@ -47,10 +49,19 @@ inline const char* sample_text = R"({ "format": "batten", "version": 1, "curves"
 inline const char* bezier_text = R"({ "format": "batten", "version": 1, "curves": [
   { "name": "arch", "degree": 3, "knots": [0,0,0,0,1,1,1,1], "points": [[0,0],[1,2],[3,2],[4,0]] } ] })";
 
+/// Runs what a person types in the palette; what is left out is what suggests itself. A refusal is shown as the window
+/// shows it.
+inline bool run_typed(Editor& editor, const std::string& text) {
+    const Outcome<Command> command = parse_typed_command(text, editor.state());
+    if (command) return editor.run(*command);
+    editor.change(ShowRefusal{command.error()});
+    return false;
+}
+
 /// Opens `text` as a file; the history is empty then.
 inline void open_text(Editor& editor, const std::string& text) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(editor.run({"open", {folder.write("sample.json", text).string()}})) << editor.state().message.text;
+    ASSERT_TRUE(editor.run(Open{.path = folder.write("sample.json", text)})) << editor.state().message.text;
 }
 
 inline const core::Document& document(const Editor& editor) {
