@@ -27,16 +27,16 @@ std::vector<glm::dvec2> clip_side(const std::vector<glm::dvec2>& polygon, int ax
 
 }  // namespace
 
-std::optional<SegmentPart> clip_segment(const Rectangle& rectangle, glm::dvec2 a, glm::dvec2 b) {
+std::optional<SegmentPart> clip_segment(const PixelBox& box, glm::dvec2 a, glm::dvec2 b) {
     SegmentPart part;
     for (int axis = 0; axis < 2; ++axis) {
         const double delta = b[axis] - a[axis];
         if (delta == 0.0) {
-            if (a[axis] < rectangle.lower[axis] || a[axis] > rectangle.upper[axis]) return std::nullopt;
+            if (a[axis] < box.lower_px[axis] || a[axis] > box.upper_px[axis]) return std::nullopt;
             continue;
         }
-        double enter = (rectangle.lower[axis] - a[axis]) / delta;
-        double leave = (rectangle.upper[axis] - a[axis]) / delta;
+        double enter = (box.lower_px[axis] - a[axis]) / delta;
+        double leave = (box.upper_px[axis] - a[axis]) / delta;
         if (enter > leave) std::swap(enter, leave);
         part.first = std::max(part.first, enter);
         part.last = std::min(part.last, leave);
@@ -45,13 +45,13 @@ std::optional<SegmentPart> clip_segment(const Rectangle& rectangle, glm::dvec2 a
     return part;
 }
 
-std::vector<glm::dvec2> clip_polygon(const Rectangle& rectangle, std::vector<glm::dvec2> polygon) {
+std::vector<glm::dvec2> clip_polygon(const PixelBox& box, std::vector<glm::dvec2> polygon) {
     const bool is_inside =
-        std::all_of(polygon.begin(), polygon.end(), [&](glm::dvec2 point) { return rectangle.contains(point); });
+        std::all_of(polygon.begin(), polygon.end(), [&](glm::dvec2 point) { return box.contains(point); });
     if (is_inside) return polygon;
     for (int axis = 0; axis < 2; ++axis) {
-        polygon = clip_side(polygon, axis, rectangle.lower[axis], 1.0);
-        polygon = clip_side(polygon, axis, rectangle.upper[axis], -1.0);
+        polygon = clip_side(polygon, axis, box.lower_px[axis], 1.0);
+        polygon = clip_side(polygon, axis, box.upper_px[axis], -1.0);
     }
     return polygon;
 }

@@ -5,16 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "render/pixel_box.h"
+
 namespace batten::render {
-
-struct Rectangle {
-    glm::dvec2 lower{};
-    glm::dvec2 upper{};
-
-    [[nodiscard]] bool contains(glm::dvec2 point) const {
-        return point.x >= lower.x && point.y >= lower.y && point.x <= upper.x && point.y <= upper.y;
-    }
-};
 
 /// The part of a segment: from `first` to `last`, fractions of its length in [0, 1].
 struct SegmentPart {
@@ -22,10 +15,10 @@ struct SegmentPart {
     double last = 1.0;
 };
 
-/// The part of the segment from a to b inside the rectangle, or nothing (Liang and Barsky 1984).
-std::optional<SegmentPart> clip_segment(const Rectangle& rectangle, glm::dvec2 a, glm::dvec2 b);
+/// The part of the segment from a to b inside `box`, or nothing (Liang and Barsky 1984).
+std::optional<SegmentPart> clip_segment(const PixelBox& box, glm::dvec2 a, glm::dvec2 b);
 
-/// The part of a convex polygon inside the rectangle; empty where there is none (Sutherland and Hodgman 1974).
-std::vector<glm::dvec2> clip_polygon(const Rectangle& rectangle, std::vector<glm::dvec2> polygon);
+/// The part of a convex polygon inside `box`; empty where there is none (Sutherland and Hodgman 1974).
+std::vector<glm::dvec2> clip_polygon(const PixelBox& box, std::vector<glm::dvec2> polygon);
 
 }  // namespace batten::render

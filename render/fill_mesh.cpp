@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "render/clip.h"
+
 namespace batten::render {
 namespace {
 
@@ -58,12 +60,12 @@ glm::dvec2 fringe_corner(glm::dvec2 normal_before, glm::dvec2 normal_after) {
 
 }  // namespace
 
-void append_fill(Mesh<FillVertex>& mesh, const Fill& fill, const Rectangle& visible, double scale) {
+void append_fill(Mesh<FillVertex>& mesh, const Fill& fill, const PixelBox& visible, double scale) {
     std::vector<glm::dvec2> polygon;
     polygon.reserve(fill.points.size());
     for (const Pixel point : fill.points) polygon.push_back(glm::dvec2(point) * scale);
     constexpr double margin = fringe_px + 1.0;
-    const Rectangle seen{visible.lower - margin, visible.upper + margin};
+    const PixelBox seen{visible.lower_px - margin, visible.upper_px + margin};
     const std::vector<glm::dvec2> corners = distinct_corners(clip_polygon(seen, std::move(polygon)));
     if (corners.size() < 3 || fill.color.alpha == 0) return;
     const double area = signed_area(corners);

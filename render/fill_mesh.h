@@ -3,9 +3,9 @@
 
 #include <glm/vec2.hpp>
 
-#include "render/clip.h"
 #include "render/draw_list.h"
 #include "render/mesh.h"
+#include "render/pixel_box.h"
 
 namespace batten::render {
 
@@ -17,6 +17,6 @@ struct FillVertex {
 
 /// Adds `fill`, enlarged by `scale`, as far as it is seen in `visible` (framebuffer pixels): 2 vertices and 1 triangle
 /// for a side. A polygon without area adds nothing.
-void append_fill(Mesh<FillVertex>& mesh, const Fill& fill, const Rectangle& visible, double scale);
+void append_fill(Mesh<FillVertex>& mesh, const Fill& fill, const PixelBox& visible, double scale);
 
 }  // namespace batten::render

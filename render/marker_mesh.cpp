@@ -6,14 +6,14 @@
 
 namespace batten::render {
 
-void append_marker(Mesh<MarkerVertex>& mesh, const Marker& marker, const Rectangle& visible, double scale) {
+void append_marker(Mesh<MarkerVertex>& mesh, const Marker& marker, const PixelBox& visible, double scale) {
     const glm::dvec2 center = glm::dvec2(marker.center) * scale;
     const bool is_diamond = marker.shape == MarkerShape::diamond;
     const double radius = marker.radius_px * scale * (is_diamond ? 0.5 * std::numbers::sqrt2 : 1.0);
     const double half_outline = marker.outline.alpha > 0 ? 0.5 * marker.outline_px * scale : 0.0;
     const double reach = radius + half_outline + 0.5;
     const double margin = reach * std::numbers::sqrt2;
-    if (!Rectangle{visible.lower - margin, visible.upper + margin}.contains(center)) return;
+    if (!PixelBox{visible.lower_px - margin, visible.upper_px + margin}.contains(center)) return;
 
     const glm::dvec2 x_axis =
         is_diamond ? glm::dvec2(0.5 * std::numbers::sqrt2, 0.5 * std::numbers::sqrt2) : glm::dvec2(1.0, 0.0);

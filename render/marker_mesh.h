@@ -3,9 +3,9 @@
 
 #include <glm/vec2.hpp>
 
-#include "render/clip.h"
 #include "render/draw_list.h"
 #include "render/mesh.h"
+#include "render/pixel_box.h"
 
 namespace batten::render {
 
@@ -21,7 +21,7 @@ struct MarkerVertex {
 
 /// Adds `marker`, enlarged by `scale`, if it is seen in `visible` (framebuffer pixels): 4 vertices. Its outline is
 /// solid.
-void append_marker(Mesh<MarkerVertex>& mesh, const Marker& marker, const Rectangle& visible, double scale);
+void append_marker(Mesh<MarkerVertex>& mesh, const Marker& marker, const PixelBox& visible, double scale);
 
 /// Whether the outline of the marker is a ring of dashes, which is painted as a polyline of its own.
 bool has_dashed_ring(const Marker& marker);

@@ -5,7 +5,7 @@ namespace {
 
 class PictureBuilder {
   public:
-    PictureBuilder(PictureMesh& picture, const Rectangle& visible, double scale)
+    PictureBuilder(PictureMesh& picture, const PixelBox& visible, double scale)
         : picture_(picture), visible_(visible), scale_(scale) {}
 
     void operator()(const Fill& fill) {
@@ -54,7 +54,7 @@ class PictureBuilder {
     }
 
     PictureMesh& picture_;
-    const Rectangle& visible_;
+    const PixelBox& visible_;
     double scale_;
 };
 
@@ -65,7 +65,7 @@ void build_picture(PictureMesh& picture, const DrawList& list, glm::ivec2 size_p
     picture.strokes.clear();
     picture.markers.clear();
     picture.runs.clear();
-    const Rectangle visible{{0.0, 0.0}, glm::dvec2(size_px)};
+    const PixelBox visible{{0.0, 0.0}, glm::dvec2(size_px)};
     PictureBuilder builder(picture, visible, scale);
     for (const DrawCommand& command : list.commands) std::visit(builder, command);
 }

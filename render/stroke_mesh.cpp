@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "render/clip.h"
+
 namespace batten::render {
 namespace {
 
@@ -245,7 +247,7 @@ Node moved_along(const Node& node, double fraction) {
 }
 
 /// Writes the parts of the line inside `seen`.
-void write_clipped(StrokeWriter& writer, const std::vector<Node>& nodes, const Rectangle& seen) {
+void write_clipped(StrokeWriter& writer, const std::vector<Node>& nodes, const PixelBox& seen) {
     std::vector<Node> part;
     const auto finish = [&] {
         if (part.size() > 1) writer.write(part, false);
@@ -272,7 +274,7 @@ bool can_meet_itself(const std::vector<Node>& nodes, bool is_closed) {
 
 }  // namespace
 
-StrokeOverlap append_stroke(Mesh<StrokeVertex>& mesh, const Polyline& line, const Rectangle& visible, double scale) {
+StrokeOverlap append_stroke(Mesh<StrokeVertex>& mesh, const Polyline& line, const PixelBox& visible, double scale) {
     const Style style = style_of(line, scale);
     const std::vector<glm::dvec2> points = distinct_points(line, scale);
     if (points.empty() || style.color.alpha == 0) return StrokeOverlap::harmless;
@@ -280,7 +282,7 @@ StrokeOverlap append_stroke(Mesh<StrokeVertex>& mesh, const Polyline& line, cons
     const std::vector<Node> nodes = nodes_through(points);
     const bool is_loop = line.is_closed && nodes.size() > 2;
     const double margin = style.reach + 1.0;
-    const Rectangle seen{visible.lower - margin, visible.upper + margin};
+    const PixelBox seen{visible.lower_px - margin, visible.upper_px + margin};
     const bool is_all_seen =
         std::all_of(nodes.begin(), nodes.end(), [&](const Node& node) { return seen.contains(node.position); });
 

@@ -3,9 +3,9 @@
 
 #include <glm/vec2.hpp>
 
-#include "render/clip.h"
 #include "render/draw_list.h"
 #include "render/mesh.h"
+#include "render/pixel_box.h"
 
 namespace batten::render {
 
@@ -30,6 +30,6 @@ enum class StrokeOverlap { harmless, darkens };
 /// Turns are mitred where nobody can tell a mitre from a round joint, which costs 2 vertices for a point and covers no
 /// pixel twice; elsewhere the strip ends with a half disc and a new one starts. Returns `darkens` when the line is
 /// translucent and may cover a pixel twice: it has such sharp joints, or swings far enough around to cross itself.
-StrokeOverlap append_stroke(Mesh<StrokeVertex>& mesh, const Polyline& line, const Rectangle& visible, double scale);
+StrokeOverlap append_stroke(Mesh<StrokeVertex>& mesh, const Polyline& line, const PixelBox& visible, double scale);
 
 }  // namespace batten::render

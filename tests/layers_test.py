@@ -16,7 +16,7 @@ LAYERS = {
 }
 
 # The part of render that is plain data, open to all above it.
-PICTURE = {"render/draw_list.h", "render/camera.h", "render/clip.h", "render/color.h"}
+PICTURE = {"render/draw_list.h", "render/camera.h", "render/clip.h", "render/color.h", "render/pixel_box.h"}
 
 # Outside headers that only these places may include.
 ONLY_IN = {

@@ -18,6 +18,7 @@
 #include "app/editor/point_drag.h"
 #include "core/evaluate/evaluate.h"
 #include "core/measure/nearest.h"
+#include "render/pixel_box.h"
 
 namespace batten::editor {
 namespace {
@@ -184,9 +185,7 @@ std::vector<std::size_t> points_in_box(const BoxSelecting& mode, const Gesture& 
     const core::DocumentCurve* active = gesture.state.shown().active_curve();
     const bool shows_points = gesture.state.view.overlays.is_shown(Overlay::polygon);
     if (active == nullptr || !active->visible || !shows_points) return points;
-    core::Box box;
-    box.include(mode.press_px);
-    box.include(gesture.event.position_px);
+    const auto box = render::PixelBox::between(mode.press_px, gesture.event.position_px);
     const std::span<const core::Point> all = active->curve->control_points();
     for (std::size_t i = 0; i < all.size(); ++i)
         if (box.contains(render::screen_from_world(gesture.state.view.camera, all[i]))) points.push_back(i);

@@ -12,7 +12,7 @@ namespace {
 
 struct Grid {
     std::vector<render::Polyline> lines;
-    std::vector<render::Rectangle> numbers;
+    std::vector<render::PixelBox> numbers;
     std::vector<std::string> texts;
 };
 
@@ -31,10 +31,6 @@ EditorState state_at(double scale, glm::dvec2 center) {
     EditorState state;
     state.view.camera = {center, scale, {1048.0, 566.0}};
     return state;
-}
-
-bool overlap(const render::Rectangle& a, const render::Rectangle& b) {
-    return a.lower.x < b.upper.x && b.lower.x < a.upper.x && a.lower.y < b.upper.y && b.lower.y < a.upper.y;
 }
 
 TEST(Grid, numbers_have_the_digits_of_the_step) {
@@ -68,7 +64,7 @@ TEST(Grid, numbers_never_pile_up_over_all_scales) {
             const Grid grid = grid_of(state_at(std::pow(10.0, exponent), center));
             for (std::size_t i = 0; i < grid.numbers.size(); ++i)
                 for (std::size_t j = i + 1; j < grid.numbers.size(); ++j)
-                    EXPECT_FALSE(overlap(grid.numbers[i], grid.numbers[j]))
+                    EXPECT_FALSE(grid.numbers[i].overlaps(grid.numbers[j]))
                         << grid.texts[i] << " / " << grid.texts[j] << " at 1e" << exponent;
             EXPECT_LT(grid.lines.size(), 130U);
         }
@@ -84,13 +80,13 @@ TEST(Grid, neighbouring_numbers_differ_over_twelve_decades) {
 }
 
 TEST(Grid, numbers_keep_clear_of_what_is_covered) {
-    const render::Rectangle covered{{0.0, 400.0}, {300.0, 566.0}};
+    const render::PixelBox covered{{0.0, 400.0}, {300.0, 566.0}};
     const EditorState state = state_at(66.0, {0.0, 0.0});
     render::DrawList list;
     CanvasFrame frame(state, list);
     const auto numbers = draw_grid_numbers(frame, covered);
     EXPECT_FALSE(numbers.empty());
-    for (const render::Rectangle& box : numbers) EXPECT_FALSE(overlap(box, covered));
+    for (const render::PixelBox& box : numbers) EXPECT_FALSE(box.overlaps(covered));
 }
 
 }  // namespace

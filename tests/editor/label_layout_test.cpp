@@ -17,10 +17,6 @@ std::optional<LabelPlace> place(LabelLayout& layout, glm::dvec2 at = point) {
     return layout.place(at, text, 11.0, LabelSide::upper_right, Crowding::leave_out);
 }
 
-bool overlap(const render::Rectangle& a, const render::Rectangle& b) {
-    return a.lower.x < b.upper.x && b.lower.x < a.upper.x && a.lower.y < b.upper.y && b.lower.y < a.upper.y;
-}
-
 TEST(LabelLayout, prefers_the_upper_right) {
     LabelLayout layout(picture);
     const auto found = place(layout);
@@ -28,7 +24,7 @@ TEST(LabelLayout, prefers_the_upper_right) {
     EXPECT_EQ(found->anchor, render::Anchor::left);
     EXPECT_DOUBLE_EQ(found->position.x, 411.0);
     EXPECT_LT(found->position.y, 300.0 - 8.0);
-    EXPECT_DOUBLE_EQ(found->box.upper.x - found->box.lower.x, 30.0);
+    EXPECT_DOUBLE_EQ(found->box.upper_px.x - found->box.lower_px.x, 30.0);
 }
 
 TEST(LabelLayout, makes_way_for_a_line) {
@@ -51,14 +47,14 @@ TEST(LabelLayout, is_not_moved_by_lines_elsewhere) {
 
 TEST(LabelLayout, labels_around_one_point_never_overlap) {
     LabelLayout layout(picture);
-    std::vector<render::Rectangle> boxes;
+    std::vector<render::PixelBox> boxes;
     for (int k = 0; k < 20; ++k)
         if (const auto found = layout.place(point, text, 11.0, LabelSide::upper_right, Crowding::cover_symbols))
             boxes.push_back(found->box);
     EXPECT_GE(boxes.size(), 4U);
     EXPECT_LE(boxes.size(), 8U);
     for (std::size_t i = 0; i < boxes.size(); ++i)
-        for (std::size_t j = i + 1; j < boxes.size(); ++j) EXPECT_FALSE(overlap(boxes[i], boxes[j])) << i << ", " << j;
+        for (std::size_t j = i + 1; j < boxes.size(); ++j) EXPECT_FALSE(boxes[i].overlaps(boxes[j])) << i << ", " << j;
 }
 
 TEST(LabelLayout, leaves_out_rather_than_cover_symbols_unless_told_to) {
@@ -73,8 +69,8 @@ TEST(LabelLayout, stays_inside_the_picture) {
     LabelLayout layout(picture);
     const auto found = place(layout, {790.0, 5.0});
     ASSERT_TRUE(found);
-    EXPECT_LE(found->box.upper.x, 800.0);
-    EXPECT_GE(found->box.lower.y, 0.0);
+    EXPECT_LE(found->box.upper_px.x, 800.0);
+    EXPECT_GE(found->box.lower_px.y, 0.0);
 }
 
 TEST(LabelLayout, boxes_are_never_covered) {
@@ -82,7 +78,7 @@ TEST(LabelLayout, boxes_are_never_covered) {
     layout.avoid_box({{401.0, 200.0}, {700.0, 299.0}});
     const auto found = layout.place(point, text, 11.0, LabelSide::upper_right, Crowding::cover_symbols);
     ASSERT_TRUE(found);
-    EXPECT_FALSE(overlap(found->box, {{401.0, 200.0}, {700.0, 299.0}}));
+    EXPECT_FALSE(found->box.overlaps({{401.0, 200.0}, {700.0, 299.0}}));
 }
 
 TEST(TextSize, counts_characters_not_bytes_and_shrinks_scripts) {

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/scene/text_size.h"
-#include "render/clip.h"
+#include "render/pixel_box.h"
 #include "tests/editor/pointer_driver.h"
 
 namespace batten::editor::test {
@@ -19,7 +19,7 @@ double distance_to_segment(glm::dvec2 a, glm::dvec2 b, glm::dvec2 place) {
     return glm::distance(place, a + t * along);
 }
 
-render::Rectangle box_of(const render::Label& label) {
+render::PixelBox box_of(const render::Label& label) {
     const glm::dvec2 size = text_size(label.text, static_cast<double>(label.size_px), label.font);
     const glm::dvec2 place(label.position);
     const double share = label.anchor == render::Anchor::left     ? 0.0
@@ -30,10 +30,10 @@ render::Rectangle box_of(const render::Label& label) {
 }
 
 /// By more than a rounding of floats.
-bool overlap(const render::Rectangle& a, const render::Rectangle& b) {
+bool overlap(const render::PixelBox& a, const render::PixelBox& b) {
     constexpr double slack = 0.01;
-    return a.lower.x + slack < b.upper.x && b.lower.x + slack < a.upper.x && a.lower.y + slack < b.upper.y &&
-           b.lower.y + slack < a.upper.y;
+    return a.lower_px.x + slack < b.upper_px.x && b.lower_px.x + slack < a.upper_px.x &&
+           a.lower_px.y + slack < b.upper_px.y && b.lower_px.y + slack < a.upper_px.y;
 }
 
 /// Collects the faults of one command after the other.

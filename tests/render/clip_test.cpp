@@ -7,7 +7,7 @@
 namespace batten::render {
 namespace {
 
-const Rectangle box{{0.0, 0.0}, {10.0, 20.0}};
+const PixelBox box{{0.0, 0.0}, {10.0, 20.0}};
 
 TEST(ClipSegment, keeps_what_lies_inside) {
     const auto part = clip_segment(box, {1, 1}, {9, 19});

@@ -7,7 +7,7 @@
 namespace batten::render {
 namespace {
 
-const Rectangle screen{{0.0, 0.0}, {400.0, 300.0}};
+const PixelBox screen{{0.0, 0.0}, {400.0, 300.0}};
 
 Polyline wave(int count, Color color) {
     Polyline result;

@@ -28,9 +28,9 @@ struct Word {
 /// Puts labels into free places.
 class LabelWriter {
   public:
-    LabelWriter(CanvasFrame& frame, const std::vector<render::Rectangle>& covered)
+    LabelWriter(CanvasFrame& frame, const std::vector<render::PixelBox>& covered)
         : frame_(frame), layout_(frame.pen.size_px()) {
-        for (const render::Rectangle& box : covered) layout_.avoid_box(box);
+        for (const render::PixelBox& box : covered) layout_.avoid_box(box);
         for (const auto& run : frame.curve_runs) layout_.avoid_line(run);
         if (!frame.shows(Overlay::polygon)) return;
         layout_.avoid_line(polygon_places(frame));
@@ -42,7 +42,7 @@ class LabelWriter {
 
     /// Words side by side around `point`, if that is in the picture. Returns false where there is no room for them.
     bool write(glm::dvec2 point, std::vector<Word> words, double distance, LabelSide first, Crowding crowding) {
-        const render::Rectangle picture{{}, frame_.pen.size_px()};
+        const render::PixelBox picture{{}, frame_.pen.size_px()};
         if (!picture.contains(point)) return true;
         const double gap = frame_.pen.px(word_gap);
         glm::dvec2 size{-gap, 0.0};
@@ -53,7 +53,7 @@ class LabelWriter {
         // Words are set from the end that is anchored, where the true widths of the fonts do no harm.
         const bool is_from_right = place->anchor == render::Anchor::right;
         if (is_from_right) std::reverse(words.begin(), words.end());
-        double x = is_from_right ? place->box.upper.x : place->box.lower.x;
+        double x = is_from_right ? place->box.upper_px.x : place->box.lower_px.x;
         for (Word& word : words) {
             word.style.anchor = is_from_right ? render::Anchor::right : render::Anchor::left;
             const double width = width_px(word) + gap;
@@ -109,7 +109,7 @@ void write_curve_point(LabelWriter& writer, CanvasFrame& frame) {
 }  // namespace
 
 void draw_canvas_labels(CanvasFrame& frame, const std::vector<CurveKnot>& knots,
-                        const std::vector<render::Rectangle>& covered) {
+                        const std::vector<render::PixelBox>& covered) {
     LabelWriter writer(frame, covered);
     for (const CurveKnot& knot : knots)
         for (const glm::dvec2 place : knot.places) writer.layout().avoid_symbol(place, frame.pen.px(5.0));

@@ -27,8 +27,8 @@ bool has_inset(const CanvasFrame& frame) {
 }
 
 /// Returns what labels must keep clear of: the numbers of the grid, legend and inset, and the marks of findings.
-std::vector<render::Rectangle> draw_background(CanvasFrame& frame) {
-    std::vector<render::Rectangle> covered;
+std::vector<render::PixelBox> draw_background(CanvasFrame& frame) {
+    std::vector<render::PixelBox> covered;
     const auto legend = has_legend(frame) ? std::optional(legend_box(frame)) : std::nullopt;
     if (frame.shows(Overlay::grid)) {
         draw_grid(frame);
@@ -36,7 +36,7 @@ std::vector<render::Rectangle> draw_background(CanvasFrame& frame) {
     }
     if (legend) covered.push_back(*legend);
     if (has_inset(frame)) covered.push_back(hodograph_box(frame));
-    for (const render::Rectangle& box : finding_boxes(frame)) covered.push_back(box);
+    for (const render::PixelBox& box : finding_boxes(frame)) covered.push_back(box);
     draw_ghost(frame);
     draw_other_curves(frame);
     return covered;
@@ -51,7 +51,7 @@ void draw_lines_of_active_curve(CanvasFrame& frame) {
     draw_active_curve(frame);
 }
 
-void draw_marks_of_active_curve(CanvasFrame& frame, const std::vector<render::Rectangle>& covered) {
+void draw_marks_of_active_curve(CanvasFrame& frame, const std::vector<render::PixelBox>& covered) {
     const std::vector<CurveKnot> knots = frame.shows(Overlay::knots) ? curve_knots(frame) : std::vector<CurveKnot>{};
     draw_curve_knots(frame, knots);
     draw_hovered_place(frame);
@@ -66,7 +66,7 @@ void draw_marks_of_active_curve(CanvasFrame& frame, const std::vector<render::Re
 render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode) {
     render::DrawList list;
     CanvasFrame frame(state, list);
-    const std::vector<render::Rectangle> covered = draw_background(frame);
+    const std::vector<render::PixelBox> covered = draw_background(frame);
     if (frame.curve != nullptr) {
         draw_lines_of_active_curve(frame);
         draw_marks_of_active_curve(frame, covered);

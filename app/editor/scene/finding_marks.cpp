@@ -19,7 +19,7 @@ std::span<const Finding> marked(const CanvasFrame& frame) {
     return frame.state.findings->rows;
 }
 
-render::Rectangle number_box(const CanvasFrame& frame, glm::dvec2 place, const std::string& number) {
+render::PixelBox number_box(const CanvasFrame& frame, glm::dvec2 place, const std::string& number) {
     const glm::dvec2 left = place + frame.pen.px(1.0) * number_offset;
     const glm::dvec2 size = text_size(number, frame.pen.px(number_size), render::LabelFont::number);
     return {left - glm::dvec2(0.0, 0.5 * size.y), left + glm::dvec2(size.x, 0.5 * size.y)};
@@ -27,9 +27,9 @@ render::Rectangle number_box(const CanvasFrame& frame, glm::dvec2 place, const s
 
 }  // namespace
 
-std::vector<render::Rectangle> finding_boxes(const CanvasFrame& frame) {
+std::vector<render::PixelBox> finding_boxes(const CanvasFrame& frame) {
     const std::span<const Finding> rows = marked(frame);
-    std::vector<render::Rectangle> boxes;
+    std::vector<render::PixelBox> boxes;
     if (rows.size() > most_numbers) return boxes;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (!rows[i].point) continue;

@@ -22,10 +22,7 @@ struct MarksOf {
     CanvasFrame& frame;
 
     void operator()(const BoxSelecting& box) const {
-        const glm::dvec2 a = box.press_px;
-        const glm::dvec2 b = box.position_px;
-        const std::vector<glm::dvec2> corners =
-            corners_of({{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}});
+        const std::vector<glm::dvec2> corners = corners_of(render::PixelBox::between(box.press_px, box.position_px));
         frame.pen.fill(corners, render::faded(frame.theme.accent, 0.12));
         frame.pen.outline(corners, {.color = frame.theme.accent});
     }

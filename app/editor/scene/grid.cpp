@@ -67,15 +67,11 @@ double round_number_from(double least) {
     return number;
 }
 
-bool overlap(const render::Rectangle& a, const render::Rectangle& b) {
-    return a.lower.x < b.upper.x && b.lower.x < a.upper.x && a.lower.y < b.upper.y && b.lower.y < a.upper.y;
-}
-
 /// The numbers of one axis: 0 for x along the lower edge, 1 for y along the left one.
 class NumberRow {
   public:
-    NumberRow(CanvasFrame& frame, int axis, const std::optional<render::Rectangle>& covered,
-              std::vector<render::Rectangle>& written)
+    NumberRow(CanvasFrame& frame, int axis, const std::optional<render::PixelBox>& covered,
+              std::vector<render::PixelBox>& written)
         : frame_(frame), axis_(axis), covered_(covered), written_(written) {}
 
     void draw() {
@@ -116,12 +112,12 @@ class NumberRow {
             lower.y = picture.y - edge - 0.75 * size.y;
         else
             lower.x = edge;
-        const render::Rectangle box{lower, lower + size};
-        const bool is_in_corner = axis_ == 1 && box.upper.y > picture.y - edge - size.y;
-        const bool is_cut = box.lower.x < 0.5 * edge || box.upper.x > picture.x || box.lower.y < 0.0;
-        if (is_in_corner || is_cut || (covered_ && overlap(box, *covered_))) return;
+        const render::PixelBox box{lower, lower + size};
+        const bool is_in_corner = axis_ == 1 && box.upper_px.y > picture.y - edge - size.y;
+        const bool is_cut = box.lower_px.x < 0.5 * edge || box.upper_px.x > picture.x || box.lower_px.y < 0.0;
+        if (is_in_corner || is_cut || (covered_ && box.overlaps(*covered_))) return;
         written_.push_back(box);
-        frame_.pen.text({box.lower.x, 0.5 * (box.lower.y + box.upper.y)}, text,
+        frame_.pen.text({box.lower_px.x, 0.5 * (box.lower_px.y + box.upper_px.y)}, text,
                         {.color = render::blended(frame_.theme.dim, 0.75, frame_.theme.canvas),
                          .size = number_size,
                          .font = render::LabelFont::number});
@@ -129,8 +125,8 @@ class NumberRow {
 
     CanvasFrame& frame_;
     int axis_;
-    const std::optional<render::Rectangle>& covered_;
-    std::vector<render::Rectangle>& written_;
+    const std::optional<render::PixelBox>& covered_;
+    std::vector<render::PixelBox>& written_;
 };
 
 }  // namespace
@@ -145,8 +141,8 @@ void draw_grid(CanvasFrame& frame) {
     for (int axis = 0; axis < 2; ++axis) draw_lines(frame, axis, major, frame.theme.grid_major, 0.0);
 }
 
-std::vector<render::Rectangle> draw_grid_numbers(CanvasFrame& frame, const std::optional<render::Rectangle>& covered) {
-    std::vector<render::Rectangle> written;
+std::vector<render::PixelBox> draw_grid_numbers(CanvasFrame& frame, const std::optional<render::PixelBox>& covered) {
+    std::vector<render::PixelBox> written;
     for (int axis = 0; axis < 2; ++axis) NumberRow(frame, axis, covered, written).draw();
     return written;
 }

@@ -12,7 +12,7 @@ void draw_grid(CanvasFrame& frame);
 
 /// Numbers of the vertical lines along the lower edge, of the horizontal ones along the left edge, none of them under
 /// `covered`. Returns where they are.
-std::vector<render::Rectangle> draw_grid_numbers(CanvasFrame& frame, const std::optional<render::Rectangle>& covered);
+std::vector<render::PixelBox> draw_grid_numbers(CanvasFrame& frame, const std::optional<render::PixelBox>& covered);
 
 /// `value`, a multiple of `step` (> 0), with as many digits as tell neighbouring multiples apart.
 std::string grid_number_text(double value, double step);

@@ -45,18 +45,18 @@ std::vector<Run> hodograph_runs(const core::Curve& curve) {
 /// Maps vectors into the box, all by one scale.
 class InsetMap {
   public:
-    InsetMap(const render::Rectangle& area, const std::vector<Run>& runs) {
+    InsetMap(const render::PixelBox& area, const std::vector<Run>& runs) {
         core::Box box;
         box.include({0.0, 0.0});
         for (const Run& run : runs)
             for (const core::Vector v : run) box.include(v);
-        const glm::dvec2 room = area.upper - area.lower;
+        const glm::dvec2 room = area.upper_px - area.lower_px;
         // Halves first: the difference of two huge values may not be finite.
         const glm::dvec2 half = 0.5 * box.upper - 0.5 * box.lower;
         const double larger = std::max(half.x / room.x, half.y / room.y);
         middle_ = 0.5 * box.upper + 0.5 * box.lower;
         scale_ = larger > 0.0 && std::isfinite(1.0 / larger) ? 0.5 / larger : 0.0;
-        center_ = area.lower + 0.5 * room;
+        center_ = area.lower_px + 0.5 * room;
     }
 
     glm::dvec2 operator()(core::Vector v) const {
@@ -69,9 +69,9 @@ class InsetMap {
     double scale_ = 0.0;
 };
 
-void draw_axes(Pen& pen, const Theme& theme, const render::Rectangle& area, glm::dvec2 origin) {
-    pen.segment({area.lower.x, origin.y}, {area.upper.x, origin.y}, {.color = theme.line});
-    pen.segment({origin.x, area.lower.y}, {origin.x, area.upper.y}, {.color = theme.line});
+void draw_axes(Pen& pen, const Theme& theme, const render::PixelBox& area, glm::dvec2 origin) {
+    pen.segment({area.lower_px.x, origin.y}, {area.upper_px.x, origin.y}, {.color = theme.line});
+    pen.segment({origin.x, area.lower_px.y}, {origin.x, area.upper_px.y}, {.color = theme.line});
 }
 
 /// Without the points that lie within half a pixel of their predecessor.
@@ -87,21 +87,21 @@ std::vector<glm::dvec2> thinned(const Run& run, const InsetMap& map) {
 
 }  // namespace
 
-render::Rectangle hodograph_box(const CanvasFrame& frame) {
+render::PixelBox hodograph_box(const CanvasFrame& frame) {
     const Pen& pen = frame.pen;
     const glm::dvec2 upper{pen.size_px().x - pen.px(margin), pen.px(margin + height)};
     return {upper - glm::dvec2(pen.px(width), pen.px(height)), upper};
 }
 
 void draw_hodograph_inset(CanvasFrame& frame) {
-    const render::Rectangle box = hodograph_box(frame);
+    const render::PixelBox box = hodograph_box(frame);
     Pen& pen = frame.pen;
     const Theme& theme = frame.theme;
     draw_panel_box(pen, theme, box);
-    const glm::dvec2 corner = box.lower + glm::dvec2(pen.px(padding));
-    pen.text({corner.x, box.lower.y + pen.px(15.0)}, "Hodograph C′(u)", {.color = theme.dim, .size = 11.5});
-    const render::Rectangle area{corner + glm::dvec2(0.0, pen.px(title_height - 4.0)),
-                                 box.upper - glm::dvec2(pen.px(padding))};
+    const glm::dvec2 corner = box.lower_px + glm::dvec2(pen.px(padding));
+    pen.text({corner.x, box.lower_px.y + pen.px(15.0)}, "Hodograph C′(u)", {.color = theme.dim, .size = 11.5});
+    const render::PixelBox area{corner + glm::dvec2(0.0, pen.px(title_height - 4.0)),
+                                box.upper_px - glm::dvec2(pen.px(padding))};
     const std::vector<Run> runs = hodograph_runs(*frame.curve);
     const InsetMap map(area, runs);
     draw_axes(pen, theme, area, map({0.0, 0.0}));

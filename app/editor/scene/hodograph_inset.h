@@ -6,7 +6,7 @@
 namespace batten::editor {
 
 /// Where the inset is.
-render::Rectangle hodograph_box(const CanvasFrame& frame);
+render::PixelBox hodograph_box(const CanvasFrame& frame);
 
 /// C'(u) over the whole domain, fitted into the box together with its origin, and its point at the view's parameter. It
 /// breaks where the derivative jumps. The frame must have a curve.

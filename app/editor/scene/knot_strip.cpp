@@ -76,7 +76,7 @@ void draw_axis(PlotFrame& frame) {
     const PlotLayout& layout = frame.layout;
     const auto stretch = [&](core::Interval parameters, const Stroke& stroke) {
         if (const auto band = frame.band(parameters))
-            frame.pen.segment({band->lower.x, layout.strip_px}, {band->upper.x, layout.strip_px}, stroke);
+            frame.pen.segment({band->lower_px.x, layout.strip_px}, {band->upper_px.x, layout.strip_px}, stroke);
     };
     stretch(layout.range, {.color = frame.theme.line, .width = 2.0});
     stretch(frame.curve.domain(), {.color = frame.theme.line, .width = 4.0});

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/clip.h"
+
 namespace batten::editor {
 
 namespace {
@@ -18,10 +20,6 @@ constexpr double outside_cost = 20.0;
 constexpr std::array all_sides{LabelSide::upper_right, LabelSide::upper_left, LabelSide::lower_right,
                                LabelSide::lower_left,  LabelSide::right,      LabelSide::left,
                                LabelSide::above,       LabelSide::below};
-
-bool overlap(const render::Rectangle& a, glm::dvec2 lower, glm::dvec2 upper) {
-    return a.lower.x < upper.x && lower.x < a.upper.x && a.lower.y < upper.y && lower.y < a.upper.y;
-}
 
 /// The direction from the point to the label: -1, 0 or 1 to the right and downwards.
 glm::dvec2 direction_of(LabelSide side) {
@@ -62,8 +60,8 @@ LabelPlace place_at(glm::dvec2 point, glm::dvec2 text_px, double offset_px, Labe
         place.anchor = render::Anchor::center;
         left -= 0.5 * text_px.x;
     }
-    place.box.lower = {left, place.position.y - 0.5 * text_px.y};
-    place.box.upper = place.box.lower + text_px;
+    place.box.lower_px = {left, place.position.y - 0.5 * text_px.y};
+    place.box.upper_px = place.box.lower_px + text_px;
     return place;
 }
 
@@ -82,7 +80,7 @@ void LabelLayout::add(const Obstacle& obstacle) {
 }
 
 void LabelLayout::avoid_line(std::span<const glm::dvec2> points) {
-    const render::Rectangle picture{{}, size_px_};
+    const render::PixelBox picture{{}, size_px_};
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
         if (const auto part = render::clip_segment(picture, points[i], points[i + 1])) {
             const glm::dvec2 leg = points[i + 1] - points[i];
@@ -91,26 +89,26 @@ void LabelLayout::avoid_line(std::span<const glm::dvec2> points) {
 }
 
 void LabelLayout::avoid_symbol(glm::dvec2 center, double radius_px) {
-    const render::Rectangle picture{{}, size_px_};
+    const render::PixelBox picture{{}, size_px_};
     if (picture.contains(center)) add({Kind::symbol, center - glm::dvec2(radius_px), center + glm::dvec2(radius_px)});
 }
 
-void LabelLayout::avoid_box(const render::Rectangle& box) {
-    add({Kind::box, box.lower, box.upper});
+void LabelLayout::avoid_box(const render::PixelBox& box) {
+    add({Kind::box, box.lower_px, box.upper_px});
 }
 
-double LabelLayout::cost(const render::Rectangle& box) const {
-    const render::Rectangle picture{{}, size_px_};
-    double sum = picture.contains(box.lower) && picture.contains(box.upper) ? 0.0 : outside_cost;
-    for (std::size_t k = column(box.lower.x); k <= column(box.upper.x); ++k)
+double LabelLayout::cost(const render::PixelBox& box) const {
+    const render::PixelBox picture{{}, size_px_};
+    double sum = picture.contains(box.lower_px) && picture.contains(box.upper_px) ? 0.0 : outside_cost;
+    for (std::size_t k = column(box.lower_px.x); k <= column(box.upper_px.x); ++k)
         for (const Obstacle& obstacle : columns_[k]) {
             if (obstacle.kind == Kind::line) {
                 const glm::dvec2 lower{std::min(obstacle.a.x, obstacle.b.x), std::min(obstacle.a.y, obstacle.b.y)};
                 const glm::dvec2 upper{std::max(obstacle.a.x, obstacle.b.x), std::max(obstacle.a.y, obstacle.b.y)};
-                const bool is_near = box.lower.x <= upper.x && lower.x <= box.upper.x && box.lower.y <= upper.y &&
-                                     lower.y <= box.upper.y;
+                const bool is_near = box.lower_px.x <= upper.x && lower.x <= box.upper_px.x &&
+                                     box.lower_px.y <= upper.y && lower.y <= box.upper_px.y;
                 if (is_near && render::clip_segment(box, obstacle.a, obstacle.b)) sum += line_cost;
-            } else if (overlap(box, obstacle.a, obstacle.b)) {
+            } else if (box.overlaps({obstacle.a, obstacle.b})) {
                 if (obstacle.kind == Kind::box) return impossible;
                 sum += symbol_cost;
             }

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "render/clip.h"
 #include "render/draw_list.h"
+#include "render/pixel_box.h"
 
 namespace batten::editor {
 
@@ -24,7 +24,7 @@ enum class Crowding {
 struct LabelPlace {
     glm::dvec2 position{};  ///< for render::Label, with `anchor`
     render::Anchor anchor = render::Anchor::left;
-    render::Rectangle box;
+    render::PixelBox box;
 };
 
 /// Greedy: every label takes the first of eight places around its point that is free, in a fixed order, so that labels
@@ -36,7 +36,7 @@ class LabelLayout {
     /// Makes labels stay off a line, a symbol, or (under all circumstances) a box.
     void avoid_line(std::span<const glm::dvec2> points);
     void avoid_symbol(glm::dvec2 center, double radius_px);
-    void avoid_box(const render::Rectangle& box);
+    void avoid_box(const render::PixelBox& box);
 
     /// A place for a text of `text_px` that begins `offset_px` sideways of `point`, and about half as far above or
     /// below; `first` is tried first. None when every place would cover another label, or what `crowding` forbids.
@@ -53,7 +53,7 @@ class LabelLayout {
 
     std::size_t column(double x) const;
     void add(const Obstacle& obstacle);
-    double cost(const render::Rectangle& box) const;
+    double cost(const render::PixelBox& box) const;
 
     glm::dvec2 size_px_;
     std::vector<std::vector<Obstacle>> columns_;  ///< obstacles by the vertical strips of the picture that they touch

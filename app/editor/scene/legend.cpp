@@ -44,7 +44,7 @@ double width_of(const std::string& label) {
 
 }  // namespace
 
-render::Rectangle legend_box(const CanvasFrame& frame) {
+render::PixelBox legend_box(const CanvasFrame& frame) {
     double width = padding + width_of(title) + padding;
     for (const std::string& entry : entries(frame)) width += disc_space + disc_to_text + width_of(entry);
     const glm::dvec2 lower{frame.pen.px(left), frame.pen.size_px().y - frame.pen.px(bottom + height)};
@@ -52,11 +52,11 @@ render::Rectangle legend_box(const CanvasFrame& frame) {
 }
 
 void draw_legend(CanvasFrame& frame) {
-    const render::Rectangle box = legend_box(frame);
+    const render::PixelBox box = legend_box(frame);
     Pen& pen = frame.pen;
     draw_panel_box(pen, frame.theme, box);
-    const double y = 0.5 * (box.lower.y + box.upper.y);
-    double x = box.lower.x + pen.px(padding);
+    const double y = 0.5 * (box.lower_px.y + box.upper_px.y);
+    double x = box.lower_px.x + pen.px(padding);
     pen.text({x, y}, title, {.color = frame.theme.dim, .size = text});
     x += pen.px(width_of(title));
     std::size_t r = 0;

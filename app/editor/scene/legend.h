@@ -6,7 +6,7 @@
 namespace batten::editor {
 
 /// Where the legend is; the frame must have a curve.
-render::Rectangle legend_box(const CanvasFrame& frame);
+render::PixelBox legend_box(const CanvasFrame& frame);
 
 /// "de Boor ● level 1 ● level 2 ● level 3", with all levels of one colour together.
 void draw_legend(CanvasFrame& frame);

@@ -7,6 +7,6 @@
 namespace batten::editor {
 
 /// Fills `box` like a panel, with a border and rounded corners.
-void draw_panel_box(Pen& pen, const Theme& theme, const render::Rectangle& box);
+void draw_panel_box(Pen& pen, const Theme& theme, const render::PixelBox& box);
 
 }  // namespace batten::editor

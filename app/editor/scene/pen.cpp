@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "render/clip.h"
+
 namespace batten::editor {
 
 namespace {
@@ -31,7 +33,7 @@ glm::dvec2 between(glm::dvec2 a, glm::dvec2 b, double t) {
 /// The pieces of a line that lie in `reach`, each as one command like `style`.
 class LineCutter {
   public:
-    LineCutter(render::DrawList& list, const render::Rectangle& reach, render::Polyline style)
+    LineCutter(render::DrawList& list, const render::PixelBox& reach, render::Polyline style)
         : list_(list), reach_(reach), style_(std::move(style)), period_(style_.dash_px + style_.gap_px) {}
 
     void add(glm::dvec2 a, glm::dvec2 b) {
@@ -39,7 +41,7 @@ class LineCutter {
         const auto part = render::clip_segment(reach_, a, b);
         if (part) {
             if (run_.empty() || part->first > 0.0) begin(a, b, part->first, length);
-            run_.push_back(pixel(glm::clamp(between(a, b, part->last), reach_.lower, reach_.upper)));
+            run_.push_back(pixel(glm::clamp(between(a, b, part->last), reach_.lower_px, reach_.upper_px)));
         }
         if (!part || part->last < 1.0) end();
         along_ += length;
@@ -62,11 +64,11 @@ class LineCutter {
             t = std::max(0.0, t - std::fmod(along, period_) / length);
         // Between ends that are very far away the place is known only roughly.
         const glm::dvec2 place = between(a, b, t);
-        run_.push_back(pixel(glm::clamp(place, reach_.lower - period_, reach_.upper + period_)));
+        run_.push_back(pixel(glm::clamp(place, reach_.lower_px - period_, reach_.upper_px + period_)));
     }
 
     render::DrawList& list_;
-    const render::Rectangle& reach_;
+    const render::PixelBox& reach_;
     render::Polyline style_;
     double period_;
     double along_ = 0.0;
@@ -133,12 +135,12 @@ void Pen::text(glm::dvec2 position, std::string text, const TextStyle& style) {
                             .font = style.font});
 }
 
-std::vector<glm::dvec2> rounded_rectangle(const render::Rectangle& rectangle, double radius_px) {
+std::vector<glm::dvec2> rounded_rectangle(const render::PixelBox& box, double radius_px) {
     constexpr int steps = 4;
-    const std::array centers{glm::dvec2(rectangle.upper.x - radius_px, rectangle.upper.y - radius_px),
-                             glm::dvec2(rectangle.lower.x + radius_px, rectangle.upper.y - radius_px),
-                             glm::dvec2(rectangle.lower.x + radius_px, rectangle.lower.y + radius_px),
-                             glm::dvec2(rectangle.upper.x - radius_px, rectangle.lower.y + radius_px)};
+    const std::array centers{glm::dvec2(box.upper_px.x - radius_px, box.upper_px.y - radius_px),
+                             glm::dvec2(box.lower_px.x + radius_px, box.upper_px.y - radius_px),
+                             glm::dvec2(box.lower_px.x + radius_px, box.lower_px.y + radius_px),
+                             glm::dvec2(box.upper_px.x - radius_px, box.lower_px.y + radius_px)};
     std::vector<glm::dvec2> points;
     for (std::size_t corner = 0; corner < centers.size(); ++corner)
         for (int k = 0; k <= steps; ++k) {
@@ -149,11 +151,8 @@ std::vector<glm::dvec2> rounded_rectangle(const render::Rectangle& rectangle, do
     return points;
 }
 
-std::vector<glm::dvec2> corners_of(const render::Rectangle& rectangle) {
-    return {rectangle.lower,
-            {rectangle.upper.x, rectangle.lower.y},
-            rectangle.upper,
-            {rectangle.lower.x, rectangle.upper.y}};
+std::vector<glm::dvec2> corners_of(const render::PixelBox& box) {
+    return {box.lower_px, {box.upper_px.x, box.lower_px.y}, box.upper_px, {box.lower_px.x, box.upper_px.y}};
 }
 
 }  // namespace batten::editor

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "render/clip.h"
 #include "render/draw_list.h"
+#include "render/pixel_box.h"
 
 namespace batten::editor {
 
@@ -48,7 +48,7 @@ class Pen {
 
     glm::dvec2 size_px() const { return size_px_; }
     double px(double design) const { return design * scale_; }
-    const render::Rectangle& reach() const { return reach_; }
+    const render::PixelBox& reach() const { return reach_; }
 
     /// A line through `points`; the dashes begin at its first point wherever it is cut.
     void line(std::span<const glm::dvec2> points, const Stroke& stroke);
@@ -67,13 +67,13 @@ class Pen {
     render::DrawList& list_;
     glm::dvec2 size_px_;
     double scale_;
-    render::Rectangle reach_;
+    render::PixelBox reach_;
 };
 
 /// The corners of a rectangle with rounded corners.
-std::vector<glm::dvec2> rounded_rectangle(const render::Rectangle& rectangle, double radius_px);
+std::vector<glm::dvec2> rounded_rectangle(const render::PixelBox& box, double radius_px);
 
 /// The corners of a rectangle.
-std::vector<glm::dvec2> corners_of(const render::Rectangle& rectangle);
+std::vector<glm::dvec2> corners_of(const render::PixelBox& box);
 
 }  // namespace batten::editor

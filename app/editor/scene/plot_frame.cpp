@@ -31,11 +31,11 @@ std::size_t PlotFrame::function_of(std::size_t span_index, std::size_t j) const 
     return (span_index - static_cast<std::size_t>(curve.degree()) + j) % curve.control_points().size();
 }
 
-std::optional<render::Rectangle> PlotFrame::band(core::Interval parameters) const {
+std::optional<render::PixelBox> PlotFrame::band(core::Interval parameters) const {
     const double lower = std::max(parameters.lower, layout.range.lower);
     const double upper = std::min(parameters.upper, layout.range.upper);
     if (!(lower < upper)) return std::nullopt;
-    return render::Rectangle{{x(lower), layout.top_px}, {x(upper), layout.bottom_px}};
+    return render::PixelBox{{x(lower), layout.top_px}, {x(upper), layout.bottom_px}};
 }
 
 bool PlotFrame::is_chosen(std::size_t stored_index) const {

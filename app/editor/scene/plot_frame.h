@@ -31,7 +31,7 @@ struct PlotFrame {
     std::size_t function_of(std::size_t span_index, std::size_t j) const;
 
     /// The rectangle of the plot between two parameters, cut to the shown range; none when nothing of it is left.
-    std::optional<render::Rectangle> band(core::Interval parameters) const;
+    std::optional<render::PixelBox> band(core::Interval parameters) const;
 
     bool is_chosen(std::size_t stored_index) const;
 };

@@ -12,11 +12,11 @@ bool TextRow::write(Pen& pen, glm::dvec2 position, const std::string& text, cons
                          : style.anchor == render::Anchor::center ? 0.5
                                                                   : 1.0;
     const double gap = pen.px(8.0);
-    const render::Rectangle box{{position.x - share * size.x, position.y - 0.5 * size.y},
-                                {position.x + (1.0 - share) * size.x, position.y + 0.5 * size.y}};
-    const bool is_free = std::none_of(boxes_.begin(), boxes_.end(), [&](const render::Rectangle& other) {
-        return box.lower.x < other.upper.x + gap && other.lower.x < box.upper.x + gap && box.lower.y < other.upper.y &&
-               other.lower.y < box.upper.y;
+    const render::PixelBox box{{position.x - share * size.x, position.y - 0.5 * size.y},
+                               {position.x + (1.0 - share) * size.x, position.y + 0.5 * size.y}};
+    const bool is_free = std::none_of(boxes_.begin(), boxes_.end(), [&](const render::PixelBox& other) {
+        return box.lower_px.x < other.upper_px.x + gap && other.lower_px.x < box.upper_px.x + gap &&
+               box.lower_px.y < other.upper_px.y && other.lower_px.y < box.upper_px.y;
     });
     if (!is_free) return false;
     boxes_.push_back(box);

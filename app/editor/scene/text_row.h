@@ -16,7 +16,7 @@ class TextRow {
     bool write(Pen& pen, glm::dvec2 position, const std::string& text, const TextStyle& style);
 
   private:
-    std::vector<render::Rectangle> boxes_;
+    std::vector<render::PixelBox> boxes_;
 };
 
 }  // namespace batten::editor
