@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -13,6 +14,44 @@ using Point = glm::dvec2;
 
 /// A displacement or derivative in the plane.
 using Vector = glm::dvec2;
+
+/// a . b, positive where they point the same way.
+inline double dot(Vector a, Vector b) {
+    return a.x * b.x + a.y * b.y;
+}
+
+/// The determinant x_a y_b - y_a x_b: positive where b points to the left of a.
+inline double cross(Vector a, Vector b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+/// |v|. Its square must be a double, too.
+inline double length(Vector v) {
+    return std::sqrt(dot(v, v));
+}
+
+/// |v| for vectors of any size, at a higher cost.
+inline double robust_length(Vector v) {
+    return std::hypot(v.x, v.y);
+}
+
+inline double distance(Point a, Point b) {
+    return length(b - a);
+}
+
+/// `v` turned to the left by a right angle.
+inline Vector turned_left(Vector v) {
+    return {-v.y, v.x};
+}
+
+/// The point midway between two; their coordinates may be as large as doubles are.
+inline Point middle(Point a, Point b) {
+    return {0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y};
+}
+
+inline bool is_finite(Vector v) {
+    return std::isfinite(v.x) && std::isfinite(v.y);
+}
 
 /// (wx, wy, w): the point (x, y) with weight w, one dimension up.
 /// A NURBS curve is the shadow of a B-spline through these.

@@ -28,8 +28,7 @@ Check check_counts(int degree, bool is_periodic, std::size_t point_count, std::s
 
 Check check_points(std::span<const Point> points) {
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (!std::isfinite(points[i].x) || !std::isfinite(points[i].y))
-            return refuse({.code = CurveErrorCode::point_not_finite, .index = i});
+        if (!is_finite(points[i])) return refuse({.code = CurveErrorCode::point_not_finite, .index = i});
     return {};
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <optional>
 
 #include "core/curve/knot_analysis.h"
@@ -79,8 +78,8 @@ class OffsetBuilder {
                            .value = u,
                            .lower = 1.0 / std::abs(*curvature),
                            .upper = std::abs(distance_)});
-        const Vector tangent = derivatives[1] / std::hypot(derivatives[1].x, derivatives[1].y);
-        return OffsetPoint{derivatives[0] + distance_ * Vector(-tangent.y, tangent.x), stretch * derivatives[1]};
+        const Vector tangent = derivatives[1] / robust_length(derivatives[1]);
+        return OffsetPoint{derivatives[0] + distance_ * turned_left(tangent), stretch * derivatives[1]};
     }
 
     // The ends of non-empty spans, ascending.
@@ -96,11 +95,11 @@ class OffsetBuilder {
     Result<void> check_corner(double u) const {
         const auto before = derivatives_at(curve_, u, 1, Side::left);
         const auto after = derivatives_at(curve_, u, 1, Side::right);
-        const double sizes = glm::length(before[1]) * glm::length(after[1]);
+        const double sizes = length(before[1]) * length(after[1]);
         if (!(sizes > 0.0)) return refuse({.code = CurveErrorCode::curve_stands_still, .value = u});
-        const double turn = before[1].x * after[1].y - before[1].y * after[1].x;
-        const bool is_bent = std::abs(turn) > least_turn * sizes || glm::dot(before[1], after[1]) < 0.0;
-        if (is_bent || glm::distance(before[0], after[0]) > noise_)
+        const bool is_bent =
+            std::abs(cross(before[1], after[1])) > least_turn * sizes || dot(before[1], after[1]) < 0.0;
+        if (is_bent || distance(before[0], after[0]) > noise_)
             return refuse({.code = CurveErrorCode::curve_has_corner, .value = u});
         return {};
     }
@@ -125,7 +124,7 @@ class OffsetBuilder {
                 const Side side = is_last ? Side::left : Side::right;
                 const auto expected = true_offset(u, side);
                 if (!expected) return refuse(expected.error());
-                largest = std::max(largest, glm::distance(expected->point, point_at(candidate, u, side)));
+                largest = std::max(largest, distance(expected->point, point_at(candidate, u, side)));
             }
         }
         return largest;
@@ -163,7 +162,7 @@ class OffsetBuilder {
         if (curve_.is_periodic()) breaks_.front().before = breaks_.back().before;
         for (Break& at : breaks_) {
             constexpr double least_jump = 1e-12;
-            at.is_smooth = glm::distance(at.before, at.after) <= least_jump * glm::length(at.after);
+            at.is_smooth = length(at.after - at.before) <= least_jump * length(at.after);
         }
         return {};
     }
@@ -200,7 +199,7 @@ class OffsetBuilder {
             if (!expected) return refuse(expected.error());
             const Point hermite =
                 start.point + 3.0 * t * (1.0 - t) * (1.0 - t) * a + 3.0 * t * t * (1.0 - t) * b + t * t * t * c;
-            const double error = glm::distance(hermite, expected->point);
+            const double error = distance(hermite, expected->point);
             if (error > allowed) {
                 worst_ = std::max(tolerance_, error);
                 return false;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <glm/geometric.hpp>
 #include <optional>
 
 #include "core/curve/detail/edit_checks.h"
@@ -14,7 +13,7 @@ namespace batten::core {
 namespace {
 
 Result<void> check_finite(Point position, std::size_t index) {
-    if (std::isfinite(position.x) && std::isfinite(position.y)) return {};
+    if (is_finite(position)) return {};
     return tl::unexpected(CurveError{.code = CurveErrorCode::point_not_finite, .index = index});
 }
 
@@ -85,9 +84,10 @@ double weight_on_leg(const Curve& curve, std::size_t index, Point position) {
     const std::size_t before = (index + count - 1) % count;
     const std::size_t after = index % count;
     const Vector leg = points[after] - points[before];
-    const double length_squared = glm::dot(leg, leg);
-    const double along = length_squared == 0.0 ? 0.5 : glm::dot(position - points[before], leg) / length_squared;
-    return glm::mix(weights[before], weights[after], std::clamp(along, 0.0, 1.0));
+    const double length_squared = dot(leg, leg);
+    const double along = length_squared == 0.0 ? 0.5 : dot(position - points[before], leg) / length_squared;
+    const double share = std::clamp(along, 0.0, 1.0);
+    return weights[before] * (1.0 - share) + weights[after] * share;
 }
 
 // The inner knot (of the period, or of the domain) nearest to the Greville abscissa of control point `index`.

@@ -10,10 +10,6 @@ namespace batten::core {
 
 namespace {
 
-bool is_finite(Vector vector) {
-    return std::isfinite(vector.x) && std::isfinite(vector.y);
-}
-
 Result<void> check_move(const Curve& curve, double u, Vector first, Vector second) {
     if (const auto check = check_parameter_finite(u); !check) return check;
     const Interval domain = curve.domain();

@@ -100,15 +100,14 @@ std::optional<double> curvature_at(const Curve& curve, double u, Side side) {
     const auto points = local_points(curve, at, point);
     const Jet homogeneous = homogeneous_derivatives(points, at, inside, 2);
     const auto derivatives = shadow_derivatives(homogeneous);
-    const double speed = std::hypot(derivatives[1].x, derivatives[1].y);
+    const double speed = robust_length(derivatives[1]);
     const double resolution = 64 * std::numeric_limits<double>::epsilon();
     const double fast = polygon_speed(points, at, homogeneous[0].z);
     if (!(speed > resolution * fast)) return std::nullopt;
     const Vector tangent = derivatives[1] / speed;
     // Where the curve is slow its speed is what differences of large vectors leave.
-    const double curvature = speed < slow_part * fast
-                                 ? precise_curvature(curve, at, inside, point)
-                                 : (tangent.x * derivatives[2].y - tangent.y * derivatives[2].x) / speed / speed;
+    const double curvature = speed < slow_part * fast ? precise_curvature(curve, at, inside, point)
+                                                      : cross(tangent, derivatives[2]) / speed / speed;
     return std::isfinite(curvature) ? std::optional(curvature) : std::nullopt;
 }
 

@@ -43,7 +43,7 @@ std::optional<Vector> tangent_at(const Curve& curve, double u, Side side) {
 }
 
 double angle_between(Vector a, Vector b) {
-    return std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
+    return std::atan2(cross(a, b), dot(a, b));
 }
 
 }  // namespace batten::core

@@ -1,7 +1,6 @@
 #include "core/evaluate/tessellate.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "core/evaluate/detail/subdivide.h"
 #include "core/evaluate/evaluate.h"
@@ -23,9 +22,9 @@ constexpr double largest_piece_in_views = 64.0;
 
 double distance_to_segment(Point point, Point a, Point b) {
     const Vector along = b - a;
-    const double length_squared = glm::dot(along, along);
-    if (length_squared == 0.0) return glm::distance(point, a);
-    return glm::distance(point, a + std::clamp(glm::dot(point - a, along) / length_squared, 0.0, 1.0) * along);
+    const double length_squared = dot(along, along);
+    if (length_squared == 0.0) return distance(point, a);
+    return distance(point, a + std::clamp(dot(point - a, along) / length_squared, 0.0, 1.0) * along);
 }
 
 // The most that the inner control points count together at any point of the piece. For equal weights it is 1 - 2^(1-p),

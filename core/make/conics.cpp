@@ -16,7 +16,7 @@ class EllipsePlane {
     explicit EllipsePlane(const EllipseFrame& frame) : center_(frame.center) {
         const Vector direction = unit_vector(frame.rotation);
         first_axis_ = frame.first_axis * direction;
-        second_axis_ = frame.second_axis * Vector(-direction.y, direction.x);
+        second_axis_ = frame.second_axis * turned_left(direction);
     }
 
     Point operator()(Vector v) const { return center_ + (v.x * first_axis_ + v.y * second_axis_); }
@@ -90,9 +90,8 @@ Result<Curve> quadratic_piece(const std::array<Point, 3>& points, double weight,
 bool are_collinear(Point a, Point b, Point c) {
     const Vector ab = b - a;
     const Vector ac = c - a;
-    const double cross = ab.x * ac.y - ab.y * ac.x;
     // As far as rounding of the products can tell.
-    return !(std::abs(cross) >
+    return !(std::abs(cross(ab, ac)) >
              4.0 * std::numeric_limits<double>::epsilon() * (std::abs(ab.x * ac.y) + std::abs(ab.y * ac.x)));
 }
 
@@ -119,7 +118,7 @@ Result<Curve> parabola_arc(Point vertex, double focal_length, double axis, Inter
     const auto check = check_length(focal_length).and_then([&] { return check_range(range); });
     if (!check) return refuse(check.error());
     const Vector along = unit_vector(axis);
-    const Vector across(along.y, -along.x);
+    const Vector across = -turned_left(along);
     const auto [t, end] = range;
     // The blossom of t and t^2.
     const auto place = [&](double right, double product) {

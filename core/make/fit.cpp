@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "core/base/detail/gauss_rule.h"
@@ -229,7 +228,7 @@ class Fitter {
     }
 
     double error_at(const Curve& curve, std::size_t k, double shift) const {
-        return glm::distance(point_at(curve, parameters_[k] + shift), points_[k]);
+        return distance(point_at(curve, parameters_[k] + shift), points_[k]);
     }
 
     // Which spans contain a point with a larger error than allowed; a point at a break is in both of its spans.
@@ -312,10 +311,6 @@ class Fitter {
     bool is_reversed_;
 };
 
-bool is_finite(const std::optional<Vector>& vector) {
-    return !vector || (std::isfinite(vector->x) && std::isfinite(vector->y));
-}
-
 Result<Fitter> make_fitter(std::span<const Point> points, FitRequest request) {
     if (const auto check = check_degree(request.degree); !check) return refuse(check.error());
     if (request.is_closed) request.start_tangent = request.end_tangent = std::nullopt;
@@ -327,7 +322,7 @@ Result<Fitter> make_fitter(std::span<const Point> points, FitRequest request) {
     if (!check) return refuse(check.error());
     if (!(request.smoothing >= 0.0) || !std::isfinite(request.smoothing))
         return refuse({.code = CurveErrorCode::smoothing_negative, .value = request.smoothing});
-    if (!is_finite(request.start_tangent) || !is_finite(request.end_tangent))
+    if (!is_finite(request.start_tangent.value_or(Vector{})) || !is_finite(request.end_tangent.value_or(Vector{})))
         return refuse({.code = CurveErrorCode::vector_not_finite});
     DirectedData data = directed(points, request);
     auto parameters = parametrize(data.points, request.parametrization, request.is_closed);

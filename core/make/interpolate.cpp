@@ -9,10 +9,6 @@ namespace batten::core {
 
 namespace {
 
-bool is_finite(const std::optional<Vector>& vector) {
-    return !vector || (std::isfinite(vector->x) && std::isfinite(vector->y));
-}
-
 // How many derivatives are prescribed at both ends, and the least degree that has them.
 struct EndNeeds {
     std::size_t at_start = 0;
@@ -26,7 +22,7 @@ EndNeeds needs_of(const Ends& ends) {
     const auto* tangents = std::get_if<EndTangents>(&ends);
     if (tangents == nullptr || (!tangents->start && !tangents->end)) return {};
     return {tangents->start ? 1U : 0U, tangents->end ? 1U : 0U, 2,
-            is_finite(tangents->start) && is_finite(tangents->end)};
+            is_finite(tangents->start.value_or(Vector{})) && is_finite(tangents->end.value_or(Vector{}))};
 }
 
 Result<std::vector<double>> parameters_for(std::span<const Point> points, const InterpolationRequest& request) {

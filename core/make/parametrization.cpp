@@ -16,14 +16,13 @@ Result<void> check_points(std::span<const Point> points, bool is_closed) {
                        .value = static_cast<double>(points.size()),
                        .lower = static_cast<double>(least)});
     for (std::size_t k = 0; k < points.size(); ++k)
-        if (!std::isfinite(points[k].x) || !std::isfinite(points[k].y))
-            return refuse({.code = CurveErrorCode::data_point_not_finite, .index = k});
+        if (!is_finite(points[k])) return refuse({.code = CurveErrorCode::data_point_not_finite, .index = k});
     return {};
 }
 
 double step(Point from, Point to, Parametrization parametrization) {
     if (parametrization == Parametrization::uniform) return 1.0;
-    const double chord = std::hypot(to.x - from.x, to.y - from.y);
+    const double chord = robust_length(to - from);
     return parametrization == Parametrization::chordal ? chord : std::sqrt(chord);
 }
 

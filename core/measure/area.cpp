@@ -1,6 +1,6 @@
 #include "core/measure/area.h"
 
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
 #include "core/base/detail/quadrature.h"
@@ -21,7 +21,7 @@ constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
 // det(C, C') times (1, x, y): what is integrated for the area and both moments.
 glm::dvec3 moments_at(const PieceMotion& piece, double t) {
     const auto [position, velocity] = piece.at(t);
-    const double swept = position.x * velocity.y - position.y * velocity.x;
+    const double swept = cross(position, velocity);
     return {swept, swept * position.x, swept * position.y};
 }
 

@@ -15,7 +15,7 @@ bool is_left_of(Point a, Point b) {
 }
 
 bool turns_left(Point a, Point b, Point c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0.0;
+    return cross(b - a, c - a) > 0.0;
 }
 
 // Extends the chain that begins at `base` of `hull` by `point`, dropping what would not turn left.

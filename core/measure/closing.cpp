@@ -1,7 +1,6 @@
 #include "core/measure/closing.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "core/evaluate/evaluate.h"
 #include "core/measure/bounds.h"
@@ -27,7 +26,7 @@ bool points_repeat(const Curve& curve, std::size_t period, double tolerance) {
     const auto weights = curve.weights();
     const double allowed = absolute_tolerance(curve, tolerance);
     for (std::size_t i = 0; i + period < points.size(); ++i) {
-        if (glm::distance(points[i], points[i + period]) > allowed) return false;
+        if (distance(points[i], points[i + period]) > allowed) return false;
         if (std::abs(weights[i] - weights[i + period]) > (tolerance + rounding) * weights[i]) return false;
     }
     return true;
@@ -50,7 +49,7 @@ int measured_continuity(const Curve& curve, double tolerance) {
     const auto end = derivatives_at(curve, upper, curve.degree(), Side::left);
     double allowed = absolute_tolerance(curve, tolerance);
     int continuity = -1;
-    for (std::size_t k = 0; k < start.size() && glm::distance(start[k], end[k]) <= allowed; ++k) {
+    for (std::size_t k = 0; k < start.size() && distance(start[k], end[k]) <= allowed; ++k) {
         continuity = static_cast<int>(k);
         allowed *= static_cast<double>(curve.degree()) / step;
     }
@@ -70,7 +69,7 @@ ClosingReport closing_of(const Curve& curve, double tolerance) {
     const auto [lower, upper] = curve.domain();
     if (curve.is_periodic())
         return {.closing = Closing::periodic, .continuity = curve.degree() - curve.knots().multiplicity(lower)};
-    const double gap = glm::distance(point_at(curve, lower), point_at(curve, upper));
+    const double gap = distance(point_at(curve, lower), point_at(curve, upper));
     const int continuity = measured_continuity(curve, tolerance);
     if (continuity < 0) return {.closing = Closing::open, .gap = gap};
     const Closing closing = is_wrapped(curve, tolerance) ? Closing::wrapped : Closing::ends_meet;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
 
@@ -22,14 +21,14 @@ class LineFollower {
     // Whether `point` continues the run; the line follows it then.
     bool accepts(Point point) {
         const Vector to_point = point - first_;
-        const double distance = glm::length(to_point);
+        const double distance = length(to_point);
         if (farthest_ <= tolerance_ || distance <= tolerance_) {
             if (distance > farthest_) follow(to_point, distance);
             return true;
         }
         // The nearer of the two must lie on the line to the farther one.
-        const double cross = std::abs(direction_.x * to_point.y - direction_.y * to_point.x);
-        const double offset = distance > farthest_ ? cross * (farthest_ / distance) : cross;
+        const double away = std::abs(cross(direction_, to_point));
+        const double offset = distance > farthest_ ? away * (farthest_ / distance) : away;
         if (offset > tolerance_) return false;
         if (distance > farthest_) follow(to_point, distance);
         return true;
@@ -142,10 +141,10 @@ Result<Curve> straighten(const Curve& curve, std::size_t first, std::size_t last
         return refuse({.code = CurveErrorCode::points_coincide, .index = last, .value = static_cast<double>(first)});
     // Of a size that can be squared.
     const Vector direction = line / length;
-    const double square = glm::dot(direction, direction);
+    const double square = dot(direction, direction);
     for (std::size_t k = 1; k < steps; ++k) {
         Point& point = definition.points[(first + k) % n];
-        point = start + glm::dot(point - start, direction) / square * direction;
+        point = start + dot(point - start, direction) / square * direction;
     }
     return Curve::make(std::move(definition));
 }

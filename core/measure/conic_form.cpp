@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
 
 namespace batten::core {
@@ -18,7 +17,7 @@ struct LinearForm {
 
 // Zero on the line through both, twice the signed area of the triangle that they make with (x, y).
 LinearForm through(Point a, Point b) {
-    return {a.y - b.y, b.x - a.x, a.x * b.y - a.y * b.x};
+    return {a.y - b.y, b.x - a.x, cross(a, b)};
 }
 
 ImplicitConic product(const LinearForm& m, const LinearForm& n) {
@@ -46,10 +45,6 @@ ImplicitConic normalised(ImplicitConic conic) {
     const double scale = std::copysign(largest, first);
     for (double* member : {&conic.a, &conic.b, &conic.c, &conic.d, &conic.e, &conic.f}) *member = *member / scale + 0.0;
     return conic;
-}
-
-double cross(Vector a, Vector b) {
-    return a.x * b.y - a.y * b.x;
 }
 
 // In barycentric coordinates l_i of its control points a conic is l1^2 = 4 w^2 l0 l2. Seen from its corner l0 and l2
@@ -95,7 +90,7 @@ Result<ConicForm> conic_form(const BezierPiece& piece) {
                        .lower = 2.0});
     const std::array points{project(piece.points[0]), project(piece.points[1]), project(piece.points[2])};
     const double area = cross(points[0] - points[1], points[2] - points[1]);
-    const double size = glm::max(glm::distance(points[0], points[1]), glm::distance(points[2], points[1]));
+    const double size = std::max(distance(points[0], points[1]), distance(points[2], points[1]));
     if (!(std::abs(area) > 16.0 * std::numeric_limits<double>::epsilon() * size * size))
         return refuse({.code = CurveErrorCode::points_collinear});
     const double w1 = piece.points[1].z;

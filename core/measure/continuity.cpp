@@ -16,11 +16,6 @@ namespace {
 
 constexpr int derivative_count = 2;
 
-// Of any size; the square of it need not be a double.
-double length_of(Vector vector) {
-    return std::hypot(vector.x, vector.y);
-}
-
 // What can be said of the curve on one side of a joint.
 struct OneSide {
     std::array<Vector, derivative_count + 1> derivatives{};
@@ -57,7 +52,7 @@ class JointMeter {
     JointMeter(const Curve& curve, const ContinuityTolerances& tolerances)
         : tolerances_(tolerances), curve_(seen_from(curve, middle_of(curve))) {
         const Box box = control_box(curve_);
-        size_ = length_of(box.size());
+        size_ = robust_length(box.size());
         for (const Point& point : curve.control_points())
             rounding_ = std::max({rounding_, std::abs(point.x), std::abs(point.y)});
         rounding_ *= 2.0 * std::numeric_limits<double>::epsilon();
@@ -94,8 +89,8 @@ class JointMeter {
     static Jump jump(const OneSide& left, const OneSide& right, std::size_t order) {
         const Vector& a = left.derivatives[order];
         const Vector& b = right.derivatives[order];
-        const double size = length_of(b - a);
-        const double larger = std::max(length_of(a), length_of(b));
+        const double size = robust_length(b - a);
+        const double larger = std::max(robust_length(a), robust_length(b));
         return {size, size > 0.0 ? size / larger : 0.0};
     }
 

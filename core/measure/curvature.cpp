@@ -1,7 +1,6 @@
 #include "core/measure/curvature.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "core/evaluate/evaluate.h"
 #include "core/measure/continuity.h"
@@ -14,10 +13,6 @@ namespace {
 
 // A zero of the curvature and a cusp nearer than this part of the cusp's span are one place.
 constexpr double same_place = 1e-6;
-
-double cross(Vector a, Vector b) {
-    return a.x * b.y - a.y * b.x;
-}
 
 using Forms = std::span<const Bernstein>;
 
@@ -129,10 +124,10 @@ std::optional<Bending> bending_at(const Curve& curve, double u, Side side) {
     const auto curvature = curvature_at(curve, u, side);
     if (!curvature) return std::nullopt;
     const auto derivatives = derivatives_at(curve, u, 3, side);
-    const double speed = std::hypot(derivatives[1].x, derivatives[1].y);
+    const double speed = robust_length(derivatives[1]);
     const Vector tangent = derivatives[1] / speed;
     const double change = (cross(tangent, derivatives[3]) -
-                           3.0 * cross(tangent, derivatives[2]) * (glm::dot(tangent, derivatives[2]) / speed)) /
+                           3.0 * cross(tangent, derivatives[2]) * (dot(tangent, derivatives[2]) / speed)) /
                           speed / speed;
     if (!std::isfinite(change)) return std::nullopt;
     return Bending{*curvature, change, change / speed};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -40,7 +39,7 @@ double deviation_over_spans_of(const Curve& a, const Curve& b) {
     const Interval from = a.domain();
     const Interval to = b.domain();
     const auto distance = [&](double u, Side side) {
-        return glm::distance(point_at(a, u, side), point_at(b, map(u, from, to), side));
+        return core::distance(point_at(a, u, side), point_at(b, map(u, from, to), side));
     };
     const std::vector<double> shares = sample_shares(std::max(a.degree(), b.degree()));
     const auto knots = a.knots().values();

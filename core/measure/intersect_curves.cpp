@@ -67,7 +67,7 @@ class Parameters {
             for (const Side other_side : {Side::right, Side::left}) {
                 const auto a = tangent_at(curve_, u, side);
                 const auto b = tangent_at(other, v, other_side);
-                if (a && b && std::abs(a->x * b->y - a->y * b->x) <= parallel) return true;
+                if (a && b && std::abs(cross(*a, *b)) <= parallel) return true;
             }
         return false;
     }
@@ -206,7 +206,7 @@ std::vector<CurveContact> intersect_curves(const Curve& first, const Curve& seco
     Box both = box;
     both.include(other.lower);
     both.include(other.upper);
-    const Point origin = 0.5 * both.lower + 0.5 * both.upper;
+    const Point origin = middle(both.lower, both.upper);
     const ContactPieces a = contact_pieces(first, origin);
     const ContactPieces b = contact_pieces(second, origin);
     ContactSearch search(a, b, std::min(size_of(box), size_of(other)), tolerance_within(both));

@@ -1,7 +1,6 @@
 #include "core/measure/intersect_line.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "core/evaluate/evaluate.h"
 #include "core/measure/bounds.h"
@@ -20,14 +19,14 @@ constexpr double on_line = 1e-12;
 // The line as seen from the middle of the curve.
 class Line {
   public:
-    Line(const Curve& curve, Point a, Point b) : curve_(curve), a_(a), chord_(b - a), length_(glm::length(chord_)) {
-        normal_ = Vector(-chord_.y, chord_.x) / length_;
+    Line(const Curve& curve, Point a, Point b) : curve_(curve), a_(a), chord_(b - a), length_(length(chord_)) {
+        normal_ = turned_left(chord_) / length_;
         const Point origin = middle_of(curve);
         const Box box = control_box(curve);
         const double far = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
-        const double reach = glm::length(box.size()) + glm::distance(a, origin);
+        const double reach = length(box.size()) + core::distance(a, origin);
         const double scale = form_scale(curve);
-        offset_ = scale * glm::dot(normal_, a - origin);
+        offset_ = scale * dot(normal_, a - origin);
         // Rounded coordinates move the line and turn it.
         offset_error_ = scale * 4.0 * unit_roundoff * (far + reach) * (1.0 + reach / length_);
         tolerance_ = on_line * (reach + length_) + 4.0 * unit_roundoff * far;
@@ -40,17 +39,17 @@ class Line {
     }
 
     int side_of(Point point) const {
-        const double height = glm::dot(normal_, point - a_);
+        const double height = dot(normal_, point - a_);
         if (std::abs(height) <= tolerance_) return 0;
         return height < 0.0 ? -1 : 1;
     }
 
-    double along(Point point) const { return glm::dot(point - a_, chord_) / (length_ * length_); }
+    double along(Point point) const { return dot(point - a_, chord_) / (length_ * length_); }
 
     // Where a leg from one side to the other passes the line.
     Point on_leg(Point p, Point q) const {
-        const double from = glm::dot(normal_, p - a_);
-        const double to = glm::dot(normal_, q - a_);
+        const double from = dot(normal_, p - a_);
+        const double to = dot(normal_, q - a_);
         return p + from / (from - to) * (q - p);
     }
 
@@ -115,7 +114,7 @@ std::size_t count_crossings(std::span<const LineContact> contacts) {
 }
 
 Result<void> check_line(Point a, Point b) {
-    if (glm::length(b - a) > 0.0 && std::isfinite(glm::length(b - a))) return {};
+    if (length(b - a) > 0.0 && std::isfinite(length(b - a))) return {};
     return refuse({.code = CurveErrorCode::points_coincide, .index = 1, .value = 0.0});
 }
 

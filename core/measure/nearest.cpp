@@ -1,7 +1,6 @@
 #include "core/measure/nearest.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "core/evaluate/detail/subdivide.h"
 #include "core/evaluate/evaluate.h"
@@ -47,7 +46,7 @@ class NearestSearch {
   public:
     NearestSearch(const Curve& curve, Point query) : curve_(curve), query_(query), pieces_(bezier_pieces(curve)) {
         double size = 0.0;
-        for (const Point& point : curve.control_points()) size = std::max(size, glm::distance(point, query));
+        for (const Point& point : curve.control_points()) size = std::max(size, distance(point, query));
         tolerance_ = relative_tolerance * size;
         start_from_samples();
     }
@@ -63,7 +62,7 @@ class NearestSearch {
         double distance = 0.0;
     };
 
-    Candidate candidate_at(double u, Side side) const { return {u, glm::distance(point_at(curve_, u, side), query_)}; }
+    Candidate candidate_at(double u, Side side) const { return {u, distance(point_at(curve_, u, side), query_)}; }
 
     // The span is open at u = upper only, so this is the side inside it.
     static Side inner_side(double u, Interval span) { return u == span.upper ? Side::left : Side::right; }
@@ -89,9 +88,9 @@ class NearestSearch {
         for (int i = 0; i < most_newton_steps; ++i) {
             const auto derivatives = derivatives_at(curve_, at.u, 2, inner_side(at.u, span));
             const Vector away = derivatives[0] - query_;
-            const double slope = glm::dot(away, derivatives[1]);
-            const double speed_squared = glm::dot(derivatives[1], derivatives[1]);
-            const double bend = speed_squared + glm::dot(away, derivatives[2]);
+            const double slope = dot(away, derivatives[1]);
+            const double speed_squared = dot(derivatives[1], derivatives[1]);
+            const double bend = speed_squared + dot(away, derivatives[2]);
             if (slope == 0.0) break;
             // Where the distance bends the wrong way the curve is taken for straight.
             const double step = -slope / (bend > 0.0 ? bend : speed_squared);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "core/curve/knot_analysis.h"
@@ -110,7 +109,7 @@ Result<Approximation> join_pieces(std::span<const Curve> pieces, double toleranc
             whole = next->definition();
             continue;
         }
-        const double gap = glm::distance(whole->points.back(), next->control_points().front());
+        const double gap = distance(whole->points.back(), next->control_points().front());
         if (!(gap <= tolerance)) return refuse({.code = CurveErrorCode::ends_apart, .value = gap, .upper = tolerance});
         largest_gap = std::max(largest_gap, gap);
         joints.push_back(*begin);

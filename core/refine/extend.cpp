@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "core/base/detail/quadrature.h"
@@ -41,7 +40,7 @@ Result<Curve> with_end_at(const Curve& clamped, CurveEnd end, double u) {
 }
 
 double speed_at(const Curve& curve, CurveEnd end) {
-    return glm::length(derivatives_at(curve, end_of(curve, end), 1)[1]);
+    return length(derivatives_at(curve, end_of(curve, end), 1)[1]);
 }
 
 // No finer than lengths are measured.
@@ -55,7 +54,7 @@ constexpr double closeness_to_failure = 1e-3;
 double length_over(const Curve& curve, Interval range) {
     constexpr int halvings = 8;
     constexpr int first_depth = 60 - halvings;
-    const auto speed = [&](double u) { return glm::length(derivatives_at(curve, u, 1)[1]); };
+    const auto speed = [&](double u) { return length(derivatives_at(curve, u, 1)[1]); };
     const double size = integrate_once<double>(speed, range).kronrod;
     double length = 0.0;
     integrate_adaptively<double>(

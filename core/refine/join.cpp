@@ -1,7 +1,6 @@
 #include "core/refine/join.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "core/evaluate/evaluate.h"
@@ -119,17 +118,17 @@ Result<void> match_geometry(std::vector<Point>& points, const Pair& pair, int or
     const Beginning beginning(pair.second);
     const auto tangent = tangent_at(pair.first, joint, Side::left);
     const auto old = pair.second.control_points();
-    const double length = glm::distance(old[0], old[1]);
-    if (!tangent || length == 0.0) return refuse(stands_still(joint));
-    const Vector leg = length * *tangent;
+    const double leg_length = distance(old[0], old[1]);
+    if (!tangent || leg_length == 0.0) return refuse(stands_still(joint));
+    const Vector leg = leg_length * *tangent;
     points[1] = points[0] + leg;
     if (order < 2) return {};
     const auto curvature = curvature_at(pair.first, joint, Side::left);
     if (!curvature) return refuse(stands_still(joint));
-    const Vector normal(-tangent->y, tangent->x);
-    const double speed = glm::length(beginning.velocity_of(leg));
+    const Vector normal = turned_left(*tangent);
+    const double speed = length(beginning.velocity_of(leg));
     const Vector found = beginning.acceleration_of(points[2] - points[0], leg);
-    const double missing = *curvature * speed * speed - glm::dot(found, normal);
+    const double missing = *curvature * speed * speed - dot(found, normal);
     points[2] = points[0] + beginning.second_of(found + missing * normal, leg);
     return {};
 }

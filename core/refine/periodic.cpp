@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "core/curve/detail/edit_checks.h"
@@ -28,7 +27,7 @@ Result<void> check_tolerance(double tolerance) {
 }
 
 Result<void> check_closed(const Curve& curve, double tolerance) {
-    const double gap = glm::distance(point_at(curve, curve.domain().lower), point_at(curve, curve.domain().upper));
+    const double gap = distance(point_at(curve, curve.domain().lower), point_at(curve, curve.domain().upper));
     if (curve.is_periodic() || gap <= tolerance) return {};
     return refuse({.code = CurveErrorCode::ends_apart, .value = gap, .upper = tolerance});
 }

@@ -2,24 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <optional>
 
 namespace batten::core {
 
 namespace {
 
-Vector left_of(Vector direction) {
-    return {-direction.y, direction.x};
-}
-
 // Legs that turn back by less than this leave no room for a mitre.
 constexpr double least_bend = 1e-12;
 
 // Where the parallels of two legs meet: along the bisector of their normals, |m| = distance / cos(half the turn).
 std::optional<Vector> mitre(Vector before, Vector after, double distance) {
-    const Vector sum = left_of(before) + left_of(after);
-    const double size = glm::dot(sum, sum);
+    const Vector sum = turned_left(before) + turned_left(after);
+    const double size = dot(sum, sum);
     if (!(size > least_bend)) return std::nullopt;
     return 2.0 * distance / size * sum;
 }
@@ -35,7 +30,7 @@ Result<Approximation> offset_polygon(const Curve& curve, double distance) {
     std::vector<Vector> directions;
     for (std::size_t i = 0; i < legs; ++i) {
         const Vector leg = points[(i + 1) % n] - points[i];
-        const double length = std::hypot(leg.x, leg.y);
+        const double length = robust_length(leg);
         if (!(length > 0.0)) return refuse({.code = CurveErrorCode::curve_stands_still, .value = parameter(i)});
         directions.push_back(leg / length);
     }
@@ -52,9 +47,9 @@ Result<Approximation> offset_polygon(const Curve& curve, double distance) {
     double error = 0.0;
     for (std::size_t i = 0; i < legs; ++i) {
         const Vector leg = definition.points[(i + 1) % n] - definition.points[i];
-        if (!(glm::dot(leg, directions[i]) > 0.0)) return refuse({.code = CurveErrorCode::leg_vanishes, .index = i});
+        if (!(dot(leg, directions[i]) > 0.0)) return refuse({.code = CurveErrorCode::leg_vanishes, .index = i});
         for (const std::size_t end : {i, (i + 1) % n}) {
-            const double found = glm::dot(definition.points[end] - points[end], left_of(directions[i]));
+            const double found = dot(definition.points[end] - points[end], turned_left(directions[i]));
             error = std::max(error, std::abs(found - distance));
         }
     }

@@ -35,8 +35,7 @@ Motion PieceMotion::at(double t) const {
 }
 
 double PieceMotion::speed_at(double t) const {
-    const Vector velocity = at(t).velocity;
-    return std::hypot(velocity.x, velocity.y);
+    return robust_length(at(t).velocity);
 }
 
 std::vector<PieceMotion> motions_of(const Curve& curve, Point origin) {

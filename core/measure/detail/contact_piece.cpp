@@ -1,8 +1,9 @@
 #include "core/measure/detail/contact_piece.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
+
+#include "core/evaluate/tangent.h"
 
 namespace batten::core {
 
@@ -12,10 +13,6 @@ constexpr double pi = std::numbers::pi;
 
 // Rounding of angles.
 constexpr double slack = 1e-12;
-
-double angle_of(Vector vector, Vector reference) {
-    return std::atan2(reference.x * vector.y - reference.y * vector.x, reference.x * vector.x + reference.y * vector.y);
-}
 
 // The tangents of a rational piece are positive sums of its legs.
 std::optional<DirectionCone> cone_of(std::span<const Point> a, std::span<const Point> b = {}) {
@@ -27,7 +24,7 @@ std::optional<DirectionCone> cone_of(std::span<const Point> a, std::span<const P
             const Vector leg = points[i + 1] - points[i];
             if (leg == Vector(0.0)) continue;
             if (!reference) reference = leg;
-            const double angle = angle_of(leg, *reference);
+            const double angle = angle_between(*reference, leg);
             least = std::min(least, angle);
             greatest = std::max(greatest, angle);
         }
@@ -40,7 +37,7 @@ double gap_along(const ContactPiece& a, const ContactPiece& b, Vector axis) {
     const auto extent = [&](const ContactPiece& piece) {
         Interval interval{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
         for (const Point& point : piece.shadow) {
-            const double height = glm::dot(axis, point);
+            const double height = dot(axis, point);
             interval = {std::min(interval.lower, height), std::max(interval.upper, height)};
         }
         return interval;
@@ -52,9 +49,9 @@ double gap_along(const ContactPiece& a, const ContactPiece& b, Vector axis) {
 
 std::optional<Vector> normal_of_chord(const ContactPiece& piece) {
     const Vector chord = piece.shadow.back() - piece.shadow.front();
-    const double length = glm::length(chord);
-    if (!(length > 0.0)) return std::nullopt;
-    return Vector(-chord.y, chord.x) / length;
+    const double size = length(chord);
+    if (!(size > 0.0)) return std::nullopt;
+    return turned_left(chord) / size;
 }
 
 }  // namespace

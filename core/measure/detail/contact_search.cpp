@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numeric>
 
 #include "core/measure/detail/piece_contact.h"
@@ -48,9 +47,9 @@ ShareContact guess(const ContactPiece& a, const ContactPiece& b) {
     const Vector of_a = chord_of(a);
     const Vector of_b = chord_of(b);
     const Vector between = b.shadow.front() - a.shadow.front();
-    const double determinant = of_a.x * of_b.y - of_a.y * of_b.x;
-    const double on_a = (between.x * of_b.y - between.y * of_b.x) / determinant;
-    const double on_b = (between.x * of_a.y - between.y * of_a.x) / determinant;
+    const double determinant = cross(of_a, of_b);
+    const double on_a = cross(between, of_b) / determinant;
+    const double on_b = cross(between, of_a) / determinant;
     if (!std::isfinite(on_a) || !std::isfinite(on_b)) return {middle(a), middle(b)};
     return {a.shares.lower + std::clamp(on_a, 0.0, 1.0) * a.shares.length(),
             b.shares.lower + std::clamp(on_b, 0.0, 1.0) * b.shares.length()};
@@ -77,9 +76,9 @@ bool coincide_between(const PieceMotion& a, const PieceMotion& b, ShareContact b
         const double share = static_cast<double>(k) / (overlap_probes + 1);
         const Point point = a.at(begin.first + share * (end.first - begin.first)).position;
         double s = foot_near(b, point, begin.second + share * along);
-        if (glm::distance(b.at(s).position, point) > tolerance) s = foot(b, point);
+        if (distance(b.at(s).position, point) > tolerance) s = foot(b, point);
         const bool goes_on = along > 0.0 ? previous < s && s < end.second : end.second < s && s < previous;
-        if (!goes_on || glm::distance(b.at(s).position, point) > tolerance) return false;
+        if (!goes_on || distance(b.at(s).position, point) > tolerance) return false;
         previous = s;
     }
     return true;
@@ -186,7 +185,7 @@ bool ContactSearch::take_overlap(const ContactPiece& a, const ContactPiece& b) {
     const PieceMotion& on_b = second_.motions[b.span];
     std::vector<ShareContact> common;
     const auto offer = [&](ShareContact at) {
-        if (glm::distance(on_a.at(at.first).position, on_b.at(at.second).position) <= tolerance_) common.push_back(at);
+        if (distance(on_a.at(at.first).position, on_b.at(at.second).position) <= tolerance_) common.push_back(at);
     };
     for (const double end : {0.0, 1.0}) {
         offer({end, foot(on_b, on_a.at(end).position)});

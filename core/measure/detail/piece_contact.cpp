@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 namespace batten::core {
 
@@ -17,16 +16,12 @@ constexpr Interval neighbourhood{-0.125, 1.125};
 
 constexpr double smallest_step = 0.5 * std::numeric_limits<double>::epsilon();
 
-double cross(Vector a, Vector b) {
-    return a.x * b.y - a.y * b.x;
-}
-
 double unit(double share) {
     return std::clamp(share, 0.0, 1.0);
 }
 
 double distance(const PieceMotion& a, const PieceMotion& b, ShareContact at) {
-    return glm::distance(a.at(at.first).position, b.at(at.second).position);
+    return distance(a.at(at.first).position, b.at(at.second).position);
 }
 
 }  // namespace
@@ -57,7 +52,7 @@ double foot_near(const PieceMotion& b, Point point, double start) {
     for (int i = 0; i < most_newton_steps; ++i) {
         const Motion motion = b.at(s);
         const double next =
-            unit(s + glm::dot(point - motion.position, motion.velocity) / glm::dot(motion.velocity, motion.velocity));
+            unit(s + dot(point - motion.position, motion.velocity) / dot(motion.velocity, motion.velocity));
         if (!std::isfinite(next) || std::abs(next - s) <= smallest_step) break;
         s = next;
     }
@@ -69,7 +64,7 @@ double foot(const PieceMotion& b, Point point) {
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k <= samples; ++k) {
         const double s = static_cast<double>(k) / samples;
-        const double away = glm::distance(b.at(s).position, point);
+        const double away = distance(b.at(s).position, point);
         if (away < least) {
             least = away;
             best = s;

@@ -1,7 +1,6 @@
 #include "core/measure/detail/piece_forms.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "core/base/detail/unit_interval.h"
 #include "core/measure/bounds.h"
@@ -25,7 +24,7 @@ double coordinate_error(const Curve& curve, const Curve& seen, std::size_t span)
     for (std::size_t i = span - p; i <= span; ++i) {
         const Point original = curve.control_points()[i % n];
         far = std::max({far, std::abs(original.x), std::abs(original.y)});
-        near = std::max(near, glm::length(seen.control_points()[i % n]));
+        near = std::max(near, length(seen.control_points()[i % n]));
     }
     return unit_roundoff * (far + static_cast<double>(curve.degree() + 4) * near);
 }
@@ -89,7 +88,7 @@ Curve seen_from(const Curve& curve, Point origin) {
 
 Point middle_of(const Curve& curve) {
     const Box box = control_box(curve);
-    return 0.5 * box.lower + 0.5 * box.upper;
+    return middle(box.lower, box.upper);
 }
 
 double form_scale(const Curve& curve) {

@@ -1,7 +1,6 @@
 #include "core/refine/detail/removable_knot.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "core/refine/detail/spline_removal.h"
@@ -31,11 +30,11 @@ double bound_of(const CarriedSpline& spline, const RemovableKnot& knot, Homogene
     double reach = 0.0;
     for (const CarriedPoint& around : points_around(spline, knot)) {
         least_weight = std::min(least_weight, around.point.z - std::abs(error.z));
-        reach = std::max(reach, glm::distance(near, project(around.point)));
+        reach = std::max(reach, distance(near, project(around.point)));
     }
     for (const CarriedPoint& point : knot.points) least_weight = std::min(least_weight, point.point.z);
     if (!(least_weight > 0.0)) return std::numeric_limits<double>::infinity();
-    return (glm::length(Point(error) - near * error.z) + reach * std::abs(error.z)) / least_weight;
+    return (length(Point(error) - near * error.z) + reach * std::abs(error.z)) / least_weight;
 }
 
 // The two sides of a tear are pulled together.
