@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <ostream>
 #include <sstream>
 
@@ -32,22 +31,25 @@ bool are_parameters_inside(const EvalOptions& options, Output output, const core
     return true;
 }
 
-bool are_finite(const std::vector<core::Vector>& values) {
-    return std::all_of(values.begin(), values.end(),
-                       [](const core::Vector& v) { return std::isfinite(v.x) && std::isfinite(v.y); });
+bool is_finite(const core::Jet& jet) {
+    return core::is_finite(jet.point) && std::all_of(jet.derivatives.begin(), jet.derivatives.end(),
+                                                     [](core::Vector vector) { return core::is_finite(vector); });
 }
 
-void print_row(std::ostream& out, double u, const std::vector<core::Vector>& values) {
+void print_row(std::ostream& out, double u, const core::Jet& jet) {
+    const auto print_pair = [&](const auto& pair) {
+        out << '\t' << core::shortest_text(pair.x) << '\t' << core::shortest_text(pair.y);
+    };
     out << core::shortest_text(u);
-    for (const core::Vector& value : values)
-        out << '\t' << core::shortest_text(value.x) << '\t' << core::shortest_text(value.y);
+    print_pair(jet.point);
+    for (const core::Vector& derivative : jet.derivatives) print_pair(derivative);
     out << '\n';
 }
 
-Json json_of_row(double u, const std::vector<core::Vector>& values) {
+Json json_of_row(double u, const core::Jet& jet) {
     Json derivatives = Json::array();
-    for (std::size_t r = 1; r < values.size(); ++r) derivatives.push_back(json_of(values[r]));
-    return {{"u", u}, {"point", json_of(values.front())}, {"derivatives", std::move(derivatives)}};
+    for (const core::Vector& derivative : jet.derivatives) derivatives.push_back(json_of(derivative));
+    return {{"u", u}, {"point", json_of(jet.point)}, {"derivatives", std::move(derivatives)}};
 }
 
 }  // namespace
@@ -63,16 +65,16 @@ ExitStatus eval(const EvalOptions& options, Output output) {
     Json rows = Json::array();
     std::ostringstream table;
     for (const double u : options.at) {
-        std::vector<core::Vector> values = core::derivatives_at(*entry.curve, u, options.derivatives, options.side);
-        if (!are_finite(values)) {
+        const core::Jet jet = core::derivatives_at(*entry.curve, u, options.derivatives, options.side);
+        if (!is_finite(jet)) {
             say_error(output, options.file, place_of(entry),
                       core::sentence("the values at {u} are too large for a double", {{"u", core::shortest_text(u)}}));
             return ExitStatus::wrong_input;
         }
         if (options.as_json) {
-            rows.push_back(json_of_row(u, values));
+            rows.push_back(json_of_row(u, jet));
         } else {
-            print_row(table, u, values);
+            print_row(table, u, jet);
         }
     }
     if (options.as_json) {

@@ -25,7 +25,10 @@ class Batten : public SplineLibrary {
     std::string name() const override { return "Batten " BATTEN_VERSION; }
 
     Answer<std::vector<Vector>> derivatives(const Curve& curve, double u, int order) const override {
-        return core::derivatives_at(curve, u, order);
+        const core::Jet jet = core::derivatives_at(curve, u, order);
+        std::vector<Vector> values{jet.point};
+        values.insert(values.end(), jet.derivatives.begin(), jet.derivatives.end());
+        return values;
     }
 
     Answer<Rows> basis(const core::KnotVector& knots, double u, int order) const override {

@@ -79,7 +79,7 @@ class OffsetBuilder {
                            .lower = 1.0 / std::abs(*curvature),
                            .upper = std::abs(distance_)});
         const Vector tangent = derivatives[1] / robust_length(derivatives[1]);
-        return OffsetPoint{derivatives[0] + distance_ * turned_left(tangent), stretch * derivatives[1]};
+        return OffsetPoint{derivatives.point + distance_ * turned_left(tangent), stretch * derivatives[1]};
     }
 
     // The ends of non-empty spans, ascending.
@@ -99,7 +99,7 @@ class OffsetBuilder {
         if (!(sizes > 0.0)) return refuse({.code = CurveErrorCode::curve_stands_still, .value = u});
         const bool is_bent =
             std::abs(cross(before[1], after[1])) > least_turn * sizes || dot(before[1], after[1]) < 0.0;
-        if (is_bent || distance(before[0], after[0]) > noise_)
+        if (is_bent || distance(before.point, after.point) > noise_)
             return refuse({.code = CurveErrorCode::curve_has_corner, .value = u});
         return {};
     }

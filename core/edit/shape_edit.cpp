@@ -76,7 +76,7 @@ Result<Curve> move_curve_point_and_tangent(const Curve& curve, double u, Point t
     if (!(free_size > least_share * size)) return refuse({.code = CurveErrorCode::tangent_not_free, .value = u});
 
     const auto old = derivatives_at(curve, u, 1, side);
-    const Vector move = target - old[0];
+    const Vector move = target - old.point;
     const Vector turn = derivative - old[1] - along * move;
     const auto only = only_share(values);
     for (std::size_t j = 0; j < values.size(); ++j) {

@@ -1,6 +1,7 @@
 #include "core/evaluate/evaluate.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/curve/detail/bspline.h"
 #include "core/evaluate/detail/precise_jet.h"
@@ -9,7 +10,7 @@ namespace batten::core {
 
 namespace {
 
-using Jet = std::vector<HomogeneousPoint>;  // a homogeneous point and its derivatives
+using HomogeneousJet = std::vector<HomogeneousPoint>;  // a homogeneous point and its derivatives
 
 // A curve slower than this part of its polygon has lost digits that its curvature needs.
 constexpr double slow_part = 0.25;
@@ -31,8 +32,9 @@ Point point_on_span(const Curve& curve, const SpanKnots& at, double u) {
 }
 
 // A(u), A'(u), ... of the homogeneous spline; from order p+1 on they are zero.
-Jet homogeneous_derivatives(LocalPoints<HomogeneousPoint> points, const SpanKnots& at, double u, std::size_t order) {
-    Jet derivatives(order + 1, HomogeneousPoint(0.0));
+HomogeneousJet homogeneous_derivatives(LocalPoints<HomogeneousPoint> points, const SpanKnots& at, double u,
+                                       std::size_t order) {
+    HomogeneousJet derivatives(order + 1, HomogeneousPoint(0.0));
     for (std::size_t k = 0; k <= std::min(order, at.p); ++k) {
         if (k > 0) differentiate_level(points, at, k);
         derivatives[k] = de_boor(points, at, u, k);
@@ -42,7 +44,7 @@ Jet homogeneous_derivatives(LocalPoints<HomogeneousPoint> points, const SpanKnot
 
 // Derivatives of the shadow, by Leibniz's rule for A = w C:
 //     C^(k) = (A^(k) - sum_{i=1..k} binomial(k, i) w^(i) C^(k-i)) / w
-std::vector<Vector> shadow_derivatives(const Jet& homogeneous) {
+std::vector<Vector> shadow_derivatives(const HomogeneousJet& homogeneous) {
     std::vector<Vector> shadow;
     shadow.reserve(homogeneous.size());
     for (std::size_t k = 0; k < homogeneous.size(); ++k) {
@@ -85,20 +87,21 @@ Point point_at(const Curve& curve, double u, Side side) {
     return point_on_span(curve, at, inside);
 }
 
-std::vector<Vector> derivatives_at(const Curve& curve, double u, int order, Side side) {
+Jet derivatives_at(const Curve& curve, double u, int order, Side side) {
     const auto [inside, at] = located(curve.knots(), u, side);
     const Point point = point_on_span(curve, at, inside);
     const auto points = local_points(curve, at, point);
     auto derivatives = shadow_derivatives(homogeneous_derivatives(points, at, inside, static_cast<std::size_t>(order)));
-    derivatives[0] = point;
-    return derivatives;
+    // What is left of the point, seen from where it is.
+    derivatives.erase(derivatives.begin());
+    return {point, std::move(derivatives)};
 }
 
 std::optional<double> curvature_at(const Curve& curve, double u, Side side) {
     const auto [inside, at] = located(curve.knots(), u, side);
     const Point point = point_on_span(curve, at, inside);
     const auto points = local_points(curve, at, point);
-    const Jet homogeneous = homogeneous_derivatives(points, at, inside, 2);
+    const HomogeneousJet homogeneous = homogeneous_derivatives(points, at, inside, 2);
     const auto derivatives = shadow_derivatives(homogeneous);
     const double speed = robust_length(derivatives[1]);
     const double resolution = 64 * std::numeric_limits<double>::epsilon();

@@ -45,13 +45,15 @@ int measured_continuity(const Curve& curve, double tolerance) {
     const std::size_t first = curve.knots().span_at(lower);
     const std::size_t last = curve.knots().span_at(upper);
     const double step = std::min(u[first + 1] - u[first], u[last + 1] - u[last]);
-    const auto start = derivatives_at(curve, lower, curve.degree(), Side::right);
-    const auto end = derivatives_at(curve, upper, curve.degree(), Side::left);
+    const Jet start = derivatives_at(curve, lower, curve.degree(), Side::right);
+    const Jet end = derivatives_at(curve, upper, curve.degree(), Side::left);
     double allowed = absolute_tolerance(curve, tolerance);
-    int continuity = -1;
-    for (std::size_t k = 0; k < start.size() && distance(start[k], end[k]) <= allowed; ++k) {
-        continuity = static_cast<int>(k);
+    if (!(distance(start.point, end.point) <= allowed)) return -1;
+    int continuity = 0;
+    for (std::size_t k = 1; k <= start.derivatives.size(); ++k) {
         allowed *= static_cast<double>(curve.degree()) / step;
+        if (!(length(end[k] - start[k]) <= allowed)) break;
+        continuity = static_cast<int>(k);
     }
     return continuity;
 }

@@ -18,8 +18,8 @@ constexpr int derivative_count = 2;
 
 // What can be said of the curve on one side of a joint.
 struct OneSide {
-    std::array<Vector, derivative_count + 1> derivatives{};
-    std::array<double, derivative_count + 1> noise{};  // errors of the derivatives that rounded coordinates explain
+    Jet jet;
+    std::array<double, derivative_count + 1> noise{};  // errors of the jet that rounded coordinates explain
     std::optional<Vector> tangent;
     std::optional<double> curvature;
 };
@@ -62,7 +62,7 @@ class JointMeter {
         const OneSide left = look(before, Side::left);
         const OneSide right = look(after, Side::right);
         JointContinuity joint{.kind = kind, .u = after, .angle = std::nullopt};
-        joint.position = jump(left, right, 0);
+        joint.position.size = robust_length(right.jet.point - left.jet.point);
         joint.position.relative = size_ > 0.0 ? joint.position.size / size_ : 0.0;
         joint.first = jump(left, right, 1);
         joint.second = jump(left, right, 2);
@@ -78,8 +78,7 @@ class JointMeter {
   private:
     OneSide look(double u, Side side) const {
         OneSide view;
-        const auto derivatives = derivatives_at(curve_, u, derivative_count, side);
-        std::copy(derivatives.begin(), derivatives.end(), view.derivatives.begin());
+        view.jet = derivatives_at(curve_, u, derivative_count, side);
         view.noise = noise_of_derivatives(curve_, rounding_, u, side);
         view.tangent = tangent_at(curve_, u, side);
         view.curvature = curvature_at(curve_, u, side);
@@ -87,8 +86,8 @@ class JointMeter {
     }
 
     static Jump jump(const OneSide& left, const OneSide& right, std::size_t order) {
-        const Vector& a = left.derivatives[order];
-        const Vector& b = right.derivatives[order];
+        const Vector a = left.jet[order];
+        const Vector b = right.jet[order];
         const double size = robust_length(b - a);
         const double larger = std::max(robust_length(a), robust_length(b));
         return {size, size > 0.0 ? size / larger : 0.0};

@@ -87,7 +87,7 @@ class NearestSearch {
     Candidate polished(Candidate at, Interval span) const {
         for (int i = 0; i < most_newton_steps; ++i) {
             const auto derivatives = derivatives_at(curve_, at.u, 2, inner_side(at.u, span));
-            const Vector away = derivatives[0] - query_;
+            const Vector away = derivatives.point - query_;
             const double slope = dot(away, derivatives[1]);
             const double speed_squared = dot(derivatives[1], derivatives[1]);
             const double bend = speed_squared + dot(away, derivatives[2]);

@@ -174,7 +174,8 @@ TEST(Examples, closed_curve_closes_smoothly_and_the_open_one_does_not_close) {
     EXPECT_TRUE(closed.is_periodic());
     const auto begin = derivatives_at(closed, closed.domain().lower, 2, Side::right);
     const auto end = derivatives_at(closed, closed.domain().upper, 2, Side::left);
-    for (std::size_t r = 0; r <= 2; ++r) EXPECT_LT(glm::distance(begin[r], end[r]), 1e-13);
+    EXPECT_LT(glm::distance(begin.point, end.point), 1e-13);
+    for (std::size_t r = 1; r <= 2; ++r) EXPECT_LT(glm::distance(begin[r], end[r]), 1e-13);
     const Curve open = curve_in("coons-open");
     EXPECT_FALSE(open.is_periodic());
     EXPECT_LT(glm::distance(point_at(open, 0.0), Point(8.0 / 6.0, 15.0 / 6.0)), 1e-15);

@@ -156,10 +156,12 @@ Outcome<void> intersect_curve(EditorState& state, const IntersectCurve& command)
 }
 
 Finding evaluation_row(const core::Curve& curve, const std::string& label, double u, core::Side side) {
-    const auto derivatives = core::derivatives_at(curve, u, 3, side);
-    Finding row{.label = label, .parameter = u, .point = core::point_at(curve, u, side)};
-    const char* names[]{"C", "C'", "C''", "C'''"};
-    for (std::size_t k = 0; k < derivatives.size(); ++k) add_numbers(row, names[k], derivatives[k]);
+    const core::Jet jet = core::derivatives_at(curve, u, 3, side);
+    Finding row{.label = label, .parameter = u, .point = jet.point};
+    add_numbers(row, "C", jet.point);
+    add_numbers(row, "C'", jet[1]);
+    add_numbers(row, "C''", jet[2]);
+    add_numbers(row, "C'''", jet[3]);
     if (const auto tangent = core::tangent_at(curve, u, side)) add_numbers(row, "tangent", *tangent);
     if (const auto bending = core::bending_at(curve, u, side)) {
         row.numbers.push_back({"curvature", bending->curvature});

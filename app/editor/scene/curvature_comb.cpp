@@ -88,12 +88,12 @@ class SpanComb {
             end_tips();
             return;
         }
-        const std::vector<core::Vector> at = core::derivatives_at(*frame_.curve, u, 1, side);
+        const core::Jet at = core::derivatives_at(*frame_.curve, u, 1, side);
         const glm::dvec2 tangent = at[1] / glm::length(at[1]);
         const glm::dvec2 right_in_picture{tangent.y, tangent.x};
         const double longest = frame_.pen.px(longest_tooth);
         const double length = std::clamp(*curvature * px_per_curvature_, -longest, longest);
-        const glm::dvec2 foot = frame_.screen(at[0]);
+        const glm::dvec2 foot = frame_.screen(at.point);
         const glm::dvec2 tip = foot + length * right_in_picture;
         frame_.pen.segment(foot, tip, line_);
         tips_.push_back(tip);

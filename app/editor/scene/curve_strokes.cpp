@@ -41,12 +41,12 @@ void draw_direction(CanvasFrame& frame, render::Color color) {
     const core::KnotVector& knots = frame.curve->knots();
     const std::size_t s = knots.span_at(frame.curve->domain().upper, core::Side::left);
     const double u = knots[s] + 0.5 * (knots[s + 1] - knots[s]);
-    const std::vector<core::Vector> at = core::derivatives_at(*frame.curve, u, 1);
+    const core::Jet at = core::derivatives_at(*frame.curve, u, 1);
     const double speed = glm::length(at[1]);
     if (!(speed > 0.0) || !std::isfinite(speed)) return;
     const glm::dvec2 along = glm::dvec2(at[1].x, -at[1].y) / speed;
     const glm::dvec2 across{-along.y, along.x};
-    const glm::dvec2 tip = frame.screen(at[0]) + frame.pen.px(4.0) * along;
+    const glm::dvec2 tip = frame.screen(at.point) + frame.pen.px(4.0) * along;
     const glm::dvec2 back = tip - frame.pen.px(7.0) * along;
     const double half = frame.pen.px(5.5);
     frame.pen.line(std::array{back + half * across, tip, back - half * across}, {.color = color, .width = 2.5});

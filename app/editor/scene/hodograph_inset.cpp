@@ -19,10 +19,6 @@ constexpr double title_height = 20.0;
 
 using Run = std::vector<core::Vector>;
 
-bool is_finite(core::Vector v) {
-    return std::isfinite(v.x) && std::isfinite(v.y);
-}
-
 /// The derivative over each non-empty span, from its one-sided value at the start to that at the end.
 std::vector<Run> hodograph_runs(const core::Curve& curve) {
     const core::KnotVector& knots = curve.knots();
@@ -36,7 +32,7 @@ std::vector<Run> hodograph_runs(const core::Curve& curve) {
             const double u = k == steps ? knots[s + 1] : knots[s] + (knots[s + 1] - knots[s]) * k / steps;
             const core::Vector v =
                 core::derivatives_at(curve, u, 1, k == steps ? core::Side::left : core::Side::right)[1];
-            if (is_finite(v)) run.push_back(v);
+            if (core::is_finite(v)) run.push_back(v);
         }
     }
     return runs;
@@ -107,7 +103,7 @@ void draw_hodograph_inset(CanvasFrame& frame) {
     draw_axes(pen, theme, area, map({0.0, 0.0}));
     for (const Run& run : runs) pen.line(thinned(run, map), {.color = theme.curve, .width = 1.75});
     const core::Vector now = core::derivatives_at(*frame.curve, frame.triangle->u, 1)[1];
-    if (!is_finite(now)) return;
+    if (!core::is_finite(now)) return;
     pen.segment(map({0.0, 0.0}), map(now), {.color = theme.parameter, .width = 1.5});
     pen.symbol(map(now), {.radius = 4.5, .fill = theme.parameter, .outline = theme.panel, .outline_width = 1.5});
 }

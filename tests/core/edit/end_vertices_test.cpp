@@ -37,7 +37,7 @@ TEST(EndVertices, doubled_begins_a_sixth_along_the_first_leg_without_curvature) 
     const Curve curve = add_end_vertex(sample(), CurveEnd::start, EndVertex::doubled).value();
     EXPECT_EQ(curve.domain(), (Interval{-1, 2}));
     const auto start = derivatives_at(curve, -1.0, 2);
-    expect_near(start[0], {1, 3});
+    expect_near(start.point, {1, 3});
     expect_near(start[1], {3, 9});
     EXPECT_NEAR(curvature_at(curve, -1.0).value(), 0.0, 1e-14);
     expect_kept(sample(), curve);
@@ -50,7 +50,7 @@ TEST(EndVertices, tripled_begins_in_the_point_and_is_straight_over_a_span) {
     const Curve curve = add_end_vertex(sample(), CurveEnd::start, EndVertex::tripled).value();
     EXPECT_EQ(curve.domain(), (Interval{-2, 2}));
     const auto start = derivatives_at(curve, -2.0, 1);
-    expect_near(start[0], {0, 0});
+    expect_near(start.point, {0, 0});
     expect_near(start[1], {0, 0});
     expect_near(point_at(curve, -1.0), {1, 3});
     // t^3 / 6 of the leg.
@@ -62,13 +62,13 @@ TEST(EndVertices, phantom_begins_in_the_point_without_second_derivative) {
     const Curve curve = add_end_vertex(sample(), CurveEnd::start, EndVertex::phantom).value();
     EXPECT_EQ(curve.control_points()[0], Point(-6, -18));
     const auto start = derivatives_at(curve, -1.0, 2);
-    expect_near(start[0], {0, 0});
+    expect_near(start.point, {0, 0});
     expect_near(start[1], {6, 18});
     expect_near(start[2], {0, 0});
     expect_kept(sample(), curve);
     const Curve rational = add_end_vertex(sample({2, 5, 1, 1, 1}), CurveEnd::start, EndVertex::phantom).value();
     const auto rational_start = derivatives_at(rational, -1.0, 2);
-    expect_near(rational_start[0], {0, 0});
+    expect_near(rational_start.point, {0, 0});
     expect_near(rational_start[2], {0, 0}, 1e-13);
     EXPECT_GT(glm::length(rational_start[1]), 1.0);
 }
@@ -78,7 +78,7 @@ TEST(EndVertices, act_at_the_other_end_likewise) {
     EXPECT_EQ(phantom.domain(), (Interval{0, 3}));
     EXPECT_EQ(phantom.control_points().back(), Point(54, 30));
     const auto end = derivatives_at(phantom, 3.0, 2, Side::left);
-    expect_near(end[0], {42, 12});
+    expect_near(end.point, {42, 12});
     expect_near(end[1], {12, 18});
     expect_near(end[2], {0, 0}, 1e-13);
     expect_kept(sample(), phantom);

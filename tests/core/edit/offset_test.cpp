@@ -42,7 +42,7 @@ Curve gentle(bool periodic, bool rational, int degree = 3) {
 
 Point true_offset(const Curve& curve, double u, double distance) {
     const auto d = derivatives_at(curve, u, 1);
-    return d[0] + distance / glm::length(d[1]) * Vector(-d[1].y, d[1].x);
+    return d.point + distance / glm::length(d[1]) * Vector(-d[1].y, d[1].x);
 }
 
 double sampled_error(const Curve& curve, const Curve& result, double distance) {

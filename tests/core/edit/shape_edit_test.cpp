@@ -47,7 +47,8 @@ TEST(RationalBasis, makes_the_derivatives_of_the_curve) {
                 sum += row[j] * point;
                 scale = std::max(scale, std::abs(row[j]) * glm::length(point));
             }
-            EXPECT_LT(glm::distance(sum, expected[static_cast<std::size_t>(r)]), 1e-12 * scale);
+            const Vector wanted = r == 0 ? expected.point : expected[static_cast<std::size_t>(r)];
+            EXPECT_LT(glm::distance(sum, wanted), 1e-12 * scale);
         }
     }
 }
@@ -141,7 +142,7 @@ TEST(MovePointAndTangent, reaches_both_with_the_least_change) {
         const auto found = derivatives_at(*result, u, 1, side);
         double size = 10.0;
         for (const Point& point : result->control_points()) size = std::max(size, glm::length(point));
-        EXPECT_LT(glm::distance(found[0], target), 1e-13 * size);
+        EXPECT_LT(glm::distance(found.point, target), 1e-13 * size);
         const RationalBasis basis = rational_basis(curve, u, 1, side);
         double steepest = 1.0;
         for (const double slope : basis.derivatives[1]) steepest = std::max(steepest, std::abs(slope));

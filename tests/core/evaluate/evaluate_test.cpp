@@ -105,8 +105,8 @@ TEST(Evaluate, derivatives_of_a_rational_quarter_circle_by_hand) {
             {.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{1, 0}, {1, 1}, {0, 1}}, .weights = {1, 1, 2}})
             .value();
     const auto at_half = derivatives_at(curve, 0.5, 2);
-    EXPECT_NEAR(at_half[0].x, 0.6, 1e-15);
-    EXPECT_NEAR(at_half[0].y, 0.8, 1e-15);
+    EXPECT_NEAR(at_half.point.x, 0.6, 1e-15);
+    EXPECT_NEAR(at_half.point.y, 0.8, 1e-15);
     EXPECT_NEAR(at_half[1].x, -1.28, 1e-14);
     EXPECT_NEAR(at_half[1].y, 0.96, 1e-14);
     // x'' = (12 u^2 - 4) / (1 + u^2)^3, y'' = (4 u^3 - 12 u) / (1 + u^2)^3.
@@ -289,7 +289,7 @@ TEST(Evaluate, far_from_the_origin_derivatives_lose_nothing) {
         const double u = random.parameter(curve);
         const auto near_derivatives = derivatives_at(curve, u, 2);
         const auto far_derivatives = derivatives_at(far, u, 2);
-        EXPECT_LE(glm::distance(far_derivatives[0], near_derivatives[0] + offset), 1e-8);
+        EXPECT_LE(glm::distance(far_derivatives.point, near_derivatives.point + offset), 1e-8);
         for (std::size_t r = 1; r <= 2; ++r)
             EXPECT_LE(glm::distance(far_derivatives[r], near_derivatives[r]),
                       1e-11 * (glm::length(near_derivatives[r]) + 1.0));

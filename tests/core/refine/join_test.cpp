@@ -29,7 +29,7 @@ double jump_at(const Curve& curve, double u, JoinContinuity continuity) {
     const int order = order_of(continuity);
     const auto before = derivatives_at(curve, u, 2, Side::left);
     const auto after = derivatives_at(curve, u, 2, Side::right);
-    double jump = glm::distance(before[0], after[0]);
+    double jump = glm::distance(before.point, after.point);
     if (!is_geometric(continuity)) {
         for (std::size_t r = 1; r <= static_cast<std::size_t>(order); ++r)
             jump = std::max(jump, glm::distance(before[r], after[r]) / std::max(1.0, glm::length(before[r])));
