@@ -16,6 +16,9 @@ using Json = nlohmann::ordered_json;
 inline Json json_of(core::Vector v) {
     return Json::array({v.x, v.y});
 }
+inline Json json_of(core::Point point) {
+    return json_of(core::vector_to(point));
+}
 
 /// "(0.5, 1)", as results are printed for people.
 std::string point_text(core::Point point);

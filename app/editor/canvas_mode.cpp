@@ -48,10 +48,6 @@ void zoom(const Gesture& gesture) {
     gesture.queue.change(ZoomCamera{std::pow(zoom_per_notch, gesture.event.wheel), anchor});
 }
 
-core::Point world_at_pointer(const Gesture& gesture) {
-    return render::world_from_screen(gesture.state.view.camera, gesture.event.position_px);
-}
-
 CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {
     switch (gesture.event.action) {
         case PointerAction::press:
@@ -142,7 +138,7 @@ CanvasMode step(const DraggingWeight& mode, const Gesture& gesture) {
 
 /// The snap distance in parameter units where the curve passes u; 0 where it stands still.
 double snap_distance_at(const Gesture& gesture, const core::Curve& curve, double u) {
-    const double speed = glm::length(core::derivatives_at(curve, u, 1)[1]);
+    const double speed = core::length(core::derivatives_at(curve, u, 1)[1]);
     const double px_per_parameter = speed * gesture.state.view.camera.scale;
     return px_per_parameter > 0.0 ? pixels(gesture.state, snap_reach) / px_per_parameter : 0.0;
 }

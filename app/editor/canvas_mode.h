@@ -66,8 +66,8 @@ struct DraggingCurvePoint {
 /// A new curve drawn click by click. A double click ends it, which the window also sends for Enter; so does a click on
 /// its first or last point. Escape gives it up, and so does a change of the tool.
 struct DrawingCurve {
-    std::vector<glm::dvec2> points;
-    glm::dvec2 next{};
+    std::vector<core::Point> points;
+    core::Point next{};
 };
 
 using CanvasMode = std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,

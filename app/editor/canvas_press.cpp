@@ -144,7 +144,7 @@ CanvasMode press_insert_knot(const Gesture& gesture, const Hover& hit) {
     }
     const render::Camera& camera = gesture.state.view.camera;
     const glm::dvec2 pointer = gesture.event.position_px;
-    const core::CurveSample sample = core::nearest_point(*curve, render::world_from_screen(camera, pointer));
+    const core::CurveSample sample = core::nearest_point(*curve, world_at_pointer(gesture));
     const double distance = glm::distance(pointer, render::screen_from_world(camera, sample.point));
     if (distance <= pixels(gesture.state, insertion_reach)) gesture.queue.run(InsertKnot{.u = sample.u});
     return CanvasIdle{};
@@ -153,8 +153,7 @@ CanvasMode press_insert_knot(const Gesture& gesture, const Hover& hit) {
 CanvasMode press_parameter(const Gesture& gesture) {
     const core::Curve* curve = gesture.state.active_curve();
     if (curve == nullptr) return CanvasIdle{};
-    const core::Point position = render::world_from_screen(gesture.state.view.camera, gesture.event.position_px);
-    gesture.queue.run(SetParameter{.u = core::nearest_point(*curve, position).u});
+    gesture.queue.run(SetParameter{.u = core::nearest_point(*curve, world_at_pointer(gesture)).u});
     return DraggingParameter{gesture.state.parameter()};
 }
 
@@ -169,17 +168,17 @@ std::size_t best_index_for(const core::Curve& curve, core::Point position) {
     const std::span<const core::Point> points = curve.control_points();
     const std::size_t n = points.size();
     const auto detour = [&](core::Point a, core::Point b) {
-        return glm::distance(a, position) + glm::distance(position, b) - glm::distance(a, b);
+        return distance(a, position) + distance(position, b) - distance(a, b);
     };
     std::size_t best = n;
-    double least = curve.is_periodic() ? detour(points[n - 1], points[0]) : glm::distance(points[n - 1], position);
+    double least = curve.is_periodic() ? detour(points[n - 1], points[0]) : distance(points[n - 1], position);
     const auto offer = [&](std::size_t index, double growth) {
         if (growth < least) {
             least = growth;
             best = index;
         }
     };
-    if (!curve.is_periodic()) offer(0, glm::distance(points[0], position));
+    if (!curve.is_periodic()) offer(0, distance(points[0], position));
     for (std::size_t i = 1; i < n; ++i) offer(i, detour(points[i - 1], points[i]));
     return best;
 }

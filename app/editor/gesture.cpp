@@ -14,6 +14,10 @@ double pixels(const EditorState& state, double design_px) {
     return design_px * state.view.interface_scale;
 }
 
+core::Point world_at_pointer(const Gesture& gesture) {
+    return core::Point(render::world_from_screen(gesture.state.view.camera, gesture.event.position_px));
+}
+
 bool is_drag(const EditorState& state, glm::dvec2 press_px, glm::dvec2 position_px) {
     return glm::distance(press_px, position_px) >= pixels(state, least_drag);
 }

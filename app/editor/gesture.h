@@ -17,6 +17,9 @@ struct Gesture {
 /// A distance of `design_px` on this display, in pixels.
 double pixels(const EditorState& state, double design_px);
 
+/// The place in the plane of the curves under the pointer.
+core::Point world_at_pointer(const Gesture& gesture);
+
 /// Whether the pointer has moved from `press_px` to `position_px` by so much (3 design pixels) that a drag is meant,
 /// not a click.
 bool is_drag(const EditorState& state, glm::dvec2 press_px, glm::dvec2 position_px);

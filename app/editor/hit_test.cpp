@@ -61,7 +61,8 @@ struct CanvasPointer {
     /// The nearest point of `curve`, if it is within reach.
     std::optional<core::CurveSample> on_curve(const core::Curve& curve) const {
         if (!is_near_control_box(curve)) return std::nullopt;
-        const core::CurveSample sample = core::nearest_point(curve, render::world_from_screen(camera(), position_px));
+        const core::CurveSample sample =
+            core::nearest_point(curve, core::Point(render::world_from_screen(camera(), position_px)));
         if (distance_to(sample.point) > px(reach::curve)) return std::nullopt;
         return sample;
     }

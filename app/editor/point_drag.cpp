@@ -29,7 +29,7 @@ double exact_offset(double start, double target) {
 }  // namespace
 
 core::Point pointed_at(const Gesture& gesture) {
-    const core::Point world = render::world_from_screen(gesture.state.view.camera, gesture.event.position_px);
+    const core::Point world = world_at_pointer(gesture);
     if (!gesture.event.modifiers.ctrl) return world;
     const double step = grid_step(gesture.state);
     return {rounded_to_step(world.x, step), rounded_to_step(world.y, step)};

@@ -59,11 +59,11 @@ class Fit {
   public:
     Fit(const core::Box& box, const Rectangle& place)
         : world_(box.center()), screen_(place.origin_px + 0.5 * place.size_px) {
-        const core::Vector size = core::Vector(std::max(box.size().x, 1e-300), std::max(box.size().y, 1e-300));
+        const core::Vector size(std::max(box.size().x, 1e-300), std::max(box.size().y, 1e-300));
         scale_ = std::min(place.size_px.x / size.x, place.size_px.y / size.y);
     }
     ImVec2 operator()(core::Point p) const {
-        const glm::vec2 pixel(screen_ + scale_ * (p - world_) * glm::dvec2(1.0, -1.0));
+        const glm::vec2 pixel(screen_ + scale_ * glm::dvec2(p - world_) * glm::dvec2(1.0, -1.0));
         return {pixel.x, pixel.y};
     }
 

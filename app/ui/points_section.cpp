@@ -145,7 +145,7 @@ editor::AddPoint add_command(const editor::EditorState& state) {
     const std::size_t n = points.size();
     const std::size_t before = state.selection.points.empty() ? n - 1 : std::min(state.selection.points.back(), n - 1);
     const bool has_next = before + 1 < n || state.active_curve()->is_periodic();
-    const core::Point place = has_next ? 0.5 * (points[before] + points[(before + 1) % n])
+    const core::Point place = has_next ? core::middle(points[before], points[(before + 1) % n])
                                        : points[before] + 0.5 * (points[before] - points[before - 1]);
     return editor::AddPoint{.index = before + 1, .position = {place.x, place.y}};
 }

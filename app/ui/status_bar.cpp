@@ -62,7 +62,7 @@ void add_position(const PanelContext& context, std::vector<Readout>& readouts) {
     std::string x = "–";
     std::string y = "–";
     if (context.panels.pointer.canvas_px) {
-        const glm::dvec2 world = render::world_from_screen(camera, *context.panels.pointer.canvas_px);
+        const core::Point world(render::world_from_screen(camera, *context.panels.pointer.canvas_px));
         x = coordinate_text(world.x, decimals);
         y = coordinate_text(world.y, decimals);
     }

@@ -24,11 +24,11 @@ class Batten : public SplineLibrary {
   public:
     std::string name() const override { return "Batten " BATTEN_VERSION; }
 
-    Answer<std::vector<Vector>> derivatives(const Curve& curve, double u, int order) const override {
+    Answer<std::vector<Point>> derivatives(const Curve& curve, double u, int order) const override {
         const core::Jet jet = core::derivatives_at(curve, u, order);
-        std::vector<Vector> values{jet.point};
-        values.insert(values.end(), jet.derivatives.begin(), jet.derivatives.end());
-        return values;
+        std::vector<Point> points{jet.point};
+        for (const core::Vector& derivative : jet.derivatives) points.push_back(core::tip_of(derivative));
+        return points;
     }
 
     Answer<Rows> basis(const core::KnotVector& knots, double u, int order) const override {

@@ -80,7 +80,7 @@ class Occt : public SplineLibrary {
   public:
     std::string name() const override { return "OpenCASCADE " OCC_VERSION_COMPLETE; }
 
-    Answer<std::vector<Vector>> derivatives(const Curve& curve, double u, int order) const override {
+    Answer<std::vector<Point>> derivatives(const Curve& curve, double u, int order) const override {
         return attempt([&] {
             const Spline spline = spline_of(curve);
             gp_Pnt2d point;
@@ -93,8 +93,8 @@ class Occt : public SplineLibrary {
             if (order >= 2) spline->D2(u, again, d1, d2);
             if (order >= 1) spline->D1(u, again, d1);
             spline->D0(u, point);
-            const std::vector<Vector> all{{point.X(), point.Y()}, {d1.X(), d1.Y()}, {d2.X(), d2.Y()}, {d3.X(), d3.Y()}};
-            return std::vector<Vector>(all.begin(), all.begin() + order + 1);
+            const std::vector<Point> all{{point.X(), point.Y()}, {d1.X(), d1.Y()}, {d2.X(), d2.Y()}, {d3.X(), d3.Y()}};
+            return std::vector<Point>(all.begin(), all.begin() + order + 1);
         });
     }
 

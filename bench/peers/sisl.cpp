@@ -71,7 +71,7 @@ class Sisl : public SplineLibrary {
   public:
     std::string name() const override { return "SISL " SISL_VERSION; }
 
-    Answer<std::vector<Vector>> derivatives(const Curve& curve, double u, int order) const override {
+    Answer<std::vector<Point>> derivatives(const Curve& curve, double u, int order) const override {
         const Handle handle = handle_of(curve);
         std::vector<double> values(2 * (static_cast<std::size_t>(order) + 1));
         int left = 0;
@@ -79,7 +79,7 @@ class Sisl : public SplineLibrary {
         const bool is_end = u == curve.domain().upper;
         (is_end ? s1227 : s1221)(handle.get(), order, u, &left, values.data(), &status);
         if (status < 0) return {};
-        std::vector<Vector> result;
+        std::vector<Point> result;
         for (std::size_t r = 0; r < values.size(); r += 2) result.emplace_back(values[r], values[r + 1]);
         return result;
     }

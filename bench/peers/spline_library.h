@@ -14,7 +14,6 @@ namespace batten::bench {
 using core::Curve;
 using core::CurveDefinition;
 using core::Point;
-using core::Vector;
 
 /// What is interpolated, and over which knots.
 struct InterpolationTask {
@@ -36,8 +35,9 @@ class SplineLibrary {
     /// With the version.
     virtual std::string name() const = 0;
 
-    /// C(u), C'(u), ..., of the side that lies inside the domain, on the right of a knot.
-    virtual Answer<std::vector<Vector>> derivatives(const Curve&, double, int) const { return {}; }
+    /// C(u), C'(u), ..., of the side that lies inside the domain, on the right of a knot; derivatives as their tips, as
+    /// the reference results have them.
+    virtual Answer<std::vector<Point>> derivatives(const Curve&, double, int) const { return {}; }
 
     /// Row r holds the r-th derivatives of the degree + 1 functions that do not vanish on the right of a knot, up to
     /// the order given.

@@ -9,28 +9,111 @@
 
 namespace batten::core {
 
-/// A place in the plane. Coordinates are finite doubles in the user's units.
-using Point = glm::dvec2;
-
 /// A displacement or derivative in the plane.
-using Vector = glm::dvec2;
+struct Vector {
+    double x;
+    double y;
 
-/// a . b, positive where they point the same way.
-inline double dot(Vector a, Vector b) {
+    Vector() = default;
+    constexpr Vector(double right, double up) : x(right), y(up) {}
+
+    /// To the layer that paints, only where it is asked for: pictures are made of places.
+    explicit constexpr operator glm::dvec2() const { return {x, y}; }
+
+    constexpr bool operator==(const Vector&) const = default;
+    constexpr Vector& operator+=(Vector v) { return *this = {x + v.x, y + v.y}; }
+    constexpr Vector& operator-=(Vector v) { return *this = {x - v.x, y - v.y}; }
+    constexpr Vector& operator/=(double divisor) { return *this = {x / divisor, y / divisor}; }
+};
+
+constexpr Vector operator-(Vector v) {
+    return {-v.x, -v.y};
+}
+constexpr Vector operator+(Vector a, Vector b) {
+    return {a.x + b.x, a.y + b.y};
+}
+constexpr Vector operator-(Vector a, Vector b) {
+    return {a.x - b.x, a.y - b.y};
+}
+constexpr Vector operator*(double factor, Vector v) {
+    return {factor * v.x, factor * v.y};
+}
+constexpr Vector operator*(Vector v, double factor) {
+    return factor * v;
+}
+constexpr Vector operator/(Vector v, double divisor) {
+    return {v.x / divisor, v.y / divisor};
+}
+
+/// A place in the plane. Coordinates are finite doubles in the user's units. Points differ by vectors; they cannot be
+/// added to one another, nor multiplied.
+struct Point {
+    double x;
+    double y;
+
+    Point() = default;
+    constexpr Point(double right, double up) : x(right), y(up) {}
+
+    /// To and from the layer that paints, which knows no points.
+    explicit constexpr Point(glm::dvec2 place) : x(place.x), y(place.y) {}
+    constexpr operator glm::dvec2() const { return {x, y}; }
+
+    constexpr bool operator==(const Point&) const = default;
+    constexpr Point& operator+=(Vector v) { return *this = {x + v.x, y + v.y}; }
+    constexpr Point& operator-=(Vector v) { return *this = {x - v.x, y - v.y}; }
+};
+
+constexpr Vector operator-(Point a, Point b) {
+    return {a.x - b.x, a.y - b.y};
+}
+constexpr Point operator+(Point point, Vector v) {
+    return {point.x + v.x, point.y + v.y};
+}
+constexpr Point operator-(Point point, Vector v) {
+    return {point.x - v.x, point.y - v.y};
+}
+
+/// The displacement from (0, 0) to `point`.
+constexpr Vector vector_to(Point point) {
+    return {point.x, point.y};
+}
+
+/// Where `v` leads from (0, 0).
+constexpr Point tip_of(Vector v) {
+    return {v.x, v.y};
+}
+
+/// The same place in coordinates whose zero is `origin`.
+constexpr Point seen_from(Point point, Point origin) {
+    return tip_of(point - origin);
+}
+
+/// The point midway between two. Their coordinates may be as large as doubles are.
+constexpr Point middle(Point a, Point b) {
+    return {0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y};
+}
+
+/// a . b, positive where both point to the same side.
+constexpr double dot(Vector a, Vector b) {
     return a.x * b.x + a.y * b.y;
 }
 
-/// The determinant x_a y_b - y_a x_b: positive where b points to the left of a.
-inline double cross(Vector a, Vector b) {
+/// The determinant x_a y_b - y_a x_b, positive where b points to the left of a.
+constexpr double cross(Vector a, Vector b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// |v|. Its square must be a double, too.
+/// `v` turned to the left by a right angle.
+constexpr Vector turned_left(Vector v) {
+    return {-v.y, v.x};
+}
+
+/// |v|, where its square is a double.
 inline double length(Vector v) {
     return std::sqrt(dot(v, v));
 }
 
-/// |v| for vectors of any size, at a higher cost.
+/// |v| of any size, at a higher cost.
 inline double robust_length(Vector v) {
     return std::hypot(v.x, v.y);
 }
@@ -39,18 +122,11 @@ inline double distance(Point a, Point b) {
     return length(b - a);
 }
 
-/// `v` turned to the left by a right angle.
-inline Vector turned_left(Vector v) {
-    return {-v.y, v.x};
-}
-
-/// The point midway between two; their coordinates may be as large as doubles are.
-inline Point middle(Point a, Point b) {
-    return {0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y};
-}
-
 inline bool is_finite(Vector v) {
     return std::isfinite(v.x) && std::isfinite(v.y);
+}
+inline bool is_finite(Point point) {
+    return is_finite(vector_to(point));
 }
 
 /// (wx, wy, w): the point (x, y) with weight w, one dimension up.
@@ -58,13 +134,18 @@ inline bool is_finite(Vector v) {
 using HomogeneousPoint = glm::dvec3;
 
 /// The homogeneous point above `point` at height `weight` (> 0).
-inline HomogeneousPoint lift(Point point, double weight) {
+constexpr HomogeneousPoint lift(Point point, double weight) {
     return {point.x * weight, point.y * weight, weight};
 }
 
 /// The shadow of `point` on the plane w = 1. The weight must not be zero.
-inline Point project(HomogeneousPoint point) {
+constexpr Point project(HomogeneousPoint point) {
     return {point.x / point.z, point.y / point.z};
+}
+
+/// (wx, wy) of a homogeneous point or derivative.
+constexpr Vector plane_part(HomogeneousPoint point) {
+    return {point.x, point.y};
 }
 
 /// A closed interval of parameters, lower <= upper.
@@ -80,8 +161,10 @@ struct Interval {
 
 /// An axis-aligned rectangle; empty until the first point is included.
 struct Box {
-    Point lower{std::numeric_limits<double>::infinity()};
-    Point upper{-std::numeric_limits<double>::infinity()};
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    Point lower{infinity, infinity};
+    Point upper{-infinity, -infinity};
 
     bool is_empty() const { return !(lower.x <= upper.x && lower.y <= upper.y); }
     Point center() const { return lower + 0.5 * (upper - lower); }

@@ -34,7 +34,7 @@ Vector sum_of(const Curve& curve, const RationalBasis& basis, std::size_t order)
     // Near the curve's own place, so that nothing cancels far from the origin; the coefficients sum to zero.
     const std::span<const Point> points = curve.control_points();
     const Point origin = points[basis.first % points.size()];
-    Vector sum(0.0);
+    Vector sum{};
     for (std::size_t j = 0; j < basis.derivatives[order].size(); ++j)
         sum += basis.derivatives[order][j] * (points[(basis.first + j) % points.size()] - origin);
     return sum;
@@ -104,11 +104,11 @@ class Fairing {
         const auto p = static_cast<std::size_t>(curve.degree());
         const auto [lower, upper] = knots.domain();
         if (knots[1] == lower)
-            fixed_.push_back({0, Point(0.0)});
+            fixed_.push_back({0, Point{}});
         else
             free_ends_.push_back(lower);
         if (knots[n + p - 1] == upper)
-            fixed_.push_back({n - 1, Point(0.0)});
+            fixed_.push_back({n - 1, Point{}});
         else
             free_ends_.push_back(upper);
     }
@@ -117,17 +117,17 @@ class Fairing {
 
     // The fairest curve for moves that count `weight`.
     std::optional<Curve> with_weight(double weight) const {
-        SplineSystem system(curve_.knots(), Point(0.0), fixed_);
+        SplineSystem system(curve_.knots(), Point{}, fixed_);
         for (const Condition& condition : conditions_)
             system.require_sum(condition.first, condition.coefficients, condition.right);
         const double root = std::sqrt(weight);
         const std::size_t n = curve_.control_points().size();
-        for (std::size_t i = 0; i < n; ++i) system.require_sum(i, std::span(&root, 1), Vector(0.0));
+        for (std::size_t i = 0; i < n; ++i) system.require_sum(i, std::span(&root, 1), Vector{});
         for (const double end : free_ends_) require_end(system, end, std::max(1.0, root));
         const auto moves = system.solve();
         if (!moves) return std::nullopt;
         CurveDefinition definition = curve_.definition();
-        for (std::size_t i = 0; i < n; ++i) definition.points[i] += (*moves)[i];
+        for (std::size_t i = 0; i < n; ++i) definition.points[i] += vector_to((*moves)[i]);
         const Result<Curve> faired = Curve::make(std::move(definition));
         return faired ? std::optional(with_ends(*faired)) : std::nullopt;
     }
@@ -138,7 +138,7 @@ class Fairing {
         constexpr double outweighing = 1e6;
         RationalBasis basis = rational_basis(curve_, end, 0, Side::right);
         for (double& value : basis.derivatives[0]) value *= outweighing * largest;
-        system.require_sum(basis.first, basis.derivatives[0], Vector(0.0));
+        system.require_sum(basis.first, basis.derivatives[0], Vector{});
     }
 
     // What is left of the moves of such ends is taken back.

@@ -10,7 +10,7 @@ namespace batten::core {
 
 namespace {
 
-Result<void> check_move(const Curve& curve, double u, Vector first, Vector second) {
+Result<void> check_move(const Curve& curve, double u, Point target, Vector derivative) {
     if (const auto check = check_parameter_finite(u); !check) return check;
     const Interval domain = curve.domain();
     if (!domain.contains(u))
@@ -18,7 +18,7 @@ Result<void> check_move(const Curve& curve, double u, Vector first, Vector secon
                        .value = u,
                        .lower = domain.lower,
                        .upper = domain.upper});
-    if (!is_finite(first) || !is_finite(second)) return refuse({.code = CurveErrorCode::vector_not_finite});
+    if (!is_finite(target) || !is_finite(derivative)) return refuse({.code = CurveErrorCode::vector_not_finite});
     return {};
 }
 
@@ -45,7 +45,7 @@ std::optional<std::size_t> only_share(const std::vector<double>& values) {
 }  // namespace
 
 Result<Curve> move_curve_point(const Curve& curve, double u, Point target) {
-    if (const auto check = check_move(curve, u, target, Vector(0.0)); !check) return refuse(check.error());
+    if (const auto check = check_move(curve, u, target, Vector{}); !check) return refuse(check.error());
     const RationalBasis basis = rational_basis(curve, u);
     CurveDefinition definition = curve.definition();
     const std::size_t n = definition.points.size();

@@ -28,7 +28,7 @@ std::optional<std::size_t> control_point_at(const SpanKnots& at, double u) {
 Point point_on_span(const Curve& curve, const SpanKnots& at, double u) {
     if (const auto i = control_point_at(at, u)) return curve.control_points()[*i % curve.control_points().size()];
     const Point nearly = project(de_boor(local_points(curve, at), at, u));
-    return nearly + project(de_boor(local_points(curve, at, nearly), at, u));
+    return nearly + vector_to(project(de_boor(local_points(curve, at, nearly), at, u)));
 }
 
 // A(u), A'(u), ... of the homogeneous spline; from order p+1 on they are zero.
@@ -48,7 +48,7 @@ std::vector<Vector> shadow_derivatives(const HomogeneousJet& homogeneous) {
     std::vector<Vector> shadow;
     shadow.reserve(homogeneous.size());
     for (std::size_t k = 0; k < homogeneous.size(); ++k) {
-        Vector sum(homogeneous[k]);
+        Vector sum = plane_part(homogeneous[k]);
         double binomial = 1.0;
         for (std::size_t i = 1; i <= k; ++i) {
             binomial *= static_cast<double>(k - i + 1) / static_cast<double>(i);
@@ -64,7 +64,7 @@ std::vector<Vector> shadow_derivatives(const HomogeneousJet& homogeneous) {
 double polygon_speed(LocalPoints<HomogeneousPoint> points, const SpanKnots& at, double weight) {
     differentiate_level(points, at, 1);
     double largest = 0.0;
-    for (std::size_t j = 1; j <= at.p; ++j) largest = std::max(largest, std::hypot(points[j].x, points[j].y));
+    for (std::size_t j = 1; j <= at.p; ++j) largest = std::max(largest, robust_length(plane_part(points[j])));
     return largest / weight;
 }
 

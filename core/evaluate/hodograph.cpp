@@ -34,11 +34,13 @@ struct Differences {
     std::vector<Point> points;
 };
 
-// p (P_{i+1} - P_i) / (u_{i+p+1} - u_{i+1}): for coordinates of few digits rounded by the division alone.
-Vector leg_derivative(const Curve& curve, std::size_t i) {
+// p (P_{i+1} - P_i) / (u_{i+p+1} - u_{i+1}), drawn from (0, 0): for coordinates of few digits rounded by the division
+// alone.
+Point leg_derivative(const Curve& curve, std::size_t i) {
     const auto u = curve.knots().values();
     const auto p = static_cast<std::size_t>(curve.degree());
-    return static_cast<double>(p) * (control_point(curve, i + 1) - control_point(curve, i)) / (u[i + p + 1] - u[i + 1]);
+    const Vector leg = control_point(curve, i + 1) - control_point(curve, i);
+    return tip_of(static_cast<double>(p) * leg / (u[i + p + 1] - u[i + 1]));
 }
 
 // A difference over knots that are all equal belongs to a tear, or to an end point that acts nowhere: it goes together
@@ -133,7 +135,7 @@ std::vector<P> elevated(const std::vector<P>& points) {
 // cancels:  sum over i < j of (j - i) binomial(p, i) binomial(p, j) w_i w_j (P_j - P_i) t^(i+j-1) (1-t)^(2p-1-i-j) / h
 std::vector<Vector> derivative_numerator(const BezierPiece& piece) {
     const std::size_t p = piece.points.size() - 1;
-    std::vector<Vector> numerator(2 * p - 1, Vector(0.0));
+    std::vector<Vector> numerator(2 * p - 1, Vector{});
     for (std::size_t i = 0; i <= p; ++i)
         for (std::size_t j = i + 1; j <= p; ++j) {
             const HomogeneousPoint& a = piece.points[i];
@@ -160,7 +162,7 @@ std::vector<double> squared_weight(const BezierPiece& piece) {
 Curve near_origin(const Curve& curve) {
     CurveDefinition definition = curve.definition();
     const Point origin = definition.points.front();
-    for (Point& point : definition.points) point -= origin;
+    for (Point& point : definition.points) point = seen_from(point, origin);
     const double largest = *std::max_element(definition.weights.begin(), definition.weights.end());
     for (double& weight : definition.weights) weight /= largest;
     return Curve::make(std::move(definition)).value_or(curve);
@@ -175,7 +177,7 @@ struct JoinedPieces {
         const std::vector<Vector> numerator = elevated(elevated(derivative_numerator(piece)));
         const std::vector<double> square = squared_weight(piece);
         for (std::size_t k = 0; k < count; ++k) {
-            points.push_back(numerator[k] / square[k]);
+            points.push_back(tip_of(numerator[k] / square[k]));
             weights.push_back(square[k]);
         }
     }

@@ -12,7 +12,7 @@ namespace {
 constexpr double resolution = 256 * std::numeric_limits<double>::epsilon();
 
 double size_of(const HomogeneousPoint& point) {
-    return std::hypot(point.x, point.y);
+    return robust_length(plane_part(point));
 }
 
 // The largest of the points that remain after `levels_done` levels.
@@ -36,7 +36,7 @@ std::optional<Vector> tangent_at(const Curve& curve, double u, Side side) {
         const HomogeneousPoint derivative = de_boor(points, at, inside, k);
         const double size = size_of(derivative);
         if (!(size > resolution * largest_of(points, at, k)) || !std::isfinite(size)) continue;
-        const Vector direction = Vector(derivative) / size;
+        const Vector direction = plane_part(derivative) / size;
         return is_from_left && k % 2 == 0 ? -direction : direction;
     }
     return std::nullopt;

@@ -53,16 +53,16 @@ CurveDefinition unit_arc(ArcAngles angles, std::size_t pieces) {
     const double inner_weight = unit_vector(step / 2.0).x;
     const bool is_whole = std::abs(angles.sweep) == 360.0;
     CurveDefinition arc{.degree = 2, .knots = {0.0, 0.0, 0.0}, .kind = KnotKind::piecewise_bezier};
-    arc.points.push_back(unit_vector(angles.start));
+    arc.points.push_back(tip_of(unit_vector(angles.start)));
     arc.weights.push_back(1.0);
     for (std::size_t k = 1; k <= pieces; ++k) {
         const bool is_last = k == pieces;
         const double turned =
             is_last ? angles.sweep : angles.sweep * static_cast<double>(k) / static_cast<double>(pieces);
-        const Point before = arc.points.back();
-        const Point end = is_last && is_whole ? arc.points.front() : unit_vector(angles.start + turned);
-        arc.points.push_back((before + end) / (1.0 + unit_vector(step).x));
-        arc.points.push_back(end);
+        const Vector before = vector_to(arc.points.back());
+        const Vector end = is_last && is_whole ? vector_to(arc.points.front()) : unit_vector(angles.start + turned);
+        arc.points.push_back(tip_of((before + end) / (1.0 + unit_vector(step).x)));
+        arc.points.push_back(tip_of(end));
         arc.weights.insert(arc.weights.end(), {inner_weight, 1.0});
         arc.knots.insert(arc.knots.end(), 2, static_cast<double>(k) / static_cast<double>(pieces));
     }
@@ -74,7 +74,7 @@ Result<Curve> arc_of_pieces(const EllipseFrame& frame, ArcAngles angles, std::si
     if (const auto check = check_axes(frame); !check) return refuse(check.error());
     CurveDefinition arc = unit_arc(angles, pieces);
     const EllipsePlane plane(frame);
-    for (Point& point : arc.points) point = plane(point);
+    for (Point& point : arc.points) point = plane(vector_to(point));
     return Curve::make(std::move(arc));
 }
 

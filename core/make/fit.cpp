@@ -190,7 +190,7 @@ class Fitter {
     void require_points(SplineSystem& system, double shift) const {
         const std::size_t first = request_.is_closed ? 0 : 1;
         for (std::size_t k = first; k + first < points_.size(); ++k)
-            system.require(parameters_[k] + shift, 0, points_[k]);
+            system.require_point(parameters_[k] + shift, points_[k]);
     }
 
     void require_smoothness(SplineSystem& system) const {
@@ -201,8 +201,8 @@ class Fitter {
         for (std::size_t s = p_; s + p_ + 1 < knots.size(); ++s) {
             const double half = 0.5 * (knots[s + 1] - knots[s]);
             for (const GaussNode& node : rule)
-                system.require(knots[s] + half * (1.0 + node.position), order, Vector(0.0),
-                               std::sqrt(request_.smoothing * half * node.weight));
+                system.require_derivative(knots[s] + half * (1.0 + node.position), order, Vector{},
+                                          std::sqrt(request_.smoothing * half * node.weight));
         }
     }
 

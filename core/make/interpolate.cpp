@@ -74,8 +74,8 @@ void require_natural_ends(SplineSystem& system) {
     const KnotVector& knots = system.knots();
     const double first = knots[knots.span_at(lower) + 1] - lower;
     const double last = upper - knots[knots.span_at(upper)];
-    system.require(lower, 2, Vector(0.0), first * first);
-    system.require(upper, 2, Vector(0.0), last * last);
+    system.require_derivative(lower, 2, Vector{}, first * first);
+    system.require_derivative(upper, 2, Vector{}, last * last);
 }
 
 Result<Interpolation> interpolate_open(std::span<const Point> points, const InterpolationRequest& request,
@@ -97,7 +97,7 @@ Result<Interpolation> interpolate_open(std::span<const Point> points, const Inte
     const std::vector<KnownPoint> known = known_points(points, request.ends, *knots);
     SplineSystem system(*std::move(knots), points.front(), known);
     if (is_natural) require_natural_ends(system);
-    for (std::size_t k = 1; k + 1 < points.size(); ++k) system.require(parameters[k], 0, points[k]);
+    for (std::size_t k = 1; k + 1 < points.size(); ++k) system.require_point(parameters[k], points[k]);
     return solved(system).map([&](Curve curve) {
         CurveDefinition definition = curve.definition();
         definition.points.front() = points.front();
@@ -127,7 +127,7 @@ Result<Interpolation> interpolate_closed(std::span<const Point> points, const In
     if (!knots) return refuse(knots.error());
     SplineSystem system(*std::move(knots), points.front());
     parameters.pop_back();
-    for (std::size_t k = 0; k < points.size(); ++k) system.require(parameters[k], 0, points[k]);
+    for (std::size_t k = 0; k < points.size(); ++k) system.require_point(parameters[k], points[k]);
     return solved(system).map([&](Curve curve) { return Interpolation{std::move(curve), std::move(parameters)}; });
 }
 

@@ -21,7 +21,7 @@ constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
 // det(C, C') times (1, x, y): what is integrated for the area and both moments.
 glm::dvec3 moments_at(const PieceMotion& piece, double t) {
     const auto [position, velocity] = piece.at(t);
-    const double swept = cross(position, velocity);
+    const double swept = cross(vector_to(position), velocity);
     return {swept, swept * position.x, swept * position.y};
 }
 

@@ -37,7 +37,7 @@ class LineFollower {
   private:
     void follow(Vector to_point, double distance) {
         farthest_ = distance;
-        direction_ = distance > 0.0 ? to_point / distance : Vector(0.0);
+        direction_ = distance > 0.0 ? to_point / distance : Vector{};
     }
 
     Point first_;

@@ -15,8 +15,8 @@ struct LinearForm {
     double w = 0.0;
 };
 
-// Zero on the line through both, twice the signed area of the triangle that they make with (x, y).
-LinearForm through(Point a, Point b) {
+// Zero on the line through both tips, twice the signed area of the triangle that they make with (x, y).
+LinearForm through(Vector a, Vector b) {
     return {a.y - b.y, b.x - a.x, cross(a, b)};
 }
 
@@ -52,8 +52,8 @@ ImplicitConic normalised(ImplicitConic conic) {
 ImplicitConic equation_of(const std::array<Point, 3>& points, double weight_squared) {
     const Vector from = points[0] - points[1];
     const Vector to = points[2] - points[1];
-    const LinearForm l0 = through(Point(0.0), to);
-    const LinearForm l2 = through(from, Point(0.0));
+    const LinearForm l0 = through(Vector{}, to);
+    const LinearForm l2 = through(from, Vector{});
     LinearForm l1 = through(to, from);
     ImplicitConic conic = combined(product(l1, l1), 4.0 * weight_squared, product(l0, l2));
     conic = normalised(conic);

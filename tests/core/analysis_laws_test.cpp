@@ -43,12 +43,12 @@ struct Measures {
 };
 
 // `offset` is where the curve was moved, and the line with it.
-Measures measures_of(const Curve& curve, Vector offset = Vector(0.0)) {
+Measures measures_of(const Curve& curve, Vector offset = Vector{}) {
     return {.inflections = inflections(curve).size(),
             .extrema = curvature_extrema(curve).size(),
             .cusps = cusps(curve).size(),
             .double_points = self_intersections(curve).size(),
-            .crossings = intersect_line(curve, offset + Vector(-7, -1.3), offset + Vector(5, 2.1))->crossings,
+            .crossings = intersect_line(curve, Point(-7, -1.3) + offset, Point(5, 2.1) + offset)->crossings,
             .length = arc_length(curve).value,
             .box = tight_box(curve)};
 }
@@ -75,8 +75,8 @@ TEST(AnalysisLaws, what_keeps_the_shape_keeps_all_measures) {
         expect_same(measures_of(with_near_knots(curve, random.number(0.1, 0.9))), expected, 1e-13,
                     name + ", near knots");
         expect_same(measures_of(elevate_degree(curve, 1).value()), expected, 1e-13, name + ", elevated");
-        expect_same(measures_of(changed(curve, 1e9, Vector(0.0))), expected, 1e-13, name + ", long domain");
-        expect_same(measures_of(changed(curve, 1e-9, Vector(0.0))), expected, 1e-13, name + ", short domain");
+        expect_same(measures_of(changed(curve, 1e9, Vector{})), expected, 1e-13, name + ", long domain");
+        expect_same(measures_of(changed(curve, 1e-9, Vector{})), expected, 1e-13, name + ", short domain");
         const Vector offset(1e6, -3e6);
         expect_same(measures_of(changed(curve, 1.0, offset), offset), expected, 1e-8, name + ", far away");
     }

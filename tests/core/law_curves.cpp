@@ -116,13 +116,13 @@ std::vector<int> draw_wholes(std::size_t count, int upper) {
 }
 
 std::vector<Point> draw_points(std::size_t count, Setting setting) {
-    const Point origin = setting == Setting::far_away ? Point(far_offset, -0.75 * far_offset) : Point(0.0);
+    const Point origin = setting == Setting::far_away ? Point(far_offset, -0.75 * far_offset) : Point{};
     const auto coordinates = draw_wholes(2 * count, 4096);
     // 0, -1, 1, -2, 2..., so that the simplest is 0.
     const auto coordinate = [](int k) { return (k % 2 == 0 ? k / 2 : -(k + 1) / 2) / 256.0; };
     std::vector<Point> points;
     for (std::size_t i = 0; i < count; ++i)
-        points.push_back(origin + Point(coordinate(coordinates[2 * i]), coordinate(coordinates[2 * i + 1])));
+        points.push_back(origin + Vector(coordinate(coordinates[2 * i]), coordinate(coordinates[2 * i + 1])));
     return points;
 }
 
@@ -187,10 +187,6 @@ double draw_insertable_parameter(const Curve& curve) {
 
 double unit_of(const Curve& curve) {
     return std::ldexp(golden::largest_coordinate(curve.control_points()), -53);
-}
-
-double distance(Point a, Point b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
 }
 
 double largest_distance(const Curve& a, const Curve& b) {

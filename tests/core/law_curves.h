@@ -59,9 +59,6 @@ double unit_of(const Curve& curve);
 /// between them.
 double largest_distance(const Curve& a, const Curve& b);
 
-/// How far `a` and `b` are apart.
-double distance(Point a, Point b);
-
 /// Checks `law`, a function of the setting, in every setting.
 template <class Law>
 void check_everywhere(const std::string& text, Law law) {

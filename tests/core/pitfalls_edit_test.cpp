@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 
 #include "core/curve/knot_analysis.h"
 #include "core/document/native_file.h"
@@ -23,7 +22,7 @@ namespace {
 
 using Knots = std::vector<double>;
 
-const Box everything{Point(-1e12), Point(1e12)};
+const Box everything{{-1e12, -1e12}, {1e12, 1e12}};
 
 Knots stored(const Curve& curve) {
     return {curve.knots().stored().begin(), curve.knots().stored().end()};
@@ -98,8 +97,8 @@ TEST(PitfallsEdit, p4_seam_is_like_any_other_knot) {
     const Curve raised_seam = elevate_degree(pulled_seam).value();
     for (double u = 0.0; u < 6.0; u += 0.05) {
         const double later = u < 1.0 ? u + 6.0 : u;
-        EXPECT_LT(glm::distance(point_at(pulled, later), point_at(pulled_seam, later - 1.0)), 1e-13);
-        EXPECT_LT(glm::distance(point_at(raised, later), point_at(raised_seam, later - 1.0)), 1e-12);
+        EXPECT_LT(distance(point_at(pulled, later), point_at(pulled_seam, later - 1.0)), 1e-13);
+        EXPECT_LT(distance(point_at(raised, later), point_at(raised_seam, later - 1.0)), 1e-12);
     }
 }
 
@@ -129,7 +128,7 @@ TEST(PitfallsEdit, p6_removal_gives_back_what_insertion_changed) {
             EXPECT_EQ(back.count, times);
             EXPECT_EQ(stored(back.curve), stored(curve));
             for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
-                EXPECT_LE(glm::distance(back.curve.control_points()[i], curve.control_points()[i]), 1e-13);
+                EXPECT_LE(distance(back.curve.control_points()[i], curve.control_points()[i]), 1e-13);
                 EXPECT_NEAR(back.curve.weights()[i], curve.weights()[i], 1e-13);
             }
         }
@@ -262,9 +261,9 @@ TEST(PitfallsEdit, p18_laws_hold_far_from_the_origin) {
         for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
         const Curve far = move_control_points(curve, all, offset).value();
         EXPECT_LE(largest_deviation(far, elevate_degree(far).value()), 3e8 * 1e-13);
-        const auto runs = tessellate(far, {1e-3, {Point(-1e9), Point(1e9)}, far.domain()});
+        const auto runs = tessellate(far, {1e-3, {{-1e9, -1e9}, {1e9, 1e9}}, far.domain()});
         for (const auto& sample : runs[0])
-            EXPECT_LT(glm::distance(sample.point, point_at(curve, sample.u) + offset), 3e8 * 1e-14);
+            EXPECT_LT(distance(sample.point, point_at(curve, sample.u) + offset), 3e8 * 1e-14);
     }
 }
 

@@ -1,8 +1,6 @@
 /// Compares curves at equal parameters.
 #pragma once
 
-#include <glm/geometric.hpp>
-
 #include "core/evaluate/evaluate.h"
 #include "tests/core/golden_cases.h"
 #include "tests/core/random_curves.h"
@@ -16,7 +14,7 @@ inline double shape_change(const Curve& before, const Curve& after, RandomCurves
     for (int k = 0; k < 40; ++k) {
         const double u = random.parameter(after);
         for (const Side side : {Side::left, Side::right})
-            largest = std::max(largest, glm::distance(point_at(before, u, side), point_at(after, u, side)));
+            largest = std::max(largest, distance(point_at(before, u, side), point_at(after, u, side)));
     }
     return largest / golden::largest_coordinate(before.control_points());
 }

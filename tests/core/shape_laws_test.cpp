@@ -1,6 +1,5 @@
 /// Laws of the shape of a curve and of its invariance, on curves of every sort.
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "core/evaluate/evaluate.h"
 #include "core/measure/bounds.h"
@@ -52,7 +51,7 @@ int sign_changes(const std::vector<double>& values, bool is_cyclic) {
 int crossings(const std::vector<Point>& points, Point origin, Vector normal, double tolerance, bool is_cyclic) {
     std::vector<double> sides;
     for (const Point& point : points) {
-        const double side = glm::dot(point - origin, normal);
+        const double side = dot(point - origin, normal);
         if (std::abs(side) > tolerance) sides.push_back(side);
     }
     return sign_changes(sides, is_cyclic);
@@ -70,7 +69,7 @@ TEST(ShapeLaws, convex_hull) {
         for (int k = 0; k < 16; ++k) {
             const Vector direction(std::cos(k * 0.39269908169872414), std::sin(k * 0.39269908169872414));
             double farthest = -std::numeric_limits<double>::infinity();
-            for (const Point& corner : polygon) farthest = std::max(farthest, glm::dot(corner - point, direction));
+            for (const Point& corner : polygon) farthest = std::max(farthest, dot(corner - point, direction));
             RC_ASSERT(farthest >= -tolerance);
         }
     });
@@ -83,9 +82,9 @@ TEST(ShapeLaws, variation_diminishing) {
         const auto corners = std::vector<Point>(curve.control_points().begin(), curve.control_points().end());
         const double angle = draw_number(0.0, 3.1);
         const Vector normal(std::cos(angle), std::sin(angle));
-        const Point origin = 0.5 * (point_at(curve, draw_parameter(curve)) + point_at(curve, draw_parameter(curve)));
+        const Point origin = middle(point_at(curve, draw_parameter(curve)), point_at(curve, draw_parameter(curve)));
         const double tolerance = units_of_a_point * unit_of(curve);
-        for (const Point& corner : corners) RC_PRE(std::abs(glm::dot(corner - origin, normal)) > tolerance);
+        for (const Point& corner : corners) RC_PRE(std::abs(dot(corner - origin, normal)) > tolerance);
         std::vector<Point> samples;
         const KnotVector& knots = curve.knots();
         for (std::size_t s = 0; s + 1 < knots.size(); ++s)
@@ -126,11 +125,13 @@ TEST(ShapeLaws, projective_invariance) {
         const double e = draw_number(-0.25, 0.25) / size;
         const double f = draw_number(-0.25, 0.25) / size;
         const auto denominator = [&](Point p) { return 1 + e * p.x + f * p.y; };
-        const Curve image = mapped(curve, [&](Point p) { return std::pair(p / denominator(p), denominator(p)); });
+        const Curve image =
+            mapped(curve, [&](Point p) { return std::pair(tip_of(vector_to(p) / denominator(p)), denominator(p)); });
         const double u = draw_parameter(curve);
         const Point point = point_at(curve, u);
         // The points grow at most twice, and errors in them and in the denominators at most four times.
-        RC_ASSERT(distance(point / denominator(point), point_at(image, u)) <= 8 * units_of_a_point * unit_of(curve));
+        RC_ASSERT(distance(tip_of(vector_to(point) / denominator(point)), point_at(image, u)) <=
+                  8 * units_of_a_point * unit_of(curve));
     });
 }
 

@@ -215,7 +215,7 @@ TEST_F(CanvasPress, draw_tool_makes_a_curve_of_its_clicks) {
     pointer.click(px(0, 3));
     pointer.move(px(1, 2));
     ASSERT_TRUE(is_in<DrawingCurve>());
-    EXPECT_EQ(std::get<DrawingCurve>(pointer.mode()).next, glm::dvec2(1, 2));
+    EXPECT_EQ(std::get<DrawingCurve>(pointer.mode()).next, core::Point(1, 2));
     pointer.double_click(px(2, 1));
     EXPECT_TRUE(is_in<CanvasIdle>());
     ASSERT_EQ(state().history.present().curves.size(), 2U);

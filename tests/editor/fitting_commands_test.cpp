@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "app/editor/commands/selection_commands.h"
 #include "core/evaluate/evaluate.h"
@@ -30,7 +29,7 @@ class FittingCommands : public ::testing::Test {
         EXPECT_EQ(message(), sentence);
     }
     double distance_to(core::Point point) const {
-        return glm::distance(core::nearest_point(curve(editor_), point).point, point);
+        return core::distance(core::nearest_point(curve(editor_), point).point, point);
     }
 
     Editor editor_;
@@ -81,13 +80,13 @@ TEST_F(FittingCommands, left_out_points_are_the_control_points) {
 TEST_F(FittingCommands, natural_ends_and_tangents) {
     EXPECT_TRUE(
         run(InterpolateNatural{.points = zigzag, .degree = 3, .parametrization = core::Parametrization::centripetal}));
-    EXPECT_LT(glm::length(core::derivatives_at(curve(editor_), 0.0, 2)[2]), 1e-10);
+    EXPECT_LT(core::length(core::derivatives_at(curve(editor_), 0.0, 2)[2]), 1e-10);
     EXPECT_TRUE(run(InterpolateTangents{.start = core::Vector(0, 5),
                                         .end = std::nullopt,
                                         .points = zigzag,
                                         .degree = 3,
                                         .parametrization = core::Parametrization::centripetal}));
-    EXPECT_LT(glm::distance(core::derivatives_at(curve(editor_), 0.0, 1)[1], core::Vector(0, 5)), 1e-12);
+    EXPECT_LT(core::length(core::derivatives_at(curve(editor_), 0.0, 1)[1] - core::Vector(0, 5)), 1e-12);
     EXPECT_EQ(points(editor_).size(), 6U);
     expect_refused("interpolate-tangents 1, 0,0 0,0,1,2,3,1",
                    "start is a list of one number; a list of two numbers is needed, x and y of the derivative at the "

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/edit_commands.h"
@@ -29,7 +28,7 @@ class ShapeCommands : public ::testing::Test {
 TEST_F(ShapeCommands, move_curve_point_reaches_its_target) {
     const core::Curve before = curve(editor_);
     EXPECT_TRUE(run(MoveCurvePoint{.u = 0.6, .position = {1.0, 2.0}}));
-    EXPECT_LT(glm::distance(core::point_at(curve(editor_), 0.6), core::Point(1, 2)), 1e-14);
+    EXPECT_LT(core::distance(core::point_at(curve(editor_), 0.6), core::Point(1, 2)), 1e-14);
     EXPECT_EQ(curve(editor_).knots(), before.knots());
     EXPECT_EQ(points(editor_)[0], before.control_points()[0]);
     EXPECT_EQ(message().substr(0, 38), "Moved curve point: deviates by at most") << message();
@@ -42,7 +41,7 @@ TEST_F(ShapeCommands, move_curve_point_reaches_its_target) {
 TEST_F(ShapeCommands, move_curve_point_takes_the_current_parameter) {
     run(SetParameter{.u = 0.3});
     EXPECT_TRUE(type("move-curve-point -2 2"));
-    EXPECT_LT(glm::distance(core::point_at(curve(editor_), 0.3), core::Point(-2, 2)), 1e-14);
+    EXPECT_LT(core::distance(core::point_at(curve(editor_), 0.3), core::Point(-2, 2)), 1e-14);
     EXPECT_FALSE(run(MoveCurvePoint{.u = 3.0, .position = {-2.0, 2.0}}));
     EXPECT_EQ(message(), "the parameter 3 is outside the domain; it must be from 0 to 1");
 }
@@ -51,12 +50,12 @@ TEST_F(ShapeCommands, set_tangent_keeps_the_point) {
     const core::Point before = core::point_at(curve(editor_), 0.4);
     EXPECT_TRUE(run(SetTangent{.u = 0.4, .derivative = {3.0, -8.0}}));
     const auto found = core::derivatives_at(curve(editor_), 0.4, 1);
-    EXPECT_LT(glm::distance(found.point, before), 1e-13);
-    EXPECT_LT(glm::distance(found[1], core::Vector(3, -8)), 1e-12);
+    EXPECT_LT(core::distance(found.point, before), 1e-13);
+    EXPECT_LT(core::length(found[1] - core::Vector(3, -8)), 1e-12);
     EXPECT_TRUE(run(MovePointAndTangent{.u = 0.4, .position = {1.0, 1.0}, .derivative = {5.0, 0.0}}));
     const auto moved = core::derivatives_at(curve(editor_), 0.4, 1);
-    EXPECT_LT(glm::distance(moved.point, core::Point(1, 1)), 1e-13);
-    EXPECT_LT(glm::distance(moved[1], core::Vector(5, 0)), 1e-12);
+    EXPECT_LT(core::distance(moved.point, core::Point(1, 1)), 1e-13);
+    EXPECT_LT(core::length(moved[1] - core::Vector(5, 0)), 1e-12);
 }
 
 TEST_F(ShapeCommands, fair_stays_within_the_distance) {
@@ -81,8 +80,8 @@ TEST_F(ShapeCommands, offset_adds_a_curve_beside) {
     EXPECT_EQ(message().rfind("Added offset by \u22120.2: error at most ", 0), 0U) << message();
     for (const double u : {0.1, 0.5, 0.9}) {
         const auto at = core::derivatives_at(before, u, 1);
-        const core::Vector right = core::Vector(at[1].y, -at[1].x) / glm::length(at[1]);
-        EXPECT_LT(glm::distance(core::point_at(curve(editor_), u), at.point + 0.2 * right), 1e-5);
+        const core::Vector right = core::Vector(at[1].y, -at[1].x) / core::length(at[1]);
+        EXPECT_LT(core::distance(core::point_at(curve(editor_), u), at.point + 0.2 * right), 1e-5);
     }
 }
 

@@ -8,9 +8,13 @@ core::Place active_name(const EditorState& state) {
     return {"name", state.history.present().active_curve()->name};
 }
 
-void add_numbers(Finding& finding, const char* name, glm::dvec2 vector) {
+void add_numbers(Finding& finding, const char* name, core::Vector vector) {
     finding.numbers.push_back({fmt::format("{} x", name), vector.x});
     finding.numbers.push_back({fmt::format("{} y", name), vector.y});
+}
+
+void add_numbers(Finding& finding, const char* name, core::Point point) {
+    add_numbers(finding, name, core::vector_to(point));
 }
 
 void add_interval(Finding& finding, core::Interval where) {

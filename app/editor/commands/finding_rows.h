@@ -12,7 +12,8 @@ namespace batten::editor {
 core::Place active_name(const EditorState& state);
 
 /// Two numbers for a point or vector: "tangent x", "tangent y".
-void add_numbers(Finding& finding, const char* name, glm::dvec2 vector);
+void add_numbers(Finding& finding, const char* name, core::Vector vector);
+void add_numbers(Finding& finding, const char* name, core::Point point);
 
 /// "from" and "to", unless the interval is a single parameter.
 void add_interval(Finding& finding, core::Interval where);

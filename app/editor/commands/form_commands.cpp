@@ -88,7 +88,7 @@ Outcome<void> find_matrix_form(EditorState& state, const FindMatrixForm&) {
         for (std::size_t k = 0; k < 4; ++k) {
             const std::string name = fmt::format("a{}", k);
             const core::HomogeneousPoint& coefficient = segment.coefficients[k];
-            add_numbers(finding, name.c_str(), {coefficient.x, coefficient.y});
+            add_numbers(finding, name.c_str(), core::plane_part(coefficient));
             if (curve.is_rational()) finding.numbers.push_back({fmt::format("{} w", name), coefficient.z});
         }
         rows.push_back(std::move(finding));

@@ -1,7 +1,5 @@
 #include "app/editor/commands/measuring_commands.h"
 
-#include <glm/geometric.hpp>
-
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/finding_rows.h"
@@ -66,7 +64,7 @@ Outcome<void> measure_area(EditorState& state, const MeasureArea&) {
 
 Outcome<void> find_nearest(EditorState& state, const FindNearest& command) {
     const core::CurveSample found = core::nearest_point(active_curve(state), command.position);
-    const double distance = glm::distance(found.point, command.position);
+    const double distance = core::distance(found.point, command.position);
     Finding row{.label = "nearest point",
                 .parameter = found.u,
                 .point = found.point,

@@ -45,8 +45,8 @@ std::vector<glm::dvec2> CanvasFrame::screen(std::span<const core::Point> world) 
 core::Box CanvasFrame::seen(double margin_px) const {
     const render::Camera& camera = state.view.camera;
     core::Box box;
-    box.include(render::world_from_screen(camera, glm::dvec2(-margin_px)));
-    box.include(render::world_from_screen(camera, camera.size_px + glm::dvec2(margin_px)));
+    box.include(core::Point(render::world_from_screen(camera, glm::dvec2(-margin_px))));
+    box.include(core::Point(render::world_from_screen(camera, camera.size_px + glm::dvec2(margin_px))));
     return box;
 }
 

@@ -89,7 +89,7 @@ class SpanComb {
             return;
         }
         const core::Jet at = core::derivatives_at(*frame_.curve, u, 1, side);
-        const glm::dvec2 tangent = at[1] / glm::length(at[1]);
+        const core::Vector tangent = at[1] / core::length(at[1]);
         const glm::dvec2 right_in_picture{tangent.y, tangent.x};
         const double longest = frame_.pen.px(longest_tooth);
         const double length = std::clamp(*curvature * px_per_curvature_, -longest, longest);

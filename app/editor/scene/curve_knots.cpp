@@ -40,7 +40,7 @@ bool is_lit(const CanvasFrame& frame, const core::DistinctKnot& knot) {
 /// The direction across the curve in the picture; upwards where the curve stands still.
 glm::dvec2 across(const CanvasFrame& frame, double u) {
     const core::Vector along = core::derivatives_at(*frame.curve, u, 1)[1];
-    const double speed = glm::length(along);
+    const double speed = core::length(along);
     if (!(speed > 0.0) || !std::isfinite(speed)) return {0.0, -1.0};
     const glm::dvec2 normal = glm::dvec2(along.y, along.x) / speed;
     return normal.y > 0.0 ? -normal : normal;

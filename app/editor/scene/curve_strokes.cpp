@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "core/evaluate/evaluate.h"
 
@@ -42,7 +41,7 @@ void draw_direction(CanvasFrame& frame, render::Color color) {
     const std::size_t s = knots.span_at(frame.curve->domain().upper, core::Side::left);
     const double u = knots[s] + 0.5 * (knots[s + 1] - knots[s]);
     const core::Jet at = core::derivatives_at(*frame.curve, u, 1);
-    const double speed = glm::length(at[1]);
+    const double speed = core::length(at[1]);
     if (!(speed > 0.0) || !std::isfinite(speed)) return;
     const glm::dvec2 along = glm::dvec2(at[1].x, -at[1].y) / speed;
     const glm::dvec2 across{-along.y, along.x};

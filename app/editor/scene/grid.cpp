@@ -40,12 +40,18 @@ double design_scale(const CanvasFrame& frame) {
     return frame.state.view.camera.scale / frame.state.view.interface_scale;
 }
 
+core::Point point_on_axis(int axis, double value) {
+    return axis == 0 ? core::Point(value, 0.0) : core::Point(0.0, value);
+}
+
+double coordinate(core::Point point, int axis) {
+    return axis == 0 ? point.x : point.y;
+}
+
 void draw_line(CanvasFrame& frame, int axis, double value, render::Color color) {
     const glm::dvec2 size = frame.pen.size_px();
-    core::Point point{};
-    point[axis] = value;
     glm::dvec2 from{};
-    from[axis] = frame.screen(point)[axis];
+    from[axis] = frame.screen(point_on_axis(axis, value))[axis];
     glm::dvec2 to = size;
     to[axis] = from[axis];
     frame.pen.segment(from, to, {.color = color});
@@ -53,7 +59,7 @@ void draw_line(CanvasFrame& frame, int axis, double value, render::Color color) 
 
 void draw_lines(CanvasFrame& frame, int axis, double step, render::Color color, double left_out_every) {
     const core::Box seen = frame.seen(0.0);
-    const Multiples lines = multiples(seen.lower[axis], seen.upper[axis], step);
+    const Multiples lines = multiples(coordinate(seen.lower, axis), coordinate(seen.upper, axis), step);
     for (int k = 0; k < lines.count; ++k) {
         const bool is_left_out = left_out_every > 0.0 && std::fmod(lines.index(k), left_out_every) == 0.0;
         if (!is_left_out) draw_line(frame, axis, lines.value(k), color);
@@ -77,8 +83,8 @@ class NumberRow {
     void draw() {
         const core::Box seen = frame_.seen(0.0);
         const double major = major_grid_step(design_scale(frame_));
-        const double lower = seen.lower[axis_];
-        const double upper = seen.upper[axis_];
+        const double lower = coordinate(seen.lower, axis_);
+        const double upper = coordinate(seen.upper, axis_);
         const double room = std::max(size_of(multiples(lower, upper, major))[axis_], frame_.pen.px(number_size));
         const double stride =
             round_number_from((room + frame_.pen.px(number_gap)) / (major * frame_.state.view.camera.scale));
@@ -105,9 +111,7 @@ class NumberRow {
         const glm::dvec2 size = text_px(text);
         const glm::dvec2 picture = frame_.pen.size_px();
         const double edge = frame_.pen.px(edge_distance);
-        core::Point point{};
-        point[axis_] = value;
-        glm::dvec2 lower = frame_.screen(point) - 0.5 * size;
+        glm::dvec2 lower = frame_.screen(point_on_axis(axis_, value)) - 0.5 * size;
         if (axis_ == 0)
             lower.y = picture.y - edge - 0.75 * size.y;
         else

@@ -45,12 +45,12 @@ class InsetMap {
         core::Box box;
         box.include({0.0, 0.0});
         for (const Run& run : runs)
-            for (const core::Vector v : run) box.include(v);
+            for (const core::Vector v : run) box.include(core::tip_of(v));
         const glm::dvec2 room = area.upper_px - area.lower_px;
         // Halves first: the difference of two huge values may not be finite.
-        const glm::dvec2 half = 0.5 * box.upper - 0.5 * box.lower;
+        const core::Vector half = 0.5 * core::vector_to(box.upper) - 0.5 * core::vector_to(box.lower);
         const double larger = std::max(half.x / room.x, half.y / room.y);
-        middle_ = 0.5 * box.upper + 0.5 * box.lower;
+        middle_ = core::middle(box.upper, box.lower);
         scale_ = larger > 0.0 && std::isfinite(1.0 / larger) ? 0.5 / larger : 0.0;
         center_ = area.lower_px + 0.5 * room;
     }
@@ -60,7 +60,7 @@ class InsetMap {
     }
 
   private:
-    glm::dvec2 middle_{};
+    core::Point middle_{};
     glm::dvec2 center_{};
     double scale_ = 0.0;
 };

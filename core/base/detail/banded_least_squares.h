@@ -10,7 +10,7 @@
 namespace batten::core {
 
 /// One equation: sum of coefficients[j] x_{first + j} = right. The unknowns and the right side are of the point type P
-/// (double, glm::dvec2, glm::dvec3), the coefficients are numbers.
+/// (double, Vector, HomogeneousPoint), the coefficients are numbers.
 template <class P>
 struct BandedEquation {
     std::size_t first = 0;

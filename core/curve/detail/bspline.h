@@ -8,7 +8,8 @@
 ///     differentiating    (p-r+1) (d_j - d_{j-1}) / (u_upper - u_lower)
 ///
 /// p levels that blend at u give C(u) (de Boor); blending at a_1, ..., a_p gives the blossom; k levels that
-/// differentiate and p-k that blend give the k-th derivative. The point type is double, glm::dvec2 or glm::dvec3.
+/// differentiate and p-k that blend give the k-th derivative. The point type is double, Vector or HomogeneousPoint; for
+/// blending alone, Point too.
 #pragma once
 
 #include <algorithm>
@@ -72,12 +73,12 @@ inline Location located(const KnotVector& knots, double u, Side side) {
 
 /// The local points of `curve`, seen from `origin`. Near it the coordinates are small, so that the differences which
 /// make derivatives do not cancel, however far from (0, 0) the curve lies.
-inline LocalPoints<HomogeneousPoint> local_points(const Curve& curve, const SpanKnots& at, Point origin = Point(0.0)) {
+inline LocalPoints<HomogeneousPoint> local_points(const Curve& curve, const SpanKnots& at, Point origin = {}) {
     LocalPoints<HomogeneousPoint> points;
     const std::size_t n = curve.control_points().size();
     std::size_t i = (at.s - at.p) % n;
     for (std::size_t j = 0; j <= at.p; ++j) {
-        points[j] = lift(curve.control_points()[i] - origin, curve.weights()[i]);
+        points[j] = lift(seen_from(curve.control_points()[i], origin), curve.weights()[i]);
         if (++i == n) i = 0;
     }
     return points;

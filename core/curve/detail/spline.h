@@ -11,7 +11,7 @@
 
 namespace batten::core {
 
-/// points + p + 1 knots and their points. The point type needs +, - and a factor, as bspline.h says.
+/// points + p + 1 knots and their points. The point type is one that can be blended, as bspline.h says.
 template <class P>
 struct Spline {
     std::size_t p = 0;  ///< degree

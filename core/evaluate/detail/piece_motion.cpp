@@ -29,7 +29,7 @@ Motion PieceMotion::at(double t) const {
     const Point position = project(here);
     // Seen from C(t), where the derivative of the weight does not matter.
     LocalPoints<Vector> legs;
-    const auto away = [&](const HomogeneousPoint& point) { return Vector(point) - point.z * position; };
+    const auto away = [&](const HomogeneousPoint& point) { return plane_part(point) - point.z * vector_to(position); };
     for (std::size_t i = 0; i < p; ++i) legs[i] = away(piece_.points[i + 1]) - away(piece_.points[i]);
     return {position, static_cast<double>(p) / here.z * bernstein_sum(legs, p, t)};
 }

@@ -20,7 +20,7 @@ std::size_t folded(std::size_t i, std::size_t n) {
 SplineSystem::SplineSystem(KnotVector knots, Point origin, std::span<const KnownPoint> known)
     : knots_(std::move(knots)),
       origin_(origin),
-      points_(knots_.control_point_count(), Point(0.0)),
+      points_(knots_.control_point_count(), Vector{}),
       unknown_(knots_.control_point_count(), 0) {
     const std::size_t n = points_.size();
     for (const KnownPoint& given : known) {
@@ -33,15 +33,23 @@ SplineSystem::SplineSystem(KnotVector knots, Point origin, std::span<const Known
     for (std::size_t i = 0; i < n; ++i) unknown_[i] = folded(i, n);
 }
 
-void SplineSystem::require(double u, int order, Vector value, double weight, Side side) {
-    const BasisValues basis = basis_functions(knots_, u, order, side);
-    std::vector<double> coefficients = basis.derivatives[static_cast<std::size_t>(order)];
-    for (double& coefficient : coefficients) coefficient *= weight;
+void SplineSystem::require_point(double u, Point point) {
+    require({.u = u, .order = 0, .origin = point, .value = {0.0, 0.0}});
+}
+
+void SplineSystem::require_derivative(double u, int order, Vector value, double weight) {
+    require({.u = u, .order = order, .value = value, .weight = weight});
+}
+
+void SplineSystem::require(const Site& site) {
+    const BasisValues basis = basis_functions(knots_, site.u, site.order);
+    std::vector<double> coefficients = basis.derivatives[static_cast<std::size_t>(site.order)];
+    for (double& coefficient : coefficients) coefficient *= site.weight;
     const std::size_t before = equations_.size();
     // The functions sum to 1 and their derivatives to 0, so that only points have to be seen from the origin.
     require_sum(basis.span - static_cast<std::size_t>(knots_.degree()), coefficients,
-                weight * (order == 0 ? value - origin_ : value));
-    if (equations_.size() > before && order <= 2) sites_.push_back({u, order, value, weight, side});
+                site.weight * (site.order == 0 ? site.origin - origin_ : site.value));
+    if (equations_.size() > before && site.order <= 2) sites_.push_back(site);
 }
 
 void SplineSystem::require_sum(std::size_t first, std::span<const double> coefficients, Vector right) {
@@ -58,7 +66,7 @@ void SplineSystem::require_sum(std::size_t first, std::span<const double> coeffi
         }
     }
     if (lowest == unknown_count_) return;
-    BandedEquation<Point> equation{lowest, std::vector<double>(highest - lowest + 1, 0.0), right};
+    BandedEquation<Vector> equation{lowest, std::vector<double>(highest - lowest + 1, 0.0), right};
     for (std::size_t j = 0; j < coefficients.size(); ++j) {
         const std::size_t unknown = unknown_[(first + j) % n];
         if (unknown != is_known) equation.coefficients[unknown - lowest] += coefficients[j];
@@ -71,14 +79,13 @@ void SplineSystem::require_sum(std::size_t first, std::span<const double> coeffi
 std::vector<Point> SplineSystem::refined(std::vector<Point> points) const {
     const auto curve = Curve::make(knots_, points, {});
     if (!curve) return points;
-    std::vector<BandedEquation<Point>> equations = equations_;
+    std::vector<BandedEquation<Vector>> equations = equations_;
     for (std::size_t k = 0; k < sites_.size(); ++k) {
         const Site& site = sites_[k];
-        const Location at = located(knots_, site.u, site.side);
-        const Point origin = site.order == 0 ? site.value : Point(0.0);
-        const auto found = precise_jet(*curve, at.at, at.u, origin)[static_cast<std::size_t>(site.order)];
-        const Vector wanted = site.order == 0 ? Vector(0.0) : site.value;
-        equations[k].right = site.weight * Vector((wanted.x - found.x).rounded(), (wanted.y - found.y).rounded());
+        const Location at = located(knots_, site.u, Side::right);
+        const auto found = precise_jet(*curve, at.at, at.u, site.origin)[static_cast<std::size_t>(site.order)];
+        equations[k].right =
+            site.weight * Vector((site.value.x - found.x).rounded(), (site.value.y - found.y).rounded());
     }
     const auto correction = solve_least_squares(std::move(equations), unknown_count_);
     if (!correction) return points;
@@ -90,7 +97,7 @@ std::vector<Point> SplineSystem::refined(std::vector<Point> points) const {
 std::optional<std::vector<Point>> SplineSystem::solve() const {
     const auto solution = solve_least_squares(equations_, unknown_count_);
     if (!solution) return std::nullopt;
-    std::vector<Point> points = points_;
+    std::vector<Point> points(points_.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         points[i] = origin_ + (unknown_[i] == is_known ? points_[i] : (*solution)[unknown_[i]]);
     const bool is_exact = equations_.size() == unknown_count_ && sites_.size() == unknown_count_;

@@ -22,9 +22,12 @@ class SplineSystem {
   public:
     SplineSystem(KnotVector knots, Point origin, std::span<const KnownPoint> known = {});
 
-    /// The derivative of order `order` at `u` shall be `value`, a point of the plane when `order` is 0. The condition
-    /// counts `weight` times in the errors that are squared. Cost O(p^2).
-    void require(double u, int order, Vector value, double weight = 1.0, Side side = Side::right);
+    /// The spline shall be at `point` for `u`. Cost O(p^2).
+    void require_point(double u, Point point);
+
+    /// The derivative of order `order` >= 1 at `u` shall be `value`. The condition counts `weight` times in the errors
+    /// that are squared. Cost O(p^2).
+    void require_derivative(double u, int order, Vector value, double weight = 1.0);
 
     /// sum of coefficients[j] (P_{first + j} - origin) shall be `right`; indices are those of the unrolled spline.
     void require_sum(std::size_t first, std::span<const double> coefficients, Vector right);
@@ -38,22 +41,24 @@ class SplineSystem {
   private:
     static constexpr std::size_t is_known = static_cast<std::size_t>(-1);
 
+    /// What is required at `u`, the spline and its derivatives being seen from `origin`.
     struct Site {
         double u = 0.0;
         int order = 0;
+        Point origin{};
         Vector value{};
         double weight = 1.0;
-        Side side = Side::right;
     };
 
+    void require(const Site& site);
     std::vector<Point> refined(std::vector<Point> points) const;
 
     KnotVector knots_;
     Point origin_;
-    std::vector<Point> points_;         ///< the known ones, seen from the origin; zero for the others
+    std::vector<Vector> points_;        ///< from the origin to the known ones; zero for the others
     std::vector<std::size_t> unknown_;  ///< control point to unknown, or is_known
     std::size_t unknown_count_ = 0;
-    std::vector<BandedEquation<Point>> equations_;
+    std::vector<BandedEquation<Vector>> equations_;
     std::vector<Site> sites_;  ///< where the equations come from; fewer than equations when some are sums
 };
 

@@ -22,7 +22,7 @@ std::optional<DirectionCone> cone_of(std::span<const Point> a, std::span<const P
     for (const auto& points : {a, b})
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
             const Vector leg = points[i + 1] - points[i];
-            if (leg == Vector(0.0)) continue;
+            if (leg == Vector{}) continue;
             if (!reference) reference = leg;
             const double angle = angle_between(*reference, leg);
             least = std::min(least, angle);
@@ -37,7 +37,7 @@ double gap_along(const ContactPiece& a, const ContactPiece& b, Vector axis) {
     const auto extent = [&](const ContactPiece& piece) {
         Interval interval{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
         for (const Point& point : piece.shadow) {
-            const double height = dot(axis, point);
+            const double height = dot(axis, vector_to(point));
             interval = {std::min(interval.lower, height), std::max(interval.upper, height)};
         }
         return interval;

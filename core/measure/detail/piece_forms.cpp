@@ -24,7 +24,7 @@ double coordinate_error(const Curve& curve, const Curve& seen, std::size_t span)
     for (std::size_t i = span - p; i <= span; ++i) {
         const Point original = curve.control_points()[i % n];
         far = std::max({far, std::abs(original.x), std::abs(original.y)});
-        near = std::max(near, length(seen.control_points()[i % n]));
+        near = std::max(near, length(vector_to(seen.control_points()[i % n])));
     }
     return unit_roundoff * (far + static_cast<double>(curve.degree() + 4) * near);
 }
@@ -82,7 +82,7 @@ void join_at_knot(std::vector<SignRun>& runs, Interval last_piece) {
 
 Curve seen_from(const Curve& curve, Point origin) {
     std::vector<Point> points(curve.control_points().begin(), curve.control_points().end());
-    for (Point& point : points) point -= origin;
+    for (Point& point : points) point = seen_from(point, origin);
     return Curve::make(curve.knots(), std::move(points), {curve.weights().begin(), curve.weights().end()}).value();
 }
 

@@ -40,7 +40,7 @@ CarriedSpline carried(const Curve& curve, std::size_t periods) {
     for (std::size_t i = 0; i + p + 1 < spline.knots.size(); ++i) {
         const std::size_t k = i % n;
         const double weight = carried_weight(curve, is_rational, k);
-        spline.points.push_back({lift(curve.control_points()[k] - origin, weight), k});
+        spline.points.push_back({lift(seen_from(curve.control_points()[k], origin), weight), k});
     }
     return spline;
 }
@@ -61,7 +61,8 @@ Result<Curve> settled(const Curve& from, CarriedForm form, std::span<const Carri
                            .index = definition.points.size(),
                            .value = carried.point.z});
         const bool is_kept = carried.source != CarriedPoint::is_new;
-        definition.points.push_back(is_kept ? from.control_points()[carried.source] : origin + project(carried.point));
+        definition.points.push_back(is_kept ? from.control_points()[carried.source]
+                                            : origin + vector_to(project(carried.point)));
         if (!is_rational)
             definition.weights.push_back(from.weights().front());
         else

@@ -31,7 +31,7 @@ std::optional<Eigen::MatrixXd> insertion_matrix(int degree, const std::vector<do
     Eigen::MatrixXd matrix(columns + 1, columns);
     for (Eigen::Index j = 0; j < columns; ++j) {
         CurveDefinition unit{.degree = degree, .knots = reduced, .periodic = true};
-        unit.points.assign(reduced.size() - 1, Point(0.0));
+        unit.points.assign(reduced.size() - 1, Point{});
         unit.points[static_cast<std::size_t>(j)].x = 1.0;
         const auto inserted =
             Curve::make(std::move(unit)).and_then([&](const Curve& basis) { return refine_knots(basis, {u}); });

@@ -24,7 +24,7 @@ std::span<const CarriedPoint> points_around(const CarriedSpline& spline, const R
 
 // With A' = A + dA and w' = w + dw the shadow moves by (dA - C dw) / w', and dA, dw are at most `error` in size.
 double bound_of(const CarriedSpline& spline, const RemovableKnot& knot, HomogeneousPoint error) {
-    if (error.z == 0.0) return std::hypot(error.x, error.y) / spline.points[knot.first].point.z;
+    if (error.z == 0.0) return robust_length(plane_part(error)) / spline.points[knot.first].point.z;
     const Point near = project(spline.points[knot.first].point);
     double least_weight = std::numeric_limits<double>::infinity();
     double reach = 0.0;
@@ -34,7 +34,7 @@ double bound_of(const CarriedSpline& spline, const RemovableKnot& knot, Homogene
     }
     for (const CarriedPoint& point : knot.points) least_weight = std::min(least_weight, point.point.z);
     if (!(least_weight > 0.0)) return std::numeric_limits<double>::infinity();
-    return (length(Point(error) - near * error.z) + reach * std::abs(error.z)) / least_weight;
+    return (length(plane_part(error) - vector_to(near) * error.z) + reach * std::abs(error.z)) / least_weight;
 }
 
 // The two sides of a tear are pulled together.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 
 #include "core/curve/knot_analysis.h"
@@ -322,7 +321,7 @@ TEST(DeleteKnot, far_part_of_the_curve_stays) {
         const double u = curve.knots().stored()[index];
         const Curve result = delete_knot(curve, index).value();
         for (const double far : {u - 6.5, u - 5.0, u + 5.0, u + 6.5})
-            EXPECT_NEAR(glm::distance(point_at(curve, far), point_at(result, far)), 0.0, 1e-13) << periodic << far;
+            EXPECT_NEAR(distance(point_at(curve, far), point_at(result, far)), 0.0, 1e-13) << periodic << far;
     }
 }
 
@@ -360,7 +359,7 @@ TEST(SetPeriodic, uses_the_same_points_over_the_same_domain) {
     EXPECT_EQ(closed.knots().kind(), KnotKind::periodic);
     EXPECT_EQ(closed.domain(), curve.domain());
     EXPECT_TRUE(std::ranges::equal(closed.control_points(), curve.control_points()));
-    EXPECT_LT(glm::distance(point_at(closed, 0.0), point_at(closed, 1.0)), 1e-15);
+    EXPECT_LT(distance(point_at(closed, 0.0), point_at(closed, 1.0)), 1e-15);
     const Curve open = set_periodic(closed, false).value();
     EXPECT_EQ(open.knots().kind(), KnotKind::clamped_uniform);
     EXPECT_EQ(open.domain(), curve.domain());

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "core/evaluate/evaluate.h"
@@ -18,8 +17,8 @@ namespace {
 Curve circle(Point center, double radius) {
     CurveDefinition definition{.degree = 2, .knots = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}, .points = {}, .weights = {}};
     const double w = std::sqrt(0.5);
-    for (const Point point : {Point(1, 0), Point(1, 1), Point(0, 1), Point(-1, 1), Point(-1, 0), Point(-1, -1),
-                              Point(0, -1), Point(1, -1), Point(1, 0)}) {
+    for (const Vector point : {Vector(1, 0), Vector(1, 1), Vector(0, 1), Vector(-1, 1), Vector(-1, 0), Vector(-1, -1),
+                               Vector(0, -1), Vector(1, -1), Vector(1, 0)}) {
         definition.points.push_back(center + radius * point);
         definition.weights.push_back(definition.weights.size() % 2 == 0 ? 1.0 : w);
     }
@@ -42,7 +41,7 @@ Curve gentle(bool periodic, bool rational, int degree = 3) {
 
 Point true_offset(const Curve& curve, double u, double distance) {
     const auto d = derivatives_at(curve, u, 1);
-    return d.point + distance / glm::length(d[1]) * Vector(-d[1].y, d[1].x);
+    return d.point + distance / length(d[1]) * turned_left(d[1]);
 }
 
 double sampled_error(const Curve& curve, const Curve& result, double distance) {
@@ -50,7 +49,7 @@ double sampled_error(const Curve& curve, const Curve& result, double distance) {
     double largest = 0.0;
     for (int k = 0; k <= 1000; ++k) {
         const double u = domain.clamp(domain.lower + domain.length() * k / 1000.0);
-        largest = std::max(largest, glm::distance(point_at(result, u), true_offset(curve, u, distance)));
+        largest = std::max(largest, core::distance(point_at(result, u), true_offset(curve, u, distance)));
     }
     return largest;
 }
@@ -63,8 +62,8 @@ TEST(Offset, of_a_circle_is_a_circle) {
     EXPECT_EQ(inner.degree(), 2);
     EXPECT_EQ(inner.control_points().size(), 9U);
     for (double u = 0.0; u <= 4.0; u += 0.01) {
-        EXPECT_NEAR(glm::distance(point_at(inner, u), Point(3, -2)), 1.5, 4e-15);
-        EXPECT_NEAR(glm::distance(point_at(outer, u), Point(3, -2)), 2.5, 4e-15);
+        EXPECT_NEAR(distance(point_at(inner, u), Point(3, -2)), 1.5, 4e-15);
+        EXPECT_NEAR(distance(point_at(outer, u), Point(3, -2)), 2.5, 4e-15);
     }
     EXPECT_EQ(describe(offset(circle({0, 0}, 2.0), 2.5, 1e-9).error()).substr(0, 20), "the distance is 2.5,");
 }
@@ -79,7 +78,7 @@ TEST(Offset, of_a_line_is_the_parallel) {
     EXPECT_LT(result.error, 1e-14);
     const Vector move(-4, 3);
     for (std::size_t i = 0; i < 4; ++i)
-        EXPECT_LT(glm::distance(result.curve.control_points()[i], line.control_points()[i] + move), 1e-14);
+        EXPECT_LT(distance(result.curve.control_points()[i], line.control_points()[i] + move), 1e-14);
 }
 
 TEST(Offset, of_a_polygon_is_mitred) {
@@ -121,8 +120,8 @@ TEST(Offset, lies_to_the_left_when_the_distance_is_positive) {
     const Curve curve = gentle(true, false);  // runs round (0, 0) to the left, which is inside
     const Curve inside = offset(curve, 2.0, 1e-6).value().curve;
     for (const double u : {0.0, 2.3, 7.9}) {
-        EXPECT_LT(glm::length(point_at(inside, u)), glm::length(point_at(curve, u)) - 1.9);
-        EXPECT_NEAR(glm::distance(nearest_point(curve, point_at(inside, u)).point, point_at(inside, u)), 2.0, 2e-6);
+        EXPECT_LT(distance(point_at(inside, u), {}), distance(point_at(curve, u), {}) - 1.9);
+        EXPECT_NEAR(distance(nearest_point(curve, point_at(inside, u)).point, point_at(inside, u)), 2.0, 2e-6);
     }
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 
 #include "core/curve/knot_analysis.h"
@@ -175,7 +174,7 @@ TEST(AddControlPoint, far_part_of_a_custom_curve_stays) {
         const Curve result = add_control_point(curve, 10, {9.5, 1}).value();
         const double u = greville_abscissae(curve.knots())[10];
         for (const double far : {-6.5, -5.0, 5.0, 6.5})
-            EXPECT_NEAR(glm::distance(point_at(curve, u + far * 1.5), point_at(result, u + far * 1.5)), 0.0, 1e-12);
+            EXPECT_NEAR(distance(point_at(curve, u + far * 1.5), point_at(result, u + far * 1.5)), 0.0, 1e-12);
     }
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/rational_basis.h"
@@ -17,14 +16,14 @@ double change_between(const Curve& a, const Curve& b) {
     double sum = 0.0;
     for (std::size_t i = 0; i < a.control_points().size(); ++i) {
         const Vector move = b.control_points()[i] - a.control_points()[i];
-        sum += glm::dot(move, move);
+        sum += dot(move, move);
     }
     return std::sqrt(sum);
 }
 
 double size_of(const Curve& curve) {
     double largest = 0.0;
-    for (const Point& point : curve.control_points()) largest = std::max(largest, glm::length(point));
+    for (const Point& point : curve.control_points()) largest = std::max(largest, distance(point, {}));
     return largest;
 }
 
@@ -39,16 +38,16 @@ TEST(RationalBasis, makes_the_derivatives_of_the_curve) {
         const auto expected = derivatives_at(curve, u, order);
         const RationalBasis basis = rational_basis(curve, u, order);
         for (int r = 0; r <= order; ++r) {
-            Vector sum(0.0);
+            Vector sum{};
             double scale = 0.0;
             const auto& row = basis.derivatives[static_cast<std::size_t>(r)];
             for (std::size_t j = 0; j < row.size(); ++j) {
                 const Point point = curve.control_points()[(basis.first + j) % curve.control_points().size()];
-                sum += row[j] * point;
-                scale = std::max(scale, std::abs(row[j]) * glm::length(point));
+                sum += row[j] * vector_to(point);
+                scale = std::max(scale, std::abs(row[j]) * distance(point, {}));
             }
-            const Vector wanted = r == 0 ? expected.point : expected[static_cast<std::size_t>(r)];
-            EXPECT_LT(glm::distance(sum, wanted), 1e-12 * scale);
+            const Vector wanted = r == 0 ? vector_to(expected.point) : expected[static_cast<std::size_t>(r)];
+            EXPECT_LT(length(sum - wanted), 1e-12 * scale);
         }
     }
 }
@@ -72,7 +71,7 @@ TEST(MoveCurvePoint, reaches_the_target_with_the_least_change) {
         const double u = random.parameter(curve);
         const Point target(random.number(-9, 9), random.number(-9, 9));
         const Curve moved = move_curve_point(curve, u, target).value();
-        EXPECT_LT(glm::distance(point_at(moved, u), target), 1e-14 * size_of(moved));
+        EXPECT_LT(distance(point_at(moved, u), target), 1e-14 * size_of(moved));
         EXPECT_TRUE(std::ranges::equal(moved.weights(), curve.weights()));
         EXPECT_EQ(moved.knots(), curve.knots());
         // Any other change that keeps C(u) is larger: trade between two points that act there.
@@ -113,11 +112,11 @@ TEST(MoveCurvePoint, is_as_exact_far_from_the_origin_and_over_any_domain) {
             const double u = random.parameter(curve);
             const Point target = point_at(curve, u) + Vector(1, 2);
             const Curve moved = move_curve_point(curve, u, target).value();
-            EXPECT_LT(glm::distance(point_at(moved, u), target), 3e-9);
+            EXPECT_LT(distance(point_at(moved, u), target), 3e-9);
             const Vector tangent = derivatives_at(curve, u, 1)[1];
             const auto kept = move_curve_point_and_tangent(curve, u, target, tangent);
             if (!kept) continue;
-            EXPECT_LT(glm::distance(point_at(*kept, u), target), 3e-9);
+            EXPECT_LT(distance(point_at(*kept, u), target), 3e-9);
         }
 }
 
@@ -141,12 +140,12 @@ TEST(MovePointAndTangent, reaches_both_with_the_least_change) {
         ASSERT_TRUE(result);
         const auto found = derivatives_at(*result, u, 1, side);
         double size = 10.0;
-        for (const Point& point : result->control_points()) size = std::max(size, glm::length(point));
-        EXPECT_LT(glm::distance(found.point, target), 1e-13 * size);
+        for (const Point& point : result->control_points()) size = std::max(size, distance(point, {}));
+        EXPECT_LT(distance(found.point, target), 1e-13 * size);
         const RationalBasis basis = rational_basis(curve, u, 1, side);
         double steepest = 1.0;
         for (const double slope : basis.derivatives[1]) steepest = std::max(steepest, std::abs(slope));
-        EXPECT_LT(glm::distance(found[1], tangent), 1e-13 * size * steepest);
+        EXPECT_LT(length(found[1] - tangent), 1e-13 * size * steepest);
         // The change is a combination of shares and slopes, which is what makes it least.
         const std::size_t n = curve.control_points().size();
         if (n <= static_cast<std::size_t>(curve.degree()) || basis.derivatives[0].size() < 3) continue;

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <glm/geometric.hpp>
-
 #include "core/evaluate/blossom.h"
 #include "core/evaluate/de_boor.h"
 #include "core/evaluate/evaluate.h"
@@ -28,14 +26,14 @@ TEST(BlossomLabels, evaluate_to_the_points_that_they_name) {
         const Curve curve = random.curve();
         const DeBoorTriangle triangle = de_boor_triangle(curve, random.parameter(curve));
         double scale = 0.0;
-        for (const Point& point : curve.control_points()) scale = std::max(scale, glm::length(point));
+        for (const Point& point : curve.control_points()) scale = std::max(scale, distance(point, {}));
         for (std::size_t r = 0; r < triangle.levels.size(); ++r)
             for (const DeBoorCell& cell : triangle.levels[r]) {
                 const BlossomLabel label = de_boor_label(curve.knots(), cell.index, r);
                 const auto arguments = arguments_of(label, triangle.u);
                 ASSERT_EQ(arguments.size(), static_cast<std::size_t>(curve.degree()));
                 const Point point = project(blossom(curve, triangle.span, arguments));
-                EXPECT_LE(glm::distance(point, cell.point), 1e-12 * scale) << r << ' ' << cell.index;
+                EXPECT_LE(distance(point, cell.point), 1e-12 * scale) << r << ' ' << cell.index;
             }
     }
 }

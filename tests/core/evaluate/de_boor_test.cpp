@@ -60,9 +60,10 @@ TEST(DeBoor, every_cell_is_what_its_alpha_and_knots_say) {
                 const DeBoorCell& a = triangle.levels[r - 1][j];
                 const DeBoorCell& b = triangle.levels[r - 1][j + 1];
                 const double weight = (1 - cell.alpha) * a.weight + cell.alpha * b.weight;
-                const Point sum = (1 - cell.alpha) * a.weight * a.point + cell.alpha * b.weight * b.point;
+                const Vector sum =
+                    (1 - cell.alpha) * a.weight * vector_to(a.point) + cell.alpha * b.weight * vector_to(b.point);
                 EXPECT_NEAR(cell.weight, weight, 1e-14);
-                EXPECT_LE(reference::relative_distance(curve, cell.point, sum / weight), 1e-14);
+                EXPECT_LE(reference::relative_distance(curve, cell.point, tip_of(sum / weight)), 1e-14);
             }
         }
     }

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "core/curve/knot_kinds.h"
@@ -64,10 +63,10 @@ TEST(Evaluate, at_the_highest_degree_is_the_sum_of_its_basis) {
             for (int k = 0; k < 3; ++k) {
                 const double u = random.parameter(curve);
                 const BasisValues basis = basis_functions(*knots, u);
-                Point sum(0.0);
+                Vector sum{};
                 for (std::size_t j = 0; j <= max_degree; ++j)
-                    sum += basis.derivatives[0][j] * points[(basis.span - max_degree + j) % n];
-                EXPECT_LE(relative_distance(curve, point_at(curve, u), sum), 1e-13);
+                    sum += basis.derivatives[0][j] * vector_to(points[(basis.span - max_degree + j) % n]);
+                EXPECT_LE(relative_distance(curve, point_at(curve, u), tip_of(sum)), 1e-13);
             }
         }
 }
@@ -135,12 +134,12 @@ TEST(Evaluate, derivatives_agree_with_differences_of_points) {
         const double h = 1e-4 * (curve.knots()[s + 1] - curve.knots()[s]);
         const double u = 0.3 * curve.knots()[s] + 0.7 * curve.knots()[s + 1];
         const auto derivatives = derivatives_at(curve, u, 3);
-        const Vector before = point_at(curve, u - h);
-        const Vector after = point_at(curve, u + h);
+        const Point before = point_at(curve, u - h);
+        const Point after = point_at(curve, u + h);
         const Vector slope = (after - before) / (2 * h);
         // Central differences are wrong by h^2 C''' / 6.
-        const double allowed = h * h * glm::length(derivatives[3]) + 1e-13 / h;
-        EXPECT_LE(glm::length(slope - derivatives[1]), allowed);
+        const double allowed = h * h * length(derivatives[3]) + 1e-13 / h;
+        EXPECT_LE(length(slope - derivatives[1]), allowed);
     }
 }
 
@@ -206,13 +205,13 @@ TEST(Evaluate, projective_maps_commute_with_evaluation) {
         auto definition = curve.definition();
         for (std::size_t i = 0; i < definition.points.size(); ++i) {
             const double factor = denominator(definition.points[i]);
-            definition.points[i] /= factor;
+            definition.points[i] = tip_of(vector_to(definition.points[i]) / factor);
             definition.weights[i] *= factor;
         }
         const Curve mapped = Curve::make(definition).value();
         const double u = random.parameter(curve);
         const Point point = point_at(curve, u);
-        EXPECT_LE(relative_distance(mapped, point_at(mapped, u), point / denominator(point)), 1e-14);
+        EXPECT_LE(relative_distance(mapped, point_at(mapped, u), tip_of(vector_to(point) / denominator(point))), 1e-14);
     }
 }
 
@@ -225,7 +224,7 @@ TEST(Evaluate, stays_in_the_box_of_its_local_control_points) {
         Box box;
         for (std::size_t i = s - static_cast<std::size_t>(curve.degree()); i <= s; ++i)
             box.include(project(curve.homogeneous_point(i)));
-        const Vector slack(1e-13);
+        const Vector slack(1e-13, 1e-13);
         box.include(box.lower - slack);
         box.include(box.upper + slack);
         EXPECT_TRUE(box.contains(point_at(curve, u)));
@@ -266,7 +265,7 @@ TEST(Evaluate, curvature_scales_with_the_curve_and_not_with_the_parameter) {
     for (int k = 0; k < 100; ++k) {
         const Curve curve = random.open_curve();
         auto definition = curve.definition();
-        for (Point& point : definition.points) point *= 1024.0;
+        for (Point& point : definition.points) point = tip_of(1024.0 * vector_to(point));
         for (double& knot : definition.knots) knot *= 1.0 / 1048576;
         const double u = random.parameter(curve);
         const auto curvature = curvature_at(curve, u);
@@ -283,16 +282,16 @@ TEST(Evaluate, far_from_the_origin_derivatives_lose_nothing) {
     for (int k = 0; k < 300; ++k) {
         auto definition = random.curve().definition();
         // Rounded so that the translated points are exact.
-        for (Point& point : definition.points) point = glm::round(point * 1024.0) / 1024.0;
+        for (Point& point : definition.points)
+            point = {std::round(point.x * 1024.0) / 1024.0, std::round(point.y * 1024.0) / 1024.0};
         const Curve curve = Curve::make(definition).value();
         const Curve far = Curve::make(moved(definition, offset)).value();
         const double u = random.parameter(curve);
         const auto near_derivatives = derivatives_at(curve, u, 2);
         const auto far_derivatives = derivatives_at(far, u, 2);
-        EXPECT_LE(glm::distance(far_derivatives.point, near_derivatives.point + offset), 1e-8);
+        EXPECT_LE(distance(far_derivatives.point, near_derivatives.point + offset), 1e-8);
         for (std::size_t r = 1; r <= 2; ++r)
-            EXPECT_LE(glm::distance(far_derivatives[r], near_derivatives[r]),
-                      1e-11 * (glm::length(near_derivatives[r]) + 1.0));
+            EXPECT_LE(length(far_derivatives[r] - near_derivatives[r]), 1e-11 * (length(near_derivatives[r]) + 1.0));
     }
 }
 

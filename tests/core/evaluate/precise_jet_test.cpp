@@ -34,9 +34,9 @@ TEST(PreciseJet, agrees_with_the_derivatives_of_polynomial_curves) {
         const double u = random.parameter(curve);
         const Location at = located(curve.knots(), u, Side::right);
         const auto expected = derivatives_at(curve, u, 2);
-        const auto jet = precise_jet(curve, at.at, at.u, Point(0.0));
+        const auto jet = precise_jet(curve, at.at, at.u, Point{});
         for (std::size_t r = 0; r < 3; ++r) {
-            const Vector wanted = r == 0 ? expected.point : expected[r];
+            const Vector wanted = r == 0 ? vector_to(expected.point) : expected[r];
             const double size = std::max({8.0, std::abs(wanted.x), std::abs(wanted.y)});
             EXPECT_NEAR(jet[r].x.rounded(), wanted.x, 1e-12 * size);
             EXPECT_NEAR(jet[r].y.rounded(), wanted.y, 1e-12 * size);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "core/curve/knot_kinds.h"
 #include "core/evaluate/evaluate.h"
@@ -15,13 +14,13 @@ namespace {
 
 using Runs = std::vector<std::vector<CurveSample>>;
 
-const Box everything{Point(-1e6), Point(1e6)};
+const Box everything{{-1e6, -1e6}, {1e6, 1e6}};
 const double half_root = std::sqrt(0.5);
 
 Curve circle(double radius, Point center = {0, 0}) {
     const double w = half_root;
     std::vector<Point> points{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
-    for (Point& point : points) point = center + radius * point;
+    for (Point& point : points) point = center + radius * vector_to(point);
     return Curve::make({.degree = 2,
                         .knots = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1},
                         .points = points,
@@ -37,9 +36,9 @@ std::size_t sample_count(const Runs& runs) {
 
 double distance_to_chord(Point p, Point a, Point b) {
     const Vector along = b - a;
-    const double length_squared = glm::dot(along, along);
-    const double t = length_squared > 0.0 ? std::clamp(glm::dot(p - a, along) / length_squared, 0.0, 1.0) : 0.0;
-    return glm::distance(p, a + t * along);
+    const double length_squared = dot(along, along);
+    const double t = length_squared > 0.0 ? std::clamp(dot(p - a, along) / length_squared, 0.0, 1.0) : 0.0;
+    return distance(p, a + t * along);
 }
 
 // The farthest that the curve between neighbouring samples is from their chord, by 11 points in each.
@@ -148,7 +147,8 @@ TEST(Tessellate, what_is_in_the_view_is_never_left_out) {
         const Curve curve = random.curve();
         const double u = random.parameter(curve);
         const Point seen = point_at(curve, u);
-        const Runs runs = tessellate(curve, {1e-4, Box{seen - 0.01, seen + 0.01}, curve.domain()});
+        const Runs runs =
+            tessellate(curve, {1e-4, Box{seen - Vector(0.01, 0.01), seen + Vector(0.01, 0.01)}, curve.domain()});
         double nearest = 1e9;
         for (const auto& run : runs)
             for (std::size_t k = 0; k + 1 < run.size(); ++k)
@@ -188,13 +188,14 @@ TEST(Tessellate, steady_at_a_zoom_of_1e12) {
     const Point seen = point_at(curve, u);
     for (int i = 0; i < 20; ++i) {
         const Vector pan(1e-13 * i, -0.5e-13 * i);
-        const Runs runs = tessellate(curve, {2.5e-16, Box{seen + pan - 1e-12, seen + pan + 1e-12}, {0.0, 1.0}});
+        const Vector reach(1e-12, 1e-12);
+        const Runs runs = tessellate(curve, {2.5e-16, Box{seen + pan - reach, seen + pan + reach}, {0.0, 1.0}});
         ASSERT_EQ(runs.size(), 1U);
         EXPECT_LE(sample_count(runs), 20U);
         for (const auto& sample : runs[0]) {
             EXPECT_EQ(sample.point, point_at(curve, sample.u));
-            EXPECT_NEAR(glm::distance(sample.point, Point(3.0, -2.0)), 1.0, 1e-15);
-            EXPECT_LE(glm::distance(sample.point, seen), 200e-12) << "far samples would lose digits on the screen";
+            EXPECT_NEAR(distance(sample.point, Point(3.0, -2.0)), 1.0, 1e-15);
+            EXPECT_LE(distance(sample.point, seen), 200e-12) << "far samples would lose digits on the screen";
         }
     }
 }

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "core/base/detail/angle.h"
@@ -28,7 +27,7 @@ double worst_radius(const Curve& curve, Point center, double radius) {
     double worst = 0.0;
     for (int k = 0; k <= 400; ++k) {
         const double u = curve.domain().lower + curve.domain().length() * k / 400;
-        worst = std::max(worst, std::abs(glm::distance(point_at(curve, u), center) / radius - 1.0));
+        worst = std::max(worst, std::abs(distance(point_at(curve, u), center) / radius - 1.0));
     }
     return worst;
 }
@@ -99,7 +98,7 @@ TEST(Conics, arcs_of_all_angles_have_the_right_ends_pieces_and_weights) {
             EXPECT_NEAR(arc.weights()[1], weight, 2e-16) << sweep;
             EXPECT_EQ(arc.domain(), (Interval{0, 1}));
             const Point end = Point(1, 1) + 2.0 * unit_vector(20.0 + sign * sweep);
-            EXPECT_LE(glm::distance(arc.control_points().back(), end), 2e-15) << sweep;
+            EXPECT_LE(distance(arc.control_points().back(), end), 2e-15) << sweep;
             EXPECT_LE(worst_radius(arc, {1, 1}, 2.0), 6e-16) << sweep;
             // Turns the way that the sign says.
             const auto curvature = curvature_at(arc, 0.3);

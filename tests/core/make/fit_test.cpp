@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "core/base/detail/gauss_rule.h"
@@ -40,7 +39,7 @@ std::vector<Point> circle(std::size_t count) {
 double largest_distance(const Curve& curve, std::span<const Point> points) {
     double largest = 0.0;
     for (std::size_t k = 0; k < points.size(); k += 7)
-        largest = std::max(largest, glm::distance(nearest_point(curve, points[k]).point, points[k]));
+        largest = std::max(largest, distance(nearest_point(curve, points[k]).point, points[k]));
     return largest;
 }
 
@@ -98,7 +97,7 @@ TEST(Fit, has_no_smaller_sum_of_squares_beside_it) {
         double squares = 0.0;
         for (std::size_t k = 0; k < points.size(); ++k) {
             const Vector miss = point_at(curve, parameters[k]) - points[k];
-            squares += glm::dot(miss, miss);
+            squares += dot(miss, miss);
         }
         return squares;
     };
@@ -116,11 +115,11 @@ TEST(Fit, keeps_end_tangents) {
     const Vector end(9, -4);
     for (const int degree : {2, 3, 6}) {
         const auto found = fit(points, 15, {.degree = degree, .start_tangent = start, .end_tangent = end}).value();
-        EXPECT_LT(glm::distance(derivatives_at(found.curve, 0.0, 1)[1], start), 1e-12);
-        EXPECT_LT(glm::distance(derivatives_at(found.curve, 1.0, 1)[1], end), 1e-12);
+        EXPECT_LT(length(derivatives_at(found.curve, 0.0, 1)[1] - start), 1e-12);
+        EXPECT_LT(length(derivatives_at(found.curve, 1.0, 1)[1] - end), 1e-12);
         const auto one = fit(points, 15, {.degree = degree, .end_tangent = end}).value();
-        EXPECT_LT(glm::distance(derivatives_at(one.curve, 1.0, 1)[1], end), 1e-12);
-        EXPECT_GT(glm::distance(derivatives_at(one.curve, 0.0, 1)[1], start), 0.1);
+        EXPECT_LT(length(derivatives_at(one.curve, 1.0, 1)[1] - end), 1e-12);
+        EXPECT_GT(length(derivatives_at(one.curve, 0.0, 1)[1] - start), 0.1);
     }
     EXPECT_EQ(fit(points, 15, {.degree = 1, .start_tangent = start}).error(),
               (CurveError{.code = CurveErrorCode::degree_too_low, .value = 1, .lower = 2}));
@@ -132,7 +131,7 @@ TEST(Fit, smoothing_bends_less_and_ends_in_a_straight_line) {
         double sum = 0.0;
         for (int k = 0; k < 1000; ++k) {
             const Vector bend = derivatives_at(curve, (k + 0.5) / 1000.0, 2)[2];
-            sum += glm::dot(bend, bend) / 1000.0;
+            sum += dot(bend, bend) / 1000.0;
         }
         return sum;
     };
@@ -144,7 +143,7 @@ TEST(Fit, smoothing_bends_less_and_ends_in_a_straight_line) {
     }
     const Curve straight = fit(points, 40, {.smoothing = 1e12}).value().curve;
     for (const double u : {0.2, 0.5, 0.9})
-        EXPECT_LT(glm::distance(point_at(straight, u), points.front() + u * (points.back() - points.front())), 1e-3);
+        EXPECT_LT(distance(point_at(straight, u), points.front() + u * (points.back() - points.front())), 1e-3);
     EXPECT_TRUE(fit(points, 40, {.smoothing = 1e-4, .penalized_derivative = 3}));
     EXPECT_EQ(fit(points, 40, {.smoothing = -1}).error().code, CurveErrorCode::smoothing_negative);
 }
@@ -157,7 +156,7 @@ TEST(Fit, closed_curves_have_no_seam) {
         EXPECT_EQ(found.curve.control_points().size(), 12U);
         EXPECT_LT(found.error, 2e-2);
         for (const double u : {0.0, 0.1, 0.37, 0.98})
-            EXPECT_NEAR(glm::distance(point_at(found.curve, u), Point(5, 1)), 2.0, 2e-2);
+            EXPECT_NEAR(distance(point_at(found.curve, u), Point(5, 1)), 2.0, 2e-2);
     }
 }
 
@@ -169,9 +168,8 @@ TEST(Fit, is_the_same_far_from_the_origin) {
     const Curve near_curve = fit(points, 12).value().curve;
     const Curve far_curve = fit(far, 12).value().curve;
     for (std::size_t i = 0; i < 12; ++i)
-        EXPECT_LT(
-            glm::distance(near_curve.control_points()[i] + Vector(1048576, -2097152), far_curve.control_points()[i]),
-            1e-9);
+        EXPECT_LT(distance(near_curve.control_points()[i] + Vector(1048576, -2097152), far_curve.control_points()[i]),
+                  1e-9);
 }
 
 TEST(Fit, refuses_what_the_points_cannot_determine) {
@@ -226,7 +224,7 @@ TEST(FitWithin, closes_curves) {
             EXPECT_LE(found.error, tolerance);
             EXPECT_LT(found.curve.control_points().size(), 200U);
             for (const double u : {0.0, 0.2, 0.7})
-                EXPECT_NEAR(glm::distance(point_at(found.curve, u), Point(5, 1)), 2.0, 2 * tolerance);
+                EXPECT_NEAR(distance(point_at(found.curve, u), Point(5, 1)), 2.0, 2 * tolerance);
         }
 }
 

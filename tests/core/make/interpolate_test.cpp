@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "core/evaluate/evaluate.h"
@@ -36,14 +35,13 @@ std::vector<Point> spiral(std::size_t count) {
 double largest_miss(const Interpolation& result, std::span<const Point> points) {
     double largest = 0.0;
     for (std::size_t k = 0; k < points.size(); ++k)
-        largest = std::max(largest, glm::distance(point_at(result.curve, result.parameters[k]), points[k]));
+        largest = std::max(largest, distance(point_at(result.curve, result.parameters[k]), points[k]));
     return largest;
 }
 
 double largest_difference(std::span<const Point> a, std::span<const Point> b) {
     double largest = a.size() == b.size() ? 0.0 : std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-        largest = std::max(largest, glm::distance(a[i], b[i]));
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) largest = std::max(largest, distance(a[i], b[i]));
     return largest;
 }
 
@@ -97,7 +95,7 @@ TEST(Interpolate, passes_the_points_at_every_degree) {
             EXPECT_EQ(result.curve.control_points().front(), points.front());
             EXPECT_EQ(result.curve.control_points().back(), points.back());
             double size = 0.0;
-            for (const Point& point : result.curve.control_points()) size = std::max(size, glm::length(point));
+            for (const Point& point : result.curve.control_points()) size = std::max(size, distance(point, {}));
             EXPECT_LT(largest_miss(result, points), 1e-14 * size) << degree;
         }
 }
@@ -119,12 +117,12 @@ TEST(Interpolate, reproduces_a_polynomial) {
     }
     const auto result = interpolate(points, {3, {}, FreeEnds{}, parameters}).value();
     EXPECT_EQ(result.curve.domain(), (Interval{-1.0, 3.5}));
-    for (const double t : {-0.9, 0.0, 1.7, 3.2}) EXPECT_LT(glm::distance(point_at(result.curve, t), cubic(t)), 1e-13);
+    for (const double t : {-0.9, 0.0, 1.7, 3.2}) EXPECT_LT(distance(point_at(result.curve, t), cubic(t)), 1e-13);
     // With both tangents the quadratic part comes back too, from fewer points.
     const EndTangents tangents{Vector(1, -7), Vector(34.75, 29)};
     const auto hermite =
         interpolate(std::vector{points.front(), points.back()}, {3, {}, tangents, {-1.0, 3.5}}).value();
-    for (const double t : {-0.9, 0.0, 1.7, 3.2}) EXPECT_LT(glm::distance(point_at(hermite.curve, t), cubic(t)), 1e-13);
+    for (const double t : {-0.9, 0.0, 1.7, 3.2}) EXPECT_LT(distance(point_at(hermite.curve, t), cubic(t)), 1e-13);
 }
 
 TEST(Interpolate, keeps_end_tangents_of_either_end) {
@@ -138,8 +136,8 @@ TEST(Interpolate, keeps_end_tangents_of_either_end) {
             EXPECT_LT(largest_miss(result, points), 1e-11);
             const std::size_t added = (tangents.start ? 1U : 0U) + (tangents.end ? 1U : 0U);
             EXPECT_EQ(result.curve.control_points().size(), points.size() + added);
-            const double at_start = glm::distance(derivatives_at(result.curve, 0.0, 1)[1], start);
-            const double at_end = glm::distance(derivatives_at(result.curve, 1.0, 1)[1], end);
+            const double at_start = length(derivatives_at(result.curve, 0.0, 1)[1] - start);
+            const double at_end = length(derivatives_at(result.curve, 1.0, 1)[1] - end);
             EXPECT_EQ(at_start < 1e-11, tangents.start.has_value()) << degree;
             EXPECT_EQ(at_end < 1e-11, tangents.end.has_value()) << degree;
         }
@@ -153,9 +151,9 @@ TEST(Interpolate, natural_ends_have_no_second_derivative) {
         const auto result = interpolate(points, with(degree, NaturalEnds{})).value();
         EXPECT_LT(largest_miss(result, points), 1e-12);
         EXPECT_EQ(result.curve.control_points().size(), points.size() + 2);
-        const double scale = glm::length(derivatives_at(result.curve, 0.4, 2)[2]);
-        EXPECT_LT(glm::length(derivatives_at(result.curve, 0.0, 2)[2]), 1e-11 * scale) << degree;
-        EXPECT_LT(glm::length(derivatives_at(result.curve, 1.0, 2)[2]), 1e-11 * scale) << degree;
+        const double scale = length(derivatives_at(result.curve, 0.4, 2)[2]);
+        EXPECT_LT(length(derivatives_at(result.curve, 0.0, 2)[2]), 1e-11 * scale) << degree;
+        EXPECT_LT(length(derivatives_at(result.curve, 1.0, 2)[2]), 1e-11 * scale) << degree;
     }
     EXPECT_EQ(describe(interpolate(random_points(random, 8), with(2, NaturalEnds{})).error()),
               "the degree is 2; it must be at least 3 here");
@@ -179,7 +177,7 @@ TEST(Interpolate, closed_curves_pass_the_points_at_every_degree) {
             EXPECT_TRUE(result.curve.is_periodic());
             EXPECT_EQ(result.curve.control_points().size(), count);
             double size = 0.0;
-            for (const Point& point : result.curve.control_points()) size = std::max(size, glm::length(point));
+            for (const Point& point : result.curve.control_points()) size = std::max(size, distance(point, {}));
             EXPECT_LT(largest_miss(result, points), 1e-14 * size) << degree << " " << count;
         }
 }
@@ -192,7 +190,7 @@ TEST(Interpolate, closed_curves_of_uneven_steps_pass_the_points) {
             const auto result = interpolate(points, with(degree, ClosedEnds{}, Parametrization::centripetal));
             ASSERT_TRUE(result) << degree << ' ' << points.size();
             double size = 0.0;
-            for (const Point& point : result->curve.control_points()) size = std::max(size, glm::length(point));
+            for (const Point& point : result->curve.control_points()) size = std::max(size, distance(point, {}));
             EXPECT_LT(largest_miss(*result, points), 1e-13 * size) << degree << ' ' << points.size();
         }
 }
@@ -207,7 +205,7 @@ TEST(Interpolate, rotating_the_points_of_a_closed_curve_keeps_it) {
         const auto b = interpolate(rotated, with(degree, ClosedEnds{})).value();
         for (double u = 0.0; u < 1.0; u += 1.0 / 64) {
             const Point on_a = point_at(a.curve, a.parameters[4] + u);
-            EXPECT_LT(glm::distance(on_a, point_at(b.curve, b.parameters[0] + u)), 1e-11) << degree << ' ' << u;
+            EXPECT_LT(distance(on_a, point_at(b.curve, b.parameters[0] + u)), 1e-11) << degree << ' ' << u;
         }
     }
 }
@@ -238,7 +236,7 @@ TEST(Interpolate, is_as_exact_far_from_the_origin) {
         const auto near_curve = interpolate(points, with(3, ends)).value().curve;
         const auto far_curve = interpolate(far, with(3, ends)).value().curve;
         for (std::size_t i = 0; i < near_curve.control_points().size(); ++i)
-            EXPECT_LT(glm::distance(near_curve.control_points()[i] + offset, far_curve.control_points()[i]), 3e-10);
+            EXPECT_LT(distance(near_curve.control_points()[i] + offset, far_curve.control_points()[i]), 3e-10);
     }
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "core/evaluate/evaluate.h"
@@ -133,7 +132,7 @@ TEST(ArcLength, is_no_longer_than_the_polygon_and_no_shorter_than_chords) {
         for (int k = 1; k <= 2000; ++k) {
             const Point next = point_at(curve, curve.domain().lower + curve.domain().length() * k / 2000.0,
                                         k == 2000 ? Side::left : Side::right);
-            chords += glm::distance(last, next);
+            chords += distance(last, next);
             last = next;
         }
         EXPECT_GE(length.value, chords - 1e-12);

@@ -96,7 +96,7 @@ TEST(Area, agrees_with_a_fine_polygon) {
         Point last = point_at(curve, domain.lower);
         for (int k = 1; k <= 2000; ++k) {
             const Point next = point_at(curve, domain.lower + domain.length() * k / 2000.0);
-            doubled += last.x * next.y - last.y * next.x;
+            doubled += cross(vector_to(last), vector_to(next));
             last = next;
         }
         EXPECT_NEAR(enclosed_area(curve)->signed_area, 0.5 * doubled, 0.1);

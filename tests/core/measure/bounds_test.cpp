@@ -11,7 +11,7 @@ namespace batten::core {
 namespace {
 
 double cross(Point a, Point b, Point c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    return cross(b - a, c - a);
 }
 
 TEST(Bounds, control_box_is_that_of_the_points) {
@@ -26,8 +26,9 @@ TEST(Bounds, control_box_contains_the_curve) {
     for (int i = 0; i < 100; ++i) {
         const Curve curve = random.curve();
         Box box = control_box(curve);
-        box.lower -= 1e-14 * 8.0;
-        box.upper += 1e-14 * 8.0;
+        const Vector slack(1e-14 * 8.0, 1e-14 * 8.0);
+        box.lower -= slack;
+        box.upper += slack;
         for (int k = 0; k < 20; ++k) EXPECT_TRUE(box.contains(point_at(curve, random.parameter(curve))));
     }
 }

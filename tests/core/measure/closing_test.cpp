@@ -71,7 +71,7 @@ TEST(Closing, is_found_on_huge_and_tiny_domains_and_far_away) {
         CurveDefinition definition = random.periodic_curve().definition();
         const double scale = k % 2 == 0 ? 1e-9 : 1e9;
         for (double& knot : definition.knots) knot *= scale;
-        for (Point& point : definition.points) point += Point(1e6, -1e6);
+        for (Point& point : definition.points) point += Vector(1e6, -1e6);
         const Curve curve = Curve::make(std::move(definition)).value();
         EXPECT_EQ(closing_of(to_wrapped(curve, 1e-6)->curve).closing, Closing::wrapped) << k;
         EXPECT_NE(closing_of(to_clamped(curve).value()).closing, Closing::open) << k;

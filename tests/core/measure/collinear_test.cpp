@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "core/evaluate/evaluate.h"
 
@@ -28,11 +27,12 @@ Curve closed_curve(int degree, std::vector<Point> points) {
 // The largest distance of the curve over the run's interval from the chord of that interval.
 double bend(const Curve& curve, Interval straight) {
     const Point from = point_at(curve, straight.lower);
-    const Vector chord = glm::normalize(point_at(curve, straight.upper) - from);
+    Vector chord = point_at(curve, straight.upper) - from;
+    chord /= length(chord);
     double worst = 0.0;
     for (int k = 0; k <= 50; ++k) {
         const Vector to = point_at(curve, straight.lower + straight.length() * k / 50) - from;
-        worst = std::max(worst, std::abs(chord.x * to.y - chord.y * to.x));
+        worst = std::max(worst, std::abs(cross(chord, to)));
     }
     return worst;
 }
@@ -67,7 +67,7 @@ TEST(CollinearRuns, are_maximal_and_long_enough) {
 TEST(CollinearRuns, tolerance_is_relative_to_size_and_place) {
     for (const double scale : {1e-9, 1.0, 1e9})
         for (const double offset : {0.0, 1e6}) {
-            const auto place = [&](double x, double y) { return scale * Point(x + offset, y + offset); };
+            const auto place = [&](double x, double y) { return Point(scale * (x + offset), scale * (y + offset)); };
             const Curve bent = open_curve(2, {place(0, 0), place(1, 0.001), place(2, 0), place(3, 5)});
             EXPECT_TRUE(collinear_runs(bent).empty()) << scale << ' ' << offset;
             const Curve straight = open_curve(2, {place(0, 0), place(0.1, 0.3), place(0.2, 0.6), place(3, 5)});

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "core/evaluate/evaluate.h"
 #include "core/measure/cusps.h"
@@ -293,7 +292,8 @@ TEST(Cusps, at_an_uneven_parameter_and_of_a_rational_curve) {
     // A projective map keeps cusps: w = 2 + x is 3, 1, 2, 6.
     CurveDefinition definition = cusp.definition();
     definition.weights = {3, 1, 2, 6};
-    for (std::size_t i = 0; i < 4; ++i) definition.points[i] /= definition.weights[i];
+    for (std::size_t i = 0; i < 4; ++i)
+        definition.points[i] = tip_of(vector_to(definition.points[i]) / definition.weights[i]);
     const auto found = cusps(Curve::make(definition).value());
     ASSERT_EQ(found.size(), 1U);
     EXPECT_NEAR(found[0].u, 1.0 / 3.0, 1e-13);

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "core/evaluate/evaluate.h"
 #include "core/measure/intersect_curves.h"
@@ -48,14 +47,14 @@ Curve polygon(std::vector<Point> points) {
     return Curve::make({.degree = 1, .knots = std::move(knots), .points = std::move(points)}).value();
 }
 
-Curve ellipse(double a, double b, Point center = Point(0.0)) {
+Curve ellipse(double a, double b, Point center = Point{}) {
     const double w = std::sqrt(0.5);
     return moved(Curve::make({.degree = 2,
                               .knots = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1},
                               .points = {{a, 0}, {a, b}, {0, b}, {-a, b}, {-a, 0}, {-a, -b}, {0, -b}, {a, -b}, {a, 0}},
                               .weights = {1, w, 1, w, 1, w, 1, w, 1}})
                      .value(),
-                 center);
+                 vector_to(center));
 }
 
 // (t^2, t^3 - t) for t from -3/2 to 3/2 has its double point at t = -1 and 1, u = 1/6 and 5/6.
@@ -65,7 +64,7 @@ Curve loop() {
 
 // Crossings of two polylines that follow the curves, each once.
 std::size_t polyline_crossings(const std::vector<Point>& a, const std::vector<Point>& b) {
-    const auto side = [](Point p, Point q, Point r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); };
+    const auto side = [](Point p, Point q, Point r) { return cross(q - p, r - p); };
     std::size_t count = 0;
     for (std::size_t i = 0; i + 1 < a.size(); ++i)
         for (std::size_t j = 0; j + 1 < b.size(); ++j)
@@ -93,19 +92,19 @@ TEST(IntersectLine, circle_crossed_touched_and_missed) {
     for (const Vector offset : {Vector(0, 0), Vector(1e6, -3e6)}) {
         const Curve circle = moved(ellipse(1, 1), offset);
         const double rounding = offset.x == 0 ? 1e-14 : 1e-8;
-        const auto two = intersect_line(circle, offset + Vector(-2, 0.6), offset + Vector(3, 0.6)).value();
+        const auto two = intersect_line(circle, Point(-2, 0.6) + offset, Point(3, 0.6) + offset).value();
         ASSERT_EQ(two.contacts.size(), 2U);
         EXPECT_EQ(two.crossings, 2U);
         EXPECT_NEAR(two.contacts[0].point.x - offset.x, 0.8, rounding);
         EXPECT_NEAR(two.contacts[1].point.x - offset.x, -0.8, rounding);
         EXPECT_NEAR(two.contacts[0].along, 2.8 / 5, rounding);
         EXPECT_EQ(two.contacts[0].kind, ContactKind::crossing);
-        const auto one = intersect_line(circle, offset + Vector(-2, 1), offset + Vector(3, 1)).value();
+        const auto one = intersect_line(circle, Point(-2, 1) + offset, Point(3, 1) + offset).value();
         ASSERT_EQ(one.contacts.size(), 1U);
         EXPECT_EQ(one.contacts[0].kind, ContactKind::touching);
         EXPECT_NEAR(one.contacts[0].u, 0.25, 1e-9);
         EXPECT_EQ(one.crossings, 0U);
-        EXPECT_TRUE(intersect_line(circle, offset + Vector(-2, 1.01), offset + Vector(3, 1.01))->contacts.empty());
+        EXPECT_TRUE(intersect_line(circle, Point(-2, 1.01) + offset, Point(3, 1.01) + offset)->contacts.empty());
     }
     // An oblique tangent at 45 degrees, in the middle of a piece.
     const double root = std::sqrt(2.0);
@@ -184,14 +183,14 @@ TEST(IntersectLine, never_more_crossings_than_the_polygon_and_as_many_as_samples
         const Vector offset = i % 3 == 0 ? Vector(1e6, 1e6) : Vector(0, 0);
         const double x = random.number(-4, 4);
         const double y = random.number(-4, 4);
-        const Point a = offset + Vector(x, random.number(-4, 4));
+        const Point a = Point(x, random.number(-4, 4)) + offset;
         const Point b = a + Vector(random.number(0.1, 3), y);
         const auto found = intersect_line(curve, a, b).value();
         EXPECT_LE(found.crossings, found.polygon_crossings) << i;
-        const auto side = [&](Point p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); };
+        const auto side = [&](Point p) { return cross(b - a, p - a); };
         for (const LineContact& contact : found.contacts) {
             EXPECT_LE(std::abs(side(contact.point)), i % 3 == 0 ? 1e-7 : 1e-12) << i;
-            EXPECT_NEAR(glm::distance(a + contact.along * (b - a), contact.point), 0.0, i % 3 == 0 ? 1e-7 : 1e-12);
+            EXPECT_NEAR(distance(a + contact.along * (b - a), contact.point), 0.0, i % 3 == 0 ? 1e-7 : 1e-12);
         }
         std::size_t sampled = 0;
         const auto points = samples_of(curve, 500);
@@ -218,7 +217,7 @@ TEST(IntersectCurves, circles_in_closed_form) {
     for (const Vector offset : {Vector(0, 0), Vector(1e6, -3e6)}) {
         const Curve a = moved(ellipse(1, 1), offset);
         const double rounding = offset.x == 0 ? 1e-14 : 1e-8;
-        const auto two = intersect_curves(a, ellipse(1, 1, offset + Vector(1.2, 0)));
+        const auto two = intersect_curves(a, ellipse(1, 1, Point(1.2, 0) + offset));
         ASSERT_EQ(two.size(), 2U);
         for (const CurveContact& contact : two) {
             EXPECT_NEAR(contact.point.x - offset.x, 0.6, rounding);
@@ -227,14 +226,14 @@ TEST(IntersectCurves, circles_in_closed_form) {
         }
         // From outside, from inside, and not at all.
         for (const auto& [radius, x] : {std::pair(1.0, 2.0), std::pair(0.5, 0.5), std::pair(0.25, 1.25)}) {
-            const auto one = intersect_curves(a, ellipse(radius, radius, offset + Vector(x, 0)));
+            const auto one = intersect_curves(a, ellipse(radius, radius, Point(x, 0) + offset));
             ASSERT_EQ(one.size(), 1U) << radius;
             EXPECT_TRUE(one[0].is_tangent);
             EXPECT_NEAR(one[0].point.x - offset.x, 1.0, 1e-8);
             EXPECT_NEAR(one[0].point.y - offset.y, 0.0, 1e-3);
         }
-        EXPECT_TRUE(intersect_curves(a, ellipse(1, 1, offset + Vector(2.001, 0))).empty());
-        EXPECT_TRUE(intersect_curves(a, ellipse(0.5, 0.5, offset)).empty());
+        EXPECT_TRUE(intersect_curves(a, ellipse(1, 1, Point(2.001, 0) + offset)).empty());
+        EXPECT_TRUE(intersect_curves(a, ellipse(0.5, 0.5, tip_of(offset))).empty());
     }
     // Tangent in the middle of pieces, at 3-4-5.
     const auto oblique = intersect_curves(ellipse(1, 1), ellipse(2, 2, {1.8, 2.4}));
@@ -264,7 +263,7 @@ TEST(IntersectCurves, two_cubics_meet_nine_times) {
     const auto found = intersect_curves(a, b);
     EXPECT_EQ(found.size(), 9U);
     for (const CurveContact& contact : found)
-        EXPECT_LE(glm::distance(point_at(a, contact.u), point_at(b, contact.v)), 1e-14);
+        EXPECT_LE(distance(point_at(a, contact.u), point_at(b, contact.v)), 1e-14);
 }
 
 TEST(IntersectCurves, common_ends_and_corners_once) {
@@ -358,7 +357,7 @@ TEST(IntersectCurves, as_many_as_fine_polylines) {
         if (a.control_points().size() < 3 || b.control_points().size() < 3) continue;
         const auto found = intersect_curves(a, b);
         for (const CurveContact& contact : found)
-            EXPECT_LE(glm::distance(point_at(a, contact.u), point_at(b, contact.v)), 1e-11) << i;
+            EXPECT_LE(distance(point_at(a, contact.u), point_at(b, contact.v)), 1e-11) << i;
         EXPECT_EQ(found.size(), polyline_crossings(samples_of(a, 150), samples_of(b, 150))) << i;
         EXPECT_EQ(intersect_curves(b, a).size(), found.size()) << i;
         const Vector offset(1e6, -2e6);
@@ -404,7 +403,7 @@ TEST(SelfIntersections, figure_8_and_pentagram) {
             .value();
     const auto one = self_intersections(eight);
     ASSERT_EQ(one.size(), 1U);
-    EXPECT_NEAR(glm::length(one[0].point), 0.0, 1e-14);
+    EXPECT_NEAR(distance(one[0].point, {}), 0.0, 1e-14);
     std::vector<Point> star;
     for (int k = 0; k <= 5; ++k)
         star.emplace_back(std::cos(4 * 3.141592653589793 * k / 5), std::sin(4 * 3.141592653589793 * k / 5));
@@ -430,7 +429,7 @@ TEST(SelfIntersections, as_many_as_fine_polylines) {
         const auto found = self_intersections(curve);
         for (const CurveContact& contact : found) {
             EXPECT_LT(contact.u, contact.v);
-            EXPECT_LE(glm::distance(point_at(curve, contact.u), point_at(curve, contact.v)), 1e-11) << i;
+            EXPECT_LE(distance(point_at(curve, contact.u), point_at(curve, contact.v)), 1e-11) << i;
         }
         // Every crossing of the polyline with itself is met twice.
         const auto points = samples_of(curve, 150);

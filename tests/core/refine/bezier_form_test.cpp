@@ -35,8 +35,8 @@ TEST(BezierForm, has_the_points_of_the_pieces) {
             const BezierPiece by_blossoms = bezier_piece(curve, found[i].span);
             for (std::size_t j = 0; j <= p; ++j) {
                 const Point expected = project(by_blossoms.points[j]);
-                EXPECT_LE(glm::distance(curves[i].control_points()[j], expected), 1e-12);
-                EXPECT_LE(glm::distance(project(found[i].points[j]), expected), 1e-12);
+                EXPECT_LE(distance(curves[i].control_points()[j], expected), 1e-12);
+                EXPECT_LE(distance(project(found[i].points[j]), expected), 1e-12);
             }
         }
     }

@@ -71,7 +71,7 @@ TEST(KnotInsertion, touches_only_p_minus_multiplicity_points) {
     RandomCurves random(57);
     for (int k = 0; k < 50; ++k) {
         auto definition = lecture_cubic().definition();
-        for (Point& point : definition.points) point *= random.number(0.5, 2);
+        for (Point& point : definition.points) point = tip_of(random.number(0.5, 2) * vector_to(point));
         for (double& weight : definition.weights) weight = random.number(0.5, 2);
         const Curve before = Curve::make(definition).value();
         const Curve after = insert_knot(before, 0.4).value();

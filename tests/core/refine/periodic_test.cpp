@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 
 #include "core/curve/knot_analysis.h"
@@ -109,7 +108,7 @@ TEST(Periodic, seam_is_as_smooth_by_its_knots_as_the_curve_is) {
             // The seam may be named at the other end of the period, which turns the points.
             double nearest = std::numeric_limits<double>::infinity();
             for (const Point& point : closed.curve.control_points())
-                nearest = std::min(nearest, glm::distance(point, periodic.control_points()[i]));
+                nearest = std::min(nearest, distance(point, periodic.control_points()[i]));
             EXPECT_LE(nearest, 1e-8) << k;
         }
     }
@@ -142,7 +141,7 @@ TEST(Periodic, closes_a_rational_curve_with_different_end_weights) {
     for (int k = 0; k <= 40; ++k) {
         const double t = k / 40.0;
         const double s = t / (t + 2.0 * (1.0 - t));
-        EXPECT_LE(glm::distance(point_at(closed.curve, 2.0 * t), point_at(drop, 2.0 * s)), 4e-15) << t;
+        EXPECT_LE(distance(point_at(closed.curve, 2.0 * t), point_at(drop, 2.0 * s)), 4e-15) << t;
     }
 }
 
@@ -212,7 +211,7 @@ TEST(Periodic, works_far_away_and_on_tiny_and_huge_domains) {
         CurveDefinition definition = random.periodic_curve().definition();
         const double scale = k % 2 == 0 ? 1e-9 : 1e9;
         for (double& knot : definition.knots) knot *= scale;
-        for (Point& point : definition.points) point += Point(1e6, -1e6);
+        for (Point& point : definition.points) point += Vector(1e6, -1e6);
         const Curve curve = Curve::make(std::move(definition)).value();
         const Curve clamped = to_clamped(curve).value();
         EXPECT_LE(difference(curve, clamped, random), 1e-14) << k;

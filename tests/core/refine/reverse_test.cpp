@@ -14,7 +14,7 @@ double change_by_reversing(const Curve& curve, const Curve& reversed, RandomCurv
     for (int k = 0; k < 40; ++k) {
         const double u = random.number(domain.lower, domain.upper);
         largest =
-            std::max(largest, glm::distance(point_at(curve, u), point_at(reversed, domain.lower + (domain.upper - u))));
+            std::max(largest, distance(point_at(curve, u), point_at(reversed, domain.lower + (domain.upper - u))));
     }
     return largest / golden::largest_coordinate(curve.control_points());
 }
