@@ -1,7 +1,6 @@
 #include "core/evaluate/evaluate.h"
 
 #include <cmath>
-#include <utility>
 
 #include "core/curve/detail/bspline.h"
 #include "core/evaluate/detail/precise_jet.h"
@@ -42,21 +41,24 @@ HomogeneousJet homogeneous_derivatives(LocalPoints<HomogeneousPoint> points, con
     return derivatives;
 }
 
-// Derivatives of the shadow, by Leibniz's rule for A = w C:
+// The jet at `point` of the shadow of what is seen from there, by Leibniz's rule for A = w C:
 //     C^(k) = (A^(k) - sum_{i=1..k} binomial(k, i) w^(i) C^(k-i)) / w
-std::vector<Vector> shadow_derivatives(const HomogeneousJet& homogeneous) {
-    std::vector<Vector> shadow;
-    shadow.reserve(homogeneous.size());
-    for (std::size_t k = 0; k < homogeneous.size(); ++k) {
+Jet shadow_jet(const HomogeneousJet& homogeneous, Point point) {
+    const double weight = homogeneous[0].z;
+    // Nothing but for rounding.
+    const Vector from_point = plane_part(homogeneous[0]) / weight;
+    Jet jet{.point = point};
+    jet.derivatives.reserve(homogeneous.size() - 1);
+    for (std::size_t k = 1; k < homogeneous.size(); ++k) {
         Vector sum = plane_part(homogeneous[k]);
         double binomial = 1.0;
         for (std::size_t i = 1; i <= k; ++i) {
             binomial *= static_cast<double>(k - i + 1) / static_cast<double>(i);
-            sum -= binomial * homogeneous[i].z * shadow[k - i];
+            sum -= binomial * homogeneous[i].z * (i < k ? jet[k - i] : from_point);
         }
-        shadow.push_back(sum / homogeneous[0].z);
+        jet.derivatives.push_back(sum / weight);
     }
-    return shadow;
+    return jet;
 }
 
 // The largest speed that the legs of the local polygon would give at this weight. Rounding leaves an error of a few
@@ -91,10 +93,7 @@ Jet derivatives_at(const Curve& curve, double u, int order, Side side) {
     const auto [inside, at] = located(curve.knots(), u, side);
     const Point point = point_on_span(curve, at, inside);
     const auto points = local_points(curve, at, point);
-    auto derivatives = shadow_derivatives(homogeneous_derivatives(points, at, inside, static_cast<std::size_t>(order)));
-    // What is left of the point, seen from where it is.
-    derivatives.erase(derivatives.begin());
-    return {point, std::move(derivatives)};
+    return shadow_jet(homogeneous_derivatives(points, at, inside, static_cast<std::size_t>(order)), point);
 }
 
 std::optional<double> curvature_at(const Curve& curve, double u, Side side) {
@@ -102,15 +101,15 @@ std::optional<double> curvature_at(const Curve& curve, double u, Side side) {
     const Point point = point_on_span(curve, at, inside);
     const auto points = local_points(curve, at, point);
     const HomogeneousJet homogeneous = homogeneous_derivatives(points, at, inside, 2);
-    const auto derivatives = shadow_derivatives(homogeneous);
-    const double speed = robust_length(derivatives[1]);
+    const Jet jet = shadow_jet(homogeneous, point);
+    const double speed = robust_length(jet[1]);
     const double resolution = 64 * std::numeric_limits<double>::epsilon();
     const double fast = polygon_speed(points, at, homogeneous[0].z);
     if (!(speed > resolution * fast)) return std::nullopt;
-    const Vector tangent = derivatives[1] / speed;
+    const Vector tangent = jet[1] / speed;
     // Where the curve is slow its speed is what differences of large vectors leave.
-    const double curvature = speed < slow_part * fast ? precise_curvature(curve, at, inside, point)
-                                                      : cross(tangent, derivatives[2]) / speed / speed;
+    const double curvature =
+        speed < slow_part * fast ? precise_curvature(curve, at, inside, point) : cross(tangent, jet[2]) / speed / speed;
     return std::isfinite(curvature) ? std::optional(curvature) : std::nullopt;
 }
 
