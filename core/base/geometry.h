@@ -103,6 +103,11 @@ constexpr double cross(Vector a, Vector b) {
     return a.x * b.y - a.y * b.x;
 }
 
+/// The angle from `a` to `b`, in (-pi, pi], positive to the left.
+inline double angle_between(Vector a, Vector b) {
+    return std::atan2(cross(a, b), dot(a, b));
+}
+
 /// `v` turned to the left by a right angle.
 constexpr Vector turned_left(Vector v) {
     return {-v.y, v.x};

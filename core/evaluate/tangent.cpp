@@ -42,8 +42,4 @@ std::optional<Vector> tangent_at(const Curve& curve, double u, Side side) {
     return std::nullopt;
 }
 
-double angle_between(Vector a, Vector b) {
-    return std::atan2(cross(a, b), dot(a, b));
-}
-
 }  // namespace batten::core

@@ -13,7 +13,4 @@ namespace batten::core {
 /// single point. At the ends of an open curve's domain the side is the one inside. Cost O(p^3).
 std::optional<Vector> tangent_at(const Curve& curve, double u, Side side = Side::right);
 
-/// The angle from `a` to `b`, in (-pi, pi], positive to the left.
-double angle_between(Vector a, Vector b);
-
 }  // namespace batten::core

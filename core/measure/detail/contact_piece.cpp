@@ -3,8 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/evaluate/tangent.h"
-
 namespace batten::core {
 
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <numbers>
 #include <type_traits>
 
 #include "core/curve/detail/bspline.h"
@@ -183,6 +184,14 @@ TEST(Geometry, dot_tells_forwards_from_backwards) {
     EXPECT_EQ(dot({2, 3}, {5, 7}), 31.0);
     EXPECT_EQ(dot({2, 3}, {-5, -7}), -31.0);
     EXPECT_EQ(dot({2, 3}, turned_left({2, 3})), 0.0);
+}
+
+TEST(Geometry, angles_are_positive_to_the_left) {
+    EXPECT_EQ(angle_between({2, 0}, {0, 3}), 0.5 * std::numbers::pi);
+    EXPECT_EQ(angle_between({0, 3}, {2, 0}), -0.5 * std::numbers::pi);
+    EXPECT_EQ(angle_between({1, 2}, {3, 6}), 0.0);
+    EXPECT_EQ(angle_between({1, 2}, {-1, -2}), std::numbers::pi);
+    EXPECT_NEAR(angle_between({1, 1}, {-1, 1}), 0.5 * std::numbers::pi, 1e-15);
 }
 
 TEST(Geometry, turned_left_is_a_quarter_of_a_turn) {
