@@ -18,7 +18,7 @@ namespace batten::editor {
 /// What was left out, or is not there.
 using Absent = std::monostate;
 
-/// Choices, files and colors are texts; positions and vectors are pairs of numbers.
+/// Choices, files and colors are texts; a vector is the point it leads to from (0, 0).
 using FieldValue = std::variant<Absent, bool, std::int64_t, double, std::string, core::Point, std::vector<double>,
                                 std::vector<std::size_t>, std::vector<core::Point>>;
 
@@ -44,6 +44,12 @@ template <core::HasNames Enum>
 struct FieldConversion<Enum> {
     static FieldValue to(Enum member) { return std::string(core::name_of(member)); }
     static Enum from(const FieldValue& value) { return *core::value_named<Enum>(std::get<std::string>(value)); }
+};
+
+template <>
+struct FieldConversion<core::Vector> {
+    static FieldValue to(core::Vector member) { return core::tip_of(member); }
+    static core::Vector from(const FieldValue& value) { return core::vector_to(std::get<core::Point>(value)); }
 };
 
 template <>
