@@ -16,6 +16,8 @@ struct Named {
     const char* name;   ///< "clamped-uniform"
     const char* title;  ///< "clamped uniform"
 };
+template <class Enum>
+Named(Enum, const char*, const char*) -> Named<Enum>;
 
 /// The table of an enumeration; a specialization stands beside the enumeration:
 ///

@@ -22,7 +22,7 @@ std::string filled(const char* pattern, std::span<const Place> places) {
     try {
         return fmt::vformat(pattern, store);
     } catch (const fmt::format_error&) {
-        assert(!"a place of the template was not given");
+        assert(false && "a place of the template was not given");
         return pattern;
     }
 }
