@@ -182,6 +182,7 @@ ui::FrameInput Input::take() {
         if (const auto* key = std::get_if<ui::KeyPress>(&events_.front())) {
             result.key_presses.push_back(*key);
             events_.pop_front();
+            ++handled_.key_count;
             continue;
         }
         if (!result.key_presses.empty()) break;

@@ -52,6 +52,7 @@ class Input {
     glm::dvec2 handled_position_px() const { return handled_.position_px; }
     int handled_buttons_down() const { return handled_.buttons_down; }
     std::size_t handled_press_count() const { return handled_.press_count; }
+    std::size_t handled_key_count() const { return handled_.key_count; }
 
     /// Files dropped on the window since the last call.
     std::vector<std::filesystem::path> take_dropped_files() { return std::exchange(dropped_files_, {}); }
@@ -69,6 +70,7 @@ class Input {
         glm::dvec2 position_px{};
         int buttons_down = 0;
         std::size_t press_count = 0;
+        std::size_t key_count = 0;
     };
 
     editor::PointerEvent pointer_event(editor::PointerAction action) const;

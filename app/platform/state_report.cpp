@@ -129,6 +129,7 @@ void write_state_report(const ShownFrame& frame, const std::filesystem::path& pa
     report["pointer"] = pixel_json(frame.input.handled_position_px());
     report["buttons_down"] = frame.input.handled_buttons_down();
     report["press_count"] = frame.input.handled_press_count();
+    report["key_count"] = frame.input.handled_key_count();
     report["frames_per_second"] = frame.clock.frames_per_second();
     report["frame_count"] = frame.clock.frame_count();
     report["is_settled"] = frame.clock.is_settled() && !frame.input.is_pending();

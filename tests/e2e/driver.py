@@ -175,7 +175,16 @@ class Editor:
         self.xdotool("click", "--repeat", abs(notches), 4 if notches > 0 else 5)
 
     def key(self, *names):
+        before = self.state()["key_count"]
         self.xdotool("key", *names)
+
+        def is_handled():
+            if self.process.poll() is not None:
+                return True
+            state = self.state()
+            return state["key_count"] >= before + len(names) and (state["is_settled"] or state["is_playing"])
+
+        self.wait_until(is_handled, f"the keys {names}")
 
     def type(self, text):
         self.xdotool("type", "--delay", 5, "--", text)
