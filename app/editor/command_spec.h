@@ -79,7 +79,7 @@ struct CommandSpec {
     const char* done = nullptr;
     StepTexts (*texts)(const EditorState& state, const void* command) = nullptr;
 
-    bool is_logged = true;
+    bool is_logged = true;  ///< false for what only opens and closes dialogs
 };
 
 namespace detail {

@@ -103,7 +103,7 @@ bool commit_edit(EditorState& state, const Command& command) {
 }
 
 bool commit_act(EditorState& state, const Command& command) {
-    if (command.spec().is_logged) state.message = {};
+    state.message = {};
     const Outcome<void> outcome = command.spec().run.act(state, command.fields());
     return outcome ? true : show_refusal(state, outcome.error());
 }

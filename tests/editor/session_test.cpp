@@ -8,6 +8,7 @@
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/fitting_commands.h"
+#include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
@@ -100,6 +101,8 @@ TEST(Session, logs_the_values_of_suggestions) {
     editor.run(SelectPoints{.points = {1}});
     run_typed(editor, "nudge-right-far");
     editor.change(SetHover{HoveredPoint{1}});
+    editor.run(ToggleKeySheet{});
+    editor.run(CloseDialog{});
     editor.run(InsertKnot{.u = 7.0});
     const std::vector<Command> log(editor.log().begin() + static_cast<std::ptrdiff_t>(start), editor.log().end());
     ASSERT_EQ(log.size(), 4U);

@@ -66,7 +66,8 @@ const CommandSpec& TogglePalette::spec() {
                                   .group = CommandGroup::help,
                                   .offered = in_the_window,
                                   .shortcut = {Key::p, {true, false, false}},
-                                  .run = body_of<toggle_dialog<TogglePalette, Dialog::command_palette>>};
+                                  .run = body_of<toggle_dialog<TogglePalette, Dialog::command_palette>>,
+                                  .is_logged = false};
     return spec;
 }
 
@@ -78,7 +79,8 @@ const CommandSpec& ToggleKeySheet::spec() {
                                   .group = CommandGroup::help,
                                   .offered = in_the_window,
                                   .shortcut = {Key::f1, {}},
-                                  .run = body_of<toggle_dialog<ToggleKeySheet, Dialog::key_sheet>>};
+                                  .run = body_of<toggle_dialog<ToggleKeySheet, Dialog::key_sheet>>,
+                                  .is_logged = false};
     return spec;
 }
 
@@ -89,7 +91,8 @@ const CommandSpec& ToggleWelcome::spec() {
                                   .synonyms = "start",
                                   .group = CommandGroup::help,
                                   .offered = in_the_window,
-                                  .run = body_of<toggle_dialog<ToggleWelcome, Dialog::welcome>>};
+                                  .run = body_of<toggle_dialog<ToggleWelcome, Dialog::welcome>>,
+                                  .is_logged = false};
     return spec;
 }
 
@@ -100,7 +103,8 @@ const CommandSpec& ToggleAbout::spec() {
                                   .synonyms = "version license",
                                   .group = CommandGroup::help,
                                   .offered = in_the_window,
-                                  .run = body_of<toggle_dialog<ToggleAbout, Dialog::about>>};
+                                  .run = body_of<toggle_dialog<ToggleAbout, Dialog::about>>,
+                                  .is_logged = false};
     return spec;
 }
 
@@ -110,7 +114,8 @@ const CommandSpec& CloseDialog::spec() {
                                   .explanation = "Closes what covers the window, without an answer.",
                                   .group = CommandGroup::gesture,
                                   .offered = nowhere,
-                                  .run = body_of<close_dialog>};
+                                  .run = body_of<close_dialog>,
+                                  .is_logged = false};
     return spec;
 }
 
@@ -120,7 +125,8 @@ const CommandSpec& DismissMessage::spec() {
                                   .explanation = "Takes the message away.",
                                   .group = CommandGroup::gesture,
                                   .offered = nowhere,
-                                  .run = body_of<dismiss_message>};
+                                  .run = body_of<dismiss_message>,
+                                  .is_logged = false};
     return spec;
 }
 

@@ -76,24 +76,12 @@ Outcome<void> find_nearest(EditorState& state, const FindNearest& command) {
     return show_rows(state, "Nearest point", std::move(summary), {std::move(row)});
 }
 
-const char* text_of(core::ContactKind kind) {
-    switch (kind) {
-        case core::ContactKind::touching:
-            return "touches";
-        case core::ContactKind::ending:
-            return "ends there";
-        case core::ContactKind::crossing:
-            break;
-    }
-    return "crosses";
-}
-
 std::string times_text(std::size_t count) {
     return sentence({.one = "once", .many = "{count} times", .none = "not at all"}, count);
 }
 
 Finding contact_row(const core::LineContact& contact) {
-    Finding row{.label = text_of(contact.kind),
+    Finding row{.label = core::title_of(contact.kind),
                 .parameter = contact.u,
                 .point = contact.point,
                 .numbers = {{"along", contact.along}}};
