@@ -1,5 +1,6 @@
 #include "app/editor/field.h"
 
+#include "app/editor/field_text.h"
 #include "app/editor/formula.h"
 #include "app/editor/state.h"
 #include "core/base/sentence.h"
@@ -42,7 +43,7 @@ struct ShownText {
     const EditorState& state;
 
     std::string operator()(Absent) const { return "none"; }
-    std::string operator()(bool value) const { return value ? "yes" : "no"; }
+    std::string operator()(bool value) const { return flag_text(value); }
     std::string operator()(std::int64_t value) const { return shown_whole(field, value, state); }
     std::string operator()(double value) const { return number_text(value); }
     std::string operator()(const std::string& value) const { return shown_string(field, value); }

@@ -19,7 +19,7 @@ using Numbers = std::vector<double>;
 struct FoundText {
     std::string operator()(Absent) const { return "nothing"; }
     std::string operator()(const Word& word) const { return word.text; }
-    std::string operator()(bool value) const { return value ? "yes" : "no"; }
+    std::string operator()(bool value) const { return flag_text(value); }
     std::string operator()(double value) const { return core::shortest_text(value); }
     std::string operator()(const std::string& value) const { return sentence("the text '{text}'", {{"text", value}}); }
     std::string operator()(const Numbers& values) const {

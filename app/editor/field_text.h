@@ -8,6 +8,11 @@
 
 namespace batten::editor {
 
+/// How a flag is shown, and the first way to type it.
+constexpr const char* flag_text(bool flag) {
+    return flag ? "yes" : "no";
+}
+
 /// The value that `given` means, one argument for each part of the field. The sentence names the part, what was found
 /// and what is needed; whether there is such a thing is check_field's to say.
 Outcome<FieldValue> read_field(const Field& field, std::span<const Argument> given);

@@ -57,16 +57,9 @@ const char* effect_sign(editor::ShapeEffect effect) {
     return "";
 }
 
-const char* effect_text(editor::ShapeEffect effect) {
-    switch (effect) {
-        case editor::ShapeEffect::none:
-            return "";
-        case editor::ShapeEffect::keeps:
-            return "≅ keeps the shape";
-        case editor::ShapeEffect::changes:
-            return "≠ changes the shape";
-    }
-    return "";
+std::string effect_text(editor::ShapeEffect effect) {
+    if (effect == editor::ShapeEffect::none) return {};
+    return sentence("{sign} {effect}", {{"sign", effect_sign(effect)}, {"effect", core::title_of(effect)}});
 }
 
 std::string command_tooltip(const editor::CommandSpec& spec, const editor::EditorState& state) {

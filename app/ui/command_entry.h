@@ -26,7 +26,7 @@ void run_command(const PanelContext& context, const editor::CommandSpec& spec);
 const char* effect_sign(editor::ShapeEffect effect);
 
 /// "≅ keeps the shape", "≠ changes the shape", or empty.
-const char* effect_text(editor::ShapeEffect effect);
+std::string effect_text(editor::ShapeEffect effect);
 
 /// "Insert knot (K)", the explanation, the effect on the shape and the refusal, for a tool tip.
 std::string command_tooltip(const editor::CommandSpec& spec, const editor::EditorState& state);

@@ -35,7 +35,7 @@ constexpr int message_lines = 3;
 /// What is written in a form for `argument`.
 struct TextOf {
     std::string operator()(std::monostate) const { return {}; }
-    std::string operator()(bool value) const { return value ? "yes" : "no"; }
+    std::string operator()(bool value) const { return editor::flag_text(value); }
     std::string operator()(double value) const { return core::shortest_text(value); }
     std::string operator()(const std::string& text) const { return text; }
     std::string operator()(const editor::Word& word) const { return word.text; }

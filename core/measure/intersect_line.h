@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/base/names.h"
 #include "core/curve/curve.h"
 
 namespace batten::core {
@@ -12,6 +13,13 @@ enum class ContactKind {
     crossing,  ///< from one side to the other
     touching,  ///< the same side before and after
     ending     ///< the curve begins or ends there
+};
+
+template <>
+struct Names<ContactKind> {
+    static constexpr std::array table{Named{ContactKind::crossing, "crossing", "crosses"},
+                                      Named{ContactKind::touching, "touching", "touches"},
+                                      Named{ContactKind::ending, "ending", "ends there"}};
 };
 
 /// A place where a curve meets a line.

@@ -138,6 +138,15 @@ TEST(CommandTable, explains_every_command) {
     }
 }
 
+// A step says what it did; what is not undone says nothing.
+TEST(CommandTable, says_what_every_edit_did) {
+    for (const CommandSpec& spec : command_table()) {
+        const bool has_texts = spec.texts != nullptr || spec.done != nullptr;
+        EXPECT_EQ(has_texts, spec.run.edit != nullptr) << spec.name;
+        EXPECT_TRUE(spec.step == nullptr || spec.done != nullptr) << spec.name;
+    }
+}
+
 TEST(CommandTable, gives_no_shortcut_twice) {
     std::map<std::string, std::string> owners;
     for (const CommandSpec& spec : command_table())
