@@ -3,18 +3,14 @@
 #include "app/editor/canvas_mode.h"
 #include "app/editor/formula.h"
 #include "app/editor/gesture.h"
+#include "app/editor/hint_text.h"
+#include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 
 namespace batten::editor {
 namespace {
 
-std::string point_name(std::size_t i) {
-    return plain_text("P_{" + std::to_string(i) + "}");
-}
-
-std::string position_text(core::Point point) {
-    return "(" + number_text(point.x) + ", " + number_text(point.y) + ")";
-}
+using core::sentence;
 
 std::string knot_value(const core::Curve& curve, std::size_t stored_index) {
     const auto stored = curve.knots().stored();
@@ -33,31 +29,35 @@ struct SelectHint {
     std::string operator()(const HoveredPoint& h) const {
         const std::size_t selected = state.selection.points.size();
         if (selected > 1 && state.selection.contains_point(h.index))
-            return "Drag to move the " + std::to_string(selected) + " selected points · click to select " +
-                   point_name(h.index) + " alone";
-        return "Drag " + point_name(h.index) + " to move it · hold Alt to change its weight";
+            return sentence("Drag to move the {count} selected points · click to select {point} alone",
+                            {{"count", selected}, {"point", point_text(h.index)}});
+        return sentence("Drag {point} to move it · hold Alt to change its weight", {{"point", point_text(h.index)}});
     }
     std::string operator()(const HoveredWeightRing& h) const {
         if (!has_point(curve, h.index)) return {};
-        return "Drag up or right to raise the weight of " + point_name(h.index) + ", now " +
-               number_text(curve.weights()[h.index]) + ", down or left to lower it";
+        return sentence("Drag up or right to raise the weight of {point}, now {weight}, down or left to lower it",
+                        {{"point", point_text(h.index)}, {"weight", number_text(curve.weights()[h.index])}});
     }
     std::string operator()(const HoveredKnot& h) const {
-        return "Drag the knot " + knot_value(curve, h.index) +
-               " along the curve (changes the shape) · double-click to raise its multiplicity (keeps the shape)";
+        return sentence(
+            "Drag the knot {u} along the curve (changes the shape) · double-click to raise its multiplicity (keeps the "
+            "shape)",
+            {{"u", knot_value(curve, h.index)}});
     }
     std::string operator()(const HoveredCurve& h) const {
-        return "Drag the curve to move C(" + number_text(h.u) +
-               ") (changes the shape) · double-click to insert a knot there (keeps the shape)";
+        return sentence(
+            "Drag the curve to move C({u}) (changes the shape) · double-click to insert a knot there (keeps the shape)",
+            {{"u", number_text(h.u)}});
     }
     std::string operator()(const HoveredParameter&) const {
-        return "Drag C(u) along the curve · double-click to insert a knot at u = " + number_text(state.parameter()) +
-               " (keeps the shape)";
+        return sentence("Drag C(u) along the curve · double-click to insert a knot at u = {u} (keeps the shape)",
+                        {{"u", number_text(state.parameter())}});
     }
     std::string operator()(const HoveredLeg& h) const {
         if (!has_point(curve, h.index)) return {};
-        return "Double-click to add a control point between " + point_name(h.index) + " and " +
-               point_name((h.index + 1) % curve.control_points().size()) + " (changes the shape)";
+        const std::size_t next = (h.index + 1) % curve.control_points().size();
+        return sentence("Double-click to add a control point between {point} and {next} (changes the shape)",
+                        {{"point", point_text(h.index)}, {"next", point_text(next)}});
     }
     template <class Other>
     std::string operator()(const Other&) const {
@@ -69,9 +69,10 @@ std::string select_hint(const EditorState& state) {
     const core::DocumentCurve* active = state.shown().active_curve();
     if (const auto* other = std::get_if<HoveredOtherCurve>(&state.hover))
         if (other->index < state.shown().curves.size())
-            return "Click to make '" + state.shown().curves[other->index].name + "' the active curve";
+            return sentence("Click to make '{name}' the active curve",
+                            {{"name", state.shown().curves[other->index].name}});
     if (active == nullptr) return "Draw a curve with the pen (N) or open a file (Ctrl+O)";
-    if (active->locked) return "'" + active->name + "' is locked; unlock it in the inspector to edit it";
+    if (active->locked) return locked_sentence(*active);
     const std::string hint = std::visit(SelectHint{state, *active->curve}, state.hover);
     return hint.empty() ? "Drag to select points in a box · middle-drag or Space-drag pans · the wheel zooms" : hint;
 }
@@ -106,27 +107,30 @@ struct ModeHint {
 
     std::string operator()(const CanvasIdle&) const { return tool_hint(state); }
     std::string operator()(const DraggingPoints& mode) const {
-        const std::string keys = " · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores";
-        if (mode.indices.size() > 1) return "Moving " + std::to_string(mode.indices.size()) + " points" + keys;
+        if (mode.indices.size() > 1)
+            return sentence("Moving {count} points · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
+                            {{"count", mode.indices.size()}});
         if (curve == nullptr || !has_point(*curve, mode.grabbed)) return {};
-        return point_name(mode.grabbed) + " at " + position_text(curve->control_points()[mode.grabbed]) + keys;
+        return sentence(
+            "{point} at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
+            {{"point", point_text(mode.grabbed)}, {"place", position_text(curve->control_points()[mode.grabbed])}});
     }
     std::string operator()(const DraggingWeight& mode) const {
         if (curve == nullptr || !has_point(*curve, mode.index)) return {};
-        return "Weight of " + point_name(mode.index) + ": " + number_text(curve->weights()[mode.index]) +
-               " · up or right raises it, down or left lowers it · Escape restores";
+        return sentence("Weight of {point}: {weight} · up or right raises it, down or left lowers it · Escape restores",
+                        {{"point", point_text(mode.index)}, {"weight", number_text(curve->weights()[mode.index])}});
     }
     std::string operator()(const BoxSelecting&) const { return "Release to select the points in the box"; }
     std::string operator()(const Panning&) const { return "Panning"; }
-    std::string operator()(const DraggingParameter&) const { return "u = " + number_text(state.parameter()); }
+    std::string operator()(const DraggingParameter&) const { return parameter_text(state); }
     std::string operator()(const DraggingCurveKnot& mode) const {
         if (curve == nullptr) return {};
-        return "Knot at " + knot_value(*curve, moving_knot(state, mode.index)) + " · Escape restores";
+        return sentence("Knot at {u} · Escape restores", {{"u", knot_value(*curve, moving_knot(state, mode.index))}});
     }
     std::string operator()(const DraggingCurvePoint& mode) const {
         if (curve == nullptr) return {};
-        return "C(" + number_text(mode.u) + ") at " + position_text(core::point_at(*curve, mode.u)) +
-               " · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores";
+        return sentence("C({u}) at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
+                        {{"u", number_text(mode.u)}, {"place", position_text(core::point_at(*curve, mode.u))}});
     }
     std::string operator()(const DrawingCurve& mode) const {
         if (mode.points.size() < 2) return "Click to set the next point · Escape gives up";

@@ -61,7 +61,7 @@ struct CancelPreview {};
 
 using Request = std::variant<CommandRequest, CancelPreview, ViewChange>;
 
-/// What the interface asks for during a frame; the editor runs it afterwards, in order.
+/// What the interface asks for during a frame; the editor runs it afterward, in order.
 class CommandQueue {
   public:
     void run(Command command) { requests_.emplace_back(CommandRequest{std::move(command)}); }
@@ -71,7 +71,7 @@ class CommandQueue {
 
     bool is_empty() const { return requests_.empty(); }
 
-    /// The requests so far; the queue is empty afterwards.
+    /// The requests so far; the queue is empty afterward.
     std::vector<Request> take() { return std::exchange(requests_, {}); }
 
   private:

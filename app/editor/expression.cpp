@@ -6,6 +6,8 @@
 #include <cmath>
 #include <system_error>
 
+#include "core/base/sentence.h"
+
 namespace batten::editor {
 namespace {
 
@@ -14,10 +16,6 @@ using Value = tl::expected<double, std::string>;
 constexpr std::string_view blanks = " \t\n\r";
 constexpr std::string_view minus_sign = "\u2212";
 constexpr int deepest = 100;  // parentheses and signs recurse: a pasted "((((..." must not exhaust the stack
-
-std::string quoted(std::string_view text) {
-    return "\u201c" + std::string(text) + "\u201d";
-}
 
 /// A parser by recursive descent: sum = product {+ product}, product = signed {* signed}, signed = [-] signed | (sum) |
 /// number.
@@ -43,7 +41,8 @@ class Parser {
     Value unexpected() const {
         if (rest().front() == ')') return fail("a closing parenthesis has no opening one");
         if (rest().front() == ',') return fail("a comma cannot be read here; write decimals with a point, as in 0.5");
-        return fail(quoted(character()) + " cannot be read; numbers, + - * / and parentheses are allowed");
+        return fail(core::sentence("“{found}” cannot be read; numbers, + - * / and parentheses are allowed",
+                                   {{"found", character()}}));
     }
 
     /// The whole UTF-8 character at the position.
@@ -118,7 +117,8 @@ class Parser {
         const auto [end, error] = std::from_chars(rest().data(), rest().data() + rest().size(), value);
         const auto length = static_cast<std::size_t>(end - rest().data());
         if (error == std::errc::result_out_of_range)
-            return fail(quoted(rest().substr(0, length)) + " is outside the range of numbers");
+            return fail(
+                core::sentence("“{number}” is outside the range of numbers", {{"number", rest().substr(0, length)}}));
         if (error != std::errc{}) return unexpected();
         position_ += length;
         skip_blanks();
@@ -168,7 +168,9 @@ tl::expected<std::vector<double>, std::string> parse_expressions(std::string_vie
     if (list.empty()) return values;
     for (const std::string_view entry : entries_of(list)) {
         const Value value = parse_expression(entry);
-        if (!value) return tl::make_unexpected("entry " + std::to_string(values.size()) + ": " + value.error());
+        if (!value)
+            return tl::make_unexpected(
+                core::sentence("entry {index}: {problem}", {{"index", values.size()}, {"problem", value.error()}}));
         values.push_back(*value);
     }
     return values;

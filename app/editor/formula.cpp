@@ -1,5 +1,7 @@
 #include "app/editor/formula.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -38,7 +40,11 @@ std::string scientific(double magnitude, int digits) {
     const std::string text = digits_of(magnitude, std::chars_format::scientific, digits - 1);
     const std::size_t e = text.find('e');
     const int exponent = std::atoi(text.c_str() + e + 1);
-    return without_trailing_zeros(text.substr(0, e)) + "e" + std::to_string(exponent);
+    return fmt::format("{}e{}", without_trailing_zeros(text.substr(0, e)), exponent);
+}
+
+std::string signed_text(double value, const std::string& magnitude) {
+    return value < 0.0 ? minus + magnitude : magnitude;
 }
 
 std::string plain(double magnitude, int digits) {
@@ -46,12 +52,12 @@ std::string plain(double magnitude, int digits) {
     return without_trailing_zeros(digits_of(magnitude, std::chars_format::fixed, std::max(0, digits - 1 - exponent)));
 }
 
-std::string index_text(const std::string& symbol, std::size_t index) {
-    return symbol + "_{" + std::to_string(index) + "}";
+std::string index_text(const char* symbol, std::size_t index) {
+    return fmt::format("{}_{{{}}}", symbol, index);
 }
 
-std::string alpha_text(std::size_t level, std::size_t index) {
-    return index_text("α", index) + "^{" + std::to_string(level) + "}";
+std::string level_text(const char* symbol, std::size_t index, std::size_t level) {
+    return fmt::format("{}_{{{}}}^{{{}}}", symbol, index, level);
 }
 
 /// Four digits, or as many more as tell the three apart where they differ.
@@ -64,12 +70,12 @@ int digits_that_tell_apart(double a, double b, double c) {
     return digits;
 }
 
-std::string parenthesised_if_negative(const std::string& number) {
-    return number.rfind(minus, 0) == 0 ? "(" + number + ")" : number;
+std::string parenthesized_if_negative(const std::string& number) {
+    return number.rfind(minus, 0) == 0 ? fmt::format("({})", number) : number;
 }
 
 std::string difference_text(double a, double b, int digits) {
-    return "(" + number_text(a, digits) + " " + minus + " " + parenthesised_if_negative(number_text(b, digits)) + ")";
+    return fmt::format("({} {} {})", number_text(a, digits), minus, parenthesized_if_negative(number_text(b, digits)));
 }
 
 std::optional<std::string> raised_or_lowered(const std::string& character, bool raised) {
@@ -97,7 +103,7 @@ std::string plain_group(const std::string& group, bool raised) {
     for (std::size_t i = 0; i < group.size();) {
         const std::string character = character_at(group, i);
         const std::optional<std::string> glyph = raised_or_lowered(character, raised);
-        if (!glyph) return "(" + group + ")";
+        if (!glyph) return fmt::format("({})", group);
         result += *glyph;
         i += character.size();
     }
@@ -109,14 +115,19 @@ std::string plain_group(const std::string& group, bool raised) {
 std::string number_text(double value, int digits) {
     const double magnitude = std::abs(value);
     if (magnitude == 0.0) return "0";
-    if (!std::isfinite(value)) return std::isnan(value) ? "nan" : (value < 0.0 ? minus : "") + "∞";
+    if (std::isnan(value)) return "nan";
+    if (std::isinf(value)) return signed_text(value, "∞");
     const bool is_plain = magnitude >= least_plain && magnitude < std::max(largest_plain, std::pow(10.0, digits));
-    return (value < 0.0 ? minus : "") + (is_plain ? plain(magnitude, digits) : scientific(magnitude, digits));
+    return signed_text(value, is_plain ? plain(magnitude, digits) : scientific(magnitude, digits));
 }
 
 std::string fixed_text(double value, int decimals) {
     const std::string digits = digits_of(std::abs(value), std::chars_format::fixed, decimals);
-    return (value < 0.0 && !is_zero(digits) ? minus : "") + digits;
+    return is_zero(digits) ? digits : signed_text(value, digits);
+}
+
+std::string position_text(core::Point point, int digits) {
+    return fmt::format("({}, {})", number_text(point.x, digits), number_text(point.y, digits));
 }
 
 std::string cell_text(const core::DeBoorTriangle& triangle, std::size_t level, std::size_t index,
@@ -124,34 +135,34 @@ std::string cell_text(const core::DeBoorTriangle& triangle, std::size_t level, s
     const std::size_t i = triangle.levels[level][index].index;
     if (level == 0) return index_text("P", i % point_count);
     if (level + 1 == triangle.levels.size()) return "C(u)";
-    return index_text("P", i) + "^{" + std::to_string(level) + "}";
+    return level_text("P", i, level);
 }
 
 AlphaFormula alpha_formula(const core::Curve& curve, const core::DeBoorTriangle& triangle, std::size_t level,
                            std::size_t index) {
     const core::DeBoorCell& cell = triangle.levels[level][index];
     const std::string lower = index_text("u", cell.lower_knot);
+    const std::string upper = index_text("u", cell.upper_knot);
     const double lower_value = curve.knots()[cell.lower_knot];
     const double upper_value = curve.knots()[cell.upper_knot];
     const int digits = digits_that_tell_apart(triangle.u, lower_value, upper_value);
 
     AlphaFormula formula;
-    formula.symbols = alpha_text(level, cell.index) + " = (u " + minus + " " + lower + ")/(" +
-                      index_text("u", cell.upper_knot) + " " + minus + " " + lower + ")";
-    formula.numbers = "= " + difference_text(triangle.u, lower_value, digits) + "/" +
-                      difference_text(upper_value, lower_value, digits) + " = " + number_text(cell.alpha, 3);
+    formula.symbols = fmt::format("{} = (u − {})/({} − {})", level_text("α", cell.index, level), lower, upper, lower);
+    formula.numbers = fmt::format("= {}/{} = {}", difference_text(triangle.u, lower_value, digits),
+                                  difference_text(upper_value, lower_value, digits), number_text(cell.alpha, 3));
     return formula;
 }
 
 std::string cell_formula(const core::DeBoorTriangle& triangle, std::size_t level, std::size_t index,
                          std::size_t point_count) {
-    return cell_text(triangle, level, index, point_count) + " = (1 " + minus + " α) " +
-           cell_text(triangle, level - 1, index, point_count) + " + α " +
-           cell_text(triangle, level - 1, index + 1, point_count);
+    return fmt::format("{} = (1 − α) {} + α {}", cell_text(triangle, level, index, point_count),
+                       cell_text(triangle, level - 1, index, point_count),
+                       cell_text(triangle, level - 1, index + 1, point_count));
 }
 
 std::string point_text(std::size_t index) {
-    return plain_text(core::sentence("P_{{{index}}}", {{"index", index}}));
+    return plain_text(index_text("P", index));
 }
 
 std::string points_text(const std::vector<std::size_t>& indices) {
@@ -160,7 +171,7 @@ std::string points_text(const std::vector<std::size_t>& indices) {
 }
 
 std::string continuity_text(int continuity) {
-    return continuity < 0 ? "jump" : "C^{" + std::to_string(continuity) + "}";
+    return continuity < 0 ? "jump" : fmt::format("C^{{{}}}", continuity);
 }
 
 std::string plain_text(const std::string& label) {

@@ -1,32 +1,54 @@
+#include <fmt/core.h>
+
 #include "app/editor/formula.h"
 #include "app/editor/gesture.h"
+#include "app/editor/hint_text.h"
 #include "app/editor/plot_mode.h"
+#include "core/base/sentence.h"
 
 namespace batten::editor {
 namespace {
+
+using core::sentence;
 
 /// "0.5 (×2, C¹)".
 std::string knot_text(const core::KnotVector& knots, std::size_t stored_index) {
     if (stored_index >= knots.stored().size()) return {};
     const double u = knots.stored()[stored_index];
     const int multiplicity = knots.multiplicity(u);
-    std::string text = number_text(u);
     const bool is_inside = knots.is_periodic() || (knots.domain().lower < u && u < knots.domain().upper);
-    if (!is_inside) return multiplicity > 1 ? text + " (×" + std::to_string(multiplicity) + ")" : text;
-    text += multiplicity > 1 ? " (×" + std::to_string(multiplicity) + ", " : " (";
-    return text + plain_text(continuity_text(knots.degree() - multiplicity)) + ")";
+    const std::string continuity = plain_text(continuity_text(knots.degree() - multiplicity));
+    if (!is_inside) return multiplicity > 1 ? fmt::format("{} (×{})", number_text(u), multiplicity) : number_text(u);
+    if (multiplicity == 1) return fmt::format("{} ({})", number_text(u), continuity);
+    return fmt::format("{} (×{}, {})", number_text(u), multiplicity, continuity);
 }
 
-const char* meaning_of(core::KnotMove mode) {
+/// How a knot that is to be dragged behaves at its neighbors.
+const char* pattern_of_hover(core::KnotMove mode) {
     switch (mode) {
         case core::KnotMove::stop:
-            return "stops at its neighbours";
+            return "Drag the knot {knot} to move it; it stops at its neighbors · double-click to raise its "
+                   "multiplicity (keeps the shape)";
         case core::KnotMove::push:
-            return "pushes its neighbours";
+            return "Drag the knot {knot} to move it; it pushes its neighbors · double-click to raise its multiplicity "
+                   "(keeps the shape)";
         case core::KnotMove::snap:
-            return "snaps onto its neighbours";
+            break;
     }
-    return "";
+    return "Drag the knot {knot} to move it; it snaps onto its neighbors · double-click to raise its multiplicity "
+           "(keeps the shape)";
+}
+
+const char* pattern_of_drag(core::KnotMove mode) {
+    switch (mode) {
+        case core::KnotMove::stop:
+            return "Knot at {knot}; it stops at its neighbors · Ctrl keeps to round numbers · Escape restores";
+        case core::KnotMove::push:
+            return "Knot at {knot}; it pushes its neighbors · Ctrl keeps to round numbers · Escape restores";
+        case core::KnotMove::snap:
+            break;
+    }
+    return "Knot at {knot}; it snaps onto its neighbors · Ctrl keeps to round numbers · Escape restores";
 }
 
 /// One case for each thing that can be hovered in the dock.
@@ -35,22 +57,22 @@ struct HoverHint {
     const core::Curve& curve;
 
     std::string operator()(const HoveredKnot& h) const {
-        return "Drag the knot " + knot_text(curve.knots(), h.index) + " to move it; it " +
-               meaning_of(state.view.knot_move) + " · double-click to raise its multiplicity (keeps the shape)";
+        return sentence(pattern_of_hover(state.view.knot_move), {{"knot", knot_text(curve.knots(), h.index)}});
     }
     std::string operator()(const HoveredBasis& h) const {
-        const std::string i = std::to_string(h.index);
-        return plain_text("N_{" + i + "," + std::to_string(curve.degree()) + "}") + " belongs to " +
-               plain_text("P_{" + i + "}") + " · press to set u here";
+        const std::string basis = plain_text(fmt::format("N_{{{},{}}}", h.index, curve.degree()));
+        return sentence("{basis} belongs to {point} · press to set u here",
+                        {{"basis", basis}, {"point", point_text(h.index)}});
     }
     std::string operator()(const HoveredSpan& h) const {
         const core::KnotVector& knots = curve.knots();
         if (h.span + 1 >= knots.size()) return {};
-        return "Double-click to insert a knot between " + number_text(knots[h.span]) + " and " +
-               number_text(knots[h.span + 1]) + " (keeps the shape) · press to set u here";
+        return sentence(
+            "Double-click to insert a knot between {lower} and {upper} (keeps the shape) · press to set u here",
+            {{"lower", number_text(knots[h.span])}, {"upper", number_text(knots[h.span + 1])}});
     }
     std::string operator()(const HoveredParameter&) const {
-        return "Drag to move u = " + number_text(state.parameter());
+        return sentence("Drag to move u = {u}", {{"u", number_text(state.parameter())}});
     }
     template <class Other>
     std::string operator()(const Other&) const {
@@ -65,15 +87,14 @@ struct ModeHint {
 
     std::string operator()(const PlotIdle&) const {
         const core::DocumentCurve* active = state.shown().active_curve();
-        if (active->locked && std::holds_alternative<HoveredKnot>(state.hover))
-            return "'" + active->name + "' is locked; unlock it in the inspector to edit it";
+        if (active->locked && std::holds_alternative<HoveredKnot>(state.hover)) return locked_sentence(*active);
         return std::visit(HoverHint{state, curve}, state.hover);
     }
     std::string operator()(const DraggingKnot& mode) const {
-        return "Knot at " + knot_text(curve.knots(), moving_knot(state, mode.index)) + "; it " +
-               meaning_of(state.view.knot_move) + " · Ctrl keeps to round numbers · Escape restores";
+        return sentence(pattern_of_drag(state.view.knot_move),
+                        {{"knot", knot_text(curve.knots(), moving_knot(state, mode.index))}});
     }
-    std::string operator()(const DraggingPlotParameter&) const { return "u = " + number_text(state.parameter()); }
+    std::string operator()(const DraggingPlotParameter&) const { return parameter_text(state); }
     std::string operator()(const PanningPlot&) const { return "Panning the u axis"; }
 };
 

@@ -1,5 +1,7 @@
 #include "app/editor/settings.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -57,7 +59,8 @@ std::optional<WindowGeometry> window_of(const Json& object) {
     read(object, "y", window.y, positions);
     read(object, "width", window.width, sizes);
     read(object, "height", window.height, sizes);
-    read(object, "maximised", window.is_maximised);
+    read(object, "maximised", window.is_maximized);  // as version 0.1 wrote it
+    read(object, "maximized", window.is_maximized);
     return window;
 }
 
@@ -66,7 +69,7 @@ Json json_of(const WindowGeometry& window) {
             {"y", window.y},
             {"width", window.width},
             {"height", window.height},
-            {"maximised", window.is_maximised}};
+            {"maximized", window.is_maximized}};
 }
 
 void read_overlays(const Json& names, Overlays& overlays) {
@@ -137,7 +140,7 @@ std::string format_settings(const Settings& settings) {
     json["inspector_width"] = settings.inspector_width;
     json["dock_height"] = settings.dock_height;
     json["recent_files"] = json_of(settings.recent_files);
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return fmt::format("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
 Settings settings_of(const EditorState& state) {

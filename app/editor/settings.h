@@ -15,7 +15,7 @@ struct WindowGeometry {
     int y = 0;
     int width = 1440;
     int height = 900;
-    bool is_maximised = false;
+    bool is_maximized = false;
     bool operator==(const WindowGeometry&) const = default;
 };
 

@@ -6,7 +6,7 @@ namespace {
 
 using render::rgb;
 
-// Stays apart under the common colour-vision deficiencies, on both canvases.
+// Stays apart under the common color-vision deficiencies, on both canvases.
 constexpr std::array palette{rgb(0xE69F00), rgb(0x56B4E9), rgb(0x2FBF8F), rgb(0xD9C93B),
                              rgb(0x4C7FE0), rgb(0xE8743B), rgb(0xD583B6), rgb(0x9B8CF2)};
 

@@ -1,4 +1,4 @@
-/// The colours of the dark and the light theme.
+/// The colors of the dark and the light theme.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace batten::editor {
 
 enum class ThemeName { dark, light };
 
-/// One colour for each thing that is drawn.
+/// One color for each thing that is drawn.
 struct Theme {
     render::Color canvas, panel, field, line, text, dim, accent, curve, polygon, grid_minor, grid_major, parameter,
         error;
@@ -21,7 +21,7 @@ struct Theme {
     render::Color point(std::size_t i) const { return palette[i % palette.size()]; }
 };
 
-/// The colours of `name`.
+/// The colors of `name`.
 Theme theme_of(ThemeName name);
 
 }  // namespace batten::editor

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/editor/hint_text.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -13,7 +14,7 @@ std::optional<Refusal> no_curve(const EditorState& state) {
 
 std::optional<Refusal> locked(const core::DocumentCurve& curve) {
     if (!curve.locked) return std::nullopt;
-    return core::sentence("curve '{name}' is locked; unlock it in the inspector", {{"name", curve.name}});
+    return locked_sentence(curve);
 }
 
 std::optional<Refusal> no_editable_curve(const EditorState& state) {

@@ -12,7 +12,7 @@ namespace batten::editor {
 
 namespace {
 
-// Equal parameters need not mean equal places afterwards, so the deviation is what the conversion says.
+// Equal parameters need not mean equal places afterward, so the deviation is what the conversion says.
 Outcome<Edit> edit_with_error(const EditorState& state, const core::Result<core::Approximation>& found) {
     if (!found) return tl::unexpected(core::describe(found.error()));
     Outcome<Edit> edit = edit_active(state, found->curve);

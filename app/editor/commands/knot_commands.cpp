@@ -176,7 +176,7 @@ const CommandSpec& MoveKnot::spec() {
     static const CommandSpec spec{
         .name = "move-knot",
         .title = "Move knot",
-        .explanation = "Moves a knot towards u; at its neighbors it stops, pushes them along, or snaps onto them.",
+        .explanation = "Moves a knot toward u; at its neighbors it stops, pushes them along, or snaps onto them.",
         .synonyms = "drag merge",
         .group = CommandGroup::curve,
         .submenu = "Knots",

@@ -47,7 +47,7 @@ Outcome<Edit> nudge(const EditorState& state, const Nudge& command) {
 }
 
 template <class Command, int x, int y>
-Outcome<Edit> nudge_towards(const EditorState& state, const Command& command) {
+Outcome<Edit> nudge_toward(const EditorState& state, const Command& command) {
     return nudge_by(state, {x * command.distance, y * command.distance});
 }
 
@@ -74,7 +74,7 @@ CommandSpec arrow(const char* name, const char* title, Shortcut shortcut) {
                                : std::move(distance).template suggesting<suggest::tenth_of_grid_step>())
                            .unasked()},
             .refusal = no_editable_points,
-            .run = body_of<nudge_towards<Command, x, y>>,
+            .run = body_of<nudge_toward<Command, x, y>>,
             .texts = texts_of<texts_of_nudge<Command>>};
 }
 
@@ -122,7 +122,7 @@ const CommandSpec& SetWeight::spec() {
     static const CommandSpec spec{
         .name = "set-weight",
         .title = "Set weight",
-        .explanation = "Sets the weight of a control point; a larger one pulls the curve towards the point.",
+        .explanation = "Sets the weight of a control point; a larger one pulls the curve toward the point.",
         .synonyms = "rational NURBS",
         .group = CommandGroup::edit,
         .effect = ShapeEffect::changes,

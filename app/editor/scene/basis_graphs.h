@@ -1,4 +1,4 @@
-/// The graphs of the basis functions in the colours of their control points.
+/// The graphs of the basis functions in the colors of their control points.
 #pragma once
 
 #include "app/editor/scene/plot_frame.h"

@@ -1,4 +1,4 @@
-/// What all parts of the canvas are drawn from: the state, the active curve, colours, and where the world is in the
+/// What all parts of the canvas are drawn from: the state, the active curve, colors, and where the world is in the
 /// picture.
 #pragma once
 

@@ -1,5 +1,7 @@
 #include "app/editor/scene/canvas_labels.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "app/editor/formula.h"
@@ -19,7 +21,7 @@ constexpr double knot_distance = 9.0;
 constexpr double boxed_point_distance = 14.0;
 constexpr double word_gap = 4.0;
 
-/// A part of a label in a colour of its own.
+/// A part of a label in a color of its own.
 struct Word {
     std::string text;
     TextStyle style;
@@ -74,9 +76,9 @@ class LabelWriter {
 
 void write_point_name(LabelWriter& writer, CanvasFrame& frame, std::size_t i) {
     const double weight = frame.curve->weights()[i];
-    std::vector<Word> words{{"P_{" + std::to_string(i) + "}", {.color = frame.theme.text, .size = name_size}}};
+    std::vector<Word> words{{fmt::format("P_{{{}}}", i), {.color = frame.theme.text, .size = name_size}}};
     if (weight != 1.0)
-        words.push_back({"· w " + number_text(weight, 3), {.color = frame.theme.dim, .size = name_size}});
+        words.push_back({fmt::format("· w {}", number_text(weight, 3)), {.color = frame.theme.dim, .size = name_size}});
     const double ring = weight_ring_radius_px(frame.state, i).value_or(0.0) / frame.pen.px(1.0);
     const double distance = std::max(i == 0 ? boxed_point_distance : point_distance, ring + 3.0);
     const auto* hovered = std::get_if<HoveredPoint>(&frame.state.hover);
@@ -86,8 +88,8 @@ void write_point_name(LabelWriter& writer, CanvasFrame& frame, std::size_t i) {
 }
 
 std::string knot_text(const CurveKnot& knot) {
-    const std::string times = "×" + std::to_string(knot.multiplicity);
-    return knot.is_interior ? times + " " + continuity_text(knot.continuity) : times;
+    if (!knot.is_interior) return fmt::format("×{}", knot.multiplicity);
+    return fmt::format("×{} {}", knot.multiplicity, continuity_text(knot.continuity));
 }
 
 void write_knot(LabelWriter& writer, CanvasFrame& frame, const CurveKnot& knot) {
@@ -100,7 +102,7 @@ void write_knot(LabelWriter& writer, CanvasFrame& frame, const CurveKnot& knot) 
 /// Beside C(u), or a little farther away when it is crowded there; the dock tells the parameter, too.
 void write_curve_point(LabelWriter& writer, CanvasFrame& frame) {
     const glm::dvec2 place = frame.screen(frame.triangle->point());
-    const std::string text = "C(" + fixed_text(frame.triangle->u, 3) + ")";
+    const std::string text = fmt::format("C({})", fixed_text(frame.triangle->u, 3));
     const TextStyle style{.color = frame.theme.parameter, .size = name_size, .font = render::LabelFont::bold};
     for (const double distance : {13.0, 24.0})
         if (writer.write(place, {{text, style}}, distance, LabelSide::lower_right, Crowding::cover_symbols)) return;

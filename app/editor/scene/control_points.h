@@ -1,4 +1,4 @@
-/// The control points: discs in their colours, selection, weight rings.
+/// The control points: discs in their colors, selection, weight rings.
 #pragma once
 
 #include "app/editor/scene/canvas_frame.h"

@@ -5,7 +5,7 @@
 
 namespace batten::editor {
 
-/// Teeth point away from the centre of curvature, so they change sides at inflections. The comb breaks at knots, where
+/// Teeth point away from the center of curvature, so they change sides at inflections. The comb breaks at knots, where
 /// both one-sided values are drawn, and is missing where the curve stands still. Lengths are relative to what is large
 /// along this curve, so zooming and panning do not change them.
 void draw_curvature_comb(CanvasFrame& frame);

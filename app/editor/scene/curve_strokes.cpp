@@ -26,7 +26,7 @@ void stroke_runs(CanvasFrame& frame, const std::vector<std::vector<glm::dvec2>>&
     for (const auto& run : runs) frame.pen.line(run, stroke);
 }
 
-/// What lights up belongs to one point, and has its colour, or to a knot or span.
+/// What lights up belongs to one point, and has its color, or to a knot or span.
 render::Color glow_color(const CanvasFrame& frame) {
     render::Color color = frame.theme.accent;
     if (const auto* point = std::get_if<HoveredPoint>(&frame.state.hover)) color = frame.theme.point(point->index);

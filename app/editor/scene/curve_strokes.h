@@ -14,7 +14,7 @@ void draw_other_curves(CanvasFrame& frame);
 /// A glow under the parts that belong to what is hovered; the frame must have a curve.
 void draw_lit_parts(CanvasFrame& frame);
 
-/// The active curve, its direction, and the span of the parameter in the accent colour; the frame must have a curve.
+/// The active curve, its direction, and the span of the parameter in the accent color; the frame must have a curve.
 void draw_active_curve(CanvasFrame& frame);
 
 /// A mark where the pointer is on the curve: a diamond with the tool that inserts knots, else a disc.

@@ -27,7 +27,7 @@ struct Multiples {
     double value(int k) const { return index(k) * step; }
 };
 
-/// None where doubles are too coarse to tell neighbours apart.
+/// None where doubles are too coarse to tell neighbors apart.
 Multiples multiples(double lower, double upper, double step) {
     const double resolution = std::numeric_limits<double>::epsilon() * std::max(std::abs(lower), std::abs(upper));
     if (step < 8.0 * resolution) return {step, 0.0, 0};

@@ -14,7 +14,7 @@ void draw_grid(CanvasFrame& frame);
 /// `covered`. Returns where they are.
 std::vector<render::PixelBox> draw_grid_numbers(CanvasFrame& frame, const std::optional<render::PixelBox>& covered);
 
-/// `value`, a multiple of `step` (> 0), with as many digits as tell neighbouring multiples apart.
+/// `value`, a multiple of `step` (> 0), with as many digits as tell neighboring multiples apart.
 std::string grid_number_text(double value, double step);
 
 }  // namespace batten::editor

@@ -1,11 +1,14 @@
 #include "app/editor/scene/knot_strip.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "app/editor/formula.h"
 #include "app/editor/scene/text_row.h"
+#include "core/base/sentence.h"
 
 namespace batten::editor {
 
@@ -93,13 +96,14 @@ std::string value_text(const PlotFrame& frame, double value) {
 }
 
 std::string detail_text(const PlotFrame& frame, const Stack& stack) {
-    const std::string times = stack.multiplicity > 1 ? "×" + std::to_string(stack.multiplicity) : "";
+    const int times = stack.multiplicity;
     if (stack.is_interior) {
-        const std::string continuity = continuity_text(frame.curve.degree() - stack.multiplicity);
-        return times.empty() ? continuity : times + " " + continuity;
+        const std::string continuity = continuity_text(frame.curve.degree() - times);
+        return times > 1 ? fmt::format("×{} {}", times, continuity) : continuity;
     }
     const bool is_end = frame.curve.domain().contains(stack.value);
-    return is_end && stack.multiplicity > frame.curve.degree() ? times + " clamped" : times;
+    if (is_end && times > frame.curve.degree()) return core::sentence("×{times} clamped", {{"times", times}});
+    return times > 1 ? fmt::format("×{}", times) : "";
 }
 
 /// Chosen knots first, then the domain's ends, then multiple knots.

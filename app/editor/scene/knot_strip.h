@@ -5,8 +5,8 @@
 
 namespace batten::editor {
 
-/// The axis and the stacks of diamonds: hollow inside the domain, grey at its ends and outside, hovered and selected
-/// ones in the accent colour. Diamonds shrink where knots are many.
+/// The axis and the stacks of diamonds: hollow inside the domain, gray at its ends and outside, hovered and selected
+/// ones in the accent color. Diamonds shrink where knots are many.
 void draw_knot_strip(PlotFrame& frame);
 
 /// Below each stack its value and "×4 clamped", "×2 C^{1}" or "C^{2}"; where there is no room the less important ones

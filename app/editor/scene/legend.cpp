@@ -5,6 +5,7 @@
 
 #include "app/editor/scene/panel_box.h"
 #include "app/editor/scene/text_size.h"
+#include "core/base/sentence.h"
 
 namespace batten::editor {
 
@@ -21,12 +22,10 @@ const char* const title = "de Boor";
 
 /// What stands beside the disc of the color of level r: colors repeat after three levels.
 std::string entry_text(std::size_t r, std::size_t degree, std::size_t color_count) {
-    if (degree <= color_count) return "level " + std::to_string(r);
-    std::string levels = "levels " + std::to_string(r);
     const std::size_t second = r + color_count;
-    if (second <= degree) levels += ", " + std::to_string(second);
-    if (second + color_count <= degree) levels += ", …";
-    return second <= degree ? levels : "level " + std::to_string(r);
+    if (second > degree) return core::sentence("level {level}", {{"level", r}});
+    const char* pattern = second + color_count <= degree ? "levels {level}, {next}, …" : "levels {level}, {next}";
+    return core::sentence(pattern, {{"level", r}, {"next", second}});
 }
 
 std::vector<std::string> entries(const CanvasFrame& frame) {

@@ -1,8 +1,11 @@
 #include "app/editor/scene/plot_axes.h"
 
+#include <fmt/core.h>
+
 #include <string>
 
 #include "app/editor/formula.h"
+#include "core/base/sentence.h"
 
 namespace batten::editor {
 
@@ -22,9 +25,10 @@ void draw_level(PlotFrame& frame, double value) {
 }
 
 std::string parameter_text(const PlotFrame& frame) {
-    const std::string value = "u = " + fixed_text(frame.u, 3);
     const Playback& playback = frame.state.view.playback;
-    return playback.is_playing ? "▶ " + number_text(playback.speed, 2) + "× " + value : value;
+    const std::string u = fixed_text(frame.u, 3);
+    return playback.is_playing ? fmt::format("▶ {}× u = {}", number_text(playback.speed, 2), u)
+                               : fmt::format("u = {}", u);
 }
 
 }  // namespace
@@ -44,7 +48,8 @@ void draw_plot_axes(PlotFrame& frame) {
 void draw_plot_title(PlotFrame& frame) {
     const double y = 0.4 * frame.layout.top_px;
     const double margin = frame.pen.px(16.0);
-    frame.pen.text({margin, y}, "Basis functions N_{i," + std::to_string(frame.curve.degree()) + "}(u)",
+    frame.pen.text({margin, y},
+                   core::sentence("Basis functions N_{{i,{degree}}}(u)", {{"degree", frame.curve.degree()}}),
                    {.color = frame.theme.text, .font = render::LabelFont::bold});
     frame.pen.text({frame.pen.size_px().x - margin, y}, parameter_text(frame),
                    {.color = frame.theme.parameter, .anchor = render::Anchor::right, .font = render::LabelFont::bold});

@@ -1,4 +1,4 @@
-/// What all parts of the dock are drawn from: the state, the axes, colours, and the curve.
+/// What all parts of the dock are drawn from: the state, the axes, colors, and the curve.
 #pragma once
 
 #include <vector>
