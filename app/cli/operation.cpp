@@ -1,5 +1,7 @@
 #include "app/cli/operation.h"
 
+#include <fmt/core.h>
+
 #include "app/editor/command_table.h"
 #include "core/base/sentence.h"
 
@@ -36,7 +38,7 @@ Operation take_operation(const editor::CommandSpec& spec, const std::vector<std:
         for (std::size_t part = 0; part < field.parts.size(); ++part) {
             if (next == words.size()) return operation;
             if (!takes_any_word(field) && operation_called(words[next]) != nullptr) return operation;
-            operation.text.append(" ").append(words[next]);
+            operation.text = fmt::format("{} {}", operation.text, words[next]);
             operation.arguments.emplace_back(editor::Word{words[next]});
             ++next;
         }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/base/sentence.h"
+
 namespace batten::platform {
 
 namespace {
@@ -65,17 +67,19 @@ glm::ivec2 first_size() {
 }  // namespace
 
 tl::expected<std::unique_ptr<Window>, std::string> Window::open(const std::optional<editor::WindowGeometry>& geometry) {
-    if (glfwInit() == GLFW_FALSE) return tl::unexpected("no display can be opened: " + last_glfw_error());
+    if (glfwInit() == GLFW_FALSE)
+        return tl::unexpected(core::sentence("no display can be opened: {reason}", {{"reason", last_glfw_error()}}));
     set_hints();
     const glm::ivec2 size = geometry ? glm::ivec2{geometry->width, geometry->height} : first_size();
     GLFWwindow* handle = glfwCreateWindow(size.x, size.y, "Batten", nullptr, nullptr);
     if (handle == nullptr) {
         const std::string reason = last_glfw_error();
         glfwTerminate();
-        return tl::unexpected("no window with OpenGL 3.3 can be opened: " + reason);
+        return tl::unexpected(
+            core::sentence("no window with OpenGL 3.3 can be opened: {reason}", {{"reason", reason}}));
     }
     if (geometry && is_on_a_monitor(*geometry)) glfwSetWindowPos(handle, geometry->x, geometry->y);
-    if (geometry && geometry->is_maximised) glfwMaximizeWindow(handle);
+    if (geometry && geometry->is_maximized) glfwMaximizeWindow(handle);
     glfwSetWindowSizeLimits(handle, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwMakeContextCurrent(handle);
     glfwSwapInterval(1);
@@ -125,7 +129,7 @@ editor::WindowGeometry Window::geometry() const {
     editor::WindowGeometry geometry;
     glfwGetWindowPos(handle_, &geometry.x, &geometry.y);
     glfwGetWindowSize(handle_, &geometry.width, &geometry.height);
-    geometry.is_maximised = glfwGetWindowAttrib(handle_, GLFW_MAXIMIZED) == GLFW_TRUE;
+    geometry.is_maximized = glfwGetWindowAttrib(handle_, GLFW_MAXIMIZED) == GLFW_TRUE;
     return geometry;
 }
 

@@ -1,5 +1,7 @@
 #include "app/ui/command_entry.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "app/editor/command_reader.h"
@@ -64,14 +66,13 @@ std::string effect_text(editor::ShapeEffect effect) {
 
 std::string command_tooltip(const editor::CommandSpec& spec, const editor::EditorState& state) {
     const std::string shortcut = editor::text_of(spec.shortcut);
-    std::string text =
-        shortcut.empty() ? spec.title : sentence("{title}  ({keys})", {{"title", spec.title}, {"keys", shortcut}});
-    const auto add_line = [&text](const std::string& line) { text.append("\n").append(line); };
-    add_line(spec.explanation);
-    if (spec.effect != editor::ShapeEffect::none) add_line(effect_text(spec.effect));
+    std::vector<std::string> lines{
+        shortcut.empty() ? spec.title : sentence("{title}  ({keys})", {{"title", spec.title}, {"keys", shortcut}}),
+        spec.explanation};
+    if (spec.effect != editor::ShapeEffect::none) lines.push_back(effect_text(spec.effect));
     if (const std::optional<std::string> refusal = refusal_of(spec, state))
-        add_line(sentence("Not now: {reason}", {{"reason", *refusal}}));
-    return text;
+        lines.push_back(sentence("Not now: {reason}", {{"reason", *refusal}}));
+    return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
 }  // namespace batten::ui

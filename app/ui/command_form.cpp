@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -40,9 +40,9 @@ struct TextOf {
     std::string operator()(const std::string& text) const { return text; }
     std::string operator()(const editor::Word& word) const { return word.text; }
     std::string operator()(const std::vector<double>& numbers) const {
-        std::string text;
-        for (const double number : numbers) text.append(text.empty() ? "" : ", ").append(core::shortest_text(number));
-        return text;
+        std::vector<std::string> texts;
+        for (const double number : numbers) texts.push_back(core::shortest_text(number));
+        return fmt::format("{}", fmt::join(texts, ", "));
     }
 };
 

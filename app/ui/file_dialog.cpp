@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -13,12 +14,14 @@
 #include "app/ui/panels.h"
 #include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
+#include "core/base/sentence.h"
 
 namespace batten::ui {
 
 namespace {
 
 namespace fs = std::filesystem;
+using core::sentence;
 
 bool is_saving(const PanelContext& context) {
     return context.state.dialog == editor::Dialog::save_file;
@@ -93,6 +96,17 @@ void accept(const PanelContext& context) {
     }
 }
 
+/// The end of a long path, "…/lectures/week 3", which says more than its beginning.
+std::string end_of_path(const std::string& path, ImFont* font, float width_px) {
+    std::string shown = path;
+    std::size_t slash = path.find('/', 1);
+    while (slash != std::string::npos && text_width(shown, font) > width_px) {
+        shown = fmt::format("…{}", path.substr(slash));
+        slash = path.find('/', slash + 1);
+    }
+    return shown;
+}
+
 void draw_folder_row(const PanelContext& context) {
     FileDialogState& dialog = context.panels.file_dialog;
     if (draw_label_button(context, "file-dialog up", "↑")) enter_folder(dialog, dialog.folder.parent_path());
@@ -100,13 +114,7 @@ void draw_folder_row(const PanelContext& context) {
     ImGui::AlignTextToFramePadding();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + context.px(2));
     const float room = ImGui::GetContentRegionAvail().x;
-    // The end of a long path says more than its beginning.
-    std::string shown = dialog.folder.string();
-    while (text_width("…" + shown, context.fonts.text) > room && shown.find('/', 1) != std::string::npos) {
-        shown = shown.substr(shown.find('/', 1));
-    }
-    if (shown.size() < dialog.folder.string().size()) shown = "…" + shown;
-    ImGui::TextUnformatted(shown.c_str());
+    ImGui::TextUnformatted(end_of_path(dialog.folder.string(), context.fonts.text, room).c_str());
     report_item(context, "file-dialog folder", dialog.folder.string());
 }
 
@@ -116,12 +124,12 @@ void draw_entry_row(const PanelContext& context, std::size_t index) {
     std::error_code error;
     const bool is_folder = entry.is_directory(error);
     const std::string name = entry.path().filename().string();
-    const std::string shown = is_folder ? name + "/" : name;
+    const std::string shown = is_folder ? fmt::format("{}/", name) : name;
     ImGui::PushID(name.c_str());
     if (is_folder) ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.dim));
     const bool is_clicked = ImGui::Selectable("##entry", dialog.chosen == index, ImGuiSelectableFlags_AllowDoubleClick);
     const Rectangle place = last_item_place();
-    report_item(context, (is_folder ? "folder " : "file ") + name);
+    report_item(context, fmt::format("{} {}", is_folder ? "folder" : "file", name));
     const glm::vec2 corner(place.origin_px);
     ImGui::GetWindowDrawList()->AddText({corner.x + context.px(10), corner.y + 0.5F * ImGui::GetStyle().ItemSpacing.y},
                                         ImGui::GetColorU32(ImGuiCol_Text), shown.c_str());
@@ -201,8 +209,8 @@ void draw_question(const PanelContext& context, bool is_left) {
     FileDialogState& dialog = context.panels.file_dialog;
     const fs::path path = *dialog.to_replace;
     ImGui::SetCursorPosY(ImGui::GetWindowHeight() - context.px(42));
-    ImGui::TextUnformatted(
-        elided("Replace " + path.filename().string() + ", which exists?", context.fonts.text, context.px(330)).c_str());
+    const std::string question = sentence("Replace {name}, which exists?", {{"name", path.filename().string()}});
+    ImGui::TextUnformatted(elided(question, context.fonts.text, context.px(330)).c_str());
     report_item(context, "dialog question", path.string());
     place_buttons(context, "Keep", "Replace");
     const bool is_kept = draw_label_button(context, "dialog keep", "Keep");

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "app/editor/commands/construction_commands.h"
@@ -19,31 +20,28 @@ constexpr double number_width = 26.0;
 constexpr std::size_t most_rows = 7;
 constexpr int digits = 5;
 
-std::string point_text(core::Point point) {
-    return "(" + editor::number_text(point.x, digits) + ", " + editor::number_text(point.y, digits) + ")";
-}
-
 /// "C⁰ by its knots   (1, 2)   curvature 0.25"
 std::string details_of(const editor::Finding& finding) {
-    std::string text = finding.note;
-    const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : "   ") + part; };
-    if (finding.point) add(point_text(*finding.point));
+    std::vector<std::string> parts;
+    if (!finding.note.empty()) parts.push_back(finding.note);
+    if (finding.point) parts.push_back(editor::position_text(*finding.point, digits));
     for (const editor::FoundNumber& number : finding.numbers)
-        add(number.name + " " + editor::number_text(number.value, digits));
-    return text;
+        parts.push_back(fmt::format("{} {}", number.name, editor::number_text(number.value, digits)));
+    return fmt::format("{}", fmt::join(parts, "   "));
 }
 
 std::string tooltip_of(const editor::Finding& finding) {
-    std::string text = finding.label;
-    if (finding.parameter) text += "\nu = " + editor::number_text(*finding.parameter, 17);
-    if (finding.point)
-        text +=
-            "\nx = " + editor::number_text(finding.point->x, 17) + "\ny = " + editor::number_text(finding.point->y, 17);
-    for (const editor::FoundNumber& number : finding.numbers)
-        text += "\n" + number.name + " = " + editor::number_text(number.value, 17);
-    if (!finding.note.empty()) text += "\n" + finding.note;
-    if (finding.parameter) text += "\nClick to go there";
-    return text;
+    std::vector<std::string> lines{finding.label};
+    const auto add = [&lines](const std::string& name, double value) {
+        lines.push_back(fmt::format("{} = {}", name, editor::number_text(value, 17)));
+    };
+    if (finding.parameter) add("u", *finding.parameter);
+    if (finding.point) add("x", finding.point->x);
+    if (finding.point) add("y", finding.point->y);
+    for (const editor::FoundNumber& number : finding.numbers) add(number.name, number.value);
+    if (!finding.note.empty()) lines.push_back(finding.note);
+    if (finding.parameter) lines.emplace_back("Click to go there");
+    return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
 void draw_texts(const PanelContext& context, const editor::Finding& finding, std::size_t i, ImVec2 origin,
@@ -55,8 +53,8 @@ void draw_texts(const PanelContext& context, const editor::Finding& finding, std
     draw_text(context, {left, y}, {std::to_string(i + 1), context.fonts.number, 0.0, context.theme.accent});
     float room = right - middle;
     if (finding.parameter) {
-        const TextLine u{"u " + editor::number_text(*finding.parameter, digits), context.fonts.number, 0.0,
-                         context.theme.text, render::Anchor::right};
+        const TextLine u{fmt::format("u {}", editor::number_text(*finding.parameter, digits)), context.fonts.number,
+                         0.0, context.theme.text, render::Anchor::right};
         room -= draw_text(context, {right, y}, u) + context.px(row_gap);
     }
     ImFont* text = context.fonts.text;
@@ -72,7 +70,7 @@ void draw_row(const PanelContext& context, std::size_t i, float width) {
     ImGui::PushID(static_cast<int>(i));
     const bool is_clicked = ImGui::InvisibleButton("finding", ImVec2(width, context.px(row_height)));
     ImGui::PopID();
-    report_item(context, "finding " + std::to_string(i), finding.label);
+    report_item(context, fmt::format("finding {}", i), finding.label);
     if (ImGui::IsItemHovered()) {
         const ImVec2 end(origin.x + width, origin.y + context.px(row_height));
         const render::Color color = render::blended(context.theme.accent, 0.08, context.theme.panel);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/sentence.h"
+
 namespace batten::ui {
 
 namespace {
@@ -27,7 +29,8 @@ FolderContent read_folder(const fs::path& folder) {
     content.folder = fs::weakly_canonical(folder, error);
     fs::directory_iterator iterator(content.folder, fs::directory_options::skip_permission_denied, error);
     if (error) {
-        content.problem = content.folder.string() + " cannot be read: " + error.message();
+        content.problem = core::sentence("{folder} cannot be read: {reason}",
+                                         {{"folder", content.folder.string()}, {"reason", error.message()}});
         return content;
     }
     for (const fs::directory_iterator end; iterator != end && !error; iterator.increment(error)) {

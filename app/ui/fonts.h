@@ -22,7 +22,7 @@ struct Fonts {
 };
 
 /// Fills the font atlas of the current Dear ImGui context anew for `scale` (window pixels per design pixel). The atlas'
-/// texture must be made again afterwards by the renderer backend.
+/// texture must be made again afterward by the renderer backend.
 Fonts load_fonts(double scale);
 
 /// The ImGui font for a label's font.

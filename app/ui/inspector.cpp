@@ -29,7 +29,7 @@ void draw_sections(const PanelContext& context) {
     ImGui::Dummy(ImVec2(1.0F, context.px(bottom_margin)));
 }
 
-/// Asks for what the pointer is over in the inspector, and for nothing once it has left towards another panel; the
+/// Asks for what the pointer is over in the inspector, and for nothing once it has left toward another panel; the
 /// pictures ask for themselves.
 void settle_hover(const PanelContext& context, bool is_inside) {
     InspectorState& inspector = context.panels.inspector;

@@ -8,7 +8,7 @@
 namespace batten::ui {
 namespace {
 
-/// Draws in a square of 14 design pixels around a centre.
+/// Draws in a square of 14 design pixels around a center.
 struct Pen {
     const PanelContext& context;
     ImDrawList* list;

@@ -20,8 +20,8 @@ struct TextLine {
     float most_px = 0.0F;  ///< the text is shrunk to this width, then cut; 0: any width
 };
 
-/// Draws the line centred vertically on `position` (window pixels), which is its left end, centre or right end. Returns
-/// its width.
+/// Draws the line centered vertically on `position` (window pixels), which is its left end, center or right end.
+/// Returns its width.
 float draw_text(const PanelContext& context, ImVec2 position, const TextLine& line);
 
 /// Reports the last Dear ImGui item under `name`, as far as it is in sight.

@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -295,12 +295,15 @@ void draw_insert_row(const PanelContext& context, const core::Curve& curve) {
 }
 
 std::string list_text(std::span<const double> values, std::size_t most_characters) {
-    std::string text;
+    std::vector<std::string> texts;
+    std::size_t characters = 0;
     for (const double value : values) {
-        if (text.size() > most_characters) return text.append(", …");
-        text.append(text.empty() ? "" : ", ").append(core::shortest_text(value));
+        const bool is_full = characters > most_characters;
+        texts.push_back(is_full ? "…" : core::shortest_text(value));
+        if (is_full) break;
+        characters += texts.back().size() + 2;
     }
-    return text;
+    return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 void draw_vector_row(const PanelContext& context, const core::Curve& curve) {

@@ -44,7 +44,7 @@ struct NumberEdit {
 /// field. Typed may be: a number, a fraction "1/3", or an expression of + - * / and parentheses.
 std::optional<NumberEdit> edit_number(const PanelContext& context, const NumberField& field);
 
-/// The same; the command for a new value is made by `command` and previewed, committed or cancelled.
+/// The same; the command for a new value is made by `command` and previewed, committed or canceled.
 void draw_number_field(const PanelContext& context, const NumberField& field,
                        const std::function<editor::Command(double)>& command);
 

@@ -1,9 +1,11 @@
 #include "app/ui/section.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 
+#include "app/editor/hint_text.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/style.h"
 
@@ -39,8 +41,9 @@ bool draw_section_heading(const PanelContext& context, const Section& section) {
     if (ImGui::InvisibleButton(section.name.c_str(), size))
         context.panels.inspector.open_sections[section.name] = open = !open;
     const bool is_hovered = ImGui::IsItemHovered();
-    const std::string value = section.info.empty() ? section.title : section.title + " | " + section.info;
-    report_item(context, "section " + section.name, value);
+    const std::string value =
+        section.info.empty() ? section.title : fmt::format("{} | {}", section.title, section.info);
+    report_item(context, fmt::format("section {}", section.name), value);
 
     const float middle = origin.y + 0.5F * size.y;
     const float title_width =
@@ -110,7 +113,7 @@ bool is_editable(const editor::EditorState& state) {
 std::string locked_sentence(const editor::EditorState& state) {
     const core::DocumentCurve* curve = state.shown().active_curve();
     if (curve == nullptr || !curve->locked) return {};
-    return "The curve \u201c" + curve->name + "\u201d is locked; unlock it under Curves.";
+    return editor::locked_sentence(*curve);
 }
 
 }  // namespace batten::ui

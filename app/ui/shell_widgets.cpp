@@ -1,5 +1,6 @@
 #include "app/ui/shell_widgets.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace batten::ui {
 
 namespace {
 
-/// The label's colour and those of the button at rest, hovered and pressed.
+/// The label's color and those of the button at rest, hovered and pressed.
 struct ButtonColors {
     render::Color label;
     render::Color rest;
@@ -137,14 +138,15 @@ float text_width(const std::string& text, ImFont* font) {
 
 std::string elided(const std::string& text, ImFont* font, float width_px) {
     if (text_width(text, font) <= width_px) return text;
-    std::string result = text;
+    std::string kept = text;
     const auto is_continuation = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
-    while (!result.empty()) {
-        while (result.size() > 1 && is_continuation(result.back())) result.pop_back();
-        result.pop_back();
-        if (text_width(result + "…", font) <= width_px) return result + "…";
+    while (!kept.empty()) {
+        while (kept.size() > 1 && is_continuation(kept.back())) kept.pop_back();
+        kept.pop_back();
+        std::string shown = fmt::format("{}…", kept);
+        if (text_width(shown, font) <= width_px) return shown;
     }
-    return result;
+    return kept;
 }
 
 bool was_pressed(const PanelContext& context, editor::Key key, editor::Modifiers modifiers) {

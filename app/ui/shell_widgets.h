@@ -15,7 +15,7 @@ void end_panel();
 /// Where the last Dear ImGui item is.
 Rectangle last_item_place();
 
-/// A line of the theme's line colour in the current window.
+/// A line of the theme's line color in the current window.
 void draw_edge(const PanelContext& context, glm::dvec2 from, glm::dvec2 to);
 
 /// What a button looks like: `primary` is the one that Enter stands for.

@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include "app/ui/rich_text.h"
 #include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
+#include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 #include "render/camera.h"
 
@@ -41,8 +43,9 @@ std::string padded(const std::string& text, std::size_t columns) {
 }
 
 std::string text_of(const Readout& readout) {
-    const std::string name = readout.name.empty() ? "" : readout.name + " ";
-    return name + padded(readout.value, readout.columns) + readout.unit;
+    const std::string value = padded(readout.value, readout.columns);
+    return readout.name.empty() ? fmt::format("{}{}", value, readout.unit)
+                                : fmt::format("{} {}{}", readout.name, value, readout.unit);
 }
 
 /// As many digits as a pixel of the canvas tells apart.
@@ -115,8 +118,9 @@ float draw_readouts(const PanelContext& context, const Rectangle& place, double 
         x += context.px(gap);
         ImGui::GetWindowDrawList()->AddText(context.fonts.number, line, {std::floor(x), std::floor(y)},
                                             imgui_packed(context.theme.dim), text.c_str());
-        context.widgets.push_back(
-            {"status " + (readout.name.empty() ? "fps" : readout.name), {{x, y}, {width, line}}, readout.value});
+        context.widgets.push_back({fmt::format("status {}", readout.name.empty() ? "fps" : readout.name),
+                                   {{x, y}, {width, line}},
+                                   readout.value});
         x += width;
     }
     return begin;
@@ -125,7 +129,8 @@ float draw_readouts(const PanelContext& context, const Rectangle& place, double 
 /// What happened last; while a gesture previews a change, how far it goes.
 editor::Message message_of(const editor::EditorState& state) {
     if (state.preview && state.ghost) {
-        return {"deviates by at most " + editor::number_text(state.ghost->deviation, 3), false};
+        const std::string deviation = editor::number_text(state.ghost->deviation, 3);
+        return {core::sentence("deviates by at most {deviation}", {{"deviation", deviation}}), false};
     }
     return state.message;
 }
@@ -153,7 +158,7 @@ void draw_status_bar(const PanelContext& context, const Rectangle& place, const 
     const float left = static_cast<float>(place.origin_px.x) + context.px(margin);
     const float begin = draw_readouts(context, place, frames_per_second, 0.62F * static_cast<float>(place.size_px.x));
     const editor::Message message = message_of(context.state);
-    const std::string text = message.is_error ? "⚠ " + message.text : message.text;
+    const std::string text = message.is_error ? fmt::format("⚠ {}", message.text) : message.text;
     // The message is worth more than the hint, which only gets what is left.
     const float room = begin - left;
     const float message_px = text.empty() ? 0.0F : std::min(text_width(text, context.fonts.text) + 1.0F, room);

@@ -1,4 +1,4 @@
-/// Dear ImGui's colours and metrics from our theme.
+/// Dear ImGui's colors and metrics from our theme.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ struct ImVec4;
 
 namespace batten::ui {
 
-/// Sets colours, paddings, roundings of the current context for `theme` at `scale` (window pixels per design pixel).
+/// Sets colors, paddings, roundings of the current context for `theme` at `scale` (window pixels per design pixel).
 void apply_style(const editor::Theme& theme, double scale);
 
 ImVec4 imgui_color(render::Color color);

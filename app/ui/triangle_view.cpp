@@ -1,5 +1,6 @@
 #include "app/ui/triangle_view.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -136,12 +137,13 @@ class TrianglePicture {
     }
 
     std::string alpha_text(std::size_t r, std::size_t j) const {
-        return "α " + editor::fixed_text(triangle_.levels[r][j].alpha, 3);
+        return fmt::format("α {}", editor::fixed_text(triangle_.levels[r][j].alpha, 3));
     }
 
     void report(std::size_t r, std::size_t j) const {
-        const std::string value = editor::plain_text(name(r, j)) + (r == 0 ? "" : " " + alpha_text(r, j));
-        report_item(context_, "cell " + std::to_string(r) + " " + std::to_string(j), value);
+        const std::string cell = editor::plain_text(name(r, j));
+        report_item(context_, fmt::format("cell {} {}", r, j),
+                    r == 0 ? cell : fmt::format("{} {}", cell, alpha_text(r, j)));
     }
 
     const PanelContext& context_;

@@ -4,6 +4,7 @@
 #include "app/ui/dialog_frame.h"
 #include "app/ui/panels.h"
 #include "app/ui/shell_widgets.h"
+#include "core/base/sentence.h"
 
 namespace batten::ui {
 
@@ -23,7 +24,8 @@ void draw_unsaved_dialog(const PanelContext& context, const Rectangle& window) {
     frame.size = {440.0, 172.0};
     frame.closes_on_outside = false;
     const bool is_left = begin_dialog(context, window, frame);
-    ImGui::TextWrapped("%s has changes that are not saved.", context.state.file_name().c_str());
+    ImGui::TextWrapped(
+        "%s", core::sentence("{file} has changes that are not saved.", {{"file", context.state.file_name()}}).c_str());
     ImGui::TextDisabled("%s", consequence_of(context.state.pending));
 
     const float buttons = label_button_width(context, "Don't save") + label_button_width(context, "Cancel") +

@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ void draw_recent(const PanelContext& context) {
         const std::string name = elided(file.filename().string(), context.fonts.text, context.px(side_width - 24.0));
         if (ImGui::Selectable(name.c_str())) context.queue.run(editor::Open{.path = file});
         ImGui::PopID();
-        report_item(context, "recent " + std::to_string(i), file.string());
+        report_item(context, fmt::format("recent {}", i), file.string());
         show_tooltip(context, file.string());
     }
     ImGui::EndChild();
@@ -99,7 +100,7 @@ void draw_card(const PanelContext& context, const Example& example, float width_
     ImGui::PushID(example.name.c_str());
     const bool is_clicked = ImGui::InvisibleButton("##card", ImVec2(width_px, context.px(card_height)));
     ImGui::PopID();
-    report_item(context, "example " + example.name, title_of(example));
+    report_item(context, fmt::format("example {}", example.name), title_of(example));
     const bool is_hovered = ImGui::IsItemHovered();
     show_tooltip(context, example.document.description);
     const Rectangle place = last_item_place();
