@@ -31,7 +31,7 @@ Camera panned(const Camera& camera, glm::dvec2 offset_px) {
 Camera zoomed(const Camera& camera, double factor, glm::dvec2 anchor_px) {
     Camera result = camera;
     result.scale = std::clamp(camera.scale * factor, Camera::min_scale, Camera::max_scale);
-    // The difference of two offsets rather than of two world points: the centre may be far from the origin.
+    // The difference of two offsets rather than of two world points: the center may be far from the origin.
     result.center += world_offset(camera, anchor_px) - world_offset(result, anchor_px);
     return result;
 }

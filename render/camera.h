@@ -6,7 +6,7 @@
 namespace batten::render {
 
 /// Looks at `center` with `scale` pixels to a unit; world y points up, screen y down. All in doubles, so that zooming
-/// is steady over twelve decades: a world point is subtracted from the centre before it is scaled.
+/// is steady over twelve decades: a world point is subtracted from the center before it is scaled.
 struct Camera {
     glm::dvec2 center{0.0, 0.0};
     double scale = 64.0;                ///< pixels per world unit, within [min_scale, max_scale]
@@ -30,8 +30,8 @@ Camera panned(const Camera& camera, glm::dvec2 offset_px);
 /// The camera with `factor` times the scale (clamped to the limits) and the same world point under `anchor_px`.
 Camera zoomed(const Camera& camera, double factor, glm::dvec2 anchor_px);
 
-/// The camera that shows the rectangle [lower, upper] centred with `margin_px` (0..) free on each side. A rectangle
-/// without width and height is only centred.
+/// The camera that shows the rectangle [lower, upper] centered with `margin_px` (0..) free on each side. A rectangle
+/// without width and height is only centered.
 Camera fitted(const Camera& camera, glm::dvec2 lower, glm::dvec2 upper, double margin_px);
 
 }  // namespace batten::render

@@ -1,4 +1,4 @@
-/// A colour with opacity.
+/// A color with opacity.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct Color {
     bool operator==(const Color&) const = default;
 };
 
-/// 0xRRGGBB as an opaque colour.
+/// 0xRRGGBB as an opaque color.
 constexpr Color rgb(std::uint32_t hex) {
     return {static_cast<std::uint8_t>(hex >> 16), static_cast<std::uint8_t>(hex >> 8), static_cast<std::uint8_t>(hex),
             255};
@@ -27,7 +27,7 @@ constexpr Color faded(Color color, double opacity) {
     return color;
 }
 
-/// The opaque colour that `color` at `opacity` (0..1) shows over `background`.
+/// The opaque color that `color` at `opacity` (0..1) shows over `background`.
 constexpr Color blended(Color color, double opacity, Color background) {
     const auto mix = [opacity](std::uint8_t a, std::uint8_t b) {
         return static_cast<std::uint8_t>(a * opacity + b * (1.0 - opacity) + 0.5);

@@ -39,7 +39,7 @@ struct Marker {
     float radius_px = 4.0F;
     Color fill;               ///< alpha 0: hollow
     Color outline;            ///< alpha 0: none
-    float outline_px = 0.0F;  ///< drawn centred on the shape's edge
+    float outline_px = 0.0F;  ///< drawn centered on the shape's edge
     float dash_px = 0.0F;     ///< length of the outline's dashes and gaps (discs only), 0 for solid
 };
 
@@ -49,7 +49,7 @@ enum class Anchor { left, center, right };
 /// Which of the interface's fonts a label is set in.
 enum class LabelFont { text, bold, number };
 
-/// A line of text, centred vertically on its position. In the text _{..} is set as subscript and ^{..} as superscript,
+/// A line of text, centered vertically on its position. In the text _{..} is set as subscript and ^{..} as superscript,
 /// which may follow one another: "P_{3}^{1}".
 struct Label {
     Pixel position{};

@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <glad/gl.h>
 
 #include "render/gl_painter.h"
@@ -8,8 +9,8 @@ tl::expected<void, std::string> load_gl(GlFunctionLoader load) {
     const int version = gladLoadGL(load);
     if (version >= GLAD_MAKE_VERSION(3, 3)) return {};
     if (version == 0) return tl::unexpected(std::string("No OpenGL was found here; version 3.3 is needed."));
-    return tl::unexpected("OpenGL " + std::to_string(GLAD_VERSION_MAJOR(version)) + "." +
-                          std::to_string(GLAD_VERSION_MINOR(version)) + " was found here; version 3.3 is needed.");
+    return tl::unexpected(fmt::format("OpenGL {}.{} was found here; version 3.3 is needed.",
+                                      GLAD_VERSION_MAJOR(version), GLAD_VERSION_MINOR(version)));
 }
 
 std::string pending_gl_error() {
@@ -27,7 +28,7 @@ std::string pending_gl_error() {
         case GL_OUT_OF_MEMORY:
             return "GL_OUT_OF_MEMORY";
         default:
-            return "OpenGL error " + std::to_string(error);
+            return fmt::format("OpenGL error {}", error);
     }
 }
 

@@ -29,7 +29,7 @@ class GlPainter {
     ~GlPainter();
 
     /// Fills the viewport with `background` and paints `list` over it. `scale` is framebuffer pixels per pixel of the
-    /// list. Sets all OpenGL state that it needs, and afterwards puts back what a new context has. The framebuffer
+    /// list. Sets all OpenGL state that it needs, and afterward puts back what a new context has. The framebuffer
     /// should have a depth buffer of 24 bits: it keeps translucent lines from darkening where they turn sharply or
     /// cross themselves; only then is it cleared. Cost: one upload for each kind of command, one draw call for each run
     /// of commands of one kind, and two for each such translucent line.

@@ -1,5 +1,7 @@
 #include "render/gl_program.h"
 
+#include <fmt/core.h>
+
 #include <vector>
 
 namespace batten::render {
@@ -24,8 +26,10 @@ tl::expected<GlShader, std::string> compile(const std::string& name, GLenum stag
     GLint is_compiled = GL_FALSE;
     glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &is_compiled);
     if (is_compiled == GL_TRUE) return shader;
-    return tl::unexpected("The " + std::string(stage == GL_VERTEX_SHADER ? "vertex" : "fragment") + " shader \"" +
-                          name + "\" does not compile: " + message_of(shader.id(), glGetShaderiv, glGetShaderInfoLog));
+    const char* pattern = stage == GL_VERTEX_SHADER ? "The vertex shader \"{}\" does not compile: {}"
+                                                    : "The fragment shader \"{}\" does not compile: {}";
+    return tl::unexpected(
+        fmt::format(fmt::runtime(pattern), name, message_of(shader.id(), glGetShaderiv, glGetShaderInfoLog)));
 }
 
 }  // namespace
@@ -46,8 +50,8 @@ tl::expected<GlProgram, std::string> make_gl_program(const std::string& name, co
     GLint is_linked = GL_FALSE;
     glGetProgramiv(program.id(), GL_LINK_STATUS, &is_linked);
     if (is_linked == GL_TRUE) return program;
-    return tl::unexpected("The shader program \"" + name +
-                          "\" does not link: " + message_of(program.id(), glGetProgramiv, glGetProgramInfoLog));
+    return tl::unexpected(fmt::format("The shader program \"{}\" does not link: {}", name,
+                                      message_of(program.id(), glGetProgramiv, glGetProgramInfoLog)));
 }
 
 }  // namespace batten::render

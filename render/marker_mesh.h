@@ -11,7 +11,7 @@ namespace batten::render {
 
 struct MarkerVertex {
     glm::vec2 position_px{};
-    glm::vec2 local_px{};    ///< from the centre, in axes that make a diamond a square
+    glm::vec2 local_px{};    ///< from the center, in axes that make a diamond a square
     float roundness = 0.0F;  ///< 1 for a disc, 0 for a square
     float radius_px = 0.0F;  ///< of the disc, or half the side of the square
     float half_outline_px = 0.0F;

@@ -35,7 +35,7 @@ struct Node {
 
 struct Style {
     double half_width = 0.5;
-    double reach = 1.0;  // from the centre line to where the coverage is 0
+    double reach = 1.0;  // from the center line to where the coverage is 0
     double half_dash = 1.0;
     double period = 1.0;
     Color color;

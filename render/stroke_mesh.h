@@ -9,12 +9,12 @@
 
 namespace batten::render {
 
-/// One corner of a strip. The fragment shader finds the distance to the centre line from `along_px` and `across_px`.
+/// One corner of a strip. The fragment shader finds the distance to the center line from `along_px` and `across_px`.
 struct StrokeVertex {
     glm::vec2 position_px{};
     float along_px = 0.0F;   ///< arc length, as the dashes count it
-    float across_px = 0.0F;  ///< signed distance from the centre line
-    float first_px = 0.0F;   ///< arc length where the centre line of the strip begins: before it there is a round end
+    float across_px = 0.0F;  ///< signed distance from the center line
+    float first_px = 0.0F;   ///< arc length where the center line of the strip begins: before it there is a round end
     float last_px = 0.0F;    ///< and where it ends
     float half_width_px = 0.0F;  ///< at least 0.5; thinner lines are faded
     float half_dash_px = 0.0F;

@@ -1,4 +1,4 @@
-// How much of the pixel a stroke covers, from the distance to its centre line and to the ends of the dash.
+// How much of the pixel a stroke covers, from the distance to its center line and to the ends of the dash.
 in vec2 v_place_px;
 flat in vec2 v_ends_px;
 flat in vec3 v_style_px;
