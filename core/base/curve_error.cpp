@@ -87,7 +87,7 @@ constexpr std::array templates{
     Template{Code::curve_stands_still, "the curve has no direction at {value}; its speed must not be 0"},
     Template{Code::curve_has_corner, "the curve has a corner or a gap at {value}; its direction must not jump"},
     Template{Code::offset_too_far,
-             "the distance is {upper}, but the radius of curvature at {value} is {lower}; towards the inside the "
+             "the distance is {upper}, but the radius of curvature at {value} is {lower}; toward the inside the "
              "distance must be less"},
     Template{Code::leg_vanishes, "leg {index} of the polygon would vanish or turn round; the distance must be less"},
     Template{Code::tolerance_not_positive, "the tolerance is {value}; it must be above 0 and finite"},

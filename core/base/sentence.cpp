@@ -13,7 +13,7 @@ namespace batten::core {
 namespace {
 
 [[maybe_unused]] bool has_place(std::string_view pattern, std::string_view name) {
-    return pattern.find("{" + std::string(name) + "}") != std::string_view::npos;
+    return pattern.find(fmt::format("{{{}}}", name)) != std::string_view::npos;
 }
 
 std::string filled(const char* pattern, std::span<const Place> places) {

@@ -6,10 +6,10 @@
 
 namespace batten::core {
 
-/// What a moved knot does when it meets its neighbours.
+/// What a moved knot does when it meets its neighbors.
 enum class KnotMove {
-    stop,  ///< stops at the neighbouring knot's value, joining its stack while the multiplicity allows
-    push,  ///< takes the neighbours along, never joining them; the ends of the domain are pushed by no knot inside it
+    stop,  ///< stops at the neighboring knot's value, joining its stack while the multiplicity allows
+    push,  ///< takes the neighbors along, never joining them; the ends of the domain are pushed by no knot inside it
     snap   ///< like stop, but jumps onto a knot not farther than the snap distance, and out of a stack only beyond it
 };
 
@@ -24,7 +24,7 @@ struct Names<KnotMove> {
 /// at the side it is moved to, so a stack is pulled apart one by one. The kind becomes custom, unless nothing moves.
 ///
 /// What cannot be joined (a stack that is full, an end that would leave no domain) is approached to 1/200 of the
-/// domain, or not at all by a knot that is nearer already. Pushed neighbours keep their distance, or that much of it.
+/// domain, or not at all by a knot that is nearer already. Pushed neighbors keep their distance, or that much of it.
 /// End knots move like others, which moves the domain. In a periodic curve t_0 and t_n are one knot and move
 /// together, so the period keeps its length; pushing, they move by at most one period.
 /// Errors: knot_index_out_of_range; parameter_not_finite.
@@ -33,7 +33,7 @@ struct Names<KnotMove> {
 
 /// The curve with knot `index` of stored() set to exactly `u`, as typed. Of a stack, the knot at that side is taken. In
 /// a periodic curve the end of the period named by `index` is set alone, which changes the length of the period.
-/// Errors: knot_index_out_of_range; parameter_not_finite; knot_decreasing when `u` is not between the neighbours;
+/// Errors: knot_index_out_of_range; parameter_not_finite; knot_decreasing when `u` is not between the neighbors;
 /// multiplicity_too_high; domain_empty.
 [[nodiscard]] Result<Curve> set_knot(const Curve& curve, std::size_t index, double u);
 

@@ -131,7 +131,7 @@ class OffsetBuilder {
     }
 
     // The offset as it would be if the curve were all of the line or circle that it begins as: the control points are
-    // moved, or scaled about the centre. Taken where it is right.
+    // moved, or scaled about the center. Taken where it is right.
     std::optional<Approximation> circular() const {
         const double u = curve_.domain().lower;
         const auto start = true_offset(u, Side::right);
@@ -140,7 +140,7 @@ class OffsetBuilder {
         const Point origin = point_at(curve_, u);
         const Vector move = start->point - origin;
         CurveDefinition definition = curve_.definition();
-        // C + d N + (-d k) (P - C) is C' + (1 - d k) (P - C') seen from the centre, written without it for k near 0.
+        // C + d N + (-d k) (P - C) is C' + (1 - d k) (P - C') seen from the center, written without it for k near 0.
         for (Point& point : definition.points) point += move - distance_ * *curvature * (point - origin);
         const auto candidate = Curve::make(std::move(definition));
         if (!candidate) return std::nullopt;

@@ -8,7 +8,7 @@
 
 namespace batten::core {
 
-/// The arguments of one blossom: knots of neighbouring indices, then the parameter t so many times.
+/// The arguments of one blossom: knots of neighboring indices, then the parameter t so many times.
 struct BlossomLabel {
     std::size_t first_knot = 0;       ///< index in KnotVector::values() of the first knot
     std::vector<double> knots;        ///< their values

@@ -168,7 +168,7 @@ Curve near_origin(const Curve& curve) {
     return Curve::make(std::move(definition)).value_or(curve);
 }
 
-// The pieces side by side; points that neighbours share are taken from the piece on the right.
+// The pieces side by side; points that neighbors share are taken from the piece on the right.
 struct JoinedPieces {
     std::vector<Point> points;
     std::vector<double> weights;

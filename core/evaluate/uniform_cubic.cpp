@@ -33,7 +33,7 @@ Point control_point(const Curve& curve, std::size_t i) {
     return curve.control_points()[i % curve.control_points().size()];
 }
 
-// The joint of three neighbours, seen from the middle one, so that equal points give themselves.
+// The joint of three neighbors, seen from the middle one, so that equal points give themselves.
 Point joint(Point before, Point at, Point after) {
     return at + ((before - at) + (after - at)) / 6.0;
 }

@@ -46,7 +46,7 @@ std::array<Point, 4> uniform_control_points(const FergusonSegment& segment);
 /// multiplicity_too_high by their intervals; point_not_finite.
 [[nodiscard]] Result<Curve> curve_from_ferguson(const std::vector<FergusonSegment>& segments);
 
-/// The construction of one joint: P_i with its neighbours makes a triangle; the joint S is its anticentroid, on the
+/// The construction of one joint: P_i with its neighbors makes a triangle; the joint S is its anticentroid, on the
 /// median from P_i, one third of the way from it.
 struct Anticentroid {
     std::size_t index = 0;       ///< i
@@ -58,7 +58,7 @@ struct Anticentroid {
     Vector second_derivative{};  ///< P_{i-1} - 2 P_i + P_{i+1} = 2 (M - P_i), per knot step squared
 };
 
-/// The joints in order, i = 1..n-1, or 0..n-1 with wrapped neighbours when periodic. Errors: curve_not_uniform_cubic;
+/// The joints in order, i = 1..n-1, or 0..n-1 with wrapped neighbors when periodic. Errors: curve_not_uniform_cubic;
 /// curve_rational.
 [[nodiscard]] Result<std::vector<Anticentroid>> anticentroids(const Curve& curve);
 

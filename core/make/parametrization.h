@@ -9,7 +9,7 @@
 
 namespace batten::core {
 
-/// How far apart the parameters of neighbouring points are, in proportion.
+/// How far apart the parameters of neighboring points are, in proportion.
 enum class Parametrization {
     uniform,     ///< all equally far
     chordal,     ///< as far as the points
@@ -25,7 +25,7 @@ struct Names<Parametrization> {
 
 /// Parameters from 0 to 1 for `points`, in order; when `is_closed` one more, 1, for the way back to the first point.
 /// Errors: data_points_too_few (2; 3 when closed); data_point_not_finite; unless uniform, points_coincide, which names
-/// the later of two neighbours that are equal or too near to be told apart beside the whole length. Source: The NURBS
+/// the later of two neighbors that are equal or too near to be told apart beside the whole length. Source: The NURBS
 /// Book, equations 9.3 to 9.6.
 [[nodiscard]] Result<std::vector<double>> parametrize(std::span<const Point> points, Parametrization parametrization,
                                                       bool is_closed = false);

@@ -17,7 +17,7 @@ Result<void> check_count(std::size_t found, std::size_t least) {
                    .lower = static_cast<double>(least)});
 }
 
-Result<void> check_neighbours(std::span<const Point> points, bool is_closed) {
+Result<void> check_neighbors(std::span<const Point> points, bool is_closed) {
     const auto coincide = [&](std::size_t later, std::size_t earlier) -> Result<void> {
         if (points[later] != points[earlier]) return {};
         return refuse({.code = CurveErrorCode::points_coincide, .index = later, .value = static_cast<double>(earlier)});
@@ -35,7 +35,7 @@ Result<Curve> line(Point from, Point to) {
 
 Result<Curve> polyline(std::span<const Point> points, bool is_closed) {
     const auto check =
-        check_count(points.size(), is_closed ? 3 : 2).and_then([&] { return check_neighbours(points, is_closed); });
+        check_count(points.size(), is_closed ? 3 : 2).and_then([&] { return check_neighbors(points, is_closed); });
     if (!check) return refuse(check.error());
     const KnotKind kind = is_closed ? KnotKind::periodic : KnotKind::clamped_uniform;
     const double legs = static_cast<double>(points.size()) - (is_closed ? 0.0 : 1.0);

@@ -11,7 +11,7 @@ namespace batten::core {
 [[nodiscard]] Result<Curve> line(Point from, Point to);
 
 /// The polyline through `points`, of degree 1, one unit of the parameter for each leg; periodic when `is_closed`, with
-/// one leg more. Errors: too_few_points (2, or 3 when closed); points_coincide where neighbours are equal;
+/// one leg more. Errors: too_few_points (2, or 3 when closed); points_coincide where neighbors are equal;
 /// point_not_finite.
 [[nodiscard]] Result<Curve> polyline(std::span<const Point> points, bool is_closed = false);
 

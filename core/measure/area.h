@@ -1,4 +1,4 @@
-/// The area inside a closed curve and its centre of gravity.
+/// The area inside a closed curve and its center of gravity.
 #pragma once
 
 #include <optional>

@@ -18,7 +18,7 @@ struct CollinearRun {
 /// How far a point of a run may be off its line, as a part of the larger side of the box of the control points.
 inline constexpr double default_collinear_tolerance = 1e-12;
 
-/// The maximal runs of p + 1 or more neighbouring control points that lie on one line, in order; neighbours may share
+/// The maximal runs of p + 1 or more neighboring control points that lie on one line, in order; neighbors may share
 /// points. A point counts as on the line when it is no farther than `tolerance` (times the larger side of the box of
 /// the control points, and never less than the rounding of their coordinates) from the line through the first point
 /// and the farthest one so far. In a periodic curve a run may pass the seam; if all points are collinear there is one

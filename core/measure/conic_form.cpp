@@ -39,7 +39,7 @@ ImplicitConic combined(const ImplicitConic& x, double factor, const ImplicitConi
             .f = x.f - factor * y.f};
 }
 
-ImplicitConic normalised(ImplicitConic conic) {
+ImplicitConic normalized(ImplicitConic conic) {
     const double largest = std::max({std::abs(conic.a), std::abs(conic.b), std::abs(conic.c)});
     const double first = conic.a != 0.0 ? conic.a : conic.b != 0.0 ? conic.b : conic.c;
     const double scale = std::copysign(largest, first);
@@ -56,7 +56,7 @@ ImplicitConic equation_of(const std::array<Point, 3>& points, double weight_squa
     const LinearForm l2 = through(from, Vector{});
     LinearForm l1 = through(to, from);
     ImplicitConic conic = combined(product(l1, l1), 4.0 * weight_squared, product(l0, l2));
-    conic = normalised(conic);
+    conic = normalized(conic);
     conic.origin = points[1];
     return conic;
 }

@@ -13,7 +13,7 @@ namespace batten::core {
 struct Bending {
     double curvature = 0.0;      ///< as curvature_at gives it
     double by_parameter = 0.0;   ///< d curvature / du
-    double by_arc_length = 0.0;  ///< d curvature / ds, which does not depend on the parametrisation
+    double by_arc_length = 0.0;  ///< d curvature / ds, which does not depend on the parametrization
 };
 
 /// The bending at `u`, seen from `side` at a knot: with v = |C'|,

@@ -12,7 +12,7 @@ namespace batten::core {
 
 namespace {
 
-// Denser towards the ends of a span, where polynomials of high degree have their narrowest peaks.
+// Denser toward the ends of a span, where polynomials of high degree have their narrowest peaks.
 std::vector<double> sample_shares(int degree) {
     const int count = std::max(32, 4 * degree);
     std::vector<double> shares;

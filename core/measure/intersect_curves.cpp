@@ -139,7 +139,7 @@ class ContactList {
         });
     }
 
-    // Of points in order of u only neighbours can be the same, and on a closed curve the first ones.
+    // Of points in order of u only neighbors can be the same, and on a closed curve the first ones.
     bool is_known(std::span<const CurveContact> points, const CurveContact& point) const {
         const auto is_far = [&](const CurveContact& other) {
             return !on_first_.are_same(point.on_first.lower, other.on_first.lower);
@@ -229,9 +229,9 @@ std::vector<CurveContact> self_intersections(const Curve& curve) {
         search.add_alone(pieces[i]);
         for (std::size_t j = i + 1; j < pieces.size(); ++j) {
             if (j == i + 1)
-                search.add_neighbours(pieces[i], pieces[j]);
+                search.add_neighbors(pieces[i], pieces[j]);
             else if (parameters.closes() && i == 0 && j + 1 == pieces.size())
-                search.add_neighbours(pieces[j], pieces[i]);
+                search.add_neighbors(pieces[j], pieces[i]);
             else
                 search.add_pair(pieces[i], pieces[j]);
         }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// In one round only what costs little beside the rest, so that a dear knot is not removed before its cheap neighbours.
+// In one round only what costs little beside the rest, so that a dear knot is not removed before its cheap neighbors.
 constexpr double costlier_in_a_round = 8.0;
 constexpr double negligible_part = 1e-3;
 

@@ -1,4 +1,4 @@
-/// Solves linear equations, square or overdetermined, each of which involves only a few neighbouring unknowns.
+/// Solves linear equations, square or overdetermined, each of which involves only a few neighboring unknowns.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct BandedEquation {
     P right{};
 };
 
-/// The triangle R of a QR factorisation that takes one equation after the other by Givens rotations, so that only the
+/// The triangle R of a QR factorization that takes one equation after the other by Givens rotations, so that only the
 /// band is kept. Source: Golub and Van Loan, Matrix Computations, 5.1 and 5.2; Dierckx 1993, chapter 4.
 template <class P>
 class BandedTriangle {

@@ -1,7 +1,7 @@
 /// The triangle of affine combinations behind every B-spline algorithm, written once for every point type.
 ///
 /// Over the span [u_s, u_{s+1}] a spline of degree p is determined by its p+1 local points d_j, j = 0..p, which are the
-/// control points of index i = s-p+j. Level r = 1..p of the triangle turns the neighbours i-1 and i into one new point,
+/// control points of index i = s-p+j. Level r = 1..p of the triangle turns the neighbors i-1 and i into one new point,
 /// using the knots u_i and u_{i+p-r+1}; whatever the level does, these two enclose the span and so are never equal:
 ///
 ///     blending at a       (u_upper - a) / (u_upper - u_lower) d_{j-1} + (a - u_lower) / (u_upper - u_lower) d_j

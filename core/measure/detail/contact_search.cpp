@@ -55,7 +55,7 @@ ShareContact guess(const ContactPiece& a, const ContactPiece& b) {
             b.shares.lower + std::clamp(on_b, 0.0, 1.0) * b.shares.length()};
 }
 
-bool are_neighbours(Interval a, Interval b) {
+bool are_neighbors(Interval a, Interval b) {
     const double slack = std::max(a.length(), b.length());
     return a.lower <= b.upper + slack && b.lower <= a.upper + slack;
 }
@@ -111,7 +111,7 @@ void ContactSearch::add_pair(const ContactPiece& a, const ContactPiece& b) {
     search(a, b);
 }
 
-void ContactSearch::add_neighbours(const ContactPiece& a, const ContactPiece& b) {
+void ContactSearch::add_neighbors(const ContactPiece& a, const ContactPiece& b) {
     if (continue_each_other(a, b) || take_overlap(a, b)) return;
     visits_ = 0;
     search_joint(a, b, 0);
@@ -246,8 +246,8 @@ std::vector<FoundContact> ContactSearch::finish() {
         for (std::size_t k = i + 1; k < unresolved_.size(); ++k) {
             const auto& [a, b] = unresolved_[i];
             const auto& [c, d] = unresolved_[k];
-            if (a.span != c.span || b.span != d.span || !are_neighbours(a.shares, c.shares)) break;
-            if (are_neighbours(b.shares, d.shares)) parents[root_of(parents, k)] = root_of(parents, i);
+            if (a.span != c.span || b.span != d.span || !are_neighbors(a.shares, c.shares)) break;
+            if (are_neighbors(b.shares, d.shares)) parents[root_of(parents, k)] = root_of(parents, i);
         }
     std::vector<std::vector<Unresolved>> clusters(unresolved_.size());
     for (std::size_t i = 0; i < unresolved_.size(); ++i)

@@ -34,8 +34,8 @@ ContactPieces contact_pieces(const Curve& curve, Point origin);
 
 /// Collects the contacts of pairs of pieces. Pairs whose boxes are apart have none; pairs that are transversal to each
 /// other have at most one, which Newton's iteration finds; others are halved, until they are smaller than 2^-22 of the
-/// size of the smaller curve. What is left then is gathered into clusters of neighbours, each one tangential contact.
-/// Pieces that coincide on an interval are recognised before. Source: Sederberg and Meyers 1988 for the directions.
+/// size of the smaller curve. What is left then is gathered into clusters of neighbors, each one tangential contact.
+/// Pieces that coincide on an interval are recognized before. Source: Sederberg and Meyers 1988 for the directions.
 class ContactSearch {
   public:
     /// Points nearer than `tolerance` are one; `size` is that of the smaller curve. For a curve with itself both are
@@ -46,7 +46,7 @@ class ContactSearch {
     void add_pair(const ContactPiece& a, const ContactPiece& b);
 
     /// Seeks those of two pieces of one curve, the second of which begins where the first ends, besides that point.
-    void add_neighbours(const ContactPiece& a, const ContactPiece& b);
+    void add_neighbors(const ContactPiece& a, const ContactPiece& b);
 
     /// Seeks those of a piece with itself.
     void add_alone(const ContactPiece& a);

@@ -12,7 +12,7 @@ constexpr int most_secant_steps = 80;
 constexpr int samples = 64;
 
 // Newton's iteration may leave a piece by this much on its way, but not farther, where weights may vanish.
-constexpr Interval neighbourhood{-0.125, 1.125};
+constexpr Interval neighborhood{-0.125, 1.125};
 
 constexpr double smallest_step = 0.5 * std::numeric_limits<double>::epsilon();
 
@@ -37,8 +37,8 @@ std::optional<ShareContact> crossing_near(const PieceMotion& a, const PieceMotio
         const double step_a = cross(apart, on_b.velocity) / determinant;
         const double step_b = cross(apart, on_a.velocity) / determinant;
         if (!std::isfinite(step_a) || !std::isfinite(step_b)) return std::nullopt;
-        at.first = neighbourhood.clamp(at.first + step_a);
-        at.second = neighbourhood.clamp(at.second + step_b);
+        at.first = neighborhood.clamp(at.first + step_a);
+        at.second = neighborhood.clamp(at.second + step_b);
         if (std::max(std::abs(step_a), std::abs(step_b)) <= smallest_step) break;
     }
     at = {unit(at.first), unit(at.second)};

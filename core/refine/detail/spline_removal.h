@@ -47,17 +47,17 @@ SplineRemoval<P> removal(std::span<const Ratio> ratios, std::span<const P> point
     // Q_i = P_i + (1 - alpha_i) / alpha_i (P_i - Q_{i-1}) from the left, Q_{i-1} likewise from the right.
     std::vector<P> result(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count) - 1);
     const auto corrected = [&](std::size_t i) { return points[i + 1] - ((i + middle) % 2 == 0 ? 1.0 : -1.0) * error; };
-    P neighbour = points[0];
+    P neighbor = points[0];
     for (std::size_t i = 0; i < middle; ++i) {
         const P point = corrected(i);
-        neighbour = point + (ratios[i].lower_share / ratios[i].upper_share) * (point - neighbour);
-        result[i] = neighbour;
+        neighbor = point + (ratios[i].lower_share / ratios[i].upper_share) * (point - neighbor);
+        result[i] = neighbor;
     }
-    neighbour = points[count + 1];
+    neighbor = points[count + 1];
     for (std::size_t i = count - 1; i > middle; --i) {
         const P point = corrected(i);
-        neighbour = point + (ratios[i].upper_share / ratios[i].lower_share) * (point - neighbour);
-        result[i - 1] = neighbour;
+        neighbor = point + (ratios[i].upper_share / ratios[i].lower_share) * (point - neighbor);
+        result[i - 1] = neighbor;
     }
     return {std::move(result), error};
 }
