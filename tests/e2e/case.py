@@ -34,10 +34,10 @@ class WindowTest(unittest.TestCase):
 
     def start(self, display, *arguments, **options):
         """The editor on the display, open on the test's file unless other arguments are given."""
-        return Editor(os.environ["BATTEN_BINARY"], display, self.artefacts(), arguments or (self.path,), **options)
+        return Editor(os.environ["BATTEN_BINARY"], display, self.artifacts(), arguments or (self.path,), **options)
 
-    def artefacts(self):
-        return pathlib.Path(os.environ.get("BATTEN_ARTEFACTS", self.folder)) / self.id().split(".", 1)[1]
+    def artifacts(self):
+        return pathlib.Path(os.environ.get("BATTEN_ARTIFACTS", self.folder)) / self.id().split(".", 1)[1]
 
     def open_editor(self, *arguments, **options):
         return self.enterContext(self.start(self.display(), *arguments, **options))

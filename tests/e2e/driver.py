@@ -43,11 +43,11 @@ class Display:
 class Editor:
     """The editor on a display, started in the with block and closed at its end."""
 
-    def __init__(self, binary, display, artefacts, arguments=(), settings=None, config=None):
+    def __init__(self, binary, display, artifacts, arguments=(), settings=None, config=None):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="batten-"))
         self.report = self.folder / "state.json"
-        self.artefacts = pathlib.Path(artefacts)
-        self.artefacts.mkdir(parents=True, exist_ok=True)
+        self.artifacts = pathlib.Path(artifacts)
+        self.artifacts.mkdir(parents=True, exist_ok=True)
         config = pathlib.Path(config or self.folder / "config")
         self.environment = dict(os.environ, DISPLAY=display.name, XDG_CONFIG_HOME=str(config), LIBGL_ALWAYS_SOFTWARE="1")
         self.environment.pop("WAYLAND_DISPLAY", None)
@@ -127,7 +127,7 @@ class Editor:
         return [label["text"] for label in self.state()["labels"]]
 
     def screenshot(self, name):
-        path = self.artefacts / f"{name}.png"
+        path = self.artifacts / f"{name}.png"
         subprocess.run(["import", "-window", "root", str(path)], env=self.environment, check=True)
         return path
 

@@ -41,7 +41,7 @@ TEST_F(CanvasModes, drag_up_raises_y) {
     EXPECT_EQ(point(1), core::Point(-2, 2.5));
 }
 
-TEST_F(CanvasModes, a_point_grabbed_off_its_centre_does_not_jump) {
+TEST_F(CanvasModes, a_point_grabbed_off_its_center_does_not_jump) {
     pointer.drag(px(-2, 2) + glm::dvec2(5, 3), px(-1, 2) + glm::dvec2(5, 3));
     EXPECT_EQ(point(1), core::Point(-1, 2));
 }
@@ -150,7 +150,7 @@ TEST_F(CanvasModes, ctrl_puts_the_point_on_the_minor_grid) {
 }
 
 TEST_F(CanvasModes, snapped_coordinates_are_the_doubles_of_their_decimals) {
-    // At 1280 px a unit the major step is 0.1 and the minor one 0.02; P_2 at (0, -2) is brought to the centre.
+    // At 1280 px a unit the major step is 0.1 and the minor one 0.02; P_2 at (0, -2) is brought to the center.
     editor.change(ZoomCamera{20.0, px(0, -2)});
     const glm::dvec2 start = px(0, -2);
     pointer.modifiers = ctrl;

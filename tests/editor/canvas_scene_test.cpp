@@ -389,7 +389,7 @@ TEST(CanvasScene, curve_being_drawn_begins_and_ends_in_its_points) {
     EXPECT_EQ(test::lines_of(canvas_scene(state, drawing), dark().accent, 3.0F).size(), 1U) << "a straight line";
 }
 
-TEST(CanvasScene, comb_points_away_from_the_centre_of_curvature) {
+TEST(CanvasScene, comb_points_away_from_the_center_of_curvature) {
     core::CurveDefinition parabola;
     parabola.degree = 2;
     parabola.knots = {0, 0, 0, 1, 1, 1};

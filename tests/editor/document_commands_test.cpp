@@ -83,7 +83,7 @@ TEST_F(DocumentCommands, duplicate_to_the_right_and_down) {
     EXPECT_GT(points(editor_)[0].x, 0.0);
 }
 
-TEST_F(DocumentCommands, rename_colour_hide_and_lock) {
+TEST_F(DocumentCommands, rename_color_hide_and_lock) {
     EXPECT_TRUE(run(RenameCurve{.index = 1, .name = "hoop"}));
     EXPECT_EQ(names()[1], "hoop");
     EXPECT_EQ(state().history.undo_label(), "Rename curve 'ring'");

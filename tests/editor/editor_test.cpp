@@ -99,7 +99,7 @@ TEST_F(EditorTest, previews_start_from_the_committed_document_each_time) {
     EXPECT_EQ(state().active_curve()->control_points()[0], (core::Point{3, 4}));
 }
 
-TEST_F(EditorTest, a_cancelled_preview_leaves_no_trace) {
+TEST_F(EditorTest, a_canceled_preview_leaves_no_trace) {
     preview(move_all);
     cancel();
     EXPECT_FALSE(state().preview);

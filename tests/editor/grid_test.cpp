@@ -70,7 +70,7 @@ TEST(Grid, numbers_never_pile_up_over_all_scales) {
         }
 }
 
-TEST(Grid, neighbouring_numbers_differ_over_twelve_decades) {
+TEST(Grid, neighboring_numbers_differ_over_twelve_decades) {
     for (double exponent = -4.0; exponent <= 8.0; exponent += 0.21) {
         const Grid grid = grid_of(state_at(std::pow(10.0, exponent), {3.4, -2.2}));
         EXPECT_GE(grid.texts.size(), 4U);

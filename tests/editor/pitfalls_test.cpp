@@ -159,7 +159,7 @@ TEST_P(RandomSessions, pitfall_14_a_session_replayed_from_its_log_gives_the_same
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomSessions, ::testing::Range(1U, 13U));
 
-TEST(Pitfalls, pitfall_14_a_drag_is_one_step_and_a_cancelled_one_is_none) {
+TEST(Pitfalls, pitfall_14_a_drag_is_one_step_and_a_canceled_one_is_none) {
     Editor editor;
     open_text(editor, sample_text);
     const std::string before = text_of(document(editor));

@@ -78,7 +78,7 @@ TEST_F(PlotModes, click_selects_a_knot_without_a_step) {
     EXPECT_EQ(steps(), 0U);
 }
 
-TEST_F(PlotModes, stop_ends_at_the_neighbour_and_makes_it_double) {
+TEST_F(PlotModes, stop_ends_at_the_neighbor_and_makes_it_double) {
     pointer.drag(at(0.25), at(0.6));
     EXPECT_EQ(interior(), (Knots{0.5, 0.5, 0.75}));
     EXPECT_EQ(committed(editor).knots().multiplicity(0.5), 2);
@@ -89,7 +89,7 @@ TEST_F(PlotModes, stop_does_not_snap_from_afar) {
     EXPECT_NEAR(interior()[0], 0.495, 1e-15);
 }
 
-TEST_F(PlotModes, push_takes_the_neighbour_along) {
+TEST_F(PlotModes, push_takes_the_neighbor_along) {
     editor.run(SetKnotMove{.mode = core::KnotMove::push});
     pointer.drag(at(0.25), at(0.6));
     EXPECT_NEAR(interior()[0], 0.6, 1e-15);
@@ -258,7 +258,7 @@ TEST_F(PlotModes, hints_tell_the_knot_and_its_continuity) {
     use({0.25, 0.5, 0.5});
     pointer.move(at(0.5));
     EXPECT_EQ(plot_hint(pointer.mode(), state()),
-              "Drag the knot 0.5 (×2, C¹) to move it; it stops at its neighbours · double-click to raise its "
+              "Drag the knot 0.5 (×2, C¹) to move it; it stops at its neighbors · double-click to raise its "
               "multiplicity (keeps the shape)");
     pointer.move(at(0.3));
     EXPECT_EQ(plot_hint(pointer.mode(), state()),

@@ -167,17 +167,17 @@ TEST(PlotScene, dragged_knot_shows_what_would_become_of_it) {
     EXPECT_EQ(accented, 2) << "both diamonds of the stack that the dragged knot joined";
 }
 
-TEST(PlotScene, knots_outside_of_the_domain_are_grey_and_the_plot_is_shaded) {
+TEST(PlotScene, knots_outside_of_the_domain_are_gray_and_the_plot_is_shaded) {
     core::CurveDefinition definition = test::cubic();
     definition.knots = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
     EditorState state = test::scene_state(definition);
     state.view.parameter = 5.5;
     const PlotLayout layout = plot_layout(state, size);
     const render::DrawList list = scene_of(state);
-    int grey = 0;
+    int gray = 0;
     for (const Marker& marker : all_of<Marker>(list))
-        grey += marker.shape == MarkerShape::diamond && marker.outline == dark().dim ? 1 : 0;
-    EXPECT_EQ(grey, 6);
+        gray += marker.shape == MarkerShape::diamond && marker.outline == dark().dim ? 1 : 0;
+    EXPECT_EQ(gray, 6);
     const auto fills = all_of<Fill>(list);
     ASSERT_EQ(fills.size(), 3U) << "before, after, active span";
     EXPECT_NEAR(fills[0].points[0].x, x_from_parameter(layout, 0.0), 1e-3);

@@ -54,6 +54,12 @@ TEST(Settings, are_brought_into_range_one_by_one) {
     EXPECT_EQ(*settings.window, (WindowGeometry{-32000, 0, 320, 32000, false}));
 }
 
+TEST(Settings, of_version_0_1_keep_the_window_maximized) {
+    const Settings settings = parse_settings(R"({"window": {"width": 800, "height": 600, "maximised": true}})");
+    ASSERT_TRUE(settings.window);
+    EXPECT_TRUE(settings.window->is_maximized);
+}
+
 TEST(Settings, survive_a_start) {
     Editor editor;
     Settings settings = unusual_settings();

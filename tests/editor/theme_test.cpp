@@ -7,7 +7,7 @@ namespace {
 
 using render::rgb;
 
-TEST(Theme, has_the_colours_of_the_look) {
+TEST(Theme, has_the_colors_of_the_look) {
     const Theme dark = theme_of(ThemeName::dark);
     EXPECT_EQ(dark.canvas, rgb(0x14161B));
     EXPECT_EQ(dark.field, rgb(0x22262F));

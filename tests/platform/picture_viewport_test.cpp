@@ -37,14 +37,14 @@ TEST(PictureViewport, covers_the_framebuffer_pixels_of_its_place) {
     EXPECT_EQ(viewport.framebuffer_px, glm::ivec2(2880, 1800));
 }
 
-TEST(PictureViewport, neighbours_meet_at_fractional_densities) {
+TEST(PictureViewport, neighbors_meet_at_fractional_densities) {
     const glm::ivec2 framebuffer{1801, 1126};
     const render::Viewport above = picture_viewport(canvas, window, framebuffer);
     const render::Viewport below = picture_viewport(plot, window, framebuffer);
     EXPECT_EQ(above.origin_px.y + above.size_px.y, below.origin_px.y);
 }
 
-TEST(PictureViewport, of_a_minimised_window_is_harmless) {
+TEST(PictureViewport, of_a_minimized_window_is_harmless) {
     EXPECT_EQ(framebuffer_density({0, 0}, {0, 0}), 1.0);
 }
 

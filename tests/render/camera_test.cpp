@@ -22,7 +22,7 @@ double spacing_at(glm::dvec2 point) {
 
 const Camera example{{3.0, -2.0}, 50.0, {800.0, 600.0}};
 
-TEST(Camera, centre_of_view_is_centre_of_picture) {
+TEST(Camera, center_of_view_is_center_of_picture) {
     expect_near(screen_from_world(example, {3, -2}), {400, 300}, 0.0);
 }
 
@@ -32,7 +32,7 @@ TEST(Camera, world_y_points_up) {
     expect_near(world_from_screen(example, {0, 0}), {-5, 4}, 1e-14);
 }
 
-TEST(Camera, size_of_picture_moves_the_centre_only) {
+TEST(Camera, size_of_picture_moves_the_center_only) {
     Camera doubled = example;
     doubled.size_px = {1600.0, 900.0};
     expect_near(screen_from_world(doubled, {4, -1}), {850, 400}, 0.0);
@@ -51,7 +51,7 @@ TEST(Camera, round_trip_at_all_scales_far_from_the_origin) {
     }
 }
 
-TEST(Camera, neighbouring_doubles_are_told_apart_at_any_scale) {
+TEST(Camera, neighboring_doubles_are_told_apart_at_any_scale) {
     const double far = 1e6;
     const double step = std::nextafter(far, 2e6) - far;
     const Camera camera{{far, far}, 1e12, {1440.0, 900.0}};
@@ -109,7 +109,7 @@ TEST(Camera, fit_of_a_line_uses_its_length) {
     EXPECT_DOUBLE_EQ(fitted(example, {2, 0}, {2, 10}, 0.0).scale, 60.0);
 }
 
-TEST(Camera, fit_of_a_point_only_centres) {
+TEST(Camera, fit_of_a_point_only_centers) {
     const Camera camera = fitted(example, {7, 8}, {7, 8}, 20.0);
     expect_near(camera.center, {7, 8}, 0.0);
     EXPECT_EQ(camera.scale, 50.0);

@@ -43,7 +43,7 @@ class OffscreenContext {
     void* window_ = nullptr;
 };
 
-/// A framebuffer of 8-bit colours and 24-bit depth, bound as long as it lives.
+/// A framebuffer of 8-bit colors and 24-bit depth, bound as long as it lives.
 class OffscreenTarget {
   public:
     explicit OffscreenTarget(glm::ivec2 size_px);

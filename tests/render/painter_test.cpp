@@ -63,7 +63,7 @@ TEST_F(Painter, later_commands_cover_earlier_ones) {
     EXPECT_EQ(image.at(10, 50), red);
 }
 
-TEST_F(Painter, colours_are_blended_as_they_are) {
+TEST_F(Painter, colors_are_blended_as_they_are) {
     const Image image = paint({rectangle(0, 0, 50, 50, {200, 100, 40, 255}), rectangle(0, 0, 50, 50, {0, 200, 240, 51}),
                                line({{0, 25}, {50, 25}}, 4, {100, 0, 40, 128})},
                               {50, 50});

@@ -41,7 +41,7 @@ TEST_F(Markers, square_has_four_times_its_radius_squared) {
     EXPECT_NEAR(image.red_of_all(), 4.0 * 6.25 * 6.25, 0.5);
 }
 
-TEST_F(Markers, outline_is_centred_on_the_edge) {
+TEST_F(Markers, outline_is_centered_on_the_edge) {
     const Image ring = paint({Marker{{60, 50}, MarkerShape::disc, 15.0F, none, white, 3.0F, 0.0F}});
     EXPECT_NEAR(ring.red_of_all(), 2.0 * pi * 15.0 * 3.0, 3.0);
     EXPECT_EQ(ring.at(60, 50), black);

@@ -20,7 +20,7 @@ std::vector<Pixel> sampled(int count, double from, double to, auto point_at) {
     return points;
 }
 
-/// What a pixel should show: the distance from its centre to the nearest segment, put through the edge's ramp.
+/// What a pixel should show: the distance from its center to the nearest segment, put through the edge's ramp.
 double ideal_coverage(const Polyline& stroke, glm::dvec2 pixel) {
     double nearest = std::numeric_limits<double>::infinity();
     const std::size_t count = stroke.points.size();

@@ -83,7 +83,7 @@ TEST(CurveError, says_what_was_found_where_and_what_is_allowed) {
         {{.code = Code::curve_has_corner, .value = 0.5},
          "the curve has a corner or a gap at 0.5; its direction must not jump"},
         {{.code = Code::offset_too_far, .value = 0.5, .lower = 1.5, .upper = 2},
-         "the distance is 2, but the radius of curvature at 0.5 is 1.5; towards the inside the distance must be less"},
+         "the distance is 2, but the radius of curvature at 0.5 is 1.5; toward the inside the distance must be less"},
         {{.code = Code::leg_vanishes, .index = 2},
          "leg 2 of the polygon would vanish or turn round; the distance must be less"},
         {{.code = Code::tolerance_not_positive, .value = 0}, "the tolerance is 0; it must be above 0 and finite"},

@@ -47,7 +47,7 @@ void expect_near(const Knots& found, const Knots& expected) {
 
 const Knots cubic{0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1};
 
-TEST(MoveKnot, moves_freely_between_neighbours) {
+TEST(MoveKnot, moves_freely_between_neighbors) {
     const Curve curve = open_curve(3, cubic, KnotKind::clamped_uniform);
     for (const KnotMove mode : {KnotMove::stop, KnotMove::push, KnotMove::snap})
         EXPECT_EQ(moved(curve, 5, 0.6, mode), (Knots{0, 0, 0, 0, 0.25, 0.6, 0.75, 1, 1, 1, 1}));
@@ -61,7 +61,7 @@ TEST(MoveKnot, knot_that_does_not_move_keeps_the_kind) {
     EXPECT_EQ(move_knot(curve, 5, 0.5, KnotMove::stop).value(), curve);
 }
 
-TEST(MoveKnot, stop_joins_the_neighbour) {
+TEST(MoveKnot, stop_joins_the_neighbor) {
     const Curve curve = open_curve(3, cubic);
     EXPECT_EQ(moved(curve, 5, 0.9, KnotMove::stop), (Knots{0, 0, 0, 0, 0.25, 0.75, 0.75, 1, 1, 1, 1}));
     EXPECT_EQ(moved(curve, 5, 0.1, KnotMove::stop), (Knots{0, 0, 0, 0, 0.25, 0.25, 0.75, 1, 1, 1, 1}));
@@ -103,7 +103,7 @@ TEST(MoveKnot, snap_jumps_onto_a_knot_within_its_distance) {
     EXPECT_EQ(moved(curve, 5, 0.73, KnotMove::snap, 0.03)[5], 0.75);
     EXPECT_EQ(moved(curve, 5, 0.71, KnotMove::snap, 0.03)[5], 0.71);
     EXPECT_EQ(moved(curve, 5, 0.27, KnotMove::snap, 0.03)[5], 0.25);
-    EXPECT_EQ(moved(curve, 5, 2.0, KnotMove::snap, 0.03)[5], 0.75) << "and stops at neighbours like stop";
+    EXPECT_EQ(moved(curve, 5, 2.0, KnotMove::snap, 0.03)[5], 0.75) << "and stops at neighbors like stop";
 }
 
 TEST(MoveKnot, snap_leaves_a_stack_only_beyond_its_distance) {
@@ -112,7 +112,7 @@ TEST(MoveKnot, snap_leaves_a_stack_only_beyond_its_distance) {
     EXPECT_EQ(moved(curve, 5, 0.54, KnotMove::snap, 0.03), (Knots{0, 0, 0, 0, 0.5, 0.54, 0.75, 1, 1, 1, 1}));
 }
 
-TEST(MoveKnot, push_takes_neighbours_along_without_joining_them) {
+TEST(MoveKnot, push_takes_neighbors_along_without_joining_them) {
     const Curve curve = open_curve(3, cubic);
     expect_near(moved(curve, 4, 0.6, KnotMove::push), {0, 0, 0, 0, 0.6, 0.605, 0.75, 1, 1, 1, 1});
     expect_near(moved(curve, 4, 0.8, KnotMove::push), {0, 0, 0, 0, 0.8, 0.805, 0.81, 1, 1, 1, 1});

@@ -41,7 +41,7 @@ double distance_to_chord(Point p, Point a, Point b) {
     return distance(p, a + t * along);
 }
 
-// The farthest that the curve between neighbouring samples is from their chord, by 11 points in each.
+// The farthest that the curve between neighboring samples is from their chord, by 11 points in each.
 double measured_deviation(const Curve& curve, const std::vector<CurveSample>& run) {
     double largest = 0.0;
     for (std::size_t i = 0; i + 1 < run.size(); ++i)

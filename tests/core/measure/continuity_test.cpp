@@ -45,7 +45,7 @@ TEST(Continuity, of_speed_of_acceleration_and_of_curvature) {
     const auto smooth = joint_continuity(cubic_pieces({{0, 0}, {1, 2}, {2, 1}, {3, 1}, {4, 1}, {5, 2}, {7, 0}}));
     EXPECT_EQ(smooth[0].parametric, 2);
     EXPECT_EQ(smooth[0].geometric, 2);
-    // C1 and not G2: the outer neighbour higher.
+    // C1 and not G2: the outer neighbor higher.
     const auto bent = joint_continuity(cubic_pieces({{0, 0}, {1, 2}, {2, 1}, {3, 1}, {4, 1}, {5, 3}, {7, 0}}));
     EXPECT_EQ(bent[0].parametric, 1);
     EXPECT_EQ(bent[0].geometric, 1);

@@ -116,7 +116,7 @@ TEST(Periodic, seam_is_as_smooth_by_its_knots_as_the_curve_is) {
     const auto drop =
         Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 2, 2, 2}, .points = {{0, 0}, {2, 1}, {-2, 1}, {0, 0}}}).value();
     EXPECT_EQ(to_periodic(drop, 1e-9)->curve.knots().multiplicity(0.0), 2);
-    // Nearly smooth: (0.01, 0) off the line of the neighbours, which a tolerance of 0.01 forgives.
+    // Nearly smooth: (0.01, 0) off the line of the neighbors, which a tolerance of 0.01 forgives.
     const auto nearly =
         Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 2, 2, 2}, .points = {{0, 0}, {2, 1}, {-2, -0.99}, {0, 0}}})
             .value();
