@@ -16,7 +16,7 @@ struct BasisValues {
 
 /// The non-vanishing functions at `u` (brought into the domain) and their derivatives up to order `derivative_count`
 /// (0..; those above p are zero), seen from `side` at a knot.
-/// Cost O(p^2 + derivative_count^2 p). Source: The NURBS Book, A2.2 and A2.3, which these are in another order.
+/// Cost O(p^2 + derivative_count^2 p). Source: The NURBS Book, A2.2 and A2.3, with the same steps in another order.
 BasisValues basis_functions(const KnotVector& knots, double u, int derivative_count = 0, Side side = Side::right);
 
 /// N_{i,p}(u) alone: the spline whose control points are 1 at i and 0 elsewhere, so for a periodic vector with all its

@@ -17,7 +17,7 @@ struct Area {
 /// The area by Green's theorem, with the integrals along the curve by adaptive Gauss-Kronrod, which is exact for
 /// polynomial pieces (after halving, for high degrees):
 ///     A = 1/2 integral of det(C, C'),    centroid = 1/(3A) integral of C det(C, C')
-/// reckoned from the middle of the curve, so that nothing cancels far from the origin. Error: curve_not_closed, unless
+/// computed from the middle of the curve, so that nothing cancels far from the origin. Error: curve_not_closed, unless
 /// the curve is periodic or its ends meet to 1e-9 of its size, or where it is torn inside.
 [[nodiscard]] Result<Area> enclosed_area(const Curve& curve);
 

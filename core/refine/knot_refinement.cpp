@@ -49,7 +49,7 @@ Result<Curve> refine_open(const Curve& curve, std::span<const double> added) {
     return settled(curve, std::move(spline), curve.knots().kind());
 }
 
-// The values and their repetitions in so many periods before and after, ascending; reckoned as unroll_period does, so
+// The values and their repetitions in so many periods before and after, ascending; computed as unroll_period does, so
 // that a repetition of a value equals the repetition of the knot that it equals.
 std::vector<double> repetitions(std::span<const double> values, Interval period, std::size_t periods) {
     std::vector<double> all(values.begin(), values.end());

@@ -50,7 +50,7 @@ Result<Curve> opened(const Curve& ring, double u, double later) {
 Result<Curve> part_of_periodic(const Curve& curve, double a, double b) {
     const Interval domain = curve.domain();
     if (const auto check = check_inside(a, domain); !check) return refuse(check.error());
-    // One period later; reckoned as the repetitions of the knots are, so that equals stay equal.
+    // One period later; computed as the repetitions of the knots are, so that equals stay equal.
     const auto later = [&](double u) { return domain.upper + (u - domain.lower); };
     if (const auto check = check_inside(b, {domain.lower, later(a)}); !check) return refuse(check.error());
     double end = b > a ? b : later(b);

@@ -37,7 +37,7 @@ inline Ratio ratio_between(double lower, double upper, double u) {
     return {(upper - u) / length, (u - lower) / length};
 }
 
-/// lower_share a + upper_share b, reckoned from the nearer of the two: bit-equal to a or b where a share is 0,
+/// lower_share a + upper_share b, computed from the nearer of the two: bit-equal to a or b where a share is 0,
 /// bit-equal to both where they are equal, and of full relative accuracy for positive numbers.
 template <class P>
 P blend(const P& a, const P& b, Ratio ratio) {

@@ -50,7 +50,7 @@ class SyntaxCheck : public nlohmann::json_sax<Json> {
 
     bool key(string_t& name) override {
         if (names_.back().size() == most_members)
-            return refuse({"", sentence("an object has more than {most} members; that is no curve document",
+            return refuse({"", sentence("an object has more than {most} members; this is not a curve document",
                                         {{"most", most_members}})});
         if (names_.back().insert(name).second) return true;
         return refuse({"", sentence("the member \"{name}\" occurs twice in one object; every name may occur once",
@@ -70,7 +70,7 @@ class SyntaxCheck : public nlohmann::json_sax<Json> {
     bool enter() {
         names_.emplace_back();
         if (names_.size() <= deepest_nesting) return true;
-        return refuse({"", sentence("lists and objects are nested more than {most} deep; that is no curve document",
+        return refuse({"", sentence("lists and objects are nested more than {most} deep; this is not a curve document",
                                     {{"most", deepest_nesting}})});
     }
 

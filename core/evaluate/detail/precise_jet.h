@@ -15,7 +15,7 @@ struct PreciseHomogeneousPoint {
 };
 
 /// A(u), A'(u), A''(u) of the homogeneous spline over the span `at`, seen from `origin`, as exact as if it were
-/// reckoned in some 30 digits. Cost O(p^2), some twenty times that of the same in doubles.
+/// computed in some 30 digits. Cost O(p^2), some twenty times that of the same in doubles.
 std::array<PreciseHomogeneousPoint, 3> precise_jet(const Curve& curve, const SpanKnots& at, double u, Point origin);
 
 }  // namespace batten::core

@@ -17,7 +17,7 @@ struct KnownPoint {
 };
 
 /// Collects conditions and solves them: exactly when they are as many as the unknown control points, by least squares
-/// when they are more. Coordinates are reckoned from an origin, which should lie near the points.
+/// when they are more. Coordinates are computed from an origin, which should lie near the points.
 class SplineSystem {
   public:
     SplineSystem(KnotVector knots, Point origin, std::span<const KnownPoint> known = {});

@@ -26,7 +26,7 @@ template <class P>
 SplineRemoval<P> removal(std::span<const Ratio> ratios, std::span<const P> points) {
     const std::size_t count = ratios.size();
     // The equations have one relation: sum z_i P_i = 0 with z_{i+1} / z_i = -alpha_i / (1 - alpha_{i+1}). |z| is
-    // largest where alpha passes 1/2; reckoned from there it falls to both sides.
+    // largest where alpha passes 1/2; computed from there it falls to both sides.
     std::size_t middle = 0;
     while (middle + 1 < count && ratios[middle].upper_share >= ratios[middle + 1].lower_share) ++middle;
     std::vector<double> z(count, 1.0);
