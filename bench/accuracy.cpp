@@ -213,7 +213,7 @@ CaseErrors measure_interpolation(const SplineLibrary& library, const json& item)
     return {error_of(library.interpolate(task), result, scale_of(golden::curve_of(result)))};
 }
 
-// How far points of the curve are from the conic that it is: |F| / |grad F|, reckoned with more digits.
+// How far points of the curve are from the conic that it is: |F| / |grad F|, computed with more digits.
 CaseErrors measure_conic(const SplineLibrary& library, const json& item) {
     const Curve curve = golden::curve_of(item);
     const auto k = item.at("implicit").get<std::vector<long double>>();

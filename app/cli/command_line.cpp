@@ -58,7 +58,7 @@ Subcommands::Subcommands(CLI::App& program) {
 }
 
 void Subcommands::add_info(CLI::App& program) {
-    CLI::App* command = add_command(program, "info", "Print what the curves of a file are");
+    CLI::App* command = add_command(program, "info", "Describe the curves of a file");
     command->add_option("file", info_.file, file_meaning)->required()->type_name("FILE");
     add_json(*command, info_.as_json);
     info_command_ = command;
@@ -80,7 +80,7 @@ void Subcommands::add_eval(CLI::App& program) {
         ->add_option_function<std::string>(
             "--side",
             [this](const std::string& side) { eval_.side = side == "left" ? core::Side::left : core::Side::right; },
-            "From where a knot is approached: left or right (which is usual)")
+            "The side from which a knot is approached: left or right (the default)")
         ->check(CLI::Validator(CLI::IsMember({"left", "right"})).description(""))
         ->type_name("SIDE");
     add_json(*command, eval_.as_json);
@@ -94,7 +94,7 @@ void Subcommands::add_apply(CLI::App& program) {
         ->add_option("operations", apply_.operations,
                      "Commands of the palette, each followed by its arguments: insert-knot 0.5 elevate 1 split 0.25")
         ->type_name("OPERATION");
-    command->add_option("-o,--output", apply_.result, "Where the result is written; left out, it is not kept")
+    command->add_option("-o,--output", apply_.result, "Where the result is written; without it nothing is kept")
         ->type_name("FILE");
     command->add_option("--curve", apply_.curve, "The curve to begin with, instead of the active one")
         ->type_name("NAME");
@@ -104,7 +104,7 @@ void Subcommands::add_apply(CLI::App& program) {
 }
 
 void Subcommands::add_check(CLI::App& program) {
-    CLI::App* command = add_command(program, "check", "Say whether files are valid, and what is wrong where not");
+    CLI::App* command = add_command(program, "check", "Check whether files are valid, and say what is wrong if not");
     command->add_option("files", check_.files, "Curve files")->required()->type_name("FILE");
     add_json(*command, check_.as_json);
     check_command_ = command;
@@ -120,7 +120,7 @@ std::optional<ExitStatus> Subcommands::run(Output output) const {
         return ExitStatus::done;
     }
     if (!apply_.file.empty() && !apply_.operations.empty()) return apply(apply_, output);
-    output.errors << "batten apply: a file and one operation or more are needed; batten apply --list explains them\n";
+    output.errors << "batten apply: a file and at least one operation are needed; batten apply --list explains them\n";
     return ExitStatus::wrong_usage;
 }
 
@@ -150,7 +150,7 @@ std::optional<int> run_command_line(int argc, const char* const* argv, WindowOpt
     program.formatter_fn(help_text);
     program.footer(
         "Without a subcommand the window opens.\n\n"
-        "Exit status:\n  0 where all is done, 1 where the input is wrong, 2 where the command line is.");
+        "Exit status:\n  0 if everything was done, 1 if the input is wrong, 2 if the command line is wrong.");
     const Subcommands subcommands(program);
     if (window != nullptr) add_window_options(program, *window);
     try {

@@ -47,8 +47,8 @@ Operation take_operation(const editor::CommandSpec& spec, const std::vector<std:
 
 editor::Refusal no_operation(const std::string& word, const std::vector<Operation>& before) {
     if (before.empty())
-        return sentence("'{word}' is not an operation; batten apply --list explains those there are", {{"word", word}});
-    return sentence("'{word}' after '{before}' is not an operation; batten apply --list explains those there are",
+        return sentence("'{word}' is not an operation; batten apply --list explains all of them", {{"word", word}});
+    return sentence("'{word}' after '{before}' is not an operation; batten apply --list explains all of them",
                     {{"word", word}, {"before", before.back().text}});
 }
 

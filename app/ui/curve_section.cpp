@@ -92,7 +92,7 @@ void draw_choice(const PanelContext& context, const core::Curve& curve, KnotKind
     button.anchor = render::Anchor::left;
     button.is_active = curve.knots().kind() == kind;
     button.is_enabled = result.has_value();
-    if (kind == KnotKind::custom) button.tooltip = "Keeps these knots whatever happens to the points.";
+    if (kind == KnotKind::custom) button.tooltip = "Keeps these knots, whatever happens to the points.";
     if (!result)
         button.tooltip = core::sentence("Not possible: {reason}.", {{"reason", core::describe(result.error())}});
     if (!draw_button(context, button)) return;

@@ -209,7 +209,7 @@ void draw_question(const PanelContext& context, bool is_left) {
     FileDialogState& dialog = context.panels.file_dialog;
     const fs::path path = *dialog.to_replace;
     ImGui::SetCursorPosY(ImGui::GetWindowHeight() - context.px(42));
-    const std::string question = sentence("Replace {name}, which exists?", {{"name", path.filename().string()}});
+    const std::string question = sentence("Replace {name}? It exists already.", {{"name", path.filename().string()}});
     ImGui::TextUnformatted(elided(question, context.fonts.text, context.px(330)).c_str());
     report_item(context, "dialog question", path.string());
     place_buttons(context, "Keep", "Replace");

@@ -249,7 +249,7 @@ TEST(Pitfalls, p09_insertion_at_full_multiplicity_is_refused_and_leaves_the_curv
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error(), (CurveError{.code = CurveErrorCode::multiplicity_full, .value = 3, .upper = 3}));
     EXPECT_EQ(describe(result.error()),
-              "the knot 3 cannot be inserted that often; at most 3 equal knots are allowed there");
+              "knot 3 cannot be inserted that many times; at most 3 equal knots are allowed there");
     EXPECT_EQ(curve, copy);
 }
 

@@ -3,7 +3,7 @@
 namespace batten::core {
 
 double RandomCurves::number(double lower, double upper) {
-    // Reckoned here, because the distributions of <random> differ between standard libraries.
+    // Computed here, because the distributions of <random> differ between standard libraries.
     return lower + (upper - lower) * (static_cast<double>(engine_()) / 4294967296.0);
 }
 

@@ -154,8 +154,7 @@ TEST_F(DocumentCommands, cut_keeps_the_text_without_a_desktop_clipboard) {
 
 TEST_F(DocumentCommands, paste_says_what_is_wrong_with_the_clipboard) {
     EXPECT_FALSE(type("paste"));
-    EXPECT_EQ(state().message.text.rfind("the clipboard does not hold curves of Batten: ", 0), 0U)
-        << state().message.text;
+    EXPECT_EQ(state().message.text.rfind("the clipboard holds no Batten curves: ", 0), 0U) << state().message.text;
     EXPECT_FALSE(run(Paste{.text = "shopping list"}));
     EXPECT_FALSE(run(Paste{.text = R"({"format":"batten","version":1,"curves":[]})"}));
     EXPECT_EQ(state().message.text, "the clipboard holds a document without curves");

@@ -218,7 +218,7 @@ const CommandSpec& FindContinuity::spec() {
     static const CommandSpec spec{
         .name = "continuity",
         .title = "Continuity",
-        .explanation = "Tells at every knot how smooth the curve is by its knots and by its shape.",
+        .explanation = "Shows, at each knot, how smooth the curve is by its knots and by its shape.",
         .synonyms = "smooth joints C1 C2 G1 G2",
         .group = CommandGroup::analyze,
         .refusal = no_curve,

@@ -111,7 +111,7 @@ const CommandSpec& StepParameterBack::spec() {
 const CommandSpec& StepParameterForward::spec() {
     static const CommandSpec spec{.name = "step-parameter-forward",
                                   .title = "Step forward",
-                                  .explanation = "Moves u on by a hundredth of the domain.",
+                                  .explanation = "Moves u forward by a hundredth of the domain.",
                                   .group = CommandGroup::construct,
                                   .offered = in_the_window,
                                   .shortcut = {Key::period, {}},
@@ -123,7 +123,7 @@ const CommandSpec& StepParameterForward::spec() {
 const CommandSpec& TogglePlay::spec() {
     static const CommandSpec spec{.name = "toggle-play",
                                   .title = "Play",
-                                  .explanation = "Lets u run by itself, or stops it.",
+                                  .explanation = "Runs u along the domain, or stops it.",
                                   .synonyms = "animate run pause",
                                   .group = CommandGroup::construct,
                                   .offered = in_the_window,
@@ -182,7 +182,7 @@ const CommandSpec& SetLevel::spec() {
 const CommandSpec& PreviousLevel::spec() {
     static const CommandSpec spec{.name = "previous-level",
                                   .title = "Previous level",
-                                  .explanation = "Shows one level of the construction less.",
+                                  .explanation = "Shows one level fewer of the construction.",
                                   .group = CommandGroup::construct,
                                   .offered = in_the_window,
                                   .shortcut = {Key::page_up, {}},
@@ -194,7 +194,7 @@ const CommandSpec& PreviousLevel::spec() {
 const CommandSpec& NextLevel::spec() {
     static const CommandSpec spec{.name = "next-level",
                                   .title = "Next level",
-                                  .explanation = "Shows one level of the construction more.",
+                                  .explanation = "Shows one more level of the construction.",
                                   .group = CommandGroup::construct,
                                   .offered = in_the_window,
                                   .shortcut = {Key::page_down, {}},

@@ -101,8 +101,7 @@ const CommandSpec& Reduce::spec() {
         .submenu = "Degree",
         .effect = ShapeEffect::changes,
         .fields = {field::count<&Reduce::by>("t", "by how much").usually(1).at_least(1.0),
-                   field::length<&Reduce::tolerance>("tolerance",
-                                                     "how far the curve may move; none for as far as it takes")
+                   field::length<&Reduce::tolerance>("tolerance", "how far the curve may move; none for no limit")
                        .absent_as("0")},
         .refusal = no_lower_degree,
         .run = body_of<reduce>,

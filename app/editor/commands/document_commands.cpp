@@ -154,7 +154,7 @@ const CommandSpec& SetCurveColor::spec() {
     static const CommandSpec spec{
         .name = "set-curve-color",
         .title = "Set color of curve",
-        .explanation = "Gives a curve a color of its own, or the usual one.",
+        .explanation = "Gives a curve a color of its own, or the default one.",
         .group = CommandGroup::curve,
         .fields = {index_field<&SetCurveColor::index>().beginning_with<suggest::active_curve>(),
                    field::color<&SetCurveColor::color>("color", "of the form #4c7fe0, or none").required()},

@@ -77,8 +77,8 @@ StepTexts texts_of_cut(const EditorState& state, const Cut&) {
 Outcome<Edit> paste(const EditorState& state, const Paste& command) {
     const core::FileResult<core::Document> pasted = core::parse_document(command.text);
     if (!pasted)
-        return tl::unexpected(sentence("the clipboard does not hold curves of Batten: {reason}",
-                                       {{"reason", pasted.error().sentence()}}));
+        return tl::unexpected(
+            sentence("the clipboard holds no Batten curves: {reason}", {{"reason", pasted.error().sentence()}}));
     if (pasted->curves.empty()) return tl::unexpected(Refusal("the clipboard holds a document without curves"));
     Edit edit{state.history.present(), Selection{}};
     for (core::DocumentCurve curve : pasted->curves) {
@@ -134,7 +134,7 @@ constexpr Modifiers ctrl_shift{true, true, false};
 const CommandSpec& Undo::spec() {
     static const CommandSpec spec{.name = "undo",
                                   .title = "Undo",
-                                  .explanation = "Takes the last step back.",
+                                  .explanation = "Takes back the last step.",
                                   .group = CommandGroup::edit,
                                   .offered = in_the_window,
                                   .shortcut = {Key::z, ctrl},
@@ -146,7 +146,7 @@ const CommandSpec& Undo::spec() {
 const CommandSpec& Redo::spec() {
     static const CommandSpec spec{.name = "redo",
                                   .title = "Redo",
-                                  .explanation = "Repeats the step that was taken back last.",
+                                  .explanation = "Repeats the step that was last taken back.",
                                   .group = CommandGroup::edit,
                                   .offered = in_the_window,
                                   .shortcut = {Key::y, ctrl},

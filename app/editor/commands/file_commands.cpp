@@ -104,7 +104,7 @@ constexpr Modifiers ctrl_shift{true, true, false};
 const CommandSpec& NewDocument::spec() {
     static const CommandSpec spec{.name = "new",
                                   .title = "New",
-                                  .explanation = "Begins an empty document.",
+                                  .explanation = "Starts an empty document.",
                                   .group = CommandGroup::file,
                                   .offered = in_the_window,
                                   .shortcut = {Key::n, ctrl},
@@ -116,7 +116,7 @@ const CommandSpec& Open::spec() {
     static const CommandSpec spec{
         .name = "open",
         .title = "Open…",
-        .explanation = "Opens a file of Batten.",
+        .explanation = "Opens a Batten file.",
         .synonyms = "load",
         .group = CommandGroup::file,
         .offered = in_the_window,
@@ -148,7 +148,7 @@ const CommandSpec& OpenExample::spec() {
         .synonyms = "sample",
         .group = CommandGroup::file,
         .offered = in_the_window,
-        .fields = {field::text<&OpenExample::name>("name", "the name of the example, as of its file")},
+        .fields = {field::text<&OpenExample::name>("name", "the name of the example's file, without its ending")},
         .run = body_of<open_example>};
     return spec;
 }

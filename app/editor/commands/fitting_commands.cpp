@@ -107,14 +107,14 @@ constexpr const char* end_meaning = "x and y of the derivative at the end; none 
 // What the fits have in common: coordinates, degree, closed, smoothing, and the derivatives at start and end.
 template <class Command>
 std::vector<Field> fit_fields(Field first) {
-    return {std::move(first),
-            points_field<Command>(),
-            degree_field<Command>("from 1 to 25"),
-            field::flag<&Command::closed>("closed", "yes for a periodic curve, no for an open one").usually(false),
-            field::number<&Command::smoothing>("smoothing", "how much bending counts beside the errors, 0 or more")
-                .usually(0.0),
-            field::vector<&Command::start>("start", start_meaning).absent_as("0,0"),
-            field::vector<&Command::end>("end", end_meaning).absent_as("0,0")};
+    return {
+        std::move(first),
+        points_field<Command>(),
+        degree_field<Command>("from 1 to 25"),
+        field::flag<&Command::closed>("closed", "yes for a periodic curve, no for an open one").usually(false),
+        field::number<&Command::smoothing>("smoothing", "how strongly bending is penalized, 0 or more").usually(0.0),
+        field::vector<&Command::start>("start", start_meaning).absent_as("0,0"),
+        field::vector<&Command::end>("end", end_meaning).absent_as("0,0")};
 }
 
 }  // namespace
@@ -186,7 +186,7 @@ const CommandSpec& FitPoints::spec() {
     static const CommandSpec spec{
         .name = "fit-points",
         .title = "Fit curve to points",
-        .explanation = "Adds the curve with so many control points that is nearest to points, by least squares.",
+        .explanation = "Adds the curve nearest to points by least squares, with a given number of control points.",
         .synonyms = "approximate smooth",
         .group = CommandGroup::make,
         .submenu = "Near points",
@@ -201,9 +201,7 @@ const CommandSpec& FitPointsWithin::spec() {
     static const CommandSpec spec{
         .name = "fit-points-within",
         .title = "Fit curve within tolerance",
-        .explanation =
-            "Adds a curve that is nowhere farther from points than a tolerance, with knots where they are "
-            "needed.",
+        .explanation = "Adds a curve within a tolerance of points, with knots only where they are needed.",
         .synonyms = "approximate smooth",
         .group = CommandGroup::make,
         .submenu = "Near points",

@@ -244,7 +244,7 @@ const CommandSpec& FindClosing::spec() {
     static const CommandSpec spec{
         .name = "closing",
         .title = "Closing",
-        .explanation = "Tells whether the ends meet, the control points are wrapped, or the curve is periodic.",
+        .explanation = "Says whether the ends meet, the control points are wrapped, or the curve is periodic.",
         .synonyms = "closed open",
         .group = CommandGroup::analyze,
         .refusal = no_curve,
@@ -268,7 +268,7 @@ const CommandSpec& FindConicForm::spec() {
     static const CommandSpec spec{
         .name = "conic-form",
         .title = "Conic form",
-        .explanation = "Tells which conic each piece of a quadratic curve is, and its implicit equation.",
+        .explanation = "Says which conic each piece of a quadratic curve is, with its implicit equation.",
         .synonyms = "ellipse parabola hyperbola",
         .group = CommandGroup::analyze,
         .submenu = "Forms",
@@ -352,7 +352,7 @@ const CommandSpec& FindBlossom::spec() {
 const CommandSpec& FindGrevillePoints::spec() {
     static const CommandSpec spec{.name = "greville-points",
                                   .title = "Greville points",
-                                  .explanation = "Gives for each control point the parameter at which it acts most.",
+                                  .explanation = "Gives, for each control point, the parameter at which it acts most.",
                                   .synonyms = "abscissae nodes",
                                   .group = CommandGroup::analyze,
                                   .submenu = "Forms",

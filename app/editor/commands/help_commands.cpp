@@ -61,7 +61,7 @@ Outcome<void> escape(EditorState& state, const Escape& command) {
 const CommandSpec& TogglePalette::spec() {
     static const CommandSpec spec{.name = "command-palette",
                                   .title = "Command palette…",
-                                  .explanation = "Finds and runs any command by its name.",
+                                  .explanation = "Finds and runs any command by name.",
                                   .synonyms = "search",
                                   .group = CommandGroup::help,
                                   .offered = in_the_window,
@@ -99,7 +99,7 @@ const CommandSpec& ToggleWelcome::spec() {
 const CommandSpec& ToggleAbout::spec() {
     static const CommandSpec spec{.name = "about",
                                   .title = "About Batten",
-                                  .explanation = "Says what Batten is.",
+                                  .explanation = "Says what Batten is and which version this is.",
                                   .synonyms = "version license",
                                   .group = CommandGroup::help,
                                   .offered = in_the_window,
@@ -111,7 +111,7 @@ const CommandSpec& ToggleAbout::spec() {
 const CommandSpec& CloseDialog::spec() {
     static const CommandSpec spec{.name = "close-dialog",
                                   .title = "Close dialog",
-                                  .explanation = "Closes what covers the window, without an answer.",
+                                  .explanation = "Closes the dialog without an answer.",
                                   .group = CommandGroup::gesture,
                                   .offered = nowhere,
                                   .run = body_of<close_dialog>,
@@ -134,8 +134,7 @@ const CommandSpec& Escape::spec() {
     static const CommandSpec spec{
         .name = "escape",
         .title = "Cancel",
-        .explanation =
-            "Closes a dialog, or gives up the gesture under way and the old shape shown, or else the selection.",
+        .explanation = "Closes a dialog, or gives up the gesture under way, or the results shown, or the selection.",
         .group = CommandGroup::edit,
         .offered = in_the_window,
         .shortcut = {Key::escape, {}},

@@ -159,7 +159,7 @@ const CommandSpec& RaiseKnot::spec() {
     static const CommandSpec spec{
         .name = "raise-knot",
         .title = "Raise multiplicity of knot",
-        .explanation = "Inserts a knot once more where it is; the curve stays as it is.",
+        .explanation = "Inserts a knot again at its value; the curve stays as it is.",
         .synonyms = "multiple",
         .group = CommandGroup::curve,
         .submenu = "Knots",
@@ -184,7 +184,8 @@ const CommandSpec& MoveKnot::spec() {
         .fields =
             {field::knot_index<&MoveKnot::index>("index", which_knot), field::parameter<&MoveKnot::u>("u", "where to"),
              field::choice<&MoveKnot::mode>("mode", "what it does at its neighbors").suggesting<current_knot_move>(),
-             field::parameter<&MoveKnot::snap_distance>("snap distance", "how near it jumps onto another knot")
+             field::parameter<&MoveKnot::snap_distance>("snap distance",
+                                                        "how close it must come to jump onto another knot")
                  .usually(0.0)
                  .at_least(0.0)},
         .refusal = no_editable_curve,
@@ -215,7 +216,7 @@ const CommandSpec& DeleteKnot::spec() {
     static const CommandSpec spec{
         .name = "delete-knot",
         .title = "Delete knot",
-        .explanation = "Deletes a knot together with the control point that it carries most.",
+        .explanation = "Deletes a knot together with the control point it affects most.",
         .group = CommandGroup::curve,
         .submenu = "Knots",
         .effect = ShapeEffect::changes,

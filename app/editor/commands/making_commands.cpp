@@ -192,14 +192,14 @@ const CommandSpec& AddPolyline::spec() {
     static const CommandSpec spec{
         .name = "polyline",
         .title = "Polyline",
-        .explanation = "Adds straight legs from point to point, a unit of the parameter each.",
+        .explanation = "Adds straight legs from point to point, each over one unit of the parameter.",
         .synonyms = "zigzag",
         .group = CommandGroup::make,
         .submenu = "Shapes",
         .fields = {field::positions<&AddPolyline::points>("coordinates", "x and y of each point")
                        .suggesting<arch>()
                        .at_least(2.0),
-                   field::flag<&AddPolyline::closed>("closed", "yes to close it with one leg more").usually(false)},
+                   field::flag<&AddPolyline::closed>("closed", "yes to close it with one more leg").usually(false)},
         .run = body_of<add_polyline>,
         .step = "Make polyline",
         .done = "Made polyline"};
@@ -297,14 +297,15 @@ const CommandSpec& AddParabola::spec() {
         .synonyms = "conic",
         .group = CommandGroup::make,
         .submenu = "Shapes",
-        .fields = {field::position<&AddParabola::vertex>({"x", "x of the vertex"}, {"y", "y of the vertex"})
-                       .suggesting<middle_of_view>(),
-                   field::length<&AddParabola::focal_length>("focal length", "from the vertex to the focus")
-                       .suggesting<half_step>(),
-                   field::angle<&AddParabola::axis>("axis", "the direction it opens to, in degrees").usually(90.0),
-                   field::length<&AddParabola::from>("from", "where it begins, measured across the axis")
-                       .suggesting<step_back>(),
-                   field::length<&AddParabola::to>("to", "where it ends").suggesting<coarse_step>()},
+        .fields =
+            {field::position<&AddParabola::vertex>({"x", "x of the vertex"}, {"y", "y of the vertex"})
+                 .suggesting<middle_of_view>(),
+             field::length<&AddParabola::focal_length>("focal length", "from the vertex to the focus")
+                 .suggesting<half_step>(),
+             field::angle<&AddParabola::axis>("axis", "the direction in which it opens, in degrees").usually(90.0),
+             field::length<&AddParabola::from>("from", "where it begins, measured across the axis")
+                 .suggesting<step_back>(),
+             field::length<&AddParabola::to>("to", "where it ends").suggesting<coarse_step>()},
         .run = body_of<add_parabola>,
         .step = "Make parabola",
         .done = "Made parabola"};

@@ -215,22 +215,23 @@ const CommandSpec& MeasureArcLength::spec() {
 }
 
 const CommandSpec& FindPointAtLength::spec() {
-    static const CommandSpec spec{.name = "point-at-length",
-                                  .title = "Point at length",
-                                  .explanation = "Finds the parameter at a length from the beginning of the curve.",
-                                  .synonyms = "arc distance",
-                                  .group = CommandGroup::analyze,
-                                  .submenu = "Measure",
-                                  .fields = {field::length<&FindPointAtLength::length>("s", "length along the curve")},
-                                  .refusal = no_curve,
-                                  .run = body_of<find_point_at_length>};
+    static const CommandSpec spec{
+        .name = "point-at-length",
+        .title = "Point at length",
+        .explanation = "Finds the parameter at a given length from the beginning of the curve.",
+        .synonyms = "arc distance",
+        .group = CommandGroup::analyze,
+        .submenu = "Measure",
+        .fields = {field::length<&FindPointAtLength::length>("s", "length along the curve")},
+        .refusal = no_curve,
+        .run = body_of<find_point_at_length>};
     return spec;
 }
 
 const CommandSpec& MeasureArea::spec() {
     static const CommandSpec spec{.name = "area",
                                   .title = "Area",
-                                  .explanation = "Measures what a closed curve encloses, and its centroid.",
+                                  .explanation = "Measures the area that a closed curve encloses, and its centroid.",
                                   .synonyms = "center of gravity",
                                   .group = CommandGroup::analyze,
                                   .submenu = "Measure",

@@ -131,7 +131,7 @@ const CommandSpec& Split::spec() {
 const CommandSpec& SubCurve::spec() {
     static const CommandSpec spec{
         .name = "sub-curve",
-        .title = "Keep part only",
+        .title = "Keep only a part",
         .explanation =
             "Keeps the part between two parameters, clamped at both ends; on a periodic curve it may cross "
             "the seam.",
@@ -166,7 +166,8 @@ const CommandSpec& Join::spec() {
     static const CommandSpec spec{
         .name = "join",
         .title = "Join",
-        .explanation = "Continues the active curve with another one, whose beginning alone is changed to meet it.",
+        .explanation =
+            "Continues the active curve with another one; only the beginning of that one is changed to meet it.",
         .synonyms = "connect merge concatenate",
         .group = CommandGroup::curve,
         .submenu = "Pieces",
@@ -193,7 +194,7 @@ const CommandSpec& JoinPieces::spec() {
         .group = CommandGroup::curve,
         .submenu = "Pieces",
         .effect = ShapeEffect::changes,
-        .fields = {field::length<&JoinPieces::tolerance>("tolerance", "how far the result may be off, above 0")
+        .fields = {field::length<&JoinPieces::tolerance>("tolerance", "how far the result may deviate, above 0")
                        .suggesting<suggest::tiny_length>()},
         .refusal = no_other_curve,
         .run = body_of<join_pieces>,
@@ -204,7 +205,7 @@ const CommandSpec& JoinPieces::spec() {
 const CommandSpec& Reverse::spec() {
     static const CommandSpec spec{.name = "reverse",
                                   .title = "Reverse",
-                                  .explanation = "Runs through the curve the other way; the domain stays.",
+                                  .explanation = "Runs through the curve the other way; the domain stays the same.",
                                   .synonyms = "flip direction turn",
                                   .group = CommandGroup::curve,
                                   .submenu = "Pieces",

@@ -105,18 +105,18 @@ Outcome<Edit> unclamp(const EditorState& state, const Unclamp& command) {
 }  // namespace
 
 const CommandSpec& InsertKnots::spec() {
-    static const CommandSpec spec{
-        .name = "insert-knots",
-        .title = "Insert knots",
-        .explanation = "Inserts many knots at once; the curve stays as it is.",
-        .synonyms = "refine Oslo",
-        .group = CommandGroup::curve,
-        .submenu = "Knots",
-        .effect = ShapeEffect::keeps,
-        .fields = {field::parameters<&InsertKnots::knots>("knots", "where in the domain, in any order; repeats count")},
-        .refusal = no_editable_curve,
-        .run = body_of<insert_knots>,
-        .done = "Inserted knots"};
+    static const CommandSpec spec{.name = "insert-knots",
+                                  .title = "Insert knots",
+                                  .explanation = "Inserts several knots at once; the curve stays as it is.",
+                                  .synonyms = "refine Oslo",
+                                  .group = CommandGroup::curve,
+                                  .submenu = "Knots",
+                                  .effect = ShapeEffect::keeps,
+                                  .fields = {field::parameters<&InsertKnots::knots>(
+                                      "knots", "where in the domain, in any order; a value given twice counts twice")},
+                                  .refusal = no_editable_curve,
+                                  .run = body_of<insert_knots>,
+                                  .done = "Inserted knots"};
     return spec;
 }
 
@@ -124,7 +124,7 @@ const CommandSpec& RemoveKnot::spec() {
     static const CommandSpec spec{
         .name = "remove-knot",
         .title = "Remove knot",
-        .explanation = "Removes a knot, where the curve hardly needs it; otherwise nothing changes.",
+        .explanation = "Removes a knot if the curve stays within a tolerance; otherwise nothing changes.",
         .synonyms = "delete",
         .group = CommandGroup::curve,
         .submenu = "Knots",
@@ -160,7 +160,7 @@ const CommandSpec& MergeKnots::spec() {
     static const CommandSpec spec{
         .name = "merge-knots",
         .title = "Merge near knots",
-        .explanation = "Makes knots equal that nearly are; the control points stay.",
+        .explanation = "Makes knots equal that are nearly equal; the control points stay.",
         .synonyms = "clean",
         .group = CommandGroup::curve,
         .submenu = "Knots",
@@ -246,7 +246,7 @@ const CommandSpec& Clamp::spec() {
     static const CommandSpec spec{
         .name = "clamp",
         .title = "Clamp ends",
-        .explanation = "Lets an open curve begin and end in its end points; the curve stays as it is.",
+        .explanation = "Makes an open curve begin and end at its end points; the curve stays as it is.",
         .synonyms = "open",
         .group = CommandGroup::curve,
         .submenu = "Knots",

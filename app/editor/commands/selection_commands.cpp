@@ -73,7 +73,7 @@ const CommandSpec& SelectPoints::spec() {
     static const CommandSpec spec{
         .name = "select-points",
         .title = "Select points",
-        .explanation = "Selects these control points and no other.",
+        .explanation = "Selects these control points and no others.",
         .group = CommandGroup::edit,
         .fields = {field::point_indices<&SelectPoints::points>("points", "which control points, counted from 0")},
         .refusal = no_curve,
@@ -99,7 +99,7 @@ const CommandSpec& ActivateCurve::spec() {
     static const CommandSpec spec{
         .name = "activate-curve",
         .title = "Activate curve",
-        .explanation = "Makes a curve the one that edits go to.",
+        .explanation = "Makes a curve the active one, which edits change.",
         .synonyms = "select switch",
         .group = CommandGroup::edit,
         .fields = {field::curve_index<&ActivateCurve::index>("n", "the number of a curve, counted from 0")},

@@ -128,7 +128,7 @@ const CommandSpec& Fair::spec() {
     static const CommandSpec spec{
         .name = "fair",
         .title = "Fair curve",
-        .explanation = "Lets the curvature vary less, no farther from the old curve than a distance; the ends stay.",
+        .explanation = "Makes the curvature vary less, within a distance of the old curve; the ends stay.",
         .synonyms = "smooth",
         .group = CommandGroup::curve,
         .submenu = "Shape",
@@ -145,7 +145,7 @@ const CommandSpec& Offset::spec() {
     static const CommandSpec spec{
         .name = "offset",
         .title = "Offset curve",
-        .explanation = "Adds the curve at a constant distance beside the active one.",
+        .explanation = "Adds a curve at a constant distance from the active one.",
         .synonyms = "parallel",
         .group = CommandGroup::make,
         .fields = {field::length<&Offset::distance>("distance", "to the left, negative to the right")

@@ -90,7 +90,7 @@ const CommandSpec& SetTool::spec() {
     static const CommandSpec spec{
         .name = "set-tool",
         .title = "Set tool",
-        .explanation = "Takes the tool with this name.",
+        .explanation = "Takes a tool by its name.",
         .group = CommandGroup::edit,
         .offered = in_the_window,
         .fields = {field::choice<&SetTool::tool>("tool", "which tool").beginning_with<current_tool>()},

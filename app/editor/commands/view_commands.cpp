@@ -119,7 +119,7 @@ const CommandSpec& FitView::spec() {
 const CommandSpec& ZoomIn::spec() {
     static const CommandSpec spec{.name = "zoom-in",
                                   .title = "Zoom in",
-                                  .explanation = "Shows the middle of the canvas larger.",
+                                  .explanation = "Zooms in on the middle of the canvas.",
                                   .synonyms = "enlarge",
                                   .group = CommandGroup::view,
                                   .offered = in_the_window,
@@ -131,7 +131,7 @@ const CommandSpec& ZoomIn::spec() {
 const CommandSpec& ZoomOut::spec() {
     static const CommandSpec spec{.name = "zoom-out",
                                   .title = "Zoom out",
-                                  .explanation = "Shows more around the middle of the canvas.",
+                                  .explanation = "Zooms out from the middle of the canvas.",
                                   .synonyms = "reduce",
                                   .group = CommandGroup::view,
                                   .offered = in_the_window,
@@ -230,7 +230,7 @@ const CommandSpec& toggle_overlay_spec(Overlay overlay) {
 const CommandSpec& ToggleTheme::spec() {
     static const CommandSpec spec{.name = "toggle-theme",
                                   .title = "Dark or light theme",
-                                  .explanation = "Changes between the dark and the light theme.",
+                                  .explanation = "Switches between the dark and the light theme.",
                                   .synonyms = "colors night day",
                                   .group = CommandGroup::view,
                                   .offered = in_the_window,
@@ -265,8 +265,8 @@ const CommandSpec& ScaleDown::spec() {
 
 const CommandSpec& ResetScale::spec() {
     static const CommandSpec spec{.name = "scale-reset",
-                                  .title = "Usual size of interface",
-                                  .explanation = "Gives texts, lines and panels their usual size.",
+                                  .title = "Default size of interface",
+                                  .explanation = "Gives texts, lines and panels their default size.",
                                   .synonyms = "font zoom default",
                                   .group = CommandGroup::view,
                                   .offered = in_the_window,

@@ -25,7 +25,7 @@ float narrowed(double value) {
     return static_cast<float>(value);
 }
 
-/// A fraction of the way from a to b, reckoned from the nearer end, so that it is exact near both.
+/// A fraction of the way from a to b, computed from the nearer end, so that it is exact near both.
 glm::dvec2 between(glm::dvec2 a, glm::dvec2 b, double t) {
     return t <= 0.5 ? a + t * (b - a) : b - (1.0 - t) * (b - a);
 }

@@ -92,7 +92,7 @@ TEST(Offset, of_a_polygon_is_mitred) {
     EXPECT_EQ(inside.error, 0.0);
     EXPECT_EQ(offset(square, -1.0, 1e-6).value().curve.control_points()[2], Point(5, 5));
     EXPECT_EQ(describe(offset(square, 2.0, 1e-6).error()),
-              "leg 0 of the polygon would vanish or turn round; the distance must be less");
+              "leg 0 of the polygon would vanish or turn around; the distance must be less");
     const Curve open = Curve::make({.degree = 1, .knots = {0, 0, 1, 2, 2}, .points = {{0, 0}, {4, 0}, {4, 4}}}).value();
     const Point beside[] = {{0, -1}, {5, -1}, {5, 4}};
     EXPECT_TRUE(std::ranges::equal(offset(open, -1.0, 1e-6).value().curve.control_points(), beside));
