@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/curve/detail/bspline.h"
+#include "core/curve/knot_vector.h"
 
 namespace batten::cli {
 

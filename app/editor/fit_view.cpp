@@ -1,6 +1,6 @@
 #include "app/editor/fit_view.h"
 
-#include "core/measure/bounds.h"
+#include "core/curve/control_box.h"
 
 namespace batten::editor {
 

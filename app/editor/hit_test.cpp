@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "app/editor/weight_ring.h"
+#include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
-#include "core/measure/bounds.h"
 #include "core/measure/nearest.h"
 
 namespace batten::editor {

@@ -10,7 +10,7 @@
 #include "app/ui/number_field.h"
 #include "app/ui/section.h"
 #include "app/ui/style.h"
-#include "core/measure/bounds.h"
+#include "core/curve/control_box.h"
 
 namespace batten::ui {
 namespace {

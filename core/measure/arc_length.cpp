@@ -2,7 +2,7 @@
 
 #include "core/base/detail/quadrature.h"
 #include "core/base/detail/unit_interval.h"
-#include "core/measure/detail/piece_forms.h"
+#include "core/curve/control_box.h"
 
 namespace batten::core {
 

@@ -4,10 +4,9 @@
 #include <glm/vec3.hpp>
 
 #include "core/base/detail/quadrature.h"
+#include "core/curve/control_box.h"
 #include "core/evaluate/detail/piece_motion.h"
-#include "core/measure/bounds.h"
 #include "core/measure/continuity.h"
-#include "core/measure/detail/piece_forms.h"
 
 namespace batten::core {
 

@@ -48,12 +48,6 @@ void include_turns(Box& box, const Curve& curve, const PieceForms& piece, const 
 
 }  // namespace
 
-Box control_box(const Curve& curve) {
-    Box box;
-    for (const Point& point : curve.control_points()) box.include(point);
-    return box;
-}
-
 Box tight_box(const Curve& curve) {
     const auto pieces = piece_forms(curve, 1);
     Box box;

@@ -1,4 +1,4 @@
-/// Boxes and hulls around curves and control points.
+/// Boxes and hulls around curves.
 #pragma once
 
 #include <span>
@@ -8,11 +8,8 @@
 
 namespace batten::core {
 
-/// The box of the control points, which contains the curve.
-Box control_box(const Curve& curve);
-
 /// The smallest box that contains the curve, right to rounding: of the ends of all pieces and the zeros of x' and y',
-/// which are found globally (core/sign_runs.h). Source: variation diminishing.
+/// which are found globally. Source: variation diminishing.
 Box tight_box(const Curve& curve);
 
 /// The convex hull of `points`, counter-clockwise, without collinear points; fewer than three points come back as they

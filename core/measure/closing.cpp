@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
-#include "core/measure/bounds.h"
 
 namespace batten::core {
 

@@ -1,4 +1,4 @@
-/// Straight pieces: runs of control points on one line, found and made.
+/// Straight pieces: runs of control points on one line.
 #pragma once
 
 #include <vector>
@@ -24,10 +24,5 @@ inline constexpr double default_collinear_tolerance = 1e-12;
 /// and the farthest one so far. In a periodic curve a run may pass the seam; if all points are collinear there is one
 /// run of n + p points, the whole curve. Runs whose knots leave no span are left out. Cost O(n).
 std::vector<CollinearRun> collinear_runs(const Curve& curve, double tolerance = default_collinear_tolerance);
-
-/// The curve with the control points from `first` to `last` moved squarely onto the line through these two, which stay
-/// (shape-changing); with p + 1 points or more a straight piece. When periodic, `last` < `first` means the way across
-/// the seam. Errors: point_index_out_of_range; too_few_points (p + 1); points_coincide when `first` and `last` do.
-[[nodiscard]] Result<Curve> straighten(const Curve& curve, std::size_t first, std::size_t last);
 
 }  // namespace batten::core

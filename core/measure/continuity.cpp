@@ -3,12 +3,11 @@
 #include <array>
 #include <cmath>
 
+#include "core/curve/control_box.h"
 #include "core/curve/detail/bspline.h"
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/tangent.h"
-#include "core/measure/bounds.h"
-#include "core/measure/detail/piece_forms.h"
 
 namespace batten::core {
 

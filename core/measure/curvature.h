@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/curve/curve.h"
-#include "core/measure/detail/sign_runs.h"
 
 namespace batten::core {
 
@@ -30,9 +29,9 @@ struct Inflection {
 };
 
 /// All inflections in order of u. They are the changes of sign of det(A, A', A'') for the homogeneous curve A, found
-/// globally (core/sign_runs.h); zeros without a change of sign are none. A knot where the curvature jumps from one sign
-/// to the other is an inflection if the tangent is continuous there, a corner or cusp is not. The seam of a curve that
-/// closes with a continuous tangent counts like a knot; a straight piece across it is given unwrapped.
+/// globally; zeros without a change of sign are none. A knot where the curvature jumps from one sign to the other is an
+/// inflection if the tangent is continuous there, a corner or cusp is not. The seam of a curve that closes with a
+/// continuous tangent counts like a knot; a straight piece across it is given unwrapped.
 std::vector<Inflection> inflections(const Curve& curve);
 
 /// A local extremum of the signed curvature.

@@ -18,8 +18,8 @@ struct Cusp {
     std::optional<double> turn;
 };
 
-/// All places of zero speed, in order of u: the common zeros of both coordinates of the hodograph, found globally
-/// (core/sign_runs.h). Speeds that rounding cannot tell from zero are zero.
+/// All places of zero speed, in order of u: the common zeros of both coordinates of the hodograph, found globally.
+/// Speeds that rounding cannot tell from zero are zero.
 std::vector<Cusp> cusps(const Curve& curve);
 
 }  // namespace batten::core

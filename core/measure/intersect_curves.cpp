@@ -3,12 +3,11 @@
 #include <cmath>
 
 #include "core/base/detail/unit_interval.h"
+#include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/tangent.h"
-#include "core/measure/bounds.h"
 #include "core/measure/continuity.h"
 #include "core/measure/detail/contact_search.h"
-#include "core/measure/detail/piece_forms.h"
 
 namespace batten::core {
 

@@ -21,7 +21,7 @@ struct CurveContact {
 };
 
 /// All contacts, in order of u, each once: crossings, tangential contacts, and intervals on which the curves coincide.
-/// Found by subdivision (core/contact_search.h), so none is missed that is farther than 2^-22 of the size of the
+/// Found by subdivision, so none is missed that is farther than 2^-22 of the size of the
 /// smaller curve from others; finished by Newton's iteration. Points nearer than 1e-13 of the size of both curves are
 /// taken to meet. Where the ends of a curve meet they are one place, the lower end. Of two Bézier pieces that coincide
 /// on an interval no further contacts are sought; a double point of curves that coincide is a crossing of other pieces.

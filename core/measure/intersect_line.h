@@ -38,7 +38,7 @@ struct LineContacts {
     std::size_t polygon_crossings = 0;  ///< of the control polygon, never fewer (variation diminishing)
 };
 
-/// The contacts with the infinite line through `a` and `b`, all of them (core/sign_runs.h): each once, tangential ones
+/// The contacts with the infinite line through `a` and `b`, all of them: each once, tangential ones
 /// too, a straight piece in the line as one interval. Where the ends of the curve meet they count as one place, and an
 /// interval across the seam is given unwrapped. Gaps of a torn curve are no contacts. Error: points_coincide.
 [[nodiscard]] Result<LineContacts> intersect_line(const Curve& curve, Point a, Point b);

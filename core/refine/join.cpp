@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/tangent.h"
-#include "core/measure/bounds.h"
 #include "core/measure/deviation.h"
 #include "core/refine/bezier_form.h"
 #include "core/refine/clamping.h"

@@ -10,7 +10,6 @@
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/key.h"
-#include "core/measure/bounds.h"
 #include "sample_editor.h"
 
 namespace batten::editor {

@@ -8,6 +8,7 @@
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
+#include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
 #include "core/measure/bounds.h"
 #include "core/measure/continuity.h"

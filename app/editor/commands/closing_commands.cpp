@@ -5,7 +5,7 @@
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/field_kinds.h"
 #include "core/edit/end_vertices.h"
-#include "core/measure/collinear.h"
+#include "core/edit/straighten.h"
 #include "core/refine/periodic.h"
 
 namespace batten::editor {

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/curve/control_box.h"
 #include "core/curve/detail/bspline.h"
-#include "core/measure/detail/piece_forms.h"
 
 namespace batten::core {
 

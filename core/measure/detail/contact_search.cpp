@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/curve/control_box.h"
 #include "core/measure/detail/piece_contact.h"
-#include "core/measure/detail/piece_forms.h"
 
 namespace batten::core {
 

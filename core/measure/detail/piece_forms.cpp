@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/detail/unit_interval.h"
-#include "core/measure/bounds.h"
+#include "core/curve/control_box.h"
 
 namespace batten::core {
 
@@ -79,17 +79,6 @@ void join_at_knot(std::vector<SignRun>& runs, Interval last_piece) {
 }
 
 }  // namespace
-
-Curve seen_from(const Curve& curve, Point origin) {
-    std::vector<Point> points(curve.control_points().begin(), curve.control_points().end());
-    for (Point& point : points) point = seen_from(point, origin);
-    return Curve::make(curve.knots(), std::move(points), {curve.weights().begin(), curve.weights().end()}).value();
-}
-
-Point middle_of(const Curve& curve) {
-    const Box box = control_box(curve);
-    return middle(box.lower, box.upper);
-}
 
 double form_scale(const Curve& curve) {
     return scale_to_one(size_of(curve));

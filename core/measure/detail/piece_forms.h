@@ -6,12 +6,6 @@
 
 namespace batten::core {
 
-/// The same curve in coordinates whose zero is `origin`. Near it differences of coordinates keep their digits.
-Curve seen_from(const Curve& curve, Point origin);
-
-/// The middle of the control points, from which a curve is best seen.
-Point middle_of(const Curve& curve);
-
 /// The power of two by which the forms of `curve` multiply coordinates, so that products of many neither overflow nor
 /// vanish: the size of the curve is then about 1.
 double form_scale(const Curve& curve);

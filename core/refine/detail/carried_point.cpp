@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/measure/bounds.h"
+#include "core/curve/control_box.h"
 
 namespace batten::core {
 

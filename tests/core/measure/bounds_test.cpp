@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
 #include "tests/core/random_curves.h"
 
