@@ -18,6 +18,19 @@ LAYERS = {
 # The part of render that is plain data, open to all above it.
 PICTURE = {"render/draw_list.h", "render/camera.h", "render/clip.h", "render/color.h", "render/pixel_box.h"}
 
+# The folders of core in the order of reading, with those before each that it may include. What measures, refines, edits and makes knows
+# each other only where an operation stands on a measurement.
+CORE_FOLDERS = {
+    "base": set(),
+    "curve": {"base"},
+    "evaluate": {"base", "curve"},
+    "measure": {"base", "curve", "evaluate"},
+    "refine": {"base", "curve", "evaluate", "measure"},
+    "edit": {"base", "curve", "evaluate", "measure"},
+    "make": {"base", "curve", "evaluate"},
+    "document": {"base", "curve"},
+}
+
 # Outside headers that only these places may include.
 ONLY_IN = {
     ("core", "Eigen"): {"core/refine/detail/cramped_removal.cpp", "core/refine/degree_reduction.cpp"},
@@ -46,9 +59,22 @@ def outside_name(header):
     return header.split("/")[0].split(".")[0].split("_")[0] if "." in header or "/" in header else None
 
 
+def is_inside_of_core(header):
+    return header.startswith("core/") and "/detail/" in header
+
+
+def is_before_in_core(path, header):
+    own, other = path.split("/")[1], header.split("/")[1]
+    return other == own or other in CORE_FOLDERS[own]
+
+
 def is_allowed(path, layer, quote, header):
     inside, outside = LAYERS[layer]
     if quote == '"':
+        if layer == "core" and header.startswith("core/") and not is_before_in_core(path, header):
+            return False
+        if layer != "core" and is_inside_of_core(header):
+            return False
         target = GENERATED.get(header) or layer_of(header)
         return target in inside or (header in PICTURE and layer.startswith("app/"))
     name = outside_name(header)
