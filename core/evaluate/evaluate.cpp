@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/detail/binomial.h"
 #include "core/curve/detail/bspline.h"
 #include "core/evaluate/detail/precise_jet.h"
 
@@ -53,7 +54,7 @@ Jet shadow_jet(const HomogeneousJet& homogeneous, Point point) {
         Vector sum = plane_part(homogeneous[k]);
         double binomial = 1.0;
         for (std::size_t i = 1; i <= k; ++i) {
-            binomial *= static_cast<double>(k - i + 1) / static_cast<double>(i);
+            binomial = next_binomial(binomial, k, i);
             sum -= binomial * homogeneous[i].z * (i < k ? jet[k - i] : from_point);
         }
         jet.derivatives.push_back(sum / weight);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/detail/binomial.h"
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/bezier_pieces.h"
 
@@ -112,12 +113,6 @@ Result<Curve> polygon_hodograph(const Curve& curve) {
                         .tears = Tears::allow});
 }
 
-double binomial(std::size_t n, std::size_t k) {
-    double value = 1.0;
-    for (std::size_t i = 1; i <= k; ++i) value = value * static_cast<double>(n - k + i) / static_cast<double>(i);
-    return value;
-}
-
 // The Bernstein form of one degree more.
 template <class P>
 std::vector<P> elevated(const std::vector<P>& points) {
@@ -135,13 +130,15 @@ std::vector<P> elevated(const std::vector<P>& points) {
 // cancels:  sum over i < j of (j - i) binomial(p, i) binomial(p, j) w_i w_j (P_j - P_i) t^(i+j-1) (1-t)^(2p-1-i-j) / h
 std::vector<Vector> derivative_numerator(const BezierPiece& piece) {
     const std::size_t p = piece.points.size() - 1;
+    const auto of_p = binomials(p);
+    const auto of_product = binomials(2 * p - 2);
     std::vector<Vector> numerator(2 * p - 1, Vector{});
     for (std::size_t i = 0; i <= p; ++i)
         for (std::size_t j = i + 1; j <= p; ++j) {
             const HomogeneousPoint& a = piece.points[i];
             const HomogeneousPoint& b = piece.points[j];
-            const double factor = static_cast<double>(j - i) * binomial(p, i) * binomial(p, j) /
-                                  binomial(2 * p - 2, i + j - 1) / piece.interval.length();
+            const double factor =
+                static_cast<double>(j - i) * of_p[i] * of_p[j] / of_product[i + j - 1] / piece.interval.length();
             numerator[i + j - 1] += factor * a.z * b.z * (project(b) - project(a));
         }
     return numerator;
@@ -150,11 +147,12 @@ std::vector<Vector> derivative_numerator(const BezierPiece& piece) {
 // w^2 in Bernstein form of degree 2p.
 std::vector<double> squared_weight(const BezierPiece& piece) {
     const std::size_t p = piece.points.size() - 1;
+    const auto of_p = binomials(p);
+    const auto of_square = binomials(2 * p);
     std::vector<double> square(2 * p + 1, 0.0);
     for (std::size_t i = 0; i <= p; ++i)
         for (std::size_t j = 0; j <= p; ++j)
-            square[i + j] +=
-                binomial(p, i) * binomial(p, j) / binomial(2 * p, i + j) * piece.points[i].z * piece.points[j].z;
+            square[i + j] += of_p[i] * of_p[j] / of_square[i + j] * piece.points[i].z * piece.points[j].z;
     return square;
 }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/detail/binomial.h"
 #include "core/evaluate/basis.h"
 
 namespace batten::core {
@@ -25,7 +26,7 @@ void make_rational(std::vector<std::vector<double>>& derivatives, const std::vec
             double& value = derivatives[k][j];
             double binomial = 1.0;
             for (std::size_t i = 1; i <= k; ++i) {
-                binomial *= static_cast<double>(k - i + 1) / static_cast<double>(i);
+                binomial = next_binomial(binomial, k, i);
                 value -= binomial * sums[i] * derivatives[k - i][j];
             }
             value /= sums[0];

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/detail/binomial.h"
 #include "core/evaluate/detail/subdivide.h"
 #include "core/evaluate/evaluate.h"
 
@@ -30,13 +31,11 @@ bool may_come_nearer(const BezierPiece& piece, Point query, double radius) {
         return (a.x - query.x * a.z) * (b.x - query.x * b.z) + (a.y - query.y * a.z) * (b.y - query.y * b.z) -
                radius * radius * a.z * b.z;
     };
-    std::vector<double> binomial(p + 1, 1.0);
-    for (std::size_t i = 1; i <= p; ++i)
-        binomial[i] = binomial[i - 1] * static_cast<double>(p + 1 - i) / static_cast<double>(i);
+    const auto of_p = binomials(p);
     for (std::size_t k = 0; k <= 2 * p; ++k) {
         double coefficient = 0.0;  // up to a positive factor
         for (std::size_t i = k > p ? k - p : 0; i <= std::min(k, p); ++i)
-            coefficient += binomial[i] * binomial[k - i] * product(i, k - i);
+            coefficient += of_p[i] * of_p[k - i] * product(i, k - i);
         if (coefficient < 0.0) return true;
     }
     return false;

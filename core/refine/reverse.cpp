@@ -7,20 +7,17 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/detail/double_double.h"
+
 namespace batten::core {
 
 namespace {
 
-// a + b - u with one rounding: the error of a sum of two is a double itself (Knuth's TwoSum).
+// a + b - u with one rounding.
 double reflection(double u, Interval domain) {
-    const auto sum_with_error = [](double x, double y) {
-        const double sum = x + y;
-        const double part = sum - x;
-        return std::pair((x - (sum - part)) + (y - part), sum);
-    };
-    const auto [error, sum] = sum_with_error(domain.lower, domain.upper);
-    const auto [second_error, difference] = sum_with_error(sum, -u);
-    return difference + (error + second_error);
+    const DoubleDouble ends = exact_sum(domain.lower, domain.upper);
+    const DoubleDouble difference = exact_sum(ends.high, -u);
+    return difference.high + (ends.low + difference.low);
 }
 
 // More digits are not typed, and would turn values that are exact in another way into others.

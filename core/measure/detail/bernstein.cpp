@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/detail/binomial.h"
 #include "core/curve/detail/bspline.h"
 
 namespace batten::core {
@@ -9,15 +10,6 @@ namespace batten::core {
 namespace {
 
 constexpr double unit_roundoff = 0.5 * std::numeric_limits<double>::epsilon();
-
-// binomial(n, 0..n)
-std::vector<double> binomials(std::size_t n) {
-    std::vector<double> row(n + 1, 1.0);
-    for (std::size_t k = 1; k <= n / 2; ++k)
-        row[k] = row[k - 1] * static_cast<double>(n + 1 - k) / static_cast<double>(k);
-    for (std::size_t k = n / 2 + 1; k <= n; ++k) row[k] = row[n - k];
-    return row;
-}
 
 // The relative error of a coefficient of a product: one rounding for each term and a few for its factors, the
 // binomials of high degrees among them.
