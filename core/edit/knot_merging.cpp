@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/curve/detail/edit_checks.h"
 #include "core/measure/deviation.h"
 
 namespace batten::core {
@@ -87,8 +88,7 @@ class Merger {
 }  // namespace
 
 Result<KnotMerging> merge_knots(const Curve& curve, double tolerance) {
-    if (!(tolerance > 0.0) || !std::isfinite(tolerance))
-        return refuse({.code = CurveErrorCode::tolerance_not_positive, .value = tolerance});
+    if (const auto check = check_tolerance(tolerance); !check) return refuse(check.error());
     const std::vector<Run> runs = runs_within(curve.knots().stored(), curve.domain());
     const std::vector<double> targets = Merger(curve, tolerance).targets(runs);
     CurveDefinition definition = curve.definition();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/curve/detail/edit_checks.h"
 #include "core/curve/knot_analysis.h"
 #include "core/refine/clamping.h"
 #include "core/refine/degree.h"
@@ -93,8 +94,7 @@ CurveDefinition concatenated(CurveDefinition first, const CurveDefinition& secon
 
 Result<Approximation> join_pieces(std::span<const Curve> pieces, double tolerance) {
     assert(!pieces.empty());
-    if (!(tolerance > 0.0) || !std::isfinite(tolerance))
-        return refuse({.code = CurveErrorCode::tolerance_not_positive, .value = tolerance});
+    if (const auto check = check_tolerance(tolerance); !check) return refuse(check.error());
     const int degree = std::max_element(pieces.begin(), pieces.end(), [](const Curve& a, const Curve& b) {
                            return a.degree() < b.degree();
                        })->degree();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/curve/detail/edit_checks.h"
 #include "core/curve/knot_kinds.h"
 #include "core/measure/deviation.h"
 
@@ -19,8 +20,7 @@ Result<Curve> changed_by_shape(const Curve& curve, int degree) {
 }  // namespace
 
 Result<Approximation> reduce_degree(const Curve& curve, int by, double tolerance) {
-    if (!(tolerance > 0.0) || !std::isfinite(tolerance))
-        return refuse({.code = CurveErrorCode::tolerance_not_positive, .value = tolerance});
+    if (const auto check = check_tolerance(tolerance); !check) return refuse(check.error());
     if (by < 1 || by > curve.degree() - min_degree)
         return refuse({.code = CurveErrorCode::degree_out_of_range,
                        .value = static_cast<double>(curve.degree()) - static_cast<double>(by)});

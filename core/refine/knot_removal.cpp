@@ -19,11 +19,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double costlier_in_a_round = 8.0;
 constexpr double negligible_part = 1e-3;
 
-Result<void> check_tolerance(double tolerance) {
-    if (tolerance > 0.0 && std::isfinite(tolerance)) return {};
-    return refuse({.code = CurveErrorCode::tolerance_not_positive, .value = tolerance});
-}
-
 // How many of the knots `u` may go.
 Result<int> removable_count(const Curve& curve, double u) {
     if (const auto check = check_parameter_finite(u); !check) return refuse(check.error());

@@ -21,11 +21,6 @@ auto iterator_at(T& container, std::size_t i) {
     return container.begin() + static_cast<std::ptrdiff_t>(i);
 }
 
-Result<void> check_tolerance(double tolerance) {
-    if (tolerance > 0.0) return {};
-    return refuse({.code = CurveErrorCode::tolerance_not_positive, .value = tolerance});
-}
-
 Result<void> check_closed(const Curve& curve, double tolerance) {
     const double gap = distance(point_at(curve, curve.domain().lower), point_at(curve, curve.domain().upper));
     if (curve.is_periodic() || gap <= tolerance) return {};
