@@ -104,11 +104,11 @@ class Fairing {
         const auto p = static_cast<std::size_t>(curve.degree());
         const auto [lower, upper] = knots.domain();
         if (knots[1] == lower)
-            fixed_.push_back({0, Point{}});
+            fixed_.known.push_back({0, Point{}});
         else
             free_ends_.push_back(lower);
         if (knots[n + p - 1] == upper)
-            fixed_.push_back({n - 1, Point{}});
+            fixed_.known.push_back({n - 1, Point{}});
         else
             free_ends_.push_back(upper);
     }
@@ -150,7 +150,7 @@ class Fairing {
 
     const Curve& curve_;
     std::vector<Condition> conditions_;
-    std::vector<KnownPoint> fixed_;
+    EndPoints fixed_;
     std::vector<double> free_ends_;
 };
 

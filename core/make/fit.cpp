@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "core/base/detail/gauss_rule.h"
-#include "core/evaluate/detail/spline_system.h"
+#include "core/curve/detail/edit_checks.h"
 #include "core/evaluate/evaluate.h"
+#include "core/make/detail/end_conditions.h"
 
 namespace batten::core {
 
@@ -16,9 +17,9 @@ constexpr std::size_t spans_of_first_closed_fit = 3;
 
 // Data whose reversal is the same data in the other direction is fitted in one of the two, always the same. Then no
 // rounding can tell the directions apart.
-bool is_canonical(std::span<const Point> points, bool is_closed) {
+bool is_canonical(std::span<const Point> points, const Ends& ends) {
     const auto less = [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
-    const std::span<const Point> moving = is_closed ? points.subspan(1) : points;
+    const std::span<const Point> moving = is_closed(ends) ? points.subspan(1) : points;
     return !std::lexicographical_compare(moving.rbegin(), moving.rend(), moving.begin(), moving.end(), less);
 }
 
@@ -41,6 +42,15 @@ Curve reversed(const Curve& curve) {
     return Curve::make(std::move(definition)).value();
 }
 
+Ends reversed(const Ends& ends) {
+    const auto* tangents = std::get_if<EndTangents>(&ends);
+    if (tangents == nullptr) return ends;
+    const auto negative = [](const std::optional<Vector>& tangent) {
+        return tangent ? std::optional(-*tangent) : std::nullopt;
+    };
+    return EndTangents{negative(tangents->end), negative(tangents->start)};
+}
+
 struct DirectedData {
     std::vector<Point> points;
     FitRequest request;
@@ -48,14 +58,10 @@ struct DirectedData {
 };
 
 DirectedData directed(std::span<const Point> points, const FitRequest& request) {
-    DirectedData data{{points.begin(), points.end()}, request, !is_canonical(points, request.is_closed)};
+    DirectedData data{{points.begin(), points.end()}, request, !is_canonical(points, request.ends)};
     if (!data.is_reversed) return data;
-    std::reverse(data.points.begin() + (request.is_closed ? 1 : 0), data.points.end());
-    const auto negative = [](const std::optional<Vector>& tangent) {
-        return tangent ? std::optional(-*tangent) : std::nullopt;
-    };
-    data.request.start_tangent = negative(request.end_tangent);
-    data.request.end_tangent = negative(request.start_tangent);
+    std::reverse(data.points.begin() + (is_closed(request.ends) ? 1 : 0), data.points.end());
+    data.request.ends = reversed(request.ends);
     return data;
 }
 
@@ -66,20 +72,22 @@ class Fitter {
           request_(data.request),
           parameters_(std::move(parameters)),
           p_(static_cast<std::size_t>(request_.degree)),
+          is_closed_(is_closed(request_.ends)),
+          needs_(needs_of(request_.ends)),
           is_reversed_(data.is_reversed) {}
 
     std::size_t least_count() const {
-        if (request_.is_closed) return 2;
-        return std::max(p_ + 1, 2 + tangent_count());
+        if (is_closed_) return 2;
+        return std::max(p_ + 1, 2 + needs_.count());
     }
 
-    std::size_t most_count() const { return points_.size() + tangent_count(); }
+    std::size_t most_count() const { return points_.size() + needs_.count(); }
 
     Result<void> check_point_count() const {
         if (most_count() >= least_count()) return {};
         return refuse({.code = CurveErrorCode::data_points_too_few,
                        .value = static_cast<double>(points_.size()),
-                       .lower = static_cast<double>(least_count() - tangent_count())});
+                       .lower = static_cast<double>(least_count() - needs_.count())});
     }
 
     Result<Approximation> with_count(std::size_t count) {
@@ -105,12 +113,12 @@ class Fitter {
     }
 
   private:
-    std::size_t tangent_count() const { return (request_.start_tangent ? 1U : 0U) + (request_.end_tangent ? 1U : 0U); }
+    bool is_natural() const { return std::holds_alternative<NaturalEnds>(request_.ends); }
 
     std::size_t step_count() const { return parameters_.size() - 1; }
 
     std::size_t first_count() const {
-        return request_.is_closed ? std::min(spans_of_first_closed_fit, points_.size()) : least_count();
+        return is_closed_ ? std::min(spans_of_first_closed_fit, points_.size()) : least_count();
     }
 
     // Places are counted in points: 2.5 is midway between points 2 and 3. These are so many, evenly from one end to the
@@ -129,33 +137,35 @@ class Fitter {
     // part of the curve has more control points than points to determine it. Of even degree a closed curve has them
     // half a span later, because knots at the parameters may leave it undetermined.
     std::vector<double> even_breaks(std::size_t count) const {
-        if (request_.is_closed) {
+        if (is_closed_) {
             std::vector<double> breaks = even_places(count + 1);
             if (p_ % 2 == 0)
                 for (double& at : breaks) at -= 0.5 * static_cast<double>(step_count()) / static_cast<double>(count);
             return breaks;
         }
-        std::vector<double> sites = even_places(count - tangent_count());
-        if (request_.start_tangent) sites.insert(sites.begin(), sites.front());
-        if (request_.end_tangent) sites.push_back(sites.back());
+        std::vector<double> sites = even_places(count - needs_.count());
+        // A natural cubic spline has its breaks at the points.
+        if (is_natural() && p_ == 3) return sites;
+        sites.insert(sites.begin(), needs_.at_start, sites.front());
+        sites.insert(sites.end(), needs_.at_end, sites.back());
         const std::vector<double> knots = averaged_knots(sites, p_);
         return {knots.begin() + static_cast<std::ptrdiff_t>(p_), knots.end() - static_cast<std::ptrdiff_t>(p_)};
     }
 
     // How many points a span must be long: one, and at the ends as many as averaged knots leave there.
     double least_length(std::size_t span, std::size_t span_count) const {
-        if (request_.is_closed) return 1.0;
+        if (is_closed_) return 1.0;
         const double at_end = 0.5 * static_cast<double>(p_ + 1);
         double least = 1.0;
-        if (span == 0) least = std::max(least, at_end - (request_.start_tangent ? 1.0 : 0.0));
-        if (span + 1 == span_count) least = std::max(least, at_end - (request_.end_tangent ? 1.0 : 0.0));
+        if (span == 0) least = std::max(least, at_end - static_cast<double>(needs_.at_start));
+        if (span + 1 == span_count) least = std::max(least, at_end - static_cast<double>(needs_.at_end));
         return least;
     }
 
     // Where in the domain the place `at` is, continued periodically.
     double parameter_at(double at) const {
         const auto steps = static_cast<double>(step_count());
-        const double turns = request_.is_closed ? std::floor(at / steps) : 0.0;
+        const double turns = is_closed_ ? std::floor(at / steps) : 0.0;
         at -= turns * steps;
         const double whole = std::min(std::floor(at), steps - 1.0);
         const auto k = static_cast<std::size_t>(whole);
@@ -166,29 +176,22 @@ class Fitter {
     double shift_of(const std::vector<double>& breaks) const { return -parameter_at(breaks.front()); }
 
     Result<KnotVector> knots_for(const std::vector<double>& breaks) const {
-        std::vector<double> knots(request_.is_closed ? 1 : p_ + 1, 0.0);
+        std::vector<double> knots(is_closed_ ? 1 : p_ + 1, 0.0);
         const double shift = shift_of(breaks);
         for (std::size_t j = 1; j + 1 < breaks.size(); ++j)
             knots.push_back(reversible(parameter_at(breaks[j]) + shift));
-        knots.insert(knots.end(), request_.is_closed ? 1 : p_ + 1, 1.0);
-        return request_.is_closed ? KnotVector::make_periodic(request_.degree, std::move(knots), KnotKind::periodic)
-                                  : KnotVector::make(request_.degree, std::move(knots), KnotKind::clamped_uniform);
+        knots.insert(knots.end(), is_closed_ ? 1 : p_ + 1, 1.0);
+        return is_closed_ ? KnotVector::make_periodic(request_.degree, std::move(knots), KnotKind::periodic)
+                          : KnotVector::make(request_.degree, std::move(knots), KnotKind::clamped_uniform);
     }
 
-    std::vector<KnownPoint> known_points(const KnotVector& knots) const {
-        if (request_.is_closed) return {};
-        const std::size_t last = knots.control_point_count() - 1;
-        const auto degree = static_cast<double>(p_);
-        std::vector<KnownPoint> known{{0, points_.front()}, {last, points_.back()}};
-        if (const auto& tangent = request_.start_tangent)
-            known.push_back({1, points_.front() + (knots[p_ + 1] - knots[1]) / degree * *tangent});
-        if (const auto& tangent = request_.end_tangent)
-            known.push_back({last - 1, points_.back() - (knots[last + p_] - knots[last]) / degree * *tangent});
-        return known;
+    EndPoints fixed_points(const KnotVector& knots) const {
+        if (is_closed_) return {};
+        return end_points(points_.front(), points_.back(), request_.ends, knots);
     }
 
     void require_points(SplineSystem& system, double shift) const {
-        const std::size_t first = request_.is_closed ? 0 : 1;
+        const std::size_t first = is_closed_ ? 0 : 1;
         for (std::size_t k = first; k + first < points_.size(); ++k)
             system.require_point(parameters_[k] + shift, points_[k]);
     }
@@ -209,13 +212,12 @@ class Fitter {
     Result<Approximation> over(const std::vector<double>& breaks) const {
         auto knots = knots_for(breaks);
         if (!knots) return refuse(knots.error());
-        const auto known = known_points(*knots);
-        SplineSystem system(*knots, points_.front(), known);
+        SplineSystem system(*knots, points_.front(), fixed_points(*knots));
         require_points(system, shift_of(breaks));
         require_smoothness(system);
         auto points = system.solve();
         if (!points) return refuse({.code = CurveErrorCode::equations_singular});
-        if (!request_.is_closed) {
+        if (!is_closed_) {
             points->front() = points_.front();
             points->back() = points_.back();
         }
@@ -238,7 +240,7 @@ class Fitter {
         for (std::size_t k = 0; k < points_.size(); ++k) {
             if (!(error_at(curve, k, shift) > tolerance)) continue;
             auto at = static_cast<double>(k);
-            if (request_.is_closed && at > breaks.back()) at -= static_cast<double>(step_count());
+            if (is_closed_ && at > breaks.back()) at -= static_cast<double>(step_count());
             const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, at);
             const auto span = static_cast<std::size_t>(above - breaks.begin()) - 1;
             is_bad[span] = 1;
@@ -268,7 +270,7 @@ class Fitter {
     // of an open curve stay.
     bool divide_evenly(std::vector<double>& breaks, const std::vector<char>& is_bad) const {
         const std::size_t spans = is_bad.size();
-        const std::size_t margin = request_.is_closed ? 0 : 1;
+        const std::size_t margin = is_closed_ ? 0 : 1;
         const auto takes_part = [&](std::size_t j) {
             if (j < margin || j + margin >= spans) return false;
             return is_bad[j] != 0 || (j > 0 && is_bad[j - 1] != 0) || (j + 1 < spans && is_bad[j + 1] != 0);
@@ -308,24 +310,22 @@ class Fitter {
     FitRequest request_;
     std::vector<double> parameters_;
     std::size_t p_;
+    bool is_closed_;
+    EndNeeds needs_;
     bool is_reversed_;
 };
 
 Result<Fitter> make_fitter(std::span<const Point> points, FitRequest request) {
     if (const auto check = check_degree(request.degree); !check) return refuse(check.error());
-    if (request.is_closed) request.start_tangent = request.end_tangent = std::nullopt;
-    if ((request.start_tangent || request.end_tangent) && request.degree < 2)
-        return refuse(
-            {.code = CurveErrorCode::degree_too_low, .value = static_cast<double>(request.degree), .lower = 2.0});
+    if (const auto check = check_degree_of_ends(request.ends, request.degree); !check) return refuse(check.error());
     // First in the direction given, so that a refusal names the point as it was given.
-    const auto check = parametrize(points, request.parametrization, request.is_closed);
-    if (!check) return refuse(check.error());
+    if (const auto given = parametrize(points, request.parametrization, is_closed(request.ends)); !given)
+        return refuse(given.error());
     if (!(request.smoothing >= 0.0) || !std::isfinite(request.smoothing))
         return refuse({.code = CurveErrorCode::smoothing_negative, .value = request.smoothing});
-    if (!is_finite(request.start_tangent.value_or(Vector{})) || !is_finite(request.end_tangent.value_or(Vector{})))
-        return refuse({.code = CurveErrorCode::vector_not_finite});
+    if (const auto check = check_tangents(request.ends); !check) return refuse(check.error());
     DirectedData data = directed(points, request);
-    auto parameters = parametrize(data.points, request.parametrization, request.is_closed);
+    auto parameters = parametrize(data.points, request.parametrization, is_closed(request.ends));
     if (!parameters) return refuse(parameters.error());
     Fitter fitter(std::move(data), *std::move(parameters));
     if (auto enough = fitter.check_point_count(); !enough) return refuse(enough.error());
@@ -340,8 +340,7 @@ Result<Approximation> fit(std::span<const Point> points, std::size_t count, cons
 
 Result<Approximation> fit_within(std::span<const Point> points, double tolerance, const FitRequest& request) {
     return make_fitter(points, request).and_then([&](Fitter fitter) -> Result<Approximation> {
-        if (!(tolerance > 0.0) || !std::isfinite(tolerance))
-            return refuse({.code = CurveErrorCode::tolerance_not_positive, .value = tolerance});
+        if (const auto check = check_tolerance(tolerance); !check) return refuse(check.error());
         return fitter.within(tolerance);
     });
 }

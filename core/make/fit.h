@@ -1,10 +1,10 @@
 /// The curve near given points, by least squares.
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "core/curve/approximation.h"
+#include "core/make/ends.h"
 #include "core/make/parametrization.h"
 
 namespace batten::core {
@@ -12,11 +12,7 @@ namespace batten::core {
 struct FitRequest {
     int degree = 3;
     Parametrization parametrization = Parametrization::chordal;
-    bool is_closed = false;  ///< a periodic curve, without end points and end tangents
-    /// The derivative by u at an end, where it shall be kept; over the domain [0, 1] a vector as long as the whole
-    /// polygon through the points is a moderate one. Degree 2 or more.
-    std::optional<Vector> start_tangent{};
-    std::optional<Vector> end_tangent{};
+    Ends ends = FreeEnds{};
     /// How much bending counts beside the errors: the curve has the least
     ///     sum |C(t_k) - Q_k|^2 + smoothing * integral |C^(r)(u)|^2 du,
     /// where r is `penalized_derivative`, 2 or 3, or the degree where that is less.
@@ -29,11 +25,10 @@ struct FitRequest {
 /// ends exactly in the first and last point. The knots divide the points evenly, so that there are points in every span
 /// and the curve is determined (Schoenberg and Whitney). The points in reverse order (of a closed curve those after the
 /// first) give the reversed curve, bit for bit, knots included.
-/// Checked in this order: degree_out_of_range; degree_too_low for tangents; those of parametrize; smoothing_negative;
-/// vector_not_finite; data_points_too_few; too_few_points (p+1; 4 with both tangents; 2 when closed);
-/// control_points_too_many (as many as points, and one more for each tangent while there are points in every span);
-/// equations_singular. Cost O(m p^2) for m points.
-/// Source: The NURBS Book, 9.4.1, with knots that do not depend on the direction.
+/// Checked in this order: degree_out_of_range; degree_too_low for the ends; those of parametrize; smoothing_negative;
+/// vector_not_finite; data_points_too_few; too_few_points (p+1; 4 with two conditions at the ends; 2 when closed);
+/// control_points_too_many (as many as points, and one more for each condition at an end); equations_singular. Cost O(m
+/// p^2) for m points. Source: The NURBS Book, 9.4.1, with knots that do not depend on the direction.
 [[nodiscard]] Result<Approximation> fit(std::span<const Point> points, std::size_t count,
                                         const FitRequest& request = {});
 

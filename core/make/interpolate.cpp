@@ -3,33 +3,16 @@
 #include <cmath>
 #include <utility>
 
-#include "core/evaluate/detail/spline_system.h"
+#include "core/make/detail/end_conditions.h"
 
 namespace batten::core {
 
 namespace {
 
-// How many derivatives are prescribed at both ends, and the least degree that has them.
-struct EndNeeds {
-    std::size_t at_start = 0;
-    std::size_t at_end = 0;
-    int least_degree = min_degree;
-    bool is_finite = true;
-};
-
-EndNeeds needs_of(const Ends& ends) {
-    if (std::holds_alternative<NaturalEnds>(ends)) return {1, 1, 3};
-    const auto* tangents = std::get_if<EndTangents>(&ends);
-    if (tangents == nullptr || (!tangents->start && !tangents->end)) return {};
-    return {tangents->start ? 1U : 0U, tangents->end ? 1U : 0U, 2,
-            is_finite(tangents->start.value_or(Vector{})) && is_finite(tangents->end.value_or(Vector{}))};
-}
-
 Result<std::vector<double>> parameters_for(std::span<const Point> points, const InterpolationRequest& request) {
-    const bool is_closed = std::holds_alternative<ClosedEnds>(request.ends);
-    if (request.parameters.empty()) return parametrize(points, request.parametrization, is_closed);
-    if (const auto check = check_parameters(points, request.parameters, is_closed); !check)
-        return refuse(check.error());
+    const bool closed = is_closed(request.ends);
+    if (request.parameters.empty()) return parametrize(points, request.parametrization, closed);
+    if (const auto check = check_parameters(points, request.parameters, closed); !check) return refuse(check.error());
     return request.parameters;
 }
 
@@ -54,49 +37,24 @@ Result<Curve> solved(const SplineSystem& system) {
     return Curve::make(system.knots(), *std::move(points), {});
 }
 
-// The ends, and beside an end with a tangent the next control point: C'(u_p) = p (P_1 - P_0) / (u_{p+1} - u_1).
-std::vector<KnownPoint> known_points(std::span<const Point> points, const Ends& ends, const KnotVector& knots) {
-    const auto p = static_cast<std::size_t>(knots.degree());
-    const std::size_t last = knots.control_point_count() - 1;
-    std::vector<KnownPoint> known{{0, points.front()}, {last, points.back()}};
-    const auto* tangents = std::get_if<EndTangents>(&ends);
-    if (tangents == nullptr) return known;
-    const auto degree = static_cast<double>(p);
-    if (tangents->start) known.push_back({1, points.front() + (knots[p + 1] - knots[1]) / degree * *tangents->start});
-    if (tangents->end)
-        known.push_back({last - 1, points.back() - (knots[last + p] - knots[last]) / degree * *tangents->end});
-    return known;
-}
-
-// Weighed by the squared length of the span, so that the coefficients are of the size of all others.
-void require_natural_ends(SplineSystem& system) {
-    const auto [lower, upper] = system.knots().domain();
-    const KnotVector& knots = system.knots();
-    const double first = knots[knots.span_at(lower) + 1] - lower;
-    const double last = upper - knots[knots.span_at(upper)];
-    system.require_derivative(lower, 2, Vector{}, first * first);
-    system.require_derivative(upper, 2, Vector{}, last * last);
-}
-
 Result<Interpolation> interpolate_open(std::span<const Point> points, const InterpolationRequest& request,
                                        std::vector<double> parameters) {
     const auto p = static_cast<std::size_t>(request.degree);
     const EndNeeds needs = needs_of(request.ends);
-    const std::size_t count = points.size() + needs.at_start + needs.at_end;
+    const std::size_t count = points.size() + needs.count();
     if (count < p + 1)
         return refuse({.code = CurveErrorCode::data_points_too_few,
                        .value = static_cast<double>(points.size()),
-                       .lower = static_cast<double>(p + 1 - needs.at_start - needs.at_end)});
-    if (!needs.is_finite) return refuse({.code = CurveErrorCode::vector_not_finite});
+                       .lower = static_cast<double>(p + 1 - needs.count())});
+    if (const auto check = check_tangents(request.ends); !check) return refuse(check.error());
     const bool is_natural = std::holds_alternative<NaturalEnds>(request.ends);
     auto knots =
         KnotVector::make(request.degree, is_natural && p == 3 ? knots_at_parameters(parameters, p)
                                                               : averaged_knots(sites_of(parameters, needs), p));
     if (!knots) return refuse(knots.error());
 
-    const std::vector<KnownPoint> known = known_points(points, request.ends, *knots);
-    SplineSystem system(*std::move(knots), points.front(), known);
-    if (is_natural) require_natural_ends(system);
+    const EndPoints ends = end_points(points.front(), points.back(), request.ends, *knots);
+    SplineSystem system(*std::move(knots), points.front(), ends);
     for (std::size_t k = 1; k + 1 < points.size(); ++k) system.require_point(parameters[k], points[k]);
     return solved(system).map([&](Curve curve) {
         CurveDefinition definition = curve.definition();
@@ -135,15 +93,11 @@ Result<Interpolation> interpolate_closed(std::span<const Point> points, const In
 
 Result<Interpolation> interpolate(std::span<const Point> points, const InterpolationRequest& request) {
     if (const auto check = check_degree(request.degree); !check) return refuse(check.error());
-    if (const int least = needs_of(request.ends).least_degree; request.degree < least)
-        return refuse({.code = CurveErrorCode::degree_too_low,
-                       .value = static_cast<double>(request.degree),
-                       .lower = static_cast<double>(least)});
+    if (const auto check = check_degree_of_ends(request.ends, request.degree); !check) return refuse(check.error());
     auto parameters = parameters_for(points, request);
     if (!parameters) return refuse(parameters.error());
-    return std::holds_alternative<ClosedEnds>(request.ends)
-               ? interpolate_closed(points, request, *std::move(parameters))
-               : interpolate_open(points, request, *std::move(parameters));
+    return is_closed(request.ends) ? interpolate_closed(points, request, *std::move(parameters))
+                                   : interpolate_open(points, request, *std::move(parameters));
 }
 
 }  // namespace batten::core

@@ -1,34 +1,14 @@
 /// The curve through given points.
 #pragma once
 
-#include <optional>
 #include <span>
-#include <variant>
 #include <vector>
 
 #include "core/curve/curve.h"
+#include "core/make/ends.h"
 #include "core/make/parametrization.h"
 
 namespace batten::core {
-
-/// Nothing is asked for at the ends.
-struct FreeEnds {};
-
-/// The second derivative is zero at both ends; degree 3 or more. For a cubic the knots lie at the parameters, which
-/// makes it the classical natural spline: of all curves through the points the one with the least integral of |C''|^2.
-struct NaturalEnds {};
-
-/// The derivative by u at one end or both; degree 2 or more. The domain has length 1 unless parameters are given, so
-/// that a vector as long as the whole polygon through the points is a moderate one.
-struct EndTangents {
-    std::optional<Vector> start{};
-    std::optional<Vector> end{};
-};
-
-/// A periodic curve that returns to the first point.
-struct ClosedEnds {};
-
-using Ends = std::variant<FreeEnds, NaturalEnds, EndTangents, ClosedEnds>;
 
 struct InterpolationRequest {
     int degree = 3;
@@ -46,14 +26,15 @@ struct Interpolation {
 };
 
 /// The curve with C(parameters[k]) = points[k]. Open curves are clamped over averaged knots, and their ends are
-/// bit-equal to the first and last point. Closed ones have one control point for each point; of odd degree their knots
-/// lie at the parameters, of even degree midway between them, where alone the equations are regular for equal steps,
-/// and all parameters are then larger by half of the last step. Rotating the points of a closed curve gives the same
-/// curve.
-/// Checked in this order: degree_out_of_range; degree_too_low for the ends; those of parametrize or check_parameters;
-/// data_points_too_few (points and prescribed end derivatives together p+1); vector_not_finite; equations_singular,
-/// which only very uneven parameters of closed curves bring about. Cost O(n p^2), of which O(n p) on points.
-/// Source: The NURBS Book, 9.2 and A9.1; de Boor 1978.
+/// bit-equal to the first and last point; those of a cubic with natural ends lie at the parameters, which makes it the
+/// classical natural spline: of all curves through the points the one with the least integral of |C''|^2. Closed ones
+/// have one control point for each point; of odd degree their knots lie at the parameters, of even degree midway
+/// between them, where alone the equations are regular for equal steps, and all parameters are then larger by half of
+/// the last step. Rotating the points of a closed curve gives the same curve. Checked in this order:
+/// degree_out_of_range; degree_too_low for the ends; those of parametrize or check_parameters; data_points_too_few
+/// (points and prescribed end derivatives together p+1); vector_not_finite; equations_singular, which only very uneven
+/// parameters of closed curves bring about. Cost O(n p^2), of which O(n p) on points. Source: The NURBS Book, 9.2 and
+/// A9.1; de Boor 1978.
 [[nodiscard]] Result<Interpolation> interpolate(std::span<const Point> points,
                                                 const InterpolationRequest& request = {});
 

@@ -61,9 +61,12 @@ TEST(PitfallsFit, p12_fitting_the_reversed_points_gives_the_reversed_curve_bit_f
         const std::vector<Point> backwards(points.rbegin(), points.rend());
         FitRequest request{.degree = random.whole(2, 6)};
         FitRequest back = request;
-        if (random.whole(0, 1) == 0) {
-            request.start_tangent = Vector(30, 10);
-            back.end_tangent = Vector(-30, -10);
+        const int ends = random.whole(0, 2);
+        if (ends == 0) {
+            request.ends = EndTangents{.start = Vector(30, 10)};
+            back.ends = EndTangents{.end = Vector(-30, -10)};
+        } else if (ends == 1 && request.degree >= 3) {
+            request.ends = back.ends = NaturalEnds{};
         }
         const bool is_counted = random.whole(0, 1) == 0;
         const auto a = is_counted ? fit(points, 9, request).value() : fit_within(points, 0.1, request).value();
@@ -88,8 +91,8 @@ TEST(PitfallsFit, p12_fitting_a_closed_curve_backwards_gives_the_reversed_curve_
         }
         auto backwards = points;
         std::reverse(backwards.begin() + 1, backwards.end());
-        const auto a = fit(points, 10, {.degree = degree, .is_closed = true}).value().curve;
-        const auto b = fit(backwards, 10, {.degree = degree, .is_closed = true}).value().curve;
+        const auto a = fit(points, 10, {.degree = degree, .ends = ClosedEnds{}}).value().curve;
+        const auto b = fit(backwards, 10, {.degree = degree, .ends = ClosedEnds{}}).value().curve;
         const auto p = static_cast<std::size_t>(degree);
         for (std::size_t i = 0; i < 10; ++i) {
             EXPECT_EQ(a.control_points()[i], b.control_points()[(p + 19 - i) % 10]);

@@ -42,12 +42,26 @@ Outcome<Edit> interpolate_tangents(const EditorState& state, const InterpolateTa
 }
 
 template <class Command>
-core::FitRequest request_of(const Command& command) {
-    return {.degree = command.degree,
-            .is_closed = command.closed,
-            .start_tangent = command.start,
-            .end_tangent = command.end,
-            .smoothing = command.smoothing};
+Outcome<core::Ends> ends_of(const Command& command) {
+    const bool has_tangents = command.start || command.end;
+    if (command.closed && has_tangents)
+        return tl::unexpected<std::string>(
+            "a closed curve has no ends: leave out the derivatives at the start and the end");
+    if (command.closed && command.natural)
+        return tl::unexpected<std::string>("a closed curve has no ends that could be natural: ask for one of the two");
+    if (command.natural && has_tangents)
+        return tl::unexpected<std::string>(
+            "natural ends have free derivatives: leave out those at the start and the end");
+    if (command.closed) return core::ClosedEnds{};
+    if (command.natural) return core::NaturalEnds{};
+    return core::EndTangents{command.start, command.end};
+}
+
+template <class Command>
+Outcome<core::FitRequest> request_of(const Command& command) {
+    return ends_of(command).map([&](core::Ends ends) {
+        return core::FitRequest{.degree = command.degree, .ends = std::move(ends), .smoothing = command.smoothing};
+    });
 }
 
 Outcome<Edit> with_fitted(const EditorState& state, core::Result<core::Approximation> found) {
@@ -58,11 +72,15 @@ Outcome<Edit> with_fitted(const EditorState& state, core::Result<core::Approxima
 }
 
 Outcome<Edit> fit_points(const EditorState& state, const FitPoints& command) {
-    return with_fitted(state, core::fit(command.points, command.count, request_of(command)));
+    const auto request = request_of(command);
+    if (!request) return tl::unexpected(request.error());
+    return with_fitted(state, core::fit(command.points, command.count, *request));
 }
 
 Outcome<Edit> fit_points_within(const EditorState& state, const FitPointsWithin& command) {
-    return with_fitted(state, core::fit_within(command.points, command.tolerance, request_of(command)));
+    const auto request = request_of(command);
+    if (!request) return tl::unexpected(request.error());
+    return with_fitted(state, core::fit_within(command.points, command.tolerance, *request));
 }
 
 // The selected control points of the active curve, all of them where fewer than two are selected.
@@ -104,7 +122,7 @@ Field parametrization_field() {
 constexpr const char* start_meaning = "x and y of the derivative at the start; none leaves it free";
 constexpr const char* end_meaning = "x and y of the derivative at the end; none leaves it free";
 
-// What the fits have in common: coordinates, degree, closed, smoothing, and the derivatives at start and end.
+// What the fits have in common: coordinates, degree, smoothing, and what the ends do.
 template <class Command>
 std::vector<Field> fit_fields(Field first) {
     return {
@@ -114,7 +132,8 @@ std::vector<Field> fit_fields(Field first) {
         field::flag<&Command::closed>("closed", "yes for a periodic curve, no for an open one").usually(false),
         field::number<&Command::smoothing>("smoothing", "how strongly bending is penalized, 0 or more").usually(0.0),
         field::vector<&Command::start>("start", start_meaning).absent_as("0,0"),
-        field::vector<&Command::end>("end", end_meaning).absent_as("0,0")};
+        field::vector<&Command::end>("end", end_meaning).absent_as("0,0"),
+        field::flag<&Command::natural>("natural", "yes for ends that do not bend, of degree 3 or more").usually(false)};
 }
 
 }  // namespace

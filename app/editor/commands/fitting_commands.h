@@ -47,6 +47,7 @@ struct FitPoints {
     double smoothing = 0.0;
     std::optional<core::Vector> start{};  ///< the derivative there; none leaves it free
     std::optional<core::Vector> end{};
+    bool natural = false;  ///< no second derivative at the ends
     static const CommandSpec& spec();
 };
 
@@ -58,6 +59,7 @@ struct FitPointsWithin {
     double smoothing = 0.0;
     std::optional<core::Vector> start{};
     std::optional<core::Vector> end{};
+    bool natural = false;
     static const CommandSpec& spec();
 };
 

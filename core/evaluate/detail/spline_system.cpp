@@ -17,18 +17,25 @@ std::size_t folded(std::size_t i, std::size_t n) {
 
 }  // namespace
 
-SplineSystem::SplineSystem(KnotVector knots, Point origin, std::span<const KnownPoint> known)
+SplineSystem::SplineSystem(KnotVector knots, Point origin, const EndPoints& ends)
     : knots_(std::move(knots)),
       origin_(origin),
       points_(knots_.control_point_count(), Vector{}),
+      shares_(knots_.control_point_count(), 1.0),
       unknown_(knots_.control_point_count(), 0) {
     const std::size_t n = points_.size();
-    for (const KnownPoint& given : known) {
+    for (const KnownPoint& given : ends.known) {
         points_[given.index] = given.point - origin;
         unknown_[given.index] = is_known;
     }
+    for (const BoundPoint& bound : ends.bound) {
+        points_[bound.index] = (1.0 - bound.share) * (bound.from - origin);
+        shares_[bound.index] = bound.share;
+        unknown_[bound.index] = is_known;
+    }
     for (std::size_t& unknown : unknown_)
         if (unknown != is_known) unknown = unknown_count_++;
+    for (const BoundPoint& bound : ends.bound) unknown_[bound.index] = unknown_[bound.to];
     if (!knots_.is_periodic()) return;
     for (std::size_t i = 0; i < n; ++i) unknown_[i] = folded(i, n);
 }
@@ -58,18 +65,16 @@ void SplineSystem::require_sum(std::size_t first, std::span<const double> coeffi
     std::size_t highest = 0;
     for (std::size_t j = 0; j < coefficients.size(); ++j) {
         const std::size_t i = (first + j) % n;
-        if (unknown_[i] == is_known) {
-            right -= coefficients[j] * points_[i];
-        } else {
-            lowest = std::min(lowest, unknown_[i]);
-            highest = std::max(highest, unknown_[i]);
-        }
+        right -= coefficients[j] * points_[i];
+        if (unknown_[i] == is_known) continue;
+        lowest = std::min(lowest, unknown_[i]);
+        highest = std::max(highest, unknown_[i]);
     }
     if (lowest == unknown_count_) return;
     BandedEquation<Vector> equation{lowest, std::vector<double>(highest - lowest + 1, 0.0), right};
     for (std::size_t j = 0; j < coefficients.size(); ++j) {
-        const std::size_t unknown = unknown_[(first + j) % n];
-        if (unknown != is_known) equation.coefficients[unknown - lowest] += coefficients[j];
+        const std::size_t i = (first + j) % n;
+        if (unknown_[i] != is_known) equation.coefficients[unknown_[i] - lowest] += coefficients[j] * shares_[i];
     }
     equations_.push_back(std::move(equation));
 }
@@ -90,7 +95,7 @@ std::vector<Point> SplineSystem::refined(std::vector<Point> points) const {
     const auto correction = solve_least_squares(std::move(equations), unknown_count_);
     if (!correction) return points;
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (unknown_[i] != is_known) points[i] += (*correction)[unknown_[i]];
+        if (unknown_[i] != is_known) points[i] += shares_[i] * (*correction)[unknown_[i]];
     return points;
 }
 
@@ -98,8 +103,10 @@ std::optional<std::vector<Point>> SplineSystem::solve() const {
     const auto solution = solve_least_squares(equations_, unknown_count_);
     if (!solution) return std::nullopt;
     std::vector<Point> points(points_.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        points[i] = origin_ + (unknown_[i] == is_known ? points_[i] : (*solution)[unknown_[i]]);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i] = origin_ + points_[i];
+        if (unknown_[i] != is_known) points[i] = origin_ + (points_[i] + shares_[i] * (*solution)[unknown_[i]]);
+    }
     const bool is_exact = equations_.size() == unknown_count_ && sites_.size() == unknown_count_;
     return is_exact ? refined(std::move(points)) : points;
 }

@@ -16,11 +16,25 @@ struct KnownPoint {
     Point point{};
 };
 
+/// A control point between a known point and another control point: P_index = from + share (P_to - from).
+struct BoundPoint {
+    std::size_t index = 0;
+    Point from{};
+    std::size_t to = 0;  ///< neither known nor bound
+    double share = 0.0;
+};
+
+/// The control points of an open spline that are not free.
+struct EndPoints {
+    std::vector<KnownPoint> known{};
+    std::vector<BoundPoint> bound{};
+};
+
 /// Collects conditions and solves them: exactly when they are as many as the unknown control points, by least squares
 /// when they are more. Coordinates are computed from an origin, which should lie near the points.
 class SplineSystem {
   public:
-    SplineSystem(KnotVector knots, Point origin, std::span<const KnownPoint> known = {});
+    SplineSystem(KnotVector knots, Point origin, const EndPoints& ends = {});
 
     /// The spline shall be at `point` for `u`. Cost O(p^2).
     void require_point(double u, Point point);
@@ -55,8 +69,10 @@ class SplineSystem {
 
     KnotVector knots_;
     Point origin_;
-    std::vector<Vector> points_;        ///< from the origin to the known ones; zero for the others
-    std::vector<std::size_t> unknown_;  ///< control point to unknown, or is_known
+    // Control point i is origin + points_[i] + shares_[i] times the unknown number unknown_[i].
+    std::vector<Vector> points_;
+    std::vector<double> shares_;
+    std::vector<std::size_t> unknown_;  ///< or is_known
     std::size_t unknown_count_ = 0;
     std::vector<BandedEquation<Vector>> equations_;
     std::vector<Site> sites_;  ///< where the equations come from; fewer than equations when some are sums

@@ -7,6 +7,7 @@
 
 #include "core/base/detail/gauss_rule.h"
 #include "core/evaluate/evaluate.h"
+#include "core/make/interpolate.h"
 #include "core/measure/nearest.h"
 #include "tests/core/random_curves.h"
 
@@ -114,15 +115,58 @@ TEST(Fit, keeps_end_tangents) {
     const Vector start(10, 12);
     const Vector end(9, -4);
     for (const int degree : {2, 3, 6}) {
-        const auto found = fit(points, 15, {.degree = degree, .start_tangent = start, .end_tangent = end}).value();
+        const auto found = fit(points, 15, {.degree = degree, .ends = EndTangents{start, end}}).value();
         EXPECT_LT(length(derivatives_at(found.curve, 0.0, 1)[1] - start), 1e-12);
         EXPECT_LT(length(derivatives_at(found.curve, 1.0, 1)[1] - end), 1e-12);
-        const auto one = fit(points, 15, {.degree = degree, .end_tangent = end}).value();
+        const auto one = fit(points, 15, {.degree = degree, .ends = EndTangents{.end = end}}).value();
         EXPECT_LT(length(derivatives_at(one.curve, 1.0, 1)[1] - end), 1e-12);
         EXPECT_GT(length(derivatives_at(one.curve, 0.0, 1)[1] - start), 0.1);
     }
-    EXPECT_EQ(fit(points, 15, {.degree = 1, .start_tangent = start}).error(),
+    EXPECT_EQ(fit(points, 15, {.degree = 1, .ends = EndTangents{.start = start}}).error(),
               (CurveError{.code = CurveErrorCode::degree_too_low, .value = 1, .lower = 2}));
+}
+
+TEST(Fit, natural_ends_do_not_bend) {
+    const auto points = wave(100);
+    for (const int degree : {3, 4, 5})
+        for (const std::size_t count : {8U, 15U}) {
+            const auto found = fit(points, count, {.degree = degree, .ends = NaturalEnds{}}).value();
+            for (const double end : {0.0, 1.0}) {
+                EXPECT_LT(length(derivatives_at(found.curve, end, 2)[2]), 1e-9) << degree << ' ' << end;
+                EXPECT_GT(length(derivatives_at(found.curve, end, 1)[1]), 1.0);
+            }
+            // A condition costs no more than it must: with all control points free the error is of the same size.
+            EXPECT_LT(found.error, 4.0 * fit(points, count - 2, {.degree = degree}).value().error);
+        }
+    EXPECT_EQ(fit(points, 15, {.degree = 2, .ends = NaturalEnds{}}).error(),
+              (CurveError{.code = CurveErrorCode::degree_too_low, .value = 2, .lower = 3}));
+}
+
+TEST(Fit, natural_ends_with_all_control_points_interpolate) {
+    const auto points = wave(30);
+    for (const int degree : {3, 4, 5}) {
+        const auto fitted = fit(points, 32, {.degree = degree, .ends = NaturalEnds{}}).value();
+        const auto through = interpolate(points, {.degree = degree, .ends = NaturalEnds{}}).value();
+        EXPECT_LT(fitted.error, 1e-13);
+        // Of higher degree the knots differ a little: here they are averaged over numbers of points.
+        if (degree > 3) continue;
+        for (std::size_t i = 0; i < 32; ++i)
+            EXPECT_LT(distance(fitted.curve.control_points()[i], through.curve.control_points()[i]), 1e-11);
+    }
+}
+
+TEST(Fit, of_two_points_with_natural_ends_is_their_line) {
+    const std::vector<Point> points{{0, 0}, {3, 6}};
+    const auto found = fit(points, 4, {.ends = NaturalEnds{}}).value();
+    EXPECT_EQ(found.curve.control_points()[1], Point(1, 2));
+    EXPECT_EQ(found.curve.control_points()[2], Point(2, 4));
+}
+
+TEST(Fit, within_a_tolerance_keeps_natural_ends) {
+    const auto found = fit_within(wave(200), 1e-3, {.ends = NaturalEnds{}}).value();
+    EXPECT_LE(found.error, 1e-3);
+    EXPECT_LT(found.curve.control_points().size(), 40U);
+    EXPECT_LT(length(derivatives_at(found.curve, 1.0, 2)[2]), 1e-8);
 }
 
 TEST(Fit, smoothing_bends_less_and_ends_in_a_straight_line) {
@@ -151,7 +195,7 @@ TEST(Fit, smoothing_bends_less_and_ends_in_a_straight_line) {
 TEST(Fit, closed_curves_have_no_seam) {
     const auto points = circle(50);
     for (const int degree : {2, 3, 4, 5}) {
-        const auto found = fit(points, 12, {.degree = degree, .is_closed = true}).value();
+        const auto found = fit(points, 12, {.degree = degree, .ends = ClosedEnds{}}).value();
         EXPECT_TRUE(found.curve.is_periodic());
         EXPECT_EQ(found.curve.control_points().size(), 12U);
         EXPECT_LT(found.error, 2e-2);
@@ -219,7 +263,7 @@ TEST(FitWithin, goes_through_all_points_where_it_must) {
 TEST(FitWithin, closes_curves) {
     for (const int degree : {2, 3, 4})
         for (const double tolerance : {0.1, 1e-3, 1e-5}) {
-            const auto found = fit_within(circle(200), tolerance, {.degree = degree, .is_closed = true}).value();
+            const auto found = fit_within(circle(200), tolerance, {.degree = degree, .ends = ClosedEnds{}}).value();
             EXPECT_TRUE(found.curve.is_periodic());
             EXPECT_LE(found.error, tolerance);
             EXPECT_LT(found.curve.control_points().size(), 200U);
