@@ -53,15 +53,6 @@ Check check_weights_positive(std::span<const double> weights) {
     return {};
 }
 
-bool are_torn(const KnotVector& knots) {
-    const Interval domain = knots.domain();
-    const auto values = knots.values();
-    const auto p = static_cast<std::size_t>(knots.degree());
-    for (std::size_t i = 0; i + p < values.size(); ++i)
-        if (values[i] == values[i + p] && domain.lower < values[i] && values[i] < domain.upper) return true;
-    return false;
-}
-
 }  // namespace
 
 Curve::Curve(KnotVector knots, std::vector<Point> points, std::vector<double> weights)
@@ -95,6 +86,15 @@ bool Curve::is_rational() const {
     return std::adjacent_find(weights_.begin(), weights_.end(), std::not_equal_to<>()) != weights_.end();
 }
 
+bool Curve::is_torn() const {
+    const Interval domain = knots_.domain();
+    const auto values = knots_.values();
+    const auto p = static_cast<std::size_t>(degree());
+    for (std::size_t i = 0; i + p < values.size(); ++i)
+        if (values[i] == values[i + p] && domain.lower < values[i] && values[i] < domain.upper) return true;
+    return false;
+}
+
 CurveDefinition Curve::definition() const {
     const auto stored = knots_.stored();
     return {.degree = degree(),
@@ -103,7 +103,7 @@ CurveDefinition Curve::definition() const {
             .weights = weights_,
             .periodic = is_periodic(),
             .kind = knots_.kind(),
-            .tears = are_torn(knots_) ? Tears::allow : Tears::refuse};
+            .tears = is_torn() ? Tears::allow : Tears::refuse};
 }
 
 }  // namespace batten::core

@@ -41,6 +41,9 @@ class Curve {
     /// Not all weights are equal.
     bool is_rational() const;
 
+    /// Whether a knot inside the domain has multiplicity p+1, so that the curve may come apart there. Cost O(n).
+    bool is_torn() const;
+
     /// Control point i of the unrolled curve, which is point i mod n when periodic.
     HomogeneousPoint homogeneous_point(std::size_t i) const {
         const std::size_t k = i % points_.size();

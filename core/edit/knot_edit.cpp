@@ -11,10 +11,11 @@ namespace batten::core {
 
 namespace {
 
-Result<Curve> with_knots(const Curve& curve, std::vector<double> knots) {
+Result<Curve> with_knots(const Curve& curve, std::vector<double> knots, Tears tears = Tears::refuse) {
     CurveDefinition definition = curve.definition();
     definition.knots = std::move(knots);
     definition.kind = KnotKind::custom;
+    if (tears == Tears::allow) definition.tears = tears;
     return Curve::make(std::move(definition));
 }
 
@@ -45,7 +46,7 @@ std::vector<double> without_knot(const KnotVector& knots, std::size_t index) {
 
 }  // namespace
 
-Result<Curve> set_knot(const Curve& curve, std::size_t index, double u) {
+Result<Curve> set_knot(const Curve& curve, std::size_t index, double u, Tears tears) {
     const auto check = check_knot_index(curve, index).and_then([&] { return check_parameter_finite(u); });
     if (!check) return tl::unexpected(check.error());
     const auto stored = curve.knots().stored();
@@ -53,7 +54,7 @@ Result<Curve> set_knot(const Curve& curve, std::size_t index, double u) {
     std::vector<double> knots(stored.begin(), stored.end());
     const auto run = std::equal_range(knots.begin(), knots.end(), knots[index]);
     *(u > knots[index] ? run.second - 1 : run.first) = u;
-    return with_knots(curve, std::move(knots));
+    return with_knots(curve, std::move(knots), tears);
 }
 
 Result<Curve> delete_knot(const Curve& curve, std::size_t index) {
@@ -92,8 +93,8 @@ Result<Curve> make_uniform(const Curve& curve) {
     return set_knot_kind(curve, is_clamped(curve.knots()) ? KnotKind::clamped_uniform : KnotKind::uniform);
 }
 
-Result<Curve> set_knots(const Curve& curve, std::vector<double> knots) {
-    return with_knots(curve, std::move(knots));
+Result<Curve> set_knots(const Curve& curve, std::vector<double> knots, Tears tears) {
+    return with_knots(curve, std::move(knots), tears);
 }
 
 Result<Curve> set_periodic(const Curve& curve, bool periodic) {

@@ -16,7 +16,8 @@ constexpr double closest_approach = 1.0 / 200.0;
 struct Row {
     int degree = 0;
     bool is_periodic = false;
-    Tears tears = Tears::refuse;
+    bool is_torn = false;
+    bool may_tear = false;  // here
     std::vector<double> knots;
     std::size_t moved = 0;
     double target = 0.0;
@@ -61,12 +62,14 @@ std::vector<double> with_moved_at(const Row& row, double u) {
     return knots;
 }
 
-// Whether the moved knot can join the next stack: inside, no multiplicity above p comes about even where tears exist.
+// Whether the moved knot can join the next stack: inside, a multiplicity above p comes about only where it is allowed.
 bool can_join(const Row& row, double next) {
+    const Tears tears = row.is_torn || row.may_tear ? Tears::allow : Tears::refuse;
     const auto joined = row.is_periodic
                             ? KnotVector::make_periodic(row.degree, with_moved_at(row, next))
-                            : KnotVector::make(row.degree, with_moved_at(row, next), KnotKind::custom, row.tears);
+                            : KnotVector::make(row.degree, with_moved_at(row, next), KnotKind::custom, tears);
     if (!joined) return false;
+    if (row.may_tear) return true;
     const Interval domain = joined->domain();
     const bool is_end = !row.is_periodic && (next == domain.lower || next == domain.upper);
     return is_end || joined->multiplicity(next) <= row.degree;
@@ -131,7 +134,8 @@ double snapped(const KnotVector& knots, std::size_t index, double u, double dist
 
 }  // namespace
 
-Result<Curve> move_knot(const Curve& curve, std::size_t index, double u, KnotMove mode, double snap_distance) {
+Result<Curve> move_knot(const Curve& curve, std::size_t index, double u, KnotMove mode, double snap_distance,
+                        Tears tears) {
     const KnotVector& knots = curve.knots();
     const auto check = check_knot_index(curve, index).and_then([&] { return check_parameter_finite(u); });
     if (!check) return tl::unexpected(check.error());
@@ -140,7 +144,13 @@ Result<Curve> move_knot(const Curve& curve, std::size_t index, double u, KnotMov
     if (target == from) return curve;
 
     CurveDefinition definition = curve.definition();
-    Row row{curve.degree(), curve.is_periodic(), definition.tears, definition.knots, index, target};
+    Row row{curve.degree(),
+            curve.is_periodic(),
+            definition.tears == Tears::allow,
+            tears == Tears::allow && !curve.is_periodic(),
+            definition.knots,
+            index,
+            target};
     if (target < from) mirror(row);
     take_last_of_stack(row);
     row.knots = mode == KnotMove::push ? pushed(row) : stopped(row);
@@ -148,6 +158,7 @@ Result<Curve> move_knot(const Curve& curve, std::size_t index, double u, KnotMov
     if (row.knots == definition.knots) return curve;
     definition.knots = std::move(row.knots);
     definition.kind = KnotKind::custom;
+    if (tears == Tears::allow) definition.tears = tears;
     return Curve::make(std::move(definition));
 }
 

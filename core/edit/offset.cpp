@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/curve/detail/edit_checks.h"
 #include "core/curve/knot_analysis.h"
 #include "core/edit/detail/offset_polygon.h"
 #include "core/evaluate/evaluate.h"
@@ -263,18 +264,13 @@ class OffsetBuilder {
     std::vector<Break> breaks_;
 };
 
-bool is_torn(const Curve& curve) {
-    return curve.definition().tears == Tears::allow;
-}
-
 }  // namespace
 
 Result<Approximation> offset(const Curve& curve, double distance, double tolerance) {
     if (!std::isfinite(distance)) return refuse({.code = CurveErrorCode::vector_not_finite});
-    if (!(tolerance > 0.0) || !std::isfinite(tolerance))
-        return refuse({.code = CurveErrorCode::tolerance_not_positive, .value = tolerance});
+    if (const auto check = check_tolerance(tolerance); !check) return refuse(check.error());
     if (distance == 0.0) return Approximation{curve, 0.0};
-    if (curve.degree() == 1 && !is_torn(curve)) return offset_polygon(curve, distance);
+    if (curve.degree() == 1 && !curve.is_torn()) return offset_polygon(curve, distance);
     return OffsetBuilder(curve, distance, tolerance).build();
 }
 

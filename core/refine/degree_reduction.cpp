@@ -178,7 +178,7 @@ Result<Curve> reduce_periodic(const Curve& curve) {
 
 Result<Curve> reduce_open(const Curve& curve) {
     const int degree = curve.degree() - 1;
-    const Tears tears = curve.definition().tears;
+    const Tears tears = curve.is_torn() ? Tears::allow : Tears::refuse;
     const std::vector<double> values = reduced_values(curve.knots());
     const auto target = KnotVector::make(degree, values, curve.knots().kind(), tears);
     if (!target) return tl::unexpected(target.error());

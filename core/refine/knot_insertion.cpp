@@ -6,9 +6,9 @@
 
 namespace batten::core {
 
-Result<Curve> insert_knot(const Curve& curve, double u, int times) {
+Result<Curve> insert_knot(const Curve& curve, double u, int times, Tears tears) {
     assert(times >= 1);
-    return refine_knots(curve, std::vector<double>(static_cast<std::size_t>(times), u));
+    return refine_knots(curve, std::vector<double>(static_cast<std::size_t>(times), u), tears);
 }
 
 Result<Curve> insert_midpoint_knots(const Curve& curve) {

@@ -17,16 +17,17 @@ Result<void> check_place(const KnotVector& knots, double u) {
         {.code = CurveErrorCode::parameter_outside_domain, .value = u, .lower = domain.lower, .upper = domain.upper});
 }
 
-Result<void> check_multiplicity(const KnotVector& knots, double u, std::size_t times) {
+Result<void> check_multiplicity(const KnotVector& knots, double u, std::size_t times, Tears tears) {
     const Interval domain = knots.domain();
-    const bool is_end = !knots.is_periodic() && (u == domain.lower || u == domain.upper);
-    const int most = knots.degree() + (is_end ? 1 : 0);
+    const bool is_end = u == domain.lower || u == domain.upper;
+    const bool may_tear = !knots.is_periodic() && (is_end || tears == Tears::allow);
+    const int most = knots.degree() + (may_tear ? 1 : 0);
     if (static_cast<int>(times) <= most - knots.multiplicity(u)) return {};
     return refuse({.code = CurveErrorCode::multiplicity_full, .value = u, .upper = static_cast<double>(most)});
 }
 
 // `added` is ascending. The seam of a period is one knot with two names.
-Result<void> check_added(const KnotVector& knots, std::span<const double> added) {
+Result<void> check_added(const KnotVector& knots, std::span<const double> added, Tears tears) {
     const auto count = [&](double u) {
         const auto run = std::equal_range(added.begin(), added.end(), u);
         return static_cast<std::size_t>(run.second - run.first);
@@ -38,15 +39,15 @@ Result<void> check_added(const KnotVector& knots, std::span<const double> added)
         if (i > 0 && u == added[i - 1]) continue;
         const bool is_seam = knots.is_periodic() && (u == domain.lower || u == domain.upper);
         const std::size_t times = is_seam ? count(domain.lower) + count(domain.upper) : count(u);
-        if (const auto check = check_multiplicity(knots, u, times); !check) return check;
+        if (const auto check = check_multiplicity(knots, u, times, tears); !check) return check;
     }
     return {};
 }
 
-Result<Curve> refine_open(const Curve& curve, std::span<const double> added) {
+Result<Curve> refine_open(const Curve& curve, std::span<const double> added, Tears tears) {
     CarriedSpline spline = carried(curve);
     insert_ascending(spline, added);
-    return settled(curve, std::move(spline), curve.knots().kind());
+    return settled(curve, std::move(spline), curve.knots().kind(), tears);
 }
 
 // The values and their repetitions in so many periods before and after, ascending; computed as unroll_period does, so
@@ -86,13 +87,13 @@ Result<Curve> refine_periodic(const Curve& curve, std::span<const double> added)
 
 }  // namespace
 
-Result<Curve> refine_knots(const Curve& curve, std::vector<double> added) {
+Result<Curve> refine_knots(const Curve& curve, std::vector<double> added, Tears tears) {
     for (const double u : added)
         if (const auto check = check_parameter_finite(u); !check) return refuse(check.error());
     std::sort(added.begin(), added.end());
-    if (const auto check = check_added(curve.knots(), added); !check) return refuse(check.error());
+    if (const auto check = check_added(curve.knots(), added, tears); !check) return refuse(check.error());
     if (added.empty()) return curve;
-    return curve.is_periodic() ? refine_periodic(curve, added) : refine_open(curve, added);
+    return curve.is_periodic() ? refine_periodic(curve, added) : refine_open(curve, added, tears);
 }
 
 }  // namespace batten::core

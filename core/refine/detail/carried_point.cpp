@@ -52,7 +52,7 @@ Result<Curve> settled(const Curve& from, CarriedForm form, std::span<const Carri
                                .knots = std::move(form.knots),
                                .periodic = form.is_periodic,
                                .kind = form.kind,
-                               .tears = from.definition().tears};
+                               .tears = from.is_torn() ? Tears::allow : form.tears};
     definition.points.reserve(points.size());
     definition.weights.reserve(points.size());
     for (const CarriedPoint& carried : points) {
@@ -71,9 +71,10 @@ Result<Curve> settled(const Curve& from, CarriedForm form, std::span<const Carri
     return Curve::make(std::move(definition));
 }
 
-Result<Curve> settled(const Curve& from, CarriedSpline spline, KnotKind kind) {
-    return settled(from, {.degree = static_cast<int>(spline.p), .knots = std::move(spline.knots), .kind = kind},
-                   spline.points);
+Result<Curve> settled(const Curve& from, CarriedSpline spline, KnotKind kind, Tears tears) {
+    return settled(
+        from, {.degree = static_cast<int>(spline.p), .knots = std::move(spline.knots), .kind = kind, .tears = tears},
+        spline.points);
 }
 
 }  // namespace batten::core

@@ -44,12 +44,14 @@ struct CarriedForm {
     std::vector<double> knots{};  ///< one period when periodic
     bool is_periodic = false;
     KnotKind kind = KnotKind::custom;  ///< taken where the values have it
+    Tears tears = Tears::refuse;       ///< a torn curve keeps its tears anyway
 };
 
-/// The curve of points carried from `from`, with its tears. Errors: weight_not_positive; those of Curve::make.
+/// The curve of points carried from `from`. Errors: weight_not_positive; those of Curve::make.
 [[nodiscard]] Result<Curve> settled(const Curve& from, CarriedForm form, std::span<const CarriedPoint> points);
 
 /// The open curve of a spline carried from `from`.
-[[nodiscard]] Result<Curve> settled(const Curve& from, CarriedSpline spline, KnotKind kind);
+[[nodiscard]] Result<Curve> settled(const Curve& from, CarriedSpline spline, KnotKind kind,
+                                    Tears tears = Tears::refuse);
 
 }  // namespace batten::core

@@ -84,6 +84,32 @@ TEST(MoveKnot, full_stack_is_approached_but_not_joined) {
     EXPECT_EQ(moved(mirrored, 5, 0.1, KnotMove::stop), (Knots{0, 0, 0, 0.5, 0.5, 0.505, 1, 1, 1}));
 }
 
+TEST(MoveKnot, joins_a_full_stack_where_tears_are_allowed) {
+    const Curve curve = open_curve(2, {0, 0, 0, 1, 1, 2, 3, 3, 3});
+    EXPECT_EQ(moved(curve, 5, 0.0, KnotMove::stop), (Knots{0, 0, 0, 1, 1, 1.015, 3, 3, 3}));
+    for (const KnotMove mode : {KnotMove::stop, KnotMove::snap}) {
+        const Curve torn = move_knot(curve, 5, 1.0, mode, 0.1, Tears::allow).value();
+        EXPECT_EQ(stored(torn), (Knots{0, 0, 0, 1, 1, 1, 3, 3, 3}));
+        // Two parabolas: one ends in P2, the other begins in P3.
+        EXPECT_EQ(point_at(torn, 1.0, Side::left), Point(2, 0));
+        EXPECT_EQ(point_at(torn, 1.0, Side::right), Point(3, 2));
+        // No fourth knot joins.
+        const Curve more = open_curve(2, {0, 0, 0, 1, 1, 2, 2.5, 3, 3, 3});
+        const Curve once = move_knot(more, 5, 1.0, mode, 0.0, Tears::allow).value();
+        EXPECT_EQ(stored(move_knot(once, 6, 0.5, mode, 0.0, Tears::allow).value()),
+                  (Knots{0, 0, 0, 1, 1, 1, 1.015, 3, 3, 3}));
+    }
+    // From below and the same in the mirror.
+    const Curve below = open_curve(2, {0, 0, 0, 1, 2, 2, 3, 3, 3});
+    EXPECT_EQ(stored(move_knot(below, 3, 9.0, KnotMove::stop, 0.0, Tears::allow).value()),
+              (Knots{0, 0, 0, 2, 2, 2, 3, 3, 3}));
+    // The ends stay full at p + 1, and a period never tears.
+    EXPECT_EQ(stored(move_knot(below, 5, 3.0, KnotMove::stop, 0.0, Tears::allow).value()),
+              (Knots{0, 0, 0, 1, 2, 2.985, 3, 3, 3}));
+    const Curve ring = periodic_curve(2, {0, 1, 1, 2, 3});
+    EXPECT_EQ(stored(move_knot(ring, 3, 0.5, KnotMove::stop, 0.0, Tears::allow).value()), (Knots{0, 1, 1, 1.015, 3}));
+}
+
 TEST(MoveKnot, full_end_is_not_joined) {
     const Curve curve = open_curve(3, cubic);
     EXPECT_EQ(moved(curve, 6, 7.0, KnotMove::stop)[6], 0.995);
@@ -250,6 +276,14 @@ TEST(SetKnot, refuses_disorder_and_too_many_equal_knots) {
     EXPECT_EQ(set_knot(curve, 99, 1.0).error().code, CurveErrorCode::knot_index_out_of_range);
     EXPECT_EQ(set_knot(curve, 5, std::nan("")).error().code, CurveErrorCode::parameter_not_finite);
     EXPECT_EQ(set_knot(open_curve(1, {0, 0, 1, 1}), 2, 0.0).error().code, CurveErrorCode::domain_empty);
+}
+
+TEST(SetKnot, tears_where_it_is_allowed) {
+    const Curve curve = open_curve(2, {0, 0, 0, 1, 1, 2, 3, 3, 3});
+    EXPECT_EQ(set_knot(curve, 5, 1.0).error().code, CurveErrorCode::multiplicity_too_high);
+    EXPECT_EQ(stored(set_knot(curve, 5, 1.0, Tears::allow).value()), (Knots{0, 0, 0, 1, 1, 1, 3, 3, 3}));
+    EXPECT_FALSE(set_knots(curve, {0, 0, 0, 1, 1, 1, 2, 2, 2}).has_value());
+    EXPECT_TRUE(set_knots(curve, {0, 0, 0, 1, 1, 1, 2, 2, 2}, Tears::allow)->is_torn());
 }
 
 TEST(SetKnot, end_of_a_period_changes_its_length) {

@@ -214,6 +214,47 @@ TEST(KnotInsertion, kind_stays_where_the_values_still_have_it) {
     EXPECT_EQ(insert_knot(pieces, 0.5, 2)->knots().kind(), KnotKind::piecewise_bezier);
 }
 
+TEST(KnotInsertion, tears_only_where_it_is_allowed) {
+    const Curve piece =
+        Curve::make({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = {{0, 0}, {0, 8}, {8, 8}, {8, 0}}})
+            .value();
+    EXPECT_EQ(insert_knot(piece, 0.5, 4).error(),
+              (CurveError{.code = CurveErrorCode::multiplicity_full, .value = 0.5, .upper = 3}));
+    // De Casteljau's two halves, each with its own copy of the point where they met.
+    const Curve torn = insert_knot(piece, 0.5, 4, Tears::allow).value();
+    const std::vector<Point> halves{{0, 0}, {0, 4}, {2, 6}, {4, 6}, {4, 6}, {6, 6}, {8, 4}, {8, 0}};
+    ASSERT_EQ(torn.control_points().size(), 8U);
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(torn.control_points()[i], halves[i]) << i;
+    EXPECT_TRUE(torn.is_torn());
+    EXPECT_FALSE(insert_knot(piece, 0.5, 3)->is_torn());
+    EXPECT_EQ(point_at(torn, 0.25), point_at(piece, 0.25));
+    // No more than that, and what is torn at one place needs leave for another.
+    EXPECT_EQ(insert_knot(torn, 0.5, 1, Tears::allow).error(),
+              (CurveError{.code = CurveErrorCode::multiplicity_full, .value = 0.5, .upper = 4}));
+    EXPECT_EQ(insert_knot(torn, 0.25, 4).error().code, CurveErrorCode::multiplicity_full);
+    EXPECT_EQ(insert_knot(torn, 0.25, 4, Tears::allow)->control_points().size(), 12U);
+}
+
+TEST(KnotInsertion, torn_or_not_the_curve_stays) {
+    RandomCurves random(56);
+    for (int k = 0; k < 100; ++k) {
+        const Curve curve = random.curve();
+        if (curve.is_periodic()) continue;
+        const double u = random.parameter(curve);
+        const int times = curve.degree() + 1 - curve.knots().multiplicity(u);
+        if (times < 1) continue;
+        const Curve torn = insert_knot(curve, u, times, Tears::allow).value();
+        EXPECT_LE(largest_change(curve, torn, random), 2e-14);
+    }
+}
+
+TEST(KnotInsertion, a_period_never_tears) {
+    const Curve ring =
+        Curve::make({.degree = 2, .knots = {0, 1, 2, 3}, .points = {{0, 0}, {1, 0}, {0, 1}}, .periodic = true}).value();
+    EXPECT_EQ(insert_knot(ring, 1.5, 3, Tears::allow).error(),
+              (CurveError{.code = CurveErrorCode::multiplicity_full, .value = 1.5, .upper = 2}));
+}
+
 TEST(KnotInsertion, midpoints_halve_every_span) {
     RandomCurves random(55);
     for (int k = 0; k < 100; ++k) {
