@@ -42,6 +42,10 @@ std::optional<DocumentColor> color_of_text(std::string_view text) {
     return DocumentColor{parts[0], parts[1], parts[2]};
 }
 
+Tears tears_of(const DocumentCurve& entry) {
+    return entry.curve->is_torn() ? Tears::allow : entry.tears;
+}
+
 std::optional<std::size_t> index_of_curve(const Document& document, const std::string& name) {
     for (std::size_t i = 0; i < document.curves.size(); ++i)
         if (document.curves[i].name == name) return i;

@@ -31,8 +31,12 @@ struct DocumentCurve {
     std::optional<DocumentColor> color;  ///< none: the theme's curve color
     bool visible = true;
     bool locked = false;
+    Tears tears = Tears::refuse;  ///< whether edits may tear the curve
     std::string unknown_members;  ///< members that this version does not know, as a JSON object; empty if none
 };
+
+/// Whether edits may tear the curve of `entry`: where the switch says so, and where it is torn already.
+Tears tears_of(const DocumentCurve& entry);
 
 /// How the document was last looked at; not part of undo.
 struct DocumentView {

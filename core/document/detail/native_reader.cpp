@@ -112,6 +112,7 @@ FileResult<DocumentCurve> read_curve(const Json& object, const std::string& poin
         reader.note(take(*value, reader.place("color"), entry.color.emplace()));
     reader.optional("visible", entry.visible);
     reader.optional("locked", entry.locked);
+    entry.tears = definition.tears;
     if (reader.error()) return tl::unexpected(*reader.error());
     auto curve = make_curve(std::move(definition), kind);
     if (!curve) return tl::unexpected(FileError{place_of(pointer, curve.error()), describe(curve.error())});

@@ -49,7 +49,7 @@ Json json_of(const DocumentCurve& entry) {
     object["weights"] = numbers(definition.weights);
     object["periodic"] = definition.periodic;
     object["kind"] = name_of(definition.kind);
-    if (definition.tears == Tears::allow) object["tears"] = true;
+    if (tears_of(entry) == Tears::allow) object["tears"] = true;
     if (entry.color) object["color"] = color_text(*entry.color);
     object["visible"] = entry.visible;
     object["locked"] = entry.locked;
