@@ -18,6 +18,7 @@ CommandTable make_table() {
     add_point_commands(table);
     add_degree_commands(table);
     add_knot_commands(table);
+    add_tear_commands(table);
     add_refinement_commands(table);
     add_piece_commands(table);
     add_closing_commands(table);

@@ -23,7 +23,8 @@ bool show_refusal(EditorState& state, const Refusal& sentence) {
 
 bool is_same(const core::DocumentCurve& a, const core::DocumentCurve& b) {
     return (a.curve == b.curve || *a.curve == *b.curve) && a.name == b.name && a.color == b.color &&
-           a.visible == b.visible && a.locked == b.locked && a.unknown_members == b.unknown_members;
+           a.visible == b.visible && a.locked == b.locked && a.tears == b.tears &&
+           a.unknown_members == b.unknown_members;
 }
 
 bool is_same(const core::Document& a, const core::Document& b) {

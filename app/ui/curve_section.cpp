@@ -3,7 +3,9 @@
 
 #include "app/editor/commands/degree_commands.h"
 #include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/tear_commands.h"
 #include "app/editor/formula.h"
+#include "app/ui/command_entry.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"
 #include "app/ui/section.h"
@@ -133,9 +135,19 @@ void draw_kind_row(const PanelContext& context, const core::Curve& curve) {
     draw_choices(context, curve, ImVec2(origin.x, origin.y + size.y + context.px(2)), size.x);
 }
 
+void draw_tears_box(const PanelContext& context, float width_px) {
+    const bool is_allowed = core::tears_of(*context.state.shown().active_curve()) == core::Tears::allow;
+    const editor::CommandSpec& spec = is_allowed ? editor::ForbidTears::spec() : editor::AllowTears::spec();
+    Button box{"tears", "may tear", Icon::none, width_px};
+    box.is_active = is_allowed;
+    box.is_enabled = !spec.refusal(context.state);
+    box.tooltip = command_tooltip(spec, context.state);
+    if (draw_check_box(context, box)) run_command(context, spec);
+}
+
 void draw_closed_row(const PanelContext& context, const core::Curve& curve) {
     draw_row_label(context, "Closed");
-    Button box{"closed", "", Icon::none, field_width(context)};
+    Button box{"closed", "", Icon::none, 0.5F * (field_width(context) - context.px(row_gap))};
     box.is_active = curve.is_periodic();
     // A closed curve opens only with enough points for its degree; anything can be closed.
     const bool is_possible = !curve.is_periodic() || core::set_periodic(curve, false).has_value();
@@ -144,6 +156,8 @@ void draw_closed_row(const PanelContext& context, const core::Curve& curve) {
                               : core::sentence("Not possible: {reason}.",
                                                {{"reason", core::describe(core::set_periodic(curve, false).error())}});
     if (draw_check_box(context, box)) context.queue.run(editor::ToggleClosed{});
+    stay_in_row(context);
+    draw_tears_box(context, box.width_px);
 }
 
 }  // namespace

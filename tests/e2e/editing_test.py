@@ -1,5 +1,6 @@
 """Editing in the real window: what is dragged, typed and clicked is what is saved."""
 
+import json
 import unittest
 
 import spline
@@ -56,6 +57,26 @@ class EditingTest(WindowTest):
         self.assertEqual(self.save(editor)["knots"], [0, 0, 0, 0, 0.25, 0.25, 0.75, 1, 1, 1, 1])
         self.assertIn("×2 C^{1}", editor.labels())
         self.assertEqual(editor.labels().count("C^{2}"), 1)
+
+    def test_curve_that_may_tear_comes_apart_under_a_dragged_knot_and_is_mended_by_undo(self):
+        points = [[-6, -2], [-4.5, 2.5], [-3, 3], [-2, 1], [0, -2], [2.5, -3], [3.5, 2], [5, 3], [6, 2]]
+        curve = {"degree": 3, "knots": [0, 0, 0, 0, 0.3, 0.3, 0.3, 0.8, 0.8, 1, 1, 1, 1], "points": points}
+        self.path.write_text(json.dumps({"format": "batten", "version": 1, "curves": [curve]}))
+        editor = self.open_editor()
+        editor.drag(editor.strip_knot(7), editor.strip_knot(6))
+        editor.wait(lambda state: state["undo_count"] == 1 and state["is_settled"], "a knot beside the full stack")
+        self.assertNotIn("×4 jump", editor.labels())
+        editor.key("ctrl+z")
+        editor.click_widget("tears")
+        editor.wait(lambda state: state["widgets"]["tears"]["value"] == "on" and state["is_settled"], "the switch")
+        editor.drag(editor.strip_knot(7), editor.strip_knot(6))
+        editor.wait(lambda state: "×4 jump" in [label["text"] for label in state["labels"]], "the torn curve")
+        editor.screenshot("torn")
+        saved = self.save(editor)
+        self.assertEqual(saved["knots"], [0, 0, 0, 0, 0.3, 0.3, 0.3, 0.3, 0.8, 1, 1, 1, 1])
+        self.assertTrue(saved["tears"])
+        editor.key("ctrl+z")
+        editor.wait(lambda state: "×3 C^{0}" in [label["text"] for label in state["labels"]], "the whole curve")
 
     def test_double_click_on_the_curve_inserts_a_knot_and_keeps_the_curve(self):
         editor = self.open_editor()

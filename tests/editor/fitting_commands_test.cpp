@@ -118,6 +118,17 @@ TEST_F(FittingCommands, fit_points_keeps_end_tangents) {
     EXPECT_NEAR(end[1].y, -2.0, 1e-12);
 }
 
+TEST_F(FittingCommands, fits_refuse_ends_that_exclude_each_other) {
+    expect_refused(FitPoints{.count = 8, .points = bow(50), .closed = true, .start = core::Vector(1, 0)},
+                   "a closed curve has no ends: leave out the derivatives at the start and the end");
+    expect_refused(FitPointsWithin{.tolerance = 0.1, .points = bow(50), .closed = true, .natural = true},
+                   "a closed curve has no ends that could be natural: ask for one of the two");
+    expect_refused(FitPoints{.count = 8, .points = bow(50), .end = core::Vector(1, 0), .natural = true},
+                   "natural ends have free derivatives: leave out those at the start and the end");
+    EXPECT_TRUE(run(FitPoints{.count = 8, .points = bow(50), .natural = true}));
+    EXPECT_LT(core::length(core::derivatives_at(curve(editor_), 1.0, 2)[2]), 1e-9);
+}
+
 TEST_F(FittingCommands, fit_points_says_the_error) {
     EXPECT_TRUE(run(FitPoints{.count = 8, .points = bow(50)}));
     EXPECT_EQ(points(editor_).size(), 8U);

@@ -18,6 +18,7 @@
 #include "app/editor/commands/refinement_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/shape_commands.h"
+#include "app/editor/commands/tear_commands.h"
 
 namespace batten::editor {
 
@@ -107,7 +108,7 @@ Command RandomSession::shape_command(const EditorState& state, const core::Curve
 
 Command RandomSession::knot_command(const EditorState& state, const core::Curve& curve) {
     const std::size_t count = curve.knots().stored().size();
-    switch (below(9)) {
+    switch (below(10)) {
         case 0:
             return InsertKnot{.u = parameter(state)};
         case 1:
@@ -126,6 +127,8 @@ Command RandomSession::knot_command(const EditorState& state, const core::Curve&
         case 6:
             return DeleteKnot{.index = index(count)};
         case 7:
+            return one_of(state, {AllowTears::spec(), ForbidTears::spec()});
+        case 8:
             return SetKind{.kind = any<core::KnotKind>()};
         default:
             return SetKnots{.knots = typed_knots(curve)};
@@ -162,7 +165,7 @@ Command RandomSession::closing_command(const EditorState& state, const core::Cur
 Command RandomSession::refinement_command(const EditorState& state, const core::Curve& curve) {
     // Inserting and raising in turn would make curves of thousands of points.
     if (curve.control_points().size() > 25 || curve.degree() > 6) return RemoveKnots{.tolerance = between(-0.1, 2)};
-    switch (below(9)) {
+    switch (below(10)) {
         case 0:
             return InsertKnots{.knots = {parameter(state), parameter(state)}};
         case 1:

@@ -3,7 +3,10 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
+#include "app/editor/commands/tear_commands.h"
 #include "app/editor/field_kinds.h"
+#include "app/editor/formula.h"
+#include "core/base/sentence.h"
 #include "core/refine/knot_insertion.h"
 
 namespace batten::editor {
@@ -21,10 +24,9 @@ Selection selection_of_value(const core::Curve& curve, double u) {
 }
 
 Outcome<Edit> insert_at(const EditorState& state, double u) {
-    core::Result<core::Curve> curve = core::insert_knot(active_curve(state), u);
-    if (!curve) return tl::unexpected(core::describe(curve.error()));
-    const Selection selection = selection_of_value(*curve, u);
-    return edit_active(state, std::move(curve), selection);
+    core::Result<core::Curve> curve = core::insert_knot(active_curve(state), u, 1, tears_of_active(state));
+    const Selection selection = curve ? selection_of_value(*curve, u) : state.selection;
+    return edit_or_tear(state, std::move(curve), selection);
 }
 
 Outcome<Edit> insert_knot(const EditorState& state, const InsertKnot& command) {
@@ -48,15 +50,33 @@ Selection selection_after_move(const EditorState& state, std::size_t index, doub
     return {state.selection.points, index};
 }
 
+core::Result<core::Curve> moved(const EditorState& state, const MoveKnot& command, core::Tears tears) {
+    return core::move_knot(active_curve(state), command.index, command.u, command.mode, command.snap_distance, tears);
+}
+
 Outcome<Edit> move_knot(const EditorState& state, const MoveKnot& command) {
-    return edit_active(
-        state, core::move_knot(active_curve(state), command.index, command.u, command.mode, command.snap_distance),
-        selection_after_move(state, command.index, command.u));
+    return edit_active(state, moved(state, command, tears_of_active(state)),
+                       selection_after_move(state, command.index, command.u));
+}
+
+// Who drags a knot onto a full stack is told why it does not join.
+StepTexts texts_of_move(const EditorState& state, const MoveKnot& command) {
+    const core::Place knot("knot", number_text(active_curve(state).knots().stored()[command.index]));
+    const core::Tears tears = tears_of_active(state);
+    const bool stops_short =
+        tears == core::Tears::refuse && moved(state, command, tears) != moved(state, command, core::Tears::allow);
+    return {
+        core::sentence("Move knot {knot}", {knot}),
+        stops_short
+            ? core::sentence(
+                  "Moved knot {knot} up to a full stack, which it joins where 'Allow tears' lets the curve come apart",
+                  {knot})
+            : core::sentence("Moved knot {knot}", {knot})};
 }
 
 Outcome<Edit> set_knot(const EditorState& state, const SetKnot& command) {
-    return edit_active(state, core::set_knot(active_curve(state), command.index, command.u),
-                       selection_after_move(state, command.index, command.u));
+    return edit_or_tear(state, core::set_knot(active_curve(state), command.index, command.u, tears_of_active(state)),
+                        selection_after_move(state, command.index, command.u));
 }
 
 Outcome<Edit> delete_knot(const EditorState& state, const DeleteKnot& command) {
@@ -64,7 +84,7 @@ Outcome<Edit> delete_knot(const EditorState& state, const DeleteKnot& command) {
 }
 
 Outcome<Edit> set_knots(const EditorState& state, const SetKnots& command) {
-    return edit_active(state, core::set_knots(active_curve(state), command.knots));
+    return edit_or_tear(state, core::set_knots(active_curve(state), command.knots, tears_of_active(state)));
 }
 
 Outcome<Edit> set_kind(const EditorState& state, const SetKind& command) {
@@ -190,8 +210,7 @@ const CommandSpec& MoveKnot::spec() {
                  .at_least(0.0)},
         .refusal = no_editable_curve,
         .run = body_of<move_knot>,
-        .step = "Move knot {index}",
-        .done = "Moved knot {index}"};
+        .texts = texts_of<texts_of_move>};
     return spec;
 }
 

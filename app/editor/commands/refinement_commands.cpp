@@ -3,6 +3,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
+#include "app/editor/commands/tear_commands.h"
 #include "app/editor/field_kinds.h"
 #include "app/editor/formula.h"
 #include "core/base/sentence.h"
@@ -25,7 +26,7 @@ using core::sentence;
 constexpr const char* how_far = "how far the curve may move, above 0";
 
 Outcome<Edit> insert_knots(const EditorState& state, const InsertKnots& command) {
-    return edit_active(state, core::refine_knots(active_curve(state), command.knots));
+    return edit_or_tear(state, core::refine_knots(active_curve(state), command.knots, tears_of_active(state)));
 }
 
 // What is wrong when not all knots asked for could be removed: nothing is changed then.
