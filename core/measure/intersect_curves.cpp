@@ -41,7 +41,7 @@ class Parameters {
 
     bool closes() const { return is_closed_; }
 
-    double at(Place place) const { return from_unit(pieces_.motions[place.span].interval(), place.share); }
+    double at(PiecePlace place) const { return from_unit(pieces_.motions[place.span].interval(), place.share); }
 
     // The end where the curve closes is its beginning.
     double canonical(double u) const { return is_closed_ && u == curve_.domain().upper ? curve_.domain().lower : u; }
@@ -183,7 +183,7 @@ std::vector<ContactPiece> enough_pieces(std::vector<ContactPiece> pieces) {
 
 // The same contact of a curve with itself, with what comes first on the curve as the first way.
 FoundContact first_way_first(FoundContact found, const Parameters& parameters) {
-    const auto at = [&](Place place) { return parameters.canonical(parameters.at(place)); };
+    const auto at = [&](PiecePlace place) { return parameters.canonical(parameters.at(place)); };
     const bool is_point = found.first_begin.share == found.first_end.share;
     const double second = is_point ? at(found.second_begin)
                                    : std::min(parameters.at(found.second_begin), parameters.at(found.second_end));

@@ -61,8 +61,8 @@ bool are_neighbors(Interval a, Interval b) {
 }
 
 FoundContact point_contact(std::size_t first, std::size_t second, ShareContact at, bool is_tangent) {
-    const Place on_first{first, at.first};
-    const Place on_second{second, at.second};
+    const PiecePlace on_first{first, at.first};
+    const PiecePlace on_second{second, at.second};
     return {on_first, on_first, on_second, on_second, is_tangent};
 }
 

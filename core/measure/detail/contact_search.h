@@ -10,17 +10,17 @@
 namespace batten::core {
 
 /// A place on a sequence of pieces: the number of a piece, and where on it.
-struct Place {
+struct PiecePlace {
     std::size_t span = 0;
     double share = 0.0;  ///< in [0, 1]
 };
 
 /// What two pieces have in common: a point, or an interval on which they coincide.
 struct FoundContact {
-    Place first_begin;
-    Place first_end;     ///< equal to first_begin for a point
-    Place second_begin;  ///< belongs to first_begin
-    Place second_end;    ///< belongs to first_end
+    PiecePlace first_begin;
+    PiecePlace first_end;     ///< equal to first_begin for a point
+    PiecePlace second_begin;  ///< belongs to first_begin
+    PiecePlace second_end;    ///< belongs to first_end
     bool is_tangent = false;
 };
 
