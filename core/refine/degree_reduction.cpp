@@ -106,6 +106,20 @@ Eigen::MatrixX3d solve(const Eigen::SparseMatrix<double>& matrix, const Eigen::M
     return Eigen::MatrixXd(matrix).completeOrthogonalDecomposition().solve(right);
 }
 
+// The curve of these points, rational if `before` is.
+Result<Curve> projected(KnotVector knots, std::span<const HomogeneousPoint> homogeneous, const Curve& before) {
+    std::vector<Point> points;
+    std::vector<double> weights;
+    for (const HomogeneousPoint& point : homogeneous) {
+        if (point.z == 0.0)
+            return refuse({.code = CurveErrorCode::weight_not_positive, .index = points.size(), .value = point.z});
+        points.push_back(project(point));
+        // Rounding must not make a polynomial curve rational.
+        weights.push_back(before.is_rational() ? point.z : before.weights().front());
+    }
+    return Curve::make(std::move(knots), std::move(points), std::move(weights));
+}
+
 // The spline over `knots` that agrees with `curve` at the sites of the control points, in homogeneous coordinates.
 Result<Curve> interpolated(const Curve& curve, KnotVector knots) {
     const std::vector<Site> sites = interpolation_sites(knots);
@@ -124,14 +138,10 @@ Result<Curve> interpolated(const Curve& curve, KnotVector knots) {
     Eigen::SparseMatrix<double> matrix(count, count);
     matrix.setFromTriplets(entries.begin(), entries.end());
     const Eigen::MatrixX3d solution = solve(matrix, right);
-    std::vector<Point> points;
-    std::vector<double> weights;
-    for (Eigen::Index row = 0; row < count; ++row) {
-        points.push_back(project({solution(row, 0), solution(row, 1), solution(row, 2)}));
-        // Rounding must not make a polynomial curve rational.
-        weights.push_back(curve.is_rational() ? solution(row, 2) : curve.weights().front());
-    }
-    return Curve::make(std::move(knots), std::move(points), std::move(weights));
+    std::vector<HomogeneousPoint> points;
+    for (Eigen::Index row = 0; row < count; ++row)
+        points.emplace_back(solution(row, 0), solution(row, 1), solution(row, 2));
+    return projected(std::move(knots), points, curve);
 }
 
 // The clamped curve over other knots outside the same domain: control point j is the blossom at its knots, of any piece
@@ -148,14 +158,9 @@ Result<Curve> unclamped(const Curve& clamped_curve, KnotVector knots, const Curv
         const Side side = knots[j + q + 1] == inside ? Side::left : Side::right;
         return blossom(clamped_curve, clamped_curve.knots().span_at(inside, side), arguments);
     };
-    std::vector<Point> points;
-    std::vector<double> weights;
-    for (std::size_t j = 0; j < count; ++j) {
-        const HomogeneousPoint point = point_at_knots(j);
-        points.push_back(project(point));
-        weights.push_back(before.is_rational() ? point.z : before.weights().front());
-    }
-    return Curve::make(std::move(knots), std::move(points), std::move(weights));
+    std::vector<HomogeneousPoint> points;
+    for (std::size_t j = 0; j < count; ++j) points.push_back(point_at_knots(j));
+    return projected(std::move(knots), points, before);
 }
 
 Result<Curve> with_ends_of(const Curve& curve, const Curve& reduced) {
