@@ -181,6 +181,7 @@ class SignSearch {
         for (int order = first_order; order <= most_derivatives; order += 2)
             for (double reach = room; reach > doubt.length(); reach *= 0.5) {
                 const Interval around{std::max(0.0, center - reach), std::min(1.0, center + reach)};
+                if (around.lower == around.upper) break;
                 Bernstein value = value_over(around);
                 for (int k = 0; k < order; ++k) value = derivative(value);
                 const Verdict verdict = judge(value);
