@@ -26,7 +26,7 @@ Motion PieceMotion::at(double t) const {
     LocalPoints<HomogeneousPoint> points;
     std::copy(piece_.points.begin(), piece_.points.end(), points.begin());
     const HomogeneousPoint here = bernstein_sum(points, p + 1, t);
-    const Point position = project(here);
+    const Point position = tip_of(plane_part(here) / here.z);
     // Seen from C(t), where the derivative of the weight does not matter.
     LocalPoints<Vector> legs;
     const auto away = [&](const HomogeneousPoint& point) { return plane_part(point) - point.z * vector_to(position); };
