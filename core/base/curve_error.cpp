@@ -1,6 +1,7 @@
 #include "core/base/curve_error.h"
 
 #include <array>
+#include <cassert>
 
 #include "core/base/degree_range.h"
 #include "core/base/number_text.h"
@@ -113,6 +114,7 @@ static_assert(is_in_order(), "a template for each code, in the order of the code
 }  // namespace
 
 const char* sentence_template(const CurveError& error) {
+    assert(static_cast<std::size_t>(error.code) < templates.size());
     const Template& entry = templates[static_cast<std::size_t>(error.code)];
     return entry.for_one != nullptr && error.value == 1.0 ? entry.for_one : entry.text;
 }

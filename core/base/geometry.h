@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -140,11 +141,13 @@ using HomogeneousPoint = glm::dvec3;
 
 /// The homogeneous point above `point` at height `weight` (> 0).
 constexpr HomogeneousPoint lift(Point point, double weight) {
+    assert(weight > 0.0);
     return {point.x * weight, point.y * weight, weight};
 }
 
 /// The shadow of `point` on the plane w = 1. The weight must not be zero.
 constexpr Point project(HomogeneousPoint point) {
+    assert(point.z != 0.0);
     return {point.x / point.z, point.y / point.z};
 }
 
@@ -160,7 +163,10 @@ struct Interval {
 
     double length() const { return upper - lower; }
     bool contains(double u) const { return lower <= u && u <= upper; }
-    double clamp(double u) const { return std::clamp(u, lower, upper); }
+    double clamp(double u) const {
+        assert(lower <= upper);
+        return std::clamp(u, lower, upper);
+    }
     bool operator==(const Interval&) const = default;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -35,10 +36,13 @@ concept HasNames = requires {
     Names<Enum>::table;
 };
 
-/// The entry of `value`.
+/// The entry of `value`, which is one of the enumeration.
 template <HasNames Enum>
 constexpr const Named<Enum>& named(Enum value) {
-    return Names<Enum>::table[static_cast<std::size_t>(value)];
+    const auto& table = Names<Enum>::table;
+    const auto index = static_cast<std::size_t>(value);
+    assert(index < table.size() && table[index].value == value);
+    return table[index];
 }
 
 template <HasNames Enum>

@@ -5,8 +5,8 @@
 
 namespace batten::core {
 
-/// (cos, sin) of `degrees`, finite. At multiples of 90 exactly 0 and 1, at those of 30 exactly 1/2 where it should be,
-/// and mirrored angles have mirrored results, to the last bit.
+/// (cos, sin) of `degrees`; not a number where that is not finite. At multiples of 90 exactly 0 and 1, at those of 30
+/// exactly 1/2 where it should be, and mirrored angles have mirrored results, to the last bit.
 Vector unit_vector(double degrees);
 
 }  // namespace batten::core

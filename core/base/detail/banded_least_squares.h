@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -23,12 +24,16 @@ struct BandedEquation {
 template <class P>
 class BandedTriangle {
   public:
-    /// No equation may have more than `width` coefficients.
+    /// No equation may have more than `width` (>= 1) coefficients, nor any beyond the last unknown.
     BandedTriangle(std::size_t unknowns, std::size_t width)
-        : width_(width), rows_(unknowns * width, 0.0), right_(unknowns, P{}), work_(width + 1) {}
+        : width_(width), rows_(unknowns * width, 0.0), right_(unknowns, P{}), work_(width + 1) {
+        assert(width >= 1);
+    }
 
     /// Linear in all when the equations come with ascending `first`: there is nothing to do where nothing came yet.
     void add(const BandedEquation<P>& equation) {
+        assert(equation.coefficients.size() <= width_);
+        assert(equation.first + equation.coefficients.size() <= right_.size());
         reach_ = std::max(reach_, equation.first + equation.coefficients.size());
         std::fill(work_.begin(), work_.end(), 0.0);
         std::copy(equation.coefficients.begin(), equation.coefficients.end(), work_.begin());
@@ -91,8 +96,9 @@ class BandedTriangle {
     std::vector<double> work_;
 };
 
-/// The x_0, ..., x_{unknowns-1} with the least sum of squared errors; none where they are not determined. Cost O(m w^2)
-/// for m equations of at most w coefficients, of which O(m w) on the point type.
+/// The x_0, ..., x_{unknowns-1} with the least sum of squared errors; none where they are not determined. No equation
+/// has coefficients beyond them. Cost O(m w^2) for m equations of at most w coefficients, of which O(m w) on the point
+/// type.
 template <class P>
 std::optional<std::vector<P>> solve_least_squares(std::vector<BandedEquation<P>> equations, std::size_t unknowns) {
     std::stable_sort(equations.begin(), equations.end(),

@@ -1,5 +1,6 @@
 #include "core/base/detail/gauss_rule.h"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -27,6 +28,7 @@ Legendre legendre(std::size_t degree, double x) {
 }  // namespace
 
 std::vector<GaussNode> gauss_rule(std::size_t count) {
+    assert(count >= 1);
     constexpr int newton_steps = 8;
     std::vector<GaussNode> nodes(count);
     for (std::size_t i = 0; 2 * i < count; ++i) {

@@ -1,6 +1,8 @@
 /// Between an interval of parameters and [0, 1].
 #pragma once
 
+#include <cassert>
+
 #include "core/base/geometry.h"
 
 namespace batten::core {
@@ -12,6 +14,7 @@ inline double from_unit(Interval interval, double t) {
 
 /// The share of `interval`, not empty, that lies before `u`; in [0, 1].
 inline double to_unit(Interval interval, double u) {
+    assert(interval.lower < interval.upper);
     return std::clamp((u - interval.lower) / interval.length(), 0.0, 1.0);
 }
 
