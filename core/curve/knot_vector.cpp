@@ -1,5 +1,6 @@
 #include "core/curve/knot_vector.h"
 
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -143,6 +144,7 @@ std::size_t KnotVector::span_at(double u, Side side) const {
 }
 
 int KnotVector::multiplicity(double u) const {
+    assert(!std::isnan(u));
     if (is_periodic_) u = into_domain(u);
     const auto knots = stored();
     const auto [lower, upper] = domain();
@@ -171,6 +173,7 @@ double KnotVector::into_domain(double u, Side side) const {
 }
 
 std::vector<double> unroll_period(std::span<const double> period, std::size_t below, std::size_t above) {
+    assert(period.size() >= 2);
     const std::size_t n = period.size() - 1;
     std::vector<double> knots(below + period.size() + above);
     std::copy(period.begin(), period.end(), knots.begin() + static_cast<std::ptrdiff_t>(below));

@@ -1,6 +1,7 @@
 /// A non-decreasing sequence of knots together with the degree it is meant for.
 #pragma once
 
+#include <cassert>
 #include <span>
 #include <vector>
 
@@ -73,7 +74,10 @@ class KnotVector {
 
     /// The knots u_0..u_m, unrolled when periodic.
     std::span<const double> values() const { return values_; }
-    double operator[](std::size_t i) const { return values_[i]; }
+    double operator[](std::size_t i) const {
+        assert(i < values_.size());
+        return values_[i];
+    }
     std::size_t size() const { return values_.size(); }
 
     /// The knots as they are stored and shown: all of them, or one period.
@@ -86,10 +90,11 @@ class KnotVector {
     Interval domain() const;
 
     /// The index s with u_s <= u < u_{s+1} (Side::right) or u_s < u <= u_{s+1} (Side::left), always a non-empty span
-    /// of the domain: at and beyond the domain's ends the first or last one. Cost: one binary search.
+    /// of the domain: at and beyond the domain's ends the first or last one, for what is not a number the first. Cost:
+    /// one binary search.
     std::size_t span_at(double u, Side side = Side::right) const;
 
-    /// How often exactly `u` occurs; across the seam when periodic.
+    /// How often exactly `u`, a number, occurs; across the seam when periodic.
     int multiplicity(double u) const;
 
     /// The parameter brought into the domain: wrapped by whole periods when periodic, else clamped. Both ends stay as
@@ -111,8 +116,8 @@ class KnotVector {
     std::vector<double> values_;
 };
 
-/// `below` knots before one period t_0..t_n, the period itself and `above` knots after it, continued by u_{i+n} = u_i +
-/// (t_n - t_0); knots that are equal in the period stay equal in its copies.
+/// `below` knots before one period t_0..t_n, n >= 1, the period itself and `above` knots after it, continued by
+/// u_{i+n} = u_i + (t_n - t_0); knots that are equal in the period stay equal in its copies.
 std::vector<double> unroll_period(std::span<const double> period, std::size_t below, std::size_t above);
 
 }  // namespace batten::core

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <span>
 
 #include "core/curve/curve.h"
@@ -33,6 +34,7 @@ struct Ratio {
 
 /// The ratio of `u` between two knots, lower < upper.
 inline Ratio ratio_between(double lower, double upper, double u) {
+    assert(lower < upper);
     const double length = upper - lower;
     return {(upper - u) / length, (u - lower) / length};
 }
@@ -48,10 +50,12 @@ P blend(const P& a, const P& b, Ratio ratio) {
 struct SpanKnots {
     std::span<const double> knots;
     std::size_t p = 0;  ///< degree
-    std::size_t s = 0;  ///< span index, u_s < u_{s+1}
+    std::size_t s = 0;  ///< span index, p <= s, u_s < u_{s+1}, in the domain
 
     SpanKnots(const KnotVector& vector, std::size_t span_index)
-        : knots(vector.values()), p(static_cast<std::size_t>(vector.degree())), s(span_index) {}
+        : knots(vector.values()), p(static_cast<std::size_t>(vector.degree())), s(span_index) {
+        assert(p <= s && s + p + 1 < knots.size() && knots[s] < knots[s + 1]);
+    }
 
     /// The knots u_i and u_{i+p-r+1} of local point j >= r on level r >= 1, where i = s-p+j.
     double lower(std::size_t j) const { return knots[s - p + j]; }
@@ -84,23 +88,26 @@ inline LocalPoints<HomogeneousPoint> local_points(const Curve& curve, const Span
     return points;
 }
 
-/// Level r as blends at `u`, in place: points r..p are new.
+/// Level r, 1 to p, as blends at `u`, in place: points r..p are new.
 template <class P>
 void blend_level(LocalPoints<P>& points, const SpanKnots& at, std::size_t r, double u) {
+    assert(1 <= r && r <= at.p);
     for (std::size_t j = at.p; j >= r; --j) points[j] = blend(points[j - 1], points[j], at.ratio(j, r, u));
 }
 
-/// Level r as a derivative, in place: points r..p are new.
+/// Level r, 1 to p, as a derivative, in place: points r..p are new.
 template <class P>
 void differentiate_level(LocalPoints<P>& points, const SpanKnots& at, std::size_t r) {
+    assert(1 <= r && r <= at.p);
     const auto factor = static_cast<double>(at.p - r + 1);
     for (std::size_t j = at.p; j >= r; --j)
         points[j] = (factor / (at.upper(j, r) - at.lower(j))) * (points[j] - points[j - 1]);
 }
 
-/// The spline at `u` after `levels_done` levels: the levels that remain blend at u. Source: de Boor 1972.
+/// The spline at `u` after `levels_done` levels, at most p: the levels that remain blend at u. Source: de Boor 1972.
 template <class P>
 P de_boor(LocalPoints<P> points, const SpanKnots& at, double u, std::size_t levels_done = 0) {
+    assert(levels_done <= at.p);
     for (std::size_t r = levels_done + 1; r <= at.p; ++r) blend_level(points, at, r, u);
     return points[at.p];
 }

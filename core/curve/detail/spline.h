@@ -2,6 +2,7 @@
 /// type.
 #pragma once
 
+#include <cassert>
 #include <iterator>
 #include <optional>
 #include <span>
@@ -22,9 +23,11 @@ struct Spline {
 
     /// The indices of the first and of the last knot that equals `u`, which there must be.
     std::size_t first_of_run(double u) const {
+        assert(multiplicity(u) > 0);
         return static_cast<std::size_t>(std::lower_bound(knots.begin(), knots.end(), u) - knots.begin());
     }
     std::size_t last_of_run(double u) const {
+        assert(multiplicity(u) > 0);
         return static_cast<std::size_t>(std::upper_bound(knots.begin(), knots.end(), u) - knots.begin()) - 1;
     }
 
@@ -60,6 +63,8 @@ void insert_at_place(Spline<P>& spline, std::size_t place, std::size_t last_old,
 template <class P>
 void insert_ascending(Spline<P>& spline, std::span<const double> added) {
     auto& [p, knots, points] = spline;
+    assert(std::is_sorted(added.begin(), added.end()));
+    assert(added.empty() || (spline.domain().contains(added.front()) && spline.domain().contains(added.back())));
     const double end = spline.domain().upper;
     std::size_t old_count = knots.size();
     std::size_t place = knots.size() + added.size();
@@ -78,6 +83,7 @@ void insert_ascending(Spline<P>& spline, std::span<const double> added) {
 
 /// What must be added to `present` (ascending) so that it becomes `wanted` (ascending), which contains it.
 inline std::vector<double> missing_knots(std::span<const double> wanted, std::span<const double> present) {
+    assert(std::includes(wanted.begin(), wanted.end(), present.begin(), present.end()));
     std::vector<double> missing;
     std::set_difference(wanted.begin(), wanted.end(), present.begin(), present.end(), std::back_inserter(missing));
     return missing;
@@ -105,6 +111,9 @@ std::vector<double> knots_missing_for_pieces(const Spline<P>& spline) {
 template <class P>
 Spline<P> part_between(Spline<P> spline, std::optional<double> a, std::optional<double> b) {
     const std::size_t p = spline.p;
+    assert(!a || spline.domain().contains(*a));
+    assert(!b || spline.domain().contains(*b));
+    assert(!a || !b || *a < *b);
     std::vector<double> added;
     for (const std::optional<double>& u : {a, b})
         if (u) added.insert(added.end(), p - std::min(p, spline.multiplicity(*u)), *u);
