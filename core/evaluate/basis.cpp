@@ -1,5 +1,7 @@
 #include "core/evaluate/basis.h"
 
+#include <cassert>
+
 #include "core/curve/detail/bspline.h"
 
 namespace batten::core {
@@ -41,6 +43,7 @@ std::vector<double> differentiated(Shares shares, const SpanKnots& at, std::size
 }  // namespace
 
 BasisValues basis_functions(const KnotVector& knots, double u, int derivative_count, Side side) {
+    assert(derivative_count >= 0);
     const auto [inside, at] = located(knots, u, side);
     const auto count = static_cast<std::size_t>(derivative_count);
     BasisValues result{.span = at.s, .derivatives = std::vector(count + 1, std::vector<double>(at.p + 1, 0.0))};
@@ -54,6 +57,7 @@ BasisValues basis_functions(const KnotVector& knots, double u, int derivative_co
 }
 
 double basis_function(const KnotVector& knots, std::size_t i, double u) {
+    assert(knots.is_periodic() || i < knots.control_point_count());
     if (!knots.is_periodic() && !knots.domain().contains(u)) return 0.0;
     const auto [inside, at] = located(knots, u, Side::right);
     // Only a periodic vector has more local points than it has control points to tell apart.
@@ -64,6 +68,7 @@ double basis_function(const KnotVector& knots, std::size_t i, double u) {
 }
 
 Interval basis_support(const KnotVector& knots, std::size_t i) {
+    assert(knots.is_periodic() || i < knots.control_point_count());
     const auto p = static_cast<std::size_t>(knots.degree());
     const Interval domain = knots.domain();
     if (!knots.is_periodic()) return {domain.clamp(knots[i]), domain.clamp(knots[i + p + 1])};

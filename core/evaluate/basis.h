@@ -19,13 +19,14 @@ struct BasisValues {
 /// Cost O(p^2 + derivative_count^2 p). Source: The NURBS Book, A2.2 and A2.3, with the same steps in another order.
 BasisValues basis_functions(const KnotVector& knots, double u, int derivative_count = 0, Side side = Side::right);
 
-/// N_{i,p}(u) alone: the spline whose control points are 1 at i and 0 elsewhere, so for a periodic vector with all its
-/// repetitions. Zero outside its support and outside the domain; the domain's end belongs to the last span. Cost
-/// O(p^2).
+/// N_{i,p}(u) alone: the spline whose control points are 1 at i, below their count, and 0 elsewhere, so for a periodic
+/// vector with all its repetitions, by any of which `i` may name it. Zero outside its support and outside the domain;
+/// the domain's end belongs to the last span. Cost O(p^2).
 double basis_function(const KnotVector& knots, std::size_t i, double u);
 
-/// The parameters where N_{i,p} is not zero, cut to the domain; one point where nothing of it is inside. For a periodic
-/// vector it begins in the domain and is given whole and unwrapped, so that it may leave the domain at its upper end.
+/// The parameters where N_{i,p} is not zero, `i` as before, cut to the domain; one point where nothing of it is inside.
+/// For a periodic vector it begins in the domain and is given whole and unwrapped, so that it may leave the domain at
+/// its upper end.
 Interval basis_support(const KnotVector& knots, std::size_t i);
 
 }  // namespace batten::core

@@ -1,6 +1,7 @@
 #include "core/evaluate/bezier_pieces.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/curve/detail/spline.h"
 #include "core/evaluate/blossom.h"
@@ -9,6 +10,7 @@ namespace batten::core {
 
 BezierPiece bezier_piece(const Curve& curve, std::size_t span) {
     const auto p = static_cast<std::size_t>(curve.degree());
+    assert(p <= span && span + p + 1 < curve.knots().size() && curve.knots()[span] < curve.knots()[span + 1]);
     const Interval interval{curve.knots()[span], curve.knots()[span + 1]};
     BezierPiece piece{.interval = interval, .span = span, .points = {}};
     piece.points.reserve(p + 1);

@@ -24,6 +24,7 @@ std::string joined(const BlossomLabel& label, WordOf word_of) {
 }  // namespace
 
 BlossomLabel control_point_label(const KnotVector& knots, std::size_t i) {
+    assert(i + static_cast<std::size_t>(knots.degree()) + 1 < knots.size());
     return de_boor_label(knots, i, 0);
 }
 

@@ -1,5 +1,6 @@
 #include "core/evaluate/evaluate.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "core/base/detail/binomial.h"
@@ -91,6 +92,7 @@ Point point_at(const Curve& curve, double u, Side side) {
 }
 
 Jet derivatives_at(const Curve& curve, double u, int order, Side side) {
+    assert(order >= 0);
     const auto [inside, at] = located(curve.knots(), u, side);
     const Point point = point_on_span(curve, at, inside);
     const auto points = local_points(curve, at, point);

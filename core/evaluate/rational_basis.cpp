@@ -1,5 +1,6 @@
 #include "core/evaluate/rational_basis.h"
 
+#include <cassert>
 #include <utility>
 
 #include "core/base/detail/binomial.h"
@@ -36,6 +37,7 @@ void make_rational(std::vector<std::vector<double>>& derivatives, const std::vec
 }  // namespace
 
 RationalBasis rational_basis(const Curve& curve, double u, int order, Side side) {
+    assert(order >= 0);
     BasisValues basis = basis_functions(curve.knots(), u, order, side);
     RationalBasis result{basis.span - static_cast<std::size_t>(curve.degree()), std::move(basis.derivatives)};
     if (!curve.is_rational()) return result;

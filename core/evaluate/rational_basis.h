@@ -14,8 +14,9 @@ struct RationalBasis {
     std::vector<std::vector<double>> derivatives;
 };
 
-/// The functions at `u` (brought into the domain) and their derivatives up to `order`, seen from `side` at a knot. For
-/// equal weights they are the basis functions themselves. Cost O(p^2 + order^2 p). Source: The NURBS Book, 4.2 and 4.8.
+/// The functions at `u` (brought into the domain) and their derivatives up to `order` (>= 0), seen from `side` at a
+/// knot. For equal weights they are the basis functions themselves. Cost O(p^2 + order^2 p). Source: The NURBS
+/// Book, 4.2 and 4.8.
 RationalBasis rational_basis(const Curve& curve, double u, int order = 0, Side side = Side::right);
 
 }  // namespace batten::core

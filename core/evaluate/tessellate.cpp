@@ -1,5 +1,6 @@
 #include "core/evaluate/tessellate.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "core/evaluate/detail/subdivide.h"
@@ -126,6 +127,7 @@ class Tessellator {
 }  // namespace
 
 std::vector<std::vector<CurveSample>> tessellate(const Curve& curve, const TessellationRequest& request) {
+    assert(request.tolerance > 0.0);
     Tessellator tessellator(curve, request);
     const auto knots = curve.knots().values();
     const Interval domain = curve.domain();

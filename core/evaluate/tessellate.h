@@ -17,7 +17,7 @@ struct CurveSample {
 struct TessellationRequest {
     double tolerance = 0.0;  ///< > 0: no point of the curve is farther than this from its polyline
     Box view;                ///< parts whose hull is outside are left out
-    Interval range;          ///< the parameters wanted, inside the domain
+    Interval range;          ///< the parameters wanted, which are cut to the domain
 };
 
 /// The visible part of `curve` as runs of samples, in order of u; a run ends where the curve leaves the view or tears.

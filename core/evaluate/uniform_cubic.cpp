@@ -1,5 +1,6 @@
 #include "core/evaluate/uniform_cubic.h"
 
+#include <cassert>
 #include <utility>
 
 #include "core/curve/detail/bspline.h"
@@ -102,6 +103,9 @@ std::array<Point, 4> uniform_control_points(const FergusonSegment& segment) {
 
 Result<Curve> curve_from_ferguson(const std::vector<FergusonSegment>& segments) {
     if (segments.empty()) return refuse({.code = CurveErrorCode::too_few_points, .value = 0.0, .lower = 4.0});
+    assert(std::adjacent_find(segments.begin(), segments.end(), [](const auto& before, const auto& after) {
+               return before.interval.upper != after.interval.lower || before.end != after.start;
+           }) == segments.end());
     CurveDefinition curve{.degree = 3,
                           .knots = std::vector<double>(4, segments.front().interval.lower),
                           .kind = KnotKind::piecewise_bezier};

@@ -1,6 +1,7 @@
 /// Points and velocities of one Bézier piece, for integrating along it.
 #pragma once
 
+#include <cassert>
 #include <vector>
 
 #include "core/evaluate/bezier_pieces.h"
@@ -13,10 +14,14 @@ struct Motion {
     Vector velocity{};  ///< dC/dt for t from 0 to 1 over the piece, whatever its interval is
 };
 
-/// One piece as a function of t in [0, 1], which loses no digits where the knots are close together and far from zero.
+/// One piece as a function of t, which loses no digits where the knots are close together and far from zero. Within
+/// [0, 1] it is finite; beyond, weights may vanish.
 class PieceMotion {
   public:
-    explicit PieceMotion(BezierPiece piece) : piece_(std::move(piece)) {}
+    /// `piece` has 2 to max_degree + 1 points.
+    explicit PieceMotion(BezierPiece piece) : piece_(std::move(piece)) {
+        assert(2 <= piece_.points.size() && piece_.points.size() <= max_degree + 1);
+    }
 
     Interval interval() const { return piece_.interval; }
 

@@ -1,5 +1,6 @@
 #include "core/evaluate/detail/spline_system.h"
 
+#include <cassert>
 #include <utility>
 
 #include "core/evaluate/basis.h"
@@ -24,11 +25,14 @@ SplineSystem::SplineSystem(KnotVector knots, Point origin, const EndPoints& ends
       shares_(knots_.control_point_count(), 1.0),
       unknown_(knots_.control_point_count(), 0) {
     const std::size_t n = points_.size();
+    assert((ends.known.empty() && ends.bound.empty()) || !knots_.is_periodic());
     for (const KnownPoint& given : ends.known) {
+        assert(given.index < n);
         points_[given.index] = given.point - origin;
         unknown_[given.index] = is_known;
     }
     for (const BoundPoint& bound : ends.bound) {
+        assert(bound.index < n && bound.to < n);
         points_[bound.index] = (1.0 - bound.share) * (bound.from - origin);
         shares_[bound.index] = bound.share;
         unknown_[bound.index] = is_known;
@@ -45,6 +49,7 @@ void SplineSystem::require_point(double u, Point point) {
 }
 
 void SplineSystem::require_derivative(double u, int order, Vector value, double weight) {
+    assert(order >= 1);
     require({.u = u, .order = order, .value = value, .weight = weight});
 }
 
@@ -61,6 +66,7 @@ void SplineSystem::require(const Site& site) {
 
 void SplineSystem::require_sum(std::size_t first, std::span<const double> coefficients, Vector right) {
     const std::size_t n = points_.size();
+    assert(knots_.is_periodic() || first + coefficients.size() <= n);
     std::size_t lowest = unknown_count_;
     std::size_t highest = 0;
     for (std::size_t j = 0; j < coefficients.size(); ++j) {

@@ -10,7 +10,7 @@
 
 namespace batten::core {
 
-/// A control point that is known beforehand.
+/// A control point that is known beforehand; only an open spline has such.
 struct KnownPoint {
     std::size_t index = 0;
     Point point{};

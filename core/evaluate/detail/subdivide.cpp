@@ -1,10 +1,13 @@
 #include "core/evaluate/detail/subdivide.h"
 
+#include <cassert>
+
 #include "core/curve/detail/bspline.h"
 
 namespace batten::core {
 
 std::pair<BezierPiece, BezierPiece> cut_piece(const BezierPiece& piece, double u) {
+    assert(piece.interval.lower < u && u < piece.interval.upper);
     const Ratio ratio = ratio_between(piece.interval.lower, piece.interval.upper, u);
     BezierPiece left{{piece.interval.lower, u}, piece.span, {}};
     BezierPiece right{{u, piece.interval.upper}, piece.span, piece.points};
