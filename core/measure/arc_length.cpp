@@ -1,5 +1,7 @@
 #include "core/measure/arc_length.h"
 
+#include <cassert>
+
 #include "core/base/detail/quadrature.h"
 #include "core/base/detail/unit_interval.h"
 #include "core/curve/control_box.h"
@@ -89,6 +91,7 @@ Integral arc_length(const Curve& curve) {
 }
 
 Integral arc_length(const Curve& curve, double from, double to) {
+    assert(!std::isnan(from) && !std::isnan(to));
     if (to < from) {
         const Integral reverse = arc_length(curve, to, from);
         return {-reverse.value, reverse.error};
@@ -124,6 +127,7 @@ double ArcLengthTable::length_at(double u) const {
 }
 
 double ArcLengthTable::parameter_at(double s) const {
+    assert(!std::isnan(s));
     const double total = parts_.back().before + parts_.back().length;
     const bool goes_round = knots_.is_periodic() && !(0.0 <= s && s <= total) && total > 0.0 && std::isfinite(s);
     const double wanted = std::clamp(goes_round ? s - std::floor(s / total) * total : s, 0.0, total);

@@ -17,8 +17,8 @@ struct Integral {
 /// points) on every span. Source: Piessens et al. 1983, QUADPACK.
 Integral arc_length(const Curve& curve);
 
-/// The length from one parameter to another, negative if `to` < `from`. Parameters outside the domain are clamped to
-/// it; on a periodic curve they go round as often as they say. As right as the whole length.
+/// The length from one parameter to another, both numbers, negative if `to` < `from`. Parameters outside the domain are
+/// clamped to it; on a periodic curve they go round as often as they say. As right as the whole length.
 Integral arc_length(const Curve& curve, double from, double to);
 
 /// Lengths and parameters of one curve, for many questions.
@@ -33,8 +33,9 @@ class ArcLengthTable {
     /// upper end staying as it is). Cost: one binary search and 21 evaluations.
     double length_at(double u) const;
 
-    /// The parameter at the length `s` from the beginning of the domain; `s` is clamped to [0, total] (wrapped when
-    /// periodic). Where a stretch has no length, its beginning. Newton's iteration in a bracket that shrinks.
+    /// The parameter at the length `s` from the beginning of the domain; `s`, a number, is clamped to [0, total]
+    /// (wrapped when periodic). Where a stretch has no length, its beginning. Newton's iteration in a bracket that
+    /// shrinks.
     double parameter_at(double s) const;
 
   private:

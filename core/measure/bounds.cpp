@@ -1,6 +1,7 @@
 #include "core/measure/bounds.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/base/detail/unit_interval.h"
 #include "core/evaluate/evaluate.h"
@@ -64,6 +65,7 @@ Box tight_box(const Curve& curve) {
 }
 
 std::vector<Point> convex_hull(std::span<const Point> points) {
+    assert(std::all_of(points.begin(), points.end(), [](Point point) { return is_finite(point); }));
     std::vector<Point> sorted(points.begin(), points.end());
     if (sorted.size() < 3) return sorted;
     std::sort(sorted.begin(), sorted.end(), is_left_of);

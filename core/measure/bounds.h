@@ -12,8 +12,8 @@ namespace batten::core {
 /// which are found globally. Source: variation diminishing.
 Box tight_box(const Curve& curve);
 
-/// The convex hull of `points`, counter-clockwise, without collinear points; fewer than three points come back as they
-/// are. Cost O(n log n). Source: Andrew 1979.
+/// The convex hull of `points`, which are finite, counter-clockwise, without collinear points; fewer than three points
+/// come back as they are. Cost O(n log n). Source: Andrew 1979.
 std::vector<Point> convex_hull(std::span<const Point> points);
 
 /// A piece of a curve and what is known to contain it.

@@ -1,5 +1,6 @@
 #include "core/measure/closing.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "core/curve/control_box.h"
@@ -61,6 +62,7 @@ int measured_continuity(const Curve& curve, double tolerance) {
 }  // namespace
 
 double absolute_tolerance(const Curve& curve, double relative) {
+    assert(relative >= 0.0);
     const Box box = control_box(curve);
     const double largest =
         std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.upper.x), std::abs(box.upper.y)});
@@ -68,6 +70,7 @@ double absolute_tolerance(const Curve& curve, double relative) {
 }
 
 ClosingReport closing_of(const Curve& curve, double tolerance) {
+    assert(tolerance > 0.0);
     const auto [lower, upper] = curve.domain();
     if (curve.is_periodic())
         return {.closing = Closing::periodic, .continuity = curve.degree() - curve.knots().multiplicity(lower)};

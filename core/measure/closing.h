@@ -37,8 +37,8 @@ struct ClosingReport {
 /// O(n + p^3).
 ClosingReport closing_of(const Curve& curve, double tolerance = default_closing_tolerance);
 
-/// The length that `relative` means for `curve`: times the larger side of the box of its control points, and never less
-/// than the rounding of their coordinates.
+/// The length that `relative` (>= 0) means for `curve`: times the larger side of the box of its control points, and
+/// never less than the rounding of their coordinates.
 double absolute_tolerance(const Curve& curve, double relative);
 
 }  // namespace batten::core

@@ -1,6 +1,7 @@
 #include "core/measure/collinear.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -94,6 +95,7 @@ Interval straight_part(const Curve& curve, std::size_t first, std::size_t count)
 }  // namespace
 
 std::vector<CollinearRun> collinear_runs(const Curve& curve, double tolerance) {
+    assert(tolerance >= 0.0);
     const auto p = static_cast<std::size_t>(curve.degree());
     const std::size_t n = curve.control_points().size();
     const std::size_t most = n + p;

@@ -19,8 +19,8 @@ struct CollinearRun {
 inline constexpr double default_collinear_tolerance = 1e-12;
 
 /// The maximal runs of p + 1 or more neighboring control points that lie on one line, in order; neighbors may share
-/// points. A point counts as on the line when it is no farther than `tolerance` (times the larger side of the box of
-/// the control points, and never less than the rounding of their coordinates) from the line through the first point
+/// points. A point counts as on the line when it is no farther than `tolerance` (>= 0, times the larger side of the box
+/// of the control points, and never less than the rounding of their coordinates) from the line through the first point
 /// and the farthest one so far. In a periodic curve a run may pass the seam; if all points are collinear there is one
 /// run of n + p points, the whole curve. Runs whose knots leave no span are left out. Cost O(n).
 std::vector<CollinearRun> collinear_runs(const Curve& curve, double tolerance = default_collinear_tolerance);

@@ -1,6 +1,7 @@
 #include "core/measure/continuity.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "core/curve/control_box.h"
@@ -50,6 +51,8 @@ class JointMeter {
   public:
     JointMeter(const Curve& curve, const ContinuityTolerances& tolerances)
         : tolerances_(tolerances), curve_(seen_from(curve, middle_of(curve))) {
+        assert(tolerances.position >= 0.0 && tolerances.derivative >= 0.0);
+        assert(tolerances.angle >= 0.0 && tolerances.curvature >= 0.0);
         const Box box = control_box(curve_);
         size_ = robust_length(box.size());
         for (const Point& point : curve.control_points())

@@ -8,8 +8,8 @@
 
 namespace batten::core {
 
-/// When two one-sided values count as equal. All are relative and not to be confused with rounding, which is allowed
-/// for besides: the error of the coordinates as given, carried through the derivatives.
+/// When two one-sided values count as equal. All are >= 0, relative and not to be confused with rounding, which is
+/// allowed for besides: the error of the coordinates as given, carried through the derivatives.
 struct ContinuityTolerances {
     double position = 1e-9;    ///< of the size of the curve
     double derivative = 1e-6;  ///< of the larger of the two derivatives

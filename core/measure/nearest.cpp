@@ -1,5 +1,6 @@
 #include "core/measure/nearest.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "core/base/detail/binomial.h"
@@ -145,6 +146,7 @@ class NearestSearch {
 }  // namespace
 
 CurveSample nearest_point(const Curve& curve, Point query) {
+    assert(is_finite(query));
     return NearestSearch(curve, query).run();
 }
 

@@ -1,5 +1,6 @@
 #include "core/measure/detail/bernstein.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "core/base/detail/binomial.h"
@@ -122,6 +123,7 @@ std::pair<Bernstein, Bernstein> halves(const Bernstein& a) {
 }
 
 Bernstein part(const Bernstein& a, Interval interval) {
+    assert(0.0 <= interval.lower && interval.lower < interval.upper && interval.upper <= 1.0);
     Bernstein rest = a;
     if (interval.lower > 0.0) rest = cut(rest, {1.0 - interval.lower, interval.lower}).second;
     if (interval.upper == 1.0) return rest;

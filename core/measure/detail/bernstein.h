@@ -1,6 +1,7 @@
 /// Polynomials in Bernstein form on [0, 1] that know how far rounding may have moved their coefficients.
 #pragma once
 
+#include <cassert>
 #include <utility>
 #include <vector>
 
@@ -14,7 +15,10 @@ struct Bernstein {
     std::vector<double> values;  ///< b_0..b_n, at least one
     std::vector<double> errors;  ///< how far each may be from the truth, >= 0, one for each value
 
-    std::size_t degree() const { return values.size() - 1; }
+    std::size_t degree() const {
+        assert(!values.empty() && errors.size() == values.size());
+        return values.size() - 1;
+    }
 };
 
 /// The polynomial of degree 0.

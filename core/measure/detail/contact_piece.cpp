@@ -1,5 +1,6 @@
 #include "core/measure/detail/contact_piece.h"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -57,6 +58,7 @@ std::optional<Vector> normal_of_chord(const ContactPiece& piece) {
 ContactPiece::ContactPiece(std::size_t span_index, Interval share_interval,
                            std::vector<HomogeneousPoint> control_points)
     : span(span_index), shares(share_interval), points(std::move(control_points)) {
+    assert(!points.empty());
     shadow.reserve(points.size());
     for (const HomogeneousPoint& point : points) shadow.push_back(project(point));
     for (const Point& point : shadow) box.include(point);

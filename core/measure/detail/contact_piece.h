@@ -26,6 +26,7 @@ struct ContactPiece {
     Box box;                                  ///< of the shadow
     std::optional<DirectionCone> directions;  ///< none where they span half a turn or more, or there are none
 
+    /// There is at least one control point.
     ContactPiece(std::size_t span_index, Interval share_interval, std::vector<HomogeneousPoint> control_points);
 
     double size() const { return std::max(box.size().x, box.size().y); }

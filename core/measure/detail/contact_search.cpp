@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -112,12 +113,14 @@ void ContactSearch::add_pair(const ContactPiece& a, const ContactPiece& b) {
 }
 
 void ContactSearch::add_neighbors(const ContactPiece& a, const ContactPiece& b) {
+    assert(is_same_curve());
     if (continue_each_other(a, b) || take_overlap(a, b)) return;
     visits_ = 0;
     search_joint(a, b, 0);
 }
 
 void ContactSearch::add_alone(const ContactPiece& a) {
+    assert(is_same_curve());
     visits_ = 0;
     search_alone(a, 0);
 }

@@ -48,7 +48,7 @@ class ContactSearch {
     /// Seeks those of two pieces of one curve, the second of which begins where the first ends, besides that point.
     void add_neighbors(const ContactPiece& a, const ContactPiece& b);
 
-    /// Seeks those of a piece with itself.
+    /// Seeks those of a piece of one curve with itself.
     void add_alone(const ContactPiece& a);
 
     /// All contacts, once each per pair of pieces; ends of pieces may come several times. Call once.

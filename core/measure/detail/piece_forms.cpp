@@ -1,5 +1,6 @@
 #include "core/measure/detail/piece_forms.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "core/base/detail/unit_interval.h"
@@ -85,6 +86,7 @@ double form_scale(const Curve& curve) {
 }
 
 std::vector<PieceForms> piece_forms(const Curve& curve, int order) {
+    assert(order >= 0);
     const Curve seen = seen_from(curve, middle_of(curve));
     const double length_scale = form_scale(curve);
     const double weight_scale = scale_to_one(*std::max_element(curve.weights().begin(), curve.weights().end()));
@@ -107,10 +109,12 @@ std::vector<SignRun> sign_runs_along(const Curve& curve, int order, const Expres
 }
 
 Bernstein hodograph_x(std::span<const Bernstein> forms) {
+    assert(forms.size() >= 6);
     return difference(product(forms[3], forms[2]), product(forms[0], forms[5]));
 }
 
 Bernstein hodograph_y(std::span<const Bernstein> forms) {
+    assert(forms.size() >= 6);
     return difference(product(forms[4], forms[2]), product(forms[1], forms[5]));
 }
 

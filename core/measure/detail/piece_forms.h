@@ -19,11 +19,11 @@ struct PieceForms {
     std::vector<Bernstein> forms;
 };
 
-/// The forms of all pieces with derivatives up to `order`.
+/// The forms of all pieces with derivatives up to `order` (>= 0).
 std::vector<PieceForms> piece_forms(const Curve& curve, int order);
 
-/// The signs of `expression` along the whole curve, over its domain. `expression` sees the forms of a piece (see
-/// PieceForms); its sign must not depend on the length of the piece's interval.
+/// The signs of `expression` in forms up to `order` along the whole curve, over its domain. `expression` sees the forms
+/// of a piece (see PieceForms); its sign must not depend on the length of the piece's interval.
 std::vector<SignRun> sign_runs_along(const Curve& curve, int order, const Expression& expression);
 
 /// X' W - X W' and Y' W - Y W', which are W^2 times the hodograph of the piece. Needs order 1.
