@@ -79,6 +79,9 @@ Result<std::vector<Curve>> bezier_curves(const Curve& curve) {
 
 CurveDefinition concatenated(CurveDefinition first, const CurveDefinition& second) {
     const auto p = static_cast<std::ptrdiff_t>(first.degree);
+    assert(first.degree == second.degree);
+    assert(first.knots.back() == second.knots.front() && *(first.knots.end() - 1 - p) == *(second.knots.begin() + p));
+    assert(first.weights.size() == first.points.size() && second.weights.size() == second.points.size());
     const double before = first.weights.back();
     const double after = second.weights.front();
     first.knots.pop_back();

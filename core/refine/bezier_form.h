@@ -22,7 +22,8 @@ namespace batten::core {
 [[nodiscard]] Result<Approximation> join_pieces(std::span<const Curve> pieces, double tolerance);
 
 /// The definition of `first` continued by `second`, both clamped where they meet, of equal degree and with domains that
-/// follow each other. The first point of `second` is dropped; its weights are brought to those of `first`.
+/// follow each other, and with all their weights. The first point of `second` is dropped; its weights are brought to
+/// those of `first`.
 CurveDefinition concatenated(CurveDefinition first, const CurveDefinition& second);
 
 }  // namespace batten::core

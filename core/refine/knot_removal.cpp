@@ -204,6 +204,7 @@ Result<KnotRemoval> remove_knots(const Curve& curve, double tolerance) {
 }
 
 Result<KnotRemoval> remove_knots_among(const Curve& curve, std::span<const double> among, double tolerance) {
+    assert(std::is_sorted(among.begin(), among.end()));
     return thinned(curve, among, tolerance);
 }
 

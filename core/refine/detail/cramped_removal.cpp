@@ -1,5 +1,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -64,6 +65,7 @@ double bound_of(const Eigen::MatrixX3d& points, const Eigen::MatrixX3d& errors) 
 }  // namespace
 
 std::optional<CrampedRemoval> cramped_removal(const Curve& curve, double u) {
+    assert(curve.is_periodic() && curve.knots().multiplicity(u) > 0);
     const std::size_t n = curve.control_points().size();
     const double spare = spare_knot(curve.knots().stored(), u);
     std::vector<double> reduced = without_value(curve.knots().stored(), spare);

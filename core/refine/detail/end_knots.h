@@ -1,6 +1,8 @@
 /// Exchanges the knots at the clamped start of a spline, keeping its first piece and so its shape.
 #pragma once
 
+#include <cassert>
+
 #include "core/curve/detail/spline.h"
 
 namespace batten::core {
@@ -11,6 +13,7 @@ namespace batten::core {
 template <class P>
 void exchange_start_knots(Spline<P>& spline, std::span<const double> values) {
     const std::size_t p = spline.p;
+    assert(values.size() <= p);
     const double a = spline.knots[p];
     // A point has as many of the knots a as it has places to the first knot behind them; it gets the first values.
     for (std::size_t r = 1; r <= values.size(); ++r)

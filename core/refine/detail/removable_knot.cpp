@@ -1,5 +1,6 @@
 #include "core/refine/detail/removable_knot.h"
 
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -106,6 +107,7 @@ std::vector<std::size_t> removable_indices(const Curve& curve, const CarriedSpli
 
 std::optional<RemovableKnot> removable_knot(const CarriedSpline& spline, std::size_t index) {
     const std::size_t p = spline.p;
+    assert(p < index && index < spline.points.size() && spline.knots[index] < spline.knots[index + 1]);
     const double u = spline.knots[index];
     const std::size_t multiplicity = index + 1 - spline.first_of_run(u);
     RemovableKnot knot{.index = index, .first = index - p, .replaced = p + 1 - multiplicity, .points = {}};
@@ -124,6 +126,10 @@ std::optional<RemovableKnot> removable_knot(const CarriedSpline& spline, std::si
 }
 
 Result<Curve> without_knots(const Curve& curve, const CarriedSpline& spline, std::span<const RemovableKnot> removed) {
+    assert(!removed.empty());
+    assert(std::adjacent_find(removed.begin(), removed.end(), [&](const RemovableKnot& a, const RemovableKnot& b) {
+               return b.index < a.index + spline.p + 2;
+           }) == removed.end());
     CarriedForm form{.degree = curve.degree(),
                      .knots = stored_without(curve, spline, removed),
                      .is_periodic = curve.is_periodic(),

@@ -30,7 +30,8 @@ bool has_room_for_removal(const Curve& curve);
 /// multiplicity is above 1.
 std::vector<std::size_t> removable_indices(const Curve& curve, const CarriedSpline& spline);
 
-/// What removing knot `index` would do; none when a weight would not be positive. Cost O(p).
+/// What removing knot `index`, strictly inside the domain and the last of its run, would do; none when a weight would
+/// not be positive. Cost O(p).
 std::optional<RemovableKnot> removable_knot(const CarriedSpline& spline, std::size_t index);
 
 /// `curve` without these knots, at least one, ascending and degree + 2 or more apart, across the seam too.

@@ -6,6 +6,8 @@
 /// are those blossoms. Source: Prautzsch 1984; Prautzsch and Piper 1991.
 #pragma once
 
+#include <cassert>
+
 #include "core/curve/detail/spline.h"
 
 namespace batten::core {
@@ -31,6 +33,7 @@ struct KnotComb {
 
     /// How many of the knots 0..i, i < last, are left out.
     std::size_t left_out_until(std::size_t i) const {
+        assert(i < last);
         if (phase == 0) return i / step;
         return i < phase ? 0 : (i - phase) / step + 1;
     }
@@ -40,6 +43,8 @@ struct KnotComb {
 /// for each new point.
 template <class P>
 Spline<P> elevated_clamped(const Spline<P>& spline) {
+    assert(spline.multiplicity(spline.knots.front()) == spline.p + 1);
+    assert(spline.multiplicity(spline.knots.back()) == spline.p + 1);
     Spline<P> result{.p = spline.p + 1, .knots = with_longer_runs(spline.knots)};
     const std::size_t step = result.p;
     const std::size_t count = result.knots.size() - result.p - 1;

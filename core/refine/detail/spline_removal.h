@@ -1,6 +1,7 @@
 /// One knot taken out of a spline, the inverse of inserting it, for every point type.
 #pragma once
 
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -25,6 +26,7 @@ struct SplineRemoval {
 template <class P>
 SplineRemoval<P> removal(std::span<const Ratio> ratios, std::span<const P> points) {
     const std::size_t count = ratios.size();
+    assert(count >= 1 && points.size() == count + 2);
     // The equations have one relation: sum z_i P_i = 0 with z_{i+1} / z_i = -alpha_i / (1 - alpha_{i+1}). |z| is
     // largest where alpha passes 1/2; computed from there it falls to both sides.
     std::size_t middle = 0;
