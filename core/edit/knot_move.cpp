@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/curve/detail/edit_checks.h"
@@ -136,6 +137,7 @@ double snapped(const KnotVector& knots, std::size_t index, double u, double dist
 
 Result<Curve> move_knot(const Curve& curve, std::size_t index, double u, KnotMove mode, double snap_distance,
                         Tears tears) {
+    assert(snap_distance >= 0.0);
     const KnotVector& knots = curve.knots();
     const auto check = check_knot_index(curve, index).and_then([&] { return check_parameter_finite(u); });
     if (!check) return tl::unexpected(check.error());

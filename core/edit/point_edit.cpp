@@ -1,6 +1,7 @@
 #include "core/edit/point_edit.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -176,6 +177,7 @@ Result<Curve> delete_control_point(const Curve& curve, std::size_t index) {
 Result<Curve> delete_control_points(const Curve& curve, std::span<const std::size_t> indices) {
     std::vector<std::size_t> from_last(indices.begin(), indices.end());
     std::sort(from_last.begin(), from_last.end(), std::greater<>());
+    assert(std::adjacent_find(from_last.begin(), from_last.end()) == from_last.end());
     Result<Curve> rest = curve;
     for (const std::size_t index : from_last)
         rest = rest.and_then([&](const Curve& c) { return delete_control_point(c, index); });

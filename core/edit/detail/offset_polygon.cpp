@@ -1,6 +1,7 @@
 #include "core/edit/detail/offset_polygon.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -22,6 +23,7 @@ std::optional<Vector> mitre(Vector before, Vector after, double distance) {
 }  // namespace
 
 Result<Approximation> offset_polygon(const Curve& curve, double distance) {
+    assert(curve.degree() == 1);
     const std::span<const Point> points = curve.control_points();
     const std::size_t n = points.size();
     const std::size_t legs = curve.is_periodic() ? n : n - 1;
