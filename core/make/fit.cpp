@@ -1,6 +1,7 @@
 #include "core/make/fit.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -316,6 +317,7 @@ class Fitter {
 };
 
 Result<Fitter> make_fitter(std::span<const Point> points, FitRequest request) {
+    assert(request.penalized_derivative == 2 || request.penalized_derivative == 3);
     if (const auto check = check_degree(request.degree); !check) return refuse(check.error());
     if (const auto check = check_degree_of_ends(request.ends, request.degree); !check) return refuse(check.error());
     // First in the direction given, so that a refusal names the point as it was given.

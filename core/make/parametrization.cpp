@@ -1,6 +1,7 @@
 #include "core/make/parametrization.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/base/detail/double_double.h"
@@ -62,6 +63,7 @@ Result<void> check_parameters(std::span<const Point> points, std::span<const dou
 }
 
 std::vector<double> averaged_knots(std::span<const double> sites, std::size_t p) {
+    assert(p >= 1 && sites.size() >= p + 1 && std::is_sorted(sites.begin(), sites.end()));
     std::vector<double> knots(p + 1, sites.front());
     knots.reserve(sites.size() + p + 1);
     for (std::size_t j = 1; j + p < sites.size(); ++j) {

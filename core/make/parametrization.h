@@ -35,9 +35,9 @@ struct Names<Parametrization> {
 [[nodiscard]] Result<void> check_parameters(std::span<const Point> points, std::span<const double> parameters,
                                             bool is_closed = false);
 
-/// The full clamped vector for one control point at each of `sites` (at least p+1, not decreasing), each interior knot
-/// the mean of p sites: u_{j+p} = (s_j + ... + s_{j+p-1}) / p. A site occurs twice where a derivative is prescribed.
-/// Cost O(n p). Source: The NURBS Book, equation 9.8; de Boor 1978.
+/// The full clamped vector for one control point at each of `sites` (at least p+1, not decreasing; p >= 1), each
+/// interior knot the mean of p sites: u_{j+p} = (s_j + ... + s_{j+p-1}) / p. A site occurs twice where a derivative is
+/// prescribed. Cost O(n p). Source: The NURBS Book, equation 9.8; de Boor 1978.
 std::vector<double> averaged_knots(std::span<const double> sites, std::size_t p);
 
 }  // namespace batten::core

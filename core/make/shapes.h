@@ -16,7 +16,7 @@ namespace batten::core {
 [[nodiscard]] Result<Curve> polyline(std::span<const Point> points, bool is_closed = false);
 
 /// The regular polygon of `sides` (>= 3) sides in a circle, counter-clockwise, with its first corner in the direction
-/// `start` in degrees, finite; a periodic polyline. Errors: too_few_points; length_not_positive; points_coincide where
+/// `start` in degrees; a periodic polyline. Errors: too_few_points; length_not_positive; points_coincide where
 /// the center is so far away that corners cannot be told apart; point_not_finite.
 [[nodiscard]] Result<Curve> regular_polygon(Point center, double radius, std::size_t sides, double start = 90.0);
 
