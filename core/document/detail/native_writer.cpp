@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <cassert>
 #include <cmath>
 
 #include "core/document/detail/native_format.h"
@@ -40,6 +41,7 @@ void add_unknown_members(Json& object, const std::string& unknown) {
 }
 
 Json json_of(const DocumentCurve& entry) {
+    assert(entry.curve != nullptr);
     const CurveDefinition definition = entry.curve->definition();
     Json object = Json::object();
     object["name"] = entry.name;
