@@ -42,7 +42,7 @@ ONLY_IN = {
 POSIX = {"fcntl.h", "unistd.h", "sys/stat.h"}
 
 # Headers that the build makes.
-GENERATED = {"shaders/sources.h": "render"}
+GENERATED = {"shaders/sources.h": "render", "core/base/version.h": "core"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
 

@@ -5,6 +5,8 @@
 #include <ostream>
 
 #include "app/cli/help_text.h"
+#include "core/base/sentence.h"
+#include "core/base/version.h"
 
 namespace batten::cli {
 
@@ -145,7 +147,7 @@ void add_window_options(CLI::App& program, WindowOptions& options) {
 
 std::optional<int> run_command_line(int argc, const char* const* argv, WindowOptions* window, Output output) {
     CLI::App program("Batten: an interactive editor for B-spline and NURBS curves", "batten");
-    program.set_version_flag("--version", "batten " BATTEN_VERSION);
+    program.set_version_flag("--version", core::sentence("batten {version}", {{"version", core::version_text}}));
     program.set_help_all_flag("--help-all", "Print this help and that of the subcommands and exit");
     program.formatter_fn(help_text);
     program.footer(

@@ -4,6 +4,7 @@
 #include "app/ui/dialog_frame.h"
 #include "app/ui/panels.h"
 #include "app/ui/style.h"
+#include "core/base/version.h"
 
 namespace batten::ui {
 
@@ -18,7 +19,7 @@ void draw_about_dialog(const PanelContext& context, const Rectangle& window) {
     ImGui::TextUnformatted("batten");
     ImGui::PopStyleColor();
     ImGui::PopFont();
-    ImGui::TextDisabled("version " BATTEN_VERSION);
+    ImGui::TextDisabled("version %s", core::version_text);
     ImGui::Dummy(ImVec2(1.0F, context.px(6)));
     ImGui::TextWrapped(
         "An editor for B-spline and NURBS curves: for teaching them, for drawing with them exactly, and for "

@@ -1,3 +1,4 @@
+#include "core/base/version.h"
 #include "core/evaluate/basis.h"
 #include "core/evaluate/bezier_pieces.h"
 #include "core/evaluate/evaluate.h"
@@ -22,7 +23,7 @@ SplineLibrary::Answer<CurveDefinition> definition_of(const core::Result<Curve>& 
 
 class Batten : public SplineLibrary {
   public:
-    std::string name() const override { return "Batten " BATTEN_VERSION; }
+    std::string name() const override { return std::string("Batten ") + core::version_text; }
 
     Answer<std::vector<Point>> derivatives(const Curve& curve, double u, int order) const override {
         const core::Jet jet = core::derivatives_at(curve, u, order);
