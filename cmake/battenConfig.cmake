@@ -1,0 +1,7 @@
+# The package batten: its target batten::core.
+include(CMakeFindDependencyMacro)
+find_dependency(glm)
+find_dependency(tl-expected)
+find_dependency(fmt)
+include(${CMAKE_CURRENT_LIST_DIR}/glm_target.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/battenTargets.cmake)
