@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iostream>
 
 #include "app/cli/command_line.h"
@@ -5,10 +6,24 @@
 #include "app/platform/application.h"
 #endif
 
+#ifdef BATTEN_WINDOW
+namespace {
+
+// Beside the program where it is installed, else in the sources.
+std::filesystem::path assets_folder() {
+    std::error_code error;
+    const std::filesystem::path program = std::filesystem::canonical("/proc/self/exe", error);
+    const std::filesystem::path installed = program.parent_path() / BATTEN_INSTALLED_ASSETS;
+    return !error && std::filesystem::exists(installed / "examples", error) ? installed : BATTEN_ASSETS;
+}
+
+}  // namespace
+#endif
+
 int main(int argc, char** argv) {
 #ifdef BATTEN_WINDOW
     batten::cli::WindowOptions window;
-    window.assets = BATTEN_ASSETS;
+    window.assets = assets_folder();
     if (const auto status = batten::cli::run_command_line(argc, argv, &window, {std::cout, std::cerr})) return *status;
     return batten::platform::run({.files = std::move(window.files),
                                   .example = std::move(window.example),

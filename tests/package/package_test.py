@@ -10,6 +10,9 @@ import sys
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "e2e"))
+from driver import Display, Editor  # noqa: E402
+
 BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
 WORK = BUILD / "tests" / "package" / "work"
 PREFIX = WORK / "prefix"
@@ -61,6 +64,14 @@ class PackageTest(unittest.TestCase):
         if not IS_ON["BATTEN_PROGRAM"]:
             self.skipTest("the program is not built")
         self.assertEqual(run(PREFIX / "bin/batten", "--version"), f"batten {CACHE['CMAKE_PROJECT_VERSION']}\n")
+
+    def test_installs_a_program_that_finds_its_examples(self):
+        if not (IS_ON["BATTEN_PROGRAM"] and IS_ON["BATTEN_WINDOW"]):
+            self.skipTest("the window is not built")
+        examples = PREFIX / "share/batten/examples"
+        shutil.copy(next(examples.glob("*.json")), examples / "only-here.json")
+        with Display() as display, Editor(PREFIX / "bin/batten", display, WORK, ["--example", "only-here"]) as editor:
+            self.assertGreater(len(editor.state()["points"]), 0)
 
     def test_serves_another_project(self):
         sanitizers = "-fsanitize=address,undefined" if IS_ON["BATTEN_SANITIZE"] else ""
