@@ -87,7 +87,7 @@ Result<void> check_degree(int degree) {
 }
 
 KnotVector::KnotVector(int degree, bool is_periodic, KnotKind kind, std::vector<double> values)
-    : degree_(degree), is_periodic_(is_periodic), kind_(KnotKind::custom), values_(std::move(values)) {
+    : degree_(degree), is_periodic_(is_periodic), values_(std::move(values)) {
     if (is_of_kind(*this, kind)) kind_ = kind;
 }
 

@@ -56,7 +56,7 @@ Result<Interpolation> interpolate_open(std::span<const Point> points, const Inte
     const EndPoints ends = end_points(points.front(), points.back(), request.ends, *knots);
     SplineSystem system(*std::move(knots), points.front(), ends);
     for (std::size_t k = 1; k + 1 < points.size(); ++k) system.require_point(parameters[k], points[k]);
-    return solved(system).map([&](Curve curve) {
+    return solved(system).map([&](const Curve& curve) {
         CurveDefinition definition = curve.definition();
         definition.points.front() = points.front();
         definition.points.back() = points.back();

@@ -201,7 +201,9 @@ Result<Curve> to_clamped(const Curve& curve) {
 Result<Approximation> to_wrapped(const Curve& curve, double tolerance) {
     if (closing_of(curve).closing == Closing::wrapped) return Approximation{curve, 0.0};
     return to_periodic(curve, tolerance).and_then([](const Approximation& periodic) {
-        return wrapped(periodic.curve).map([&](Curve result) { return Approximation{result, periodic.error}; });
+        return wrapped(periodic.curve).map([&](Curve result) {
+            return Approximation{std::move(result), periodic.error};
+        });
     });
 }
 
@@ -225,7 +227,7 @@ Result<Approximation> move_seam(const Curve& curve, double u, double tolerance) 
             return is_wrapped ? wrapped(moved) : to_clamped(moved);
         })
         .map([&](Curve result) {
-            return Approximation{result, closed->error};
+            return Approximation{std::move(result), closed->error};
         });
 }
 

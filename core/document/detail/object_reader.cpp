@@ -83,7 +83,7 @@ std::string ObjectReader::unknown_members() const {
     if (!object_.is_object()) return {};
     Json unknown = Json::object();
     for (const auto& [name, value] : object_.items())
-        if (known_.count(name) == 0) unknown[name] = value;
+        if (!known_.contains(name)) unknown[name] = value;
     return unknown.empty() ? std::string() : unknown.dump();
 }
 
