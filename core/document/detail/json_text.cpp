@@ -34,7 +34,7 @@ class SyntaxCheck : public nlohmann::json_sax<Json> {
   public:
     explicit SyntaxCheck(std::string_view text) : text_(text) {}
 
-    FileError error;
+    const FileError& error() const { return error_; }
 
     bool null() override { return true; }
     bool boolean(bool) override { return true; }
@@ -80,19 +80,20 @@ class SyntaxCheck : public nlohmann::json_sax<Json> {
     }
 
     bool refuse(FileError found) {
-        error = std::move(found);
+        error_ = std::move(found);
         return false;
     }
 
     std::string_view text_;
     std::vector<std::set<std::string>> names_;
+    FileError error_;
 };
 
 }  // namespace
 
 FileResult<Json> parse_json(std::string_view text) {
     SyntaxCheck check(text);
-    if (!Json::sax_parse(text, &check)) return tl::unexpected(check.error);
+    if (!Json::sax_parse(text, &check)) return tl::unexpected(check.error());
     return Json::parse(text, nullptr, false);
 }
 
