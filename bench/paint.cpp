@@ -80,7 +80,7 @@ DrawList loop(Color color) {
     std::vector<Pixel> points;
     for (int i = 0; i < 200; ++i) {
         const double u = i / 199.0 * 6.28;
-        points.push_back(Pixel(720.0 + 600.0 * std::sin(2.0 * u), 450.0 + 350.0 * std::sin(3.0 * u)));
+        points.emplace_back(720.0 + 600.0 * std::sin(2.0 * u), 450.0 + 350.0 * std::sin(3.0 * u));
     }
     DrawList list;
     list.add(line(points, 3.0F, color));
@@ -91,7 +91,7 @@ DrawList polygon() {
     DrawList list;
     std::vector<Pixel> points;
     for (int i = 0; i < 8; ++i)
-        points.push_back({80.0F + 180.0F * static_cast<float>(i), i % 2 == 0 ? 800.0F : 120.0F});
+        points.emplace_back(80.0F + 180.0F * static_cast<float>(i), i % 2 == 0 ? 800.0F : 120.0F);
     list.add(Polyline{points, rgb(0x5F6878), 1.5F, 6.0F, 4.0F, false});
     return list;
 }

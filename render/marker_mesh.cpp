@@ -49,7 +49,7 @@ Polyline dashed_ring(const Marker& marker, double scale) {
     ring.is_closed = true;
     for (int i = 0; i < static_cast<int>(corners); ++i) {
         const double angle = 2.0 * std::numbers::pi * i / corners;
-        ring.points.push_back(Pixel(glm::dvec2(marker.center) + radius * glm::dvec2(std::cos(angle), std::sin(angle))));
+        ring.points.emplace_back(glm::dvec2(marker.center) + radius * glm::dvec2(std::cos(angle), std::sin(angle)));
     }
     return ring;
 }
