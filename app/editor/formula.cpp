@@ -20,7 +20,7 @@ constexpr double largest_plain = 1e6;
 /// to_chars rather than printf: the decimal point must not depend on the locale.
 std::string digits_of(double value, std::chars_format format, int precision) {
     std::array<char, 400> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision).ptr;
+    auto* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision).ptr;
     return {buffer.data(), end};
 }
 

@@ -1,6 +1,7 @@
 #include "app/ui/inspector_widgets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/ui/command_entry.h"
@@ -42,8 +43,8 @@ void draw_button_text(const PanelContext& context, const Button& button, ImVec2 
 
 void draw_tick(const PanelContext& context, ImVec2 center) {
     const auto at = [&](double x, double y) { return ImVec2(center.x + context.px(x), center.y + context.px(y)); };
-    const ImVec2 points[] = {at(-3.2, 0.2), at(-0.9, 2.6), at(3.4, -2.6)};
-    ImGui::GetWindowDrawList()->AddPolyline(points, 3, imgui_packed(context.theme.canvas), 0, context.px(1.8));
+    const std::array points{at(-3.2, 0.2), at(-0.9, 2.6), at(3.4, -2.6)};
+    ImGui::GetWindowDrawList()->AddPolyline(points.data(), 3, imgui_packed(context.theme.canvas), 0, context.px(1.8));
 }
 
 void draw_box(const PanelContext& context, ImVec2 center, const Button& button) {

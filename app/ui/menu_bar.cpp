@@ -217,7 +217,7 @@ void draw_file_name(const PanelContext& context, const Rectangle& place) {
 
 void draw_menu_bar(const PanelContext& context, const Rectangle& place) {
     const float line = font_height(context.fonts.text);
-    const float height = static_cast<float>(place.size_px.y);
+    const auto height = static_cast<float>(place.size_px.y);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(16), 0.0F));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.px(8), 0.5F * (height - line)));
     begin_panel("menu bar", place, ImGuiWindowFlags_MenuBar);
