@@ -1,4 +1,4 @@
-# The version of clang-format that the sources are laid out by: others lay them out otherwise. scripts/setup reads it here.
+# The version of clang-format and clang-tidy that the sources are kept by: others lay out and find other things. scripts/setup reads it here.
 set(BATTEN_STYLE_VERSION 14)
 
 # batten_find_style_program(VARIABLE NAME): the program of that version, whether its name says so or not; else VARIABLE is false.
