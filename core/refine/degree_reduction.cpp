@@ -1,8 +1,7 @@
-#include <Eigen/Dense>
-#include <Eigen/Sparse>
-#include <Eigen/SparseLU>
 #include <algorithm>
 
+#include "core/base/detail/banded_least_squares.h"
+#include "core/base/detail/dense_least_squares.h"
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/basis.h"
 #include "core/evaluate/blossom.h"
@@ -13,7 +12,7 @@ namespace batten::core {
 namespace {
 
 // Beyond this many unknowns the band of the matrix is worth its trouble.
-constexpr Eigen::Index largest_dense_system = 64;
+constexpr std::size_t largest_dense_system = 64;
 
 struct Run {
     double value = 0.0;
@@ -97,13 +96,62 @@ HomogeneousPoint homogeneous_at(const Curve& curve, const Site& site) {
     return blossom(curve, curve.knots().span_at(site.u, site.side), arguments);
 }
 
-Eigen::MatrixX3d solve(const Eigen::SparseMatrix<double>& matrix, const Eigen::MatrixX3d& right) {
-    if (matrix.rows() > largest_dense_system) {
-        Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(matrix);
-        if (factors.info() == Eigen::Success) return factors.solve(right);
+// The basis functions at one site, of which the row of its equation consists.
+struct SiteBasis {
+    std::size_t first = 0;
+    std::vector<double> values;
+};
+
+SiteBasis basis_at(const KnotVector& knots, const Site& site) {
+    BasisValues basis = basis_functions(knots, site.u, 0, site.side);
+    return {basis.span - static_cast<std::size_t>(knots.degree()), std::move(basis.derivatives[0])};
+}
+
+DenseEquations dense_equations(const Curve& curve, const KnotVector& knots, std::span<const Site> sites) {
+    const std::size_t n = sites.size();
+    DenseEquations equations{.columns = n, .matrix = std::vector<double>(n * n)};
+    for (std::size_t i = 0; i < n; ++i) {
+        const SiteBasis row = basis_at(knots, sites[i]);
+        for (std::size_t j = 0; j < row.values.size(); ++j)
+            equations.matrix[i * n + (row.first + j) % n] += row.values[j];
+        equations.right.push_back(homogeneous_at(curve, sites[i]));
     }
+    return equations;
+}
+
+std::vector<BandedEquation<HomogeneousPoint>> banded_equations(const Curve& curve, const KnotVector& knots,
+                                                               std::span<const Site> sites) {
+    const std::size_t n = sites.size();
+    const auto unknown = [&](std::size_t i) { return knots.is_periodic() ? folded(i % n, n) : i; };
+    std::vector<BandedEquation<HomogeneousPoint>> equations;
+    for (const Site& site : sites) {
+        const SiteBasis row = basis_at(knots, site);
+        std::size_t lowest = n;
+        std::size_t highest = 0;
+        for (std::size_t j = 0; j < row.values.size(); ++j) {
+            lowest = std::min(lowest, unknown(row.first + j));
+            highest = std::max(highest, unknown(row.first + j));
+        }
+        auto& equation = equations.emplace_back(BandedEquation<HomogeneousPoint>{
+            lowest, std::vector<double>(highest - lowest + 1), homogeneous_at(curve, site)});
+        for (std::size_t j = 0; j < row.values.size(); ++j)
+            equation.coefficients[unknown(row.first + j) - lowest] += row.values[j];
+    }
+    return equations;
+}
+
+// The control points over `knots` for which the spline agrees with `curve` at the sites.
+std::vector<HomogeneousPoint> points_at_sites(const Curve& curve, const KnotVector& knots,
+                                              std::span<const Site> sites) {
+    const std::size_t n = sites.size();
+    if (n > largest_dense_system)
+        if (const auto x = solve_least_squares(banded_equations(curve, knots, sites), n)) {
+            std::vector<HomogeneousPoint> points(n);
+            for (std::size_t i = 0; i < n; ++i) points[i] = (*x)[knots.is_periodic() ? folded(i, n) : i];
+            return points;
+        }
     // Periodic systems may be singular; the smallest of the best solutions is then taken.
-    return Eigen::MatrixXd(matrix).completeOrthogonalDecomposition().solve(right);
+    return solve_least_squares(dense_equations(curve, knots, sites));
 }
 
 // The curve of these points, rational if `before` is.
@@ -123,24 +171,7 @@ Result<Curve> projected(KnotVector knots, std::span<const HomogeneousPoint> homo
 // The spline over `knots` that agrees with `curve` at the sites of the control points, in homogeneous coordinates.
 Result<Curve> interpolated(const Curve& curve, KnotVector knots) {
     const std::vector<Site> sites = interpolation_sites(knots);
-    const auto count = static_cast<Eigen::Index>(sites.size());
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::MatrixX3d right(count, 3);
-    for (Eigen::Index row = 0; row < count; ++row) {
-        const Site& site = sites[static_cast<std::size_t>(row)];
-        const BasisValues basis = basis_functions(knots, site.u, 0, site.side);
-        const std::size_t first = basis.span - static_cast<std::size_t>(knots.degree());
-        for (std::size_t j = 0; j < basis.derivatives[0].size(); ++j)
-            entries.emplace_back(row, static_cast<Eigen::Index>((first + j) % sites.size()), basis.derivatives[0][j]);
-        const HomogeneousPoint point = homogeneous_at(curve, site);
-        right.row(row) << point.x, point.y, point.z;
-    }
-    Eigen::SparseMatrix<double> matrix(count, count);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::MatrixX3d solution = solve(matrix, right);
-    std::vector<HomogeneousPoint> points;
-    for (Eigen::Index row = 0; row < count; ++row)
-        points.emplace_back(solution(row, 0), solution(row, 1), solution(row, 2));
+    const std::vector<HomogeneousPoint> points = points_at_sites(curve, knots, sites);
     return projected(std::move(knots), points, curve);
 }
 

@@ -10,6 +10,12 @@
 
 namespace batten::core {
 
+/// The place of unknown i of a ring of n in the order 0, n-1, 1, n-2, 2, ..., in which neighbors on the ring are never
+/// farther apart than two places: what is banded around the ring becomes a plain band of twice the width.
+constexpr std::size_t folded(std::size_t i, std::size_t n) {
+    return 2 * i < n ? 2 * i : 2 * (n - 1 - i) + 1;
+}
+
 /// One equation: sum of coefficients[j] x_{first + j} = right. The unknowns and the right side are of the point type P
 /// (double, Vector, HomogeneousPoint), the coefficients are numbers.
 template <class P>

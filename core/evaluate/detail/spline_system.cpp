@@ -8,16 +8,6 @@
 
 namespace batten::core {
 
-namespace {
-
-// The place of unknown i of a ring of n in the order 0, n-1, 1, n-2, 2, ..., in which neighbors on the ring are never
-// farther apart than two places: what is banded around the ring becomes a plain band of twice the width.
-std::size_t folded(std::size_t i, std::size_t n) {
-    return 2 * i < n ? 2 * i : 2 * (n - 1 - i) + 1;
-}
-
-}  // namespace
-
 SplineSystem::SplineSystem(KnotVector knots, Point origin, const EndPoints& ends)
     : knots_(std::move(knots)),
       origin_(origin),

@@ -1,9 +1,9 @@
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
 
+#include "core/base/detail/dense_least_squares.h"
 #include "core/refine/detail/removable_knot.h"
 #include "core/refine/knot_refinement.h"
 
@@ -26,40 +26,56 @@ std::vector<double> without_value(std::span<const double> period, double u) {
     return knots;
 }
 
-// Column j: what inserting `u` again makes of the spline that is 1 at point j. Row i belongs to old point i.
-std::optional<Eigen::MatrixXd> insertion_matrix(int degree, const std::vector<double>& reduced, double u) {
-    const auto columns = static_cast<Eigen::Index>(reduced.size()) - 1;
-    Eigen::MatrixXd matrix(columns + 1, columns);
-    for (Eigen::Index j = 0; j < columns; ++j) {
+// Column j: what inserting `u` again makes of the spline that is 1 at point j. Row i belongs to old point i, to which
+// it shall lead.
+std::optional<DenseEquations> insertion_equations(int degree, const std::vector<double>& reduced, double u,
+                                                  std::span<const CarriedPoint> points) {
+    const std::size_t columns = reduced.size() - 1;
+    DenseEquations equations{.columns = columns, .matrix = std::vector<double>(points.size() * columns)};
+    for (std::size_t j = 0; j < columns; ++j) {
         CurveDefinition unit{.degree = degree, .knots = reduced, .periodic = true};
-        unit.points.assign(reduced.size() - 1, Point{});
-        unit.points[static_cast<std::size_t>(j)].x = 1.0;
+        unit.points.assign(columns, Point{});
+        unit.points[j].x = 1.0;
         const auto inserted =
             Curve::make(std::move(unit)).and_then([&](const Curve& basis) { return refine_knots(basis, {u}); });
         if (!inserted) return std::nullopt;
-        for (Eigen::Index i = 0; i <= columns; ++i)
-            matrix(i, j) = inserted->control_points()[static_cast<std::size_t>(i)].x;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            equations.matrix[i * columns + j] = inserted->control_points()[i].x;
     }
-    return matrix;
+    for (const CarriedPoint& carried : points) equations.right.push_back(carried.point);
+    return equations;
 }
 
-Eigen::MatrixX3d rows_of(std::span<const CarriedPoint> points) {
-    Eigen::MatrixX3d rows(static_cast<Eigen::Index>(points.size()), 3);
-    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-        const HomogeneousPoint& point = points[static_cast<std::size_t>(i)].point;
-        rows.row(i) << point.x, point.y, point.z;
+// What the points `x` miss of the right sides.
+std::vector<HomogeneousPoint> errors_of(const DenseEquations& equations, std::span<const HomogeneousPoint> x) {
+    std::vector<HomogeneousPoint> errors;
+    for (std::size_t i = 0; i < equations.right.size(); ++i) {
+        HomogeneousPoint sum(0.0);
+        for (std::size_t j = 0; j < x.size(); ++j) sum += equations.matrix[i * x.size() + j] * x[j];
+        errors.push_back(sum - equations.right[i]);
     }
-    return rows;
+    return errors;
+}
+
+double least_weight_of(std::span<const HomogeneousPoint> points) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const HomogeneousPoint& point : points) least = std::min(least, point.z);
+    return least;
 }
 
 // As for RemovableKnot, with the whole curve for what is around.
-double bound_of(const Eigen::MatrixX3d& points, const Eigen::MatrixX3d& errors) {
-    const double weight_error = errors.col(2).cwiseAbs().maxCoeff();
-    const double least_weight = points.col(2).minCoeff() - weight_error;
+double bound_of(std::span<const HomogeneousPoint> points, std::span<const HomogeneousPoint> errors) {
+    double error = 0.0;
+    double weight_error = 0.0;
+    double reach = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        error = std::max(error, length(plane_part(errors[i])));
+        weight_error = std::max(weight_error, std::abs(errors[i].z));
+        reach = std::max(reach, length(vector_to(project(points[i]))));
+    }
+    const double least_weight = least_weight_of(points) - weight_error;
     if (!(least_weight > 0.0)) return std::numeric_limits<double>::infinity();
-    const double reach =
-        (points.leftCols(2).array().colwise() / points.col(2).array()).matrix().rowwise().norm().maxCoeff();
-    return (errors.leftCols(2).rowwise().norm().maxCoeff() + reach * weight_error) / least_weight;
+    return (error + reach * weight_error) / least_weight;
 }
 
 }  // namespace
@@ -69,16 +85,14 @@ std::optional<CrampedRemoval> cramped_removal(const Curve& curve, double u) {
     const std::size_t n = curve.control_points().size();
     const double spare = spare_knot(curve.knots().stored(), u);
     std::vector<double> reduced = without_value(curve.knots().stored(), spare);
-    const auto matrix = insertion_matrix(curve.degree(), reduced, spare);
-    if (!matrix) return std::nullopt;
     const CarriedSpline spline = carried(curve);
-    const Eigen::MatrixX3d points = rows_of(std::span(spline.points).first(n));
-    const Eigen::MatrixX3d solution = matrix->colPivHouseholderQr().solve(points);
-    const double bound = bound_of(points, *matrix * solution - points);
-    if (!std::isfinite(bound) || !(solution.col(2).minCoeff() > 0.0)) return std::nullopt;
+    const auto equations = insertion_equations(curve.degree(), reduced, spare, std::span(spline.points).first(n));
+    if (!equations) return std::nullopt;
+    const std::vector<HomogeneousPoint> solution = solve_least_squares(*equations);
+    const double bound = bound_of(equations->right, errors_of(*equations, solution));
+    if (!std::isfinite(bound) || !(least_weight_of(solution) > 0.0)) return std::nullopt;
     std::vector<CarriedPoint> found;
-    for (Eigen::Index i = 0; i < solution.rows(); ++i)
-        found.push_back({HomogeneousPoint(solution(i, 0), solution(i, 1), solution(i, 2)), CarriedPoint::is_new});
+    for (const HomogeneousPoint& point : solution) found.push_back({point, CarriedPoint::is_new});
     auto result = settled(
         curve,
         {.degree = curve.degree(), .knots = std::move(reduced), .is_periodic = true, .kind = curve.knots().kind()},
