@@ -68,7 +68,7 @@ class Parser {
         while (value) {
             const bool adds = accept("+");
             if (!adds && !accept_minus()) break;
-            const Value next = product();
+            Value next = product();
             if (!next) return next;
             value = adds ? *value + *next : *value - *next;
         }
@@ -80,7 +80,7 @@ class Parser {
         while (value) {
             const bool multiplies = accept("*");
             if (!multiplies && !accept("/")) break;
-            const Value next = signed_operand();
+            Value next = signed_operand();
             if (!next) return next;
             if (!multiplies && *next == 0.0) return fail("a division by zero has no value");
             value = multiplies ? *value * *next : *value / *next;

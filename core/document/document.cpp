@@ -59,7 +59,7 @@ std::string quoted_names(const Document& document) {
 }
 
 std::string unused_name(const Document& document, const std::string& wish) {
-    const std::string first = wish.empty() ? "curve" : wish;
+    std::string first = wish.empty() ? "curve" : wish;
     if (!has_name(document, first)) return first;
     const std::string stem = without_number(first);
     std::size_t number = 2;

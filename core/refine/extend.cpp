@@ -76,7 +76,7 @@ Result<Curve> longer_by(const Curve& curve, CurveEnd end, double length) {
     Interval bracket{0.0, std::numeric_limits<double>::infinity()};
     double by = length / speed_at(curve, end);
     for (;;) {
-        const auto longer = extend_parameter(curve, end, by);
+        auto longer = extend_parameter(curve, end, by);
         if (!longer && bracket.upper - bracket.lower <= closeness_to_failure * bracket.upper) return longer;
         const double found = longer ? added_length(curve, *longer, end) : std::numeric_limits<double>::infinity();
         if (std::abs(found - length) <= length_accuracy * length) return longer;

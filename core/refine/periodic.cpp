@@ -55,7 +55,7 @@ void take_unrolled(const Curve& curve, std::size_t first, std::size_t end, Curve
 // ones.
 Result<Curve> opened_at_seam(const Curve& curve) {
     const auto [lower, upper] = curve.domain();
-    const Result<Curve> full = with_multiplicity(curve, lower, curve.degree());
+    Result<Curve> full = with_multiplicity(curve, lower, curve.degree());
     if (!full) return full;
     CurveDefinition definition = full->definition();
     auto& knots = definition.knots;
@@ -180,7 +180,7 @@ Result<Curve> with_seam_at(const Curve& curve, double u) {
 }  // namespace
 
 Result<Approximation> to_periodic(const Curve& curve, double tolerance) {
-    const Result<Approximation> closed = closed_form(curve, tolerance);
+    Result<Approximation> closed = closed_form(curve, tolerance);
     if (!closed) return closed;
     const KnotVector& knots = closed->curve.knots();
     const double seam = knots.domain().lower;
@@ -215,7 +215,7 @@ Result<Approximation> move_seam(const Curve& curve, double u, double tolerance) 
                        .value = u,
                        .lower = domain.lower,
                        .upper = domain.upper});
-    const Result<Approximation> closed = closed_form(curve, tolerance);
+    Result<Approximation> closed = closed_form(curve, tolerance);
     if (!closed) return closed;
     if (u == domain.lower || u == domain.upper) return Approximation{curve, 0.0};
     const bool is_wrapped = closing_of(curve).closing == Closing::wrapped;

@@ -15,7 +15,7 @@ std::string quotation(const Json& value) {
     if (value.is_object()) return "an object";
     if (value.is_array())
         return sentence({.one = "a list of one item", .many = "a list of {count} items"}, value.size());
-    const std::string text = value.dump();
+    std::string text = value.dump();
     if (text.size() <= longest_quotation) return text;
     if (!value.is_string()) return text.substr(0, longest_quotation);
     return sentence("a text of {count} bytes", {{"count", text.size() - 2}});
