@@ -68,8 +68,8 @@ fs::path meant_path(const FileDialogState& dialog) {
     return dialog.folder / typed;
 }
 
-void save_as(const PanelContext& context, fs::path path) {
-    if (!path.has_extension()) path += ".json";
+void save_as(const PanelContext& context, const fs::path& typed) {
+    const fs::path path = editor::with_ending(typed);
     std::error_code error;
     if (fs::exists(path, error) && path != context.state.path) {
         context.panels.file_dialog.to_replace = path;

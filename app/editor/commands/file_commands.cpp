@@ -50,7 +50,7 @@ Outcome<void> proceed_with_pending(EditorState& state) {
 }
 
 Outcome<void> save_to(EditorState& state, const fs::path& path) {
-    const Outcome<void> saved = save_document_to(state, path);
+    Outcome<void> saved = save_document_to(state, path);
     if (!saved) {
         // Without a dialog that could be tried again, what waited must not happen at some later saving.
         if (state.dialog == Dialog::none) state.pending.reset();
@@ -72,9 +72,7 @@ Outcome<void> save(EditorState& state, const Save&) {
 
 Outcome<void> save_as(EditorState& state, const SaveAs& command) {
     if (!command.path) return ask_for_path(state);
-    fs::path path = fs::absolute(*command.path);
-    if (!path.has_extension()) path += ".json";
-    return save_to(state, path);
+    return save_to(state, fs::absolute(with_ending(*command.path)));
 }
 
 Outcome<void> answer_unsaved(EditorState& state, const AnswerUnsaved& command) {
@@ -100,6 +98,11 @@ constexpr Modifiers ctrl{true, false, false};
 constexpr Modifiers ctrl_shift{true, true, false};
 
 }  // namespace
+
+fs::path with_ending(fs::path path) {
+    if (!path.has_extension()) path += ".json";
+    return path;
+}
 
 const CommandSpec& NewDocument::spec() {
     static const CommandSpec spec{.name = "new",
