@@ -1,12 +1,16 @@
+# What is tested at nearly every access and found by AddressSanitizer, or by the processor, too: a third of the time of a sanitized build.
+set(BATTEN_SANITIZERS -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+  -fno-sanitize=null,alignment,vptr,object-size,nonnull-attribute,returns-nonnull-attribute)
+
 # batten_settings(TARGET): warnings as errors, and the sanitizers where asked for.
 function(batten_settings target)
   target_compile_options(${target} PRIVATE
     $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
     -Wnon-virtual-dtor -Woverloaded-virtual -Werror>
-    # GCC 12 sees overlapping copies and uninitialized members in optimized std::string code where there are none (GCC bug 105651).
-    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-restrict -Wno-maybe-uninitialized -Wno-stringop-overflow -Wno-array-bounds>)
+    # At -O3 GCC 12 sees copies of endless length and uninitialized optionals where there are none.
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-maybe-uninitialized -Wno-stringop-overflow>)
   if(BATTEN_SANITIZE)
-    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_compile_options(${target} PRIVATE ${BATTEN_SANITIZERS})
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
   endif()
 endfunction()
