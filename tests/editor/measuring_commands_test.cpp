@@ -81,7 +81,7 @@ TEST_F(MeasuringCommands, intersections_with_lines_and_curves) {
     ASSERT_EQ(rows().size(), 1U);
     EXPECT_NEAR(rows()[0].parameter.value(), 0.5, 1e-15);
     EXPECT_NEAR(number(0, "other u"), 0.5, 1e-15);
-    EXPECT_EQ(state().message.text, "parabola meets line once");
+    EXPECT_EQ(state().message.text, "parabola meets line 1 time");
     EXPECT_EQ(refused(IntersectCurve{.other = "parabola"}),
               "'parabola' is the active curve itself; name another one, or use self-intersections");
     EXPECT_FALSE(editor_.run(IntersectCurve{.other = "nobody"}));

@@ -77,7 +77,7 @@ Outcome<void> find_nearest(EditorState& state, const FindNearest& command) {
 }
 
 std::string times_text(std::size_t count) {
-    return sentence({.one = "once", .many = "{count} times", .none = "not at all"}, count);
+    return sentence({.one = "1 time", .many = "{count} times"}, count);
 }
 
 Finding contact_row(const core::LineContact& contact) {
