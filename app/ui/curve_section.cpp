@@ -147,7 +147,7 @@ void draw_tears_box(const PanelContext& context, float width_px) {
 
 void draw_closed_row(const PanelContext& context, const core::Curve& curve) {
     draw_row_label(context, "Closed");
-    Button box{"closed", "", Icon::none, 0.5F * (field_width(context) - context.px(row_gap))};
+    Button box{"closed", "", Icon::none, 0.4F * field_width(context)};
     box.is_active = curve.is_periodic();
     // A closed curve opens only with enough points for its degree; anything can be closed.
     const bool is_possible = !curve.is_periodic() || core::set_periodic(curve, false).has_value();
@@ -157,7 +157,7 @@ void draw_closed_row(const PanelContext& context, const core::Curve& curve) {
                                                {{"reason", core::describe(core::set_periodic(curve, false).error())}});
     if (draw_check_box(context, box)) context.queue.run(editor::ToggleClosed{});
     stay_in_row(context);
-    draw_tears_box(context, box.width_px);
+    draw_tears_box(context, field_width(context) - box.width_px - context.px(row_gap));
 }
 
 }  // namespace
