@@ -23,8 +23,6 @@
 namespace batten::editor {
 namespace {
 
-constexpr double zoom_per_notch = 1.15;
-constexpr double snap_reach = 8.0;    ///< design pixels
 constexpr double finish_reach = 9.0;  ///< design pixels
 
 bool is_press(const Gesture& gesture) {

@@ -14,6 +14,9 @@ struct Gesture {
     CommandQueue& queue;
 };
 
+inline constexpr double zoom_per_notch = 1.15;  ///< of the wheel
+inline constexpr double snap_reach = 8.0;       ///< design pixels
+
 /// A distance of `design_px` on this display, in pixels.
 double pixels(const EditorState& state, double design_px);
 

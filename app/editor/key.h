@@ -83,6 +83,9 @@ struct Modifiers {
     bool operator==(const Modifiers&) const = default;
 };
 
+inline constexpr Modifiers with_ctrl{true, false, false};
+inline constexpr Modifiers with_ctrl_shift{true, true, false};
+
 /// A key with the modifiers that must be held exactly.
 struct Shortcut {
     Key key = Key::none;

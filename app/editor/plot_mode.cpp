@@ -15,8 +15,6 @@
 namespace batten::editor {
 namespace {
 
-constexpr double zoom_per_notch = 1.15;
-constexpr double snap_reach = 8.0;    ///< design pixels
 constexpr double strip_reach = 16.0;  ///< design pixels above and below the strip's axis
 constexpr double least_relative_range = 1e-13;
 

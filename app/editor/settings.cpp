@@ -17,7 +17,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_recent_files = 10;
 constexpr double least_window = 320.0;
 constexpr double most_window = 32000.0;
 

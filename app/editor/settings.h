@@ -10,6 +10,8 @@
 
 namespace batten::editor {
 
+inline constexpr std::size_t most_recent_files = 10;
+
 struct WindowGeometry {
     int x = 0;
     int y = 0;

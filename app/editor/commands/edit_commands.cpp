@@ -3,6 +3,7 @@
 #include "app/editor/clipboard.h"
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
+#include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/field_kinds.h"
@@ -52,10 +53,6 @@ std::string text_of_active(const EditorState& state) {
     core::Document document;
     document.curves.push_back(*state.history.present().active_curve());
     return core::format_document(document);
-}
-
-core::Place active_name(const EditorState& state) {
-    return {"name", state.history.present().active_curve()->name};
 }
 
 Outcome<void> copy(EditorState& state, const Copy&) {
@@ -126,9 +123,6 @@ StepTexts texts_of_delete(const EditorState& state, const Delete&) {
     return {sentence("Delete knot {knot}", {knot}), sentence("Deleted knot {knot}", {knot})};
 }
 
-constexpr Modifiers ctrl{true, false, false};
-constexpr Modifiers ctrl_shift{true, true, false};
-
 }  // namespace
 
 const CommandSpec& Undo::spec() {
@@ -137,7 +131,7 @@ const CommandSpec& Undo::spec() {
                                   .explanation = "Takes back the last step.",
                                   .group = CommandGroup::edit,
                                   .offered = in_the_window,
-                                  .shortcut = {Key::z, ctrl},
+                                  .shortcut = {Key::z, with_ctrl},
                                   .refusal = nothing_to_undo,
                                   .run = body_of<undo>};
     return spec;
@@ -149,8 +143,8 @@ const CommandSpec& Redo::spec() {
                                   .explanation = "Repeats the step that was last taken back.",
                                   .group = CommandGroup::edit,
                                   .offered = in_the_window,
-                                  .shortcut = {Key::y, ctrl},
-                                  .second_shortcut = {Key::z, ctrl_shift},
+                                  .shortcut = {Key::y, with_ctrl},
+                                  .second_shortcut = {Key::z, with_ctrl_shift},
                                   .refusal = nothing_to_redo,
                                   .run = body_of<redo>};
     return spec;
@@ -161,7 +155,7 @@ const CommandSpec& Cut::spec() {
                                   .title = "Cut",
                                   .explanation = "Moves the active curve to the clipboard.",
                                   .group = CommandGroup::edit,
-                                  .shortcut = {Key::x, ctrl},
+                                  .shortcut = {Key::x, with_ctrl},
                                   .refusal = no_editable_curve,
                                   .run = body_of<cut>,
                                   .texts = texts_of<texts_of_cut>};
@@ -174,7 +168,7 @@ const CommandSpec& Copy::spec() {
                                   .explanation = "Copies the active curve to the clipboard.",
                                   .group = CommandGroup::edit,
                                   .offered = in_the_window,
-                                  .shortcut = {Key::c, ctrl},
+                                  .shortcut = {Key::c, with_ctrl},
                                   .refusal = no_curve,
                                   .run = body_of<copy>};
     return spec;
@@ -186,7 +180,7 @@ const CommandSpec& Paste::spec() {
         .title = "Paste",
         .explanation = "Adds the curves of the clipboard to the document.",
         .group = CommandGroup::edit,
-        .shortcut = {Key::v, ctrl},
+        .shortcut = {Key::v, with_ctrl},
         .fields = {field::text<&Paste::text>("text", "curves as in a file").suggesting<clipboard_text>().unasked()},
         .run = body_of<paste>,
         .done = "Pasted"};
@@ -200,7 +194,7 @@ const CommandSpec& Duplicate::spec() {
         .explanation = "Adds a copy of the active curve, shifted a little, and makes it active.",
         .synonyms = "copy",
         .group = CommandGroup::edit,
-        .shortcut = {Key::d, ctrl},
+        .shortcut = {Key::d, with_ctrl},
         .fields = {field::length<&Duplicate::shift>("shift", "how far to the right and down")
                        .suggesting<suggest::grid_step>()
                        .unasked()},

@@ -6,6 +6,7 @@
 
 #include "app/editor/dialog.h"
 #include "app/editor/fit_view.h"
+#include "app/editor/settings.h"
 #include "core/base/sentence.h"
 #include "core/document/native_file.h"
 
@@ -16,8 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 using core::sentence;
-
-constexpr std::size_t most_recent_files = 10;
 
 void remember(std::vector<fs::path>& recent_files, const fs::path& path) {
     recent_files.erase(std::remove(recent_files.begin(), recent_files.end(), path), recent_files.end());
@@ -55,7 +54,7 @@ Outcome<void> open_file(EditorState& state, const fs::path& path) {
     return {};
 }
 
-Outcome<void> open_example(EditorState& state, const std::string& name) {
+Outcome<void> show_example(EditorState& state, const std::string& name) {
     // A name, not a path: nothing outside the folder of examples is an example.
     const fs::path path = state.desktop.examples / fmt::format("{}.json", name);
     std::error_code error;
@@ -98,7 +97,7 @@ struct Proceed {
         return {};
     }
     Outcome<void> operator()(const Open& command) const { return open_file(state, fs::absolute(*command.path)); }
-    Outcome<void> operator()(const OpenExample& command) const { return open_example(state, command.name); }
+    Outcome<void> operator()(const OpenExample& command) const { return show_example(state, command.name); }
     Outcome<void> operator()(const Quit&) const {
         state.wants_quit = true;
         return {};

@@ -94,9 +94,6 @@ std::optional<Refusal> no_question(const EditorState& state) {
     return "no question about unsaved changes is open";
 }
 
-constexpr Modifiers ctrl{true, false, false};
-constexpr Modifiers ctrl_shift{true, true, false};
-
 }  // namespace
 
 fs::path with_ending(fs::path path) {
@@ -110,7 +107,7 @@ const CommandSpec& NewDocument::spec() {
                                   .explanation = "Starts an empty document.",
                                   .group = CommandGroup::file,
                                   .offered = in_the_window,
-                                  .shortcut = {Key::n, ctrl},
+                                  .shortcut = {Key::n, with_ctrl},
                                   .run = body_of<new_document>};
     return spec;
 }
@@ -123,7 +120,7 @@ const CommandSpec& Open::spec() {
         .synonyms = "load",
         .group = CommandGroup::file,
         .offered = in_the_window,
-        .shortcut = {Key::o, ctrl},
+        .shortcut = {Key::o, with_ctrl},
         .fields = {field::file<&Open::path>("path", "the file; left out: asks for one").absent_as("").unasked()},
         .run = body_of<open>};
     return spec;
@@ -163,7 +160,7 @@ const CommandSpec& Save::spec() {
                                   .synonyms = "write",
                                   .group = CommandGroup::file,
                                   .offered = in_the_window,
-                                  .shortcut = {Key::s, ctrl},
+                                  .shortcut = {Key::s, with_ctrl},
                                   .run = body_of<save>};
     return spec;
 }
@@ -176,7 +173,7 @@ const CommandSpec& SaveAs::spec() {
         .synonyms = "write",
         .group = CommandGroup::file,
         .offered = in_the_window,
-        .shortcut = {Key::s, ctrl_shift},
+        .shortcut = {Key::s, with_ctrl_shift},
         .fields = {field::file<&SaveAs::path>("path", "the file; left out: asks for one").absent_as("").unasked()},
         .run = body_of<save_as>};
     return spec;
@@ -202,7 +199,7 @@ const CommandSpec& Quit::spec() {
                                   .synonyms = "exit close",
                                   .group = CommandGroup::file,
                                   .offered = in_the_window,
-                                  .shortcut = {Key::q, ctrl},
+                                  .shortcut = {Key::q, with_ctrl},
                                   .run = body_of<quit>};
     return spec;
 }

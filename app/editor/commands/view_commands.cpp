@@ -13,7 +13,6 @@ namespace {
 
 constexpr double zoom_factor = 1.25;
 constexpr double scale_step = 0.1;
-constexpr Modifiers ctrl{true, false, false};
 
 Outcome<void> fit(EditorState& state, const FitView&) {
     fit_view(state);
@@ -98,7 +97,7 @@ Outcome<void> set_knot_move(EditorState& state, const SetKnotMove& command) {
     return {};
 }
 
-core::KnotMove current_knot_move(const EditorState& state) {
+core::KnotMove shown_knot_move(const EditorState& state) {
     return state.view.knot_move;
 }
 
@@ -246,7 +245,7 @@ const CommandSpec& ScaleUp::spec() {
                                   .synonyms = "size font zoom",
                                   .group = CommandGroup::view,
                                   .offered = in_the_window,
-                                  .shortcut = {Key::plus, ctrl},
+                                  .shortcut = {Key::plus, with_ctrl},
                                   .run = body_of<step_scale<ScaleUp, 1>>};
     return spec;
 }
@@ -258,7 +257,7 @@ const CommandSpec& ScaleDown::spec() {
                                   .synonyms = "size font zoom",
                                   .group = CommandGroup::view,
                                   .offered = in_the_window,
-                                  .shortcut = {Key::minus, ctrl},
+                                  .shortcut = {Key::minus, with_ctrl},
                                   .run = body_of<step_scale<ScaleDown, -1>>};
     return spec;
 }
@@ -270,7 +269,7 @@ const CommandSpec& ResetScale::spec() {
                                   .synonyms = "font zoom default",
                                   .group = CommandGroup::view,
                                   .offered = in_the_window,
-                                  .shortcut = {Key::digit_0, ctrl},
+                                  .shortcut = {Key::digit_0, with_ctrl},
                                   .run = body_of<reset_scale>};
     return spec;
 }
@@ -334,7 +333,7 @@ const CommandSpec& SetKnotMove::spec() {
         .group = CommandGroup::view,
         .offered = in_the_window,
         .fields = {field::choice<&SetKnotMove::mode>("mode", "what a dragged knot does at its neighbors")
-                       .beginning_with<current_knot_move>()},
+                       .beginning_with<shown_knot_move>()},
         .run = body_of<set_knot_move>};
     return spec;
 }
