@@ -48,8 +48,8 @@ void print_row(std::ostream& out, double u, const core::Jet& jet) {
 
 Json json_of_row(double u, const core::Jet& jet) {
     Json derivatives = Json::array();
-    for (const core::Vector& derivative : jet.derivatives) derivatives.push_back(json_of(derivative));
-    return {{"u", u}, {"point", json_of(jet.point)}, {"derivatives", std::move(derivatives)}};
+    for (const core::Vector& derivative : jet.derivatives) derivatives.push_back(cli::json_of(derivative));
+    return {{"u", u}, {"point", cli::json_of(jet.point)}, {"derivatives", std::move(derivatives)}};
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ struct HoverHint {
 };
 
 /// One case for each mode.
-struct ModeHint {
+struct PlotModeHint {
     const EditorState& state;
     const core::Curve& curve;
 
@@ -102,7 +102,7 @@ struct ModeHint {
 
 std::string plot_hint(const PlotMode& mode, const EditorState& state) {
     const core::Curve* curve = state.active_curve();
-    return curve == nullptr ? std::string() : std::visit(ModeHint{state, *curve}, mode);
+    return curve == nullptr ? std::string() : std::visit(PlotModeHint{state, *curve}, mode);
 }
 
 }  // namespace batten::editor

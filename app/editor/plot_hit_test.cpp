@@ -9,15 +9,15 @@ namespace batten::editor {
 namespace {
 
 /// How near the pointer must be, in design pixels.
-namespace reach {
+namespace plot_reach {
 constexpr double knot = 8.0;
 constexpr double parameter = 5.0;
 constexpr double graph = 6.0;
 constexpr double strip = 16.0;  ///< above and below its axis
-}  // namespace reach
+}  // namespace plot_reach
 
 std::optional<Hover> hit_knot_marks(const EditorState& state, const PlotLayout& layout, glm::dvec2 position_px) {
-    double least = reach::knot * state.view.interface_scale;
+    double least = plot_reach::knot * state.view.interface_scale;
     std::optional<std::size_t> nearest;
     for (const KnotMark& mark : knot_marks(state, layout)) {
         const double distance = glm::distance(position_px, mark.center_px);
@@ -35,9 +35,9 @@ std::optional<Hover> hit_knot_marks(const EditorState& state, const PlotLayout& 
 bool hits_parameter(const EditorState& state, const PlotLayout& layout, glm::dvec2 position_px) {
     const double scale = state.view.interface_scale;
     const double x = x_from_parameter(layout, state.parameter());
-    return std::abs(position_px.x - x) <= reach::parameter * scale &&
-           position_px.y >= layout.top_px - reach::graph * scale &&
-           position_px.y <= layout.strip_px + reach::strip * scale;
+    return std::abs(position_px.x - x) <= plot_reach::parameter * scale &&
+           position_px.y >= layout.top_px - plot_reach::graph * scale &&
+           position_px.y <= layout.strip_px + plot_reach::strip * scale;
 }
 
 /// The graph whose tangent at the pointer's u passes nearest to the pointer.
@@ -45,13 +45,14 @@ std::optional<Hover> hit_graphs(const EditorState& state, const PlotLayout& layo
     const core::KnotVector& knots = state.active_curve()->knots();
     const double u = parameter_from_x(layout, position_px.x);
     const double scale = state.view.interface_scale;
-    if (!knots.domain().contains(u) || position_px.y > layout.bottom_px + reach::graph * scale) return std::nullopt;
+    if (!knots.domain().contains(u) || position_px.y > layout.bottom_px + plot_reach::graph * scale)
+        return std::nullopt;
 
     const core::BasisValues basis = core::basis_functions(knots, u, 1);
     const double height_px = layout.bottom_px - layout.top_px;
     const double px_per_unit = (layout.right_px - layout.left_px) / layout.range.length();
     const std::size_t first = basis.span - static_cast<std::size_t>(knots.degree());
-    double least = reach::graph * scale;
+    double least = plot_reach::graph * scale;
     std::optional<Hover> nearest;
     for (std::size_t j = 0; j < basis.derivatives[0].size(); ++j) {
         const double slope = basis.derivatives[1][j] * height_px / px_per_unit;
@@ -73,7 +74,8 @@ Hover hit_plot(const EditorState& state, const PlotLayout& layout, glm::dvec2 po
     if (hits_parameter(state, layout, position_px)) return HoveredParameter{};
     if (const auto hit = hit_graphs(state, layout, position_px)) return *hit;
     const double u = parameter_from_x(layout, position_px.x);
-    const bool is_on_strip = std::abs(position_px.y - layout.strip_px) <= reach::strip * state.view.interface_scale;
+    const bool is_on_strip =
+        std::abs(position_px.y - layout.strip_px) <= plot_reach::strip * state.view.interface_scale;
     if (is_on_strip && curve->domain().contains(u)) return HoveredSpan{curve->knots().span_at(u)};
     return HoveredNothing{};
 }

@@ -11,35 +11,35 @@ namespace batten::editor {
 
 namespace {
 
-using Json = nlohmann::json;
+using Line = nlohmann::json;
 
 // Whole numbers without ".0", as a person would write them.
-Json json_of_number(double value) {
+Line json_of_number(double value) {
     constexpr double exact_up_to = 1e15;
     const bool is_whole =
         std::trunc(value) == value && std::abs(value) < exact_up_to && !(value == 0.0 && std::signbit(value));
-    return is_whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
+    return is_whole ? Line(static_cast<std::int64_t>(value)) : Line(value);
 }
 
 // One case for each type of argument.
 struct JsonOf {
-    Json operator()(std::monostate) const { return nullptr; }
-    Json operator()(bool value) const { return value; }
-    Json operator()(double value) const { return json_of_number(value); }
-    Json operator()(const std::string& text) const { return text; }
-    Json operator()(const Word& word) const { return word.text; }
-    Json operator()(const std::vector<double>& numbers) const {
-        Json list = Json::array();
+    Line operator()(std::monostate) const { return nullptr; }
+    Line operator()(bool value) const { return value; }
+    Line operator()(double value) const { return json_of_number(value); }
+    Line operator()(const std::string& text) const { return text; }
+    Line operator()(const Word& word) const { return word.text; }
+    Line operator()(const std::vector<double>& numbers) const {
+        Line list = Line::array();
         for (const double number : numbers) list.push_back(json_of_number(number));
         return list;
     }
 };
 
-bool is_list_of_numbers(const Json& json) {
-    return json.is_array() && std::all_of(json.begin(), json.end(), [](const Json& item) { return item.is_number(); });
+bool is_list_of_numbers(const Line& json) {
+    return json.is_array() && std::all_of(json.begin(), json.end(), [](const Line& item) { return item.is_number(); });
 }
 
-Outcome<Argument> argument_of(const Json& json) {
+Outcome<Argument> argument_of(const Line& json) {
     if (json.is_null()) return std::monostate{};
     if (json.is_boolean()) return json.get<bool>();
     if (json.is_number()) return json.get<double>();
@@ -52,13 +52,13 @@ Outcome<Argument> argument_of(const Json& json) {
 }  // namespace
 
 std::string format_command(const Command& command) {
-    Json line = Json::array({command.spec().name});
+    Line line = Line::array({command.spec().name});
     for (const Argument& argument : arguments_of(command)) line.push_back(std::visit(JsonOf{}, argument));
-    return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return line.dump(-1, ' ', false, Line::error_handler_t::replace);
 }
 
 Outcome<Command> parse_command(const std::string& line, const EditorState& state) {
-    const Json json = Json::parse(line, nullptr, false);
+    const Line json = Line::parse(line, nullptr, false);
     if (!json.is_array() || json.empty() || !json.front().is_string())
         return tl::unexpected(core::sentence(
             "a line of a session must be a list that begins with a command, like [\"insert-knot\", 0.5]; found {line}",

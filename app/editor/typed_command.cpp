@@ -7,13 +7,14 @@ namespace batten::editor {
 
 namespace {
 
-constexpr const char* blanks = " \t\r\n";
+constexpr const char* blanks_between_words = " \t\r\n";
 
 // Takes the next word off the front of `rest`, which begins with it; in quotation marks it is a text.
 Outcome<Argument> take_word(std::string_view& rest) {
     const bool is_quoted = rest.front() == '"';
     if (is_quoted) rest.remove_prefix(1);
-    const std::size_t end = is_quoted ? rest.find('"') : std::min(rest.find_first_of(blanks), rest.size());
+    const std::size_t end =
+        is_quoted ? rest.find('"') : std::min(rest.find_first_of(blanks_between_words), rest.size());
     if (end == std::string_view::npos) return tl::unexpected(Refusal("a quotation mark \" is not closed"));
     std::string text(rest.substr(0, end));
     rest.remove_prefix(end + (is_quoted ? 1 : 0));
@@ -21,7 +22,7 @@ Outcome<Argument> take_word(std::string_view& rest) {
 }
 
 void skip_blanks(std::string_view& rest) {
-    rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+    rest.remove_prefix(std::min(rest.find_first_not_of(blanks_between_words), rest.size()));
 }
 
 }  // namespace
@@ -30,7 +31,7 @@ Outcome<Command> parse_typed_command(const std::string& typed, const EditorState
     std::string_view rest = typed;
     skip_blanks(rest);
     if (rest.empty()) return tl::unexpected(Refusal("nothing was typed; a command is needed, like insert-knot 0.5"));
-    const std::size_t name_end = std::min(rest.find_first_of(blanks), rest.size());
+    const std::size_t name_end = std::min(rest.find_first_of(blanks_between_words), rest.size());
     const Outcome<const CommandSpec*> spec = command_named(rest.substr(0, name_end));
     if (!spec) return tl::unexpected(spec.error());
     rest.remove_prefix(name_end);

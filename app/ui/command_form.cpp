@@ -237,7 +237,7 @@ DialogFrame frame_of(const PanelContext& context, const Rectangle& canvas) {
 }
 
 /// A command that was refused brings the form back with what was typed and the reason.
-void reopen_after_refusal(const PanelContext& context) {
+void reopen_form_after_refusal(const PanelContext& context) {
     FormState& form = context.panels.form;
     form.was_submitted = false;
     if (!context.state.message.is_error) return;
@@ -251,7 +251,7 @@ void draw_command_form(const PanelContext& context, const Rectangle& window, con
     FormState& form = context.panels.form;
     if (context.state.dialog != editor::Dialog::command_form || context.state.form == nullptr) {
         if (form.was_submitted)
-            reopen_after_refusal(context);
+            reopen_form_after_refusal(context);
         else if (form.problem.empty())
             form = {};
         return;

@@ -13,10 +13,10 @@
 namespace batten::ui {
 namespace {
 
-constexpr double row_height = 25.0;
-constexpr double overhang = 6.0;
+constexpr double curve_row_height = 25.0;
+constexpr double curve_overhang = 6.0;
 constexpr double icon_width = 26.0;
-constexpr std::size_t most_rows = 8;
+constexpr std::size_t most_curve_rows = 8;
 constexpr std::size_t swatches_in_row = 4;
 
 core::DocumentColor document_color(render::Color color) {
@@ -86,8 +86,8 @@ void draw_color_popup(const PanelContext& context, std::size_t i, const core::Do
 
 void draw_color(const PanelContext& context, std::size_t i, const core::DocumentCurve& curve, ImVec2 origin) {
     const float size = context.px(14);
-    const float top = origin.y + 0.5F * (context.px(row_height) - size);
-    ImGui::SetCursorScreenPos(ImVec2(origin.x + context.px(overhang), top));
+    const float top = origin.y + 0.5F * (context.px(curve_row_height) - size);
+    ImGui::SetCursorScreenPos(ImVec2(origin.x + context.px(curve_overhang), top));
     const std::string name = fmt::format("curve {} color", i);
     if (draw_swatch(context, name, shown_color(context, curve), size)) ImGui::OpenPopup("colors");
     draw_color_popup(context, i, curve);
@@ -98,9 +98,9 @@ void draw_name(const PanelContext& context, std::size_t i, const core::DocumentC
     TextField field;
     field.name = fmt::format("curve {} name", i);
     field.shown = curve.name;
-    const float left = origin.x + context.px(overhang + 24);
+    const float left = origin.x + context.px(curve_overhang + 24);
     field.width_px = right - left - context.px(row_gap);
-    field.height = row_height;
+    field.height = curve_row_height;
     field.font = context.fonts.text;
     field.has_frame = false;
     field.needs_double_click = true;
@@ -128,10 +128,10 @@ void draw_switches(const PanelContext& context, std::size_t i, const core::Docum
     if (draw_button(context, lock)) context.queue.run(editor::SetCurveLocked{.index = i, .locked = !curve.locked});
 }
 
-void draw_row(const PanelContext& context, std::size_t i, float width) {
+void draw_curve_row(const PanelContext& context, std::size_t i, float width) {
     const core::DocumentCurve& curve = context.state.shown().curves[i];
     const ImVec2 origin = ImGui::GetCursorScreenPos();
-    const ImVec2 end(origin.x + width, origin.y + context.px(row_height));
+    const ImVec2 end(origin.x + width, origin.y + context.px(curve_row_height));
     const bool is_active = context.state.shown().active == i;
     if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(origin, end) && !is_active)
         wish_hover(context, editor::HoveredOtherCurve{i});
@@ -141,13 +141,13 @@ void draw_row(const PanelContext& context, std::size_t i, float width) {
         ImGui::GetWindowDrawList()->AddRectFilled(origin, end, imgui_packed(color), context.px(5));
     }
     ImGui::PushID(static_cast<int>(i));
-    const float right = end.x - context.px(overhang) - 2.0F * context.px(icon_width);
+    const float right = end.x - context.px(curve_overhang) - 2.0F * context.px(icon_width);
     draw_color(context, i, curve, origin);
     draw_name(context, i, curve, origin, right);
     draw_switches(context, i, curve, origin, right);
     ImGui::PopID();
     ImGui::SetCursorScreenPos(origin);
-    ImGui::Dummy(ImVec2(width, context.px(row_height)));
+    ImGui::Dummy(ImVec2(width, context.px(curve_row_height)));
 }
 
 void draw_buttons(const PanelContext& context) {
@@ -166,7 +166,9 @@ void draw_buttons(const PanelContext& context) {
 void draw_curves_section(const PanelContext& context) {
     const std::size_t count = context.state.shown().curves.size();
     if (draw_section_heading(context, {"curves", "Curves", std::to_string(count)})) {
-        if (count > 0) draw_row_list(context, {"curves", count, most_rows, row_height, overhang}, draw_row);
+        if (count > 0)
+            draw_row_list(context, {"curves", count, most_curve_rows, curve_row_height, curve_overhang},
+                          draw_curve_row);
         draw_buttons(context);
     }
     add_space(context, 6);

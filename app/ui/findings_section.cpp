@@ -12,12 +12,12 @@
 namespace batten::ui {
 namespace {
 
-constexpr double row_height = 40.0;
-constexpr double overhang = 6.0;
+constexpr double finding_row_height = 40.0;
+constexpr double finding_overhang = 6.0;
 constexpr double first_line = 12.0;  ///< design pixels from the top of a row to the middle of its lines
 constexpr double second_line = 28.0;
 constexpr double number_width = 26.0;
-constexpr std::size_t most_rows = 7;
+constexpr std::size_t most_finding_rows = 7;
 constexpr int digits = 5;
 
 /// "C⁰ by its knots   (1, 2)   curvature 0.25"
@@ -46,8 +46,8 @@ std::string tooltip_of(const editor::Finding& finding) {
 
 void draw_texts(const PanelContext& context, const editor::Finding& finding, std::size_t i, ImVec2 origin,
                 float width) {
-    const float left = origin.x + context.px(overhang);
-    const float right = origin.x + width - context.px(overhang);
+    const float left = origin.x + context.px(finding_overhang);
+    const float right = origin.x + width - context.px(finding_overhang);
     const float middle = left + context.px(number_width);
     const float y = origin.y + context.px(first_line);
     draw_text(context, {left, y}, {std::to_string(i + 1), context.fonts.number, 0.0, context.theme.accent});
@@ -64,15 +64,15 @@ void draw_texts(const PanelContext& context, const editor::Finding& finding, std
               {elided(details_of(finding), small, right - middle), small, 0.0, context.theme.dim});
 }
 
-void draw_row(const PanelContext& context, std::size_t i, float width) {
+void draw_finding_row(const PanelContext& context, std::size_t i, float width) {
     const editor::Finding& finding = context.state.findings->rows[i];
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     ImGui::PushID(static_cast<int>(i));
-    const bool is_clicked = ImGui::InvisibleButton("finding", ImVec2(width, context.px(row_height)));
+    const bool is_clicked = ImGui::InvisibleButton("finding", ImVec2(width, context.px(finding_row_height)));
     ImGui::PopID();
     report_item(context, fmt::format("finding {}", i), finding.label);
     if (ImGui::IsItemHovered()) {
-        const ImVec2 end(origin.x + width, origin.y + context.px(row_height));
+        const ImVec2 end(origin.x + width, origin.y + context.px(finding_row_height));
         const render::Color color = render::blended(context.theme.accent, 0.08, context.theme.panel);
         ImGui::GetWindowDrawList()->AddRectFilled(origin, end, imgui_packed(color), context.px(5));
     }
@@ -88,7 +88,9 @@ void draw_findings_section(const PanelContext& context) {
     const std::size_t count = findings.rows.size();
     if (draw_section_heading(context, {"findings", findings.title, count == 0 ? "none" : std::to_string(count)})) {
         if (count == 0) ImGui::TextWrapped("%s", findings.summary.c_str());
-        if (count > 0) draw_row_list(context, {"findings", count, most_rows, row_height, overhang}, draw_row);
+        if (count > 0)
+            draw_row_list(context, {"findings", count, most_finding_rows, finding_row_height, finding_overhang},
+                          draw_finding_row);
         Button clear{"clear findings", "clear", Icon::none, content_width(context)};
         clear.tooltip = "Forgets these results and their marks on the canvas (Escape)";
         if (draw_button(context, clear)) context.queue.run(editor::Escape{.what = editor::Escapable::findings});

@@ -21,7 +21,7 @@ using editor::FieldPart;
 
 constexpr double name_width = 104.0;
 constexpr double meaning_gap = 2.0;
-constexpr double row_gap = 8.0;
+constexpr double form_row_gap = 8.0;
 constexpr double field_gap = 6.0;
 
 void draw_text_input(const PanelContext& context, const FieldPart& part, std::string& text, float width) {
@@ -114,7 +114,7 @@ float wrapped_height_px(const std::string& text, ImFont* font, float width_px) {
 
 float form_row_height_px(const PanelContext& context, const editor::Field& field, float width_px) {
     const float meaning = wrapped_height_px(meaning_of(field), context.fonts.small, width_px - context.px(name_width));
-    return ImGui::GetFrameHeight() + context.px(meaning_gap) + meaning + context.px(row_gap);
+    return ImGui::GetFrameHeight() + context.px(meaning_gap) + meaning + context.px(form_row_gap);
 }
 
 void draw_form_row(const PanelContext& context, const editor::Field& field, std::vector<std::string>& texts) {

@@ -22,13 +22,13 @@
 namespace batten::ui {
 namespace {
 
-constexpr double row_height = 25.0;
-constexpr double overhang = 6.0;
-constexpr double name_width = 64.0;
+constexpr double knot_row_height = 25.0;
+constexpr double knot_overhang = 6.0;
+constexpr double knot_name_width = 64.0;
 constexpr double value_width = 92.0;
 constexpr double multiplicity_width = 82.0;
 constexpr double steps_width = 52.0;
-constexpr std::size_t most_rows = 10;
+constexpr std::size_t most_knot_rows = 10;
 constexpr std::size_t shown_characters = 60;  // of the knot vector before it is typed
 
 /// One run of equal knots, by its first and last index in stored().
@@ -40,7 +40,7 @@ struct Stack {
     double highest = 0.0;
 };
 
-struct Table {
+struct KnotTable {
     const PanelContext& context;
     const core::Curve& curve;
     std::vector<core::DistinctKnot> knots;
@@ -49,7 +49,7 @@ struct Table {
     float value_width = 0.0F;
 };
 
-Stack stack_at(const Table& table, std::size_t row) {
+Stack stack_at(const KnotTable& table, std::size_t row) {
     const auto stored = table.curve.knots().stored();
     Stack stack{table.knots[row]};
     const double value = stack.knot.value;
@@ -76,9 +76,9 @@ bool is_hovered(const PanelContext& context, const Stack& stack) {
     return hover != nullptr && hover->index >= stack.first && hover->index <= stack.last;
 }
 
-void draw_row_back(const Table& table, const Stack& stack, ImVec2 origin) {
+void draw_row_back(const KnotTable& table, const Stack& stack, ImVec2 origin) {
     const PanelContext& context = table.context;
-    const ImVec2 end(origin.x + table.row_width, origin.y + context.px(row_height));
+    const ImVec2 end(origin.x + table.row_width, origin.y + context.px(knot_row_height));
     if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(origin, end))
         wish_hover(context, editor::HoveredKnot{stack.last});
     const bool selected = is_selected(context, stack);
@@ -98,26 +98,27 @@ void draw_diamond(const PanelContext& context, ImVec2 center, render::Color colo
     list->AddPolyline(corners.data(), 4, imgui_packed(color), ImDrawFlags_Closed, context.px(1.3));
 }
 
-void draw_name(const Table& table, const Stack& stack, ImVec2 origin) {
+void draw_name(const KnotTable& table, const Stack& stack, ImVec2 origin) {
     const PanelContext& context = table.context;
     const std::string indices =
         stack.first == stack.last ? fmt::format("{}", stack.first) : fmt::format("{}–{}", stack.first, stack.last);
     const std::string name = fmt::format("knot {} name", stack.first);
-    if (ImGui::InvisibleButton(name.c_str(), ImVec2(context.px(overhang + name_width), context.px(row_height)))) {
+    if (ImGui::InvisibleButton(name.c_str(),
+                               ImVec2(context.px(knot_overhang + knot_name_width), context.px(knot_row_height)))) {
         context.panels.inspector.followed_knot = stack.last;
         context.queue.run(editor::SelectKnot{.index = stack.last});
     }
     report_item(context, name, fmt::format("u{}", indices));
-    const float middle = origin.y + 0.5F * context.px(row_height);
+    const float middle = origin.y + 0.5F * context.px(knot_row_height);
     const render::Color color = stack.knot.in_domain ? context.theme.text : context.theme.dim;
-    draw_diamond(context, ImVec2(origin.x + context.px(overhang + 8), middle),
+    draw_diamond(context, ImVec2(origin.x + context.px(knot_overhang + 8), middle),
                  is_selected(context, stack) ? context.theme.accent : color, is_selected(context, stack));
-    draw_text(context, ImVec2(origin.x + context.px(overhang + 20), middle),
+    draw_text(context, ImVec2(origin.x + context.px(knot_overhang + 20), middle),
               {fmt::format("u_{{{}}}", indices), context.fonts.text, 0.0, color, render::Anchor::left,
-               context.px(name_width - 22)});
+               context.px(knot_name_width - 22)});
 }
 
-void draw_value(const Table& table, const Stack& stack) {
+void draw_value(const KnotTable& table, const Stack& stack) {
     const PanelContext& context = table.context;
     NumberField field;
     field.name = fmt::format("knot {} value", stack.first);
@@ -138,10 +139,10 @@ void draw_value(const Table& table, const Stack& stack) {
     });
 }
 
-void draw_multiplicity(const Table& table, const Stack& stack, ImVec2 origin) {
+void draw_multiplicity(const KnotTable& table, const Stack& stack, ImVec2 origin) {
     const PanelContext& context = table.context;
-    const float middle = origin.y + 0.5F * context.px(row_height);
-    const float left = origin.x + context.px(overhang + name_width + 10) + table.value_width;
+    const float middle = origin.y + 0.5F * context.px(knot_row_height);
+    const float left = origin.x + context.px(knot_overhang + knot_name_width + 10) + table.value_width;
     const render::Color color = stack.knot.is_interior ? context.theme.text : context.theme.dim;
     const std::string count = fmt::format("×{}", stack.knot.multiplicity);
     const bool is_end = stack.knot.in_domain && !stack.knot.is_interior;
@@ -154,16 +155,16 @@ void draw_multiplicity(const Table& table, const Stack& stack, ImVec2 origin) {
     draw_text(context, ImVec2(left + context.px(26), middle),
               {continuity, context.fonts.text, 0.0, color, render::Anchor::left, context.px(48)});
     ImGui::SetCursorScreenPos(ImVec2(left, origin.y));
-    ImGui::Dummy(ImVec2(context.px(70), context.px(row_height)));
+    ImGui::Dummy(ImVec2(context.px(70), context.px(knot_row_height)));
     report_item(context, fmt::format("knot {} continuity", stack.first),
                 fmt::format("{} {}", count, editor::plain_text(continuity)));
 }
 
-void draw_steps(const Table& table, const Stack& stack, ImVec2 origin) {
+void draw_steps(const KnotTable& table, const Stack& stack, ImVec2 origin) {
     const PanelContext& context = table.context;
     const float width = context.px(22);
-    const float left = origin.x + table.row_width - context.px(overhang + row_gap) - 2.0F * width;
-    ImGui::SetCursorScreenPos(ImVec2(left, origin.y + context.px(0.5 * (row_height - 20.0))));
+    const float left = origin.x + table.row_width - context.px(knot_overhang + row_gap) - 2.0F * width;
+    ImGui::SetCursorScreenPos(ImVec2(left, origin.y + context.px(0.5 * (knot_row_height - 20.0))));
     draw_command_button(context, {fmt::format("knot {} less", stack.first), "", Icon::minus, width, 20.0},
                         editor::DeleteKnot{.index = stack.last});
     stay_in_row(context);
@@ -177,23 +178,23 @@ void draw_steps(const Table& table, const Stack& stack, ImVec2 origin) {
     draw_command_button(context, more, editor::RaiseKnot{.index = stack.last});
 }
 
-void draw_row(const Table& table, std::size_t row) {
+void draw_knot_row(const KnotTable& table, std::size_t row) {
     const PanelContext& context = table.context;
     const Stack stack = stack_at(table, row);
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     draw_row_back(table, stack, origin);
     draw_name(table, stack, origin);
-    ImGui::SetCursorScreenPos(
-        ImVec2(origin.x + context.px(overhang + name_width), origin.y + context.px(0.5 * (row_height - 20.0))));
+    ImGui::SetCursorScreenPos(ImVec2(origin.x + context.px(knot_overhang + knot_name_width),
+                                     origin.y + context.px(0.5 * (knot_row_height - 20.0))));
     draw_value(table, stack);
     draw_multiplicity(table, stack, origin);
     draw_steps(table, stack, origin);
     ImGui::SetCursorScreenPos(origin);
-    ImGui::Dummy(ImVec2(table.row_width, context.px(row_height)));
+    ImGui::Dummy(ImVec2(table.row_width, context.px(knot_row_height)));
 }
 
 /// Brings the selected knot into sight once, after the selection changed elsewhere.
-void follow_selection(const Table& table) {
+void follow_selection(const KnotTable& table) {
     const PanelContext& context = table.context;
     InspectorState& inspector = context.panels.inspector;
     const std::optional<std::size_t> knot = context.state.selection.knot;
@@ -203,8 +204,8 @@ void follow_selection(const Table& table) {
     if (!knot || *knot >= stored.size()) return;
     const auto place = std::find_if(table.knots.begin(), table.knots.end(),
                                     [&](const core::DistinctKnot& k) { return k.value == stored[*knot]; });
-    const float top = static_cast<float>(place - table.knots.begin()) * context.px(row_height);
-    const float free = ImGui::GetWindowHeight() - context.px(row_height);
+    const float top = static_cast<float>(place - table.knots.begin()) * context.px(knot_row_height);
+    const float free = ImGui::GetWindowHeight() - context.px(knot_row_height);
     if (top < ImGui::GetScrollY() || top > ImGui::GetScrollY() + free) ImGui::SetScrollY(top - 0.5F * free);
 }
 
@@ -215,23 +216,26 @@ int decimals_of(const core::Curve& curve) {
     return std::max(decimals_for(length), decimals_for(span) - 1);
 }
 
-void draw_table(const PanelContext& context, const core::Curve& curve) {
-    Table table{context, curve, core::distinct_knots(curve.knots()), decimals_of(curve)};
+void draw_knot_table(const PanelContext& context, const core::Curve& curve) {
+    KnotTable table{context, curve, core::distinct_knots(curve.knots()), decimals_of(curve)};
     const std::size_t count = table.knots.size();
-    const float width = content_width(context) + 2.0F * context.px(overhang);
-    table.row_width = width - (count > most_rows ? context.px(6) : 0.0F);
-    const float free = table.row_width - context.px(2.0 * overhang + name_width + multiplicity_width + steps_width);
+    const float width = content_width(context) + 2.0F * context.px(knot_overhang);
+    table.row_width = width - (count > most_knot_rows ? context.px(6) : 0.0F);
+    const float free =
+        table.row_width - context.px(2.0 * knot_overhang + knot_name_width + multiplicity_width + steps_width);
     table.value_width = std::clamp(free, context.px(44), context.px(value_width));
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(overhang));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(knot_overhang));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
-    ImGui::BeginChild("knots", ImVec2(width, context.px(row_height) * static_cast<float>(std::min(count, most_rows))),
-                      false, count > most_rows ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoScrollbar);
+    ImGui::BeginChild("knots",
+                      ImVec2(width, context.px(knot_row_height) * static_cast<float>(std::min(count, most_knot_rows))),
+                      false, count > most_knot_rows ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoScrollbar);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
     follow_selection(table);
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(count), context.px(row_height));
+    clipper.Begin(static_cast<int>(count), context.px(knot_row_height));
     while (clipper.Step())
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) draw_row(table, static_cast<std::size_t>(i));
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            draw_knot_row(table, static_cast<std::size_t>(i));
     ImGui::PopStyleVar();
     ImGui::EndChild();
     ImGui::PopStyleVar();
@@ -338,7 +342,7 @@ void draw_knots_section(const PanelContext& context) {
     const std::string info = core::sentence({.one = "{knots} · 1 segment", .many = "{knots} · {count} segments"},
                                             segments, {{"knots", curve.knots().stored().size()}});
     if (draw_section_heading(context, {"knots", "Knots", info, false})) {
-        draw_table(context, curve);
+        draw_knot_table(context, curve);
         add_space(context, 4);
         draw_move_row(context);
         draw_insert_row(context, curve);

@@ -15,7 +15,7 @@ namespace batten::ui {
 namespace {
 
 constexpr double most_width = 560.0;
-constexpr double padding = 12.0;
+constexpr double notice_padding = 12.0;
 constexpr double sign_width = 26.0;
 constexpr double cross_size = 24.0;
 
@@ -30,8 +30,8 @@ void draw_warning_sign(const PanelContext& context, float left, float center_y) 
 }
 
 Rectangle place_of(const PanelContext& context, const Rectangle& canvas, ImVec2 text_size) {
-    const glm::dvec2 size(text_size.x + context.px(2.0 * padding + sign_width + cross_size + 8.0),
-                          std::max(text_size.y, context.px(cross_size)) + context.px(2.0 * padding - 4.0));
+    const glm::dvec2 size(text_size.x + context.px(2.0 * notice_padding + sign_width + cross_size + 8.0),
+                          std::max(text_size.y, context.px(cross_size)) + context.px(2.0 * notice_padding - 4.0));
     return {{std::floor(canvas.origin_px.x + 0.5 * (canvas.size_px.x - size.x)), canvas.origin_px.y + context.px(16)},
             size};
 }
@@ -43,7 +43,7 @@ void draw_notice(const PanelContext& context, const Rectangle& canvas) {
     if (!message.is_error || message.text.empty()) return;
     const float room =
         static_cast<float>(std::min(most_width * context.scale, canvas.size_px.x - 48.0 * context.scale)) -
-        context.px(2.0 * padding + sign_width + cross_size + 8.0);
+        context.px(2.0 * notice_padding + sign_width + cross_size + 8.0);
     const ImVec2 text_size = ImGui::CalcTextSize(message.text.c_str(), nullptr, false, std::max(room, context.px(80)));
     const Rectangle place = place_of(context, canvas, text_size);
     const glm::vec2 corner(place.origin_px);
@@ -59,16 +59,16 @@ void draw_notice(const PanelContext& context, const Rectangle& canvas) {
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PopStyleVar(2);
     ImGui::PopStyleColor(2);
-    draw_warning_sign(context, corner.x + context.px(padding), corner.y + 0.5F * size.y);
-    const ImVec2 text_corner(corner.x + context.px(padding + sign_width),
+    draw_warning_sign(context, corner.x + context.px(notice_padding), corner.y + 0.5F * size.y);
+    const ImVec2 text_corner(corner.x + context.px(notice_padding + sign_width),
                              corner.y + std::floor(0.5F * (size.y - text_size.y)));
     ImGui::GetWindowDrawList()->AddText(context.fonts.text, font_height(context.fonts.text), text_corner,
                                         imgui_packed(context.theme.text), message.text.c_str(), nullptr,
                                         std::max(room, context.px(80)));
     context.widgets.push_back(
         {"notice text", {{text_corner.x, text_corner.y}, {text_size.x, text_size.y}}, message.text});
-    ImGui::SetCursorScreenPos(
-        {corner.x + size.x - context.px(padding + cross_size - 4.0), corner.y + context.px(padding - 2.0)});
+    ImGui::SetCursorScreenPos({corner.x + size.x - context.px(notice_padding + cross_size - 4.0),
+                               corner.y + context.px(notice_padding - 2.0)});
     if (draw_cross_button(context, "notice dismiss", context.px(cross_size)))
         context.queue.run(editor::DismissMessage{});
     ImGui::End();

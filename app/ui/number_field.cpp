@@ -17,7 +17,7 @@
 namespace batten::ui {
 namespace {
 
-constexpr double padding = 8.0;         // of the text, in design pixels
+constexpr double number_padding = 8.0;  // of the text, in design pixels
 constexpr float drag_threshold = 3.0F;  // design pixels before a press becomes a drag
 constexpr double slow_factor = 0.1;     // with Shift
 
@@ -96,9 +96,9 @@ std::optional<NumberEdit> press(const PanelContext& context, const NumberField& 
     const bool is_clicked = ImGui::InvisibleButton(field.name.c_str(), size);
     const bool is_hovered = ImGui::IsItemHovered() && field.is_enabled;
     draw_field_frame(context, origin, size, is_hovered || ImGui::IsItemActive());
-    const std::string text = shown_text(context, field, size.x - 2.0F * context.px(padding));
+    const std::string text = shown_text(context, field, size.x - 2.0F * context.px(number_padding));
     const render::Color color = field.is_enabled ? context.theme.text : context.theme.dim;
-    draw_text(context, ImVec2(origin.x + context.px(padding), origin.y + 0.5F * size.y),
+    draw_text(context, ImVec2(origin.x + context.px(number_padding), origin.y + 0.5F * size.y),
               {text, context.fonts.number, 0.0, color});
     report_item(context, field.name, text);
     if (!ImGui::IsItemActive()) show_tooltip(context, field.tooltip);

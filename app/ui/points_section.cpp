@@ -15,15 +15,15 @@
 namespace batten::ui {
 namespace {
 
-constexpr double row_height = 25.0;
-constexpr double overhang = 6.0;     // of a lit row beyond the margins
-constexpr double name_width = 64.0;  // before the first field
-constexpr double field_gap = 8.0;
-constexpr std::size_t most_rows = 12;  // more points scroll in their own region
+constexpr double point_row_height = 25.0;
+constexpr double point_overhang = 6.0;     // of a lit row beyond the margins
+constexpr double point_name_width = 64.0;  // before the first field
+constexpr double coordinate_gap = 8.0;
+constexpr std::size_t most_point_rows = 12;  // more points scroll in their own region
 constexpr double largest_weight = 1e9;
 
 /// What the rows have in common.
-struct Table {
+struct PointTable {
     const PanelContext& context;
     const core::Curve& curve;
     int decimals = 2;
@@ -62,9 +62,9 @@ void select(const PanelContext& context, std::size_t i) {
     context.queue.run(editor::SelectPoints{.points = points});
 }
 
-void draw_row_back(const Table& table, std::size_t i, ImVec2 origin) {
+void draw_row_back(const PointTable& table, std::size_t i, ImVec2 origin) {
     const PanelContext& context = table.context;
-    const ImVec2 end(origin.x + table.row_width, origin.y + context.px(row_height));
+    const ImVec2 end(origin.x + table.row_width, origin.y + context.px(point_row_height));
     const bool is_selected = context.state.selection.contains_point(i);
     const bool is_hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(origin, ImVec2(end.x, end.y));
     if (is_hovered) wish_hover(context, editor::HoveredPoint{i});
@@ -76,22 +76,24 @@ void draw_row_back(const Table& table, std::size_t i, ImVec2 origin) {
                                               imgui_packed(color), context.px(5));
 }
 
-void draw_name(const Table& table, std::size_t i, ImVec2 origin) {
+void draw_name(const PointTable& table, std::size_t i, ImVec2 origin) {
     const PanelContext& context = table.context;
     const std::string text = fmt::format("P_{{{}}}", i);
     const std::string name = fmt::format("point {} name", i);
-    if (ImGui::InvisibleButton(name.c_str(), ImVec2(context.px(overhang + name_width), context.px(row_height))))
+    if (ImGui::InvisibleButton(name.c_str(),
+                               ImVec2(context.px(point_overhang + point_name_width), context.px(point_row_height))))
         select(context, i);
     const bool is_selected = context.state.selection.contains_point(i);
     report_item(context, name, is_selected ? fmt::format("P{} selected", i) : fmt::format("P{}", i));
-    const float middle = origin.y + 0.5F * context.px(row_height);
-    const ImVec2 dot(origin.x + context.px(overhang + 8), middle);
+    const float middle = origin.y + 0.5F * context.px(point_row_height);
+    const ImVec2 dot(origin.x + context.px(point_overhang + 8), middle);
     ImGui::GetWindowDrawList()->AddCircleFilled(dot, context.px(5), imgui_packed(context.theme.point(i)));
-    draw_text(context, ImVec2(origin.x + context.px(overhang + 20), middle),
-              {text, context.fonts.text, 0.0, context.theme.text, render::Anchor::left, context.px(name_width - 20)});
+    draw_text(
+        context, ImVec2(origin.x + context.px(point_overhang + 20), middle),
+        {text, context.fonts.text, 0.0, context.theme.text, render::Anchor::left, context.px(point_name_width - 20)});
 }
 
-NumberField field_of(const Table& table, std::size_t i, const char* axis, double value) {
+NumberField field_of(const PointTable& table, std::size_t i, const char* axis, double value) {
     NumberField field;
     field.name = fmt::format("point {} {}", i, axis);
     field.value = value;
@@ -104,18 +106,18 @@ NumberField field_of(const Table& table, std::size_t i, const char* axis, double
     return field;
 }
 
-void draw_coordinates(const Table& table, std::size_t i) {
+void draw_coordinates(const PointTable& table, std::size_t i) {
     const core::Point point = table.curve.control_points()[i];
     draw_number_field(table.context, field_of(table, i, "x", point.x), [=](double x) {
         return editor::SetPoint{.index = i, .position = {x, point.y}};
     });
-    stay_in_row(table.context, field_gap);
+    stay_in_row(table.context, coordinate_gap);
     draw_number_field(table.context, field_of(table, i, "y", point.y), [=](double y) {
         return editor::SetPoint{.index = i, .position = {point.x, y}};
     });
 }
 
-void draw_weight(const Table& table, std::size_t i) {
+void draw_weight(const PointTable& table, std::size_t i) {
     NumberField field = field_of(table, i, "w", table.curve.weights()[i]);
     field.decimals = 2;
     field.speed = 0.01;
@@ -125,18 +127,18 @@ void draw_weight(const Table& table, std::size_t i) {
     draw_number_field(table.context, field, [i](double w) { return editor::SetWeight{.index = i, .weight = w}; });
 }
 
-void draw_row(const Table& table, std::size_t i) {
+void draw_point_row(const PointTable& table, std::size_t i) {
     const PanelContext& context = table.context;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     draw_row_back(table, i, origin);
     draw_name(table, i, origin);
-    const float inset = context.px(0.5 * (row_height - 20.0));
-    ImGui::SetCursorScreenPos(ImVec2(origin.x + context.px(overhang + name_width), origin.y + inset));
+    const float inset = context.px(0.5 * (point_row_height - 20.0));
+    ImGui::SetCursorScreenPos(ImVec2(origin.x + context.px(point_overhang + point_name_width), origin.y + inset));
     draw_coordinates(table, i);
-    stay_in_row(context, field_gap);
+    stay_in_row(context, coordinate_gap);
     draw_weight(table, i);
     ImGui::SetCursorScreenPos(origin);
-    ImGui::Dummy(ImVec2(table.row_width, context.px(row_height)));
+    ImGui::Dummy(ImVec2(table.row_width, context.px(point_row_height)));
 }
 
 /// The place where a new point goes: in the middle of the leg after the last selected point, or beyond the end.
@@ -150,7 +152,7 @@ editor::AddPoint add_command(const editor::EditorState& state) {
     return editor::AddPoint{.index = before + 1, .position = {place.x, place.y}};
 }
 
-void draw_header(const Table& table) {
+void draw_header(const PointTable& table) {
     const PanelContext& context = table.context;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     Button add{"add point", "", Icon::plus, context.px(24), 18.0};
@@ -159,10 +161,10 @@ void draw_header(const Table& table) {
     stay_in_row(context);
     draw_command_button(context, {"delete points", "", Icon::minus, context.px(24), 18.0},
                         editor::DeletePoints::spec());
-    float x = origin.x + context.px(name_width + 8);
+    float x = origin.x + context.px(point_name_width + 8);
     for (const char* axis : {"x", "y", "w"}) {
         draw_text(context, ImVec2(x, origin.y + context.px(9)), {axis, context.fonts.small, 0.0, context.theme.dim});
-        x += table.field_width + context.px(field_gap);
+        x += table.field_width + context.px(coordinate_gap);
     }
 }
 
@@ -173,35 +175,36 @@ void follow_selection(const PanelContext& context) {
     if (inspector.followed_points == points) return;
     inspector.followed_points = points;
     if (points.empty()) return;
-    const float height = context.px(row_height);
+    const float height = context.px(point_row_height);
     const float top = static_cast<float>(points.front()) * height;
     const bool is_in_sight =
         top >= ImGui::GetScrollY() && top + height <= ImGui::GetScrollY() + ImGui::GetWindowHeight();
     if (!is_in_sight) ImGui::SetScrollY(top - 0.5F * (ImGui::GetWindowHeight() - height));
 }
 
-void draw_rows(const Table& table, std::size_t count) {
+void draw_rows(const PointTable& table, std::size_t count) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(count), table.context.px(row_height));
+    clipper.Begin(static_cast<int>(count), table.context.px(point_row_height));
     while (clipper.Step())
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) draw_row(table, static_cast<std::size_t>(i));
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            draw_point_row(table, static_cast<std::size_t>(i));
     ImGui::PopStyleVar();
 }
 
-void draw_table(const PanelContext& context, const core::Curve& curve) {
+void draw_point_table(const PanelContext& context, const core::Curve& curve) {
     const std::size_t count = curve.control_points().size();
-    const bool scrolls = count > most_rows;
+    const bool scrolls = count > most_point_rows;
     const float bar = scrolls ? context.px(6) : 0.0F;
-    const float fields = content_width(context) - context.px(name_width + 2.0 * field_gap) - bar;
+    const float fields = content_width(context) - context.px(point_name_width + 2.0 * coordinate_gap) - bar;
     const core::Vector size = core::control_box(curve).size();
-    const Table table{context, curve, decimals_for(std::max(size.x, size.y)),
-                      content_width(context) + 2.0F * context.px(overhang) - bar, std::floor(fields / 3.0F)};
+    const PointTable table{context, curve, decimals_for(std::max(size.x, size.y)),
+                           content_width(context) + 2.0F * context.px(point_overhang) - bar, std::floor(fields / 3.0F)};
     draw_header(table);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(overhang));
-    const float height = context.px(row_height) * static_cast<float>(std::min(count, most_rows));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(point_overhang));
+    const float height = context.px(point_row_height) * static_cast<float>(std::min(count, most_point_rows));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
-    ImGui::BeginChild("points", ImVec2(content_width(context) + 2.0F * context.px(overhang), height), false,
+    ImGui::BeginChild("points", ImVec2(content_width(context) + 2.0F * context.px(point_overhang), height), false,
                       scrolls ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoScrollbar);
     follow_selection(context);
     draw_rows(table, count);
@@ -214,7 +217,7 @@ void draw_table(const PanelContext& context, const core::Curve& curve) {
 void draw_points_section(const PanelContext& context) {
     const core::Curve& curve = *context.state.active_curve();
     if (draw_section_heading(context, {"points", "Control points", std::to_string(curve.control_points().size())}))
-        draw_table(context, curve);
+        draw_point_table(context, curve);
     add_space(context, 6);
 }
 

@@ -13,7 +13,7 @@ namespace batten::ui {
 namespace {
 
 constexpr double heading_height = 26.0;
-constexpr double label_width = 102.0;
+constexpr double row_label_width = 102.0;
 
 bool is_open(const PanelContext& context, const Section& section) {
     const auto& sections = context.panels.inspector.open_sections;
@@ -66,11 +66,11 @@ void draw_row_label(const PanelContext& context, const std::string& label) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     draw_text(context, ImVec2(origin.x, origin.y + context.px(12)),
               {label, context.fonts.text, 0.0, context.theme.dim});
-    ImGui::SetCursorScreenPos(ImVec2(origin.x + context.px(label_width), origin.y));
+    ImGui::SetCursorScreenPos(ImVec2(origin.x + context.px(row_label_width), origin.y));
 }
 
 float field_width(const PanelContext& context) {
-    return content_width(context) - context.px(label_width);
+    return content_width(context) - context.px(row_label_width);
 }
 
 void add_space(const PanelContext& context, double design_px) {

@@ -19,7 +19,7 @@ namespace batten::ui {
 
 namespace {
 
-constexpr double margin = 16.0;
+constexpr double bar_margin = 16.0;
 constexpr double gap = 20.0;
 /// The scale of the camera that is called 100 %, in design pixels for a unit.
 constexpr double full_zoom = 64.0;
@@ -108,7 +108,7 @@ float draw_readouts(const PanelContext& context, const Rectangle& place, double 
         return width + context.px(gap) * static_cast<float>(readouts.size());
     };
     while (!readouts.empty() && width_of() > room_px) readouts.erase(readouts.begin());
-    const float begin = static_cast<float>(place.origin_px.x + place.size_px.x) - context.px(margin) - width_of();
+    const float begin = static_cast<float>(place.origin_px.x + place.size_px.x) - context.px(bar_margin) - width_of();
     const float line = font_height(context.fonts.number);
     const float y = static_cast<float>(place.origin_px.y) + 0.5F * (static_cast<float>(place.size_px.y) - line);
     float x = begin;
@@ -155,7 +155,7 @@ void draw_status_bar(const PanelContext& context, const Rectangle& place, const 
     begin_panel("status bar", place);
     draw_edge(context, {place.origin_px.x, place.origin_px.y + 0.5},
               {place.origin_px.x + place.size_px.x, place.origin_px.y + 0.5});
-    const float left = static_cast<float>(place.origin_px.x) + context.px(margin);
+    const float left = static_cast<float>(place.origin_px.x) + context.px(bar_margin);
     const float begin = draw_readouts(context, place, frames_per_second, 0.62F * static_cast<float>(place.size_px.x));
     const editor::Message message = message_of(context.state);
     const std::string text = message.is_error ? fmt::format("⚠ {}", message.text) : message.text;

@@ -133,26 +133,26 @@ void draw_play(const IconPen& pen) {
 using editor::TakeTool;
 using editor::Tool;
 
-struct Icon {
+struct ToolIcon {
     const editor::CommandSpec& (*spec)();
     void (*draw)(const IconPen&);
 };
 
-constexpr std::array icons{Icon{TakeTool<Tool::select>::spec, draw_select},
-                           Icon{TakeTool<Tool::add_point>::spec, draw_add_point},
-                           Icon{TakeTool<Tool::insert_knot>::spec, draw_insert_knot},
-                           Icon{TakeTool<Tool::weight>::spec, draw_weight},
-                           Icon{TakeTool<Tool::draw_curve>::spec, draw_draw_curve},
-                           Icon{TakeTool<Tool::parameter>::spec, draw_parameter},
-                           Icon{editor::Undo::spec, draw_undo},
-                           Icon{editor::Redo::spec, draw_redo},
-                           Icon{editor::FitView::spec, draw_fit},
-                           Icon{editor::TogglePlay::spec, draw_play}};
+constexpr std::array icons{ToolIcon{TakeTool<Tool::select>::spec, draw_select},
+                           ToolIcon{TakeTool<Tool::add_point>::spec, draw_add_point},
+                           ToolIcon{TakeTool<Tool::insert_knot>::spec, draw_insert_knot},
+                           ToolIcon{TakeTool<Tool::weight>::spec, draw_weight},
+                           ToolIcon{TakeTool<Tool::draw_curve>::spec, draw_draw_curve},
+                           ToolIcon{TakeTool<Tool::parameter>::spec, draw_parameter},
+                           ToolIcon{editor::Undo::spec, draw_undo},
+                           ToolIcon{editor::Redo::spec, draw_redo},
+                           ToolIcon{editor::FitView::spec, draw_fit},
+                           ToolIcon{editor::TogglePlay::spec, draw_play}};
 
 }  // namespace
 
 void draw_icon(ImDrawList* list, const editor::CommandSpec& spec, const IconPlace& place, render::Color color) {
-    for (const Icon& icon : icons)
+    for (const ToolIcon& icon : icons)
         if (&icon.spec() == &spec) icon.draw(IconPen(list, place, color));
 }
 

@@ -19,8 +19,8 @@ constexpr double largest_cell = 57.0;
 constexpr double least_cell = 38.0;
 constexpr double cell_height = 25.0;
 constexpr double row_pitch = 40.0;
-constexpr double cell_share = 0.7;  // of a column's pitch
-constexpr double margin = 2.0;      // for the outlines
+constexpr double cell_share = 0.7;   // of a column's pitch
+constexpr double cell_margin = 2.0;  // for the outlines
 constexpr double most_height = 246.0;
 constexpr double bar_height = 10.0;
 constexpr double faded_opacity = 0.3;
@@ -158,7 +158,7 @@ class TrianglePicture {
 void draw_triangle(const PanelContext& context, const core::Curve& curve, const core::DeBoorTriangle& triangle,
                    std::size_t last_level, float width_px) {
     const std::size_t degree = triangle.levels.size() - 1;
-    const float edge = context.px(margin);
+    const float edge = context.px(cell_margin);
     Grid grid = grid_for(context, degree, width_px - 2.0F * edge);
     const ImVec2 size(grid.size().x + 2.0F * edge, grid.size().y + 2.0F * edge);
     const bool is_wide = size.x > width_px + 0.5F;

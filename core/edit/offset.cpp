@@ -14,9 +14,9 @@ namespace batten::core {
 namespace {
 
 constexpr int samples_in_span = 16;
-constexpr int deepest_halving = 40;
+constexpr int most_offset_halvings = 40;
 constexpr std::size_t most_spans = 20000;
-constexpr double noise_in_ulps = 64.0;
+constexpr double offset_noise_in_ulps = 64.0;
 
 // Directions whose sine differs by less are one.
 constexpr double least_turn = 1e-9;
@@ -49,7 +49,7 @@ class OffsetBuilder {
         : curve_(curve),
           distance_(distance),
           tolerance_(tolerance),
-          noise_(noise_in_ulps * std::numeric_limits<double>::epsilon() *
+          noise_(offset_noise_in_ulps * std::numeric_limits<double>::epsilon() *
                  (largest_coordinate(curve) + std::abs(distance))) {}
 
     Result<Approximation> build() {
@@ -173,7 +173,7 @@ class OffsetBuilder {
         const auto near = is_near(lower, start, upper, end);
         if (!near) return refuse(near.error());
         const double middle = lower + 0.5 * (upper - lower);
-        const bool is_divisible = depth < deepest_halving && lower < middle && middle < upper;
+        const bool is_divisible = depth < most_offset_halvings && lower < middle && middle < upper;
         if (*near || !is_divisible) {
             if (breaks_.size() > most_spans)
                 return refuse({.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = worst_});

@@ -11,7 +11,7 @@ namespace batten::core {
 namespace {
 
 // More halvings than a double has digits find nothing new.
-constexpr int deepest_halving = 60;
+constexpr int most_chord_halvings = 60;
 
 // Halving rounds the control points; a bound that asks for less than this many units in the last place would chase
 // noise.
@@ -98,7 +98,7 @@ class Tessellator {
         const Box box = control_box(piece);
         if (!box.intersects(request_.view)) return;
         const double half = middle(piece.interval);
-        const bool is_divisible = depth < deepest_halving && piece.interval.lower < half &&
+        const bool is_divisible = depth < most_chord_halvings && piece.interval.lower < half &&
                                   half < piece.interval.upper && std::isfinite(largest_coordinate(box));
         // Where products of weights and coordinates overflow there is no bound, and no finer.
         const bool is_curved = chord_deviation_bound(piece) > tolerance_;

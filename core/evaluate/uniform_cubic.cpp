@@ -30,7 +30,7 @@ Interval interval_of(const Curve& curve, std::size_t segment) {
     return {curve.knots()[segment + 3], curve.knots()[segment + 4]};
 }
 
-Point control_point(const Curve& curve, std::size_t i) {
+Point unrolled_point(const Curve& curve, std::size_t i) {
     return curve.control_points()[i % curve.control_points().size()];
 }
 
@@ -52,7 +52,7 @@ CubicSegment matrix_form(const Curve& curve, std::size_t segment) {
 
 FergusonSegment ferguson_form(const Curve& curve, std::size_t segment) {
     std::array<Point, 4> P;
-    for (std::size_t j = 0; j < 4; ++j) P[j] = control_point(curve, segment + j);
+    for (std::size_t j = 0; j < 4; ++j) P[j] = unrolled_point(curve, segment + j);
     return {.interval = interval_of(curve, segment),
             .start = joint(P[0], P[1], P[2]),
             .end = joint(P[1], P[2], P[3]),
@@ -128,12 +128,12 @@ Result<std::vector<Anticentroid>> anticentroids(const Curve& curve) {
         // Point i is the blossom of the knots t_{i-2}, t_{i-1}, t_i: its joint is at the middle one.
         for (std::size_t i = 0; i < n; ++i)
             joints.push_back(construction(i, curve.knots().into_domain(curve.knots()[i + 2], Side::right),
-                                          control_point(curve, i + n - 1), control_point(curve, i),
-                                          control_point(curve, i + 1)));
+                                          unrolled_point(curve, i + n - 1), unrolled_point(curve, i),
+                                          unrolled_point(curve, i + 1)));
     } else {
         for (std::size_t i = 1; i + 1 < n; ++i)
-            joints.push_back(construction(i, curve.knots()[i + 2], control_point(curve, i - 1), control_point(curve, i),
-                                          control_point(curve, i + 1)));
+            joints.push_back(construction(i, curve.knots()[i + 2], unrolled_point(curve, i - 1),
+                                          unrolled_point(curve, i), unrolled_point(curve, i + 1)));
     }
     return joints;
 }

@@ -10,7 +10,7 @@ namespace batten::core {
 
 namespace {
 
-Result<void> check_count(std::size_t found, std::size_t least) {
+Result<void> check_vertex_count(std::size_t found, std::size_t least) {
     if (found >= least) return {};
     return refuse({.code = CurveErrorCode::too_few_points,
                    .value = static_cast<double>(found),
@@ -34,8 +34,9 @@ Result<Curve> line(Point from, Point to) {
 }
 
 Result<Curve> polyline(std::span<const Point> points, bool is_closed) {
-    const auto check =
-        check_count(points.size(), is_closed ? 3 : 2).and_then([&] { return check_neighbors(points, is_closed); });
+    const auto check = check_vertex_count(points.size(), is_closed ? 3 : 2).and_then([&] {
+        return check_neighbors(points, is_closed);
+    });
     if (!check) return refuse(check.error());
     const KnotKind kind = is_closed ? KnotKind::periodic : KnotKind::clamped_uniform;
     const double legs = static_cast<double>(points.size()) - (is_closed ? 0.0 : 1.0);
@@ -45,7 +46,7 @@ Result<Curve> polyline(std::span<const Point> points, bool is_closed) {
 }
 
 Result<Curve> regular_polygon(Point center, double radius, std::size_t sides, double start) {
-    if (const auto check = check_count(sides, 3); !check) return refuse(check.error());
+    if (const auto check = check_vertex_count(sides, 3); !check) return refuse(check.error());
     if (!(radius > 0.0)) return refuse({.code = CurveErrorCode::length_not_positive, .value = radius});
     std::vector<Point> corners;
     for (std::size_t k = 0; k < sides; ++k)

@@ -13,8 +13,8 @@ namespace {
 // A part whose error is less than this share of the whole length is done.
 constexpr double enough = 1e-15;
 
-constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon();
-constexpr int most_newton_steps = 60;
+constexpr double length_rounding = 8.0 * std::numeric_limits<double>::epsilon();
+constexpr int most_length_steps = 60;
 constexpr Interval whole_piece{0.0, 1.0};
 
 struct PieceRange {
@@ -49,7 +49,7 @@ Integral integrate(std::span<const PieceRange> ranges, const Take& take) {
                                          total.value += rules.kronrod;
                                          total.error += error_of(rules);
                                      });
-    total.error += rounding * total.value;
+    total.error += length_rounding * total.value;
     return total;
 }
 
@@ -143,7 +143,7 @@ double ArcLengthTable::share_at(const Part& part, double length) const {
     const auto speed = [&](double share) { return pieces_[part.piece].speed_at(share); };
     Interval bracket = part.shares;
     double t = from_unit(bracket, length / part.length);
-    for (int i = 0; i < most_newton_steps; ++i) {
+    for (int i = 0; i < most_length_steps; ++i) {
         const double excess = integrate_once<double>(speed, {part.shares.lower, t}).kronrod - length;
         (excess < 0.0 ? bracket.lower : bracket.upper) = t;
         double next = t - excess / speed(t);

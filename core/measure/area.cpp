@@ -13,9 +13,9 @@ namespace batten::core {
 namespace {
 
 // Parts whose error is less than this share of size^2 are done.
-constexpr double enough = 1e-16;
+constexpr double enough_area = 1e-16;
 
-constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
+constexpr double area_rounding = 16.0 * std::numeric_limits<double>::epsilon();
 
 // det(C, C') times (1, x, y): what is integrated for the area and both moments.
 glm::dvec3 moments_at(const PieceMotion& piece, double t) {
@@ -45,11 +45,11 @@ Result<Area> enclosed_area(const Curve& curve) {
     const double size = std::max(extent.x, extent.y);
     if (size == 0.0) return Area{};
     glm::dvec3 sum(0.0);
-    double error = rounding * size * size;
+    double error = area_rounding * size * size;
     for (const PieceMotion& piece : motions_of(curve, origin))
         integrate_adaptively<glm::dvec3>(
             [&](double t) { return moments_at(piece, t); }, {0.0, 1.0},
-            [&](const RulePair<glm::dvec3>& rules) { return !(error_of(rules, size) > enough * size * size); },
+            [&](const RulePair<glm::dvec3>& rules) { return !(error_of(rules, size) > enough_area * size * size); },
             [&](const RulePair<glm::dvec3>& rules) {
                 sum += rules.kronrod;
                 error += error_of(rules, size);

@@ -10,13 +10,13 @@ namespace batten::core {
 
 namespace {
 
-constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+constexpr double closing_rounding = 4.0 * std::numeric_limits<double>::epsilon();
 
-// The knots repeat after the domain's length, up to rounding and `tolerance` of it.
+// The knots repeat after the domain's length, up to closing_rounding and `tolerance` of it.
 bool knots_repeat(const KnotVector& knots, std::size_t period, double tolerance) {
     const Interval domain = knots.domain();
     const double largest = std::max(std::abs(knots.values().front()), std::abs(knots.values().back()));
-    const double allowed = tolerance * domain.length() + rounding * largest;
+    const double allowed = tolerance * domain.length() + closing_rounding * largest;
     for (std::size_t i = 0; i + period < knots.size(); ++i)
         if (std::abs(knots[i + period] - knots[i] - domain.length()) > allowed) return false;
     return true;
@@ -28,7 +28,7 @@ bool points_repeat(const Curve& curve, std::size_t period, double tolerance) {
     const double allowed = absolute_tolerance(curve, tolerance);
     for (std::size_t i = 0; i + period < points.size(); ++i) {
         if (distance(points[i], points[i + period]) > allowed) return false;
-        if (std::abs(weights[i] - weights[i + period]) > (tolerance + rounding) * weights[i]) return false;
+        if (std::abs(weights[i] - weights[i + period]) > (tolerance + closing_rounding) * weights[i]) return false;
     }
     return true;
 }
@@ -66,7 +66,7 @@ double absolute_tolerance(const Curve& curve, double relative) {
     const Box box = control_box(curve);
     const double largest =
         std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.upper.x), std::abs(box.upper.y)});
-    return std::max(relative * std::max(box.size().x, box.size().y), rounding * largest);
+    return std::max(relative * std::max(box.size().x, box.size().y), closing_rounding * largest);
 }
 
 ClosingReport closing_of(const Curve& curve, double tolerance) {

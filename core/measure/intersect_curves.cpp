@@ -25,12 +25,12 @@ double size_of(const Box& box) {
     return std::max(box.size().x, box.size().y);
 }
 
-double largest_coordinate(const Box& box) {
+double farthest_coordinate(const Box& box) {
     return std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.upper.x), std::abs(box.upper.y)});
 }
 
 double tolerance_within(const Box& box) {
-    return same_point * size_of(box) + 4.0 * std::numeric_limits<double>::epsilon() * largest_coordinate(box);
+    return same_point * size_of(box) + 4.0 * std::numeric_limits<double>::epsilon() * farthest_coordinate(box);
 }
 
 // One of the two curves, for translating places to parameters and telling whether two are the same.

@@ -11,7 +11,7 @@ namespace batten::core {
 
 namespace {
 
-constexpr double unit_roundoff = 0.5 * std::numeric_limits<double>::epsilon();
+constexpr double roundoff_of_line = 0.5 * std::numeric_limits<double>::epsilon();
 
 // Distances from the line, as part of the size of curve and segment, that count as none at a joint and at an end.
 constexpr double on_line = 1e-12;
@@ -28,8 +28,8 @@ class Line {
         const double scale = form_scale(curve);
         offset_ = scale * dot(normal_, a - origin);
         // Rounded coordinates move the line and turn it.
-        offset_error_ = scale * 4.0 * unit_roundoff * (far + reach) * (1.0 + reach / length_);
-        tolerance_ = on_line * (reach + length_) + 4.0 * unit_roundoff * far;
+        offset_error_ = scale * 4.0 * roundoff_of_line * (far + reach) * (1.0 + reach / length_);
+        tolerance_ = on_line * (reach + length_) + 4.0 * roundoff_of_line * far;
     }
 
     // The distance from the line, to the left of it positive, times the weight and the scale.

@@ -15,10 +15,10 @@ namespace {
 constexpr double relative_tolerance = 1e-14;
 
 // A piece of this part of a span is left to Newton's iteration.
-constexpr int deepest_halving = 20;
+constexpr int most_nearest_halvings = 20;
 
 constexpr int samples_in_piece = 4;
-constexpr int most_newton_steps = 40;
+constexpr int most_nearest_steps = 40;
 constexpr int most_step_halvings = 30;
 
 // The piece is nearer than `radius` where this polynomial of degree 2p is negative, which is nowhere unless one of its
@@ -85,7 +85,7 @@ class NearestSearch {
 
     // Newton's iteration for (C - Q) C' = 0 inside one span, with steps halved until they lead no farther away.
     Candidate polished(Candidate at, Interval span) const {
-        for (int i = 0; i < most_newton_steps; ++i) {
+        for (int i = 0; i < most_nearest_steps; ++i) {
             const auto derivatives = derivatives_at(curve_, at.u, 2, inner_side(at.u, span));
             const Vector away = derivatives.point - query_;
             const double slope = dot(away, derivatives[1]);
@@ -128,7 +128,7 @@ class NearestSearch {
         if (radius <= 0.0 || !may_come_nearer(piece, query_, radius)) return;
         const double half = middle(piece.interval);
         const bool is_divisible = piece.interval.lower < half && half < piece.interval.upper;
-        if (depth == deepest_halving || !is_divisible)
+        if (depth == most_nearest_halvings || !is_divisible)
             return offer(polished(candidate_at(half, inner_side(half, span)), span), span);
         const auto [left, right] = cut_piece(piece, half);
         search(left, span, depth + 1);

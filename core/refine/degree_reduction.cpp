@@ -14,13 +14,13 @@ namespace {
 // Beyond this many unknowns the band of the matrix is worth its trouble.
 constexpr std::size_t largest_dense_system = 64;
 
-struct Run {
+struct KnotRun {
     double value = 0.0;
     std::size_t length = 0;
 };
 
-std::vector<Run> runs_of(std::span<const double> knots) {
-    std::vector<Run> runs;
+std::vector<KnotRun> runs_of(std::span<const double> knots) {
+    std::vector<KnotRun> runs;
     for (const double knot : knots) {
         if (runs.empty() || runs.back().value != knot) runs.push_back({knot, 0});
         ++runs.back().length;
@@ -28,19 +28,19 @@ std::vector<Run> runs_of(std::span<const double> knots) {
     return runs;
 }
 
-std::vector<double> knots_of(std::span<const Run> runs) {
+std::vector<double> knots_of(std::span<const KnotRun> runs) {
     std::vector<double> knots;
-    for (const Run& run : runs) knots.insert(knots.end(), run.length, run.value);
+    for (const KnotRun& run : runs) knots.insert(knots.end(), run.length, run.value);
     return knots;
 }
 
-void shorten(Run& run) {
+void shorten(KnotRun& run) {
     if (run.length > 1) --run.length;
 }
 
 // One period in the lower degree. The seam's run lies at both ends, and one of its knots is counted twice.
 std::vector<double> reduced_period(std::span<const double> period) {
-    std::vector<Run> runs = runs_of(period);
+    std::vector<KnotRun> runs = runs_of(period);
     for (std::size_t i = 1; i + 1 < runs.size(); ++i) shorten(runs[i]);
     shorten(runs.front().length > 1 ? runs.front() : runs.back());
     return knots_of(runs);
@@ -53,8 +53,8 @@ std::vector<double> reduced_values(const KnotVector& knots) {
     const Interval domain = knots.domain();
     const bool lower_shortens = knots[p - 1] == domain.lower;
     const bool upper_shortens = knots[knots.size() - p] == domain.upper;
-    std::vector<Run> runs = runs_of(knots.values());
-    for (Run& run : runs) {
+    std::vector<KnotRun> runs = runs_of(knots.values());
+    for (KnotRun& run : runs) {
         const bool is_inside = domain.lower < run.value && run.value < domain.upper;
         const bool is_shortened_end =
             (run.value == domain.lower && lower_shortens) || (run.value == domain.upper && upper_shortens);

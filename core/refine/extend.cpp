@@ -16,7 +16,7 @@ namespace batten::core {
 
 namespace {
 
-Result<void> check_length(double length) {
+Result<void> check_added_length(double length) {
     if (length > 0.0 && std::isfinite(length)) return {};
     return refuse({.code = CurveErrorCode::length_not_positive, .value = length});
 }
@@ -107,7 +107,7 @@ void add_straight_piece(CurveDefinition& definition, CurveEnd end, Vector step, 
 }  // namespace
 
 Result<Curve> extend_parameter(const Curve& curve, CurveEnd end, double by) {
-    if (const auto check = check_length(by); !check) return refuse(check.error());
+    if (const auto check = check_added_length(by); !check) return refuse(check.error());
     const auto clamped = clamp(curve, end);
     if (!clamped) return refuse(clamped.error());
     const double old = end_of(curve, end);
@@ -117,7 +117,7 @@ Result<Curve> extend_parameter(const Curve& curve, CurveEnd end, double by) {
 }
 
 Result<Curve> extend_length(const Curve& curve, CurveEnd end, double length) {
-    if (const auto check = check_length(length); !check) return refuse(check.error());
+    if (const auto check = check_added_length(length); !check) return refuse(check.error());
     const auto clamped = clamp(curve, end);
     if (!clamped) return refuse(clamped.error());
     if (!curvature_at(*clamped, end_of(curve, end)))
@@ -126,7 +126,7 @@ Result<Curve> extend_length(const Curve& curve, CurveEnd end, double length) {
 }
 
 Result<Curve> extend_straight(const Curve& curve, CurveEnd end, double length) {
-    if (const auto check = check_length(length); !check) return refuse(check.error());
+    if (const auto check = check_added_length(length); !check) return refuse(check.error());
     const auto clamped = clamp(curve, end);
     if (!clamped) return refuse(clamped.error());
     const double old = end_of(curve, end);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double sample_spacing_px = 3.0;
 constexpr double simplification_px = 0.15;
-constexpr double number_size = 12.0;
+constexpr double index_size = 12.0;
 constexpr double number_distance = 10.0;
 
 /// The directions from one point in which a line passes near all points since.
@@ -173,7 +173,7 @@ void draw_basis_numbers(PlotFrame& frame, const std::vector<BasisGraph>& graphs)
         const double x = std::clamp(graphs[i].peak.x, frame.layout.left_px + inset, frame.layout.right_px - inset);
         row.write(frame.pen, {x, graphs[i].peak.y - frame.pen.px(number_distance)}, std::to_string(i),
                   {.color = frame.theme.point(i),
-                   .size = number_size,
+                   .size = index_size,
                    .anchor = render::Anchor::center,
                    .font = render::LabelFont::bold});
     }

@@ -11,7 +11,7 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double radius = 5.0;
+constexpr double knot_radius = 5.0;
 constexpr double stack_distance = 8.5;
 constexpr double least_distance = 4.0;
 constexpr double covered_distance = 8.0;
@@ -99,7 +99,7 @@ void draw_curve_knots(CanvasFrame& frame, const std::vector<CurveKnot>& knots) {
     for (const CurveKnot& knot : knots)
         for (const glm::dvec2 place : knot.places)
             frame.pen.symbol(place, {.shape = render::MarkerShape::diamond,
-                                     .radius = knot.is_chosen ? radius + 1.5 : radius,
+                                     .radius = knot.is_chosen ? knot_radius + 1.5 : knot_radius,
                                      .fill = frame.theme.canvas,
                                      .outline = knot.is_lit ? frame.theme.accent : frame.theme.curve,
                                      .outline_width = knot.is_lit ? 2.0 : 1.5});

@@ -6,9 +6,9 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double radius = 5.0;
+constexpr double mark_radius = 5.0;
 constexpr double outline_width = 2.0;
-constexpr double number_size = 11.0;
+constexpr double mark_number_size = 11.0;
 constexpr glm::dvec2 number_offset{8.0, -10.0};
 // More would hide one another and the curve.
 constexpr std::size_t most_numbers = 60;
@@ -21,7 +21,7 @@ std::span<const Finding> marked(const CanvasFrame& frame) {
 
 render::PixelBox number_box(const CanvasFrame& frame, glm::dvec2 place, const std::string& number) {
     const glm::dvec2 left = place + frame.pen.px(1.0) * number_offset;
-    const glm::dvec2 size = text_size(number, frame.pen.px(number_size), render::LabelFont::number);
+    const glm::dvec2 size = text_size(number, frame.pen.px(mark_number_size), render::LabelFont::number);
     return {left - glm::dvec2(0.0, 0.5 * size.y), left + glm::dvec2(size.x, 0.5 * size.y)};
 }
 
@@ -34,7 +34,7 @@ std::vector<render::PixelBox> finding_boxes(const CanvasFrame& frame) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (!rows[i].point) continue;
         const glm::dvec2 place = frame.screen(*rows[i].point);
-        const glm::dvec2 reach(frame.pen.px(radius + outline_width));
+        const glm::dvec2 reach(frame.pen.px(mark_radius + outline_width));
         boxes.push_back({place - reach, place + reach});
         boxes.push_back(number_box(frame, place, std::to_string(i + 1)));
     }
@@ -47,13 +47,13 @@ void draw_finding_marks(CanvasFrame& frame) {
         if (!rows[i].point) continue;
         const glm::dvec2 place = frame.screen(*rows[i].point);
         frame.pen.symbol(place, {.shape = render::MarkerShape::square,
-                                 .radius = radius,
+                                 .radius = mark_radius,
                                  .fill = frame.theme.canvas,
                                  .outline = frame.theme.accent,
                                  .outline_width = outline_width});
         if (rows.size() > most_numbers) continue;
         frame.pen.text(place + frame.pen.px(1.0) * number_offset, std::to_string(i + 1),
-                       {.color = frame.theme.accent, .size = number_size, .font = render::LabelFont::number});
+                       {.color = frame.theme.accent, .size = mark_number_size, .font = render::LabelFont::number});
     }
 }
 

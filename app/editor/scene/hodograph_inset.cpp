@@ -12,9 +12,9 @@ namespace batten::editor {
 namespace {
 
 constexpr double width = 200.0;
-constexpr double height = 150.0;
-constexpr double margin = 14.0;
-constexpr double padding = 14.0;
+constexpr double inset_height = 150.0;
+constexpr double inset_margin = 14.0;
+constexpr double inset_padding = 14.0;
 constexpr double title_height = 20.0;
 
 using Run = std::vector<core::Vector>;
@@ -85,8 +85,8 @@ std::vector<glm::dvec2> thinned(const Run& run, const InsetMap& map) {
 
 render::PixelBox hodograph_box(const CanvasFrame& frame) {
     const Pen& pen = frame.pen;
-    const glm::dvec2 upper{pen.size_px().x - pen.px(margin), pen.px(margin + height)};
-    return {upper - glm::dvec2(pen.px(width), pen.px(height)), upper};
+    const glm::dvec2 upper{pen.size_px().x - pen.px(inset_margin), pen.px(inset_margin + inset_height)};
+    return {upper - glm::dvec2(pen.px(width), pen.px(inset_height)), upper};
 }
 
 void draw_hodograph_inset(CanvasFrame& frame) {
@@ -94,10 +94,10 @@ void draw_hodograph_inset(CanvasFrame& frame) {
     Pen& pen = frame.pen;
     const Theme& theme = frame.theme;
     draw_panel_box(pen, theme, box);
-    const glm::dvec2 corner = box.lower_px + glm::dvec2(pen.px(padding));
+    const glm::dvec2 corner = box.lower_px + glm::dvec2(pen.px(inset_padding));
     pen.text({corner.x, box.lower_px.y + pen.px(15.0)}, "Hodograph C′(u)", {.color = theme.dim, .size = 11.5});
     const render::PixelBox area{corner + glm::dvec2(0.0, pen.px(title_height - 4.0)),
-                                box.upper_px - glm::dvec2(pen.px(padding))};
+                                box.upper_px - glm::dvec2(pen.px(inset_padding))};
     const std::vector<Run> runs = hodograph_runs(*frame.curve);
     const InsetMap map(area, runs);
     draw_axes(pen, theme, area, map({0.0, 0.0}));

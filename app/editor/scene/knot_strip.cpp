@@ -15,7 +15,7 @@ namespace batten::editor {
 namespace {
 
 constexpr double value_size = 12.0;
-constexpr double detail_size = 10.5;
+constexpr double multiplicity_size = 10.5;
 
 /// The diamonds of equal knots.
 struct Stack {
@@ -145,7 +145,7 @@ void draw_knot_labels(PlotFrame& frame) {
         const std::string text = detail_text(frame, stack);
         if (text.empty()) continue;
         const TextStyle detail{.color = stack.is_chosen ? frame.theme.accent : frame.theme.dim,
-                               .size = detail_size,
+                               .size = multiplicity_size,
                                .anchor = render::Anchor::center};
         details.write(frame.pen, {x, frame.layout.strip_px + 0.68 * room}, text, detail);
     }

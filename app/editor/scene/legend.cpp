@@ -13,8 +13,8 @@ namespace {
 
 constexpr double left = 14.0;
 constexpr double bottom = 28.0;  // leaves room for the numbers of the grid
-constexpr double height = 30.0;
-constexpr double padding = 13.0;
+constexpr double legend_height = 30.0;
+constexpr double legend_padding = 13.0;
 constexpr double text = 12.5;
 constexpr double disc_space = 22.0;  // from the end of a text to the next disc
 constexpr double disc_to_text = 10.0;
@@ -44,10 +44,10 @@ double width_of(const std::string& label) {
 }  // namespace
 
 render::PixelBox legend_box(const CanvasFrame& frame) {
-    double width = padding + width_of(title) + padding;
+    double width = legend_padding + width_of(title) + legend_padding;
     for (const std::string& entry : entries(frame)) width += disc_space + disc_to_text + width_of(entry);
-    const glm::dvec2 lower{frame.pen.px(left), frame.pen.size_px().y - frame.pen.px(bottom + height)};
-    return {lower, lower + glm::dvec2(frame.pen.px(width), frame.pen.px(height))};
+    const glm::dvec2 lower{frame.pen.px(left), frame.pen.size_px().y - frame.pen.px(bottom + legend_height)};
+    return {lower, lower + glm::dvec2(frame.pen.px(width), frame.pen.px(legend_height))};
 }
 
 void draw_legend(CanvasFrame& frame) {
@@ -55,7 +55,7 @@ void draw_legend(CanvasFrame& frame) {
     Pen& pen = frame.pen;
     draw_panel_box(pen, frame.theme, box);
     const double y = 0.5 * (box.lower_px.y + box.upper_px.y);
-    double x = box.lower_px.x + pen.px(padding);
+    double x = box.lower_px.x + pen.px(legend_padding);
     pen.text({x, y}, title, {.color = frame.theme.dim, .size = text});
     x += pen.px(width_of(title));
     std::size_t r = 0;

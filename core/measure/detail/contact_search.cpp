@@ -19,7 +19,7 @@ const double smallest_piece = std::ldexp(1.0, -22);
 // After so many parts of one pair of pieces what is still undecided is left so.
 constexpr std::size_t most_visits = 20'000;
 
-constexpr int deepest_halving = 40;
+constexpr int most_pair_halvings = 40;
 
 // Places on both pieces, between the ends of an interval on which they seem to coincide, where they have to.
 constexpr int overlap_probes = 9;
@@ -157,7 +157,7 @@ void ContactSearch::search(const ContactPiece& a, const ContactPiece& b) {
 }
 
 void ContactSearch::search_joint(const ContactPiece& a, const ContactPiece& b, int depth) {
-    if (depth == deepest_halving || continue_each_other(a, b) || is_small(a, b)) return;
+    if (depth == most_pair_halvings || continue_each_other(a, b) || is_small(a, b)) return;
     const auto [a_far, a_near] = halves(a);
     const auto [b_near, b_far] = halves(b);
     search_joint(a_near, b_near, depth + 1);
@@ -167,7 +167,7 @@ void ContactSearch::search_joint(const ContactPiece& a, const ContactPiece& b, i
 }
 
 void ContactSearch::search_alone(const ContactPiece& a, int depth) {
-    if (depth == deepest_halving || a.directions || is_small(a, a)) return;
+    if (depth == most_pair_halvings || a.directions || is_small(a, a)) return;
     const auto [left, right] = halves(a);
     search_alone(left, depth + 1);
     search_alone(right, depth + 1);

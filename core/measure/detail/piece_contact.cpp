@@ -7,14 +7,14 @@ namespace batten::core {
 
 namespace {
 
-constexpr int most_newton_steps = 30;
+constexpr int most_contact_steps = 30;
 constexpr int most_secant_steps = 80;
 constexpr int samples = 64;
 
 // Newton's iteration may leave a piece by this much on its way, but not farther, where weights may vanish.
 constexpr Interval neighborhood{-0.125, 1.125};
 
-constexpr double smallest_step = 0.5 * std::numeric_limits<double>::epsilon();
+constexpr double smallest_contact_step = 0.5 * std::numeric_limits<double>::epsilon();
 
 double unit(double share) {
     return std::clamp(share, 0.0, 1.0);
@@ -29,7 +29,7 @@ double distance(const PieceMotion& a, const PieceMotion& b, ShareContact at) {
 std::optional<ShareContact> crossing_near(const PieceMotion& a, const PieceMotion& b, ShareContact start,
                                           double tolerance) {
     ShareContact at = start;
-    for (int i = 0; i < most_newton_steps; ++i) {
+    for (int i = 0; i < most_contact_steps; ++i) {
         const Motion on_a = a.at(at.first);
         const Motion on_b = b.at(at.second);
         const Vector apart = on_b.position - on_a.position;
@@ -39,7 +39,7 @@ std::optional<ShareContact> crossing_near(const PieceMotion& a, const PieceMotio
         if (!std::isfinite(step_a) || !std::isfinite(step_b)) return std::nullopt;
         at.first = neighborhood.clamp(at.first + step_a);
         at.second = neighborhood.clamp(at.second + step_b);
-        if (std::max(std::abs(step_a), std::abs(step_b)) <= smallest_step) break;
+        if (std::max(std::abs(step_a), std::abs(step_b)) <= smallest_contact_step) break;
     }
     at = {unit(at.first), unit(at.second)};
     if (!(distance(a, b, at) <= tolerance)) return std::nullopt;
@@ -49,11 +49,11 @@ std::optional<ShareContact> crossing_near(const PieceMotion& a, const PieceMotio
 double foot_near(const PieceMotion& b, Point point, double start) {
     // As long as the distance is small against the radius of curvature this converges quickly.
     double s = unit(start);
-    for (int i = 0; i < most_newton_steps; ++i) {
+    for (int i = 0; i < most_contact_steps; ++i) {
         const Motion motion = b.at(s);
         const double next =
             unit(s + dot(point - motion.position, motion.velocity) / dot(motion.velocity, motion.velocity));
-        if (!std::isfinite(next) || std::abs(next - s) <= smallest_step) break;
+        if (!std::isfinite(next) || std::abs(next - s) <= smallest_contact_step) break;
         s = next;
     }
     return s;
@@ -114,7 +114,7 @@ std::optional<ShareContact> touching_near(const PieceMotion& a, const PieceMotio
     // At a corner or cusp of one of them nothing turns; the points are the same all the same.
     if (const auto crossing = crossing_near(a, b, start, tolerance)) return crossing;
     ShareContact nearest = start;
-    for (int i = 0; i < most_newton_steps; ++i) {
+    for (int i = 0; i < most_contact_steps; ++i) {
         nearest.second = foot_near(b, a.at(nearest.first).position, nearest.second);
         nearest.first = foot_near(a, b.at(nearest.second).position, nearest.first);
     }

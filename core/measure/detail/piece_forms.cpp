@@ -10,10 +10,10 @@ namespace batten::core {
 
 namespace {
 
-constexpr double unit_roundoff = 0.5 * std::numeric_limits<double>::epsilon();
+constexpr double roundoff_of_forms = 0.5 * std::numeric_limits<double>::epsilon();
 
 // Runs of definite sign between zeros that are shorter than this part of their span are rounding at a knot.
-constexpr double shortest_run = 1e-11;
+constexpr double shortest_run_at_knot = 1e-11;
 
 // How far rounding may have moved the coordinates of Bézier points of weight 1, seen from the middle of the curve: by
 // a unit of the original coordinates, and in each of the p levels of the triangle.
@@ -27,7 +27,7 @@ double coordinate_error(const Curve& curve, const Curve& seen, std::size_t span)
         far = std::max({far, std::abs(original.x), std::abs(original.y)});
         near = std::max(near, length(vector_to(seen.control_points()[i % n])));
     }
-    return unit_roundoff * (far + static_cast<double>(curve.degree() + 4) * near);
+    return roundoff_of_forms * (far + static_cast<double>(curve.degree() + 4) * near);
 }
 
 Bernstein weight_form(const BezierPiece& piece, double relative_error) {
@@ -63,7 +63,7 @@ double size_of(const Curve& curve) {
 PieceForms forms_of(BezierPiece piece, double error, const HomogeneousPoint& scale, int order) {
     for (HomogeneousPoint& point : piece.points) point *= scale;
     PieceForms result{piece.interval, {}};
-    const double weight_error = unit_roundoff * static_cast<double>(piece.points.size() + 3);
+    const double weight_error = roundoff_of_forms * static_cast<double>(piece.points.size() + 3);
     result.forms = {coordinate_form(piece, 0, error), coordinate_form(piece, 1, error),
                     weight_form(piece, weight_error)};
     for (int k = 0; k < order; ++k)
@@ -74,7 +74,7 @@ PieceForms forms_of(BezierPiece piece, double error, const HomogeneousPoint& sca
 void join_at_knot(std::vector<SignRun>& runs, Interval last_piece) {
     const std::size_t count = runs.size();
     if (count < 3 || runs[count - 1].sign != 0 || runs[count - 2].sign == 0 || runs[count - 3].sign != 0) return;
-    if (runs[count - 2].where.length() > shortest_run * last_piece.length()) return;
+    if (runs[count - 2].where.length() > shortest_run_at_knot * last_piece.length()) return;
     runs[count - 3].where.upper = runs[count - 1].where.upper;
     runs.resize(count - 2);
 }
