@@ -5,7 +5,7 @@ set(BATTEN_SANITIZERS -fsanitize=address,undefined -fno-sanitize-recover=all -fn
 # batten_settings(TARGET): warnings as errors, and the sanitizers where asked for.
 function(batten_settings target)
   target_compile_options(${target} PRIVATE
-    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow$<$<BOOL:${BATTEN_TOGETHER}>:=local> -Wconversion -Wsign-conversion -Wold-style-cast
     -Wnon-virtual-dtor -Woverloaded-virtual -Werror>
     # At -O3 GCC 12 sees copies of endless length and uninitialized optionals where there are none.
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-maybe-uninitialized -Wno-stringop-overflow>)
@@ -20,6 +20,7 @@ endfunction()
 # does not compile.
 function(batten_library name folder)
   add_library(${name} STATIC ${ARGN})
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ${BATTEN_TOGETHER} UNITY_BUILD_BATCH_SIZE 6)
   batten_settings(${name})
   set(reach ${PROJECT_BINARY_DIR}/layers/${name})
   get_filename_component(parent ${reach}/${folder} DIRECTORY)

@@ -30,12 +30,20 @@ def flags_of(entry):
     return tuple(flags)
 
 
+def sources_of(entry, build):
+    """The source of an entry, or those that it compiles together."""
+    file = pathlib.Path(entry["file"])
+    if not file.is_relative_to(build):
+        return [file]
+    return [pathlib.Path(name) for name in INCLUDE.findall(file.read_text()) if name.endswith(".cpp")]
+
+
 def sources_by_flags(root, build, folder):
     sources = collections.defaultdict(list)
     for entry in json.loads((build / "compile_commands.json").read_text()):
-        source = pathlib.Path(entry["file"])
-        if source.is_relative_to(root / folder) and not source.is_relative_to(build):
-            sources[flags_of(entry)].append(source)
+        for source in sources_of(entry, build):
+            if source.is_relative_to(root / folder) and not source.is_relative_to(build):
+                sources[flags_of(entry)].append(source)
     return sources
 
 
