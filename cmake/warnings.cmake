@@ -4,8 +4,13 @@ set(BATTEN_SANITIZERS -fsanitize=address,undefined -fno-sanitize-recover=all -fn
 
 # batten_settings(TARGET): warnings as errors, and the sanitizers where asked for.
 function(batten_settings target)
+  # Where sources are compiled together, a local name may be that of something in another of them.
+  set(shadow -Wshadow)
+  if(BATTEN_TOGETHER)
+    set(shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
+  endif()
   target_compile_options(${target} PRIVATE
-    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow$<$<BOOL:${BATTEN_TOGETHER}>:=local> -Wconversion -Wsign-conversion -Wold-style-cast
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic ${shadow} -Wconversion -Wsign-conversion -Wold-style-cast
     -Wnon-virtual-dtor -Woverloaded-virtual -Werror>
     # At -O3 GCC 12 sees copies of endless length and uninitialized optionals where there are none.
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-maybe-uninitialized -Wno-stringop-overflow>)

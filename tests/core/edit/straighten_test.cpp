@@ -3,26 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "core/measure/collinear.h"
+#include "tests/core/uniform_curves.h"
 
 namespace batten::core {
-
-namespace {
-
-Curve open_curve(int degree, std::vector<Point> points) {
-    CurveDefinition definition{.degree = degree, .points = std::move(points)};
-    const auto p = static_cast<std::size_t>(degree);
-    for (std::size_t i = 0; i < definition.points.size() + p + 1; ++i)
-        definition.knots.push_back(static_cast<double>(i) - degree);
-    return Curve::make(std::move(definition)).value();
-}
-
-Curve closed_curve(int degree, std::vector<Point> points) {
-    CurveDefinition definition{.degree = degree, .points = std::move(points), .periodic = true};
-    for (std::size_t i = 0; i <= definition.points.size(); ++i) definition.knots.push_back(static_cast<double>(i));
-    return Curve::make(std::move(definition)).value();
-}
-
-}  // namespace
 
 TEST(Straighten, makes_a_straight_piece_between_two_points) {
     const Curve curve = open_curve(3, {{0, 0}, {1, 3}, {2, -1}, {4, 0}, {5, 5}});

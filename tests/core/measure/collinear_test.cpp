@@ -5,24 +5,11 @@
 #include <cmath>
 
 #include "core/evaluate/evaluate.h"
+#include "tests/core/uniform_curves.h"
 
 namespace batten::core {
 
 namespace {
-
-Curve open_curve(int degree, std::vector<Point> points) {
-    CurveDefinition definition{.degree = degree, .points = std::move(points)};
-    const auto p = static_cast<std::size_t>(degree);
-    for (std::size_t i = 0; i < definition.points.size() + p + 1; ++i)
-        definition.knots.push_back(static_cast<double>(i) - degree);
-    return Curve::make(std::move(definition)).value();
-}
-
-Curve closed_curve(int degree, std::vector<Point> points) {
-    CurveDefinition definition{.degree = degree, .points = std::move(points), .periodic = true};
-    for (std::size_t i = 0; i <= definition.points.size(); ++i) definition.knots.push_back(static_cast<double>(i));
-    return Curve::make(std::move(definition)).value();
-}
 
 // The largest distance of the curve over the run's interval from the chord of that interval.
 double bend(const Curve& curve, Interval straight) {
