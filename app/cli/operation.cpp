@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "app/editor/command_table.h"
+#include "app/editor/field_text.h"
 #include "core/base/sentence.h"
 
 namespace batten::cli {
@@ -10,7 +11,6 @@ namespace batten::cli {
 namespace {
 
 using core::sentence;
-using editor::FieldKind;
 
 const editor::CommandSpec* operation_called(const std::string& name) {
     const editor::CommandSpec* spec = editor::find_command(name);
@@ -19,16 +19,7 @@ const editor::CommandSpec* operation_called(const std::string& name) {
 
 // A text may be anything, also the name of an operation, unless it can be left out.
 bool takes_any_word(const editor::Field& field) {
-    switch (field.kind) {
-        case FieldKind::choice:
-        case FieldKind::curve_name:
-        case FieldKind::color:
-        case FieldKind::text:
-        case FieldKind::file:
-            return !field.can_be_left_out();
-        default:
-            return false;
-    }
+    return editor::takes_text(field) && !field.can_be_left_out();
 }
 
 // Takes the words from `next` on that are arguments of `spec`.

@@ -172,16 +172,7 @@ Outcome<FieldValue> read_kind(const Field& field, Given given) {
 Argument meant(const Field& field, const Argument& given) {
     const auto* word = std::get_if<Word>(&given);
     if (word == nullptr) return given;
-    switch (field.kind) {
-        case FieldKind::choice:
-        case FieldKind::curve_name:
-        case FieldKind::color:
-        case FieldKind::text:
-        case FieldKind::file:
-            return word->text;
-        default:
-            return parse_argument(word->text);
-    }
+    return takes_text(field) ? Argument(word->text) : parse_argument(word->text);
 }
 
 // One case for each type of value.
@@ -211,6 +202,19 @@ struct ArgumentsOf {
 };
 
 }  // namespace
+
+bool takes_text(const Field& field) {
+    switch (field.kind) {
+        case FieldKind::choice:
+        case FieldKind::curve_name:
+        case FieldKind::color:
+        case FieldKind::text:
+        case FieldKind::file:
+            return true;
+        default:
+            return false;
+    }
+}
 
 Outcome<FieldValue> read_field(const Field& field, std::span<const Argument> given) {
     std::vector<Argument> arguments;

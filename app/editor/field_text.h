@@ -13,6 +13,9 @@ constexpr const char* flag_text(bool flag) {
     return flag ? "yes" : "no";
 }
 
+/// Whether a word that is typed for the field is taken as it stands, not as a number or a list.
+bool takes_text(const Field& field);
+
 /// The value that `given` means, one argument for each part of the field. The sentence names the part, what was found
 /// and what is needed; whether there is such a thing is check_field's to say.
 Outcome<FieldValue> read_field(const Field& field, std::span<const Argument> given);
