@@ -7,6 +7,7 @@
 #include "app/editor/command_reader.h"
 #include "app/editor/commands/file_acts.h"
 #include "app/editor/formula.h"
+#include "app/editor/same_document.h"
 #include "app/editor/upkeep.h"
 #include "app/editor/wording.h"
 #include "core/base/sentence.h"
@@ -19,19 +20,6 @@ namespace {
 bool show_refusal(EditorState& state, const Refusal& sentence) {
     state.message = {sentence, true};
     return false;
-}
-
-bool is_same(const core::DocumentCurve& a, const core::DocumentCurve& b) {
-    return (a.curve == b.curve || *a.curve == *b.curve) && a.name == b.name && a.color == b.color &&
-           a.visible == b.visible && a.locked == b.locked && a.tears == b.tears &&
-           a.unknown_members == b.unknown_members;
-}
-
-bool is_same(const core::Document& a, const core::Document& b) {
-    return a.active == b.active && a.title == b.title && a.description == b.description && a.view == b.view &&
-           a.unknown_members == b.unknown_members &&
-           std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(),
-                      [](const core::DocumentCurve& x, const core::DocumentCurve& y) { return is_same(x, y); });
 }
 
 // The old active curve, where the edit gave the same entry of the document another shape.
@@ -98,7 +86,7 @@ bool commit_edit(EditorState& state, const Command& command) {
     if (edit->clipboard) write_clipboard(state, *edit->clipboard);
     state.message = {};
     state.ghost.reset();
-    if (!is_same(state.history.present(), edit->document)) push_step(state, command, *edit);
+    if (!is_same_document(state.history.present(), edit->document)) push_step(state, command, *edit);
     if (edit->selection) state.selection = *edit->selection;
     return true;
 }

@@ -11,6 +11,7 @@ const std::string no_label;
 }  // namespace
 
 History::History(core::Document start) {
+    saved_ = start;
     steps_.push_back({{}, std::move(start)});
 }
 
@@ -24,8 +25,6 @@ const std::string& History::redo_label() const {
 
 void History::push(std::string label, core::Document document) {
     steps_.erase(std::next(steps_.begin(), static_cast<std::ptrdiff_t>(position_ + 1)), steps_.end());
-    // The saved document was among what is now forgotten.
-    if (saved_position_ != nowhere && saved_position_ > position_) saved_position_ = nowhere;
     steps_.push_back({std::move(label), std::move(document)});
     ++position_;
 }

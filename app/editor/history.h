@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/same_document.h"
 #include "core/document/document.h"
 
 namespace batten::editor {
@@ -30,8 +31,10 @@ class History {
     /// Changes what is not undone (active curve) in the present document.
     void amend(core::Document document) { steps_[position_].document = std::move(document); }
 
-    void mark_saved() { saved_position_ = position_; }
-    bool is_saved() const { return saved_position_ == position_; }
+    void mark_saved() { saved_ = present(); }
+
+    /// Whether the present document is the one that was saved last, or that the history began with, or is like it.
+    bool is_saved() const { return has_same_content(saved_, present()); }
 
     std::size_t undo_count() const { return position_; }
     std::size_t redo_count() const { return steps_.size() - 1 - position_; }
@@ -41,11 +44,9 @@ class History {
         std::string label;
         core::Document document;
     };
-    static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
-
     std::vector<Step> steps_;
     std::size_t position_ = 0;
-    std::size_t saved_position_ = 0;
+    core::Document saved_;
 };
 
 }  // namespace batten::editor

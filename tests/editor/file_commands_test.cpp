@@ -172,6 +172,28 @@ TEST_F(FileCommands, ask_about_unsaved_changes) {
     EXPECT_TRUE(state().wants_quit);
 }
 
+TEST_F(FileCommands, ask_nothing_where_the_document_is_as_it_was) {
+    Desktop desktop;
+    desktop.examples = folder_.path();
+    Editor editor(desktop);
+    editor.run(OpenExample{.name = "wave"});
+    const core::Point place = points(editor)[1];
+    for (const Command& command :
+         std::vector<Command>{SetParameter{.u = 0.7}, SelectPoints{.points = {2}}, ToggleOverlay<Overlay::hull>{},
+                              ActivateCurve{.index = 1}, ActivateCurve{.index = 0},
+                              SetPoint{.index = 1, .position = {5.0, 5.0}}, SetPoint{.index = 1, .position = place}}) {
+        ASSERT_TRUE(editor.run(command)) << editor.state().message.text;
+    }
+    EXPECT_EQ(editor.state().history.undo_count(), 2U);
+    EXPECT_FALSE(editor.state().is_modified());
+    EXPECT_TRUE(editor.run(OpenExample{.name = "arch"}));
+    EXPECT_EQ(editor.state().dialog, Dialog::none);
+    EXPECT_EQ(document(editor).curves[0].name, "arch");
+    editor.run(SetPoint{.index = 1, .position = {5.0, 5.0}});
+    EXPECT_TRUE(editor.run(OpenExample{.name = "wave"}));
+    EXPECT_EQ(editor.state().dialog, Dialog::unsaved_changes);
+}
+
 TEST_F(FileCommands, save_before_going_on) {
     run(Open{.path = wave_});
     run(SetWeight{.index = 0, .weight = 2.0});

@@ -66,6 +66,16 @@ TEST(History, knows_the_saved_document_again) {
     EXPECT_FALSE(history.is_saved());
 }
 
+TEST(History, knows_an_equal_document_whatever_led_to_it) {
+    History history(titled("one"));
+    history.push("there", titled("two"));
+    EXPECT_FALSE(history.is_saved());
+    history.push("and back", titled("one"));
+    EXPECT_TRUE(history.is_saved());
+    history.undo();
+    EXPECT_FALSE(history.is_saved());
+}
+
 TEST(History, never_takes_another_document_for_the_saved_one) {
     History history;
     history.push("first", titled("one"));
