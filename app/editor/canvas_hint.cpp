@@ -74,25 +74,29 @@ std::string select_hint(const EditorState& state) {
     if (active == nullptr) return "Draw a curve with the pen (N) or open a file (Ctrl+O)";
     if (active->locked) return locked_sentence(*active);
     const std::string hint = std::visit(SelectHint{state, *active->curve}, state.hover);
-    return hint.empty() ? "Drag to select points in a box · middle-drag or Space-drag pans · the wheel zooms" : hint;
+    return hint.empty()
+               ? "Drag to select points in a box · middle-drag or Space-drag pans · the wheel zooms, with Shift it pans"
+               : hint;
 }
 
 std::string tool_hint(const EditorState& state) {
     if (state.tool == Tool::draw_curve)
-        return "Click to set the first point of a new curve · hold Ctrl to keep to the grid";
+        return "Click to set the first point of a new curve · hold Ctrl to keep to the grid · Escape leaves the tool";
     if (state.tool == Tool::select || !can_edit_curve(state)) return select_hint(state);
     const bool is_on_knot = std::holds_alternative<HoveredKnot>(state.hover);
     switch (state.tool) {
         case Tool::add_point:
             return "Click to add a control point to the nearest leg or end (changes the shape) · hold Ctrl to keep to "
-                   "the grid";
+                   "the grid · Escape leaves the tool";
         case Tool::insert_knot:
-            return is_on_knot ? "Click to raise the multiplicity of this knot (keeps the shape)"
-                              : "Click on the curve to insert a knot there (keeps the shape)";
+            return is_on_knot
+                       ? "Click to raise the multiplicity of this knot (keeps the shape) · Escape leaves the tool"
+                       : "Click on the curve to insert a knot there (keeps the shape) · Escape leaves the tool";
         case Tool::weight:
-            return "Drag a control point up or right to raise its weight, down or left to lower it";
+            return "Drag a control point up or right to raise its weight, down or left to lower it · Escape leaves the "
+                   "tool";
         case Tool::parameter:
-            return "Drag to set the parameter u on the curve";
+            return "Drag to set the parameter u on the curve · Escape leaves the tool";
         case Tool::select:
         case Tool::draw_curve:
             break;

@@ -41,7 +41,11 @@ bool is_escape(const Gesture& gesture) {
     return gesture.event.action == PointerAction::escape;
 }
 
-void zoom(const Gesture& gesture) {
+void turn_wheel(const Gesture& gesture) {
+    if (const auto pan_px = wheel_pan(gesture.state, gesture.event)) {
+        gesture.queue.change(PanCamera{{*pan_px, 0.0}});
+        return;
+    }
     const glm::dvec2 anchor = gesture.event.position_px;
     gesture.queue.change(ZoomCamera{std::pow(zoom_per_notch, gesture.event.wheel), anchor});
 }
@@ -58,7 +62,7 @@ CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {
             request_hover(HoveredNothing{}, gesture.state, gesture.queue);
             return mode;
         case PointerAction::wheel:
-            zoom(gesture);
+            turn_wheel(gesture);
             return mode;
         case PointerAction::release:
         case PointerAction::escape:
@@ -256,9 +260,11 @@ CanvasMode press_while_drawing(DrawingCurve mode, const Gesture& gesture) {
 }
 
 CanvasMode step(DrawingCurve mode, const Gesture& gesture) {
-    if (gesture.state.tool != Tool::draw_curve) return step(CanvasIdle{}, gesture);
-    if (is_escape(gesture)) return CanvasIdle{};
-    if (gesture.event.action == PointerAction::wheel) zoom(gesture);
+    if (is_escape(gesture)) {
+        gesture.queue.run(SetTool{.tool = Tool::select});
+        return CanvasIdle{};
+    }
+    if (gesture.event.action == PointerAction::wheel) turn_wheel(gesture);
     if (is_move(gesture)) mode.next = pointed_at(gesture);
     if (is_press(gesture)) return press_while_drawing(std::move(mode), gesture);
     return mode;
@@ -266,10 +272,17 @@ CanvasMode step(DrawingCurve mode, const Gesture& gesture) {
 
 }  // namespace
 
+CanvasMode with_present_tool(CanvasMode mode, const EditorState& state) {
+    const auto* drawing = std::get_if<DrawingCurve>(&mode);
+    if (drawing != nullptr && drawing->tool_changes != state.tool_changes) return CanvasIdle{};
+    return mode;
+}
+
 CanvasMode step_canvas(const CanvasMode& mode, const PointerEvent& event, const EditorState& state,
                        CommandQueue& queue) {
     const Gesture gesture{event, state, queue};
-    return std::visit([&gesture](const auto& current) { return step(current, gesture); }, mode);
+    return std::visit([&gesture](const auto& current) { return step(current, gesture); },
+                      with_present_tool(mode, state));
 }
 
 }  // namespace batten::editor

@@ -64,14 +64,18 @@ struct DraggingCurvePoint {
 };
 
 /// A new curve drawn click by click. A double click ends it, which the window also sends for Enter; so does a click on
-/// its first or last point. Escape gives it up, and so does a change of the tool.
+/// its first or last point. Escape gives it up with its tool, and so does a change of the tool.
 struct DrawingCurve {
     std::vector<core::Point> points;
     core::Point next{};
+    std::size_t tool_changes = 0;  ///< of the state when it began
 };
 
 using CanvasMode = std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,
                                 DraggingCurveKnot, DraggingCurvePoint, DrawingCurve>;
+
+/// The mode that is left where the tool was changed without the pointer: a curve half drawn is given up.
+CanvasMode with_present_tool(CanvasMode mode, const EditorState& state);
 
 /// The mode after `event`; what it asks of the editor goes to `queue`. Pure: depends on its arguments only. A gesture
 /// previews on every move and commits once on release; Escape cancels the preview. A press that moves less than 3

@@ -159,7 +159,7 @@ CanvasMode press_parameter(const Gesture& gesture) {
 
 CanvasMode press_draw_curve(const Gesture& gesture) {
     const core::Point position = pointed_at(gesture);
-    return DrawingCurve{{position}, position};
+    return DrawingCurve{{position}, position, gesture.state.tool_changes};
 }
 
 }  // namespace

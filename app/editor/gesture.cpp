@@ -26,6 +26,13 @@ bool is_pan(const PointerEvent& event) {
     return event.button == PointerButton::middle || (event.button == PointerButton::left && event.space_is_held);
 }
 
+std::optional<double> wheel_pan(const EditorState& state, const PointerEvent& event) {
+    // The fingers on a touchpad never move quite straight: the larger of both directions is meant.
+    const bool is_sideways = std::abs(event.sideways_wheel) > std::abs(event.wheel);
+    if (!is_sideways && !event.modifiers.shift) return std::nullopt;
+    return pixels(state, pan_per_notch) * (is_sideways ? event.sideways_wheel : event.wheel);
+}
+
 const core::Curve* committed_curve(const EditorState& state) {
     const core::DocumentCurve* item = state.history.present().active_curve();
     return item == nullptr ? nullptr : item->curve.get();

@@ -1,6 +1,8 @@
 /// What all pointer modes share: clicks and drags told apart, round numbers.
 #pragma once
 
+#include <optional>
+
 #include "app/editor/command.h"
 #include "app/editor/pointer.h"
 #include "app/editor/state.h"
@@ -15,6 +17,7 @@ struct Gesture {
 };
 
 inline constexpr double zoom_per_notch = 1.15;  ///< of the wheel
+inline constexpr double pan_per_notch = 60.0;   ///< design pixels
 inline constexpr double snap_reach = 8.0;       ///< design pixels
 
 /// A distance of `design_px` on this display, in pixels.
@@ -29,6 +32,9 @@ bool is_drag(const EditorState& state, glm::dvec2 press_px, glm::dvec2 position_
 
 /// A press with the middle button, or with the left one while Space is held.
 bool is_pan(const PointerEvent& event);
+
+/// By how many pixels a turn of the wheel pans to the right: a sideways one, or one with Shift; none where it zooms.
+std::optional<double> wheel_pan(const EditorState& state, const PointerEvent& event);
 
 /// The committed active curve, which gestures start from; null without one.
 const core::Curve* committed_curve(const EditorState& state);

@@ -46,7 +46,15 @@ void show_range(const PlotGesture& gesture, core::Interval range) {
     gesture.queue.change(SetPlotRange{range});
 }
 
-void zoom(const PlotGesture& gesture) {
+/// Moves what the zoomed plot shows by so many pixels to the right.
+void pan(const PlotGesture& gesture, double moved_px) {
+    const double shift = -moved_px / gesture.px_per_unit();
+    const core::Interval range = gesture.layout.range;
+    if (gesture.state.view.plot_range && shift != 0.0) show_range(gesture, {range.lower + shift, range.upper + shift});
+}
+
+void turn_wheel(const PlotGesture& gesture) {
+    if (const auto pan_px = wheel_pan(gesture.state, gesture.event)) return pan(gesture, *pan_px);
     const double u = gesture.pointed_parameter();
     const double factor = std::pow(zoom_per_notch, -gesture.event.wheel);
     const core::Interval range = gesture.layout.range;
@@ -105,7 +113,7 @@ PlotMode step(const PlotIdle& mode, const PlotGesture& gesture) {
             request_hover(HoveredNothing{}, gesture.state, gesture.queue);
             return mode;
         case PointerAction::wheel:
-            zoom(gesture);
+            turn_wheel(gesture);
             return mode;
         case PointerAction::release:
         case PointerAction::escape:
@@ -161,9 +169,7 @@ PlotMode step(const PanningPlot& mode, const PlotGesture& gesture) {
     if (action == PointerAction::escape || action == PointerAction::release) return PlotIdle{};
     if (action != PointerAction::move) return mode;
     const double x = gesture.event.position_px.x;
-    const double shift = (mode.last_x_px - x) / gesture.px_per_unit();
-    const core::Interval range = gesture.layout.range;
-    if (gesture.state.view.plot_range && shift != 0.0) show_range(gesture, {range.lower + shift, range.upper + shift});
+    pan(gesture, x - mode.last_x_px);
     return PanningPlot{x};
 }
 

@@ -19,7 +19,8 @@ struct PointerEvent {
     PointerButton button = PointerButton::none;
     Modifiers modifiers;
     bool space_is_held = false;
-    double wheel = 0.0;  ///< notches, positive away from the user
+    double wheel = 0.0;           ///< notches, positive away from the user
+    double sideways_wheel = 0.0;  ///< notches, positive to the left
 };
 
 }  // namespace batten::editor

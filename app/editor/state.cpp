@@ -11,4 +11,9 @@ std::string EditorState::file_name() const {
     return path.empty() ? "untitled" : path.filename().string();
 }
 
+void take_tool(EditorState& state, Tool tool) {
+    if (state.tool != tool) ++state.tool_changes;
+    state.tool = tool;
+}
+
 }  // namespace batten::editor

@@ -64,6 +64,7 @@ struct EditorState {
     Hover hover;
     View view;
     Tool tool = Tool::select;
+    std::size_t tool_changes = 0;  ///< how often another tool was taken; what was begun with a tool is left with it
     Dialog dialog = Dialog::none;
     const CommandSpec* form = nullptr;  ///< whose fields Dialog::command_form asks for
     std::optional<Pending> pending;     ///< waits until unsaved changes are saved or given up
@@ -91,6 +92,9 @@ struct EditorState {
     /// "wave.json", or "untitled".
     std::string file_name() const;
 };
+
+/// Takes `tool` in place of the present one.
+void take_tool(EditorState& state, Tool tool);
 
 }  // namespace batten::editor
 

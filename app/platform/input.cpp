@@ -54,10 +54,11 @@ void Input::listen_to(GLFWwindow* window) {
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
         input_of(w).on_button(button, action, modifiers);
     });
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double notches) {
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double sideways_notches, double notches) {
         Input& input = input_of(w);
         PointerEvent event = input.pointer_event(PointerAction::wheel);
         event.wheel = notches;
+        event.sideways_wheel = sideways_notches;
         input.add(event);
     });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int has_entered) {

@@ -92,6 +92,7 @@ FrameLayout Interface::draw(const editor::EditorState& state, const FrameInput& 
     const FrameAreas areas = arrange({size.x, size.y}, state.view, state.view.interface_scale);
     FrameLayout layout{areas.canvas, areas.dock, {}};
     follow_canvas_size(state, areas.canvas, queue);
+    canvas_mode_ = editor::with_present_tool(std::move(canvas_mode_), state);
     dispatch_pointer(state, input, layout, queue);
 
     const PanelContext context{

@@ -35,7 +35,9 @@ struct Block {
 Block mouse_block() {
     return {"Mouse",
             {{"Wheel", "zoom at the pointer"},
+             {"Shift + wheel, sideways wheel", "pan to the side"},
              {"Middle drag, Space + drag", "pan"},
+             {"Escape", "leave the tool"},
              {"Click, Shift + click", "select points"},
              {"Drag on nothing", "select by a box"},
              {"Drag a point", "move the selection"},

@@ -263,6 +263,20 @@ TEST_F(CanvasModes, the_wheel_zooms_about_the_pointer) {
     EXPECT_NEAR(after.y, before.y, 1e-14);
 }
 
+TEST_F(CanvasModes, a_sideways_wheel_pans_and_so_does_one_with_shift) {
+    const glm::dvec2 before = render::screen_from_world(state().view.camera, {0.0, 0.0});
+    const auto moved = [&] { return render::screen_from_world(state().view.camera, {0.0, 0.0}) - before; };
+    pointer.turn_sideways(px(1, 1), 2.0, 0.5);
+    EXPECT_EQ(moved(), glm::dvec2(120.0, 0.0)) << "to the left: what is there comes in, and nothing zooms";
+    EXPECT_EQ(state().view.camera.scale, 64.0);
+    pointer.modifiers.shift = true;
+    pointer.send(PointerAction::wheel, px(1, 1), -3.0);
+    EXPECT_EQ(moved(), glm::dvec2(-60.0, 0.0));
+    pointer.modifiers.shift = false;
+    pointer.turn_sideways(px(0, 0), 0.25, 1.0);
+    EXPECT_NEAR(state().view.camera.scale, 64.0 * 1.15, 1e-12) << "mostly upward: it zooms";
+}
+
 TEST_F(CanvasModes, hover_is_asked_for_only_when_it_changes) {
     pointer.move(px(-2, 2));
     EXPECT_EQ(state().hover, Hover{HoveredPoint{1}});

@@ -235,6 +235,8 @@ TEST_F(CanvasPress, drawing_ends_on_its_last_point_and_is_given_up_by_escape_or_
     EXPECT_TRUE(is_in<DrawingCurve>());
     pointer.escape(px(0, 3));
     EXPECT_TRUE(is_in<CanvasIdle>());
+    EXPECT_EQ(state().tool, Tool::select);
+    editor.run(SetTool{.tool = Tool::draw_curve});
     pointer.click(px(-1, 1));
     editor.run(SetTool{.tool = Tool::select});
     pointer.move(px(0, 3));
@@ -245,6 +247,21 @@ TEST_F(CanvasPress, drawing_ends_on_its_last_point_and_is_given_up_by_escape_or_
     pointer.click(px(3, 3));
     pointer.click(px(3, 3));
     EXPECT_EQ(state().history.present().curves.size(), 2U);
+}
+
+TEST_F(CanvasPress, the_pen_taken_anew_draws_a_new_curve_and_not_the_one_given_up) {
+    editor.run(TakeTool<Tool::draw_curve>{});
+    pointer.click(px(-1, 1));
+    pointer.click(px(0, 3));
+    editor.run(TakeTool<Tool::select>{});
+    editor.run(TakeTool<Tool::draw_curve>{});
+    EXPECT_TRUE(std::holds_alternative<CanvasIdle>(with_present_tool(pointer.mode(), state())));
+    pointer.click(px(2, 1));
+    ASSERT_TRUE(is_in<DrawingCurve>());
+    EXPECT_EQ(std::get<DrawingCurve>(pointer.mode()).points, (std::vector<core::Point>{{2, 1}}));
+    editor.run(TakeTool<Tool::draw_curve>{});
+    pointer.click(px(3, 3));
+    EXPECT_EQ(std::get<DrawingCurve>(pointer.mode()).points.size(), 2U) << "the pen in hand goes on";
 }
 
 TEST_F(CanvasPress, without_a_curve_nothing_breaks) {

@@ -213,6 +213,18 @@ TEST_F(PlotModes, middle_and_space_drag_pan_within_the_knots) {
     EXPECT_EQ(state().parameter(), 0.4);
 }
 
+TEST_F(PlotModes, a_sideways_wheel_pans_within_the_knots) {
+    editor.change(SetPlotRange{{0.2, 0.7}});
+    pointer.turn_sideways({500, 100}, -1.0);
+    // 936 px are half a unit: 60 px to the left.
+    EXPECT_NEAR(state().view.plot_range->lower, 0.2 + 30.0 / 936.0, 1e-12);
+    EXPECT_NEAR(state().view.plot_range->upper, 0.7 + 30.0 / 936.0, 1e-12);
+    pointer.modifiers.shift = true;
+    pointer.send(PointerAction::wheel, {500, 100}, 100.0);
+    EXPECT_NEAR(state().view.plot_range->lower, 0.0, 1e-12);
+    EXPECT_NEAR(state().view.plot_range->upper, 0.5, 1e-12);
+}
+
 TEST_F(PlotModes, hover_tells_graphs_knots_and_spans_apart) {
     pointer.move(at(0.5, 80.0));
     EXPECT_EQ(state().hover, Hover{HoveredBasis{3}});

@@ -80,6 +80,14 @@ class Pointer {
         was_asked_ = !queue.is_empty();
         editor_.perform(queue);
     }
+    /// Turns a wheel to the left, with so many notches upward at the same time.
+    void turn_sideways(glm::dvec2 position, double notches, double upward = 0.0) {
+        PointerEvent event{PointerAction::wheel, position, PointerButton::none, modifiers, space, upward};
+        event.sideways_wheel = notches;
+        CommandQueue queue;
+        mode_ = step_(mode_, event, editor_.state(), queue);
+        editor_.perform(queue);
+    }
     void press(glm::dvec2 at) { send(PointerAction::press, at); }
     void move(glm::dvec2 at) { send(PointerAction::move, at); }
     void release(glm::dvec2 at) { send(PointerAction::release, at); }

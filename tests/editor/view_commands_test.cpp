@@ -7,6 +7,7 @@
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/key.h"
@@ -204,6 +205,23 @@ TEST_F(ViewCommands, take_tools_themes_and_sizes) {
     run(ToggleDock{});
     EXPECT_FALSE(view().inspector_is_open);
     EXPECT_FALSE(view().dock_is_open);
+}
+
+TEST_F(ViewCommands, escape_leaves_every_tool_whatever_else_there_is) {
+    for (const Tool tool : all_tools) {
+        run(SelectPoints{.points = {1}});
+        run(SetPoint{.index = 1, .position = {0.0, 0.5 * static_cast<double>(tool)}});
+        run(SetTool{.tool = tool});
+        editor_.change(ShowRefusal{"no"});
+        EXPECT_TRUE(type("escape"));
+        EXPECT_EQ(editor_.state().tool, Tool::select);
+        EXPECT_EQ(editor_.state().selection.points, (std::vector<std::size_t>{1}));
+        EXPECT_EQ(editor_.state().ghost.has_value(), tool != Tool::select) << "one thing at a time";
+    }
+    run(SetTool{.tool = Tool::weight});
+    run(ToggleAbout{});
+    EXPECT_TRUE(type("escape"));
+    EXPECT_EQ(editor_.state().tool, Tool::weight) << "the dialog first";
 }
 
 TEST_F(ViewCommands, zoom_the_plot) {

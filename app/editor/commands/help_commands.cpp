@@ -28,7 +28,9 @@ Outcome<void> dismiss_message(EditorState& state, const DismissMessage&) {
 // What Escape means now, one thing at a time. A field, so that a replay, which knows no previews, gives up the same.
 Escapable what_to_give_up(const EditorState& state) {
     if (state.dialog != Dialog::none) return Escapable::dialog;
-    if (state.preview || state.ghost || state.message.is_error) return Escapable::preview;
+    if (state.preview) return Escapable::preview;
+    if (state.tool != Tool::select) return Escapable::tool;
+    if (state.ghost || state.message.is_error) return Escapable::preview;
     if (state.findings) return Escapable::findings;
     if (state.selection != Selection{}) return Escapable::selection;
     return Escapable::presentation;
@@ -42,6 +44,9 @@ Outcome<void> escape(EditorState& state, const Escape& command) {
         case Escapable::preview:
             state.preview.reset();
             state.ghost.reset();
+            break;
+        case Escapable::tool:
+            take_tool(state, Tool::select);
             break;
         case Escapable::findings:
             state.findings.reset();
@@ -134,9 +139,10 @@ const CommandSpec& Escape::spec() {
     static const CommandSpec spec{
         .name = "escape",
         .title = "Cancel",
-        .explanation = "Closes a dialog, or gives up the gesture under way, or the results shown, or the selection.",
+        .explanation =
+            "Closes a dialog, or gives up the gesture under way, or the tool, or the results shown, or the selection.",
         .group = CommandGroup::edit,
-        .offered = in_the_window,
+        .offered = {.menu = false, .scripts = false},
         .shortcut = {Key::escape, {}},
         .fields = {field::choice<&Escape::what>("what", "what to give up").suggesting<what_to_give_up>().unasked()},
         .run = body_of<escape>};

@@ -9,7 +9,7 @@
 namespace batten::editor {
 
 /// What Escape gives up, the most fleeting first.
-enum class Escapable { dialog, preview, findings, selection, presentation };
+enum class Escapable { dialog, preview, tool, findings, selection, presentation };
 
 /// Each of these closes its dialog again where it is open.
 struct TogglePalette {
@@ -45,7 +45,9 @@ namespace batten::core {
 template <>
 struct Names<editor::Escapable> {
     using enum editor::Escapable;
-    static constexpr std::array table{Named{dialog, "dialog", "dialog"}, Named{preview, "preview", "preview"},
+    static constexpr std::array table{Named{dialog, "dialog", "dialog"},
+                                      Named{preview, "preview", "preview"},
+                                      Named{tool, "tool", "tool"},
                                       Named{findings, "findings", "findings"},
                                       Named{selection, "selection", "selection"},
                                       Named{presentation, "presentation", "presentation"}};

@@ -10,7 +10,7 @@ namespace {
 
 template <Tool tool>
 Outcome<void> take(EditorState& state, const TakeTool<tool>&) {
-    state.tool = tool;
+    take_tool(state, tool);
     return {};
 }
 
@@ -26,6 +26,7 @@ CommandSpec taking(const char* name, const char* title, const char* explanation,
             .explanation = explanation,
             .synonyms = "tool",
             .group = CommandGroup::edit,
+            .submenu = "Tools",
             .offered = {.scripts = false, .key_sheet = false},
             .shortcut = {key, {}},
             .is_checked = is_taken<tool>,
@@ -33,7 +34,7 @@ CommandSpec taking(const char* name, const char* title, const char* explanation,
 }
 
 Outcome<void> set_tool(EditorState& state, const SetTool& command) {
-    state.tool = command.tool;
+    take_tool(state, command.tool);
     return {};
 }
 
@@ -92,7 +93,7 @@ const CommandSpec& SetTool::spec() {
         .title = "Set tool",
         .explanation = "Takes a tool by its name.",
         .group = CommandGroup::edit,
-        .offered = in_the_window,
+        .offered = {.menu = false, .scripts = false},
         .fields = {field::choice<&SetTool::tool>("tool", "which tool").beginning_with<current_tool>()},
         .run = body_of<set_tool>};
     return spec;
