@@ -61,8 +61,7 @@ class CommandsTest(WindowTest):
     def test_a_form_previews_what_is_typed_and_enter_applies_it(self):
         editor = self.open_editor()
         before = self.save(editor)
-        editor.click_widget("menu edit")
-        editor.click_widget("menu-item set-weight")
+        self.choose(editor, "edit", "Points", "set-weight")
         editor.wait(lambda state: state["dialog"] == "command-form" and state["is_settled"], "the form")
         self.retype(editor, "form index", "3")
         editor.click_widget("form w")

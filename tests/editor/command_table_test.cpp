@@ -61,6 +61,7 @@ TEST(CommandTable, has_the_agreed_commands) {
                              "delete",
                              "cut",
                              "paste",
+                             "paste-beside",
                              "duplicate",
                              "new",
                              "open",
@@ -161,6 +162,7 @@ TEST(CommandTable, gives_no_shortcut_twice) {
     EXPECT_EQ(owners["Ctrl+Y"], "redo");
     EXPECT_EQ(owners["Delete"], "delete");
     EXPECT_EQ(owners["Backspace"], "delete");
+    EXPECT_EQ(owners["Ctrl+V"], "paste-beside");
     EXPECT_EQ(owners["Tab"], "toggle-polygon");
     EXPECT_EQ(owners["Ctrl++"], "scale-up");
     EXPECT_EQ(owners["Shift+Left"], "nudge-left-far");
@@ -169,6 +171,26 @@ TEST(CommandTable, gives_no_shortcut_twice) {
 TEST(CommandTable, is_in_the_order_of_menus) {
     const auto table = command_table();
     for (std::size_t i = 1; i < table.size(); ++i) EXPECT_LE(table[i - 1].get().group, table[i].get().group);
+}
+
+// What a menu lists itself, beside its submenus.
+std::set<std::string> entries_of(CommandGroup group) {
+    std::set<std::string> names;
+    for (const CommandSpec& spec : command_table())
+        if (spec.group == group && spec.offered.menu && spec.submenu == nullptr) names.insert(spec.name);
+    return names;
+}
+
+TEST(CommandTable, keeps_the_edit_menu_short) {
+    EXPECT_EQ(entries_of(CommandGroup::edit),
+              (std::set<std::string>{"undo", "redo", "cut", "copy", "paste-beside", "paste", "duplicate", "delete",
+                                     "select-all", "select-none"}));
+    for (const char* name : {"nudge", "nudge-left", "nudge-down-far", "set-tool", "escape"}) {
+        EXPECT_FALSE(find_command(name)->offered.menu) << name;
+        EXPECT_TRUE(find_command(name)->offered.palette) << name;
+    }
+    for (const char* name : {"tool-weight", "set-point", "select-knot"})
+        EXPECT_TRUE(find_command(name)->offered.menu && find_command(name)->submenu != nullptr) << name;
 }
 
 TEST(CommandTable, marks_what_commands_do_to_the_shape) {

@@ -141,6 +141,39 @@ TEST_F(DocumentCommands, copy_and_paste_between_editors) {
     EXPECT_EQ(target.state().message, (Message{"Pasted", false}));
 }
 
+TEST_F(DocumentCommands, paste_beside_what_is_there_and_in_place_elsewhere) {
+    const std::vector<core::Point> original = points(editor_);
+    const auto offset = [&] { return points(editor_)[3] - original[3]; };
+    EXPECT_TRUE(run(Copy{}));
+    // The camera shows 64 px for a unit: the minor lines of its grid are 0.5 apart.
+    for (const double expected : {0.5, 1.0, 1.5}) {
+        EXPECT_TRUE(type("paste-beside"));
+        EXPECT_NEAR(offset().x, expected, 1e-15);
+        EXPECT_NEAR(offset().y, -expected, 1e-15);
+    }
+    EXPECT_EQ(names(), (Names{"wave", "ring", "line", "wave 2", "wave 3", "wave 4"}));
+    EXPECT_EQ(state().message, (Message{"Pasted", false}));
+    EXPECT_TRUE(type("paste"));
+    EXPECT_EQ(points(editor_), original);
+    run(DeleteCurve{.index = 3});
+    EXPECT_TRUE(type("paste-beside")) << "the place of the deleted one is free";
+    EXPECT_NEAR(offset().x, 0.5, 1e-15);
+    run(DeleteCurve{.index = 0});
+    run(Cut{});
+    EXPECT_TRUE(type("paste-beside"));
+    EXPECT_NEAR(offset().x, 0.5, 1e-15) << "what was cut comes back to its place";
+}
+
+TEST_F(DocumentCommands, paste_beside_steps_in_pixels_of_the_view) {
+    const core::Point original = points(editor_)[0];
+    run(Copy{});
+    editor_.change(ZoomCamera{0.01, {640.0, 360.0}});
+    EXPECT_TRUE(type("paste-beside"));
+    const double px = (points(editor_)[0].x - original.x) * state().view.camera.scale;
+    EXPECT_GE(px, 16.0);
+    EXPECT_LE(px, 40.0);
+}
+
 TEST_F(DocumentCommands, cut_keeps_the_text_without_a_desktop_clipboard) {
     EXPECT_TRUE(run(Cut{}));
     EXPECT_EQ(names(), (Names{"ring", "line"}));

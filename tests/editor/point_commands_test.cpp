@@ -76,6 +76,22 @@ TEST_F(PointCommands, delete_what_is_selected_points_first) {
     EXPECT_EQ(points(editor_).size(), 4U);
 }
 
+TEST_F(PointCommands, delete_the_curve_with_all_of_its_points) {
+    run(SelectPoints{.points = {0, 1, 2}});
+    EXPECT_FALSE(run(Delete{})) << "one point is no curve, but not all of it either";
+    run(SelectAll{});
+    EXPECT_TRUE(run(Delete{}));
+    EXPECT_TRUE(document(editor_).curves.empty());
+    EXPECT_EQ(state().history.undo_label(), "Delete curve 'arch'");
+    EXPECT_EQ(state().message, (Message{"Deleted curve 'arch'", false}));
+    EXPECT_EQ(state().selection, Selection{});
+    run(Undo{});
+    EXPECT_EQ(points(editor_).size(), 4U);
+    EXPECT_TRUE(run(DeletePoints{.points = {3, 2, 1, 0}}));
+    EXPECT_TRUE(document(editor_).curves.empty());
+    EXPECT_EQ(state().history.undo_label(), "Delete curve 'arch'");
+}
+
 TEST_F(PointCommands, nudge_by_the_grid) {
     EXPECT_FALSE(type("nudge-left"));
     EXPECT_EQ(state().message, (Message{"no control point is selected", true}));

@@ -319,7 +319,7 @@ Command RandomSession::document_command(const EditorState& state) {
         case 8:
             return Copy{};
         case 9:
-            return suggested(state, Paste::spec());
+            return suggested(state, below(2) == 0 ? Paste::spec() : PasteBeside::spec());
         default:
             return suggested(state, Duplicate::spec());
     }

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "app/editor/commands/active_curve.h"
+#include "app/editor/formula.h"
 #include "core/base/sentence.h"
 #include "core/edit/point_edit.h"
 
@@ -60,12 +61,35 @@ Outcome<Edit> without_curve(const EditorState& state, std::size_t index) {
     return edit;
 }
 
+Outcome<Edit> without_points(const EditorState& state, const std::vector<std::size_t>& points) {
+    if (are_all_points(state, points)) return without_curve(state, state.history.present().active);
+    return edit_active(state, core::delete_control_points(active_curve(state), points), Selection{});
+}
+
+StepTexts texts_of_deleting(const EditorState& state, const std::vector<std::size_t>& points) {
+    if (are_all_points(state, points)) {
+        const core::Place name("name", state.history.present().active_curve()->name);
+        return {core::sentence("Delete curve '{name}'", {name}), core::sentence("Deleted curve '{name}'", {name})};
+    }
+    const core::Place place("points", points_text(points));
+    return {core::sentence("Delete {points}", {place}), core::sentence("Deleted {points}", {place})};
+}
+
+bool are_all_points(const EditorState& state, const std::vector<std::size_t>& points) {
+    return points.size() == active_curve(state).control_points().size();
+}
+
+core::Result<core::Curve> shifted_curve(const core::Curve& curve, double shift) {
+    if (shift == 0.0) return curve;
+    std::vector<std::size_t> all_points(curve.control_points().size());
+    std::iota(all_points.begin(), all_points.end(), std::size_t{0});
+    return core::move_control_points(curve, all_points, {shift, -shift});
+}
+
 Outcome<Edit> with_duplicate(const EditorState& state, std::size_t index, double shift) {
     Edit edit{state.history.present(), Selection{}};
     core::DocumentCurve copy = edit.document.curves[index];
-    std::vector<std::size_t> all_points(copy.curve->control_points().size());
-    std::iota(all_points.begin(), all_points.end(), std::size_t{0});
-    core::Result<core::Curve> curve = core::move_control_points(*copy.curve, all_points, {shift, -shift});
+    core::Result<core::Curve> curve = shifted_curve(*copy.curve, shift);
     if (!curve) return tl::unexpected(core::describe(curve.error()));
 
     copy.curve = std::make_shared<const core::Curve>(*std::move(curve));

@@ -22,6 +22,19 @@ Edit with_one_for_several(const EditorState& state, core::Curve curve, const std
 /// The committed document without curve `index`, which there must be; a locked one is refused.
 Outcome<Edit> without_curve(const EditorState& state, std::size_t index);
 
+/// The committed document without these control points of the active curve, which there must be; without the curve
+/// where they are all of its points.
+Outcome<Edit> without_points(const EditorState& state, const std::vector<std::size_t>& points);
+
+/// What the step of without_points() is called and says.
+StepTexts texts_of_deleting(const EditorState& state, const std::vector<std::size_t>& points);
+
+/// Whether `points`, ascending, are all control points of the active curve, which there must be.
+bool are_all_points(const EditorState& state, const std::vector<std::size_t>& points);
+
+/// `curve` moved by `shift` to the right and down.
+core::Result<core::Curve> shifted_curve(const core::Curve& curve, double shift);
+
 /// The committed document with a copy of curve `index`, which there must be, moved by `shift` to the right and down;
 /// the copy is active, visible and not locked.
 Outcome<Edit> with_duplicate(const EditorState& state, std::size_t index, double shift);

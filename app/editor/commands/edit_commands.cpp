@@ -1,5 +1,7 @@
 #include "app/editor/commands/edit_commands.h"
 
+#include <algorithm>
+
 #include "app/editor/clipboard.h"
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
@@ -12,7 +14,6 @@
 #include "core/base/sentence.h"
 #include "core/document/native_file.h"
 #include "core/edit/knot_edit.h"
-#include "core/edit/point_edit.h"
 
 namespace batten::editor {
 
@@ -71,14 +72,17 @@ StepTexts texts_of_cut(const EditorState& state, const Cut&) {
     return {sentence("Cut curve '{name}'", {active_name(state)}), sentence("Cut curve '{name}'", {active_name(state)})};
 }
 
-Outcome<Edit> paste(const EditorState& state, const Paste& command) {
-    const core::FileResult<core::Document> pasted = core::parse_document(command.text);
+Outcome<Edit> with_curves_of_text(const EditorState& state, const std::string& text, double shift) {
+    const core::FileResult<core::Document> pasted = core::parse_document(text);
     if (!pasted)
         return tl::unexpected(
             sentence("the clipboard holds no Batten curves: {reason}", {{"reason", pasted.error().sentence()}}));
     if (pasted->curves.empty()) return tl::unexpected(Refusal("the clipboard holds a document without curves"));
     Edit edit{state.history.present(), Selection{}};
     for (core::DocumentCurve curve : pasted->curves) {
+        core::Result<core::Curve> shifted = shifted_curve(*curve.curve, shift);
+        if (!shifted) return tl::unexpected(core::describe(shifted.error()));
+        curve.curve = std::make_shared<const core::Curve>(*std::move(shifted));
         curve.name = core::unused_name(edit.document, curve.name);
         curve.visible = true;
         curve.locked = false;
@@ -86,6 +90,39 @@ Outcome<Edit> paste(const EditorState& state, const Paste& command) {
     }
     edit.document.active = edit.document.curves.size() - 1;
     return edit;
+}
+
+Outcome<Edit> paste(const EditorState& state, const Paste& command) {
+    return with_curves_of_text(state, command.text, 0.0);
+}
+
+Outcome<Edit> paste_beside(const EditorState& state, const PasteBeside& command) {
+    return with_curves_of_text(state, command.text, command.shift);
+}
+
+bool has_curve(const core::Document& document, const core::Curve& curve) {
+    return std::any_of(document.curves.begin(), document.curves.end(),
+                       [&curve](const core::DocumentCurve& item) { return *item.curve == curve; });
+}
+
+// Whether a curve of `pasted`, moved by `shift`, would cover one of the document exactly.
+bool would_cover(const EditorState& state, const core::Document& pasted, double shift) {
+    return std::any_of(pasted.curves.begin(), pasted.curves.end(), [&](const core::DocumentCurve& item) {
+        const core::Result<core::Curve> shifted = shifted_curve(*item.curve, shift);
+        return shifted && has_curve(state.history.present(), *shifted);
+    });
+}
+
+// The first of 0, 1, 2, ... steps of the grid at which nothing is covered; every curve of the document can stop
+// one of them for each that is pasted.
+double free_shift(const EditorState& state) {
+    const core::FileResult<core::Document> pasted = core::parse_document(read_clipboard(state));
+    if (!pasted) return 0.0;
+    const double step = suggest::grid_step(state);
+    const std::size_t most = state.history.present().curves.size() * pasted->curves.size();
+    std::size_t steps = 0;
+    while (steps < most && would_cover(state, *pasted, static_cast<double>(steps) * step)) ++steps;
+    return static_cast<double>(steps) * step;
 }
 
 std::string clipboard_text(const EditorState& state) {
@@ -108,17 +145,12 @@ std::optional<Refusal> nothing_to_delete(const EditorState& state) {
 }
 
 Outcome<Edit> delete_selected(const EditorState& state, const Delete&) {
-    const core::Curve& curve = active_curve(state);
-    if (!state.selection.points.empty())
-        return edit_active(state, core::delete_control_points(curve, state.selection.points), Selection{});
-    return edit_active(state, core::delete_knot(curve, *state.selection.knot), Selection{});
+    if (!state.selection.points.empty()) return without_points(state, state.selection.points);
+    return edit_active(state, core::delete_knot(active_curve(state), *state.selection.knot), Selection{});
 }
 
 StepTexts texts_of_delete(const EditorState& state, const Delete&) {
-    if (!state.selection.points.empty()) {
-        const core::Place points("points", points_text(state.selection.points));
-        return {sentence("Delete {points}", {points}), sentence("Deleted {points}", {points})};
-    }
+    if (!state.selection.points.empty()) return texts_of_deleting(state, state.selection.points);
     const core::Place knot("knot", number_text(active_curve(state).knots().stored()[*state.selection.knot]));
     return {sentence("Delete knot {knot}", {knot}), sentence("Deleted knot {knot}", {knot})};
 }
@@ -177,12 +209,30 @@ const CommandSpec& Copy::spec() {
 const CommandSpec& Paste::spec() {
     static const CommandSpec spec{
         .name = "paste",
-        .title = "Paste",
-        .explanation = "Adds the curves of the clipboard to the document.",
+        .title = "Paste in place",
+        .explanation = "Adds the curves of the clipboard to the document, exactly where they were copied.",
         .group = CommandGroup::edit,
-        .shortcut = {Key::v, with_ctrl},
+        .shortcut = {Key::v, with_ctrl_shift},
         .fields = {field::text<&Paste::text>("text", "curves as in a file").suggesting<clipboard_text>().unasked()},
         .run = body_of<paste>,
+        .done = "Pasted"};
+    return spec;
+}
+
+const CommandSpec& PasteBeside::spec() {
+    static const CommandSpec spec{
+        .name = "paste-beside",
+        .title = "Paste",
+        .explanation = "Adds the curves of the clipboard to the document, beside what they would cover.",
+        .group = CommandGroup::edit,
+        .shortcut = {Key::v, with_ctrl},
+        .fields =
+            {field::text<&PasteBeside::text>("text", "curves as in a file").suggesting<clipboard_text>().unasked(),
+             field::length<&PasteBeside::shift>("shift", "how far to the right and down")
+                 .suggesting<free_shift>()
+                 .unasked()},
+        .run = body_of<paste_beside>,
+        .step = "Paste",
         .done = "Pasted"};
     return spec;
 }
@@ -205,22 +255,25 @@ const CommandSpec& Duplicate::spec() {
 }
 
 const CommandSpec& Delete::spec() {
-    static const CommandSpec spec{.name = "delete",
-                                  .title = "Delete",
-                                  .explanation = "Deletes the selected control points, or else the selected knot.",
-                                  .synonyms = "remove",
-                                  .group = CommandGroup::edit,
-                                  .effect = ShapeEffect::changes,
-                                  .shortcut = {Key::delete_key, {}},
-                                  .second_shortcut = {Key::backspace, {}},
-                                  .refusal = nothing_to_delete,
-                                  .run = body_of<delete_selected>,
-                                  .texts = texts_of<texts_of_delete>};
+    static const CommandSpec spec{
+        .name = "delete",
+        .title = "Delete",
+        .explanation =
+            "Deletes the selected control points, or else the selected knot; the curve where all its points "
+            "are selected.",
+        .synonyms = "remove",
+        .group = CommandGroup::edit,
+        .effect = ShapeEffect::changes,
+        .shortcut = {Key::delete_key, {}},
+        .second_shortcut = {Key::backspace, {}},
+        .refusal = nothing_to_delete,
+        .run = body_of<delete_selected>,
+        .texts = texts_of<texts_of_delete>};
     return spec;
 }
 
 void add_edit_commands(CommandTable& table) {
-    add_all<Undo, Redo, Cut, Copy, Paste, Duplicate, Delete>(table);
+    add_all<Undo, Redo, Cut, Copy, PasteBeside, Paste, Duplicate, Delete>(table);
 }
 
 }  // namespace batten::editor

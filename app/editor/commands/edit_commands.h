@@ -23,8 +23,16 @@ struct Copy {
     static const CommandSpec& spec();
 };
 
+/// The curves keep their place.
 struct Paste {
     std::string text;  ///< curves as in a file
+    static const CommandSpec& spec();
+};
+
+/// The curves land beside their originals, where these are in the document.
+struct PasteBeside {
+    std::string text;  ///< curves as in a file
+    double shift;      ///< to the right and down
     static const CommandSpec& spec();
 };
 

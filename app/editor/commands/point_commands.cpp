@@ -1,6 +1,7 @@
 #include "app/editor/commands/point_commands.h"
 
 #include "app/editor/commands/active_curve.h"
+#include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/field_kinds.h"
@@ -35,7 +36,11 @@ Outcome<Edit> add_point(const EditorState& state, const AddPoint& command) {
 }
 
 Outcome<Edit> delete_points(const EditorState& state, const DeletePoints& command) {
-    return edit_active(state, core::delete_control_points(active_curve(state), ascending(command.points)), Selection{});
+    return without_points(state, ascending(command.points));
+}
+
+StepTexts texts_of_delete_points(const EditorState& state, const DeletePoints& command) {
+    return texts_of_deleting(state, ascending(command.points));
 }
 
 Outcome<Edit> nudge_by(const EditorState& state, core::Vector offset) {
@@ -67,7 +72,7 @@ CommandSpec arrow(const char* name, const char* title, Shortcut shortcut) {
             .explanation = is_far ? "Moves the selected control points by a step of the grid."
                                   : "Moves the selected control points by a tenth of a step of the grid.",
             .group = CommandGroup::edit,
-            .offered = {.scripts = false, .key_sheet = false},
+            .offered = {.menu = false, .scripts = false, .key_sheet = false},
             .effect = ShapeEffect::changes,
             .shortcut = shortcut,
             .fields = {(is_far ? std::move(distance).template suggesting<suggest::grid_step>()
@@ -89,6 +94,7 @@ const CommandSpec& MovePoints::spec() {
         .explanation = "Moves control points by an offset.",
         .synonyms = "shift translate",
         .group = CommandGroup::edit,
+        .submenu = "Points",
         .effect = ShapeEffect::changes,
         .fields = {field::point_indices<&MovePoints::points>("indices", "which control points, counted from 0")
                        .beginning_with<suggest::selected_points>(),
@@ -107,6 +113,7 @@ const CommandSpec& SetPoint::spec() {
         .explanation = "Moves a control point to a place.",
         .synonyms = "move",
         .group = CommandGroup::edit,
+        .submenu = "Points",
         .effect = ShapeEffect::changes,
         .fields =
             {field::point_index<&SetPoint::index>("index", which_point).beginning_with<suggest::first_selected_point>(),
@@ -125,6 +132,7 @@ const CommandSpec& SetWeight::spec() {
         .explanation = "Sets the weight of a control point; a larger one pulls the curve toward the point.",
         .synonyms = "rational NURBS",
         .group = CommandGroup::edit,
+        .submenu = "Points",
         .effect = ShapeEffect::changes,
         .fields = {field::point_index<&SetWeight::index>("index", which_point)
                        .beginning_with<suggest::first_selected_point>(),
@@ -143,6 +151,7 @@ const CommandSpec& AddPoint::spec() {
         .explanation = "Adds a control point, and with it a knot, before another one or at the end.",
         .synonyms = "insert",
         .group = CommandGroup::edit,
+        .submenu = "Points",
         .effect = ShapeEffect::changes,
         .fields = {field::point_index<&AddPoint::index>("index", "the number that the new control point will have")
                        .or_one_more(),
@@ -158,16 +167,17 @@ const CommandSpec& DeletePoints::spec() {
     static const CommandSpec spec{
         .name = "delete-points",
         .title = "Delete points",
-        .explanation = "Deletes control points, and with each of them a knot.",
+        .explanation =
+            "Deletes control points, and with each of them a knot; the curve where they are all of its points.",
         .synonyms = "remove",
         .group = CommandGroup::edit,
+        .submenu = "Points",
         .effect = ShapeEffect::changes,
         .fields = {field::point_indices<&DeletePoints::points>("indices", "which control points, counted from 0")
                        .suggesting<suggest::selected_points>()},
         .refusal = no_editable_curve,
         .run = body_of<delete_points>,
-        .step = "Delete {indices}",
-        .done = "Deleted {indices}"};
+        .texts = texts_of<texts_of_delete_points>};
     return spec;
 }
 
@@ -177,6 +187,7 @@ const CommandSpec& Nudge::spec() {
                                   .explanation = "Moves the selected control points by an offset.",
                                   .synonyms = "move shift",
                                   .group = CommandGroup::edit,
+                                  .offered = {.menu = false},
                                   .effect = ShapeEffect::changes,
                                   .fields = {field::vector<&Nudge::offset>({"dx", "to the right"}, {"dy", "upwards"})},
                                   .refusal = no_editable_points,

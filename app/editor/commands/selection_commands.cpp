@@ -75,6 +75,7 @@ const CommandSpec& SelectPoints::spec() {
         .title = "Select points",
         .explanation = "Selects these control points and no others.",
         .group = CommandGroup::edit,
+        .submenu = "Select",
         .fields = {field::point_indices<&SelectPoints::points>("points", "which control points, counted from 0")},
         .refusal = no_curve,
         .run = body_of<select_points>};
@@ -87,6 +88,7 @@ const CommandSpec& SelectKnot::spec() {
         .title = "Select knot",
         .explanation = "Selects a knot, or none.",
         .group = CommandGroup::edit,
+        .submenu = "Select",
         .fields = {field::knot_index<&SelectKnot::index>("n", "the number of a knot, counted from 0, or none")
                        .absent_as("-1")
                        .required()},
@@ -102,6 +104,7 @@ const CommandSpec& ActivateCurve::spec() {
         .explanation = "Makes a curve the active one, which edits change.",
         .synonyms = "select switch",
         .group = CommandGroup::edit,
+        .submenu = "Select",
         .fields = {field::curve_index<&ActivateCurve::index>("n", "the number of a curve, counted from 0")},
         .refusal = no_curve,
         .run = body_of<activate_curve>};
