@@ -59,6 +59,8 @@ class Application {
     void follow_theme();
     void deliver_keys();
     void draw_frame();
+    void run_requests();
+    void show(const ui::FrameLayout& layout);
     void paint(const render::DrawList& picture, const ui::Rectangle& place, render::Color background);
     void write_log();
 
@@ -141,7 +143,7 @@ void Application::deliver_keys() {
 void Application::draw_frame() {
     const double elapsed = clock_.begin_frame(glfwGetTime());
     const editor::EditorState& state = editor_.state();
-    if (state.view.playback.is_playing && elapsed > 0.0) queue_.change(editor::Advance{elapsed});
+    if (state.view.playback.is_playing && elapsed > 0.0) editor_.change(editor::Advance{elapsed});
     take_window_requests();
     follow_scale();
     follow_theme();
@@ -152,10 +154,21 @@ void Application::draw_frame() {
         portion.frames_per_second = clock_.frames_per_second();
         return portion;
     }();
+    interface_.take_pointer(state, input, queue_);
+    run_requests();
+    // What the panels ask for is run once the frame is shown: all of it shows one state.
     const ui::FrameLayout layout = interface_.draw(state, input, fonts_, queue_);
+    show(layout);
+    run_requests();
+}
+
+void Application::run_requests() {
     if (!queue_.is_empty()) clock_.note_activity();
     editor_.perform(queue_);
+}
 
+void Application::show(const ui::FrameLayout& layout) {
+    const editor::EditorState& state = editor_.state();
     const render::DrawList canvas = editor::canvas_scene(state, interface_.canvas_mode());
     const render::DrawList plot = editor::plot_scene(state, interface_.plot_mode(), layout.plot.size_px);
     ui::draw_labels(canvas, layout.canvas, fonts_);
@@ -165,8 +178,7 @@ void Application::draw_frame() {
     paint(plot, layout.plot, theme.panel);
     imgui_.paint_frame();
     window_.set_title(fmt::format("{}{} — Batten", state.file_name(), state.is_modified() ? " •" : ""));
-    // A frame in which the theme changed has panels of the old one; the next replaces it unseen.
-    if (styled_theme_ == state.view.theme) window_.show_frame();
+    window_.show_frame();
     if (state.view.playback.is_playing || interface_.is_animating()) clock_.note_animation();
     if (options_.state_report) {
         write_state_report({state, layout, canvas, plot, window_.input(), clock_}, *options_.state_report);

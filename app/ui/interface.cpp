@@ -19,6 +19,11 @@ using editor::PlotIdle;
 using editor::PointerAction;
 using editor::PointerEvent;
 
+FrameAreas areas_of(const editor::EditorState& state) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    return arrange({size.x, size.y}, state.view, state.view.interface_scale);
+}
+
 Picture picture_at(const FrameLayout& layout, glm::dvec2 position_px) {
     if (layout.canvas.contains(position_px)) return Picture::canvas;
     if (layout.plot.contains(position_px)) return Picture::plot;
@@ -86,15 +91,17 @@ Interface::Interface() : panels_(std::make_unique<PanelState>()) {}
 
 Interface::~Interface() = default;
 
-FrameLayout Interface::draw(const editor::EditorState& state, const FrameInput& input, const Fonts& fonts,
-                            editor::CommandQueue& queue) {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const FrameAreas areas = arrange({size.x, size.y}, state.view, state.view.interface_scale);
-    FrameLayout layout{areas.canvas, areas.dock, {}};
+void Interface::take_pointer(const editor::EditorState& state, const FrameInput& input, editor::CommandQueue& queue) {
+    const FrameAreas areas = areas_of(state);
     follow_canvas_size(state, areas.canvas, queue);
     canvas_mode_ = editor::with_present_tool(std::move(canvas_mode_), state);
-    dispatch_pointer(state, input, layout, queue);
+    dispatch_pointer(state, input, {areas.canvas, areas.dock, {}}, queue);
+}
 
+FrameLayout Interface::draw(const editor::EditorState& state, const FrameInput& input, const Fonts& fonts,
+                            editor::CommandQueue& queue) {
+    const FrameAreas areas = areas_of(state);
+    FrameLayout layout{areas.canvas, areas.dock, {}};
     const PanelContext context{
         state,          fonts, editor::theme_of(state.view.theme), state.view.interface_scale, queue, *panels_,
         layout.widgets, input};

@@ -25,8 +25,11 @@ class Interface {
     Interface(const Interface&) = delete;
     Interface& operator=(const Interface&) = delete;
 
-    /// Draws all panels and turns input into requests. Needs a Dear ImGui frame that was begun; call before the
-    /// pictures are made.
+    /// Turns what the pointer did to the pictures, and the window's size, into requests; to be run before draw(), so
+    /// that panels and pictures of one frame show the same state. Needs a Dear ImGui frame that was begun.
+    void take_pointer(const editor::EditorState& state, const FrameInput& input, editor::CommandQueue& queue);
+
+    /// Draws all panels and turns the rest of the input into requests; to be run after the pictures are made.
     FrameLayout draw(const editor::EditorState& state, const FrameInput& input, const Fonts& fonts,
                      editor::CommandQueue& queue);
 

@@ -42,6 +42,20 @@ class LookTest(WindowTest):
             editor.screenshot("scale-2")
             self.assert_inside(editor.state(), size)
 
+    def test_playing_shows_one_parameter_in_a_frame(self):
+        editor = self.open_editor()
+        editor.click_widget("play")
+        shown = set()
+        while len(shown) < 20:
+            state = editor.wait(lambda state: state["is_playing"], "the parameter in motion")
+            u = f"{state['parameter']:.3f}"
+            labels = [label["text"] for label in state["labels"]]
+            self.assertIn(f"C({u})", labels)
+            self.assertIn(u, [text.split(" = ")[1] for text in labels if " u = " in text])
+            self.assertEqual(state["widgets"]["parameter"]["value"], u)
+            self.assertIn(f"u = {u}", state["widgets"]["section construction"]["value"])
+            shown.add(u)
+
     def test_idle_draws_nothing(self):
         editor = self.open_editor()
         before = editor.settle()["frame_count"]
