@@ -6,9 +6,14 @@ namespace {
 
 using render::rgb;
 
-// Stays apart under the common color-vision deficiencies, on both canvases.
-constexpr std::array palette{rgb(0xE69F00), rgb(0x56B4E9), rgb(0x2FBF8F), rgb(0xD9C93B),
-                             rgb(0x4C7FE0), rgb(0xE8743B), rgb(0xD583B6), rgb(0x9B8CF2)};
+// Both stay apart under the common color-vision deficiencies; the dark one, for light grounds, by its lightness too.
+constexpr std::array bright_palette{rgb(0xE69F00), rgb(0x56B4E9), rgb(0x2FBF8F), rgb(0xD9C93B),
+                                    rgb(0x4C7FE0), rgb(0xE8743B), rgb(0xD583B6), rgb(0x9B8CF2)};
+constexpr std::array deep_palette{rgb(0x9A5B00), rgb(0x1B739D), rgb(0x18825E), rgb(0x8E7D00),
+                                  rgb(0x3647AE), rgb(0x9D2A10), rgb(0x863665), rgb(0x7B6ACE)};
+constexpr double share_in_text = 0.7;
+constexpr double share_at_rest = 0.9;
+constexpr double comb_share_at_rest = 0.7;
 
 Theme dark_theme() {
     Theme theme;
@@ -17,16 +22,17 @@ Theme dark_theme() {
     theme.field = rgb(0x22262F);
     theme.line = rgb(0x2D323D);
     theme.text = rgb(0xE7EAF0);
-    theme.dim = rgb(0x8E96A6);
+    theme.dim = rgb(0x979EAD);
     theme.accent = rgb(0x5AA9FF);
     theme.curve = rgb(0xF1F4F9);
-    theme.polygon = rgb(0x5F6878);
+    theme.polygon = rgb(0x616A7A);
     theme.grid_minor = rgb(0x1D2027);
     theme.grid_major = rgb(0x262A33);
     theme.parameter = rgb(0xFFD166);
     theme.error = rgb(0xFF7B72);
+    theme.comb = rgb(0xC58AF9);
     theme.levels = {rgb(0x4FC3A1), rgb(0xF2A65A), rgb(0xEF6F8E)};
-    theme.palette = palette;
+    theme.palette = bright_palette;
     return theme;
 }
 
@@ -37,20 +43,33 @@ Theme light_theme() {
     theme.field = rgb(0xE6E9F0);
     theme.line = rgb(0xD3D8E2);
     theme.text = rgb(0x1B2130);
-    theme.dim = rgb(0x667085);
-    theme.accent = rgb(0x1F6FEB);
+    theme.dim = rgb(0x555D6F);
+    theme.accent = rgb(0x1157C4);
     theme.curve = rgb(0x10131A);
-    theme.polygon = rgb(0x9AA3B2);
+    theme.polygon = rgb(0x818C9F);
     theme.grid_minor = rgb(0xF0F2F6);
     theme.grid_major = rgb(0xE3E7EE);
-    theme.parameter = rgb(0xB45309);
+    theme.parameter = rgb(0xA94E08);
     theme.error = rgb(0xB42318);
-    theme.levels = {rgb(0x0F8A66), rgb(0xC2620E), rgb(0xC4314B)};
-    theme.palette = palette;
+    theme.comb = rgb(0x8A2BB8);
+    theme.levels = {rgb(0x0C7556), rgb(0xA2520C), rgb(0xC0304A)};
+    theme.palette = deep_palette;
     return theme;
 }
 
 }  // namespace
+
+render::Color Theme::point_text(std::size_t i) const {
+    return render::blended(point(i), share_in_text, text);
+}
+
+render::Color Theme::resting_point(std::size_t i) const {
+    return render::blended(point(i), share_at_rest, panel);
+}
+
+render::Color Theme::resting_comb() const {
+    return render::blended(comb, comb_share_at_rest, canvas);
+}
 
 Theme theme_of(ThemeName name) {
     return name == ThemeName::dark ? dark_theme() : light_theme();

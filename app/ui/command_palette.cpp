@@ -115,8 +115,7 @@ void draw_row_texts(const PanelContext& context, const PaletteEntry& entry, cons
     const float name_room = right - context.px(224) - name_x;
     const std::string name = elided(entry.name, context.fonts.small, name_room);
     if (name_room > context.px(30)) {
-        list->AddText(context.fonts.small, small, {name_x, small_y},
-                      imgui_packed(render::faded(context.theme.dim, 0.75)), name.c_str());
+        list->AddText(context.fonts.small, small, {name_x, small_y}, imgui_packed(context.theme.dim), name.c_str());
     }
 }
 

@@ -132,6 +132,30 @@ TEST(CanvasScene, labels_name_the_points_and_keep_apart) {
     EXPECT_EQ(test::overlapping_labels(list), std::vector<std::string>{});
 }
 
+TEST(CanvasScene, name_of_the_curve_point_covers_no_mark) {
+    core::CurveDefinition definition;
+    definition.degree = 3;
+    definition.knots = {0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
+    definition.points = {{0, 0}, {-2, 0}, {-3, 3}, {-1, 7}, {5, 6}, {6, 1}};
+    EditorState state = test::scene_state(definition);
+    state.view.camera.center = {1.5, 3.5};
+    for (int k = 0; k <= 300; ++k) {
+        state.view.parameter = 0.01 * k;
+        const render::DrawList list = scene_of(state);
+        const auto labels = test::all_of<render::Label>(list);
+        const auto name = std::find_if(labels.begin(), labels.end(),
+                                       [](const render::Label& label) { return label.text.starts_with("C("); });
+        ASSERT_NE(name, labels.end()) << k;
+        for (const render::Marker& mark : test::all_of<render::Marker>(list)) {
+            const glm::dvec2 center(mark.center);
+            const glm::dvec2 reach(static_cast<double>(mark.radius_px) - 1.0);
+            const bool is_in_legend = center.x < 300.0 && center.y > 500.0;
+            EXPECT_TRUE(is_in_legend || !test::box_of(*name).overlaps({center - reach, center + reach}))
+                << name->text << " at " << center.x << ", " << center.y;
+        }
+    }
+}
+
 TEST(CanvasScene, labels_stay_while_a_point_moves_away_from_them) {
     const EditorState before = test::sample_state();
     EditorState after = before;
@@ -396,7 +420,7 @@ TEST(CanvasScene, comb_points_away_from_the_center_of_curvature) {
     parabola.points = {{-1, 1}, {0, -1}, {1, 1}};
     EditorState state = test::scene_state(parabola);
     show_only(state, {Overlay::curvature_comb});
-    const auto tips = test::lines_of(scene_of(state), dark().levels[2], 1.5F);
+    const auto tips = test::lines_of(scene_of(state), dark().comb, 1.5F);
     ASSERT_EQ(tips.size(), 1U) << "one span, no break";
     double lowest = 0.0;
     for (const render::Pixel tip : tips[0].points) lowest = std::max(lowest, static_cast<double>(tip.y));
@@ -410,7 +434,7 @@ TEST(CanvasScene, comb_breaks_at_knots_and_leaves_out_straight_lines) {
     quadratic.points = {{-4, 0}, {-3, 3}, {0, 0}, {2, 3}, {4, 0}};
     EditorState state = test::scene_state(quadratic);
     show_only(state, {Overlay::curvature_comb});
-    EXPECT_EQ(test::lines_of(scene_of(state), dark().levels[2], 1.5F).size(), 3U);
+    EXPECT_EQ(test::lines_of(scene_of(state), dark().comb, 1.5F).size(), 3U);
     quadratic.points = {{-4, 0}, {-3, 0}, {0, 0}, {2, 0}, {4, 0}};
     state = test::scene_state(quadratic);
     show_only(state, {});

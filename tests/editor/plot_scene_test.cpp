@@ -31,9 +31,8 @@ Theme dark() {
 
 /// The lines of graph i, whether it is dimmed or not.
 std::vector<Polyline> graph(const render::DrawList& list, std::size_t i) {
-    std::vector<Polyline> lines = test::lines_of(list, dark().point(i), 2.0F);
-    for (const Polyline& line : test::lines_of(list, render::blended(dark().point(i), 0.4, dark().panel), 2.0F))
-        lines.push_back(line);
+    std::vector<Polyline> lines = test::lines_of(list, dark().point(i), 2.25F);
+    for (const Polyline& line : test::lines_of(list, dark().resting_point(i), 1.25F)) lines.push_back(line);
     return lines;
 }
 
@@ -108,11 +107,39 @@ TEST(PlotScene, discs_stand_where_the_line_at_u_meets_the_graphs) {
     EXPECT_GT(line[0].points.back().y, layout.strip_px);
 }
 
+TEST(PlotScene, numbers_of_the_graphs_keep_clear_of_the_line_at_u) {
+    EditorState state = test::sample_state();
+    for (int k = 0; k <= 200; ++k) {
+        state.view.parameter = k / 200.0;
+        const double line = x_from_parameter(plot_layout(state, size), state.parameter());
+        std::size_t count = 0;
+        for (const Label& label : all_of<Label>(scene_of(state))) {
+            if (label.font != render::LabelFont::bold || label.text.size() != 1) continue;
+            ++count;
+            const render::PixelBox box = test::box_of(label);
+            EXPECT_TRUE(box.upper_px.x < line - 1.0 || box.lower_px.x > line + 1.0)
+                << label.text << " at u = " << k / 200.0;
+        }
+        EXPECT_EQ(count, 7U) << k;
+    }
+}
+
+TEST(PlotScene, texts_are_not_cut_by_the_edges) {
+    EditorState state = test::sample_state();
+    for (const glm::dvec2 picture : {size, glm::dvec2(400.0, 160.0), glm::dvec2(250.0, 140.0)})
+        for (const Label& label : all_of<Label>(plot_scene(state, PlotIdle{}, picture))) {
+            const render::PixelBox box = test::box_of(label);
+            EXPECT_GE(box.lower_px.x, -0.01) << label.text;
+            EXPECT_LE(box.upper_px.x, picture.x + 0.01) << label.text;
+        }
+}
+
 TEST(PlotScene, graphs_that_do_not_act_are_dimmed_and_lit_ones_thick) {
     EditorState state = test::sample_state();
     render::DrawList list = scene_of(state);
-    for (const std::size_t i : {1U, 2U, 3U, 4U}) EXPECT_EQ(test::lines_of(list, dark().point(i), 2.0F).size(), 1U) << i;
-    for (const std::size_t i : {0U, 5U, 6U}) EXPECT_TRUE(test::lines_of(list, dark().point(i), 2.0F).empty()) << i;
+    for (const std::size_t i : {1U, 2U, 3U, 4U})
+        EXPECT_EQ(test::lines_of(list, dark().point(i), 2.25F).size(), 1U) << i;
+    for (const std::size_t i : {0U, 5U, 6U}) EXPECT_TRUE(test::lines_of(list, dark().point(i), 2.25F).empty()) << i;
     state.hover = HoveredPoint{5};
     list = scene_of(state);
     EXPECT_EQ(test::lines_of(list, dark().point(5), 3.5F).size(), 1U);

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/scene/text_size.h"
-#include "render/pixel_box.h"
 #include "tests/editor/pointer_driver.h"
 
 namespace batten::editor::test {
@@ -17,16 +16,6 @@ double distance_to_segment(glm::dvec2 a, glm::dvec2 b, glm::dvec2 place) {
     const double squared = glm::dot(along, along);
     const double t = squared > 0.0 ? std::clamp(glm::dot(place - a, along) / squared, 0.0, 1.0) : 0.0;
     return glm::distance(place, a + t * along);
-}
-
-render::PixelBox box_of(const render::Label& label) {
-    const glm::dvec2 size = text_size(label.text, static_cast<double>(label.size_px), label.font);
-    const glm::dvec2 place(label.position);
-    const double share = label.anchor == render::Anchor::left     ? 0.0
-                         : label.anchor == render::Anchor::center ? 0.5
-                                                                  : 1.0;
-    const glm::dvec2 lower{place.x - share * size.x, place.y - 0.5 * size.y};
-    return {lower, lower + size};
 }
 
 /// By more than a rounding of floats.
@@ -76,6 +65,16 @@ struct FaultFinder {
 };
 
 }  // namespace
+
+render::PixelBox box_of(const render::Label& label) {
+    const glm::dvec2 size = text_size(label.text, static_cast<double>(label.size_px), label.font);
+    const glm::dvec2 place(label.position);
+    const double share = label.anchor == render::Anchor::left     ? 0.0
+                         : label.anchor == render::Anchor::center ? 0.5
+                                                                  : 1.0;
+    const glm::dvec2 lower{place.x - share * size.x, place.y - 0.5 * size.y};
+    return {lower, lower + size};
+}
 
 EditorState scene_state(core::CurveDefinition definition) {
     EditorState state = state_with(std::move(definition));

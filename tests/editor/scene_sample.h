@@ -7,6 +7,7 @@
 
 #include "app/editor/state.h"
 #include "render/draw_list.h"
+#include "render/pixel_box.h"
 
 namespace batten::editor::test {
 
@@ -34,6 +35,9 @@ bool has_text(const render::DrawList& list, const std::string& text);
 
 /// The least distance of `place` from any of the lines.
 double distance_to(const std::vector<render::Polyline>& lines, glm::dvec2 place);
+
+/// About where a label is.
+render::PixelBox box_of(const render::Label& label);
 
 /// Pairs of labels whose boxes overlap.
 std::vector<std::string> overlapping_labels(const render::DrawList& list);

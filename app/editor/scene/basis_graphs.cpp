@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/editor/scene/text_row.h"
+#include "app/editor/scene/text_size.h"
 #include "core/evaluate/basis.h"
 
 namespace batten::editor {
@@ -17,6 +18,7 @@ constexpr double sample_spacing_px = 3.0;
 constexpr double simplification_px = 0.15;
 constexpr double index_size = 12.0;
 constexpr double number_distance = 10.0;
+constexpr double line_clearance = 5.0;
 
 /// The directions from one point in which a line passes near all points since.
 class Cone {
@@ -134,8 +136,8 @@ bool is_lit(const PlotFrame& frame, std::size_t i) {
 Stroke stroke_of(const PlotFrame& frame, std::size_t i) {
     const render::Color color = frame.theme.point(i);
     if (is_lit(frame, i)) return {.color = color, .width = 3.5};
-    if (is_active(frame, i)) return {.color = color, .width = 2.0};
-    return {.color = render::blended(color, 0.4, frame.theme.panel), .width = 2.0};
+    if (is_active(frame, i)) return {.color = color, .width = 2.25};
+    return {.color = frame.theme.resting_point(i), .width = 1.25};
 }
 
 /// The order in which graphs are drawn: what matters more comes later.
@@ -149,6 +151,18 @@ std::vector<std::size_t> by_rank(const PlotFrame& frame, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i)
             if (rank_of(frame, i) == rank) order.push_back(i);
     return order;
+}
+
+/// Above the peak, but away from the edges, where the numbers of the axis stand, and beside the line at u, which would
+/// cross the number.
+double number_x(const PlotFrame& frame, double peak_x, double width_px) {
+    const double inset = frame.pen.px(8.0);
+    const double x = std::clamp(peak_x, frame.layout.left_px + inset, frame.layout.right_px - inset);
+    const double line_x = frame.x(frame.u);
+    const double clear = 0.5 * width_px + frame.pen.px(line_clearance);
+    if (std::abs(x - line_x) >= clear) return x;
+    const bool is_right = x >= line_x ? line_x + clear <= frame.pen.size_px().x - width_px : line_x - clear < width_px;
+    return is_right ? line_x + clear : line_x - clear;
 }
 
 }  // namespace
@@ -168,14 +182,15 @@ void draw_basis_numbers(PlotFrame& frame, const std::vector<BasisGraph>& graphs)
     std::reverse(order.begin(), order.end());
     for (const std::size_t i : order) {
         if (graphs[i].runs.empty()) continue;
-        // Away from the edges, where the numbers of the axis stand.
-        const double inset = frame.pen.px(8.0);
-        const double x = std::clamp(graphs[i].peak.x, frame.layout.left_px + inset, frame.layout.right_px - inset);
-        row.write(frame.pen, {x, graphs[i].peak.y - frame.pen.px(number_distance)}, std::to_string(i),
-                  {.color = frame.theme.point(i),
-                   .size = index_size,
-                   .anchor = render::Anchor::center,
-                   .font = render::LabelFont::bold});
+        const std::string number = std::to_string(i);
+        const TextStyle style{.color = frame.theme.point_text(i),
+                              .size = index_size,
+                              .anchor = render::Anchor::center,
+                              .font = render::LabelFont::bold};
+        const double width = text_size(number, frame.pen.px(index_size), style.font).x;
+        row.write(frame.pen,
+                  {number_x(frame, graphs[i].peak.x, width), graphs[i].peak.y - frame.pen.px(number_distance)}, number,
+                  style);
     }
 }
 

@@ -19,6 +19,7 @@ constexpr double detail_size = 11.0;
 constexpr double point_distance = 11.0;
 constexpr double knot_distance = 9.0;
 constexpr double boxed_point_distance = 14.0;
+constexpr double construction_reach = 5.0;
 constexpr double word_gap = 4.0;
 
 /// A part of a label in a color of its own.
@@ -99,13 +100,23 @@ void write_knot(LabelWriter& writer, CanvasFrame& frame, const CurveKnot& knot) 
                  LabelSide::upper_right, Crowding::cover_symbols);
 }
 
-/// Beside C(u), or a little farther away when it is crowded there; the dock tells the parameter, too.
+/// The points of the construction, which move with u: only the name of C(u) gives way to them, so that the others stay.
+void avoid_construction(LabelWriter& writer, const CanvasFrame& frame) {
+    if (!frame.shows(Overlay::construction)) return;
+    for (std::size_t r = 1; r + 1 < frame.triangle->levels.size(); ++r)
+        for (const core::DeBoorCell& cell : frame.triangle->levels[r])
+            writer.layout().avoid_symbol(frame.screen(cell.point), frame.pen.px(construction_reach));
+}
+
+/// Beside C(u), or farther away when it is crowded there, before it covers a mark; the dock tells the parameter, too.
 void write_curve_point(LabelWriter& writer, CanvasFrame& frame) {
+    avoid_construction(writer, frame);
     const glm::dvec2 place = frame.screen(frame.triangle->point());
     const std::string text = fmt::format("C({})", fixed_text(frame.triangle->u, 3));
     const TextStyle style{.color = frame.theme.parameter, .size = name_size, .font = render::LabelFont::bold};
-    for (const double distance : {13.0, 24.0})
-        if (writer.write(place, {{text, style}}, distance, LabelSide::lower_right, Crowding::cover_symbols)) return;
+    for (const Crowding crowding : {Crowding::leave_out, Crowding::cover_symbols})
+        for (const double distance : {13.0, 24.0, 36.0})
+            if (writer.write(place, {{text, style}}, distance, LabelSide::lower_right, crowding)) return;
 }
 
 }  // namespace

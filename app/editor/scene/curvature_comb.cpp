@@ -68,8 +68,8 @@ class SpanComb {
         : frame_(frame),
           span_(span),
           px_per_curvature_(px_per_curvature),
-          line_{.color = render::blended(frame.theme.levels[2], 0.55, frame.theme.canvas)},
-          tips_line_{.color = frame.theme.levels[2], .width = 1.5} {}
+          line_{.color = frame.theme.resting_comb()},
+          tips_line_{.color = frame.theme.comb, .width = 1.5} {}
 
     void draw(const core::Interval& seen) {
         double step = tooth_step(frame_, span_);

@@ -122,9 +122,7 @@ class NumberRow {
         if (is_in_corner || is_cut || (covered_ && box.overlaps(*covered_))) return;
         written_.push_back(box);
         frame_.pen.text({box.lower_px.x, 0.5 * (box.lower_px.y + box.upper_px.y)}, text,
-                        {.color = render::blended(frame_.theme.dim, 0.75, frame_.theme.canvas),
-                         .size = number_size,
-                         .font = render::LabelFont::number});
+                        {.color = frame_.theme.dim, .size = number_size, .font = render::LabelFont::number});
     }
 
     CanvasFrame& frame_;

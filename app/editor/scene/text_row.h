@@ -11,8 +11,8 @@ namespace batten::editor {
 /// Remembers what was written; what matters most is to be written first.
 class TextRow {
   public:
-    /// Writes `text` unless it would come within a few pixels of an earlier one. Returns whether it did. Cost grows
-    /// with the number of texts written so far.
+    /// Writes `text` unless it would come within a few pixels of an earlier one; what the edges of the picture would
+    /// cut moves inside. Returns whether it did. Cost grows with the number of texts written so far.
     bool write(Pen& pen, glm::dvec2 position, const std::string& text, const TextStyle& style);
 
   private:
