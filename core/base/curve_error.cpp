@@ -102,6 +102,10 @@ constexpr std::array templates{
     Template{Code::deviation_too_large, "the curve would deviate by {value}; at most {upper} is allowed"},
     Template{Code::curve_not_polynomial_piece,
              "the curve is not one Bézier piece; it must have degree + 1 equal knots at both ends and no others"},
+    Template{Code::curve_closed, "the ends of the curve meet; only a curve that is open there can go on"},
+    Template{Code::joint_turns_back,
+             "one curve runs straight back along the other where they meet; a smooth joint needs a turn of less than "
+             "180 degrees"},
 };
 
 constexpr bool is_in_order() {

@@ -1,15 +1,20 @@
 #include "core/refine/join.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
-#include "core/evaluate/tangent.h"
+#include "core/measure/continuity.h"
 #include "core/measure/deviation.h"
 #include "core/refine/bezier_form.h"
 #include "core/refine/clamping.h"
 #include "core/refine/degree.h"
+#include "core/refine/detail/joint_shape.h"
+#include "core/refine/detail/start_change.h"
 #include "core/refine/knot_removal.h"
 #include "core/refine/reparametrize.h"
 
@@ -17,133 +22,8 @@ namespace batten::core {
 
 namespace {
 
-// How many derivatives must agree.
-int order_of(JoinContinuity continuity) {
-    switch (continuity) {
-        case JoinContinuity::c0:
-            return 0;
-        case JoinContinuity::c1:
-        case JoinContinuity::g1:
-            return 1;
-        case JoinContinuity::c2:
-        case JoinContinuity::g2:
-            return 2;
-    }
-    return 0;
-}
-
-bool is_geometric(JoinContinuity continuity) {
-    return continuity == JoinContinuity::g1 || continuity == JoinContinuity::g2;
-}
-
-// Both clamped where they meet, of equal degree, their domains one after the other.
-struct Pair {
-    Curve first;
-    Curve second;
-};
-
-Result<Pair> prepared(const Curve& first, const Curve& second, int order) {
-    auto a = clamp(first, CurveEnd::end);
-    auto b = clamp_ends(second);
-    const auto needs_points = static_cast<std::size_t>(order) + 2;
-    const auto raise_to = [](Result<Curve>& curve, int degree) {
-        if (curve && curve->degree() < degree) curve = elevate_degree(*curve, degree - curve->degree());
-    };
-    if (a && b) {
-        raise_to(b, std::max(a->degree(), order));
-        while (b && b->control_points().size() < needs_points) raise_to(b, b->degree() + 1);
-        if (b) raise_to(a, b->degree());
-    }
-    if (a && b) b = shift_domain(*b, a->domain().upper);
-    if (!a) return refuse(a.error());
-    if (!b) return refuse(b.error());
-    return Pair{*std::move(a), *std::move(b)};
-}
-
-// The first control points of a clamped curve, as seen from its first one, and what its derivatives there are made of.
-class Beginning {
-  public:
-    explicit Beginning(const Curve& curve)
-        : p_(static_cast<double>(curve.degree())), weights_(curve.weights()), knots_(curve.knots()) {
-        const auto p = static_cast<std::size_t>(curve.degree());
-        first_span_ = knots_[p + 1] - knots_[p];
-        two_spans_ = knots_[p + 2] - knots_[p];
-    }
-
-    // P1 - P0 for the velocity C', and back.
-    Vector leg_of(Vector velocity) const { return velocity * (first_span_ * weights_[0] / (p_ * weights_[1])); }
-    Vector velocity_of(Vector leg) const { return leg * (p_ * weights_[1] / (first_span_ * weights_[0])); }
-
-    // P2 - P0 for the acceleration C'', given P1 - P0: with A = w (C - P0), w0 C'' = A'' - 2 w' C' and
-    // A'' = p (p-1) / u_1 ((A2 - A1) / u_2 - A1 / u_1).
-    Vector second_of(Vector acceleration, Vector leg) const {
-        const Vector lifted_leg = weights_[1] * leg;
-        const Vector lifted = weights_[0] * acceleration + 2.0 * weight_rate() * velocity_of(leg);
-        const Vector step = lifted * (first_span_ / (p_ * (p_ - 1.0))) + lifted_leg / first_span_;
-        return (lifted_leg + two_spans_ * step) / weights_[2];
-    }
-    Vector acceleration_of(Vector second, Vector leg) const {
-        const Vector lifted_leg = weights_[1] * leg;
-        const Vector step = (weights_[2] * second - lifted_leg) / two_spans_ - lifted_leg / first_span_;
-        return (step * (p_ * (p_ - 1.0) / first_span_) - 2.0 * weight_rate() * velocity_of(leg)) / weights_[0];
-    }
-
-  private:
-    double weight_rate() const { return p_ * (weights_[1] - weights_[0]) / first_span_; }
-
-    double p_;
-    std::span<const double> weights_;
-    const KnotVector& knots_;
-    double first_span_ = 0.0;
-    double two_spans_ = 0.0;
-};
-
-CurveError stands_still(double u) {
-    return {.code = CurveErrorCode::curve_stands_still, .value = u};
-}
-
-// Moves P1 and P2 for C1 and C2.
-void match_derivatives(std::vector<Point>& points, const Pair& pair, int order) {
-    const Beginning beginning(pair.second);
-    const auto derivatives = derivatives_at(pair.first, pair.first.domain().upper, order, Side::left);
-    if (order < 1) return;
-    const Vector leg = beginning.leg_of(derivatives[1]);
-    points[1] = points[0] + leg;
-    if (order == 2) points[2] = points[0] + beginning.second_of(derivatives[2], leg);
-}
-
-// Moves P1 and P2 for G1 and G2.
-Result<void> match_geometry(std::vector<Point>& points, const Pair& pair, int order) {
-    const double joint = pair.first.domain().upper;
-    const Beginning beginning(pair.second);
-    const auto tangent = tangent_at(pair.first, joint, Side::left);
-    const auto old = pair.second.control_points();
-    const double leg_length = distance(old[0], old[1]);
-    if (!tangent || leg_length == 0.0) return refuse(stands_still(joint));
-    const Vector leg = leg_length * *tangent;
-    points[1] = points[0] + leg;
-    if (order < 2) return {};
-    const auto curvature = curvature_at(pair.first, joint, Side::left);
-    if (!curvature) return refuse(stands_still(joint));
-    const Vector normal = turned_left(*tangent);
-    const double speed = length(beginning.velocity_of(leg));
-    const Vector found = beginning.acceleration_of(points[2] - points[0], leg);
-    const double missing = *curvature * speed * speed - dot(found, normal);
-    points[2] = points[0] + beginning.second_of(found + missing * normal, leg);
-    return {};
-}
-
-Result<Curve> matched(const Pair& pair, JoinContinuity continuity) {
-    CurveDefinition definition = pair.second.definition();
-    definition.points[0] = pair.first.control_points().back();
-    const int order = order_of(continuity);
-    if (is_geometric(continuity)) {
-        if (const auto done = match_geometry(definition.points, pair, order); !done) return refuse(done.error());
-    } else {
-        match_derivatives(definition.points, pair, order);
-    }
-    return Curve::make(std::move(definition));
-}
+// Two derivatives survive at an inserted knot.
+constexpr int least_degree_of_change = 3;
 
 // What rounding may leave in the points of a curve.
 double rounding_of(const Curve& curve) {
@@ -153,29 +33,200 @@ double rounding_of(const Curve& curve) {
     return 1e-13 * size;
 }
 
-Result<Curve> smoothed(const Curve& curve, double joint, int times) {
-    if (times == 0) return curve;
+// The curve run through the other way, over the domain reflected at 0. Exact, and its own inverse.
+Result<Curve> seen_from_behind(const Curve& curve) {
+    CurveDefinition definition = curve.definition();
+    std::ranges::reverse(definition.knots);
+    for (double& knot : definition.knots) knot = 0.0 - knot;
+    std::ranges::reverse(definition.points);
+    std::ranges::reverse(definition.weights);
+    return Curve::make(std::move(definition));
+}
+
+Result<Curve> raised_to(const Curve& curve, int degree) {
+    return curve.degree() < degree ? elevate_degree(curve, degree - curve.degree()) : curve;
+}
+
+// Both clamped where they meet, their domains one after the other.
+struct Pair {
+    Curve first;
+    Curve second;
+};
+
+Result<Pair> prepared(const Curve& first, const Curve& second) {
+    const auto a = clamp(first, CurveEnd::end);
+    if (!a) return refuse(a.error());
+    return clamp_ends(second)
+        .and_then([&](const Curve& b) { return shift_domain(b, a->domain().upper); })
+        .map([&](const Curve& b) {
+            return Pair{*a, b};
+        });
+}
+
+Result<Pair> raised(const Pair& pair, int least) {
+    const int degree = std::max({least, pair.first.degree(), pair.second.degree()});
+    const auto first = raised_to(pair.first, degree);
+    if (!first) return refuse(first.error());
+    return raised_to(pair.second, degree).map([&](const Curve& second) { return Pair{*first, second}; });
+}
+
+// The second curve as it continues the first one, and up to where it was changed for that.
+struct Continuation {
+    Pair pair;
+    Curve changed;
+    double until = 0.0;
+};
+
+// A polygon whose first straight part turns, so that it begins in `start` and no vertex in it becomes a corner.
+Result<Continuation> turned_polygon(const Pair& pair, Point start) {
+    const auto joints = joint_continuity(pair.second);
+    const auto corner = std::ranges::find_if(
+        joints, [](const JointContinuity& joint) { return joint.kind != JointKind::ends && joint.geometric < 1; });
+    const double until = corner == joints.end() ? pair.second.domain().upper : corner->u;
+    CurveDefinition definition = pair.second.definition();
+    const Point from = definition.points.front();
+    const double length = distance(from, point_at(pair.second, until, Side::left));
+    const Vector move = start - from;
+    for (std::size_t i = 1; i < definition.points.size() && definition.knots[i + 1] < until; ++i)
+        definition.points[i] += (1.0 - std::min(1.0, distance(from, definition.points[i]) / length)) * move;
+    definition.points.front() = start;
+    return Curve::make(std::move(definition)).map([&](const Curve& changed) {
+        return Continuation{pair, changed, until};
+    });
+}
+
+// A smooth joint of curves that meet may not turn on the spot.
+Result<void> check_turn(const Pair& pair, const Jet& wanted) {
+    constexpr double nearly_back = std::numbers::pi - 1e-3;
+    constexpr double small_gap = 1e-3;
+    if (wanted.derivatives.empty()) return {};
+    const double joint = pair.first.domain().upper;
+    const Meeting meeting = meeting_of(pair.first, joint, pair.second, joint);
+    const bool turns_back = meeting.angle && std::abs(*meeting.angle) > nearly_back;
+    if (turns_back && meeting.gap <= small_gap * robust_length(control_box(pair.second).size()))
+        return refuse({.code = CurveErrorCode::joint_turns_back});
+    return {};
+}
+
+Result<Continuation> continuation(const Pair& pair, JoinContinuity continuity) {
+    const auto wanted = wanted_start(pair.first, pair.second, continuity);
+    if (!wanted) return refuse(wanted.error());
+    const double joint = pair.first.domain().upper;
+    if (begins_as(pair.second, *wanted))
+        return raised(pair, 1).map([&](const Pair& even) { return Continuation{even, even.second, joint}; });
+    if (const auto check = check_turn(pair, *wanted); !check) return refuse(check.error());
+    if (continuity == JoinContinuity::c0 && pair.first.degree() == 1 && pair.second.degree() == 1)
+        return turned_polygon(pair, wanted->point);
+    const auto even = raised(pair, least_degree_of_change);
+    if (!even) return refuse(even.error());
+    const double until = end_of_change(even->second, *wanted);
+    return with_start(even->second, *wanted, until).map([&](const Curve& changed) {
+        return Continuation{*even, changed, until};
+    });
+}
+
+// For C1 and C2 the joint needs fewer knots.
+Result<Curve> smoothed(const Curve& curve, double joint, JoinContinuity continuity) {
+    const bool is_parametric = continuity == JoinContinuity::c1 || continuity == JoinContinuity::c2;
+    const int times = std::min(order_of(continuity), curve.knots().multiplicity(joint));
+    if (!is_parametric || times == 0) return curve;
     return remove_knot(curve, joint, times, rounding_of(curve)).map([](const KnotRemoval& removal) {
         return removal.curve;
     });
 }
 
+// The end of the first to the start of the second.
+Result<JoinedCurve> joined_forward(const Curve& first, const Curve& second, JoinContinuity continuity) {
+    const auto pair = prepared(first, second);
+    if (!pair) return refuse(pair.error());
+    const auto found = continuation(*pair, continuity);
+    if (!found) return refuse(found.error());
+    const double joint = pair->first.domain().upper;
+    return Curve::make(concatenated(found->pair.first.definition(), found->changed.definition()))
+        .and_then([&](const Curve& joined) { return smoothed(joined, joint, continuity); })
+        .map([&](const Curve& joined) {
+            return JoinedCurve{.curve = joined,
+                               .error = largest_deviation(found->pair.second, found->changed),
+                               .joint = joint,
+                               .changed = {joint, found->until},
+                               .before = meeting_of(pair->first, joint, pair->second, joint),
+                               .after = meeting_of(joined, joint, joined, joint),
+                               .lost = smoothness_losses(found->pair.second, found->changed)};
+        });
+}
+
+// What the two sides of a joint are when it is run through the other way.
+template <class Sides>
+Sides run_back(Sides sides) {
+    std::swap(sides.before, sides.after);
+    for (auto* value : {&sides.angle, &sides.before, &sides.after})
+        if (*value) *value = -**value;
+    return sides;
+}
+
+// Run through the other way.
+Result<JoinedCurve> joined_backward(const Curve& first, const Curve& second, JoinContinuity continuity) {
+    const auto turned = seen_from_behind(first);
+    if (!turned) return refuse(turned.error());
+    auto joined = joined_forward(*turned, second, continuity);
+    if (!joined) return joined;
+    return seen_from_behind(joined->curve).map([&](const Curve& curve) {
+        auto lost = joined->lost;
+        for (SmoothnessLoss& loss : lost) {
+            loss.after = run_back(loss.after);
+            loss.after.u = 0.0 - loss.after.u;
+        }
+        return JoinedCurve{.curve = curve,
+                           .error = joined->error,
+                           .joint = 0.0 - joined->joint,
+                           .changed = {0.0 - joined->changed.upper, 0.0 - joined->changed.lower},
+                           .before = run_back(joined->before),
+                           .after = run_back(joined->after),
+                           .lost = std::move(lost)};
+    });
+}
+
+Result<void> check_open(const Curve& curve) {
+    if (curve.is_periodic()) return refuse({.code = CurveErrorCode::curve_periodic});
+    const bool is_point = robust_length(control_box(curve).size()) == 0.0;
+    if (!is_point && is_closed(curve)) return refuse({.code = CurveErrorCode::curve_closed});
+    return {};
+}
+
+double parameter_of(const Curve& curve, CurveEnd end) {
+    return end == CurveEnd::start ? curve.domain().lower : curve.domain().upper;
+}
+
 }  // namespace
 
+JoinedEnds nearest_ends(const Curve& first, const Curve& second) {
+    constexpr std::array choices{JoinedEnds{CurveEnd::end, CurveEnd::start}, JoinedEnds{CurveEnd::end, CurveEnd::end},
+                                 JoinedEnds{CurveEnd::start, CurveEnd::end},
+                                 JoinedEnds{CurveEnd::start, CurveEnd::start}};
+    const double rounding = rounding_of(first) + rounding_of(second);
+    const auto gap = [&](JoinedEnds ends) {
+        return distance(point_at(first, parameter_of(first, ends.first)),
+                        point_at(second, parameter_of(second, ends.second)));
+    };
+    JoinedEnds nearest = choices.front();
+    for (const JoinedEnds& ends : choices)
+        if (gap(ends) < gap(nearest) - rounding) nearest = ends;
+    return nearest;
+}
+
+Result<JoinedCurve> join(const Curve& first, const Curve& second, JoinContinuity continuity, JoinedEnds ends) {
+    for (const Curve* curve : {&first, &second})
+        if (const auto check = check_open(*curve); !check) return refuse(check.error());
+    const auto oriented = ends.second == CurveEnd::start ? Result<Curve>(second) : seen_from_behind(second);
+    if (!oriented) return refuse(oriented.error());
+    auto joined = ends.first == CurveEnd::end ? joined_forward(first, *oriented, continuity)
+                                              : joined_backward(first, *oriented, continuity);
+    if (joined) joined->ends = ends;
+    return joined;
+}
+
 Result<JoinedCurve> join(const Curve& first, const Curve& second, JoinContinuity continuity) {
-    const int order = order_of(continuity);
-    const auto pair = prepared(first, second, order);
-    if (!pair) return refuse(pair.error());
-    const auto changed = matched(*pair, continuity);
-    if (!changed) return refuse(changed.error());
-    const double error = largest_deviation(pair->second, *changed);
-    return Curve::make(concatenated(pair->first.definition(), changed->definition()))
-        .and_then([&](const Curve& joined) {
-            return smoothed(joined, pair->first.domain().upper, is_geometric(continuity) ? 0 : order);
-        })
-        .map([&](const Curve& joined) {
-            return JoinedCurve{joined, error};
-        });
+    return join(first, second, continuity, nearest_ends(first, second));
 }
 
 }  // namespace batten::core

@@ -1,8 +1,13 @@
 /// Joins two curves to one, with the continuity asked for.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "core/base/names.h"
 #include "core/curve/curve.h"
+#include "core/curve/curve_end.h"
+#include "core/measure/smoothness.h"
 
 namespace batten::core {
 
@@ -16,24 +21,57 @@ struct Names<JoinContinuity> {
                                       Named{JoinContinuity::g2, "G2", "G2"}};
 };
 
-struct JoinedCurve {
-    Curve curve;
-    double error = 0.0;  ///< how far the second curve moved: the largest deviation of its part, measured
+/// The ends of two curves that are joined.
+struct JoinedEnds {
+    CurveEnd first = CurveEnd::end;
+    CurveEnd second = CurveEnd::start;
+
+    bool operator==(const JoinedEnds&) const = default;
 };
 
-/// One curve that is `first` over its domain and then `second`, changed at its beginning alone.
+/// What two curves are to each other where they meet or shall meet, run through from the one into the other.
+struct Meeting {
+    double gap = 0.0;                ///< distance of the points
+    std::optional<double> angle;     ///< by which the tangent turns, in (-pi, pi]; none where a curve has no direction
+    std::optional<double> before{};  ///< curvature of the curve that comes first; none at zero speed
+    std::optional<double> after{};   ///< curvature of the other
+};
+
+struct JoinedCurve {
+    Curve curve;
+    double error = 0.0;  ///< how far the second curve moved: the largest deviation of its part
+    JoinedEnds ends{};
+    double joint = 0.0;  ///< the parameter where the curves meet
+    Interval changed{};  ///< the part of the second curve that moved, by the parameter; empty where none did
+    Meeting before{};    ///< the joint as it was
+    Meeting after{};     ///< and as it is
+    std::vector<SmoothnessLoss> lost{};  ///< where the second curve became less smooth
+};
+
+/// The two ends that are nearest to each other. Of ends that are equally near, but for rounding, the end of `first`
+/// goes before its start, and then that end of `second` with which it keeps its direction.
+JoinedEnds nearest_ends(const Curve& first, const Curve& second);
+
+/// One curve of `first`, which keeps its shape, its direction and its parameters, and of `second`, which follows it or
+/// goes before it, turned where these ends need it and with the spacing of its knots kept.
 ///
-/// The second curve keeps the spacing of its knots; its domain is shifted to begin where the first one's ends, and its
-/// weights are multiplied by a common factor so that they agree there. Of its control points only the first one is
-/// moved for C0, the first two for C1 and G1, the first three for C2 and G2; no weight changes otherwise: P0 goes to
-/// the end of the first curve; for C the others go where the derivatives there put them; for G1, P1 keeps its distance
-/// from P0; for G2, P2 moves along the normal alone. Degrees are made equal by elevation, and raised until the second
-/// curve, which is clamped at both ends, has at least one control point more than are moved, so that its end stays. The
-/// knot at the joint has multiplicity p; for C1 and C2 it loses as many knots as rounding allows, all of 1 and 2 unless
-/// weights differ.
+/// Where the curves do not meet as they shall, `second` is changed beside the joint: over a quarter of its length, over
+/// up to half of it where the joint turns far, or over three times the gap if that is longer; less where the first
+/// curve is so fast by its parameter, or bends so strongly, that it would lead astray. All of the rest stays, and so
+/// does the continuity at the knots: a knot at which the curve is smoother by its shape than by its derivatives ends
+/// the part that changes, unless the gap is too wide for that. For this the degree is raised to 3 at least, and as many
+/// knots are inserted as derivatives are set; two polygons to be joined with C0 stay polygons, of which the first
+/// straight part turns. For G the second curve begins with its own speed, up to half as much again where the joint
+/// turns far. Weights are multiplied by a common factor so that they agree at the joint. The knot at the joint has
+/// multiplicity p; for C1 and C2 it loses as many knots as rounding allows, all of 1 and 2 unless weights differ.
 ///
-/// Errors: curve_periodic; curve_stands_still where a direction or curvature is needed and an end has none; those of
-/// elevate_degree and shift_domain. Source: derivatives of rational curves, The NURBS Book, 4.8.
+/// Errors: curve_periodic; curve_closed where the ends of one meet; curve_stands_still where a direction or curvature
+/// is needed and an end has none; joint_turns_back where a smooth joint would have to turn on the spot; those of
+/// elevate_degree and shift_domain. Cost O(n p^2).
+[[nodiscard]] Result<JoinedCurve> join(const Curve& first, const Curve& second, JoinContinuity continuity,
+                                       JoinedEnds ends);
+
+/// The same at the nearest ends.
 [[nodiscard]] Result<JoinedCurve> join(const Curve& first, const Curve& second, JoinContinuity continuity);
 
 }  // namespace batten::core

@@ -200,7 +200,8 @@ TEST(OperationLaws, joined_curves_have_equal_derivatives) {
         const int order = draw_whole(0, 2);
         const auto joined = join(
             first, second,
-            std::array{JoinContinuity::c0, JoinContinuity::c1, JoinContinuity::c2}[static_cast<std::size_t>(order)]);
+            std::array{JoinContinuity::c0, JoinContinuity::c1, JoinContinuity::c2}[static_cast<std::size_t>(order)],
+            JoinedEnds{});
         RC_PRE(joined.has_value());
         const Joint joint = joint_at(joined->curve, first.domain().upper, order);
         RC_ASSERT(distance(joint.before.point, joint.after.point) <= joint.rounding * joint.scales[0]);
@@ -215,7 +216,7 @@ TEST(OperationLaws, joined_curves_have_equal_tangents_and_curvatures) {
         const Curve first = draw_curve(setting, sort);
         const Curve second = draw_curve(setting, sort);
         const bool bends_alike = draw_whole(0, 1) == 1;
-        const auto joined = join(first, second, bends_alike ? JoinContinuity::g2 : JoinContinuity::g1);
+        const auto joined = join(first, second, bends_alike ? JoinContinuity::g2 : JoinContinuity::g1, JoinedEnds{});
         RC_PRE(joined.has_value());
         const double u = first.domain().upper;
         const Joint joint = joint_at(joined->curve, u, 2);
