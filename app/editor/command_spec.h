@@ -37,6 +37,7 @@ struct Edit {
     std::optional<Selection> selection{};
     std::optional<std::string> clipboard{};  ///< text for the clipboard once the edit is committed
     std::optional<double> error{};           ///< how far off the result really is, where the edit knows it
+    std::optional<std::string> remark{};     ///< what else is to be said of what was done, as whole sentences
 };
 
 /// What a step is called in the history, "Move P₅", and what is said when it is done, "Moved P₅".
@@ -78,6 +79,10 @@ struct CommandSpec {
     const char* step = nullptr;
     const char* done = nullptr;
     StepTexts (*texts)(const EditorState& state, const void* command) = nullptr;
+
+    /// Whether it is said where a shape-changing edit takes smoothness that the curve had at its knots; not where it is
+    /// what the user does, as by moving a control point.
+    bool tells_smoothness = false;
 
     bool is_logged = true;  ///< false for what only opens and closes dialogs
 };

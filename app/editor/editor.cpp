@@ -5,13 +5,16 @@
 
 #include "app/editor/clipboard.h"
 #include "app/editor/command_reader.h"
+#include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/file_acts.h"
+#include "app/editor/commands/joint_report.h"
 #include "app/editor/formula.h"
 #include "app/editor/same_document.h"
 #include "app/editor/upkeep.h"
 #include "app/editor/wording.h"
 #include "core/base/sentence.h"
 #include "core/measure/deviation.h"
+#include "core/measure/smoothness.h"
 
 namespace batten::editor {
 
@@ -76,7 +79,12 @@ void push_step(EditorState& state, const Command& command, Edit& edit) {
     state.history.push(std::move(texts.step), std::move(edit.document));
     follow_document(state, before);
     const auto deviation = ghost ? std::optional(ghost->deviation) : std::nullopt;
-    state.message = {done_sentence(texts.done, effect, deviation, edit.error), false};
+    std::vector<std::string> told{done_sentence(texts.done, effect, deviation, edit.error)};
+    if (edit.remark) told.push_back(*edit.remark);
+    if (ghost && command.spec().tells_smoothness)
+        if (const auto lost = lost_smoothness(core::smoothness_losses(*ghost->curve, active_curve(state))))
+            told.push_back(*lost);
+    state.message = {*told_in_turn(told), false};
     if (ghost && ghost->deviation != 0.0) state.ghost = ghost;
 }
 

@@ -81,13 +81,36 @@ TEST_F(PieceCommands, bezier_pieces_and_back) {
     EXPECT_NEAR(curve_at(0).control_points()[1].y, 0.0, 1e-15);
 }
 
-TEST_F(PieceCommands, join_changes_only_the_beginning_of_the_second) {
+TEST_F(PieceCommands, join_turns_and_changes_only_a_short_part_of_the_other) {
     ASSERT_TRUE(run(Join{.other = "line", .continuity = core::JoinContinuity::c0})) << state().message.text;
     EXPECT_EQ(names(), (std::vector<std::string>{"parabola", "fixed"}));
     EXPECT_EQ(core::point_at(curve_at(0), 0.5), core::Point(1.0, 1.0));
     EXPECT_EQ(curve_at(0).control_points().back(), core::Point(4.0, 9.0));
-    // The line's beginning was moved from (3, 5) to (2, 4).
-    EXPECT_EQ(state().message.text, "Joined with 'line' C0: error at most 1.414");
+    // The line's beginning was moved from (3, 5) to (2, 4); it is sqrt(17) long, less than three times that.
+    EXPECT_EQ(core::point_at(curve_at(0), 1.0), core::Point(2.0, 4.0));
+    const std::string said = state().message.text;
+    EXPECT_NE(said.find(". The joint had a gap of 1.414, a turn of 0°"), std::string::npos) << said;
+    EXPECT_NE(said.find(". It has a gap of 0, a turn of "), std::string::npos) << said;
+    EXPECT_NE(said.find(". 'line' changed from u = 1 to 2. The degree rose from 2 to 3"), std::string::npos) << said;
+}
+
+TEST_F(PieceCommands, join_says_what_was_turned_and_that_nothing_moved) {
+    open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [
+      { "name": "a", "degree": 1, "knots": [0,0,1,1], "points": [[0,0],[1,0]] },
+      { "name": "b", "degree": 1, "knots": [0,0,1,1], "points": [[2,0],[1,0]] } ] })");
+    ASSERT_TRUE(run(Join{.other = "b", .continuity = core::JoinContinuity::c0})) << state().message.text;
+    EXPECT_EQ(state().message.text,
+              "Joined with 'b' C0. 'b' was turned. The joint had a gap of 0, a turn of 0° and the curvatures 0 and 0. "
+              "Nothing had to be moved");
+    EXPECT_EQ(curve_at(0).control_points().size(), 3U);
+}
+
+TEST_F(PieceCommands, join_names_the_closed_curve) {
+    open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [
+      { "name": "a", "degree": 1, "knots": [0,0,1,1], "points": [[0,0],[1,0]] },
+      { "name": "b", "degree": 1, "knots": [0,0,1,2,3,3], "points": [[2,0],[1,0],[2,1],[2,0]] } ] })");
+    EXPECT_FALSE(run(Join{.other = "b", .continuity = core::JoinContinuity::c0}));
+    EXPECT_EQ(state().message.text, "'b' is closed and has no end to join; an open curve is needed");
 }
 
 TEST_F(PieceCommands, join_gives_the_continuity_asked_for) {

@@ -3,10 +3,12 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/joint_report.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/field_kinds.h"
 #include "core/base/sentence.h"
 #include "core/measure/arc_length.h"
+#include "core/measure/continuity.h"
 #include "core/refine/bezier_form.h"
 #include "core/refine/extend.h"
 #include "core/refine/reverse.h"
@@ -46,14 +48,25 @@ Outcome<std::size_t> other_curve(const EditorState& state, const std::string& na
     return other;
 }
 
+// Which of the two curves has no ends, where that is the reason.
+Refusal join_refusal(const core::DocumentCurve& active, const core::DocumentCurve& other,
+                     const core::CurveError& error) {
+    using Code = core::CurveErrorCode;
+    if (error.code != Code::curve_periodic && error.code != Code::curve_closed) return core::describe(error);
+    const std::string& name = core::is_closed(*active.curve) ? active.name : other.name;
+    return sentence("'{name}' is closed and has no end to join; an open curve is needed", {{"name", name}});
+}
+
 Outcome<Edit> join(const EditorState& state, const Join& command) {
     const Outcome<std::size_t> other = other_curve(state, command.other);
     if (!other) return tl::unexpected(other.error());
-    const core::Curve& second = *state.history.present().curves[*other].curve;
-    core::Result<core::JoinedCurve> joined = core::join(active_curve(state), second, command.continuity);
-    if (!joined) return tl::unexpected(core::describe(joined.error()));
-    Edit edit = with_one_for_several(state, std::move(joined->curve), {*other});
-    edit.error = joined->error;
+    const core::DocumentCurve& active = *state.history.present().active_curve();
+    const core::DocumentCurve& second = state.history.present().curves[*other];
+    const core::Result<core::JoinedCurve> joined = core::join(*active.curve, *second.curve, command.continuity);
+    if (!joined) return tl::unexpected(join_refusal(active, second, joined.error()));
+    Edit edit = with_one_for_several(state, joined->curve, {*other});
+    if (joined->changed.length() > 0.0) edit.error = joined->error;
+    edit.remark = join_report(second.name, *joined, active.curve->degree());
     return edit;
 }
 
@@ -167,7 +180,9 @@ const CommandSpec& Join::spec() {
         .name = "join",
         .title = "Join",
         .explanation =
-            "Continues the active curve with another one; only the beginning of that one is changed to meet it.",
+            "Continues the active curve with another one at the ends that are nearest; that one is turned where "
+            "needed, "
+            "and only a short part of it is changed to meet.",
         .synonyms = "connect merge concatenate",
         .group = CommandGroup::curve,
         .submenu = "Pieces",

@@ -1,0 +1,113 @@
+#include "app/editor/commands/joint_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "app/editor/formula.h"
+#include "core/base/sentence.h"
+
+namespace batten::editor {
+
+namespace {
+
+using core::sentence;
+
+// Degrees below this are what rounding leaves.
+constexpr double least_degrees = 1e-7;
+
+std::string degrees_text(std::optional<double> radians) {
+    if (!radians) return "none";
+    const double degrees = std::abs(*radians) * 180.0 / std::numbers::pi;
+    return sentence("{degrees}°", {{"degrees", number_text(degrees < least_degrees ? 0.0 : degrees)}});
+}
+
+std::string curvature_text(std::optional<double> curvature) {
+    return curvature ? number_text(*curvature) : "none";
+}
+
+double turn_of(const core::SmoothnessLoss& loss) {
+    return std::abs(loss.after.angle.value_or(std::numbers::pi));
+}
+
+double jump_of(const core::SmoothnessLoss& loss) {
+    return std::abs(loss.after.after.value_or(0.0) - loss.after.before.value_or(0.0));
+}
+
+std::string corners_sentence(std::span<const core::SmoothnessLoss> corners) {
+    const auto& worst = *std::ranges::max_element(corners, {}, turn_of);
+    return sentence({.one = "The curve now has a corner of {angle} at u = {u}",
+                     .many = "The curve now has {count} more corners, the sharpest of {angle} at u = {u}"},
+                    corners.size(), {{"angle", degrees_text(turn_of(worst))}, {"u", number_text(worst.after.u)}});
+}
+
+std::string jumps_sentence(std::span<const core::SmoothnessLoss> jumps) {
+    const auto& worst = *std::ranges::max_element(jumps, {}, jump_of);
+    return sentence({.one = "Its curvature now jumps from {before} to {after} at u = {u}",
+                     .many = "Its curvature now jumps at {count} more knots, most from {before} to {after} at u = {u}"},
+                    jumps.size(),
+                    {{"before", curvature_text(worst.after.before)},
+                     {"after", curvature_text(worst.after.after)},
+                     {"u", number_text(worst.after.u)}});
+}
+
+// Where the other curve stands and how, unless it simply follows.
+std::optional<std::string> placing(const std::string& name, core::JoinedEnds ends) {
+    const bool is_before = ends.first == core::CurveEnd::start;
+    const bool is_turned = ends.first == ends.second;
+    if (is_before && is_turned) return sentence("'{name}' was turned and goes before", {{"name", name}});
+    if (is_before) return sentence("'{name}' goes before", {{"name", name}});
+    if (is_turned) return sentence("'{name}' was turned", {{"name", name}});
+    return std::nullopt;
+}
+
+std::string meeting_sentence(const char* pattern, const core::Meeting& meeting) {
+    return sentence(pattern, {{"gap", number_text(meeting.gap)},
+                              {"angle", degrees_text(meeting.angle)},
+                              {"before", curvature_text(meeting.before)},
+                              {"after", curvature_text(meeting.after)}});
+}
+
+}  // namespace
+
+std::optional<std::string> told_in_turn(std::span<const std::string> sentences) {
+    if (sentences.empty()) return std::nullopt;
+    std::string told = sentences.front();
+    for (const std::string& next : sentences.subspan(1))
+        told = sentence("{told}. {next}", {{"told", told}, {"next", next}});
+    return told;
+}
+
+std::optional<std::string> lost_smoothness(std::span<const core::SmoothnessLoss> losses) {
+    std::vector<core::SmoothnessLoss> corners;
+    std::vector<core::SmoothnessLoss> jumps;
+    for (const core::SmoothnessLoss& loss : losses) (loss.after.geometric < 1 ? corners : jumps).push_back(loss);
+    std::vector<std::string> sentences;
+    if (!corners.empty()) sentences.push_back(corners_sentence(corners));
+    if (!jumps.empty()) sentences.push_back(jumps_sentence(jumps));
+    return told_in_turn(sentences);
+}
+
+std::string join_report(const std::string& name, const core::JoinedCurve& joined, int degree) {
+    std::vector<std::string> sentences;
+    if (const auto placed = placing(name, joined.ends)) sentences.push_back(*placed);
+    sentences.push_back(meeting_sentence(
+        "The joint had a gap of {gap}, a turn of {angle} and the curvatures {before} and {after}", joined.before));
+    if (joined.changed.length() > 0.0) {
+        sentences.push_back(meeting_sentence(
+            "It has a gap of {gap}, a turn of {angle} and the curvatures {before} and {after}", joined.after));
+        sentences.push_back(sentence(
+            "'{name}' changed from u = {from} to {to}",
+            {{"name", name}, {"from", number_text(joined.changed.lower)}, {"to", number_text(joined.changed.upper)}}));
+    } else {
+        sentences.emplace_back("Nothing had to be moved");
+    }
+    if (joined.curve.degree() != degree)
+        sentences.push_back(
+            sentence("The degree rose from {from} to {to}", {{"from", degree}, {"to", joined.curve.degree()}}));
+    if (const auto lost = lost_smoothness(joined.lost)) sentences.push_back(*lost);
+    return *told_in_turn(sentences);
+}
+
+}  // namespace batten::editor
