@@ -5,7 +5,8 @@
 
 namespace batten::editor {
 
-/// Shows all visible curves with their control points, or the surroundings of the origin where there are none.
+/// Shows all visible curves with their control points, clear of legend and inset, as large as that allows; the legend
+/// goes to the corner where it takes least. Without curves the surroundings of the origin.
 void fit_view(EditorState& state);
 
 }  // namespace batten::editor

@@ -84,6 +84,12 @@ struct EditorState {
         return item == nullptr ? nullptr : item->curve.get();
     }
 
+    /// The same; null, too, when it is hidden.
+    const core::Curve* visible_active_curve() const {
+        const core::DocumentCurve* item = shown().active_curve();
+        return item != nullptr && item->visible ? item->curve.get() : nullptr;
+    }
+
     /// The parameter brought into the domain of the shown active curve.
     double parameter() const;
 

@@ -46,9 +46,23 @@ inline constexpr core::Interval inspector_widths{240.0, 800.0};
 inline constexpr core::Interval dock_heights{120.0, 800.0};
 inline constexpr core::Interval user_scales{0.5, 3.0};
 
+/// The corners of the canvas, in the order in which the legend prefers them.
+enum class Corner { lower_left, lower_right, upper_left, upper_right };
+inline constexpr std::array all_corners{Corner::lower_left, Corner::lower_right, Corner::upper_left,
+                                        Corner::upper_right};
+
+/// What resizing the canvas goes back to, so that a smaller canvas shows no less, and a larger one again the same.
+struct Framing {
+    std::optional<render::Camera> fitted;   ///< as fitting made it; while it is the camera, resizing fits anew
+    std::optional<render::Camera> resized;  ///< as resizing made it; while it is the camera, resizing begins at:
+    render::Camera chosen;                  ///< as it was chosen last
+};
+
 struct View {
     render::Camera camera;
+    Framing framing;
     bool fits_on_open = true;
+    Corner legend_corner = Corner::lower_left;
     Overlays overlays;
     double parameter = 0.0;    ///< as set; shown clamped to the domain of the shown curve
     std::optional<int> level;  ///< the last construction level drawn; none: all up to C(u)

@@ -6,6 +6,7 @@
 
 #include "app/editor/dialog.h"
 #include "app/editor/fit_view.h"
+#include "app/editor/scene/legend.h"
 #include "app/editor/state.h"
 #include "app/editor/upkeep.h"
 
@@ -47,6 +48,25 @@ void advance(EditorState& state, double seconds) {
     playback.direction = to.direction;
 }
 
+// The camera for a picture of another size that shows all that `camera` shows, and nothing larger.
+render::Camera with_size(render::Camera camera, glm::dvec2 size_px) {
+    const glm::dvec2 shares = size_px / camera.size_px;
+    const double factor = std::min({1.0, shares.x, shares.y});
+    camera.scale = std::max(factor * camera.scale, render::Camera::min_scale);
+    camera.size_px = size_px;
+    return camera;
+}
+
+void resize(EditorState& state, glm::dvec2 size_px) {
+    View& view = state.view;
+    Framing& framing = view.framing;
+    const bool is_fitted = std::exchange(view.fits_on_open, false) || framing.fitted == view.camera;
+    if (framing.resized != view.camera) framing.chosen = view.camera;
+    view.camera = with_size(framing.chosen, size_px);
+    framing.resized = view.camera;
+    if (is_fitted) fit_view(state);
+}
+
 // One case for each change.
 struct Apply {
     EditorState& state;
@@ -62,9 +82,10 @@ struct Apply {
         state.view.camera = render::zoomed(state.view.camera, change.factor, change.anchor_px);
     }
     void operator()(const ResizeCanvas& change) const {
-        state.view.camera.size_px = {std::max(change.size_px.x, least_picture_px),
-                                     std::max(change.size_px.y, least_picture_px)};
-        if (std::exchange(state.view.fits_on_open, false)) fit_view(state);
+        resize(state, {std::max(change.size_px.x, least_picture_px), std::max(change.size_px.y, least_picture_px)});
+    }
+    void operator()(const PlaceLegend&) const {
+        if (has_legend(state)) state.view.legend_corner = free_corner(state);
     }
     void operator()(const SetInterfaceScale& change) const {
         state.view.interface_scale = interface_scales.clamp(change.scale);

@@ -29,9 +29,13 @@ struct ZoomCamera {
     glm::dvec2 anchor_px;
 };
 
+/// What was in view stays in view, and comes back as it was with the size; a fitted camera is fitted anew.
 struct ResizeCanvas {
     glm::dvec2 size_px;
 };
+
+/// The legend leaves its corner where it covers more there than in another one.
+struct PlaceLegend {};
 
 /// So many pixels of the window make a design pixel.
 struct SetInterfaceScale {
@@ -66,8 +70,8 @@ struct ShowForm {
     const CommandSpec* spec;
 };
 
-using ViewChange = std::variant<SetHover, PanCamera, ZoomCamera, ResizeCanvas, SetInterfaceScale, SetInspectorWidth,
-                                SetDockHeight, SetPlotRange, Advance, ShowRefusal, ShowForm>;
+using ViewChange = std::variant<SetHover, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend, SetInterfaceScale,
+                                SetInspectorWidth, SetDockHeight, SetPlotRange, Advance, ShowRefusal, ShowForm>;
 
 /// Makes the change; sizes are brought into their ranges.
 void apply(EditorState& state, const ViewChange& change);

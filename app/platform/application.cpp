@@ -156,6 +156,7 @@ void Application::draw_frame() {
     }();
     interface_.take_pointer(state, input, queue_);
     run_requests();
+    editor_.change(editor::PlaceLegend{});
     // What the panels ask for is run once the frame is shown: all of it shows one state.
     const ui::FrameLayout layout = interface_.draw(state, input, fonts_, queue_);
     show(layout);

@@ -12,18 +12,13 @@ constexpr double tolerance_px = 0.25;
 constexpr double stroke_margin_px = 8.0;
 constexpr double farthest_px = 1e30;
 
-const core::Curve* visible_active_curve(const EditorState& state) {
-    const core::DocumentCurve* item = state.shown().active_curve();
-    return item != nullptr && item->visible ? item->curve.get() : nullptr;
-}
-
 }  // namespace
 
 CanvasFrame::CanvasFrame(const EditorState& shown_state, render::DrawList& list)
     : state(shown_state),
       theme(theme_of(shown_state.view.theme)),
       pen(list, shown_state.view.camera.size_px, shown_state.view.interface_scale),
-      curve(visible_active_curve(shown_state)) {
+      curve(shown_state.visible_active_curve()) {
     if (curve == nullptr) return;
     lit = highlight(state);
     triangle = core::de_boor_triangle(*curve, state.view.parameter);

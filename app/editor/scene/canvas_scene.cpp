@@ -18,24 +18,17 @@ namespace batten::editor {
 
 namespace {
 
-bool has_legend(const CanvasFrame& frame) {
-    return frame.curve != nullptr && frame.shows(Overlay::construction);
-}
-
-bool has_inset(const CanvasFrame& frame) {
-    return frame.curve != nullptr && frame.shows(Overlay::hodograph);
-}
-
 /// Returns what labels must keep clear of: the numbers of the grid, legend and inset, and the marks of findings.
 std::vector<render::PixelBox> draw_background(CanvasFrame& frame) {
     std::vector<render::PixelBox> covered;
-    const auto legend = has_legend(frame) ? std::optional(legend_box(frame)) : std::nullopt;
+    const auto legend =
+        has_legend(frame.state) ? std::optional(legend_box(frame.state, frame.state.view.legend_corner)) : std::nullopt;
     if (frame.shows(Overlay::grid)) {
         draw_grid(frame);
         covered = draw_grid_numbers(frame, legend);
     }
     if (legend) covered.push_back(*legend);
-    if (has_inset(frame)) covered.push_back(hodograph_box(frame));
+    if (has_inset(frame.state)) covered.push_back(hodograph_box(frame.state.view));
     for (const render::PixelBox& box : finding_boxes(frame)) covered.push_back(box);
     draw_ghost(frame);
     draw_other_curves(frame);
@@ -73,8 +66,8 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode) 
     }
     draw_finding_marks(frame);
     draw_gesture_marks(frame, mode);
-    if (has_inset(frame)) draw_hodograph_inset(frame);
-    if (has_legend(frame)) draw_legend(frame);
+    if (has_inset(state)) draw_hodograph_inset(frame);
+    if (has_legend(state)) draw_legend(frame);
     return list;
 }
 

@@ -83,14 +83,18 @@ std::vector<glm::dvec2> thinned(const Run& run, const InsetMap& map) {
 
 }  // namespace
 
-render::PixelBox hodograph_box(const CanvasFrame& frame) {
-    const Pen& pen = frame.pen;
-    const glm::dvec2 upper{pen.size_px().x - pen.px(inset_margin), pen.px(inset_margin + inset_height)};
-    return {upper - glm::dvec2(pen.px(width), pen.px(inset_height)), upper};
+bool has_inset(const EditorState& state) {
+    return state.visible_active_curve() != nullptr && state.view.overlays.is_shown(Overlay::hodograph);
+}
+
+render::PixelBox hodograph_box(const View& view) {
+    const double scale = view.interface_scale;
+    const glm::dvec2 upper{view.camera.size_px.x - scale * inset_margin, scale * (inset_margin + inset_height)};
+    return {upper - scale * glm::dvec2(width, inset_height), upper};
 }
 
 void draw_hodograph_inset(CanvasFrame& frame) {
-    const render::PixelBox box = hodograph_box(frame);
+    const render::PixelBox box = hodograph_box(frame.state.view);
     Pen& pen = frame.pen;
     const Theme& theme = frame.theme;
     draw_panel_box(pen, theme, box);

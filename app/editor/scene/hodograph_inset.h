@@ -5,8 +5,11 @@
 
 namespace batten::editor {
 
+/// Whether there is a visible curve whose inset is shown.
+bool has_inset(const EditorState& state);
+
 /// Where the inset is.
-render::PixelBox hodograph_box(const CanvasFrame& frame);
+render::PixelBox hodograph_box(const View& view);
 
 /// C'(u) over the whole domain, fitted into the box together with its origin, and its point at the view's parameter. It
 /// breaks where the derivative jumps. The frame must have a curve.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "app/editor/canvas_cover.h"
+#include "app/editor/scene/hodograph_inset.h"
 #include "app/editor/scene/panel_box.h"
 #include "app/editor/scene/text_size.h"
 #include "core/base/sentence.h"
@@ -11,61 +13,117 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double left = 14.0;
+constexpr double side_margin = 14.0;
 constexpr double bottom = 28.0;  // leaves room for the numbers of the grid
 constexpr double legend_height = 30.0;
 constexpr double legend_padding = 13.0;
 constexpr double text = 12.5;
 constexpr double disc_space = 22.0;  // from the end of a text to the next disc
 constexpr double disc_to_text = 10.0;
+constexpr double inset_reach = 180.0;  // below the upper edge, where the hodograph's inset is
+constexpr int reluctance = 2;          // how much less another corner must cover
 const char* const title = "de Boor";
 
-/// What stands beside the disc of the color of level r: colors repeat after three levels.
-std::string entry_text(std::size_t r, std::size_t degree, std::size_t color_count) {
-    const std::size_t second = r + color_count;
-    if (second > degree) return core::sentence("level {level}", {{"level", r}});
-    const char* pattern = second + color_count <= degree ? "levels {level}, {next}, …" : "levels {level}, {next}";
-    return core::sentence(pattern, {{"level", r}, {"next", second}});
-}
+/// With words, or with numbers only where the canvas is narrow.
+enum class Length { full, brief };
 
-std::vector<std::string> entries(const CanvasFrame& frame) {
-    const auto degree = static_cast<std::size_t>(frame.curve->degree());
-    const std::size_t color_count = frame.theme.levels.size();
-    std::vector<std::string> texts;
-    for (std::size_t r = 1; r <= std::min(degree, color_count); ++r)
-        texts.push_back(entry_text(r, degree, color_count));
-    return texts;
+/// What stands beside the disc of the color of level r: colors repeat after three levels.
+std::string entry_text(std::size_t r, std::size_t degree, std::size_t color_count, Length length) {
+    const bool is_brief = length == Length::brief;
+    const std::size_t second = r + color_count;
+    if (second > degree) return core::sentence(is_brief ? "{level}" : "level {level}", {{"level", r}});
+    const char* pattern = second + color_count <= degree ? is_brief ? "{level}, …" : "levels {level}, {next}, …"
+                          : is_brief                     ? "{level}, {next}"
+                                                         : "levels {level}, {next}";
+    return core::filled_as_needed(pattern, {{"level", r}, {"next", second}});
 }
 
 double width_of(const std::string& label) {
     return text_size(label, text).x;
 }
 
+/// What the legend says.
+struct LegendTexts {
+    std::string title;
+    std::vector<std::string> entries;
+
+    /// In design pixels.
+    double width() const {
+        double sum = 2.0 * legend_padding + width_of(title) - (title.empty() ? disc_space : 0.0);
+        for (const std::string& entry : entries) sum += disc_space + disc_to_text + width_of(entry);
+        return sum;
+    }
+};
+
+LegendTexts texts_of(const EditorState& state, Length length) {
+    const auto degree = static_cast<std::size_t>(state.visible_active_curve()->degree());
+    const std::size_t color_count = theme_of(state.view.theme).levels.size();
+    LegendTexts texts{title, {}};
+    for (std::size_t r = 1; r <= std::min(degree, color_count); ++r)
+        texts.entries.push_back(entry_text(r, degree, color_count, length));
+    return texts;
+}
+
+/// Without words, then without its title, where the canvas is narrow.
+LegendTexts fitting_texts(const EditorState& state) {
+    const double room = state.view.camera.size_px.x / state.view.interface_scale - 2.0 * side_margin;
+    LegendTexts texts = texts_of(state, Length::full);
+    if (texts.width() > room) texts = texts_of(state, Length::brief);
+    if (texts.width() > room) texts.title.clear();
+    return texts;
+}
+
 }  // namespace
 
-render::PixelBox legend_box(const CanvasFrame& frame) {
-    double width = legend_padding + width_of(title) + legend_padding;
-    for (const std::string& entry : entries(frame)) width += disc_space + disc_to_text + width_of(entry);
-    const glm::dvec2 lower{frame.pen.px(left), frame.pen.size_px().y - frame.pen.px(bottom + legend_height)};
-    return {lower, lower + glm::dvec2(frame.pen.px(width), frame.pen.px(legend_height))};
+bool has_legend(const EditorState& state) {
+    return state.visible_active_curve() != nullptr && state.view.overlays.is_shown(Overlay::construction);
+}
+
+render::PixelBox legend_box(const EditorState& state, Corner corner) {
+    const double scale = state.view.interface_scale;
+    const glm::dvec2 picture = state.view.camera.size_px / scale;
+    const glm::dvec2 size{fitting_texts(state).width(), legend_height};
+    const bool is_left = corner == Corner::lower_left || corner == Corner::upper_left;
+    const bool is_lower = corner == Corner::lower_left || corner == Corner::lower_right;
+    const double top = corner == Corner::upper_right && has_inset(state) ? inset_reach : side_margin;
+    const glm::dvec2 lower{is_left ? side_margin : picture.x - side_margin - size.x,
+                           is_lower ? picture.y - bottom - size.y : top};
+    return {scale * lower, scale * (lower + size)};
+}
+
+Corner free_corner(const EditorState& state) {
+    const auto cost = [&state](Corner corner) { return covered(state, state.view.camera, legend_box(state, corner)); };
+    Corner best = state.view.legend_corner;
+    int least = cost(best);
+    if (least == 0) return best;
+    // Only for a clearly better place, so that it does not go to and fro while something is dragged along.
+    least = std::max(1, least - reluctance + 1);
+    for (const Corner corner : all_corners) {
+        const int sum = cost(corner);
+        if (sum >= least) continue;
+        least = sum;
+        best = corner;
+    }
+    return best;
 }
 
 void draw_legend(CanvasFrame& frame) {
-    const render::PixelBox box = legend_box(frame);
+    const render::PixelBox box = legend_box(frame.state, frame.state.view.legend_corner);
     Pen& pen = frame.pen;
     draw_panel_box(pen, frame.theme, box);
+    const LegendTexts texts = fitting_texts(frame.state);
     const double y = 0.5 * (box.lower_px.y + box.upper_px.y);
     double x = box.lower_px.x + pen.px(legend_padding);
-    pen.text({x, y}, title, {.color = frame.theme.dim, .size = text});
-    x += pen.px(width_of(title));
-    std::size_t r = 0;
-    for (const std::string& entry : entries(frame)) {
-        ++r;
-        x += pen.px(disc_space);
+    if (!texts.title.empty()) {
+        pen.text({x, y}, texts.title, {.color = frame.theme.dim, .size = text});
+        x += pen.px(width_of(texts.title) + disc_space);
+    }
+    for (std::size_t r = 1; r <= texts.entries.size(); ++r) {
+        const std::string& entry = texts.entries[r - 1];
         pen.symbol({x, y}, {.radius = 5.0, .fill = frame.theme.level(r), .outline = no_color});
         x += pen.px(disc_to_text);
         pen.text({x, y}, entry, {.color = frame.theme.text, .size = text});
-        x += pen.px(width_of(entry));
+        x += pen.px(width_of(entry) + disc_space);
     }
 }
 

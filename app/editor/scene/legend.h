@@ -5,8 +5,15 @@
 
 namespace batten::editor {
 
-/// Where the legend is; the frame must have a curve.
-render::PixelBox legend_box(const CanvasFrame& frame);
+/// Whether there is a visible curve whose construction is shown; the other functions are for such states.
+bool has_legend(const EditorState& state);
+
+/// Where the legend is when it stands in `corner`.
+render::PixelBox legend_box(const EditorState& state, Corner corner);
+
+/// The corner where the legend covers least of the curves. It stays where it is while it covers nothing there, or
+/// little more than elsewhere.
+Corner free_corner(const EditorState& state);
 
 /// "de Boor ● level 1 ● level 2 ● level 3", with all levels of one color together.
 void draw_legend(CanvasFrame& frame);

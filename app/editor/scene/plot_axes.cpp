@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/editor/formula.h"
+#include "app/editor/scene/text_size.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -31,6 +32,15 @@ std::string parameter_text(const PlotFrame& frame) {
                                : fmt::format("u = {}", u);
 }
 
+/// The name of the functions alone where there is no room for more.
+std::string title_text(const PlotFrame& frame, double room_px) {
+    const std::string title = core::sentence("Basis functions N_{{i,{degree}}}(u)", {{"degree", frame.curve.degree()}});
+    const TextStyle style{.color = frame.theme.text, .font = render::LabelFont::bold};
+    return text_size(title, frame.pen.px(style.size), style.font).x <= room_px
+               ? title
+               : core::sentence("N_{{i,{degree}}}(u)", {{"degree", frame.curve.degree()}});
+}
+
 }  // namespace
 
 void draw_plot_axes(PlotFrame& frame) {
@@ -48,11 +58,12 @@ void draw_plot_axes(PlotFrame& frame) {
 void draw_plot_title(PlotFrame& frame) {
     const double y = 0.4 * frame.layout.top_px;
     const double margin = frame.pen.px(16.0);
-    frame.pen.text({margin, y},
-                   core::sentence("Basis functions N_{{i,{degree}}}(u)", {{"degree", frame.curve.degree()}}),
-                   {.color = frame.theme.text, .font = render::LabelFont::bold});
-    frame.pen.text({frame.pen.size_px().x - margin, y}, parameter_text(frame),
-                   {.color = frame.theme.parameter, .anchor = render::Anchor::right, .font = render::LabelFont::bold});
+    const TextStyle style{
+        .color = frame.theme.parameter, .anchor = render::Anchor::right, .font = render::LabelFont::bold};
+    const std::string u = parameter_text(frame);
+    const double room = frame.pen.size_px().x - 3.0 * margin - text_size(u, frame.pen.px(style.size), style.font).x;
+    frame.pen.text({margin, y}, title_text(frame, room), {.color = frame.theme.text, .font = render::LabelFont::bold});
+    frame.pen.text({frame.pen.size_px().x - margin, y}, u, style);
 }
 
 void draw_parameter_line(PlotFrame& frame) {
