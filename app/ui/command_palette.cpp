@@ -116,6 +116,8 @@ void draw_row_texts(const PanelContext& context, const PaletteEntry& entry, cons
     const std::string name = elided(entry.name, context.fonts.small, name_room);
     if (name_room > context.px(30)) {
         list->AddText(context.fonts.small, small, {name_x, small_y}, imgui_packed(context.theme.dim), name.c_str());
+        if (name != entry.name)
+            show_cut_text(context, entry.name, {name_x, small_y}, {name_x + name_room, small_y + small});
     }
 }
 

@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "app/editor/commands/degree_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/tear_commands.h"
@@ -126,7 +128,9 @@ void draw_kind_row(const PanelContext& context, const core::Curve& curve) {
     show_tooltip(context, locked_sentence(context.state));
     draw_field_frame(context, origin, size, ImGui::IsItemHovered());
     const ImVec2 left(origin.x + context.px(9), origin.y + context.px(12));
-    const float width = draw_text(context, left, {text, context.fonts.text, 0.0, context.theme.text});
+    const float width = draw_text(
+        context, left,
+        {text, context.fonts.text, 0.0, context.theme.text, render::Anchor::left, size.x - context.px(9 + 20)});
     const ImVec2 mark(left.x + width + context.px(10), left.y);
     ImGui::GetWindowDrawList()->AddTriangleFilled(ImVec2(mark.x - context.px(3.5), mark.y - context.px(2)),
                                                   ImVec2(mark.x + context.px(3.5), mark.y - context.px(2)),
@@ -134,6 +138,8 @@ void draw_kind_row(const PanelContext& context, const core::Curve& curve) {
                                                   imgui_packed(context.theme.text));
     draw_choices(context, curve, ImVec2(origin.x, origin.y + size.y + context.px(2)), size.x);
 }
+
+constexpr double least_tears_width = 96.0;
 
 void draw_tears_box(const PanelContext& context, float width_px) {
     const bool is_allowed = core::tears_of(*context.state.shown().active_curve()) == core::Tears::allow;
@@ -147,7 +153,8 @@ void draw_tears_box(const PanelContext& context, float width_px) {
 
 void draw_closed_row(const PanelContext& context, const core::Curve& curve) {
     draw_row_label(context, "Closed");
-    Button box{"closed", "", Icon::none, 0.4F * field_width(context)};
+    Button box{"closed", "", Icon::none,
+               std::min(0.4F * field_width(context), field_width(context) - context.px(least_tears_width))};
     box.is_active = curve.is_periodic();
     // A closed curve opens only with enough points for its degree; anything can be closed.
     const bool is_possible = !curve.is_periodic() || core::set_periodic(curve, false).has_value();

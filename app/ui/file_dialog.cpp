@@ -212,6 +212,7 @@ void draw_question(const PanelContext& context, bool is_left) {
     const std::string question = sentence("Replace {name}? It exists already.", {{"name", path.filename().string()}});
     ImGui::TextUnformatted(elided(question, context.fonts.text, context.px(330)).c_str());
     report_item(context, "dialog question", path.string());
+    show_cut_text(context, path.string(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     place_buttons(context, "Keep", "Replace");
     const bool is_kept = draw_label_button(context, "dialog keep", "Keep");
     ImGui::SameLine();

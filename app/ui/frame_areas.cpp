@@ -11,13 +11,13 @@ namespace {
 constexpr double menu_height = 34.0;
 constexpr double status_height = 40.0;
 constexpr double tool_width = 52.0;
-constexpr double least_canvas_width = 260.0;
+constexpr double least_canvas_width = 200.0;
 constexpr double least_canvas_height = 130.0;
 constexpr double least_inspector_width = 240.0;
 constexpr double least_dock_height = 110.0;
 
 // The parts of the window that panels may take at most.
-constexpr double most_inspector_share = 0.45;
+constexpr double most_inspector_share = 0.55;
 constexpr double most_dock_share = 0.5;
 
 /// `wanted`, but at most `most`; nothing where that is less than `least` or leaves less than `least_canvas` of the

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/editor/formula.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/rich_text.h"
@@ -60,6 +61,11 @@ void draw_box(const PanelContext& context, ImVec2 center, const Button& button) 
 
 }  // namespace
 
+void show_cut_text(const PanelContext& context, const std::string& text, ImVec2 lower, ImVec2 upper) {
+    if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(lower, upper)) return;
+    draw_tooltip_at(context, editor::plain_text(text), {lower.x, upper.y + context.px(6)}, {0.0, 0.0});
+}
+
 float draw_text(const PanelContext& context, ImVec2 position, const TextLine& line) {
     float size_px = line.size > 0.0 ? context.px(line.size) : font_height(line.font);
     float width_px = rich_text_size(line.text, line.font, size_px).width_px;
@@ -76,7 +82,10 @@ float draw_text(const PanelContext& context, ImVec2 position, const TextLine& li
     ImDrawList* list = ImGui::GetWindowDrawList();
     if (is_cut) list->PushClipRect(ImVec2(x, y), ImVec2(x + width_px, y + size_px), true);
     draw_rich_text(list, line.text, line.font, size_px, x, y, line.color);
-    if (is_cut) list->PopClipRect();
+    if (is_cut) {
+        list->PopClipRect();
+        show_cut_text(context, line.text, {x, y}, {x + width_px, y + size_px});
+    }
     return width_px;
 }
 

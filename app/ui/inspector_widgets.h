@@ -24,6 +24,9 @@ struct TextLine {
 /// Returns its width.
 float draw_text(const PanelContext& context, ImVec2 position, const TextLine& line);
 
+/// For a text that is drawn cut or shortened between these corners: all of it as a tool tip while the pointer is there.
+void show_cut_text(const PanelContext& context, const std::string& text, ImVec2 lower, ImVec2 upper);
+
 /// Reports the last Dear ImGui item under `name`, as far as it is in sight.
 void report_item(const PanelContext& context, std::string name, std::string value = {});
 

@@ -23,6 +23,11 @@ namespace {
 using editor::CommandGroup;
 using editor::CommandSpec;
 
+const char* const program_name = "batten";
+const char* const rest_title = "»";
+constexpr double widest_gap = 20.0;
+constexpr double least_gap = 5.0;  // on either side of a menu
+
 /// The commands of a menu, or of one of its submenus, that stand together in one column.
 struct Column {
     CommandGroup group;
@@ -117,6 +122,7 @@ void draw_recent_files(const PanelContext& context) {
             context.queue.run(editor::Open{.path = path});
         }
         ImGui::PopID();
+        if (ImGui::IsItemHovered()) draw_side_tooltip(context, path);
         report_item(context, fmt::format("menu-item recent {}", i), path);
     }
     ImGui::EndMenu();
@@ -210,7 +216,64 @@ void draw_file_name(const PanelContext& context, const Rectangle& place) {
                         static_cast<float>(place.origin_px.y) + 0.5F * (static_cast<float>(place.size_px.y) - line));
     if (room <= menu_text_width("…")) return;
     ImGui::GetWindowDrawList()->AddText(corner, imgui_packed(context.theme.dim), text.c_str());
+    show_cut_text(context, context.state.path.empty() ? context.state.file_name() : context.state.path.string(), corner,
+                  {right, corner.y + line});
     context.widgets.push_back({"file name", {{corner.x, corner.y}, {menu_text_width(text), line}}, text});
+}
+
+/// How the bar is filled: gaps shrink first, then the name of the program goes, then the last menus fold into one.
+struct BarLayout {
+    float gap = 0.0F;
+    bool has_name = true;
+    std::size_t shown = 0;  ///< menus on the bar itself
+};
+
+std::vector<core::Named<CommandGroup>> menus() {
+    std::vector<core::Named<CommandGroup>> found;
+    for (const auto& menu : core::Names<CommandGroup>::table)
+        if (menu.value != CommandGroup::gesture) found.push_back(menu);
+    return found;
+}
+
+BarLayout layout_of(const PanelContext& context, float room_px) {
+    const float least = context.px(least_gap);
+    BarLayout layout;
+    float needed = text_width(program_name, context.fonts.bold) + least;
+    for (const auto& menu : menus()) needed += menu_text_width(menu.title) + 2.0F * least;
+    layout.has_name = needed <= room_px;
+    if (!layout.has_name) needed -= text_width(program_name, context.fonts.bold) + least;
+    layout.shown = menus().size();
+    if (needed > room_px) needed += menu_text_width(rest_title) + 2.0F * least;
+    while (needed > room_px && layout.shown > 1)
+        needed -= menu_text_width(menus()[--layout.shown].title) + 2.0F * least;
+    const auto gaps = static_cast<float>(2 * layout.shown + (layout.has_name ? 1U : 0U));
+    layout.gap = std::floor(std::clamp(least + (room_px - needed) / gaps, least, context.px(widest_gap)));
+    return layout;
+}
+
+void draw_name(const PanelContext& context) {
+    ImGui::PushFont(context.fonts.bold);
+    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.accent));
+    ImGui::TextUnformatted(program_name);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+/// The menus that have no room on the bar, as submenus of one.
+void draw_rest_of_menus(const PanelContext& context, std::size_t first, const Rectangle& bar) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    context.widgets.push_back({"menu more", {{corner.x, bar.origin_px.y}, {context.px(20), bar.size_px.y}}, {}});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(14), context.px(11)));
+    if (ImGui::BeginMenu(rest_title)) {
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(16), context.px(9)));
+        for (std::size_t i = first; i < menus().size(); ++i) {
+            const ImVec2 place = ImGui::GetCursorScreenPos();
+            draw_menu(context, menus()[i], {{place.x, place.y}, {0.0, font_height(context.fonts.text)}});
+        }
+        ImGui::PopStyleVar();
+        ImGui::EndMenu();
+    }
+    ImGui::PopStyleVar();
 }
 
 }  // namespace
@@ -221,15 +284,12 @@ void draw_menu_bar(const PanelContext& context, const Rectangle& place) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(16), 0.0F));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.px(8), 0.5F * (height - line)));
     begin_panel("menu bar", place, ImGuiWindowFlags_MenuBar);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(20), context.px(4)));
+    const BarLayout layout = layout_of(context, static_cast<float>(place.size_px.x) - 2.0F * context.px(16));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(layout.gap, context.px(4)));
     if (ImGui::BeginMenuBar()) {
-        ImGui::PushFont(context.fonts.bold);
-        ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.accent));
-        ImGui::TextUnformatted("batten");
-        ImGui::PopStyleColor();
-        ImGui::PopFont();
-        for (const auto& menu : core::Names<CommandGroup>::table)
-            if (menu.value != CommandGroup::gesture) draw_menu(context, menu, place);
+        if (layout.has_name) draw_name(context);
+        for (std::size_t i = 0; i < layout.shown; ++i) draw_menu(context, menus()[i], place);
+        if (layout.shown < menus().size()) draw_rest_of_menus(context, layout.shown, place);
         draw_file_name(context, place);
         ImGui::EndMenuBar();
     }

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/editor/hint_text.h"
 #include "app/ui/inspector_widgets.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double heading_height = 26.0;
 constexpr double row_label_width = 102.0;
+constexpr float largest_label_share = 0.36F;  // of a narrow inspector
 
 bool is_open(const PanelContext& context, const Section& section) {
     const auto& sections = context.panels.inspector.open_sections;
@@ -30,6 +32,10 @@ void draw_fold_mark(const PanelContext& context, ImVec2 center, bool is_open) {
         list->AddTriangleFilled(at(-3.5, -1.8), at(3.5, -1.8), at(0, 2.6), color);
     else
         list->AddTriangleFilled(at(-1.8, -3.5), at(2.6, 0), at(-1.8, 3.5), color);
+}
+
+float label_width(const PanelContext& context) {
+    return std::floor(std::min(context.px(row_label_width), largest_label_share * content_width(context)));
 }
 
 }  // namespace
@@ -66,11 +72,11 @@ void draw_row_label(const PanelContext& context, const std::string& label) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     draw_text(context, ImVec2(origin.x, origin.y + context.px(12)),
               {label, context.fonts.text, 0.0, context.theme.dim});
-    ImGui::SetCursorScreenPos(ImVec2(origin.x + context.px(row_label_width), origin.y));
+    ImGui::SetCursorScreenPos(ImVec2(origin.x + label_width(context), origin.y));
 }
 
 float field_width(const PanelContext& context) {
-    return content_width(context) - context.px(row_label_width);
+    return content_width(context) - label_width(context);
 }
 
 void add_space(const PanelContext& context, double design_px) {

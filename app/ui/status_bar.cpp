@@ -11,6 +11,7 @@
 #include "app/ui/rich_text.h"
 #include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
+#include "app/ui/text_lines.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 #include "render/camera.h"
@@ -21,6 +22,7 @@ namespace {
 
 constexpr double bar_margin = 16.0;
 constexpr double gap = 20.0;
+constexpr std::size_t most_lines = 2;
 /// The scale of the camera that is called 100 %, in design pixels for a unit.
 constexpr double full_zoom = 64.0;
 
@@ -99,19 +101,17 @@ std::vector<Readout> readouts_of(const PanelContext& context, double frames_per_
     return readouts;
 }
 
-/// Draws the readouts that fit into `room_px` at the right end; returns where they begin.
-float draw_readouts(const PanelContext& context, const Rectangle& place, double frames_per_second, float room_px) {
-    std::vector<Readout> readouts = readouts_of(context, frames_per_second);
-    const auto width_of = [&] {
-        float width = 0.0F;
-        for (const Readout& readout : readouts) width += text_width(text_of(readout), context.fonts.number);
-        return width + context.px(gap) * static_cast<float>(readouts.size());
-    };
-    while (!readouts.empty() && width_of() > room_px) readouts.erase(readouts.begin());
-    const float begin = static_cast<float>(place.origin_px.x + place.size_px.x) - context.px(bar_margin) - width_of();
+float width_of(const PanelContext& context, const std::vector<Readout>& readouts) {
+    float width = 0.0F;
+    for (const Readout& readout : readouts)
+        width += text_width(text_of(readout), context.fonts.number) + context.px(gap);
+    return width;
+}
+
+/// Draws the readouts from `x` on.
+void draw_readouts(const PanelContext& context, const Rectangle& place, const std::vector<Readout>& readouts, float x) {
     const float line = font_height(context.fonts.number);
     const float y = static_cast<float>(place.origin_px.y) + 0.5F * (static_cast<float>(place.size_px.y) - line);
-    float x = begin;
     for (const Readout& readout : readouts) {
         const std::string text = text_of(readout);
         const float width = text_width(text, context.fonts.number);
@@ -123,7 +123,6 @@ float draw_readouts(const PanelContext& context, const Rectangle& place, double 
                                    readout.value});
         x += width;
     }
-    return begin;
 }
 
 /// What happened last; while a gesture previews a change, how far it goes.
@@ -135,17 +134,56 @@ editor::Message message_of(const editor::EditorState& state) {
     return state.message;
 }
 
-/// Draws `text` with its left end at `x_px`, shortened to `room_px`; returns its width.
-float draw_status_text(const PanelContext& context, const std::string& name, const std::string& text, float x_px,
-                       const Rectangle& place, float room_px, render::Color color) {
-    if (text.empty() || room_px < context.px(40)) return 0.0F;
-    const float line = font_height(context.fonts.text);
-    const float y = static_cast<float>(place.origin_px.y) + 0.5F * (static_cast<float>(place.size_px.y) - line);
-    const std::string shown = elided(text, context.fonts.text, room_px);
-    draw_rich_text(ImGui::GetWindowDrawList(), shown, context.fonts.text, line, std::floor(x_px), y, color);
-    const float width = rich_text_size(shown, context.fonts.text, line).width_px;
-    context.widgets.push_back({name, {{x_px, y}, {width, line}}, text});
-    return width;
+/// Hint and message as they find room side by side.
+struct StatusTexts {
+    ImFont* font = nullptr;
+    TextLines hint;
+    TextLines message;
+
+    bool are_whole() const { return hint.is_whole && message.is_whole; }
+};
+
+/// The message is worth more than the hint, but takes no more than `share` of the room from it.
+StatusTexts arranged(const PanelContext& context, ImFont* font, const std::string& hint, const std::string& message,
+                     float room_px, float share) {
+    StatusTexts texts{font, {}, {}};
+    const float most_px = hint.empty() ? room_px : share * room_px;
+    texts.message = broken_into_lines(message, font, most_px, most_lines);
+    texts.hint = broken_into_lines(hint, font, room_px - texts.message.width_px - context.px(gap), most_lines);
+    return texts;
+}
+
+/// Gives up readouts from the left until hint and message are whole, then the size of the letters.
+StatusTexts arranged(const PanelContext& context, const std::string& hint, const std::string& message,
+                     std::vector<Readout>& readouts, float room_px) {
+    for (;;) {
+        const float room = room_px - width_of(context, readouts);
+        for (const float share : {0.5F, 0.35F}) {
+            StatusTexts texts = arranged(context, context.fonts.text, hint, message, room, share);
+            if (texts.are_whole()) return texts;
+        }
+        if (readouts.size() <= 1) return arranged(context, context.fonts.small, hint, message, room, 0.3F);
+        readouts.erase(readouts.begin());
+    }
+}
+
+/// Draws the lines from `x_px` on, one above the other; what had to be left out can be read while the pointer is there.
+void draw_status_text(const PanelContext& context, const std::string& name, const std::string& text,
+                      const TextLines& lines, ImFont* font, float x_px, const Rectangle& place, render::Color color) {
+    if (lines.lines.empty()) return;
+    const float line = font_height(font);
+    const float height = line * static_cast<float>(lines.lines.size());
+    const float top = static_cast<float>(place.origin_px.y) + 0.5F * (static_cast<float>(place.size_px.y) - height);
+    float y = std::floor(top);
+    for (const std::string& part : lines.lines) {
+        draw_rich_text(ImGui::GetWindowDrawList(), part, font, line, std::floor(x_px), y, color);
+        y += line;
+    }
+    context.widgets.push_back({name, {{x_px, top}, {lines.width_px, height}}, text});
+    const bool is_hovered = ImGui::IsWindowHovered() &&
+                            ImGui::IsMouseHoveringRect({x_px, top}, {x_px + lines.width_px, top + height}, false);
+    if (is_hovered && !lines.is_whole)
+        draw_tooltip_at(context, editor::plain_text(text), {x_px, place.origin_px.y - context.px(6)}, {0.0, 1.0});
 }
 
 }  // namespace
@@ -155,16 +193,17 @@ void draw_status_bar(const PanelContext& context, const Rectangle& place, const 
     begin_panel("status bar", place);
     draw_edge(context, {place.origin_px.x, place.origin_px.y + 0.5},
               {place.origin_px.x + place.size_px.x, place.origin_px.y + 0.5});
-    const float left = static_cast<float>(place.origin_px.x) + context.px(bar_margin);
-    const float begin = draw_readouts(context, place, frames_per_second, 0.62F * static_cast<float>(place.size_px.x));
     const editor::Message message = message_of(context.state);
     const std::string text = message.is_error ? fmt::format("⚠ {}", message.text) : message.text;
-    // The message is worth more than the hint, which only gets what is left.
-    const float room = begin - left;
-    const float message_px = text.empty() ? 0.0F : std::min(text_width(text, context.fonts.text) + 1.0F, room);
-    draw_status_text(context, "status message", text, begin - message_px, place, message_px,
+    const float left = static_cast<float>(place.origin_px.x) + context.px(bar_margin);
+    const float room = static_cast<float>(place.size_px.x) - 2.0F * context.px(bar_margin);
+    std::vector<Readout> readouts = readouts_of(context, frames_per_second);
+    const StatusTexts texts = arranged(context, hint, text, readouts, room);
+    const float begin = left + room - width_of(context, readouts);
+    draw_readouts(context, place, readouts, begin);
+    draw_status_text(context, "status message", text, texts.message, texts.font, begin - texts.message.width_px, place,
                      message.is_error ? context.theme.error : context.theme.text);
-    draw_status_text(context, "status hint", hint, left, place, room - message_px - context.px(gap), context.theme.dim);
+    draw_status_text(context, "status hint", hint, texts.hint, texts.font, left, place, context.theme.dim);
     end_panel();
 }
 

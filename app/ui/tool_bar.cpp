@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "app/editor/commands/construction_commands.h"
@@ -20,6 +21,10 @@ namespace {
 
 constexpr double button_size = 38.0;
 constexpr double button_pitch = 43.0;
+constexpr double bar_padding = 12.0;
+constexpr double divider_height = 6.0;
+constexpr double row_height = 30.0;  // of the menu with what has no room
+constexpr double row_width = 190.0;
 
 /// One button of the bar.
 struct ToolButton {
@@ -81,25 +86,68 @@ void draw_divider(const PanelContext& context) {
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - context.px(14);
     const float y = corner.y + context.px(3);
     ImGui::GetWindowDrawList()->AddLine({left, y}, {right, y}, imgui_packed(context.theme.line), context.px(1));
-    ImGui::Dummy(ImVec2(1.0F, context.px(6)));
+    ImGui::Dummy(ImVec2(1.0F, context.px(divider_height)));
+}
+
+/// A row of the menu of what has no room on the bar: the icon with its title.
+void draw_menu_row(const PanelContext& context, const ToolButton& button) {
+    const bool is_enabled = !refusal_of(button.spec, context.state);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float height = context.px(row_height);
+    ImGui::PushID(button.spec.name);
+    const int flags = is_enabled ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
+    const bool is_chosen = ImGui::Selectable("##row", button.is_active, flags, ImVec2(context.px(row_width), height));
+    ImGui::PopID();
+    report_item(context, button.place_name, button.is_active ? "active" : "");
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        draw_side_tooltip(context, command_tooltip(button.spec, context.state));
+    const float middle = corner.y + 0.5F * height;
+    draw_icon(ImGui::GetWindowDrawList(), button.spec, {corner.x + 0.5F * height, middle, context.px(18)},
+              icon_color(context, button, is_enabled));
+    draw_text(context, {corner.x + height + context.px(6), middle},
+              {button.spec.title, context.fonts.text, 0.0, is_enabled ? context.theme.text : context.theme.dim});
+    if (is_chosen) run_command(context, button.spec);
+}
+
+/// The last button of a bar that is too low: three dots that open a menu with the rest.
+void draw_rest(const PanelContext& context, const std::vector<ToolButton>& rest) {
+    ImGui::SetCursorPosX(0.5F * (ImGui::GetWindowWidth() - context.px(button_size)));
+    if (ImGui::InvisibleButton("##rest", ImVec2(context.px(button_size), context.px(button_size))))
+        ImGui::OpenPopup("rest of the tools");
+    report_item(context, "tool-bar more");
+    if (ImGui::IsItemHovered()) draw_side_tooltip(context, "More tools");
+    const render::Color color = ImGui::IsItemHovered() ? context.theme.text : context.theme.dim;
+    const glm::dvec2 center = last_item_place().origin_px + 0.5 * last_item_place().size_px;
+    for (const double offset : {-6.0, 0.0, 6.0})
+        ImGui::GetWindowDrawList()->AddCircleFilled(
+            {static_cast<float>(center.x) + context.px(offset), static_cast<float>(center.y)}, context.px(1.8),
+            imgui_packed(color));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(8), context.px(8)));
+    if (ImGui::BeginPopup("rest of the tools")) {
+        for (const ToolButton& button : rest) draw_menu_row(context, button);
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar();
 }
 
 }  // namespace
 
 void draw_tool_bar(const PanelContext& context, const Rectangle& place) {
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, context.px(12)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, context.px(bar_padding)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, context.px(button_pitch - button_size)));
     begin_panel("tool bar", place, ImGuiWindowFlags_NoScrollWithMouse);
     const std::vector<ToolButton> tools = tool_buttons(context.state);
-    for (const ToolButton& button : tools) draw_tool_button(context, button);
-    const std::vector<ToolButton> others = other_buttons();
-    const std::size_t count = tools.size() + others.size();
-    const double needed = static_cast<double>(count) * button_pitch + 30.0;
-    // In a low window only the tools themselves stay.
-    if (place.size_px.y >= needed * context.scale) {
-        draw_divider(context);
-        for (const ToolButton& button : others) draw_tool_button(context, button);
+    std::vector<ToolButton> all = tools;
+    for (const ToolButton& button : other_buttons()) all.push_back(button);
+    const double room = place.size_px.y / context.scale - 2.0 * bar_padding;
+    const bool has_room = static_cast<double>(all.size()) * button_pitch + divider_height <= room;
+    const auto slots = static_cast<std::size_t>(std::max(room / button_pitch, 1.0));
+    const std::size_t shown = has_room ? all.size() : std::min(slots - 1, tools.size());
+    for (std::size_t i = 0; i < shown; ++i) {
+        if (i == tools.size()) draw_divider(context);
+        draw_tool_button(context, all[i]);
     }
+    if (!has_room) draw_rest(context, {all.begin() + static_cast<std::ptrdiff_t>(shown), all.end()});
     const double right = place.origin_px.x + place.size_px.x - 0.5;
     draw_edge(context, {right, place.origin_px.y}, {right, place.origin_px.y + place.size_px.y});
     end_panel();

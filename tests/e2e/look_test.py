@@ -6,7 +6,10 @@ import unittest
 
 from case import WindowTest
 
-SIZES = ((1280, 720), (1440, 900), (1920, 1080))
+SIZES = ((1024, 700), (1280, 720), (1440, 900), (1920, 1080))
+MENUS = ("file", "edit", "make", "curve", "construct", "analyze", "view", "help")
+TOOLS = ("tool select", "tool add-point", "tool insert-knot", "tool weight", "tool draw-curve", "tool parameter",
+         "tool-bar undo", "tool-bar redo", "tool-bar fit", "tool-bar toggle-play")
 
 
 def processor_seconds(process):
@@ -32,6 +35,43 @@ class LookTest(WindowTest):
                     editor.key("t")
                     editor.wait(lambda state: state["theme"] == "light" and state["is_settled"], "the light theme")
                     editor.screenshot(f"light-{name}")
+
+    def assert_reachable_tools(self, editor):
+        names = set(editor.state()["widgets"])
+        if "tool-bar more" in names:
+            editor.click_widget("tool-bar more")
+            names |= set(editor.wait(lambda state: TOOLS[-1] in state["widgets"], "the rest of the tools")["widgets"])
+            editor.key("Escape")
+        self.assertLessEqual(set(TOOLS), names)
+
+    def assert_reachable_triangle(self, editor):
+        x, y = editor.widget_center("section curve")
+        editor.move(x, y)
+        for _ in range(40):
+            widgets = editor.settle()["widgets"]
+            if "cell 3 0" in widgets and "step 3" in widgets:
+                return
+            editor.wheel(-1)
+        self.fail("the triangle is not to be reached")
+
+    def test_nothing_is_cut_off_in_a_small_window_of_any_scale(self):
+        size = (1024, 700)
+        geometry = {"x": 0, "y": 0, "width": size[0], "height": size[1]}
+        for scale in (1.0, 1.5, 2.0):
+            with self.subTest(scale=scale):
+                settings = {"window": geometry, "user_scale": scale}
+                with self.start(self.display(*size), settings=settings) as editor:
+                    editor.screenshot(f"small-{scale}")
+                    state = editor.state()
+                    self.assert_inside(state, size)
+                    for menu in MENUS:
+                        self.assertIn(f"menu {menu}", state["widgets"])
+                    for x, y in (editor.point(i) for i in range(7)):
+                        canvas = state["canvas"]
+                        self.assertTrue(canvas["x"] < x < canvas["x"] + canvas["width"], scale)
+                        self.assertTrue(canvas["y"] < y < canvas["y"] + canvas["height"], scale)
+                    self.assert_reachable_tools(editor)
+                    self.assert_reachable_triangle(editor)
 
     def test_scale_two(self):
         size = (2880, 1800)
