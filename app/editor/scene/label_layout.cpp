@@ -97,11 +97,12 @@ void LabelLayout::avoid_box(const render::PixelBox& box) {
     add({Kind::box, box.lower_px, box.upper_px});
 }
 
-double LabelLayout::cost(const render::PixelBox& box) const {
+double LabelLayout::cost(const render::PixelBox& box, double limit) const {
     const render::PixelBox picture{{}, size_px_};
     double sum = picture.contains(box.lower_px) && picture.contains(box.upper_px) ? 0.0 : outside_cost;
     for (std::size_t k = column(box.lower_px.x); k <= column(box.upper_px.x); ++k)
         for (const Obstacle& obstacle : columns_[k]) {
+            if (sum >= limit) return sum;
             if (obstacle.kind == Kind::line) {
                 const glm::dvec2 lower{std::min(obstacle.a.x, obstacle.b.x), std::min(obstacle.a.y, obstacle.b.y)};
                 const glm::dvec2 upper{std::max(obstacle.a.x, obstacle.b.x), std::max(obstacle.a.y, obstacle.b.y)};
@@ -123,7 +124,7 @@ std::optional<LabelPlace> LabelLayout::place(glm::dvec2 point, glm::dvec2 text_p
     const auto consider = [&](LabelSide side) {
         if (least == 0.0) return;
         const LabelPlace candidate = place_at(point, text_px, offset_px, side);
-        const double sum = cost(candidate.box);
+        const double sum = cost(candidate.box, least);
         if (sum < least) {
             least = sum;
             best = candidate;

@@ -53,7 +53,8 @@ class LabelLayout {
 
     std::size_t column(double x) const;
     void add(const Obstacle& obstacle);
-    double cost(const render::PixelBox& box) const;
+    /// What the box would cover; no more is counted once that reaches `limit`.
+    double cost(const render::PixelBox& box, double limit) const;
 
     glm::dvec2 size_px_;
     std::vector<std::vector<Obstacle>> columns_;  ///< obstacles by the vertical strips of the picture that they touch
