@@ -166,8 +166,12 @@ void draw_key_sheet(const PanelContext& context, const Rectangle& window) {
     ImGui::SetNextItemWidth(context.px(260));
     ImGui::InputTextWithHint("##filter", "Find a key or what it does", &context.panels.key_sheet_filter);
     report_item(context, "key-sheet filter", context.panels.key_sheet_filter);
+    // Beside the filter, or below it in a narrow window.
+    const char* const signs = "≅ keeps the shape   ≠ changes it";
     ImGui::SameLine();
-    ImGui::TextDisabled("≅ keeps the shape   ≠ changes it");
+    if (ImGui::GetContentRegionAvail().x < text_width(signs, context.fonts.text)) ImGui::NewLine();
+    ImGui::TextDisabled("%s", signs);
+    report_item(context, "key-sheet signs");
     ImGui::Dummy(ImVec2(1.0F, context.px(4)));
     ImGui::BeginChild("keys", ImVec2(0.0F, 0.0F), false, ImGuiWindowFlags_NoNav);
     draw_blocks(context, blocks_of(context.panels.key_sheet_filter));

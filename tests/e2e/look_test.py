@@ -54,6 +54,13 @@ class LookTest(WindowTest):
             editor.wheel(-1)
         self.fail("the triangle is not to be reached")
 
+    def assert_whole_key_sheet(self, editor):
+        editor.key("F1")
+        widgets = editor.wait(lambda state: "key-sheet signs" in state["widgets"] and state["is_settled"], "the keys")["widgets"]
+        sheet, signs = widgets["dialog"], widgets["key-sheet signs"]
+        self.assertLess(signs["x"] + signs["width"], sheet["x"] + sheet["width"] - 10)
+        editor.key("Escape")
+
     def test_nothing_is_cut_off_in_a_small_window_of_any_scale(self):
         size = (1024, 700)
         geometry = {"x": 0, "y": 0, "width": size[0], "height": size[1]}
@@ -72,6 +79,7 @@ class LookTest(WindowTest):
                         self.assertTrue(canvas["y"] < y < canvas["y"] + canvas["height"], scale)
                     self.assert_reachable_tools(editor)
                     self.assert_reachable_triangle(editor)
+                    self.assert_whole_key_sheet(editor)
 
     def test_scale_two(self):
         size = (2880, 1800)
