@@ -65,6 +65,19 @@ TEST(LabelLayout, leaves_out_rather_than_cover_symbols_unless_told_to) {
     EXPECT_TRUE(layout.place(point, text, 11.0, LabelSide::upper_right, Crowding::cover_symbols));
 }
 
+TEST(LabelLayout, leaves_room_for_subscripts_at_the_lower_edge) {
+    // Below the point a label ends 20.95 pixels further down; its subscript 3.2 more.
+    for (const double below : {21.5, 24.0, 24.3}) {
+        LabelLayout layout(picture);
+        layout.avoid_box({{300.0, 0.0}, {500.0, 600.0 - below - 0.5}});
+        const auto found =
+            layout.place({400.0, 600.0 - below}, text, 11.0, LabelSide::lower_right, Crowding::leave_out);
+        const bool has_room = below > 24.15;
+        EXPECT_EQ(found && found->box.upper_px.y + 3.2 <= 600.0 + 1e-9, has_room) << below;
+        EXPECT_EQ(found.has_value() && found->box.lower_px.y > 600.0 - below, has_room) << below;
+    }
+}
+
 TEST(LabelLayout, stays_inside_the_picture) {
     LabelLayout layout(picture);
     const auto found = place(layout, {790.0, 5.0});

@@ -16,6 +16,7 @@ constexpr double impossible = std::numeric_limits<double>::infinity();
 constexpr double line_cost = 1.0;
 constexpr double symbol_cost = 4.0;
 constexpr double outside_cost = 20.0;
+constexpr double script_share = 0.2;  // of a line by which sub- and superscripts reach beyond it
 
 constexpr std::array all_sides{LabelSide::upper_right, LabelSide::upper_left, LabelSide::lower_right,
                                LabelSide::lower_left,  LabelSide::right,      LabelSide::left,
@@ -99,7 +100,9 @@ void LabelLayout::avoid_box(const render::PixelBox& box) {
 
 double LabelLayout::cost(const render::PixelBox& box, double limit) const {
     const render::PixelBox picture{{}, size_px_};
-    double sum = picture.contains(box.lower_px) && picture.contains(box.upper_px) ? 0.0 : outside_cost;
+    const glm::dvec2 scripts{0.0, script_share * (box.upper_px.y - box.lower_px.y)};
+    const bool is_inside = picture.contains(box.lower_px - scripts) && picture.contains(box.upper_px + scripts);
+    double sum = is_inside ? 0.0 : outside_cost;
     for (std::size_t k = column(box.lower_px.x); k <= column(box.upper_px.x); ++k)
         for (const Obstacle& obstacle : columns_[k]) {
             if (sum >= limit) return sum;
