@@ -103,6 +103,12 @@ constexpr std::array templates{
     Template{Code::curve_not_polynomial_piece,
              "the curve is not one Bézier piece; it must have degree + 1 equal knots at both ends and no others"},
     Template{Code::curve_closed, "the ends of the curve meet; only a curve that is open there can go on"},
+    Template{Code::extension_too_far,
+             "the curve cannot go on by {value}, because a weight would become 0 before; at most {upper} is possible"},
+    Template{
+        Code::outer_knots_too_far,
+        "the knots outside would have to reach {value} beyond the end, where a weight is no longer above 0; at most "
+        "{upper} is possible"},
     Template{Code::joint_turns_back,
              "one curve runs straight back along the other where they meet; a smooth joint needs a turn of less than "
              "180 degrees"},

@@ -60,6 +60,8 @@ enum class CurveErrorCode {
     deviation_too_large,         ///< value = deviation that the edit would make, upper = tolerance
     curve_not_polynomial_piece,  ///< the operation is for one Bézier piece only
     curve_closed,                ///< the ends of an open curve meet, so that it has none to go on from
+    extension_too_far,           ///< value = length asked for, upper = most that keeps every weight positive
+    outer_knots_too_far,         ///< value = how far knots would lie outside, upper = most that keeps weights positive
     joint_turns_back             ///< two curves run back along each other where they should meet smoothly
 };
 

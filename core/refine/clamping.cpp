@@ -1,9 +1,11 @@
 #include "core/refine/clamping.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/refine/detail/carried_point.h"
 #include "core/refine/detail/end_knots.h"
+#include "core/refine/detail/largest_possible.h"
 
 namespace batten::core {
 
@@ -25,23 +27,38 @@ CarriedSpline clamped_at_start(CarriedSpline spline) {
     return spline;
 }
 
-// The p+1 knots before and at the start of a domain whose spans are repeated outside it.
-void repeat_spans_before_start(CarriedSpline& spline) {
+// The p+1 knots before and at the start of a domain whose spans are repeated outside it, `share` times as long.
+void repeat_spans_before_start(CarriedSpline& spline, double share) {
     const std::size_t p = spline.p;
     const std::size_t n = spline.points.size() - 1;
     for (std::size_t i = 0; i < p; ++i)
-        spline.knots[p - i - 1] = spline.knots[p - i] - (spline.knots[n - i + 1] - spline.knots[n - i]);
+        spline.knots[p - i - 1] = spline.knots[p - i] - share * (spline.knots[n - i + 1] - spline.knots[n - i]);
 }
 
-CarriedSpline unclamped_at_start(CarriedSpline spline) {
+CarriedSpline unclamped_by(CarriedSpline spline, double share) {
     const std::size_t p = spline.p;
     CarriedSpline result = spline;
-    repeat_spans_before_start(result);
+    repeat_spans_before_start(result, share);
     std::vector<double> values;
     for (std::size_t i = 1; i < p; ++i) values.push_back(result.knots[p - i]);
     exchange_start_knots(spline, values);
     result.points = std::move(spline.points);
     return result;
+}
+
+CarriedSpline unclamped_at_start(CarriedSpline spline) {
+    return unclamped_by(std::move(spline), 1.0);
+}
+
+// How far the knots would lie outside, and how far they may for positive weights.
+CurveError outer_knots_too_far(const Curve& clamped, CurveEnd end) {
+    const CarriedSpline spline = turned(carried(clamped), end);
+    const double reach = spline.knots[spline.p] - unclamped_at_start(spline).knots[1];
+    const double most = largest_possible(reach, [&](double part) {
+        return std::ranges::all_of(unclamped_by(spline, part / reach).points,
+                                   [](const CarriedPoint& point) { return point.point.z > 0.0; });
+    });
+    return {.code = CurveErrorCode::outer_knots_too_far, .value = reach, .upper = most};
 }
 
 // A kind that says something of the ends goes over into the one for the other sort of ends, where the values have it.
@@ -65,7 +82,10 @@ Result<Curve> clamp(const Curve& curve, CurveEnd end) {
 
 Result<Curve> unclamp(const Curve& curve, CurveEnd end) {
     return clamp(curve, end).and_then([&](const Curve& clamped) {
-        return with_end(clamped, end, unclamped_at_start, false);
+        auto result = with_end(clamped, end, unclamped_at_start, false);
+        if (!result && result.error().code == CurveErrorCode::weight_not_positive)
+            return Result<Curve>(refuse(outer_knots_too_far(clamped, end)));
+        return result;
     });
 }
 

@@ -11,6 +11,7 @@
 #include "core/refine/clamping.h"
 #include "core/refine/detail/carried_point.h"
 #include "core/refine/detail/end_knots.h"
+#include "core/refine/detail/largest_possible.h"
 
 namespace batten::core {
 
@@ -37,6 +38,14 @@ Result<Curve> with_end_at(const Curve& clamped, CurveEnd end, double u) {
     std::fill(spline.knots.begin(), spline.knots.begin() + static_cast<std::ptrdiff_t>(spline.p) + 1, target);
     if (end == CurveEnd::end) spline = mirrored(std::move(spline));
     return settled(clamped, std::move(spline), clamped.knots().kind());
+}
+
+// The curve over a longer domain, or that it runs out of positive weights.
+Result<Curve> longer_if_possible(const Curve& clamped, CurveEnd end, double by) {
+    const double old = end_of(clamped, end);
+    const double target = moved_out(old, end, by);
+    if (target == old) return refuse({.code = CurveErrorCode::range_empty, .lower = old, .upper = target});
+    return with_end_at(clamped, end, target);
 }
 
 double speed_at(const Curve& curve, CurveEnd end) {
@@ -71,20 +80,33 @@ double added_length(const Curve& curve, const Curve& longer, CurveEnd end) {
     return length_over(longer, {std::min(old, tip), std::max(old, tip)});
 }
 
+// That so much `length` is too much, where a domain longer by `most` is about the longest.
+Result<Curve> too_long(const Curve& curve, CurveEnd end, double length, double most, CurveError error) {
+    if (error.code != CurveErrorCode::weight_not_positive || !(most > 0.0)) return refuse(error);
+    const auto longest = longer_if_possible(curve, end, most);
+    if (!longest) return refuse(error);
+    return refuse({.code = CurveErrorCode::extension_too_far,
+                   .value = length,
+                   .upper = rounded_down(added_length(curve, *longest, end))});
+}
+
 // Newton's iteration in a bracket that shrinks: the added length grows with the parameter.
 Result<Curve> longer_by(const Curve& curve, CurveEnd end, double length) {
     Interval bracket{0.0, std::numeric_limits<double>::infinity()};
     double by = length / speed_at(curve, end);
     for (;;) {
-        auto longer = extend_parameter(curve, end, by);
-        if (!longer && bracket.upper - bracket.lower <= closeness_to_failure * bracket.upper) return longer;
+        auto longer = longer_if_possible(curve, end, by);
+        const bool is_narrow = bracket.upper - bracket.lower <= closeness_to_failure * bracket.upper;
+        if (!longer && std::isfinite(bracket.upper) && is_narrow)
+            return too_long(curve, end, length, bracket.lower, longer.error());
         const double found = longer ? added_length(curve, *longer, end) : std::numeric_limits<double>::infinity();
         if (std::abs(found - length) <= length_accuracy * length) return longer;
         (found < length ? bracket.lower : bracket.upper) = by;
         double next = std::isinf(bracket.upper) ? 2.0 * by : bracket.lower + 0.5 * bracket.length();
         const double newton = longer ? by + (length - found) / speed_at(*longer, end) : next;
         if (bracket.lower < newton && newton < bracket.upper && newton < 4.0 * by) next = newton;
-        if (next == bracket.lower || next == bracket.upper) return longer;
+        if (next == bracket.lower || next == bracket.upper)
+            return longer ? longer : too_long(curve, end, length, bracket.lower, longer.error());
         by = next;
     }
 }
@@ -110,10 +132,11 @@ Result<Curve> extend_parameter(const Curve& curve, CurveEnd end, double by) {
     if (const auto check = check_added_length(by); !check) return refuse(check.error());
     const auto clamped = clamp(curve, end);
     if (!clamped) return refuse(clamped.error());
-    const double old = end_of(curve, end);
-    const double target = moved_out(old, end, by);
-    if (target == old) return refuse({.code = CurveErrorCode::range_empty, .lower = old, .upper = target});
-    return with_end_at(*clamped, end, target);
+    auto longer = longer_if_possible(*clamped, end, by);
+    if (longer || longer.error().code != CurveErrorCode::weight_not_positive) return longer;
+    const double most =
+        largest_possible(by, [&](double part) { return longer_if_possible(*clamped, end, part).has_value(); });
+    return refuse({.code = CurveErrorCode::extension_too_far, .value = by, .upper = most});
 }
 
 Result<Curve> extend_length(const Curve& curve, CurveEnd end, double length) {

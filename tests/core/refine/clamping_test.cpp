@@ -51,7 +51,7 @@ TEST(Unclamping, keeps_the_shape) {
         for (const CurveEnd end : {CurveEnd::start, CurveEnd::end}) {
             const auto result = unclamp(curve, end);
             if (!result) {
-                EXPECT_EQ(result.error().code, CurveErrorCode::weight_not_positive);
+                EXPECT_EQ(result.error().code, CurveErrorCode::outer_knots_too_far);
                 continue;
             }
             ++kept;
@@ -88,6 +88,21 @@ TEST(Clamping, refuses_periodic_curves) {
         Curve::make({.degree = 2, .knots = {0, 1, 2}, .points = {{0, 0}, {1, 2}}, .periodic = true}).value();
     EXPECT_EQ(clamp(ring, CurveEnd::start).error().code, CurveErrorCode::curve_periodic);
     EXPECT_EQ(unclamp(ring, CurveEnd::end).error().code, CurveErrorCode::curve_periodic);
+}
+
+TEST(Unclamping, of_a_rational_curve_says_how_far_the_knots_can_lie) {
+    // The weight before the start is 1 + s (1 - w) for a knot s before it; the spans repeated outside are 1 long.
+    const Curve curve =
+        Curve::make(
+            {.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{0, 0}, {1, 1}, {2, 0}}, .weights = {1, 3, 1}})
+            .value();
+    for (const CurveEnd end : {CurveEnd::start, CurveEnd::end}) {
+        const auto error = unclamp(curve, end).error();
+        EXPECT_EQ(error.code, CurveErrorCode::outer_knots_too_far);
+        EXPECT_EQ(error.value, 1.0);
+        EXPECT_LE(error.upper, 0.5);
+        EXPECT_NEAR(error.upper, 0.5, 2e-4);
+    }
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "core/make/conics.h"
 #include "core/measure/arc_length.h"
 #include "core/refine/split.h"
 #include "tests/core/shape_check.h"
@@ -35,7 +37,9 @@ TEST(Extend, keeps_what_was_there) {
         for (const CurveEnd end : both) {
             const auto longer = extend_parameter(curve, end, 0.05);
             if (!longer) {
-                EXPECT_EQ(longer.error().code, CurveErrorCode::weight_not_positive);
+                EXPECT_EQ(longer.error().code, CurveErrorCode::extension_too_far);
+                EXPECT_LT(longer.error().upper, 0.05);
+                EXPECT_TRUE(longer.error().upper == 0.0 || extend_parameter(curve, end, longer.error().upper));
                 continue;
             }
             ++extended;
@@ -108,7 +112,28 @@ TEST(Extend, refuses_rings_and_lengths_that_are_none) {
     const Curve arc =
         Curve::make({.degree = 1, .knots = {0, 0, 0.5, 0.5}, .points = {{0, 0}, {1, 0}}, .weights = {1, 0.5}}).value();
     EXPECT_TRUE(extend_parameter(arc, CurveEnd::end, 0.4));
-    EXPECT_EQ(extend_parameter(arc, CurveEnd::end, 0.5).error().code, Code::weight_not_positive);
+    EXPECT_EQ(extend_parameter(arc, CurveEnd::end, 0.5).error().code, Code::extension_too_far);
+}
+
+TEST(Extend, of_a_rational_curve_says_how_far_it_can_go) {
+    // A quarter of the unit circle: over [0, 1 + b] the weight in the middle is 1 - (1 + b) (1 - sqrt(1/2)), positive
+    // below b = 1 + sqrt(2), where the arc has become half a circle.
+    const Curve arc = circular_arc({0, 0}, 1.0, {0.0, 90.0}).value();
+    for (const CurveEnd end : both) {
+        const auto far = extend_parameter(arc, end, 3.0);
+        ASSERT_FALSE(far);
+        EXPECT_EQ(describe(far.error()),
+                  "the curve cannot go on by 3, because a weight would become 0 before; at most 2.414 is possible");
+        EXPECT_TRUE(extend_parameter(arc, end, far.error().upper));
+        EXPECT_NEAR(arc_length(extend_length(arc, end, 1.5).value()).value, std::numbers::pi / 2 + 1.5, 1e-9);
+        const auto longer = extend_length(arc, end, 2.0);
+        ASSERT_FALSE(longer);
+        EXPECT_EQ(longer.error().code, CurveErrorCode::extension_too_far);
+        EXPECT_EQ(longer.error().value, 2.0);
+        EXPECT_LE(longer.error().upper, std::numbers::pi / 2);
+        EXPECT_GE(longer.error().upper, std::numbers::pi / 2 - 0.01);
+        EXPECT_TRUE(extend_length(arc, end, longer.error().upper));
+    }
 }
 
 }  // namespace
