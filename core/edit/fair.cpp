@@ -5,6 +5,7 @@
 
 #include "core/base/detail/gauss_rule.h"
 #include "core/curve/knot_analysis.h"
+#include "core/edit/detail/kept_smoothness.h"
 #include "core/edit/shape_edit.h"
 #include "core/evaluate/detail/spline_system.h"
 #include "core/evaluate/evaluate.h"
@@ -23,13 +24,6 @@ constexpr int halvings = 48;
 // Rational functions are not integrated exactly by any rule; so many nodes more make it good enough for a measure.
 constexpr std::size_t more_nodes_for_rational = 4;
 
-// One condition on the moves D_i of the control points: sum coefficients[j] D_{first + j} = right.
-struct Condition {
-    std::size_t first = 0;
-    std::vector<double> coefficients;
-    Vector right{};
-};
-
 Vector sum_of(const Curve& curve, const RationalBasis& basis, std::size_t order) {
     // Near the curve's own place, so that nothing cancels far from the origin; the coefficients sum to zero.
     const std::span<const Point> points = curve.control_points();
@@ -41,18 +35,18 @@ Vector sum_of(const Curve& curve, const RationalBasis& basis, std::size_t order)
 }
 
 // The third derivative of the moved curve shall vanish at the nodes of an integration rule.
-std::vector<Condition> third_derivatives(const Curve& curve) {
+std::vector<MoveCondition> third_derivatives(const Curve& curve) {
     const auto p = static_cast<std::size_t>(curve.degree());
     const auto rule = gauss_rule(p - 2 + (curve.is_rational() ? more_nodes_for_rational : 0));
     const KnotVector& knots = curve.knots();
-    std::vector<Condition> conditions;
+    std::vector<MoveCondition> conditions;
     for (std::size_t s = p; s + p + 1 < knots.size(); ++s) {
         const double half = 0.5 * (knots[s + 1] - knots[s]);
         if (half == 0.0) continue;
         for (const GaussNode& node : rule) {
             const RationalBasis basis = rational_basis(curve, knots[s] + half * (1.0 + node.position), 3);
             const double weight = std::sqrt(half * node.weight);
-            Condition condition{basis.first, basis.derivatives[3], -weight * sum_of(curve, basis, 3)};
+            MoveCondition condition{basis.first, basis.derivatives[3], -weight * sum_of(curve, basis, 3)};
             for (double& coefficient : condition.coefficients) coefficient *= weight;
             conditions.push_back(std::move(condition));
         }
@@ -61,43 +55,49 @@ std::vector<Condition> third_derivatives(const Curve& curve) {
 }
 
 // The jumps of the highest derivative of degree 1 or 2 shall vanish.
-std::vector<Condition> jumps(const Curve& curve) {
+std::vector<MoveCondition> jumps(const Curve& curve) {
     const int p = curve.degree();
     const auto order = static_cast<std::size_t>(p);
-    const std::size_t n = curve.control_points().size();
-    std::vector<Condition> conditions;
+    std::vector<MoveCondition> conditions;
     for (const DistinctKnot& knot : distinct_knots(curve.knots())) {
         if (!knot.is_interior) continue;
         const RationalBasis before = rational_basis(curve, knot.value, p, Side::left);
         const RationalBasis after = rational_basis(curve, knot.value, p, Side::right);
-        const std::size_t shift = (after.first + n - before.first % n) % n;
-        Condition condition{before.first, std::vector<double>(shift + order + 1, 0.0),
-                            sum_of(curve, before, order) - sum_of(curve, after, order)};
-        for (std::size_t j = 0; j <= order; ++j) {
-            condition.coefficients[j] -= before.derivatives[order][j];
-            condition.coefficients[shift + j] += after.derivatives[order][j];
-        }
+        MoveCondition condition = difference_at_knot(curve, before, order, after, order);
+        condition.right = sum_of(curve, before, order) - sum_of(curve, after, order);
         conditions.push_back(std::move(condition));
     }
     return conditions;
 }
 
-void scale_to_one(std::vector<Condition>& conditions) {
+void scale_to_one(std::vector<MoveCondition>& conditions) {
     double largest = 0.0;
-    for (const Condition& condition : conditions)
+    for (const MoveCondition& condition : conditions)
         for (const double coefficient : condition.coefficients) largest = std::max(largest, std::abs(coefficient));
     if (largest == 0.0) return;
-    for (Condition& condition : conditions) {
+    for (MoveCondition& condition : conditions) {
         for (double& coefficient : condition.coefficients) coefficient /= largest;
         condition.right /= largest;
+    }
+}
+
+void scale_rows_to_one(std::vector<MoveCondition>& conditions) {
+    for (MoveCondition& condition : conditions) {
+        double size = 0.0;
+        for (const double coefficient : condition.coefficients) size = std::hypot(size, coefficient);
+        if (size == 0.0) continue;
+        for (double& coefficient : condition.coefficients) coefficient /= size;
     }
 }
 
 class Fairing {
   public:
     explicit Fairing(const Curve& curve)
-        : curve_(curve), conditions_(curve.degree() >= 3 ? third_derivatives(curve) : jumps(curve)) {
+        : curve_(curve),
+          conditions_(curve.degree() >= 3 ? third_derivatives(curve) : jumps(curve)),
+          kept_(smoothness_conditions(curve, curve.domain())) {
         scale_to_one(conditions_);
+        scale_rows_to_one(kept_);
         if (curve.is_periodic()) return;
         const KnotVector& knots = curve.knots();
         const std::size_t n = curve.control_points().size();
@@ -115,24 +115,52 @@ class Fairing {
 
     bool is_needed() const { return !conditions_.empty(); }
 
-    // The fairest curve for moves that count `weight`.
+    // The fairest curve for moves that count `weight`. What keeps the smoothness at knots is met exactly, by the method
+    // of multipliers: each pass makes up for what the one before lacked.
     std::optional<Curve> with_weight(double weight) const {
-        SplineSystem system(curve_.knots(), Point{}, fixed_);
-        for (const Condition& condition : conditions_)
-            system.require_sum(condition.first, condition.coefficients, condition.right);
-        const double root = std::sqrt(weight);
-        const std::size_t n = curve_.control_points().size();
-        for (std::size_t i = 0; i < n; ++i) system.require_sum(i, std::span(&root, 1), Vector{});
-        for (const double end : free_ends_) require_end(system, end, std::max(1.0, root));
-        const auto moves = system.solve();
-        if (!moves) return std::nullopt;
-        CurveDefinition definition = curve_.definition();
-        for (std::size_t i = 0; i < n; ++i) definition.points[i] += vector_to((*moves)[i]);
-        const Result<Curve> faired = Curve::make(std::move(definition));
+        constexpr int passes = 3;
+        std::vector<Vector> lacking(kept_.size(), Vector{});
+        std::optional<std::vector<Vector>> moves;
+        for (int pass = 0; pass < (kept_.empty() ? 1 : passes); ++pass) {
+            moves = moves_with(std::sqrt(weight), lacking);
+            if (!moves) return std::nullopt;
+            for (std::size_t k = 0; k < kept_.size(); ++k) lacking[k] += missed(kept_[k], *moves);
+        }
+        const Result<Curve> faired = with_moves(curve_, 0, *moves);
         return faired ? std::optional(with_ends(*faired)) : std::nullopt;
     }
 
   private:
+    // How far the best moves by `root` of the weight of each; the kept conditions outweigh all but the ends.
+    std::optional<std::vector<Vector>> moves_with(double root, const std::vector<Vector>& lacking) const {
+        const double largest = std::max(1.0, root);
+        SplineSystem system(curve_.knots(), Point{}, fixed_);
+        for (const MoveCondition& condition : conditions_)
+            system.require_sum(condition.first, condition.coefficients, condition.right);
+        for (std::size_t i = 0; i < curve_.control_points().size(); ++i)
+            system.require_sum(i, std::span(&root, 1), Vector{});
+        for (std::size_t k = 0; k < kept_.size(); ++k) require_kept(system, kept_[k], lacking[k], largest);
+        for (const double end : free_ends_) require_end(system, end, largest);
+        const auto points = system.solve();
+        if (!points) return std::nullopt;
+        std::vector<Vector> moves;
+        for (const Point& point : *points) moves.push_back(vector_to(point));
+        return moves;
+    }
+
+    static void require_kept(SplineSystem& system, MoveCondition condition, Vector lacking, double largest) {
+        constexpr double outweighing = 1e5;
+        for (double& coefficient : condition.coefficients) coefficient *= outweighing * largest;
+        system.require_sum(condition.first, condition.coefficients, -outweighing * largest * lacking);
+    }
+
+    static Vector missed(const MoveCondition& condition, const std::vector<Vector>& moves) {
+        Vector sum{};
+        for (std::size_t j = 0; j < condition.coefficients.size(); ++j)
+            sum += condition.coefficients[j] * moves[(condition.first + j) % moves.size()];
+        return sum;
+    }
+
     // An end that no control point makes alone is held by a condition that outweighs all others.
     void require_end(SplineSystem& system, double end, double largest) const {
         constexpr double outweighing = 1e6;
@@ -149,7 +177,8 @@ class Fairing {
     }
 
     const Curve& curve_;
-    std::vector<Condition> conditions_;
+    std::vector<MoveCondition> conditions_;
+    std::vector<MoveCondition> kept_;
     EndPoints fixed_;
     std::vector<double> free_ends_;
 };

@@ -1,8 +1,10 @@
 #include "core/edit/shape_edit.h"
 
+#include <array>
 #include <cmath>
 
 #include "core/curve/detail/edit_checks.h"
+#include "core/edit/detail/kept_smoothness.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/rational_basis.h"
 
@@ -42,11 +44,27 @@ std::optional<std::size_t> only_share(const std::vector<double>& values) {
     return std::nullopt;
 }
 
+// The curve with what acts at u moved by `moves` so that it stays smooth at its knots, where that takes more than the
+// knots; else none, and then the least change is free.
+std::optional<Curve> kept_smooth(const Curve& curve, const RationalBasis& basis, double u, Side side, Point target,
+                                 std::span<const Vector> moves) {
+    auto moved = moved_smoothly(curve, u, side, moves);
+    const std::size_t n = curve.control_points().size();
+    const auto only = only_share(shares(basis, 0, n));
+    if (!moved || !only) return moved;
+    CurveDefinition definition = moved->definition();
+    definition.points[(basis.first + *only) % n] = target;
+    const auto exact = Curve::make(std::move(definition));
+    return exact ? std::optional(*exact) : std::nullopt;
+}
+
 }  // namespace
 
 Result<Curve> move_curve_point(const Curve& curve, double u, Point target) {
     if (const auto check = check_move(curve, u, target, Vector{}); !check) return refuse(check.error());
     const RationalBasis basis = rational_basis(curve, u);
+    const std::array moves{target - point_at(curve, u)};
+    if (const auto smooth = kept_smooth(curve, basis, u, Side::right, target, moves)) return *smooth;
     CurveDefinition definition = curve.definition();
     const std::size_t n = definition.points.size();
     const std::vector<double> values = shares(basis, 0, n);
@@ -77,6 +95,8 @@ Result<Curve> move_curve_point_and_tangent(const Curve& curve, double u, Point t
 
     const auto old = derivatives_at(curve, u, 1, side);
     const Vector move = target - old.point;
+    const std::array moves{move, derivative - old[1]};
+    if (const auto smooth = kept_smooth(curve, basis, u, side, target, moves)) return *smooth;
     const Vector turn = derivative - old[1] - along * move;
     const auto only = only_share(values);
     for (std::size_t j = 0; j < values.size(); ++j) {

@@ -119,12 +119,13 @@ class JointMeter {
 
 }  // namespace
 
-std::vector<JointContinuity> joint_continuity(const Curve& curve, const ContinuityTolerances& tolerances) {
+std::vector<JointContinuity> joint_continuity_within(const Curve& curve, Interval range,
+                                                     const ContinuityTolerances& tolerances) {
     const JointMeter meter(curve, tolerances);
     const Interval domain = curve.domain();
     std::vector<JointContinuity> joints;
     for (const DistinctKnot& knot : distinct_knots(curve.knots())) {
-        if (!knot.is_interior) continue;
+        if (!knot.is_interior || !range.contains(knot.value)) continue;
         const bool is_seam = curve.is_periodic() && knot.value == domain.lower;
         auto joint =
             meter.measure(is_seam ? JointKind::seam : JointKind::knot, is_seam ? domain.upper : knot.value, knot.value);
@@ -132,8 +133,13 @@ std::vector<JointContinuity> joint_continuity(const Curve& curve, const Continui
         joint.promised = knot.continuity;
         joints.push_back(joint);
     }
+    return joints;
+}
+
+std::vector<JointContinuity> joint_continuity(const Curve& curve, const ContinuityTolerances& tolerances) {
+    auto joints = joint_continuity_within(curve, curve.domain(), tolerances);
     if (curve.is_periodic()) return joints;
-    const auto ends = meter.measure(JointKind::ends, domain.upper, domain.lower);
+    const auto ends = continuity_of_ends(curve, tolerances);
     if (ends.geometric >= 0) joints.push_back(ends);
     return joints;
 }

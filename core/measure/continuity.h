@@ -51,6 +51,10 @@ struct JointContinuity {
 /// is the one-sided limit of the direction, so that a cusp, where C' and C'' agree, is G0; it has no curvature.
 std::vector<JointContinuity> joint_continuity(const Curve& curve, const ContinuityTolerances& tolerances = {});
 
+/// The same for the knots in `range` alone, and without the ends. Cost O(p^3) for each of them, and O(n).
+std::vector<JointContinuity> joint_continuity_within(const Curve& curve, Interval range,
+                                                     const ContinuityTolerances& tolerances = {});
+
 /// What joins the end of an open curve to its beginning, whether they meet or not.
 JointContinuity continuity_of_ends(const Curve& curve, const ContinuityTolerances& tolerances = {});
 

@@ -5,8 +5,12 @@
 #include <cmath>
 
 #include "core/evaluate/evaluate.h"
+#include "core/make/conics.h"
 #include "core/measure/deviation.h"
+#include "core/refine/degree.h"
+#include "core/refine/periodic.h"
 #include "tests/core/random_curves.h"
+#include "tests/core/smooth_shapes.h"
 
 namespace batten::core {
 
@@ -136,6 +140,29 @@ TEST(Fair, stays_within_the_distance_on_any_curve) {
         EXPECT_EQ(result->error, largest_deviation(curve, result->curve));
     }
     EXPECT_EQ(fair(random.curve(), 0.0).error().code, CurveErrorCode::tolerance_not_positive);
+}
+
+TEST(Fair, keeps_the_smoothness_of_the_shape) {
+    RandomCurves random(395);
+    for (const int degree : {2, 3, 4, 6})
+        for (int k = 0; k < 5; ++k) {
+            const Curve curve = smooth_by_shape(degree, 4, random);
+            ASSERT_EQ(joint_continuity(curve).front().parametric, 0);
+            ASSERT_EQ(joint_continuity(curve).front().geometric, std::min(degree - 1, 2));
+            for (const double distance : {1e-3, 0.3}) {
+                const auto faired = fair(curve, distance).value();
+                EXPECT_GT(faired.error, 0.5 * distance);
+                EXPECT_TRUE(smoothness_losses(curve, faired.curve).empty()) << degree;
+            }
+        }
+}
+
+TEST(Fair, keeps_the_smoothness_across_a_seam) {
+    // A circle of 9 points, closed without a seam: G2 at triple knots.
+    const Curve ring = elevate_degree(to_periodic(circle({1, 2}, 3.0).value(), 1e-9).value().curve, 1).value();
+    const auto faired = fair(ring, 0.2).value();
+    EXPECT_GT(faired.error, 0.0);
+    EXPECT_TRUE(smoothness_losses(ring, faired.curve).empty());
 }
 
 }  // namespace batten::core

@@ -7,6 +7,7 @@
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/rational_basis.h"
 #include "tests/core/random_curves.h"
+#include "tests/core/smooth_shapes.h"
 
 namespace batten::core {
 
@@ -169,6 +170,45 @@ TEST(MovePointAndTangent, refuses_where_the_tangent_does_not_depend_on_the_point
     const Curve two =
         Curve::make({.degree = 2, .knots = {0, 1, 2}, .points = {{0, 0}, {4, 0}}, .periodic = true}).value();
     EXPECT_EQ(move_curve_point_and_tangent(two, 0.5, {0, 0}, {1, 0}).error().code, CurveErrorCode::tangent_not_free);
+}
+
+TEST(MoveCurvePoint, keeps_the_smoothness_of_the_shape) {
+    RandomCurves random(396);
+    for (const int degree : {2, 3, 4, 7})
+        for (int k = 0; k < 30; ++k) {
+            const Curve curve = smooth_by_shape(degree, 12, random);
+            const double u = random.parameter(curve);
+            const Point target = point_at(curve, u) + Vector{0.5, -0.8};
+            const Curve moved = move_curve_point(curve, u, target).value();
+            EXPECT_LE(distance(point_at(moved, u), target), 1e-12);
+            EXPECT_TRUE(smoothness_losses(curve, moved).empty()) << degree << " at " << u;
+            const Vector derivative = 1.1 * derivatives_at(curve, u, 1)[1] + Vector{0.3, 0.2};
+            const Curve turned = move_curve_point_and_tangent(curve, u, target, derivative).value();
+            EXPECT_LE(distance(point_at(turned, u), target), 1e-12);
+            EXPECT_LE(length(derivatives_at(turned, u, 1)[1] - derivative), 1e-9);
+        }
+}
+
+TEST(MoveCurvePoint, moves_no_more_of_a_smooth_shape_than_simple_knots_would) {
+    RandomCurves random(397);
+    const Curve curve = smooth_by_shape(3, 12, random);
+    std::vector<double> distinct = stored(curve);
+    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+    const double u = 0.5 * (distinct[5] + distinct[6]);
+    const Curve moved = move_curve_point(curve, u, point_at(curve, u) + Vector{1.0, 1.0}).value();
+    for (std::size_t i = 0; i + 1 < distinct.size(); ++i) {
+        const double middle = 0.5 * (distinct[i] + distinct[i + 1]);
+        const bool is_near = i >= 2 && i <= 8;
+        EXPECT_EQ(point_at(curve, middle) != point_at(moved, middle), is_near) << i;
+    }
+}
+
+TEST(MoveCurvePoint, of_a_straight_polyline_makes_the_corner_that_it_must) {
+    const Curve straight =
+        Curve::make({.degree = 1, .knots = {0, 0, 1, 2, 2}, .points = {{0, 0}, {1, 0}, {2, 0}}}).value();
+    const Curve bent = move_curve_point(straight, 1.0, {1, 1}).value();
+    EXPECT_EQ(bent.control_points()[1], Point(1, 1));
+    EXPECT_EQ(smoothness_losses(straight, bent).size(), 1U);
 }
 
 }  // namespace batten::core
