@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "core/base/detail/banded_least_squares.h"
 #include "core/base/detail/dense_least_squares.h"
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/basis.h"
 #include "core/evaluate/blossom.h"
+#include "core/measure/detail/joint_relation.h"
 #include "core/refine/degree.h"
 
 namespace batten::core {
@@ -96,62 +99,168 @@ HomogeneousPoint homogeneous_at(const Curve& curve, const Site& site) {
     return blossom(curve, curve.knots().span_at(site.u, site.side), arguments);
 }
 
-// The basis functions at one site, of which the row of its equation consists.
-struct SiteBasis {
+// One equation for the control points: sum values[j] P_{first + j} = right.
+struct Row {
     std::size_t first = 0;
     std::vector<double> values;
+    HomogeneousPoint right{0.0};
 };
 
-SiteBasis basis_at(const KnotVector& knots, const Site& site) {
-    BasisValues basis = basis_functions(knots, site.u, 0, site.side);
-    return {basis.span - static_cast<std::size_t>(knots.degree()), std::move(basis.derivatives[0])};
+// One for each site: that the splines agree there.
+std::vector<Row> agreements(const Curve& curve, const KnotVector& knots, std::span<const Site> sites) {
+    std::vector<Row> rows;
+    for (const Site& site : sites) {
+        BasisValues basis = basis_functions(knots, site.u, 0, site.side);
+        rows.push_back({basis.span - static_cast<std::size_t>(knots.degree()), std::move(basis.derivatives[0]),
+                        homogeneous_at(curve, site)});
+    }
+    return rows;
 }
 
-DenseEquations dense_equations(const Curve& curve, const KnotVector& knots, std::span<const Site> sites) {
-    const std::size_t n = sites.size();
-    DenseEquations equations{.columns = n, .matrix = std::vector<double>(n * n)};
-    for (std::size_t i = 0; i < n; ++i) {
-        const SiteBasis row = basis_at(knots, sites[i]);
-        for (std::size_t j = 0; j < row.values.size(); ++j)
-            equations.matrix[i * n + (row.first + j) % n] += row.values[j];
-        equations.right.push_back(homogeneous_at(curve, sites[i]));
+// Both sides of a knot of the spline over `knots`: derivative `order` behind it less sum factors[r] times derivative r
+// before it, which shall be 0.
+Row relation_at(const KnotVector& knots, double u, std::size_t order, std::span<const double> factors) {
+    const std::size_t n = knots.control_point_count();
+    const BasisValues before = basis_functions(knots, u, 2, Side::left);
+    const BasisValues after = basis_functions(knots, u, 2, Side::right);
+    const std::size_t count = after.derivatives[order].size();
+    const std::size_t shift = (after.span + n - before.span % n) % n;
+    Row row{before.span - static_cast<std::size_t>(knots.degree()), std::vector<double>(shift + count, 0.0)};
+    for (std::size_t j = 0; j < count; ++j) {
+        row.values[shift + j] += after.derivatives[order][j];
+        for (std::size_t r = 0; r < factors.size(); ++r) row.values[j] -= factors[r] * before.derivatives[r][j];
+    }
+    return row;
+}
+
+// The denominator of `curve` and its derivatives.
+std::array<double, 3> weights_at(const Curve& curve, double u, Side side) {
+    const BasisValues basis = basis_functions(curve.knots(), u, 2, side);
+    const auto weights = curve.weights();
+    std::array<double, 3> sums{};
+    for (std::size_t r = 0; r < sums.size(); ++r)
+        for (std::size_t j = 0; j < basis.derivatives[r].size(); ++j)
+            sums[r] += basis.derivatives[r][j] *
+                       weights[(basis.span - static_cast<std::size_t>(curve.degree()) + j) % weights.size()];
+    return sums;
+}
+
+// What keeps a joint of the curve G1, and G2 for level 2, in homogeneous coordinates A = w C: with C'_+ = b C'_- and
+// C''_+ = b^2 C''_- + c C'_- it is A'_+ = b A'_- + d A_- and A''_+ = b^2 A''_- + (2 b d + c) A'_- + e A_-.
+void add_relations(std::vector<Row>& rows, const Curve& curve, const KnotVector& knots, const JointContinuity& joint,
+                   int level) {
+    const auto relation = joint_relation(curve, joint, level);
+    if (!relation) return;
+    const auto before = weights_at(curve, joint.u, Side::left);
+    const auto after = weights_at(curve, joint.u, Side::right);
+    const double b = relation->scale;
+    const double d = (after[1] - b * before[1]) / before[0];
+    rows.push_back(relation_at(knots, joint.u, 1, std::array{d, b}));
+    if (level < 2) return;
+    const double middle = 2.0 * b * d + relation->shift;
+    const double e = (after[2] - b * b * before[2] - middle * before[1]) / before[0];
+    rows.push_back(relation_at(knots, joint.u, 2, std::array{e, middle, b * b}));
+}
+
+// What keeps the curve smooth where it is so by its shape and the lower degree would not: G2 at most, and no more than
+// simple knots have in that degree.
+std::vector<Row> kept_smoothness(const Curve& curve, const KnotVector& knots) {
+    std::vector<Row> rows;
+    for (const JointContinuity& joint : joint_continuity_within(curve, curve.domain())) {
+        const int multiplicity = knots.multiplicity(joint.u);
+        const int level = std::min({joint.geometric, knots.degree() - 1, 2});
+        if (multiplicity > 0 && level > knots.degree() - multiplicity) add_relations(rows, curve, knots, joint, level);
+    }
+    for (Row& row : rows) {
+        double size = 0.0;
+        for (const double value : row.values) size = std::hypot(size, value);
+        for (double& value : row.values) value /= size;
+    }
+    return rows;
+}
+
+DenseEquations dense_equations(std::span<const Row> rows, std::size_t n) {
+    DenseEquations equations{.columns = n, .matrix = std::vector<double>(rows.size() * n)};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (std::size_t j = 0; j < rows[i].values.size(); ++j)
+            equations.matrix[i * n + (rows[i].first + j) % n] += rows[i].values[j];
+        equations.right.push_back(rows[i].right);
     }
     return equations;
 }
 
-std::vector<BandedEquation<HomogeneousPoint>> banded_equations(const Curve& curve, const KnotVector& knots,
-                                                               std::span<const Site> sites) {
-    const std::size_t n = sites.size();
+std::vector<BandedEquation<HomogeneousPoint>> banded_equations(std::span<const Row> rows, const KnotVector& knots) {
+    const std::size_t n = knots.control_point_count();
     const auto unknown = [&](std::size_t i) { return knots.is_periodic() ? folded(i % n, n) : i; };
     std::vector<BandedEquation<HomogeneousPoint>> equations;
-    for (const Site& site : sites) {
-        const SiteBasis row = basis_at(knots, site);
+    for (const Row& row : rows) {
         std::size_t lowest = n;
         std::size_t highest = 0;
         for (std::size_t j = 0; j < row.values.size(); ++j) {
             lowest = std::min(lowest, unknown(row.first + j));
             highest = std::max(highest, unknown(row.first + j));
         }
-        auto& equation = equations.emplace_back(BandedEquation<HomogeneousPoint>{
-            lowest, std::vector<double>(highest - lowest + 1), homogeneous_at(curve, site)});
+        auto& equation = equations.emplace_back(
+            BandedEquation<HomogeneousPoint>{lowest, std::vector<double>(highest - lowest + 1), row.right});
         for (std::size_t j = 0; j < row.values.size(); ++j)
             equation.coefficients[unknown(row.first + j) - lowest] += row.values[j];
     }
     return equations;
 }
 
-// The control points over `knots` for which the spline agrees with `curve` at the sites.
-std::vector<HomogeneousPoint> points_at_sites(const Curve& curve, const KnotVector& knots,
-                                              std::span<const Site> sites) {
-    const std::size_t n = sites.size();
+// The control points over `knots` that fulfill the equations.
+std::vector<HomogeneousPoint> solution_of(std::span<const Row> rows, const KnotVector& knots) {
+    const std::size_t n = knots.control_point_count();
     if (n > largest_dense_system)
-        if (const auto x = solve_least_squares(banded_equations(curve, knots, sites), n)) {
+        if (const auto x = solve_least_squares(banded_equations(rows, knots), n)) {
             std::vector<HomogeneousPoint> points(n);
             for (std::size_t i = 0; i < n; ++i) points[i] = (*x)[knots.is_periodic() ? folded(i, n) : i];
             return points;
         }
     // Periodic systems may be singular; the smallest of the best solutions is then taken.
-    return solve_least_squares(dense_equations(curve, knots, sites));
+    return solve_least_squares(dense_equations(rows, n));
+}
+
+HomogeneousPoint missed(const Row& row, std::span<const HomogeneousPoint> points) {
+    HomogeneousPoint sum = -row.right;
+    for (std::size_t j = 0; j < row.values.size(); ++j) sum += row.values[j] * points[(row.first + j) % points.size()];
+    return sum;
+}
+
+// The control points that agree with the curve as well as they can and keep `kept` exactly, by the method of
+// multipliers: each pass makes up for what the one before lacked.
+std::vector<HomogeneousPoint> constrained(std::span<const Row> agreeing, std::span<const Row> kept,
+                                          const KnotVector& knots) {
+    constexpr int passes = 4;
+    constexpr double outweighing = 1e4;
+    std::vector<HomogeneousPoint> lacking(kept.size(), HomogeneousPoint(0.0));
+    std::vector<HomogeneousPoint> points;
+    for (int pass = 0; pass < passes; ++pass) {
+        std::vector<Row> rows(agreeing.begin(), agreeing.end());
+        for (std::size_t k = 0; k < kept.size(); ++k) {
+            Row row = kept[k];
+            for (double& value : row.values) value *= outweighing;
+            row.right = outweighing * (kept[k].right - lacking[k]);
+            rows.push_back(std::move(row));
+        }
+        points = solution_of(rows, knots);
+        for (std::size_t k = 0; k < kept.size(); ++k) lacking[k] += missed(kept[k], points);
+    }
+    return points;
+}
+
+// The control points over `knots` for which the spline agrees with `curve` at the sites; where more is asked of them,
+// at the ends, and elsewhere as well as it can.
+std::vector<HomogeneousPoint> points_at_sites(const Curve& curve, const KnotVector& knots,
+                                              std::span<const Site> sites) {
+    const std::vector<Row> agreeing = agreements(curve, knots, sites);
+    std::vector<Row> kept = kept_smoothness(curve, knots);
+    if (kept.empty()) return solution_of(agreeing, knots);
+    if (!knots.is_periodic()) {
+        kept.push_back(agreeing.front());
+        kept.push_back(agreeing.back());
+    }
+    return constrained(agreeing, kept, knots);
 }
 
 // The curve of these points, rational if `before` is.

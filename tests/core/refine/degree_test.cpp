@@ -11,6 +11,7 @@
 #include "tests/core/golden.h"
 #include "tests/core/random_curves.h"
 #include "tests/core/shape_check.h"
+#include "tests/core/smooth_shapes.h"
 
 namespace batten::core {
 namespace {
@@ -257,6 +258,29 @@ TEST(SetDegree, refuses_degrees_and_counts_out_of_range) {
     EXPECT_EQ(set_degree(curve, 26).error(), (CurveError{.code = CurveErrorCode::degree_out_of_range, .value = 26}));
     EXPECT_EQ(set_degree(curve, 5).error(),
               (CurveError{.code = CurveErrorCode::too_few_points, .value = 5, .lower = 6}));
+}
+
+TEST(ReduceDegree, keeps_the_smoothness_of_the_shape) {
+    RandomCurves random(398);
+    for (const int degree : {3, 4, 5, 8})
+        for (int k = 0; k < 10; ++k) {
+            const Curve curve = smooth_by_shape(degree, 4, random);
+            const auto reduced = reduce_degree(curve);
+            if (!reduced) continue;
+            const auto losses = smoothness_losses(curve, *reduced);
+            // A parabola has one curvature; from degree 3 on nothing is lost.
+            EXPECT_TRUE(degree == 3 || losses.empty()) << degree;
+            for (const SmoothnessLoss& loss : losses) EXPECT_EQ(loss.after.geometric, 1);
+        }
+}
+
+TEST(ReduceDegree, of_a_raised_curve_that_is_smooth_by_shape_restores_it) {
+    RandomCurves random(399);
+    for (const int degree : {2, 3, 5}) {
+        const Curve curve = smooth_by_shape(degree, 30, random);
+        const Curve back = reduce_degree(elevate_degree(curve).value()).value();
+        EXPECT_LE(point_difference(curve, back), 1e-9) << degree;
+    }
 }
 
 }  // namespace
