@@ -46,6 +46,13 @@ TEST_F(ShapeCommands, move_curve_point_takes_the_current_parameter) {
     EXPECT_EQ(message(), "the parameter 3 is outside the domain; it must be from 0 to 1");
 }
 
+TEST_F(ShapeCommands, say_what_smoothness_was_lost_and_where) {
+    open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [
+      { "name": "straight", "degree": 1, "knots": [0,0,1,2,2], "points": [[0,0],[1,0],[2,0]] } ] })");
+    EXPECT_TRUE(run(MoveCurvePoint{.u = 1.0, .position = {1.0, 1.0}}));
+    EXPECT_NE(message().find(". The curve now has a corner of 90° at u = 1"), std::string::npos) << message();
+}
+
 TEST_F(ShapeCommands, set_tangent_keeps_the_point) {
     const core::Point before = core::point_at(curve(editor_), 0.4);
     EXPECT_TRUE(run(SetTangent{.u = 0.4, .derivative = {3.0, -8.0}}));

@@ -105,7 +105,8 @@ const CommandSpec& Reduce::spec() {
                        .absent_as("0")},
         .refusal = no_lower_degree,
         .run = body_of<reduce>,
-        .texts = texts_of<texts_of_reduction>};
+        .texts = texts_of<texts_of_reduction>,
+        .tells_smoothness = true};
     return spec;
 }
 

@@ -137,7 +137,8 @@ const CommandSpec& RemoveKnot::spec() {
         .refusal = no_editable_curve,
         .run = body_of<remove_knot>,
         .step = "Remove knot {u}",
-        .done = "Removed knot {u}"};
+        .done = "Removed knot {u}",
+        .tells_smoothness = true};
     return spec;
 }
 
@@ -153,7 +154,8 @@ const CommandSpec& RemoveKnots::spec() {
         .fields = {field::length<&RemoveKnots::tolerance>("tolerance", how_far).suggesting<suggest::tiny_length>()},
         .refusal = no_editable_curve,
         .run = body_of<remove_knots>,
-        .done = "Removed all spare knots"};
+        .done = "Removed all spare knots",
+        .tells_smoothness = true};
     return spec;
 }
 
@@ -170,7 +172,8 @@ const CommandSpec& MergeKnots::spec() {
                        .usually(1e-9)},
         .refusal = no_editable_curve,
         .run = body_of<merge_knots>,
-        .done = "Merged near knots"};
+        .done = "Merged near knots",
+        .tells_smoothness = true};
     return spec;
 }
 

@@ -87,7 +87,8 @@ const CommandSpec& MoveCurvePoint::spec() {
         .fields = {parameter_field<MoveCurvePoint>(), position_field<MoveCurvePoint>()},
         .refusal = no_editable_curve,
         .run = body_of<move_curve_point>,
-        .done = "Moved curve point"};
+        .done = "Moved curve point",
+        .tells_smoothness = true};
     return spec;
 }
 
@@ -103,7 +104,8 @@ const CommandSpec& SetTangent::spec() {
         .fields = {parameter_field<SetTangent>(), derivative_field<SetTangent>()},
         .refusal = no_editable_curve,
         .run = body_of<set_tangent>,
-        .done = "Set tangent"};
+        .done = "Set tangent",
+        .tells_smoothness = true};
     return spec;
 }
 
@@ -120,7 +122,8 @@ const CommandSpec& MovePointAndTangent::spec() {
                    derivative_field<MovePointAndTangent>()},
         .refusal = no_editable_curve,
         .run = body_of<move_point_and_tangent>,
-        .done = "Moved curve point and tangent"};
+        .done = "Moved curve point and tangent",
+        .tells_smoothness = true};
     return spec;
 }
 
@@ -137,7 +140,8 @@ const CommandSpec& Fair::spec() {
                        .suggesting<suggest::hundredth_of_size>()},
         .refusal = no_editable_curve,
         .run = body_of<fair>,
-        .done = "Faired curve"};
+        .done = "Faired curve",
+        .tells_smoothness = true};
     return spec;
 }
 
