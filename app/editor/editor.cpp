@@ -5,7 +5,6 @@
 
 #include "app/editor/clipboard.h"
 #include "app/editor/command_reader.h"
-#include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/file_acts.h"
 #include "app/editor/commands/joint_report.h"
 #include "app/editor/formula.h"
@@ -82,7 +81,8 @@ void push_step(EditorState& state, const Command& command, Edit& edit) {
     std::vector<std::string> told{done_sentence(texts.done, effect, deviation, edit.error)};
     if (edit.remark) told.push_back(*edit.remark);
     if (ghost && command.spec().tells_smoothness)
-        if (const auto lost = lost_smoothness(core::smoothness_losses(*ghost->curve, active_curve(state))))
+        if (const auto lost =
+                lost_smoothness(core::smoothness_losses(*ghost->curve, *state.history.present().active_curve()->curve)))
             told.push_back(*lost);
     state.message = {*told_in_turn(told), false};
     if (ghost && ghost->deviation != 0.0) state.ghost = ghost;
