@@ -89,9 +89,9 @@ TEST_F(PieceCommands, join_turns_and_changes_only_a_short_part_of_the_other) {
     // The line's beginning was moved from (3, 5) to (2, 4); it is sqrt(17) long, less than three times that.
     EXPECT_EQ(core::point_at(curve_at(0), 1.0), core::Point(2.0, 4.0));
     const std::string said = state().message.text;
-    EXPECT_NE(said.find(". The joint had a gap of 1.414, a turn of 0°"), std::string::npos) << said;
-    EXPECT_NE(said.find(". It has a gap of 0, a turn of "), std::string::npos) << said;
-    EXPECT_NE(said.find(". 'line' changed from u = 1 to 2. The degree rose from 2 to 3"), std::string::npos) << said;
+    EXPECT_NE(said.find("; the joint had a gap of 1.414, a turn of 0°"), std::string::npos) << said;
+    EXPECT_NE(said.find("; it has a gap of 0, a turn of "), std::string::npos) << said;
+    EXPECT_NE(said.find("; 'line' changed from u = 1 to 2; the degree rose from 2 to 3"), std::string::npos) << said;
 }
 
 TEST_F(PieceCommands, join_says_what_was_turned_and_that_nothing_moved) {
@@ -100,8 +100,8 @@ TEST_F(PieceCommands, join_says_what_was_turned_and_that_nothing_moved) {
       { "name": "b", "degree": 1, "knots": [0,0,1,1], "points": [[2,0],[1,0]] } ] })");
     ASSERT_TRUE(run(Join{.other = "b", .continuity = core::JoinContinuity::c0})) << state().message.text;
     EXPECT_EQ(state().message.text,
-              "Joined with 'b' C0. 'b' was turned. The joint had a gap of 0, a turn of 0° and the curvatures 0 and 0. "
-              "Nothing had to be moved");
+              "Joined with 'b' C0; 'b' was turned; the joint had a gap of 0, a turn of 0° and the curvatures 0 and 0; "
+              "nothing had to be moved");
     EXPECT_EQ(curve_at(0).control_points().size(), 3U);
 }
 

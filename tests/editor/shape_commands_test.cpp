@@ -50,7 +50,7 @@ TEST_F(ShapeCommands, say_what_smoothness_was_lost_and_where) {
     open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [
       { "name": "straight", "degree": 1, "knots": [0,0,1,2,2], "points": [[0,0],[1,0],[2,0]] } ] })");
     EXPECT_TRUE(run(MoveCurvePoint{.u = 1.0, .position = {1.0, 1.0}}));
-    EXPECT_NE(message().find(". The curve now has a corner of 90° at u = 1"), std::string::npos) << message();
+    EXPECT_NE(message().find("; the curve now has a corner of 90° at u = 1"), std::string::npos) << message();
 }
 
 TEST_F(ShapeCommands, set_tangent_keeps_the_point) {

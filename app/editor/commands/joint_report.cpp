@@ -37,15 +37,15 @@ double jump_of(const core::SmoothnessLoss& loss) {
 
 std::string corners_sentence(std::span<const core::SmoothnessLoss> corners) {
     const auto& worst = *std::ranges::max_element(corners, {}, turn_of);
-    return sentence({.one = "The curve now has a corner of {angle} at u = {u}",
-                     .many = "The curve now has {count} more corners, the sharpest of {angle} at u = {u}"},
+    return sentence({.one = "the curve now has a corner of {angle} at u = {u}",
+                     .many = "the curve now has {count} more corners, the sharpest of {angle} at u = {u}"},
                     corners.size(), {{"angle", degrees_text(turn_of(worst))}, {"u", number_text(worst.after.u)}});
 }
 
 std::string jumps_sentence(std::span<const core::SmoothnessLoss> jumps) {
     const auto& worst = *std::ranges::max_element(jumps, {}, jump_of);
-    return sentence({.one = "Its curvature now jumps from {before} to {after} at u = {u}",
-                     .many = "Its curvature now jumps at {count} more knots, most from {before} to {after} at u = {u}"},
+    return sentence({.one = "its curvature now jumps from {before} to {after} at u = {u}",
+                     .many = "its curvature now jumps at {count} more knots, most from {before} to {after} at u = {u}"},
                     jumps.size(),
                     {{"before", curvature_text(worst.after.before)},
                      {"after", curvature_text(worst.after.after)},
@@ -75,7 +75,7 @@ std::optional<std::string> told_in_turn(std::span<const std::string> sentences) 
     if (sentences.empty()) return std::nullopt;
     std::string told = sentences.front();
     for (const std::string& next : sentences.subspan(1))
-        told = sentence("{told}. {next}", {{"told", told}, {"next", next}});
+        told = sentence("{told}; {next}", {{"told", told}, {"next", next}});
     return told;
 }
 
@@ -93,19 +93,19 @@ std::string join_report(const std::string& name, const core::JoinedCurve& joined
     std::vector<std::string> sentences;
     if (const auto placed = placing(name, joined.ends)) sentences.push_back(*placed);
     sentences.push_back(meeting_sentence(
-        "The joint had a gap of {gap}, a turn of {angle} and the curvatures {before} and {after}", joined.before));
+        "the joint had a gap of {gap}, a turn of {angle} and the curvatures {before} and {after}", joined.before));
     if (joined.changed.length() > 0.0) {
         sentences.push_back(meeting_sentence(
-            "It has a gap of {gap}, a turn of {angle} and the curvatures {before} and {after}", joined.after));
+            "it has a gap of {gap}, a turn of {angle} and the curvatures {before} and {after}", joined.after));
         sentences.push_back(sentence(
             "'{name}' changed from u = {from} to {to}",
             {{"name", name}, {"from", number_text(joined.changed.lower)}, {"to", number_text(joined.changed.upper)}}));
     } else {
-        sentences.emplace_back("Nothing had to be moved");
+        sentences.emplace_back("nothing had to be moved");
     }
     if (joined.curve.degree() != degree)
         sentences.push_back(
-            sentence("The degree rose from {from} to {to}", {{"from", degree}, {"to", joined.curve.degree()}}));
+            sentence("the degree rose from {from} to {to}", {{"from", degree}, {"to", joined.curve.degree()}}));
     if (const auto lost = lost_smoothness(joined.lost)) sentences.push_back(*lost);
     return *told_in_turn(sentences);
 }

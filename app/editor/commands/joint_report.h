@@ -10,10 +10,10 @@
 
 namespace batten::editor {
 
-/// The sentences one after the other, each with its full stop but the last; none where there are none.
+/// The sentences one after the other, with semicolons between them; none where there are none.
 std::optional<std::string> told_in_turn(std::span<const std::string> sentences);
 
-/// "The curve lost smoothness: a corner of 2.4° at u = 0.5"; none where nothing was lost.
+/// "the curve now has a corner of 2.4° at u = 0.5"; none where nothing was lost.
 std::optional<std::string> lost_smoothness(std::span<const core::SmoothnessLoss> losses);
 
 /// What a join did: which way the other curve, called `name`, was turned and where it stands, what the joint was and
