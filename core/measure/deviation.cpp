@@ -3,62 +3,105 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
-#include "core/evaluate/evaluate.h"
+#include "core/evaluate/detail/subdivide.h"
+#include "core/measure/detail/difference_piece.h"
 
 namespace batten::core {
 
 namespace {
 
-// Denser toward the ends of a span, where polynomials of high degree have their narrowest peaks.
-std::vector<double> sample_shares(int degree) {
-    const int count = std::max(32, 4 * degree);
-    std::vector<double> shares;
-    for (int k = 0; k <= count; ++k) {
-        const double sine = std::sin(0.5 * std::numbers::pi * k / count);
-        shares.push_back(2 * k == count ? 0.5 : sine * sine);
+constexpr double boundless = std::numeric_limits<double>::infinity();
+
+// The bound may be this part above a distance that was found; and in twice the precision is computed what rounding
+// makes larger by more than that.
+constexpr double bound_looseness = 5e-5;
+constexpr double tolerable_rounding = 1e-5;
+
+// After so many halvings, and some more for each span, the bound is taken as it is.
+constexpr std::size_t least_halvings = 4096;
+constexpr std::size_t halvings_of_span = 16;
+
+// So many of the last pieces are computed again without rounding, so that 1 is 1 and not 1.00000000000001.
+constexpr int most_polished = 32;
+
+// A piece of the difference with a bound that halving never raises.
+struct BoundedPiece {
+    double bound = boundless;
+    DifferencePiece piece;
+    CommonSpan common;
+    bool is_precise = false;  ///< by twofold precision
+};
+
+class DeviationSearch {
+  public:
+    DeviationSearch(const Curve& a, const Curve& b) : a_(a), b_(b) {
+        for (const CommonSpan& common : common_spans(a, b))
+            if (!is_written_alike(a, b, common))
+                add({boundless, difference_piece(a, b, common, Precision::plain), common});
+        most_halvings_ = least_halvings + halvings_of_span * queue_.size();
     }
-    shares.back() = 1.0;
-    return shares;
-}
 
-// The larger of both; infinite where the distance is too large for a double.
-double larger(double largest, double distance) {
-    return std::isnan(distance) ? std::numeric_limits<double>::infinity() : std::max(largest, distance);
-}
-
-double map(double u, Interval from, Interval to) {
-    if (from == to) return u;
-    return to.clamp(to.lower + (u - from.lower) / from.length() * to.length());
-}
-
-// The largest distance over the spans of `a`.
-double deviation_over_spans_of(const Curve& a, const Curve& b) {
-    const Interval from = a.domain();
-    const Interval to = b.domain();
-    const auto distance = [&](double u, Side side) {
-        return core::distance(point_at(a, u, side), point_at(b, map(u, from, to), side));
-    };
-    const std::vector<double> shares = sample_shares(std::max(a.degree(), b.degree()));
-    const auto knots = a.knots().values();
-    double largest = 0.0;
-    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-        const double lower = knots[i];
-        const double upper = knots[i + 1];
-        if (lower == upper || lower < from.lower || upper > from.upper) continue;
-        for (const double share : shares)
-            largest = larger(largest, share < 1.0 ? distance(lower + (upper - lower) * share, Side::right)
-                                                  : distance(upper, Side::left));
+    double run() {
+        for (std::size_t count = 0; !queue_.empty() && count < most_halvings_; ++count) {
+            BoundedPiece top = take_largest();
+            const double rounding = top.piece.rounding * top.piece.unit;
+            const bool is_near = top.bound - 2.0 * rounding <= (1.0 + bound_looseness) * found_;
+            if (!top.is_precise && (rounding > tolerable_rounding * top.bound || (is_near && may_polish())))
+                add({top.bound, difference_piece(a_, b_, top.common, Precision::twofold), top.common, true});
+            else if (is_near)
+                return std::max(top.bound, found_);
+            else
+                add_halves(top);
+        }
+        return queue_.empty() ? 0.0 : std::max(queue_.front().bound, found_);
     }
-    return largest;
-}
+
+  private:
+    bool may_polish() { return polished_++ < most_polished; }
+
+    static bool is_lower(const BoundedPiece& a, const BoundedPiece& b) { return a.bound < b.bound; }
+
+    void add(BoundedPiece piece) {
+        piece.bound = std::min(piece.bound, piece.piece.bound());
+        found_ = std::max(found_, piece.piece.distance_at_ends());
+        queue_.push_back(std::move(piece));
+        std::push_heap(queue_.begin(), queue_.end(), is_lower);
+    }
+
+    void add_halves(const BoundedPiece& whole) {
+        auto [left, right] = whole.piece.halves();
+        const CommonSpan& common = whole.common;
+        const double half_of_a = middle(common.part_of_a);
+        const double half_of_b = middle(common.part_of_b);
+        CommonSpan first = common;
+        CommonSpan second = common;
+        first.part_of_a.upper = second.part_of_a.lower = half_of_a;
+        first.part_of_b.upper = second.part_of_b.lower = half_of_b;
+        add({whole.bound, std::move(left), first, whole.is_precise});
+        add({whole.bound, std::move(right), second, whole.is_precise});
+    }
+
+    BoundedPiece take_largest() {
+        std::pop_heap(queue_.begin(), queue_.end(), is_lower);
+        BoundedPiece top = std::move(queue_.back());
+        queue_.pop_back();
+        return top;
+    }
+
+    const Curve& a_;
+    const Curve& b_;
+    std::vector<BoundedPiece> queue_;
+    double found_ = 0.0;
+    int polished_ = 0;
+    std::size_t most_halvings_ = 0;
+};
 
 }  // namespace
 
 double largest_deviation(const Curve& a, const Curve& b) {
-    return std::max(deviation_over_spans_of(a, b), deviation_over_spans_of(b, a));
+    return DeviationSearch(a, b).run();
 }
 
 }  // namespace batten::core

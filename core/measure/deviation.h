@@ -5,10 +5,14 @@
 
 namespace batten::core {
 
-/// The largest distance |a(u) - b(u)| over samples of both domains, matched affinely: 32 or more (4 p) in every
-/// non-empty span of either curve, denser toward its ends. The number shown beside a shape-changing edit, and the
-/// check behind a shape-keeping one; both curves are compared with equal parameter, so a mere reparametrization counts
-/// as a deviation. Infinite where it is too large for a double.
+/// A bound of the largest distance |a(u) - b(u)| over both domains, matched affinely: never less than that distance but
+/// for the last bits of the number itself, and at most 1e-4 of it more; where weights are so different or curves have
+/// so many peaks that this takes too long, it may be more. The number shown beside a shape-changing edit, and the check
+/// behind a shape-keeping one; both curves are compared at equal parameters, so a mere reparametrization counts as a
+/// deviation. 0 for curves that are written the same, and infinite where it is too large for a double.
+///
+/// The control points of the difference of two pieces bound it; the piece with the largest bound is halved until its
+/// bound agrees with a distance that was found. Cost O(p^2) for each span in which the curves are not written the same.
 double largest_deviation(const Curve& a, const Curve& b);
 
 }  // namespace batten::core
