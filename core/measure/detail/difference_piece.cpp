@@ -5,6 +5,7 @@
 #include "core/base/detail/binomial.h"
 #include "core/base/detail/double_double.h"
 #include "core/curve/detail/bspline.h"
+#include "core/evaluate/evaluate.h"
 
 namespace batten::core {
 
@@ -18,11 +19,14 @@ constexpr double least_sound_weight = 1e-280;
 // Of all roundings of a control point, from lifting to the last quotient, for each degree.
 constexpr double roundings_of_degree = 32.0;
 
+// A homogeneous point with what its rounding is measured by: blends are of positive shares, so that the error of a
+// point is that of the blended sizes.
 template <class T>
 struct Lifted {
     T x{};
     T y{};
     T w{};
+    double size = 0.0;  ///< blended from weight times distance, never less than |(x, y)|
 };
 
 template <class T>
@@ -33,7 +37,8 @@ template <class T>
 struct ScaledPiece {
     Coefficients<T> x;
     Coefficients<T> y;
-    Coefficients<T> w;  ///< one coefficient where the weight is constant
+    Coefficients<T> w;   ///< one coefficient where the weight is constant
+    double reach = 0.0;  ///< how far the points are at most from the origin
 };
 
 struct View {
@@ -77,36 +82,35 @@ double power_of_two_at(double size) {
     return size > 0.0 ? std::ldexp(1.0, std::min(std::ilogb(size) + 1, 1023)) : 1.0;
 }
 
+// Seen from the curve, because its control points may be much farther away than it is large.
 View view_of(const Curve& a, const Curve& b, const CommonSpan& common) {
     const double size =
         std::max(largest_local_coordinate(a, common.span_of_a), largest_local_coordinate(b, common.span_of_b));
     View view{.unit = power_of_two_at(size)};
-    const auto p = static_cast<std::size_t>(a.degree());
-    const Point first = a.control_points()[(common.span_of_a - p) % a.control_points().size()];
-    view.origin = {first.x / view.unit, first.y / view.unit};
+    const Point begin = point_at(a, common.part_of_a.lower);
+    if (is_finite(begin)) view.origin = {begin.x / view.unit, begin.y / view.unit};
     return view;
 }
 
 template <class T>
 using LocalLifted = std::array<Lifted<T>, max_degree + 1>;
 
-// The local control points as seen in `view`, the largest weight about 1; and how far the farthest is.
+// The local control points as seen in `view`, the largest weight about 1.
 template <class T>
-double local_lifted(const Curve& curve, std::size_t span, const View& view, LocalLifted<T>& points) {
+LocalLifted<T> local_lifted(const Curve& curve, std::size_t span, const View& view) {
     double heaviest = 0.0;
     for_local_points(curve, span,
                      [&](std::size_t, std::size_t i) { heaviest = std::max(heaviest, curve.weights()[i]); });
     const int exponent = std::ilogb(heaviest);
-    double farthest = 0.0;
+    LocalLifted<T> points;
     for_local_points(curve, span, [&](std::size_t j, std::size_t i) {
         const Point point = curve.control_points()[i];
         const double weight = std::ldexp(curve.weights()[i], -exponent);
         const T x = difference_of(point.x / view.unit, view.origin.x, T{});
         const T y = difference_of(point.y / view.unit, view.origin.y, T{});
-        farthest = std::max(farthest, std::hypot(rounded(x), rounded(y)));
-        points[j] = {x * T(weight), y * T(weight), T(weight)};
+        points[j] = {x * T(weight), y * T(weight), T(weight), weight * robust_length({rounded(x), rounded(y)})};
     });
-    return farthest;
+    return points;
 }
 
 // Both shares are positive, so that weights keep their relative accuracy, however different they are.
@@ -115,6 +119,7 @@ void blend_into(Lifted<T>& to, const Lifted<T>& from, T from_share, T to_share) 
     to.x = from_share * from.x + to_share * to.x;
     to.y = from_share * from.y + to_share * to.y;
     to.w = from_share * from.w + to_share * to.w;
+    to.size = rounded(from_share) * from.size + rounded(to_share) * to.size;
 }
 
 // From between `lower` and `upper` to `u`: one blend of a level.
@@ -153,17 +158,18 @@ bool has_one_weight(const Curve& curve, std::size_t span) {
 }
 
 template <class T>
-ScaledPiece<T> scaled_piece(const Curve& curve, std::size_t span, Interval part, const LocalLifted<T>& points) {
+ScaledPiece<T> scaled_piece(const Curve& curve, std::size_t span, Interval part, const View& view) {
     const SpanKnots at(curve.knots(), span);
     const auto of_degree = binomials(at.p);
-    const LocalLifted<T> corners = bezier_points(points, at, part);
+    const LocalLifted<T> corners = bezier_points(local_lifted<T>(curve, span, view), at, part);
     ScaledPiece<T> piece;
     for (std::size_t k = 0; k <= at.p; ++k) {
         piece.x.push_back(T(of_degree[k]) * corners[k].x);
         piece.y.push_back(T(of_degree[k]) * corners[k].y);
         piece.w.push_back(T(of_degree[k]) * corners[k].w);
+        piece.reach = std::max(piece.reach, corners[k].size / rounded(corners[k].w));
     }
-    if (has_one_weight(curve, span)) piece.w = {points[0].w};
+    if (has_one_weight(curve, span)) piece.w = {corners[0].w};
     return piece;
 }
 
@@ -210,13 +216,11 @@ std::vector<HomogeneousPoint> difference_points(const ScaledPiece<T>& a, const S
 template <class T>
 DifferencePiece difference_in(const Curve& a, const Curve& b, const CommonSpan& common, double roundoff) {
     const View view = view_of(a, b, common);
-    LocalLifted<T> of_a;
-    LocalLifted<T> of_b;
-    const double reach = local_lifted(a, common.span_of_a, view, of_a) + local_lifted(b, common.span_of_b, view, of_b);
+    const auto of_a = scaled_piece<T>(a, common.span_of_a, common.part_of_a, view);
+    const auto of_b = scaled_piece<T>(b, common.span_of_b, common.part_of_b, view);
+    const double reach = of_a.reach + of_b.reach;
     const double roundings = roundings_of_degree * static_cast<double>(a.degree() + b.degree() + 2);
-    return {difference_points(scaled_piece(a, common.span_of_a, common.part_of_a, of_a),
-                              scaled_piece(b, common.span_of_b, common.part_of_b, of_b)),
-            view.unit, reach, roundings * roundoff * reach};
+    return {difference_points(of_a, of_b), view.unit, reach, roundings * roundoff * reach};
 }
 
 double distance_of(const HomogeneousPoint& point) {
