@@ -52,6 +52,23 @@ std::string plain(double magnitude, int digits) {
     return without_trailing_zeros(digits_of(magnitude, std::chars_format::fixed, std::max(0, digits - 1 - exponent)));
 }
 
+bool is_written_plainly(double magnitude, int digits) {
+    return magnitude >= least_plain && magnitude < std::max(largest_plain, std::pow(10.0, digits));
+}
+
+/// What the last digit of number_text counts; a whole part is never rounded.
+double last_digit(double magnitude, int digits) {
+    const double unit = std::pow(10.0, std::floor(std::log10(magnitude)) + 1.0 - digits);
+    return is_written_plainly(magnitude, digits) ? std::min(unit, 1.0) : unit;
+}
+
+/// What a text of number_text without a sign says.
+double value_of(const std::string& text) {
+    double value = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
 std::string index_text(const char* symbol, std::size_t index) {
     return fmt::format("{}_{{{}}}", symbol, index);
 }
@@ -117,8 +134,16 @@ std::string number_text(double value, int digits) {
     if (magnitude == 0.0) return "0";
     if (std::isnan(value)) return "nan";
     if (std::isinf(value)) return signed_text(value, "∞");
-    const bool is_plain = magnitude >= least_plain && magnitude < std::max(largest_plain, std::pow(10.0, digits));
-    return signed_text(value, is_plain ? plain(magnitude, digits) : scientific(magnitude, digits));
+    return signed_text(
+        value, is_written_plainly(magnitude, digits) ? plain(magnitude, digits) : scientific(magnitude, digits));
+}
+
+std::string bound_text(double value, int digits) {
+    constexpr double last_bits = 1e-12;
+    std::string nearest = number_text(value, digits);
+    if (!(value > 0.0) || std::isinf(value) || value_of(nearest) >= value * (1.0 - last_bits)) return nearest;
+    // The nearest text is below by less than half a digit: so the next one is nearest here.
+    return number_text(value + 0.75 * last_digit(value, digits), digits);
 }
 
 std::string fixed_text(double value, int decimals) {

@@ -13,6 +13,10 @@ namespace batten::editor {
 /// digits than it has. "1e-12" style below 1e-4 and from 1e6 (or from 10^digits if that is more).
 std::string number_text(double value, int digits = 4);
 
+/// number_text of what something is "at most", >= 0: rounded up, so that the text is no less than `value` but for its
+/// last bits.
+std::string bound_text(double value, int digits = 4);
+
 /// Exactly `decimals` digits after the point, "−" for minus, never "−0": for columns.
 std::string fixed_text(double value, int decimals);
 

@@ -44,6 +44,26 @@ TEST(NumberText, survives_what_is_not_finite) {
     EXPECT_EQ(number_text(std::nan("")), "nan");
 }
 
+TEST(BoundText, is_no_less_than_the_number) {
+    EXPECT_EQ(bound_text(0.5), "0.5");
+    EXPECT_EQ(bound_text(0.0), "0");
+    EXPECT_EQ(bound_text(1.0 / 3.0), "0.3334");
+    EXPECT_EQ(bound_text(2.0 / 3.0), "0.6667");
+    EXPECT_EQ(bound_text(std::sqrt(2.0), 3), "1.42");
+    EXPECT_EQ(bound_text(0.99991), "1");
+    EXPECT_EQ(bound_text(9999.4), "10000");
+    EXPECT_EQ(bound_text(33759.3), "33760");
+    EXPECT_EQ(bound_text(999999.2), "1000000");
+    EXPECT_EQ(bound_text(1.00001e12), "1.001e12");
+    EXPECT_EQ(bound_text(1.2341e-17), "1.235e-17");
+    EXPECT_EQ(bound_text(std::numeric_limits<double>::infinity()), "∞");
+}
+
+TEST(BoundText, takes_the_last_bits_for_rounding) {
+    EXPECT_EQ(bound_text(5.0 * (1.0 + 1e-15)), "5");
+    EXPECT_EQ(bound_text(5.0 * (1.0 + 1e-9)), "5.001");
+}
+
 TEST(FixedText, has_exactly_the_decimals_asked_for) {
     EXPECT_EQ(fixed_text(0.8, 3), "0.800");
     EXPECT_EQ(fixed_text(-3.2, 2), "−3.20");
