@@ -5,6 +5,7 @@
 #include "app/cli/operation.h"
 #include "app/editor/command_reader.h"
 #include "app/editor/editor.h"
+#include "app/editor/wording.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
@@ -32,7 +33,9 @@ Json json_of(const editor::Finding& finding) {
 }
 
 std::string message_of(const editor::EditorState& state, const editor::CommandSpec& spec) {
-    return state.message.text.empty() && spec.run.edit != nullptr ? "nothing had to be changed" : state.message.text;
+    const std::string& text = state.message.text;
+    const bool is_unchanged = text.empty() || text == editor::nothing_changed_sentence();
+    return is_unchanged && spec.run.edit != nullptr ? "nothing had to be changed" : text;
 }
 
 // Adds an argument to a list, as it stands in a log.

@@ -12,12 +12,20 @@
 #include "app/editor/upkeep.h"
 #include "app/editor/wording.h"
 #include "core/base/sentence.h"
+#include "core/measure/closing.h"
 #include "core/measure/deviation.h"
+#include "core/measure/geometric_distance.h"
 #include "core/measure/smoothness.h"
 
 namespace batten::editor {
 
 namespace {
+
+// Of the size of a curve, what rounding alone may move it.
+constexpr double rounding_of_size = 1e-14;
+
+// The distance of shapes is said where it is below this part of the deviation.
+constexpr double much_less = 0.8;
 
 bool show_refusal(EditorState& state, const Refusal& sentence) {
     state.message = {sentence, true};
@@ -69,6 +77,19 @@ bool preview_edit(EditorState& state, const Command& command) {
     return true;
 }
 
+// How far the step went. An edit that tells its own error compares other parameters, or shapes.
+Distances distances_of(const EditorState& state, const std::optional<Ghost>& ghost, const Edit& edit) {
+    Distances distances{.error = edit.error};
+    if (!ghost) return distances;
+    distances.deviation = ghost->deviation;
+    distances.is_rounding = ghost->deviation <= core::absolute_tolerance(*ghost->curve, rounding_of_size);
+    if (edit.error || distances.is_rounding) return distances;
+    const core::Curve& after = *state.history.present().active_curve()->curve;
+    const double of_shapes = core::geometric_distance(*ghost->curve, after);
+    if (of_shapes < much_less * ghost->deviation) distances.of_shapes = of_shapes;
+    return distances;
+}
+
 // The edit as a step of the history, with what is said and shown about it.
 void push_step(EditorState& state, const Command& command, Edit& edit) {
     const core::Document before = state.history.present();
@@ -77,8 +98,7 @@ void push_step(EditorState& state, const Command& command, Edit& edit) {
     const std::optional<Ghost> ghost = ghost_of(before, edit, effect);
     state.history.push(std::move(texts.step), std::move(edit.document));
     follow_document(state, before);
-    const auto deviation = ghost ? std::optional(ghost->deviation) : std::nullopt;
-    std::vector<std::string> told{done_sentence(texts.done, effect, deviation, edit.error)};
+    std::vector<std::string> told{done_sentence(texts.done, effect, distances_of(state, ghost, edit))};
     if (edit.remark) told.push_back(*edit.remark);
     if (ghost && command.spec().tells_smoothness)
         if (const auto lost =
@@ -94,7 +114,10 @@ bool commit_edit(EditorState& state, const Command& command) {
     if (edit->clipboard) write_clipboard(state, *edit->clipboard);
     state.message = {};
     state.ghost.reset();
-    if (!is_same_document(state.history.present(), edit->document)) push_step(state, command, *edit);
+    if (!is_same_document(state.history.present(), edit->document))
+        push_step(state, command, *edit);
+    else if (!edit->clipboard && !edit->selection)
+        state.message = {nothing_changed_sentence(), false};
     if (edit->selection) state.selection = *edit->selection;
     return true;
 }

@@ -154,7 +154,7 @@ std::string effect_of(const PanelContext& context) {
     if (spec.effect != editor::ShapeEffect::changes || !context.state.preview || !ghost)
         return effect_text(spec.effect);
     return sentence("≠ changes the shape by at most {deviation}",
-                    {{"deviation", editor::number_text(ghost->deviation)}});
+                    {{"deviation", editor::bound_text(ghost->deviation)}});
 }
 
 /// Why the command cannot be applied: what is wrong in the fields, or why its preview was refused.

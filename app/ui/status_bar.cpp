@@ -128,7 +128,7 @@ void draw_readouts(const PanelContext& context, const Rectangle& place, const st
 /// What happened last; while a gesture previews a change, how far it goes.
 editor::Message message_of(const editor::EditorState& state) {
     if (state.preview && state.ghost) {
-        const std::string deviation = editor::number_text(state.ghost->deviation, 3);
+        const std::string deviation = editor::bound_text(state.ghost->deviation, 3);
         return {core::sentence("deviates by at most {deviation}", {{"deviation", deviation}}), false};
     }
     return state.message;

@@ -150,7 +150,21 @@ TEST_F(EditorTest, an_edit_without_effect_makes_no_step) {
     EXPECT_EQ(state().history.undo_count(), 0U);
     EXPECT_TRUE(state().history.can_redo());
     EXPECT_FALSE(state().ghost);
-    EXPECT_EQ(state().message, Message{});
+    EXPECT_EQ(state().message, (Message{"Nothing had to be changed", false}));
+}
+
+TEST_F(EditorTest, says_the_distance_of_shapes_where_parameters_make_most_of_the_deviation) {
+    // A line whose end gets weight 9 is passed at another speed: a quarter of the way it has 9/12 of its length, not
+    // 3/12.
+    core::DocumentCurve entry;
+    entry.curve = std::make_shared<const core::Curve>(
+        core::Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 0}, {8, 0}}}).value());
+    core::Document document;
+    document.curves.push_back(entry);
+    Editor line(document);
+    ASSERT_TRUE(line.run(SetWeight{.index = 1, .weight = 9.0}));
+    const std::string text = line.state().message.text;
+    EXPECT_NE(text.find("deviates by at most 4 at equal parameters, in shape by at most "), std::string::npos) << text;
 }
 
 TEST_F(EditorTest, undoes_and_redoes_exactly) {

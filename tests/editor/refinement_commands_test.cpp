@@ -80,6 +80,35 @@ TEST_F(RefinementCommands, unclamp_and_clamp) {
     EXPECT_EQ(message(), "end is 'middle'; it must be start, end or both");
 }
 
+// A Bézier curve whose points lie anyhow, so that extrapolating it leads far away.
+Editor tangled_editor(int degree) {
+    core::CurveDefinition tangled{.degree = degree};
+    for (int i = 0; i <= degree; ++i) tangled.points.emplace_back(i * 53 % 97 / 97.0, i * i * 37 % 101 / 101.0);
+    tangled.knots.assign(tangled.points.size(), 0.0);
+    tangled.knots.insert(tangled.knots.end(), tangled.points.size(), 1.0);
+    core::DocumentCurve entry;
+    entry.curve = std::make_shared<const core::Curve>(core::Curve::make(tangled).value());
+    core::Document document;
+    document.curves.push_back(entry);
+    return Editor(document);
+}
+
+TEST(Unclamping, says_what_rounding_of_far_control_points_does) {
+    Editor editor = tangled_editor(12);
+    ASSERT_TRUE(editor.run(Unclamp{}));
+    EXPECT_EQ(editor.state().message.text.rfind(
+                  "Unclamped ends: the shape is kept up to rounding of far control points, error at most ", 0),
+              0U)
+        << editor.state().message.text;
+}
+
+TEST(Unclamping, is_refused_where_rounding_would_change_the_curve) {
+    Editor editor = tangled_editor(25);
+    EXPECT_FALSE(editor.run(Unclamp{}));
+    EXPECT_EQ(editor.state().message.text.rfind("unclamped, the control points would be so far away", 0), 0U)
+        << editor.state().message.text;
+}
+
 TEST_F(RefinementCommands, make_uniform_spaces_the_knots) {
     ASSERT_TRUE(run(InsertKnots{.knots = {0.25, 0.375}}));
     ASSERT_TRUE(run(MakeUniform{})) << message();

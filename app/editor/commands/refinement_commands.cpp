@@ -23,6 +23,10 @@ namespace {
 
 using core::sentence;
 
+// Of the size of a curve: the rounding that is worth a word, and that which no longer keeps the shape.
+constexpr double least_rounding = 1e-12;
+constexpr double largest_rounding = 1e-6;
+
 constexpr const char* how_far = "how far the curve may move, above 0";
 
 Outcome<Edit> insert_knots(const EditorState& state, const InsertKnots& command) {
@@ -39,7 +43,7 @@ Refusal not_removed(const core::KnotRemoval& removal, double tolerance) {
          .none = "the knot cannot be removed; that would change the curve by {deviation}, and {tolerance} "
                  "is allowed"},
         static_cast<std::size_t>(removal.count),
-        {{"deviation", number_text(removal.refused.value_or(removal.error))}, {"tolerance", number_text(tolerance)}});
+        {{"deviation", bound_text(removal.refused.value_or(removal.error))}, {"tolerance", number_text(tolerance)}});
 }
 
 Outcome<Edit> remove_knot(const EditorState& state, const RemoveKnot& command) {
@@ -99,7 +103,11 @@ Outcome<Edit> unclamp(const EditorState& state, const Unclamp& command) {
                              : edit_active(state, change_ends(curve, command.end, core::unclamp));
     if (!edit) return edit;
     const double deviation = core::largest_deviation(curve, *edit->document.active_curve()->curve);
-    if (deviation > core::absolute_tolerance(curve, 1e-12)) edit->error = deviation;
+    if (deviation > core::absolute_tolerance(curve, largest_rounding))
+        return tl::unexpected(sentence(
+            "unclamped, the control points would be so far away that rounding moves the curve by up to {deviation}",
+            {{"deviation", bound_text(deviation)}}));
+    if (deviation > core::absolute_tolerance(curve, least_rounding)) edit->error = deviation;
     return edit;
 }
 
