@@ -80,10 +80,11 @@ TEST_F(RefinementCommands, unclamp_and_clamp) {
     EXPECT_EQ(message(), "end is 'middle'; it must be start, end or both");
 }
 
-// A Bézier curve whose points lie anyhow, so that extrapolating it leads far away.
-Editor tangled_editor(int degree) {
+// A Bézier curve whose points lie anyhow, so that extrapolating it leads far away, to numbers with few digits for
+// the curve itself.
+Editor tangled_editor(int degree, double far) {
     core::CurveDefinition tangled{.degree = degree};
-    for (int i = 0; i <= degree; ++i) tangled.points.emplace_back(i * 53 % 97 / 97.0, i * i * 37 % 101 / 101.0);
+    for (int i = 0; i <= degree; ++i) tangled.points.emplace_back(far + i * 53 % 97 / 97.0, i * i * 37 % 101 / 101.0);
     tangled.knots.assign(tangled.points.size(), 0.0);
     tangled.knots.insert(tangled.knots.end(), tangled.points.size(), 1.0);
     core::DocumentCurve entry;
@@ -94,7 +95,7 @@ Editor tangled_editor(int degree) {
 }
 
 TEST(Unclamping, says_what_rounding_of_far_control_points_does) {
-    Editor editor = tangled_editor(12);
+    Editor editor = tangled_editor(14, 0.0);
     ASSERT_TRUE(editor.run(Unclamp{}));
     EXPECT_EQ(editor.state().message.text.rfind(
                   "Unclamped ends: the shape is kept up to rounding of far control points, error at most ", 0),
@@ -103,7 +104,7 @@ TEST(Unclamping, says_what_rounding_of_far_control_points_does) {
 }
 
 TEST(Unclamping, is_refused_where_rounding_would_change_the_curve) {
-    Editor editor = tangled_editor(25);
+    Editor editor = tangled_editor(25, 1e6);
     EXPECT_FALSE(editor.run(Unclamp{}));
     EXPECT_EQ(editor.state().message.text.rfind("unclamped, the control points would be so far away", 0), 0U)
         << editor.state().message.text;
