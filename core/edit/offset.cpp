@@ -6,6 +6,7 @@
 
 #include "core/curve/detail/edit_checks.h"
 #include "core/curve/knot_analysis.h"
+#include "core/edit/detail/offset_error.h"
 #include "core/edit/detail/offset_polygon.h"
 #include "core/evaluate/evaluate.h"
 
@@ -61,11 +62,11 @@ class OffsetBuilder {
         if (auto check = collect_breaks(); !check) return refuse(check.error());
         auto result = assembled();
         if (!result) return refuse(result.error());
-        const auto error = error_of(*result);
-        if (!error) return refuse(error.error());
-        if (*error > tolerance_)
-            return refuse({.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = *error});
-        return Approximation{*std::move(result), *error};
+        if (const auto sampled = error_of(*result); !sampled) return refuse(sampled.error());
+        const double error = offset_error_bound(curve_, *result, distance_);
+        if (!(error <= tolerance_))
+            return refuse({.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = error});
+        return Approximation{*std::move(result), error};
     }
 
   private:

@@ -11,13 +11,13 @@ namespace batten::core {
 /// - Degree 1: the polygon of the parallel legs, mitred where they meet; exact, same knots and weights.
 /// - All others: a cubic, clamped or periodic, that meets the true offset and its derivative at the old knots and at as
 ///   many parameters between them as it takes for the error to be at most `tolerance`.
-/// The error is the largest distance, at equal parameters, between result and true offset over 16 samples a span. What
-/// comes near another part of the curve is not cut away. A distance of 0 gives the curve itself.
-/// Errors: vector_not_finite; tolerance_not_positive; curve_stands_still where there is no direction; curve_has_corner
-/// where the direction jumps, beyond degree 1 (split there first); offset_too_far where the distance reaches the radius
-/// of curvature on that side, so that the offset would have a cusp; leg_vanishes, likewise for a polygon;
-/// tolerance_not_reached. Source: Hermite interpolation of the offset, whose derivative is C' (1 - distance *
-/// curvature).
+/// The error is a bound of the largest distance, at equal parameters, between result and true offset; of lines,
+/// circles and arcs what samples find of the rounding. What comes near another part of the curve is not cut away. A
+/// distance of 0 gives the curve itself. Errors: vector_not_finite; tolerance_not_positive; curve_stands_still where
+/// there is no direction; curve_has_corner where the direction jumps, beyond degree 1 (split there first);
+/// offset_too_far where the distance reaches the radius of curvature on that side, so that the offset would have a
+/// cusp; leg_vanishes, likewise for a polygon; tolerance_not_reached. Source: Hermite interpolation of the offset,
+/// whose derivative is C' (1 - distance * curvature).
 [[nodiscard]] Result<Approximation> offset(const Curve& curve, double distance, double tolerance);
 
 }  // namespace batten::core

@@ -116,6 +116,25 @@ TEST(Offset, keeps_its_tolerance_everywhere) {
                     }
 }
 
+// The parabola y = x^2 has the offset points (t - 2 t d / s, t^2 + d / s) with s = sqrt(1 + 4 t^2).
+TEST(Offset, tells_an_error_that_no_point_exceeds) {
+    const Curve parabola =
+        Curve::make({.degree = 2, .knots = {-1, -1, -1, 1, 1, 1}, .points = {{-1, 1}, {0, -1}, {1, 1}}}).value();
+    for (const double d : {-0.7, 0.3})
+        for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+            const Approximation found = offset(parabola, d, tolerance).value();
+            double largest = 0.0;
+            for (int k = 0; k <= 20000; ++k) {
+                const double t = k / 10000.0 - 1.0;
+                const double s = std::sqrt(1.0 + 4.0 * t * t);
+                largest = std::max(largest, distance(point_at(found.curve, t), {t - 2.0 * t * d / s, t * t + d / s}));
+            }
+            EXPECT_GE(found.error, largest - 1e-14) << d << ", " << tolerance;
+            EXPECT_LE(found.error, 1.02 * largest + 1e-12) << d << ", " << tolerance;
+            EXPECT_LE(found.error, tolerance);
+        }
+}
+
 TEST(Offset, lies_to_the_left_when_the_distance_is_positive) {
     const Curve curve = gentle(true, false);  // runs round (0, 0) to the left, which is inside
     const Curve inside = offset(curve, 2.0, 1e-6).value().curve;
