@@ -9,7 +9,7 @@ namespace batten::core {
 struct KnotMerging {
     Curve curve;
     int count = 0;       ///< how many knots moved
-    double error = 0.0;  ///< the largest deviation, measured
+    double error = 0.0;  ///< a bound of the deviation
 };
 
 /// The curve with near-equal knots made equal; its control points stay, so its shape changes by about as much as the

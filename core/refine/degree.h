@@ -18,7 +18,7 @@ namespace batten::core {
 /// too_few_points (periodic: 2); weight_not_positive when weights differ too much to be met in the lower degree.
 [[nodiscard]] Result<Curve> reduce_degree(const Curve& curve);
 
-/// The curve in degree p - `by` (by >= 1), by so many of these steps, and the largest deviation they make, measured.
+/// The curve in degree p - `by` (by >= 1), by so many of these steps, and a bound of the deviation they make.
 /// Errors: tolerance_not_positive; deviation_too_large when it is above `tolerance` (> 0, in the units of the points);
 /// those of reduce_degree.
 [[nodiscard]] Result<Approximation> reduce_degree(const Curve& curve, int by, double tolerance);

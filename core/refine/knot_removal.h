@@ -12,7 +12,7 @@ namespace batten::core {
 struct KnotRemoval {
     Curve curve;                      ///< the original, bit by bit, if nothing was removed
     int count = 0;                    ///< how many knots were removed
-    double error = 0.0;               ///< the largest deviation of `curve` from the original, measured
+    double error = 0.0;               ///< a bound of the deviation of `curve` from the original
     std::optional<double> refused{};  ///< the deviation that the next removal asked for would have led to; it was above
                                       ///< the tolerance, or infinite because a weight would not be positive
 };

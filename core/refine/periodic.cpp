@@ -187,10 +187,10 @@ Result<Approximation> to_periodic(const Curve& curve, double tolerance) {
     const int spare = knots.multiplicity(seam) - 1;
     // What is periodic or wrapped has the seam that its knots say.
     if (curve.is_periodic() || spare < curve.degree() - 1 || spare < 1) return closed;
-    const Result<KnotRemoval> smooth = remove_knot(closed->curve, seam, spare, tolerance);
-    // Too few points to spare one.
+    const Result<KnotRemoval> smooth = remove_knot(closed->curve, seam, spare, tolerance - closed->error);
+    // Too few points to spare one, or nothing left of the tolerance.
     if (!smooth) return closed;
-    return Approximation{smooth->curve, std::max(closed->error, smooth->error)};
+    return Approximation{smooth->curve, closed->error + smooth->error};
 }
 
 Result<Curve> to_clamped(const Curve& curve) {
