@@ -96,7 +96,7 @@ Editor tangled_editor(int degree, double far) {
 
 TEST(Unclamping, says_what_rounding_of_far_control_points_does) {
     Editor editor = tangled_editor(14, 0.0);
-    ASSERT_TRUE(editor.run(Unclamp{}));
+    ASSERT_TRUE(editor.run(Unclamp{.end = CurveEnds::both}));
     EXPECT_EQ(editor.state().message.text.rfind(
                   "Unclamped ends: the shape is kept up to rounding of far control points, error at most ", 0),
               0U)
@@ -105,7 +105,7 @@ TEST(Unclamping, says_what_rounding_of_far_control_points_does) {
 
 TEST(Unclamping, is_refused_where_rounding_would_change_the_curve) {
     Editor editor = tangled_editor(25, 1e6);
-    EXPECT_FALSE(editor.run(Unclamp{}));
+    EXPECT_FALSE(editor.run(Unclamp{.end = CurveEnds::both}));
     EXPECT_EQ(editor.state().message.text.rfind("unclamped, the control points would be so far away", 0), 0U)
         << editor.state().message.text;
 }
