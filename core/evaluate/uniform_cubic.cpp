@@ -39,12 +39,17 @@ Point joint(Point before, Point at, Point after) {
     return at + ((before - at) + (after - at)) / 6.0;
 }
 
+// Of a polynomial curve with the weight 1, whatever the one weight is that all points have.
+HomogeneousPoint point_for_matrix(const Curve& curve, std::size_t i) {
+    return curve.is_rational() ? curve.homogeneous_point(i) : lift(unrolled_point(curve, i), 1.0);
+}
+
 CubicSegment matrix_form(const Curve& curve, std::size_t segment) {
     CubicSegment result{.interval = interval_of(curve, segment), .first_point = segment};
     for (std::size_t k = 0; k < 4; ++k) {
         HomogeneousPoint sum(0.0);
         for (std::size_t j = 0; j < 4; ++j)
-            sum += static_cast<double>(uniform_cubic_matrix[k][j]) * curve.homogeneous_point(segment + j);
+            sum += static_cast<double>(uniform_cubic_matrix[k][j]) * point_for_matrix(curve, segment + j);
         result.coefficients[k] = sum / 6.0;
     }
     return result;

@@ -19,7 +19,7 @@ inline constexpr std::array<std::array<int, 4>, 4> uniform_cubic_matrix{
 struct CubicSegment {
     Interval interval;
     std::size_t first_point = 0;                     ///< index of the first of its four control points, unrolled
-    std::array<HomogeneousPoint, 4> coefficients{};  ///< with third coordinate 1, 0, 0, 0 where all weights are 1
+    std::array<HomogeneousPoint, 4> coefficients{};  ///< with third coordinate 1, 0, 0, 0 where all weights are equal
 };
 
 /// The segments in order. Error: curve_not_uniform_cubic.

@@ -55,6 +55,16 @@ TEST(UniformCubic, matrix_form_gives_the_points_of_rational_and_periodic_curves)
         }
 }
 
+TEST(UniformCubic, one_weight_for_all_points_is_no_factor) {
+    CurveDefinition definition = coons().definition();
+    definition.weights.assign(5, 2.5);
+    const auto segments = cubic_segments(Curve::make(std::move(definition)).value()).value();
+    EXPECT_EQ(segments[0].coefficients[0], HomogeneousPoint(8, 15, 1));
+    EXPECT_EQ(segments[0].coefficients[1], HomogeneousPoint(12, 9, 0));
+    EXPECT_EQ(segments[0].coefficients[2], HomogeneousPoint(6, -9, 0));
+    EXPECT_EQ(segments[0].coefficients[3], HomogeneousPoint(-4, -1, 0));
+}
+
 TEST(UniformCubic, ferguson_form_and_back) {
     const auto segments = ferguson_segments(coons()).value();
     ASSERT_EQ(segments.size(), 2u);
