@@ -118,6 +118,11 @@ Result<void> check_line(Point a, Point b) {
     return refuse({.code = CurveErrorCode::points_coincide, .index = 1, .value = 0.0});
 }
 
+bool is_tear(const Curve& curve, double u) {
+    const Interval domain = curve.domain();
+    return domain.lower < u && u < domain.upper && curve.knots().multiplicity(u) > curve.degree();
+}
+
 // The parts of a straight piece in the line that the segment reaches.
 std::vector<LineContact> parts_on_segment(const Curve& curve, const Line& line, const LineContact& whole, Point a,
                                           Point b) {
@@ -147,8 +152,7 @@ Result<LineContacts> intersect_line(const Curve& curve, Point a, Point b) {
     const auto distance = [&](std::span<const Bernstein> forms) { return line.distance(forms); };
     LineContacts result;
     for (const SignEvent& event : sign_events(sign_runs_along(curve, 0, distance), is_cyclic)) {
-        const bool is_jump = event.where.length() == 0.0 && event.is_change();
-        if (is_jump && !line.meets_at(event.where.lower)) continue;
+        if (event.is_jump && is_tear(curve, event.where.lower) && !line.meets_at(event.where.lower)) continue;
         result.contacts.push_back(line.contact(event.where, event.before, event.after));
     }
     result.crossings = count_crossings(result.contacts);

@@ -257,7 +257,8 @@ std::vector<SignEvent> sign_events(std::span<const SignRun> runs, bool is_cyclic
             events.push_back(
                 {ordered[i].where, i > 0 ? ordered[i - 1].sign : 0, i + 1 < ordered.size() ? ordered[i + 1].sign : 0});
         else if (i > 0 && ordered[i - 1].sign != 0)
-            events.push_back({{ordered[i].where.lower, ordered[i].where.lower}, ordered[i - 1].sign, ordered[i].sign});
+            events.push_back(
+                {{ordered[i].where.lower, ordered[i].where.lower}, ordered[i - 1].sign, ordered[i].sign, true});
     }
     for (SignEvent& event : events)
         if (is_cyclic && event.where.lower >= domain.upper)

@@ -38,9 +38,10 @@ void append_run(std::vector<SignRun>& runs, SignRun run);
 
 /// A place between runs of definite sign: zeros, or a jump from one sign to the other.
 struct SignEvent {
-    Interval where;  ///< of no length but where the expression vanishes on a stretch
-    int before = 0;  ///< the sign before, 0 at the beginning
-    int after = 0;   ///< the sign after, 0 at the end
+    Interval where;        ///< of no length but where the expression vanishes on a stretch
+    int before = 0;        ///< the sign before, 0 at the beginning
+    int after = 0;         ///< the sign after, 0 at the end
+    bool is_jump = false;  ///< from one sign to the other without a zero between
 
     bool is_change() const { return before * after < 0; }
 };

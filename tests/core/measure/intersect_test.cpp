@@ -173,6 +173,24 @@ TEST(IntersectLine, gaps_are_no_contacts_and_a_line_needs_two_points) {
     EXPECT_EQ(intersect_line(torn, {1, 1}, {1, 1}).error().code, CurveErrorCode::points_coincide);
 }
 
+// Over 10^9 seconds a parameter is no better than 10^-7 of them: the point at it is off the line, but not by a gap.
+TEST(IntersectLine, far_domains_lose_no_contact) {
+    const auto line = [](double begin, double length) {
+        return Curve::make(
+                   {.degree = 1, .knots = {begin, begin, begin + length, begin + length}, .points = {{0, 0}, {3, 1}}})
+            .value();
+    };
+    for (const auto& [begin, length] : {std::pair(1e9, 1000.0), {1e6, 1.0}, {-1e6, 1.0}, {1e15, 7.0}}) {
+        const auto found = intersect_line(line(begin, length), {0, 1}, {1, 0}).value();
+        ASSERT_EQ(found.contacts.size(), 1U) << begin;
+        EXPECT_EQ(found.contacts[0].kind, ContactKind::crossing);
+        EXPECT_EQ(found.crossings, 1U);
+        // x + y = 1 at (3/4, 1/4), a quarter of the way.
+        EXPECT_NEAR(found.contacts[0].u, begin + 0.25 * length, 4e-16 * std::abs(begin));
+        EXPECT_EQ(intersect_segment(line(begin, length), {0, 1}, {1, 0})->contacts.size(), 1U);
+    }
+}
+
 TEST(IntersectLine, never_more_crossings_than_the_polygon_and_as_many_as_samples_show) {
     RandomCurves random(341);
     for (int i = 0; i < 300; ++i) {
