@@ -1,6 +1,23 @@
 #include "core/curve/control_box.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace batten::core {
+
+namespace {
+
+// Divided by a power of two, so that the largest is between 1 and 2 and nothing else changes. Where one is too small
+// beside it for a double, the smallest one will do.
+std::vector<double> weights_of_order_one(const Curve& curve) {
+    std::vector<double> weights(curve.weights().begin(), curve.weights().end());
+    const int order = std::ilogb(*std::max_element(weights.begin(), weights.end()));
+    for (double& weight : weights) weight = std::max(std::ldexp(weight, -order), std::numeric_limits<double>::min());
+    return weights;
+}
+
+}  // namespace
 
 Box control_box(const Curve& curve) {
     Box box;
@@ -16,7 +33,7 @@ Point middle_of(const Curve& curve) {
 Curve seen_from(const Curve& curve, Point origin) {
     std::vector<Point> points(curve.control_points().begin(), curve.control_points().end());
     for (Point& point : points) point = seen_from(point, origin);
-    return Curve::make(curve.knots(), std::move(points), {curve.weights().begin(), curve.weights().end()}).value();
+    return Curve::make(curve.knots(), std::move(points), weights_of_order_one(curve)).value();
 }
 
 }  // namespace batten::core

@@ -11,7 +11,8 @@ Box control_box(const Curve& curve);
 /// The middle of the control points' box, from which a curve is best seen. Cost O(n).
 Point middle_of(const Curve& curve);
 
-/// The same curve in coordinates whose zero is `origin`. Near it differences of coordinates keep their digits.
+/// The same curve in coordinates whose zero is `origin`. Near it differences of coordinates keep their digits. All
+/// weights are divided by one power of two, so that the largest is of the order of 1.
 Curve seen_from(const Curve& curve, Point origin);
 
 }  // namespace batten::core

@@ -2,9 +2,9 @@
 
 #include <cassert>
 
-#include "core/base/detail/quadrature.h"
 #include "core/base/detail/unit_interval.h"
 #include "core/curve/control_box.h"
+#include "core/measure/detail/piece_integral.h"
 
 namespace batten::core {
 
@@ -14,13 +14,10 @@ namespace {
 constexpr double enough = 1e-15;
 
 constexpr double length_rounding = 8.0 * std::numeric_limits<double>::epsilon();
-constexpr int most_length_steps = 60;
-constexpr Interval whole_piece{0.0, 1.0};
+// By so much of the longest that is possible rounding may exceed the bounds.
+constexpr double length_slack = 1e-12;
 
-struct PieceRange {
-    const PieceMotion* piece = nullptr;
-    Interval shares;  // in [0, 1]
-};
+constexpr int most_length_steps = 60;
 
 // The error of the longer rule, which converges much faster than the shorter one that it is compared with.
 double error_of(const RulePair<double>& rules) {
@@ -29,42 +26,73 @@ double error_of(const RulePair<double>& rules) {
     return size * std::min(1.0, std::pow(200.0 * std::abs(rules.kronrod - rules.gauss) / size, 1.5));
 }
 
-double estimate(std::span<const PieceRange> ranges) {
-    double sum = 0.0;
-    for (const PieceRange& range : ranges)
-        sum += integrate_once<double>([&](double t) { return range.piece->speed_at(t); }, range.shares).kronrod;
-    return sum;
+using Pieces = std::span<const PieceMotion>;
+
+double speed_at(Pieces pieces, HalfPlace place) {
+    return robust_length(motion_at(pieces, place).velocity);
 }
 
-// Calls `take` with every range's parts, on which the rules are as accurate as they should be.
-template <class Take>
-Integral integrate(std::span<const PieceRange> ranges, const Take& take) {
-    const double tolerance = enough * estimate(ranges);
+// The speed has a corner where the curve comes to a stop and turns back. Where that is nearer to an end of a part than
+// the rules look, they do not see it; the direction at the end does.
+double unseen_error(Pieces pieces, std::size_t half, Interval interval) {
+    const double reach = unseen_length(interval);
+    double error = 0.0;
+    for (const auto& [end, inside] :
+         {std::pair(interval.lower, interval.lower + reach), std::pair(interval.upper, interval.upper - reach)}) {
+        const Vector at_end = motion_at(pieces, {half, end}).velocity;
+        const Vector at_node = motion_at(pieces, {half, inside}).velocity;
+        if (dot(at_end / robust_length(at_end), at_node) < 0.0)
+            error += reach * (robust_length(at_end) + robust_length(at_node));
+    }
+    return error;
+}
+
+// The parts of the ranges, on which the rules are as accurate as they should be, or as can be.
+std::vector<IntegratedPart<double>> parts_of(Pieces pieces, std::span<const PieceRange> ranges) {
+    return integrate_adaptively<double>(
+        ranges,
+        [&](std::size_t half, double offset) {
+            return speed_at(pieces, {half, offset});
+        },
+        [&](std::size_t half, const RulePair<double>& rules) {
+            return error_of(rules) + unseen_error(pieces, half, rules.interval);
+        },
+        [](double error, double sum) { return !(error > enough * sum); });
+}
+
+Integral sum_of(std::span<const IntegratedPart<double>> parts) {
     Integral total;
-    for (const PieceRange& range : ranges)
-        integrate_adaptively<double>([&](double t) { return range.piece->speed_at(t); }, range.shares,
-                                     [&](const RulePair<double>& rules) { return !(error_of(rules) > tolerance); },
-                                     [&](const RulePair<double>& rules) {
-                                         take(*range.piece, rules);
-                                         total.value += rules.kronrod;
-                                         total.error += error_of(rules);
-                                     });
+    for (const IntegratedPart<double>& part : parts) {
+        total.value += part.rules.kronrod;
+        total.error += part.error;
+    }
     total.error += length_rounding * total.value;
     return total;
 }
 
-Integral integrate(std::span<const PieceRange> ranges) {
-    return integrate(ranges, [](const PieceMotion&, const RulePair<double>&) {});
-}
-
-std::vector<PieceRange> ranges_between(std::span<const PieceMotion> pieces, Interval wanted) {
-    std::vector<PieceRange> ranges;
+// The length between two parameters is at least that of the pieces' chords and at most that of their control polygons.
+Interval bounds_of_length(Pieces pieces, Interval wanted) {
+    Interval bounds{0.0, 0.0};
     for (const PieceMotion& piece : pieces) {
         const Interval interval = piece.interval();
         if (interval.upper <= wanted.lower || interval.lower >= wanted.upper) continue;
-        ranges.push_back({&piece, {to_unit(interval, wanted.lower), to_unit(interval, wanted.upper)}});
+        bounds.lower += robust_length(piece.at(to_unit(interval, wanted.upper)).position -
+                                      piece.at(to_unit(interval, wanted.lower)).position);
+        for (std::size_t i = 1; i < piece.points().size(); ++i)
+            bounds.upper += robust_length(project(piece.points()[i]) - project(piece.points()[i - 1]));
     }
-    return ranges;
+    return bounds;
+}
+
+// What cannot be the length gives way to what it is known to lie between.
+Integral within(Interval bounds, Integral found) {
+    const double slack = length_slack * bounds.upper;
+    if (bounds.lower - slack <= found.value && found.value <= bounds.upper + slack) return found;
+    return {bounds.lower + 0.5 * bounds.length(), 0.5 * bounds.length() + slack};
+}
+
+Integral integrate(Pieces pieces, Interval wanted) {
+    return within(bounds_of_length(pieces, wanted), sum_of(parts_of(pieces, ranges_between(pieces, wanted))));
 }
 
 // How often the period goes into the way from the domain's beginning to `u`, and what is left.
@@ -73,13 +101,13 @@ std::pair<double, double> whole_periods(Interval domain, double u) {
     return {count, domain.clamp(u - count * domain.length())};
 }
 
-Integral around(std::span<const PieceMotion> pieces, Interval domain, double from, double to) {
+Integral around(Pieces pieces, Interval domain, double from, double to) {
     const auto [first_period, first] = whole_periods(domain, from);
     const auto [last_period, last] = whole_periods(domain, to);
-    if (first_period == last_period) return integrate(ranges_between(pieces, {first, last}));
-    const Integral whole = integrate(ranges_between(pieces, domain));
-    const Integral begun = integrate(ranges_between(pieces, {first, domain.upper}));
-    const Integral ended = integrate(ranges_between(pieces, {domain.lower, last}));
+    if (first_period == last_period) return integrate(pieces, {first, last});
+    const Integral whole = integrate(pieces, domain);
+    const Integral begun = integrate(pieces, {first, domain.upper});
+    const Integral ended = integrate(pieces, {domain.lower, last});
     const double between = last_period - first_period - 1.0;
     return {begun.value + between * whole.value + ended.value, begun.error + between * whole.error + ended.error};
 }
@@ -100,30 +128,41 @@ Integral arc_length(const Curve& curve, double from, double to) {
     const Interval domain = curve.domain();
     const bool is_inside = domain.contains(from) && domain.contains(to);
     if (curve.is_periodic() && !is_inside && std::isfinite(to - from)) return around(pieces, domain, from, to);
-    return integrate(ranges_between(pieces, {domain.clamp(from), domain.clamp(to)}));
+    return integrate(pieces, {domain.clamp(from), domain.clamp(to)});
 }
 
 ArcLengthTable::ArcLengthTable(const Curve& curve)
     : knots_(curve.knots()), pieces_(motions_of(curve, middle_of(curve))) {
-    std::vector<PieceRange> ranges;
-    for (const PieceMotion& piece : pieces_) ranges.push_back({&piece, whole_piece});
-    total_ = integrate(ranges, [&](const PieceMotion& piece, const RulePair<double>& rules) {
-        const double before = parts_.empty() ? 0.0 : parts_.back().before + parts_.back().length;
-        parts_.push_back({static_cast<std::size_t>(&piece - pieces_.data()), rules.interval, rules.kronrod, before});
-    });
+    const auto parts = parts_of(pieces_, ranges_between(pieces_, curve.domain()));
+    total_ = within(bounds_of_length(pieces_, curve.domain()), sum_of(parts));
+    double before = 0.0;
+    for (const IntegratedPart<double>& part : parts) {
+        parts_.push_back({part.piece, part.rules.interval, part.rules.kronrod, before});
+        before += part.rules.kronrod;
+    }
 }
 
 double ArcLengthTable::length_at(double u) const {
     const double inside = knots_.into_domain(u);
     const auto after = std::partition_point(parts_.begin() + 1, parts_.end(), [&](const Part& part) {
-        return from_unit(pieces_[part.piece].interval(), part.shares.lower) <= inside;
+        return core::parameter_at(pieces_, {part.half, part.offsets.lower}) <= inside;
     });
     const Part& part = *(after - 1);
-    const PieceMotion& piece = pieces_[part.piece];
-    const double t = part.shares.clamp(to_unit(piece.interval(), inside));
-    if (t == part.shares.upper) return part.before + part.length;
-    const auto speed = [&](double share) { return piece.speed_at(share); };
-    return part.before + integrate_once<double>(speed, {part.shares.lower, t}).kronrod;
+    const HalfPlace place = place_at(pieces_, part.half / 2, inside);
+    const double offset = place.half == part.half  ? part.offsets.clamp(place.offset)
+                          : place.half < part.half ? part.offsets.lower
+                                                   : part.offsets.upper;
+    if (offset == part.offsets.upper) return part.before + part.length;
+    return part.before + length_within(part, offset);
+}
+
+double ArcLengthTable::length_within(const Part& part, double offset) const {
+    return integrate_once<double>(
+               [&](double at) {
+                   return speed_at(pieces_, {part.half, at});
+               },
+               {part.offsets.lower, offset})
+        .kronrod;
 }
 
 double ArcLengthTable::parameter_at(double s) const {
@@ -133,26 +172,25 @@ double ArcLengthTable::parameter_at(double s) const {
     const double wanted = std::clamp(goes_round ? s - std::floor(s / total) * total : s, 0.0, total);
     const auto reached = std::partition_point(parts_.begin(), parts_.end() - 1,
                                               [&](const Part& part) { return part.before + part.length < wanted; });
-    return from_unit(pieces_[reached->piece].interval(), share_at(*reached, wanted - reached->before));
+    return core::parameter_at(pieces_, {reached->half, offset_at(*reached, wanted - reached->before)});
 }
 
 // Newton's iteration for the integral of the speed, whose derivative is the speed.
-double ArcLengthTable::share_at(const Part& part, double length) const {
-    if (length <= 0.0) return part.shares.lower;
-    if (length >= part.length) return part.shares.upper;
-    const auto speed = [&](double share) { return pieces_[part.piece].speed_at(share); };
-    Interval bracket = part.shares;
-    double t = from_unit(bracket, length / part.length);
+double ArcLengthTable::offset_at(const Part& part, double length) const {
+    if (length <= 0.0) return part.offsets.lower;
+    if (length >= part.length) return part.offsets.upper;
+    Interval bracket = part.offsets;
+    double at = from_unit(bracket, length / part.length);
     for (int i = 0; i < most_length_steps; ++i) {
-        const double excess = integrate_once<double>(speed, {part.shares.lower, t}).kronrod - length;
-        (excess < 0.0 ? bracket.lower : bracket.upper) = t;
-        double next = t - excess / speed(t);
+        const double excess = length_within(part, at) - length;
+        (excess < 0.0 ? bracket.lower : bracket.upper) = at;
+        double next = at - excess / speed_at(pieces_, {part.half, at});
         if (!(bracket.lower <= next && next <= bracket.upper)) next = bracket.lower + 0.5 * bracket.length();
-        const bool is_done = std::abs(next - t) <= 0.5 * std::numeric_limits<double>::epsilon();
-        t = next;
+        const bool is_done = std::abs(next - at) <= 0.5 * std::numeric_limits<double>::epsilon() * std::abs(at);
+        at = next;
         if (is_done) break;
     }
-    return t;
+    return at;
 }
 
 }  // namespace batten::core

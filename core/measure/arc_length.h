@@ -40,13 +40,14 @@ class ArcLengthTable {
 
   private:
     struct Part {
-        std::size_t piece = 0;
-        Interval shares;  // of the piece's interval, in [0, 1]
+        std::size_t half = 0;
+        Interval offsets;  // on that half of a piece
         double length = 0.0;
         double before = 0.0;  // the length of all parts before
     };
 
-    double share_at(const Part& part, double length) const;
+    double length_within(const Part& part, double offset) const;
+    double offset_at(const Part& part, double length) const;
 
     KnotVector knots_;
     std::vector<PieceMotion> pieces_;

@@ -3,10 +3,9 @@
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/base/detail/quadrature.h"
 #include "core/curve/control_box.h"
-#include "core/evaluate/detail/piece_motion.h"
 #include "core/measure/continuity.h"
+#include "core/measure/detail/piece_integral.h"
 
 namespace batten::core {
 
@@ -18,8 +17,8 @@ constexpr double enough_area = 1e-16;
 constexpr double area_rounding = 16.0 * std::numeric_limits<double>::epsilon();
 
 // det(C, C') times (1, x, y): what is integrated for the area and both moments.
-glm::dvec3 moments_at(const PieceMotion& piece, double t) {
-    const auto [position, velocity] = piece.at(t);
+glm::dvec3 moments_at(std::span<const PieceMotion> pieces, HalfPlace place) {
+    const auto [position, velocity] = motion_at(pieces, place);
     const double swept = cross(vector_to(position), velocity);
     return {swept, swept * position.x, swept * position.y};
 }
@@ -44,16 +43,20 @@ Result<Area> enclosed_area(const Curve& curve) {
     const Vector extent = control_box(curve).size();
     const double size = std::max(extent.x, extent.y);
     if (size == 0.0) return Area{};
+    const auto pieces = motions_of(curve, origin);
+    const auto parts = integrate_adaptively<glm::dvec3>(
+        ranges_between(pieces, curve.domain()),
+        [&](std::size_t half, double offset) {
+            return moments_at(pieces, {half, offset});
+        },
+        [&](std::size_t, const RulePair<glm::dvec3>& rules) { return error_of(rules, size); },
+        [&](double error, const glm::dvec3&) { return !(error > enough_area * size * size); });
     glm::dvec3 sum(0.0);
     double error = area_rounding * size * size;
-    for (const PieceMotion& piece : motions_of(curve, origin))
-        integrate_adaptively<glm::dvec3>(
-            [&](double t) { return moments_at(piece, t); }, {0.0, 1.0},
-            [&](const RulePair<glm::dvec3>& rules) { return !(error_of(rules, size) > enough_area * size * size); },
-            [&](const RulePair<glm::dvec3>& rules) {
-                sum += rules.kronrod;
-                error += error_of(rules, size);
-            });
+    for (const auto& part : parts) {
+        sum += part.rules.kronrod;
+        error += part.error;
+    }
     Area area{0.5 * sum.x, 0.5 * error, std::nullopt};
     if (std::abs(area.signed_area) > 4.0 * area.error)
         area.centroid = origin + Vector(sum.y, sum.z) / (3.0 * area.signed_area);

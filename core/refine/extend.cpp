@@ -58,18 +58,14 @@ constexpr double length_accuracy = 1e-12;
 // Where the parameter cannot grow further because a weight runs out, this part of it is as near as is looked.
 constexpr double closeness_to_failure = 1e-3;
 
-// The arc length over `range`. No finer than so many halvings: where a weight is nearly 0 and its point far away, the
-// speed is so inexact that more of them gain nothing.
 double length_over(const Curve& curve, Interval range) {
-    constexpr int halvings = 8;
-    constexpr int first_depth = 60 - halvings;
-    const auto speed = [&](double u) { return length(derivatives_at(curve, u, 1)[1]); };
-    const double size = integrate_once<double>(speed, range).kronrod;
+    const auto parts = integrate_adaptively<double>(
+        std::vector{PieceRange{0, range}},
+        [&](std::size_t, double u) { return length(derivatives_at(curve, u, 1)[1]); },
+        [](std::size_t, const RulePair<double>& rules) { return std::abs(rules.kronrod - rules.gauss); },
+        [](double error, double sum) { return !(error > length_accuracy * sum); });
     double length = 0.0;
-    integrate_adaptively<double>(
-        speed, range,
-        [&](const RulePair<double>& rules) { return std::abs(rules.kronrod - rules.gauss) <= length_accuracy * size; },
-        [&](const RulePair<double>& rules) { length += rules.kronrod; }, first_depth);
+    for (const auto& part : parts) length += part.rules.kronrod;
     return length;
 }
 

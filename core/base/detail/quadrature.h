@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/geometry.h"
@@ -55,17 +58,72 @@ RulePair<Value> integrate_once(const Function& function, Interval interval) {
     return result;
 }
 
-/// Halves `interval` until `is_accurate` holds for both rules on every part, or no double lies between its ends, or 60
-/// times; calls `take` with the parts in order.
-template <class Value, class Function, class IsAccurate, class Take>
-void integrate_adaptively(const Function& function, Interval interval, const IsAccurate& is_accurate, const Take& take,
-                          int depth = 0) {
-    const auto rules = integrate_once<Value>(function, interval);
-    const double middle = interval.lower + 0.5 * interval.length();
-    const bool is_divisible = depth < 60 && interval.lower < middle && middle < interval.upper;
-    if (!is_divisible || is_accurate(rules)) return take(rules);
-    integrate_adaptively<Value>(function, {interval.lower, middle}, is_accurate, take, depth + 1);
-    integrate_adaptively<Value>(function, {middle, interval.upper}, is_accurate, take, depth + 1);
+/// How far from each end of `interval` the rules do not look.
+inline double unseen_length(Interval interval) {
+    return 0.5 * (1.0 - gauss_kronrod::nodes.front()) * interval.length();
+}
+
+/// An interval of one of several functions.
+struct PieceRange {
+    std::size_t piece = 0;
+    Interval interval;
+};
+
+/// What the rules say of a range.
+template <class Value>
+struct IntegratedPart {
+    std::size_t piece = 0;
+    RulePair<Value> rules;
+    double error = 0.0;  ///< how far the longer rule may be off; infinite where that cannot be told
+};
+
+/// So many parts of so many ranges are halved at most. A smooth piece needs a few halvings and a pole beside it some
+/// dozens; where rounding is all that is left no number is enough.
+constexpr std::size_t most_divisions(std::size_t ranges) {
+    return 1000 + 8 * ranges;
+}
+
+/// Integrates `function(piece, t)` over the ranges: halves the part with the largest error until `is_enough(error,
+/// sum)` of it, or most_divisions are done; parts between whose ends no double lies stay whole. `error_of(piece,
+/// rules)` gives the error of a part. Returns the parts in order. Source: Piessens et al. 1983, QUADPACK, QAG.
+template <class Value, class Function, class ErrorOf, class IsEnough>
+std::vector<IntegratedPart<Value>> integrate_adaptively(std::span<const PieceRange> ranges, const Function& function,
+                                                        const ErrorOf& error_of, const IsEnough& is_enough) {
+    using Part = IntegratedPart<Value>;
+    const auto has_less_error = [](const Part& a, const Part& b) { return a.error < b.error; };
+    Value sum{};
+    std::vector<Part> open;
+    const auto add = [&](std::size_t piece, Interval interval) {
+        const auto rules = integrate_once<Value>([&](double t) { return function(piece, t); }, interval);
+        const double error = error_of(piece, rules);
+        open.push_back({piece, rules, std::isnan(error) ? std::numeric_limits<double>::infinity() : error});
+        sum += rules.kronrod;
+    };
+    for (const PieceRange& range : ranges) add(range.piece, range.interval);
+    std::make_heap(open.begin(), open.end(), has_less_error);
+    std::vector<Part> done;
+    for (std::size_t i = 0; i < most_divisions(ranges.size()) && !open.empty(); ++i) {
+        if (is_enough(open.front().error, sum)) break;
+        std::pop_heap(open.begin(), open.end(), has_less_error);
+        const Part part = open.back();
+        open.pop_back();
+        const Interval whole = part.rules.interval;
+        const double middle = whole.lower + 0.5 * whole.length();
+        if (!(whole.lower < middle && middle < whole.upper)) {
+            done.push_back(part);
+            continue;
+        }
+        sum -= part.rules.kronrod;
+        for (const Interval half : {Interval{whole.lower, middle}, Interval{middle, whole.upper}}) {
+            add(part.piece, half);
+            std::push_heap(open.begin(), open.end(), has_less_error);
+        }
+    }
+    done.insert(done.end(), open.begin(), open.end());
+    std::sort(done.begin(), done.end(), [](const Part& a, const Part& b) {
+        return std::pair(a.piece, a.rules.interval.lower) < std::pair(b.piece, b.rules.interval.lower);
+    });
+    return done;
 }
 
 }  // namespace batten::core

@@ -4,16 +4,14 @@
 #include <cmath>
 
 #include "core/curve/control_box.h"
-#include "core/curve/detail/bspline.h"
 
 namespace batten::core {
 
 namespace {
 
-// The Bernstein form of the first `count` points at t.
+// The Bernstein form of the first `count` points.
 template <class P>
-P bernstein_sum(LocalPoints<P>& points, std::size_t count, double t) {
-    const Ratio ratio{1.0 - t, t};
+P bernstein_sum(LocalPoints<P>& points, std::size_t count, Ratio ratio) {
     for (std::size_t left = count - 1; left > 0; --left)
         for (std::size_t i = 0; i < left; ++i) points[i] = blend(points[i], points[i + 1], ratio);
     return points[0];
@@ -21,21 +19,17 @@ P bernstein_sum(LocalPoints<P>& points, std::size_t count, double t) {
 
 }  // namespace
 
-Motion PieceMotion::at(double t) const {
+Motion PieceMotion::at(Ratio ratio) const {
     const std::size_t p = piece_.points.size() - 1;
     LocalPoints<HomogeneousPoint> points;
     std::copy(piece_.points.begin(), piece_.points.end(), points.begin());
-    const HomogeneousPoint here = bernstein_sum(points, p + 1, t);
+    const HomogeneousPoint here = bernstein_sum(points, p + 1, ratio);
     const Point position = tip_of(plane_part(here) / here.z);
     // Seen from C(t), where the derivative of the weight does not matter.
     LocalPoints<Vector> legs;
     const auto away = [&](const HomogeneousPoint& point) { return plane_part(point) - point.z * vector_to(position); };
     for (std::size_t i = 0; i < p; ++i) legs[i] = away(piece_.points[i + 1]) - away(piece_.points[i]);
-    return {position, static_cast<double>(p) / here.z * bernstein_sum(legs, p, t)};
-}
-
-double PieceMotion::speed_at(double t) const {
-    return robust_length(at(t).velocity);
+    return {position, static_cast<double>(p) / here.z * bernstein_sum(legs, p, ratio)};
 }
 
 std::vector<PieceMotion> motions_of(const Curve& curve, Point origin) {

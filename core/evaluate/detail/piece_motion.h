@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cassert>
+#include <span>
 #include <vector>
 
+#include "core/curve/detail/bspline.h"
 #include "core/evaluate/bezier_pieces.h"
 
 namespace batten::core {
@@ -26,9 +28,13 @@ class PieceMotion {
     Interval interval() const { return piece_.interval; }
 
     /// Cost O(p^2). Source: de Casteljau.
-    Motion at(double t) const;
+    Motion at(double t) const { return at({1.0 - t, t}); }
 
-    double speed_at(double t) const;
+    /// At the share `ratio.upper_share`, which says as well how near the end is: the smaller share counts.
+    Motion at(Ratio ratio) const;
+
+    /// The Bézier points, seen from the origin of the motion.
+    std::span<const HomogeneousPoint> points() const { return piece_.points; }
 
   private:
     BezierPiece piece_;

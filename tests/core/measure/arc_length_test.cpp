@@ -97,6 +97,45 @@ TEST(ArcLength, cusp_away_from_the_middle) {
     EXPECT_GE(arc_length(curve).error, std::abs(arc_length(curve).value - length));
 }
 
+// As one weight grows the curve tends to straight legs to and from its point: from P0 to P1 to P3, and from P0 to P2 to
+// P3; all of the way is made at parameters nearer to the ends than doubles can tell from 1.
+TEST(ArcLength, one_huge_weight_makes_legs_and_is_measured_at_once) {
+    const std::vector<Point> points{{0, 0}, {1, 2}, {3, 3}, {4, 0}};
+    const double to_first = std::sqrt(5.0) + std::sqrt(13.0);
+    const double to_second = std::sqrt(18.0) + std::sqrt(10.0);
+    for (const double huge : {1e19, 1e30, 1e100, 1e300})
+        for (const auto& [index, length] : {std::pair(0, 4.0), {1, to_first}, {2, to_second}, {3, 4.0}}) {
+            CurveDefinition definition{
+                .degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = points, .weights = {1, 1, 1, 1}};
+            definition.weights[static_cast<std::size_t>(index)] = huge;
+            const Curve curve = Curve::make(definition).value();
+            const Integral found = arc_length(curve);
+            EXPECT_NEAR(found.value, length, huge > 1e20 ? 1e-12 : 1e-8) << huge << " at " << index;
+            const ArcLengthTable table(curve);
+            EXPECT_EQ(table.total().value, found.value);
+            const double u = table.parameter_at(0.5 * length);
+            EXPECT_TRUE(0.0 <= u && u <= 1.0);
+        }
+}
+
+TEST(ArcLength, numbers_of_every_size_are_measured_or_none_is_given) {
+    RandomCurves random(343);
+    for (int i = 0; i < 40; ++i) {
+        CurveDefinition definition = random.curve().definition();
+        definition.weights.resize(definition.points.size());
+        double polygon = 0.0;
+        for (double& weight : definition.weights) weight = std::pow(10.0, random.number(-150, 150));
+        for (std::size_t k = 0; k < definition.points.size(); ++k) {
+            const std::size_t next = (k + 1) % definition.points.size();
+            if (definition.periodic || next > 0) polygon += distance(definition.points[k], definition.points[next]);
+        }
+        const Integral found = arc_length(Curve::make(definition).value());
+        EXPECT_GE(found.value, 0.0) << i;
+        EXPECT_LE(found.value, polygon * (1 + 1e-9)) << i;
+        EXPECT_LE(found.error, 1e-6 * polygon) << i;
+    }
+}
+
 TEST(ArcLength, of_intervals_adds_up_and_has_a_sign) {
     const Curve curve = parabola();
     EXPECT_NEAR(arc_length(curve, 0.25, 0.75).value, parabola_length(1.5) - parabola_length(0.5), 1e-14);
