@@ -36,10 +36,35 @@ TEST_F(MeasuringCommands, arc_length_and_its_inverse) {
     EXPECT_NEAR(number(0, "point y"), 1.0, 1e-13);
 }
 
+TEST_F(MeasuringCommands, point_beyond_an_end_is_said_to_be_the_end) {
+    ASSERT_TRUE(editor_.run(ActivateCurve{.index = 0}));
+    const double whole = std::sqrt(17.0) + 0.25 * std::asinh(4.0);
+    find(FindPointAtLength{.length = 7.5});
+    EXPECT_EQ(rows()[0].parameter, 1.0);
+    EXPECT_NEAR(number(0, "length"), whole, 1e-13);
+    EXPECT_EQ(state().message.text, "parabola ends at the length 4.64678, at u = 1: 7.5 is beyond it");
+    find(FindPointAtLength{.length = -2.0});
+    EXPECT_EQ(rows()[0].parameter, 0.0);
+    EXPECT_EQ(number(0, "length"), 0.0);
+    EXPECT_EQ(state().message.text, "parabola begins at the length 0, at u = 0: −2 is before it");
+}
+
+TEST_F(MeasuringCommands, what_is_too_large_for_a_number_is_refused) {
+    open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [
+      { "name": "huge", "degree": 1, "knots": [0,0,1,2,3,3], "points": [[0,0],[1e200,0],[0,1e200],[0,0]] } ] })");
+    EXPECT_EQ(
+        refused(MeasureArea{}),
+        "area of huge cannot be computed: its points, weights or knots are too far apart, too large or too small");
+    EXPECT_FALSE(state().findings.has_value());
+    find(MeasureArcLength{.begin = 0.0, .end = 3.0});
+    EXPECT_NEAR(number(0, "length") / 1e200, 2.0 + std::sqrt(2.0), 1e-14);
+}
+
 TEST_F(MeasuringCommands, area_of_closed_curves_only) {
     ASSERT_TRUE(editor_.run(ActivateCurve{.index = 1}));
     find(MeasureArea{});
     EXPECT_NEAR(number(0, "area"), -9.0, 1e-13);
+    EXPECT_EQ(rows()[0].label, "area −9");
     EXPECT_NEAR(rows()[0].point->x, 2.0, 1e-13);
     EXPECT_EQ(rows()[0].note, "negative: the curve runs clockwise");
     ASSERT_TRUE(editor_.run(ActivateCurve{.index = 0}));

@@ -2,7 +2,20 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 namespace batten::editor {
+
+namespace {
+
+std::optional<std::string> number_out_of_range(const Finding& row) {
+    for (const FoundNumber& number : row.numbers)
+        if (!std::isfinite(number.value)) return number.name;
+    if (row.point && !core::is_finite(*row.point)) return row.label;
+    return std::nullopt;
+}
+
+}  // namespace
 
 core::Place active_name(const EditorState& state) {
     return {"name", state.history.present().active_curve()->name};
@@ -24,6 +37,12 @@ void add_interval(Finding& finding, core::Interval where) {
 }
 
 Outcome<void> show_rows(EditorState& state, const char* title, std::string summary, std::vector<Finding> rows) {
+    for (const Finding& row : rows)
+        if (const std::optional<std::string> number = number_out_of_range(row))
+            return tl::unexpected(
+                core::sentence("{number} of {name} cannot be computed: its points, weights or knots are too far apart, "
+                               "too large or too small",
+                               {active_name(state), {"number", *number}}));
     show_findings(state, {title, std::move(summary), std::move(rows)});
     return {};
 }

@@ -18,7 +18,7 @@ void add_numbers(Finding& finding, const char* name, core::Point point);
 /// "from" and "to", unless the interval is a single parameter.
 void add_interval(Finding& finding, core::Interval where);
 
-/// Shows `rows` under `title` with a sentence about them.
+/// Shows `rows` under `title` with a sentence about them; refused where a number of theirs is not finite.
 Outcome<void> show_rows(EditorState& state, const char* title, std::string summary, std::vector<Finding> rows);
 
 /// The same; the sentence speaks of as many things as there are rows, of the curve as {name}.

@@ -35,30 +35,43 @@ Outcome<void> measure_arc_length(EditorState& state, const MeasureArcLength& com
         {std::move(row)});
 }
 
+// What is beyond an end of an open curve ends there, and is said to do so.
+const char* pattern_of_length(const core::Curve& curve, double wanted, double whole) {
+    if (!curve.is_periodic() && wanted > whole)
+        return "{name} ends at the length {whole}, at u = {u}: {length} is beyond it";
+    if (!curve.is_periodic() && wanted < 0.0) return "{name} begins at the length 0, at u = {u}: {length} is before it";
+    return "{name} has the length {length} at u = {u}";
+}
+
 Outcome<void> find_point_at_length(EditorState& state, const FindPointAtLength& command) {
     const core::Curve& curve = active_curve(state);
-    const double u = core::ArcLengthTable(curve).parameter_at(command.length);
+    const core::ArcLengthTable table(curve);
+    const double whole = table.total().value;
+    const double reached = curve.is_periodic() ? command.length : std::clamp(command.length, 0.0, whole);
+    const double u = table.parameter_at(command.length);
     Finding row{.label = "point",
                 .parameter = u,
                 .point = core::point_at(curve, u),
-                .numbers = {{"length", command.length}, {"u", u}}};
+                .numbers = {{"length", reached}, {"u", u}, {"whole length", whole}}};
     add_numbers(row, "point", *row.point);
-    std::string summary =
-        sentence("{name} has the length {length} at u = {u}",
-                 {active_name(state), {"length", number_text(command.length)}, {"u", number_text(u, digits)}});
+    std::string summary = core::filled_as_needed(pattern_of_length(curve, command.length, whole),
+                                                 {active_name(state),
+                                                  {"length", number_text(command.length)},
+                                                  {"whole", number_text(whole, digits)},
+                                                  {"u", number_text(u, digits)}});
     return show_rows(state, "Point at length", std::move(summary), {std::move(row)});
 }
 
 Outcome<void> measure_area(EditorState& state, const MeasureArea&) {
     const auto area = core::enclosed_area(active_curve(state));
     if (!area) return tl::unexpected(core::describe(area.error()));
-    Finding row{.label = "area",
+    const core::Place value("area", number_text(area->signed_area, digits));
+    Finding row{.label = sentence("area {area}", {value}),
                 .point = area->centroid,
                 .numbers = {{"area", area->signed_area}, {"error", area->error}},
                 .note = area->signed_area < 0.0 ? "negative: the curve runs clockwise" : ""};
     if (area->centroid) add_numbers(row, "centroid", *area->centroid);
-    std::string summary = sentence("{name} encloses the area {area}",
-                                   {active_name(state), {"area", number_text(area->signed_area, digits)}});
+    std::string summary = sentence("{name} encloses the area {area}", {active_name(state), value});
     return show_rows(state, "Area", std::move(summary), {std::move(row)});
 }
 
