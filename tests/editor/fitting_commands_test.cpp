@@ -118,9 +118,21 @@ TEST_F(FittingCommands, fit_points_keeps_end_tangents) {
     EXPECT_NEAR(end[1].y, -2.0, 1e-12);
 }
 
+TEST_F(FittingCommands, closed_fits_have_no_ends_for_derivatives_and_say_so) {
+    std::vector<core::Point> ring;
+    for (int k = 0; k < 40; ++k) ring.emplace_back(3 * std::cos(k * 0.157), 2 * std::sin(k * 0.157));
+    ASSERT_TRUE(run(FitPoints{.count = 12, .points = ring, .closed = true}));
+    const std::vector<core::Point> plain = points(editor_);
+    ASSERT_TRUE(run(FitPoints{.count = 12, .points = ring, .closed = true, .start = core::Vector(9, 9)})) << message();
+    EXPECT_EQ(points(editor_), plain);
+    EXPECT_EQ(message().substr(0, message().find(": ")),
+              "Fitted closed curve to points, without the derivatives at ends that it lacks");
+    ASSERT_TRUE(run(FitPointsWithin{.tolerance = 0.1, .points = ring, .closed = true, .end = core::Vector(1, 0)}));
+    EXPECT_EQ(message().substr(0, message().find(": ")),
+              "Fitted closed curve within tolerance, without the derivatives at ends that it lacks");
+}
+
 TEST_F(FittingCommands, fits_refuse_ends_that_exclude_each_other) {
-    expect_refused(FitPoints{.count = 8, .points = bow(50), .closed = true, .start = core::Vector(1, 0)},
-                   "a closed curve has no ends: leave out the derivatives at the start and the end");
     expect_refused(FitPointsWithin{.tolerance = 0.1, .points = bow(50), .closed = true, .natural = true},
                    "a closed curve has no ends that could be natural: ask for one of the two");
     expect_refused(FitPoints{.count = 8, .points = bow(50), .end = core::Vector(1, 0), .natural = true},

@@ -42,14 +42,16 @@ Outcome<Edit> interpolate_tangents(const EditorState& state, const InterpolateTa
 }
 
 template <class Command>
+bool has_tangents(const Command& command) {
+    return command.start || command.end;
+}
+
+// A closed fit leaves out the derivatives that were asked for at ends, and says so.
+template <class Command>
 Outcome<core::Ends> ends_of(const Command& command) {
-    const bool has_tangents = command.start || command.end;
-    if (command.closed && has_tangents)
-        return tl::unexpected<std::string>(
-            "a closed curve has no ends: leave out the derivatives at the start and the end");
     if (command.closed && command.natural)
         return tl::unexpected<std::string>("a closed curve has no ends that could be natural: ask for one of the two");
-    if (command.natural && has_tangents)
+    if (command.natural && has_tangents(command))
         return tl::unexpected<std::string>(
             "natural ends have free derivatives: leave out those at the start and the end");
     if (command.closed) return core::ClosedEnds{};
@@ -81,6 +83,19 @@ Outcome<Edit> fit_points_within(const EditorState& state, const FitPointsWithin&
     const auto request = request_of(command);
     if (!request) return tl::unexpected(request.error());
     return with_fitted(state, core::fit_within(command.points, command.tolerance, *request));
+}
+
+StepTexts texts_of_fit(const EditorState&, const FitPoints& command) {
+    return {"Fit curve to points", command.closed && has_tangents(command)
+                                       ? "Fitted closed curve to points, without the derivatives at ends that it lacks"
+                                       : "Fitted curve to points"};
+}
+
+StepTexts texts_of_fit_within(const EditorState&, const FitPointsWithin& command) {
+    return {"Fit curve within tolerance",
+            command.closed && has_tangents(command)
+                ? "Fitted closed curve within tolerance, without the derivatives at ends that it lacks"
+                : "Fitted curve within tolerance"};
 }
 
 // The selected control points of the active curve, all of them where fewer than two are selected.
@@ -212,7 +227,7 @@ const CommandSpec& FitPoints::spec() {
         .fields = fit_fields<FitPoints>(
             field::count<&FitPoints::count>("count", "how many control points").suggesting<half_the_points>()),
         .run = body_of<fit_points>,
-        .done = "Fitted curve to points"};
+        .texts = texts_of<texts_of_fit>};
     return spec;
 }
 
@@ -228,7 +243,7 @@ const CommandSpec& FitPointsWithin::spec() {
             field::length<&FitPointsWithin::tolerance>("tolerance", "the largest distance, above 0")
                 .suggesting<suggest::thousandth_of_size>()),
         .run = body_of<fit_points_within>,
-        .done = "Fitted curve within tolerance"};
+        .texts = texts_of<texts_of_fit_within>};
     return spec;
 }
 
