@@ -106,8 +106,16 @@ class Fitter {
     Result<Approximation> within(double tolerance) {
         std::vector<double> breaks = even_breaks(first_count());
         Result<Approximation> best = over(breaks);
-        while (best && best->error > tolerance && refine(breaks, best->curve, tolerance)) best = over(breaks);
-        if (best && best->error > tolerance) best = over(even_breaks(most_count()));
+        // Breaks where they are needed may be more than the points determine; evenly there may be as many as points.
+        while (best && best->error > tolerance && refine(breaks, best->curve, tolerance)) {
+            Result<Approximation> finer = over(breaks);
+            if (!finer) break;
+            best = std::move(finer);
+        }
+        if (best && best->error > tolerance) {
+            Result<Approximation> through_all = over(even_breaks(most_count()));
+            if (through_all && through_all->error < best->error) best = std::move(through_all);
+        }
         if (best && best->error > tolerance)
             return refuse({.code = CurveErrorCode::tolerance_not_reached, .value = tolerance, .lower = best->error});
         return best.map([&](Approximation found) { return in_given_direction(std::move(found)); });

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -272,6 +273,17 @@ TEST(FitWithin, closes_curves) {
         }
 }
 
+// Halving where the errors are leads to breaks that these points do not determine.
+TEST(FitWithin, goes_on_evenly_where_finer_breaks_are_singular) {
+    constexpr std::array heights{2,  2, 1, -2, 2, 0,  0, 1, 1, -2, 2, 1, -1, -1, -3, 0, 1,  0,
+                                 -3, 3, 2, -3, 1, -2, 3, 0, 2, 3,  0, 0, 3,  1,  -2, 0, -2, -3};
+    std::vector<Point> points;
+    for (std::size_t k = 0; k < heights.size(); ++k) points.emplace_back(static_cast<double>(k), heights[k]);
+    const auto found = fit_within(points, 4e-4, {.degree = 4, .ends = ClosedEnds{}});
+    ASSERT_TRUE(found.has_value()) << describe(found.error());
+    EXPECT_LE(found->error, 4e-4);
+    EXPECT_LE(found->curve.control_points().size(), points.size());
+}
 TEST(FitWithin, takes_many_points) {
     const auto points = wave(5000);
     const auto found = fit_within(points, 1e-4).value();
