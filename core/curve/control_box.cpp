@@ -2,18 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "core/curve/detail/bspline.h"
 
 namespace batten::core {
 
 namespace {
 
-// Divided by a power of two, so that the largest is between 1 and 2 and nothing else changes. Where one is too small
-// beside it for a double, the smallest one will do.
+// Divided by a power of two, so that the largest is between 1 and 2 and nothing else changes.
 std::vector<double> weights_of_order_one(const Curve& curve) {
     std::vector<double> weights(curve.weights().begin(), curve.weights().end());
     const int order = std::ilogb(*std::max_element(weights.begin(), weights.end()));
-    for (double& weight : weights) weight = std::max(std::ldexp(weight, -order), std::numeric_limits<double>::min());
+    for (double& weight : weights) weight = divided_by_power(weight, order);
     return weights;
 }
 

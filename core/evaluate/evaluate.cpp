@@ -28,8 +28,8 @@ std::optional<std::size_t> control_point_at(const SpanKnots& at, double u) {
 // them. What is left is little more than the last rounding.
 Point point_on_span(const Curve& curve, const SpanKnots& at, double u) {
     if (const auto i = control_point_at(at, u)) return curve.control_points()[*i % curve.control_points().size()];
-    const Point nearly = project(de_boor(local_points(curve, at), at, u));
-    return nearly + vector_to(project(de_boor(local_points(curve, at, nearly), at, u)));
+    const Point nearly = project(de_boor(local_shadow_points(curve, at), at, u));
+    return nearly + vector_to(project(de_boor(local_shadow_points(curve, at, nearly), at, u)));
 }
 
 // A(u), A'(u), ... of the homogeneous spline; from order p+1 on they are zero.
@@ -95,14 +95,14 @@ Jet derivatives_at(const Curve& curve, double u, int order, Side side) {
     assert(order >= 0);
     const auto [inside, at] = located(curve.knots(), u, side);
     const Point point = point_on_span(curve, at, inside);
-    const auto points = local_points(curve, at, point);
+    const auto points = local_shadow_points(curve, at, point);
     return shadow_jet(homogeneous_derivatives(points, at, inside, static_cast<std::size_t>(order)), point);
 }
 
 std::optional<double> curvature_at(const Curve& curve, double u, Side side) {
     const auto [inside, at] = located(curve.knots(), u, side);
     const Point point = point_on_span(curve, at, inside);
-    const auto points = local_points(curve, at, point);
+    const auto points = local_shadow_points(curve, at, point);
     const HomogeneousJet homogeneous = homogeneous_derivatives(points, at, inside, 2);
     const Jet jet = shadow_jet(homogeneous, point);
     const double speed = robust_length(jet[1]);

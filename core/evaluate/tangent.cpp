@@ -28,7 +28,7 @@ std::optional<Vector> tangent_at(const Curve& curve, double u, Side side) {
     const auto [inside, at] = located(curve.knots(), u, side);
     // The side that is really looked from: at the ends of the domain the one inside.
     const bool is_from_left = side == Side::left ? at.knots[at.s] < inside : at.knots[at.s + 1] == inside;
-    auto points = local_points(curve, at, point_at(curve, inside, side));
+    auto points = local_shadow_points(curve, at, point_at(curve, inside, side));
     for (std::size_t k = 1; k <= at.p; ++k) {
         differentiate_level(points, at, k);
         // Seen from C(u) the homogeneous point is (0, 0, w), so the first derivative of A that does not vanish is w

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
+#include <limits>
 #include <span>
 
 #include "core/curve/curve.h"
@@ -84,6 +86,38 @@ inline LocalPoints<HomogeneousPoint> local_points(const Curve& curve, const Span
     for (std::size_t j = 0; j <= at.p; ++j) {
         points[j] = lift(seen_from(curve.control_points()[i], origin), curve.weights()[i]);
         if (++i == n) i = 0;
+    }
+    return points;
+}
+
+/// A weight divided by a power of two; the smallest double where it is too small beside it.
+inline double divided_by_power(double weight, int order) {
+    return std::max(std::scalbn(weight, -order), std::numeric_limits<double>::min());
+}
+
+/// The power of two of the largest weight in reach where it is so far from 1 that products of weights and coordinates
+/// might overflow or vanish; else 0.
+inline int extreme_order_of_weights(const Curve& curve, const SpanKnots& at) {
+    constexpr double moderate = 1e100;
+    const std::size_t n = curve.control_points().size();
+    double largest = 0.0;
+    std::size_t i = (at.s - at.p) % n;
+    for (std::size_t j = 0; j <= at.p; ++j) {
+        largest = std::max(largest, curve.weights()[i]);
+        if (++i == n) i = 0;
+    }
+    return 1.0 / moderate < largest && largest < moderate ? 0 : std::ilogb(largest);
+}
+
+/// Local points for the same shadow: where weights are extreme all are divided by one power of two.
+inline LocalPoints<HomogeneousPoint> local_shadow_points(const Curve& curve, const SpanKnots& at, Point origin = {}) {
+    const int order = extreme_order_of_weights(curve, at);
+    if (order == 0) return local_points(curve, at, origin);
+    LocalPoints<HomogeneousPoint> points;
+    const std::size_t n = curve.control_points().size();
+    for (std::size_t j = 0; j <= at.p; ++j) {
+        const std::size_t i = (at.s - at.p + j) % n;
+        points[j] = lift(seen_from(curve.control_points()[i], origin), divided_by_power(curve.weights()[i], order));
     }
     return points;
 }

@@ -295,4 +295,24 @@ TEST(Evaluate, far_from_the_origin_derivatives_lose_nothing) {
     }
 }
 
+// Weights times coordinates are beyond doubles; the points are not. Conic with the middle weight W at u = 1/2: as good
+// as its middle point; at its ends the ends.
+TEST(Evaluate, weights_of_any_size_give_points_and_derivatives) {
+    for (const double huge : {1e200, 1e300}) {
+        const Curve curve = Curve::make({.degree = 2,
+                                         .knots = {0, 0, 0, 1, 1, 1},
+                                         .points = {{1, 0}, {1e10, 1}, {0, 1}},
+                                         .weights = {huge, huge, huge}})
+                                .value();
+        // Equal weights are no weights: the parabola at 1/2, and its derivative P2 - P0.
+        EXPECT_NEAR(point_at(curve, 0.5).x, 0.25 + 0.5e10, 1e-5);
+        EXPECT_NEAR(point_at(curve, 0.5).y, 0.75, 1e-15);
+        EXPECT_NEAR(derivatives_at(curve, 0.5, 1)[1].x, -1.0, 1e-5);
+        EXPECT_NEAR(derivatives_at(curve, 0.5, 1)[1].y, 1.0, 1e-14);
+        CurveDefinition definition = curve.definition();
+        definition.weights = {1, huge, 1};
+        EXPECT_EQ(point_at(Curve::make(definition).value(), 0.5), Point(1e10, 1));
+    }
+}
+
 }  // namespace batten::core
