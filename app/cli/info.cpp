@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <optional>
 #include <ostream>
 
 #include "app/cli/input.h"
@@ -27,9 +28,16 @@ Json json_of(const core::DistinctKnot& knot) {
     return result;
 }
 
+// None where it cannot be computed.
+std::optional<double> length_of(const core::Curve& curve) {
+    const core::Integral length = core::arc_length(curve);
+    return core::is_sharp(length) ? std::optional(length.value) : std::nullopt;
+}
+
 Json json_of(const core::DocumentCurve& entry) {
     const core::Curve& curve = *entry.curve;
     const core::Box box = core::tight_box(curve);
+    const std::optional<double> length = length_of(curve);
     Json knots = Json::array();
     for (const core::DistinctKnot& knot : knots_of_domain(curve)) knots.push_back(json_of(knot));
     return {{"name", entry.name},
@@ -42,7 +50,7 @@ Json json_of(const core::DocumentCurve& entry) {
             {"points", curve.control_points().size()},
             {"segments", core::segment_count(curve.knots())},
             {"domain", Json::array({curve.domain().lower, curve.domain().upper})},
-            {"length", core::arc_length(curve).value},
+            {"length", length ? Json(*length) : Json(nullptr)},
             {"bounds", Json::array({cli::json_of(box.lower), cli::json_of(box.upper)})},
             {"knots", std::move(knots)}};
 }
@@ -54,8 +62,10 @@ std::string text_of(const core::DistinctKnot& knot) {
     return fmt::format("{}\tmultiplicity {}\tC^{}", value, knot.multiplicity, knot.continuity);
 }
 
-std::string length_text(double length) {
-    return std::isfinite(length) ? core::shortest_text(length) : "too large for a double";
+std::string length_text(const core::Curve& curve) {
+    if (const auto length = length_of(curve)) return core::shortest_text(*length);
+    return std::isfinite(core::arc_length(curve).value) ? "not known: the weights or points are too far apart"
+                                                        : "too large for a double";
 }
 
 void print(std::ostream& out, const core::DocumentCurve& entry) {
@@ -68,7 +78,7 @@ void print(std::ostream& out, const core::DocumentCurve& entry) {
         << "  segments  " << core::segment_count(curve.knots()) << '\n'
         << "  domain    " << core::shortest_text(curve.domain().lower) << " to "
         << core::shortest_text(curve.domain().upper) << '\n'
-        << "  length    " << length_text(core::arc_length(curve).value) << '\n'
+        << "  length    " << length_text(curve) << '\n'
         << "  bounds    " << point_text(box.lower) << " to " << point_text(box.upper) << '\n'
         << "  knots\n";
     for (const core::DistinctKnot& knot : knots_of_domain(curve)) out << "    " << text_of(knot) << '\n';

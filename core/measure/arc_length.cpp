@@ -17,6 +17,8 @@ constexpr double length_rounding = 8.0 * std::numeric_limits<double>::epsilon();
 // By so much of the longest that is possible rounding may exceed the bounds.
 constexpr double length_slack = 1e-12;
 
+constexpr double sharp = 1e-6;
+
 constexpr int most_length_steps = 60;
 
 // The error of the longer rule, which converges much faster than the shorter one that it is compared with.
@@ -113,6 +115,10 @@ Integral around(Pieces pieces, Interval domain, double from, double to) {
 }
 
 }  // namespace
+
+bool is_sharp(const Integral& integral) {
+    return std::isfinite(integral.value) && integral.error <= sharp * integral.value;
+}
 
 Integral arc_length(const Curve& curve) {
     return arc_length(curve, curve.domain().lower, curve.domain().upper);

@@ -13,6 +13,10 @@ struct Integral {
     double error = 0.0;  ///< an estimate from above: the differences of two rules, and rounding
 };
 
+/// Whether an integral that is not negative is finite and known to six digits. Lengths are, unless the numbers of the
+/// curve are beyond what can be computed.
+bool is_sharp(const Integral& integral);
+
 /// The length of the whole curve, right to about 1e-12 of itself (gaps are not counted). Adaptive Gauss-Kronrod (10, 21
 /// points) on every span. Source: Piessens et al. 1983, QUADPACK.
 Integral arc_length(const Curve& curve);

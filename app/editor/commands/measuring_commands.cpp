@@ -24,15 +24,29 @@ using core::sentence;
 
 constexpr int digits = 6;
 
+// A part may be as short as the rounding of the whole.
+bool is_doubtful(const core::Curve& curve, const core::Integral& length) {
+    if (core::is_sharp({std::abs(length.value), length.error})) return false;
+    const core::Integral whole = core::arc_length(curve);
+    return !core::is_sharp(whole) || length.error > whole.error;
+}
+
 Outcome<void> measure_arc_length(EditorState& state, const MeasureArcLength& command) {
-    const core::Integral length = core::arc_length(active_curve(state), command.begin, command.end);
+    const core::Curve& curve = active_curve(state);
+    const core::Integral length = core::arc_length(curve, command.begin, command.end);
     Finding row{
         .label = "length",
         .numbers = {{"length", length.value}, {"error", length.error}, {"from", command.begin}, {"to", command.end}}};
-    return show_rows(
-        state, "Arc length",
-        sentence("{name} has the length {length}", {active_name(state), {"length", number_text(length.value, digits)}}),
-        {std::move(row)});
+    std::string summary =
+        is_doubtful(curve, length)
+            ? sentence(
+                  "{name} has a length from {least} to {most}; its weights or points are too far apart to tell more",
+                  {active_name(state),
+                   {"least", number_text(length.value - length.error, digits)},
+                   {"most", number_text(length.value + length.error, digits)}})
+            : sentence("{name} has the length {length}",
+                       {active_name(state), {"length", number_text(length.value, digits)}});
+    return show_rows(state, "Arc length", std::move(summary), {std::move(row)});
 }
 
 // What is beyond an end of an open curve ends there, and is said to do so.

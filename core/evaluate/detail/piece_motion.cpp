@@ -29,7 +29,7 @@ Motion PieceMotion::at(Ratio ratio) const {
     LocalPoints<Vector> legs;
     const auto away = [&](const HomogeneousPoint& point) { return plane_part(point) - point.z * vector_to(position); };
     for (std::size_t i = 0; i < p; ++i) legs[i] = away(piece_.points[i + 1]) - away(piece_.points[i]);
-    return {position, static_cast<double>(p) / here.z * bernstein_sum(legs, p, ratio)};
+    return {position, static_cast<double>(p) * (bernstein_sum(legs, p, ratio) / here.z)};
 }
 
 std::vector<PieceMotion> motions_of(const Curve& curve, Point origin) {

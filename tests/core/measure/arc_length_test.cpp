@@ -118,6 +118,35 @@ TEST(ArcLength, one_huge_weight_makes_legs_and_is_measured_at_once) {
         }
 }
 
+// Weights (1, w c, c^2) of an arc give the same arc at other parameters.
+TEST(ArcLength, does_not_depend_on_how_far_apart_the_weights_are) {
+    const double w = std::sqrt(0.5);
+    for (const double c : {30.0, 1e-4, 1e8, 1e40, 1e-120}) {
+        const Curve arc = Curve::make({.degree = 2,
+                                       .knots = {0, 0, 0, 1, 1, 1},
+                                       .points = {{1, 0}, {1, 1}, {0, 1}},
+                                       .weights = {1, w * c, c * c}})
+                              .value();
+        const Integral found = arc_length(arc);
+        EXPECT_NEAR(found.value, pi / 2, 1e-13) << c;
+        EXPECT_LE(std::abs(found.value - pi / 2), found.error) << c;
+        EXPECT_TRUE(is_sharp(found));
+    }
+}
+
+// It goes to (1, 0) and comes back. A part that ends just beside the turn has it where the rules do not look.
+TEST(ArcLength, turning_back_beside_an_end_is_seen) {
+    const Curve fold =
+        Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{0, 0}, {2, 0}, {0, 0}}}).value();
+    for (const double beside : {1e-3, 1e-4, 1e-5, 1e-6}) {
+        // x = 4 u (1 - u).
+        const double back = 4 * beside * beside;
+        EXPECT_NEAR(arc_length(fold, 0.5 - beside, 1.0).value, 1 + back, 1e-14) << beside;
+        EXPECT_NEAR(arc_length(fold, 0.0, 0.5 + beside).value, 1 + back, 1e-14) << beside;
+        EXPECT_NEAR(arc_length(fold, 0.1, 0.5 + beside).value, 0.64 + back, 1e-14) << beside;
+    }
+}
+
 TEST(ArcLength, numbers_of_every_size_are_measured_or_none_is_given) {
     RandomCurves random(343);
     for (int i = 0; i < 40; ++i) {

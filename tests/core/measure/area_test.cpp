@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "core/evaluate/evaluate.h"
 #include "core/refine/degree.h"
@@ -57,6 +58,24 @@ TEST(Area, of_a_half_disc_and_its_centroid) {
         EXPECT_NEAR(area.signed_area, pi / 2, is_far ? 1e-9 : 1e-15);
         EXPECT_NEAR(area.centroid->x, is_far ? 1e6 : 0.0, is_far ? 1e-9 : 1e-15);
         EXPECT_NEAR(area.centroid->y, 4 / (3 * pi) + (is_far ? 1e6 : 0.0), is_far ? 1e-9 : 1e-15);
+    }
+}
+
+// Weights (1, w c, c^2) of an arc give the same arc at other parameters.
+TEST(Area, does_not_depend_on_how_far_apart_the_weights_are) {
+    const double w = std::sqrt(0.5);
+    for (const auto& [c, d, e] : {std::tuple(30.0, 1e-3, 0.5), {1e3, 1e-5, 30.0}, {1e-8, 1e12, 1e6}}) {
+        const double q = c * c * d * d;
+        const Curve half = Curve::make({.degree = 2,
+                                        .knots = {0, 0, 0, 1, 1, 2, 2, 3, 3, 3},
+                                        .points = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {0, 0}, {1, 0}},
+                                        .weights = {1, w * c, c * c, c * c * w * d, q, q * e, q * e * e}})
+                               .value();
+        const Area area = enclosed_area(half).value();
+        EXPECT_NEAR(area.signed_area, pi / 2, 1e-13) << c;
+        EXPECT_NEAR(area.centroid->x, 0.0, 1e-13) << c;
+        EXPECT_NEAR(area.centroid->y, 4 / (3 * pi), 1e-13) << c;
+        EXPECT_LE(std::abs(area.signed_area - pi / 2), area.error) << c;
     }
 }
 
