@@ -8,13 +8,6 @@ namespace batten::core {
 
 namespace {
 
-// |C'|^2 up to a positive factor.
-Bernstein speed_squared(std::span<const Bernstein> forms) {
-    const Bernstein x = hodograph_x(forms);
-    const Bernstein y = hodograph_y(forms);
-    return sum(product(x, x), product(y, y));
-}
-
 std::optional<double> turn_at(const Curve& curve, Interval where) {
     const Interval domain = curve.domain();
     const bool is_end = where.lower == domain.lower || where.upper == domain.upper;

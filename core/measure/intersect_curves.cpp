@@ -119,7 +119,15 @@ class ContactList {
         });
     }
 
+    bool are_same(const CurveContact& a, const CurveContact& b) const {
+        return on_first_.are_same(a.on_first.lower, b.on_first.lower) &&
+               on_first_.are_same(a.on_first.upper, b.on_first.upper) &&
+               on_second_.are_same(a.second_begin, b.second_begin) && on_second_.are_same(a.second_end, b.second_end);
+    }
+
+    // Parts of the same pieces find the same overlap.
     void add_overlap(std::vector<CurveContact>& contacts, const CurveContact& overlap) const {
+        if (!contacts.empty() && are_same(contacts.back(), overlap)) return;
         for (CurveContact& earlier : contacts)
             if (on_first_.are_same(earlier.on_first.upper, overlap.on_first.lower) &&
                 on_second_.are_same(earlier.second_end, overlap.second_begin)) {
@@ -199,7 +207,7 @@ FoundContact first_way_first(FoundContact found, const Parameters& parameters) {
 
 }  // namespace
 
-std::vector<CurveContact> intersect_curves(const Curve& first, const Curve& second) {
+CurveContacts intersect_curves(const Curve& first, const Curve& second) {
     const Box box = control_box(first);
     const Box other = control_box(second);
     Box both = box;
@@ -215,10 +223,10 @@ std::vector<CurveContact> intersect_curves(const Curve& first, const Curve& seco
     const Parameters on_second(second, b);
     ContactList list(first, on_first, second, on_second);
     for (const FoundContact& found : search.finish()) list.add(found);
-    return list.finish();
+    return {list.finish(), search.is_complete()};
 }
 
-std::vector<CurveContact> self_intersections(const Curve& curve) {
+CurveContacts self_intersections(const Curve& curve) {
     const Box box = control_box(curve);
     const ContactPieces all = contact_pieces(curve, middle_of(curve));
     const auto pieces = enough_pieces(all.pieces);
@@ -243,7 +251,7 @@ std::vector<CurveContact> self_intersections(const Curve& curve) {
             parameters.are_same(parameters.at(ordered.first_begin), parameters.at(ordered.second_begin));
         if (!is_point || !is_one_place) list.add(ordered);
     }
-    return list.finish();
+    return {list.finish(), search.is_complete()};
 }
 
 }  // namespace batten::core

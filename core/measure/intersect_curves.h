@@ -20,17 +20,26 @@ struct CurveContact {
     bool is_overlap() const { return on_first.length() > 0.0; }
 };
 
+/// What two curves, or one with itself, have in common.
+struct CurveContacts {
+    std::vector<CurveContact> contacts;  ///< in order of u
+    /// Whether nothing had to be left undecided: pieces that run along each other nearer than doubles can tell, without
+    /// being the same, or whose weights are too far apart.
+    bool is_complete = true;
+};
+
 /// All contacts, in order of u, each once: crossings, tangential contacts, and intervals on which the curves coincide.
 /// Found by subdivision, so none is missed that is farther than 2^-22 of the size of the
 /// smaller curve from others; finished by Newton's iteration. Points nearer than 1e-13 of the size of both curves are
 /// taken to meet. Where the ends of a curve meet they are one place, the lower end. Of two Bézier pieces that coincide
 /// on an interval no further contacts are sought; a double point of curves that coincide is a crossing of other pieces.
-/// Cost: one comparison of boxes for each pair of pieces, and a few dozen halvings for each contact.
-std::vector<CurveContact> intersect_curves(const Curve& first, const Curve& second);
+/// Cost: one comparison of boxes for each pair of pieces, and a few dozen halvings for each contact; the number of
+/// halvings is bounded.
+CurveContacts intersect_curves(const Curve& first, const Curve& second);
 
 /// The places where the curve passes through a point a second time, on_first before second_begin, in the same way.
 /// Where the ends meet they are no self-intersection, and neither is a cusp; loops smaller than 2^-22 of the curve are
 /// not seen. A point passed three times makes three contacts.
-std::vector<CurveContact> self_intersections(const Curve& curve);
+CurveContacts self_intersections(const Curve& curve);
 
 }  // namespace batten::core

@@ -47,7 +47,7 @@ Measures measures_of(const Curve& curve, Vector offset = Vector{}) {
     return {.inflections = inflections(curve).size(),
             .extrema = curvature_extrema(curve).size(),
             .cusps = cusps(curve).size(),
-            .double_points = self_intersections(curve).size(),
+            .double_points = self_intersections(curve).contacts.size(),
             .crossings = intersect_line(curve, Point(-7, -1.3) + offset, Point(5, 2.1) + offset)->crossings,
             .length = arc_length(curve).value,
             .box = tight_box(curve)};
@@ -124,7 +124,7 @@ TEST(AnalysisLaws, coordinates_beyond_all_measure_end) {
         EXPECT_TRUE(cusps(curve).empty()) << size;
         EXPECT_NEAR(tight_box(curve).upper.x / size, 3.0, 1e-12);
         EXPECT_LE(curvature_extrema(curve).size(), 2U);
-        EXPECT_LE(self_intersections(curve).size(), 1U);
+        EXPECT_LE(self_intersections(curve).contacts.size(), 1U);
         EXPECT_GE(arc_length(curve).value, 0.0);
     }
 }

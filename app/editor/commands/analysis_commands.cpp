@@ -159,22 +159,28 @@ Outcome<void> find_cusps(EditorState& state, const FindCusps&) {
     return show_rows(state, "Cusps", std::move(summary), std::move(rows));
 }
 
+constexpr core::PluralPattern all_self_intersections{.one = "{name} has 1 self-intersection",
+                                                     .many = "{name} has {count} self-intersections",
+                                                     .none = "{name} has no self-intersections"};
+constexpr core::PluralPattern some_self_intersections{
+    .one = "{name} has at least 1 self-intersection; parts of it are too close together to tell all",
+    .many = "{name} has at least {count} self-intersections; parts of it are too close together to tell all",
+    .none = "parts of {name} are too close together to tell whether they meet"};
+
 Outcome<void> find_self_intersections(EditorState& state, const FindSelfIntersections&) {
     std::vector<Finding> rows;
-    for (const core::CurveContact& found : core::self_intersections(active_curve(state))) {
-        Finding row{.label = found.is_overlap() ? "passed twice" : "double point",
-                    .parameter = found.u,
-                    .point = found.point,
-                    .numbers = {{"second u", found.v}},
-                    .note = found.is_tangent && !found.is_overlap() ? "the branches touch" : ""};
-        add_interval(row, found.on_first);
+    const core::CurveContacts found = core::self_intersections(active_curve(state));
+    for (const core::CurveContact& contact : found.contacts) {
+        Finding row{.label = contact.is_overlap() ? "passed twice" : "double point",
+                    .parameter = contact.u,
+                    .point = contact.point,
+                    .numbers = {{"second u", contact.v}},
+                    .note = contact.is_tangent && !contact.is_overlap() ? "the branches touch" : ""};
+        add_interval(row, contact.on_first);
         rows.push_back(std::move(row));
     }
     return show_counted_rows(state, "Self-intersections",
-                             {.one = "{name} has 1 self-intersection",
-                              .many = "{name} has {count} self-intersections",
-                              .none = "{name} has no self-intersections"},
-                             std::move(rows));
+                             found.is_complete ? all_self_intersections : some_self_intersections, std::move(rows));
 }
 
 Finding box_row(const char* label, const core::Box& box) {

@@ -161,10 +161,13 @@ Outcome<void> intersect_curve(EditorState& state, const IntersectCurve& command)
                      {{"name", command.other}}));
     const core::Curve& other = *state.history.present().curves[*index].curve;
     std::vector<Finding> rows;
-    for (const core::CurveContact& contact : core::intersect_curves(active_curve(state), other))
-        rows.push_back(contact_row(contact));
-    std::string summary = sentence("{name} meets {other} {times}",
-                                   {active_name(state), {"other", command.other}, {"times", times_text(rows.size())}});
+    const core::CurveContacts found = core::intersect_curves(active_curve(state), other);
+    for (const core::CurveContact& contact : found.contacts) rows.push_back(contact_row(contact));
+    const char* pattern = found.is_complete ? "{name} meets {other} {times}"
+                                            : "{name} meets {other} at least {times}; parts of them run too close to "
+                                              "each other to tell all";
+    std::string summary =
+        sentence(pattern, {active_name(state), {"other", command.other}, {"times", times_text(rows.size())}});
     return show_rows(state, "Intersections", std::move(summary), std::move(rows));
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/curve/control_box.h"
+#include "core/measure/detail/onward_pieces.h"
 #include "core/measure/detail/piece_contact.h"
 
 namespace batten::core {
@@ -18,6 +19,17 @@ const double smallest_piece = std::ldexp(1.0, -22);
 
 // After so many parts of one pair of pieces what is still undecided is left so.
 constexpr std::size_t most_visits = 20'000;
+
+// And after so much work for all pairs, less than a second for a few pieces: evaluations, each counted as the square of
+// its points.
+constexpr double most_work = 1e8;
+constexpr double most_work_for_each_piece = 3e5;
+
+// What steps of the search cost at most, in evaluations.
+constexpr double cost_of_visit = 10.0;
+constexpr double cost_of_overlap = 400.0;
+constexpr double cost_of_probes = 500.0;
+constexpr double cost_of_cluster = 3000.0;
 
 constexpr int most_pair_halvings = 40;
 
@@ -94,7 +106,7 @@ std::size_t root_of(std::vector<std::size_t>& parents, std::size_t i) {
 
 ContactPieces contact_pieces(const Curve& curve, Point origin) {
     ContactPieces result;
-    for (BezierPiece& piece : bezier_pieces(seen_from(curve, origin))) {
+    for (BezierPiece& piece : onward_pieces(curve, origin)) {
         ContactPiece part(result.motions.size(), {0.0, 1.0}, piece.points);
         result.motions.emplace_back(std::move(piece));
         if (part.size() > 0.0) result.pieces.push_back(std::move(part));
@@ -103,7 +115,12 @@ ContactPieces contact_pieces(const Curve& curve, Point origin) {
 }
 
 ContactSearch::ContactSearch(const ContactPieces& first, const ContactPieces& second, double size, double tolerance)
-    : first_(first), second_(second), size_(size), tolerance_(tolerance) {}
+    : first_(first),
+      second_(second),
+      size_(size),
+      tolerance_(tolerance),
+      work_left_(most_work +
+                 most_work_for_each_piece * static_cast<double>(first.pieces.size() + second.pieces.size())) {}
 
 void ContactSearch::add_pair(const ContactPiece& a, const ContactPiece& b) {
     if (are_apart(a, b, tolerance_)) return;
@@ -137,14 +154,25 @@ bool ContactSearch::is_at_joint(const Unresolved& pair) const {
 
 bool ContactSearch::is_small(const ContactPiece& a, const ContactPiece& b) const {
     const bool is_tiny = std::max(a.size(), b.size()) <= smallest_piece * size_;
-    return is_tiny || visits_ > most_visits || !a.is_divisible() || !b.is_divisible();
+    return is_tiny || !a.is_divisible() || !b.is_divisible();
+}
+
+// Whether so many evaluations can still be made. What seems never to end is left undecided, and so is what lies where
+// numbers fail.
+bool ContactSearch::affords(double evaluations, const ContactPiece& a, const ContactPiece& b) {
+    work_left_ -=
+        evaluations * static_cast<double>(a.points.size() * a.points.size() + b.points.size() * b.points.size());
+    const bool is_affordable =
+        visits_ <= most_visits && work_left_ >= 0.0 && std::isfinite(a.size()) && std::isfinite(b.size());
+    is_complete_ = is_complete_ && is_affordable;
+    return is_affordable;
 }
 
 void ContactSearch::search(const ContactPiece& a, const ContactPiece& b) {
-    ++visits_;
     if (are_apart(a, b, tolerance_)) return;
     if (are_transversal(a, b) && take_crossing(a, b)) return;
-    if (is_small(a, b)) return unresolved_.push_back({a, b});
+    ++visits_;
+    if (!affords(cost_of_visit, a, b) || is_small(a, b)) return unresolved_.push_back({a, b});
     if (a.size() >= b.size()) {
         const auto [left, right] = halves(a);
         search(left, b);
@@ -158,6 +186,7 @@ void ContactSearch::search(const ContactPiece& a, const ContactPiece& b) {
 
 void ContactSearch::search_joint(const ContactPiece& a, const ContactPiece& b, int depth) {
     if (depth == most_pair_halvings || continue_each_other(a, b) || is_small(a, b)) return;
+    if (!affords(cost_of_visit, a, b)) return;
     const auto [a_far, a_near] = halves(a);
     const auto [b_near, b_far] = halves(b);
     search_joint(a_near, b_near, depth + 1);
@@ -167,7 +196,7 @@ void ContactSearch::search_joint(const ContactPiece& a, const ContactPiece& b, i
 }
 
 void ContactSearch::search_alone(const ContactPiece& a, int depth) {
-    if (depth == most_pair_halvings || a.directions || is_small(a, a)) return;
+    if (depth == most_pair_halvings || a.directions || is_small(a, a) || !affords(cost_of_visit, a, a)) return;
     const auto [left, right] = halves(a);
     search_alone(left, depth + 1);
     search_alone(right, depth + 1);
@@ -183,7 +212,7 @@ bool ContactSearch::take_crossing(const ContactPiece& a, const ContactPiece& b) 
 
 // Two polynomial pieces that coincide on an interval do so up to an end of one of them.
 bool ContactSearch::take_overlap(const ContactPiece& a, const ContactPiece& b) {
-    if (is_same_curve() && a.span == b.span) return false;
+    if ((is_same_curve() && a.span == b.span) || !affords(cost_of_overlap, a, b)) return false;
     const PieceMotion& on_a = first_.motions[a.span];
     const PieceMotion& on_b = second_.motions[b.span];
     std::vector<ShareContact> common;
@@ -200,7 +229,8 @@ bool ContactSearch::take_overlap(const ContactPiece& a, const ContactPiece& b) {
     std::pair<ShareContact, ShareContact> ends;
     for (const ShareContact& begin : common)
         for (const ShareContact& end : common)
-            if (end.first - begin.first > longest && coincide_between(on_a, on_b, begin, end, tolerance_)) {
+            if (end.first - begin.first > longest && affords(cost_of_probes, a, b) &&
+                coincide_between(on_a, on_b, begin, end, tolerance_)) {
                 longest = end.first - begin.first;
                 ends = {begin, end};
             }
@@ -228,6 +258,7 @@ void ContactSearch::take_cluster(std::span<const Unresolved> cluster) {
     }
     // The two ends of pieces that turn past each other are in the cluster or near it.
     const Unresolved& pair = cluster[cluster.size() / 2];
+    if (!affords(cost_of_cluster, pair.a, pair.b)) return;
     Interval range = pair.a.shares;
     for (const Unresolved& other : cluster)
         if (other.a.span == pair.a.span)
@@ -240,6 +271,7 @@ void ContactSearch::take_cluster(std::span<const Unresolved> cluster) {
 }
 
 std::vector<FoundContact> ContactSearch::finish() {
+    visits_ = 0;
     std::vector<std::size_t> parents(unresolved_.size());
     std::iota(parents.begin(), parents.end(), std::size_t{0});
     std::sort(unresolved_.begin(), unresolved_.end(), [](const Unresolved& x, const Unresolved& y) {

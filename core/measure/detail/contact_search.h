@@ -54,6 +54,9 @@ class ContactSearch {
     /// All contacts, once each per pair of pieces; ends of pieces may come several times. Call once.
     std::vector<FoundContact> finish();
 
+    /// Whether no pair of pieces was left undecided because it took too many halvings.
+    bool is_complete() const { return is_complete_; }
+
   private:
     struct Unresolved {
         ContactPiece a;
@@ -69,12 +72,15 @@ class ContactSearch {
     bool is_same_curve() const { return &first_ == &second_; }
     bool is_at_joint(const Unresolved& pair) const;
     bool is_small(const ContactPiece& a, const ContactPiece& b) const;
+    bool affords(double evaluations, const ContactPiece& a, const ContactPiece& b);
 
     const ContactPieces& first_;
     const ContactPieces& second_;
     double size_;
     double tolerance_;
-    std::size_t visits_ = 0;
+    std::size_t visits_ = 0;  // of parts of the present pair of pieces
+    double work_left_;        // for all pairs
+    bool is_complete_ = true;
     std::vector<Unresolved> unresolved_;
     std::vector<FoundContact> found_;
 };

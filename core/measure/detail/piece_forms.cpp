@@ -118,4 +118,10 @@ Bernstein hodograph_y(std::span<const Bernstein> forms) {
     return difference(product(forms[4], forms[2]), product(forms[1], forms[5]));
 }
 
+Bernstein speed_squared(std::span<const Bernstein> forms) {
+    const Bernstein x = hodograph_x(forms);
+    const Bernstein y = hodograph_y(forms);
+    return sum(product(x, x), product(y, y));
+}
+
 }  // namespace batten::core

@@ -30,4 +30,7 @@ std::vector<SignRun> sign_runs_along(const Curve& curve, int order, const Expres
 Bernstein hodograph_x(std::span<const Bernstein> forms);
 Bernstein hodograph_y(std::span<const Bernstein> forms);
 
+/// The sum of their squares: |C'|^2 up to a positive factor.
+Bernstein speed_squared(std::span<const Bernstein> forms);
+
 }  // namespace batten::core

@@ -9,6 +9,13 @@ namespace batten::core {
 namespace {
 
 constexpr int deepest_halving = 48;
+
+// Parts of a polynomial are looked at so often at most: every zero takes a way down, and there are few whose way is
+// long.
+constexpr std::size_t most_looks(std::size_t degree) {
+    return 150 + 4 * degree;
+}
+
 constexpr int most_newton_steps = 120;
 constexpr int most_derivatives = 8;
 constexpr double smallest_step = 0.25 * std::numeric_limits<double>::epsilon();
@@ -86,6 +93,7 @@ class SignSearch {
         : forms_(std::move(forms)), expression_(expression) {
         const std::size_t degree = expression_(forms_).degree();
         depth_of_doubt_ = static_cast<int>(std::bit_width(degree)) / 2 + 1;
+        looks_left_ = most_looks(degree);
     }
 
     std::vector<SignRun> run() {
@@ -105,7 +113,8 @@ class SignSearch {
         if (verdict.vanishes() && is_deep) return append_run(runs_, {where, 0});
         const bool may_end_so = is_deep || std::max(verdict.leading, verdict.trailing) <= most_end_zeros;
         if (!verdict.vanishes() && verdict.is_clear && may_end_so) return add_clear(value, verdict, where);
-        if (depth == deepest_halving) return append_run(runs_, {where, 0});
+        if (depth == deepest_halving || looks_left_ == 0) return append_run(runs_, {where, 0});
+        --looks_left_;
         std::vector<Bernstein> left;
         std::vector<Bernstein> right;
         for (const Bernstein& form : forms) {
@@ -202,6 +211,7 @@ class SignSearch {
     std::vector<Bernstein> forms_;
     const Expression& expression_;
     int depth_of_doubt_ = 1;  // from this many halvings on, what may vanish is taken to do so
+    std::size_t looks_left_ = 0;
     std::vector<SignRun> runs_;
     std::vector<double> enclosed_;  // simple zeros, already as sharp as can be
 };
