@@ -6,20 +6,9 @@
 #include <string_view>
 
 #include "core/document/document.h"
+#include "core/document/file_text.h"
 
 namespace batten::core {
-
-/// Why a text or file was refused.
-struct FileError {
-    std::string where;  ///< "line 3, column 7", "/curves/0/knots/4", the path of an unreadable file, or empty
-    std::string what;   ///< what was found, and what is allowed
-
-    /// "<where>: <what>"
-    std::string sentence() const;
-};
-
-template <class T>
-using FileResult = tl::expected<T, FileError>;
 
 /// The curve in the file at `path`: the active one where it holds several. Errors: those of load_document; the file has
 /// no curve.
@@ -36,10 +25,13 @@ using FileResult = tl::expected<T, FileError>;
 /// The text that parse_document reads back to an equal document; numbers as the shortest text of the same double.
 std::string format_document(const Document& document);
 
-/// parse_document of the file's content. Errors also: the file cannot be read.
+/// parse_document of the file's content. Errors also: those of read_text.
 [[nodiscard]] FileResult<Document> load_document(const std::filesystem::path& path);
 
-/// Writes a temporary file beside `path`, flushes it to disk and renames it; the old file stays whole on any error.
+/// The same for what the open file `descriptor` still has; `name` stands for it in errors.
+[[nodiscard]] FileResult<Document> load_document(int descriptor, const std::string& name);
+
+/// Saves format_document by replace_text, so that the old file stays whole on any error.
 [[nodiscard]] FileResult<void> save_document(const Document& document, const std::filesystem::path& path);
 
 }  // namespace batten::core

@@ -92,6 +92,10 @@ class SyntaxCheck : public nlohmann::json_sax<Json> {
 }  // namespace
 
 FileResult<Json> parse_json(std::string_view text) {
+    // The library takes a zero byte for the end of the text and would not see what is behind it.
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
+        return tl::unexpected(
+            FileError{line_and_column(text, zero + 1), "this is not JSON: there is a zero byte, which no text has"});
     SyntaxCheck check(text);
     if (!Json::sax_parse(text, &check)) return tl::unexpected(check.error());
     return Json::parse(text, nullptr, false);

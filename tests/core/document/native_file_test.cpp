@@ -1,9 +1,12 @@
 #include "core/document/native_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -56,6 +59,12 @@ void expect_error(const std::string& text, const std::string& where, const std::
     const FileError error = error_of(text);
     EXPECT_EQ(error.where, where) << error.what;
     EXPECT_NE(error.what.find(part_of_what), std::string::npos) << error.what;
+}
+
+Document titled(const std::string& title) {
+    Document document;
+    document.title = title;
+    return document;
 }
 
 Document random_document(RandomCurves& random) {
@@ -236,6 +245,14 @@ TEST(NativeFormat, syntax_errors_have_line_and_column) {
     EXPECT_EQ(error_of("[1 2]").what.find("last read"), std::string::npos);
 }
 
+TEST(NativeFormat, zero_bytes_are_refused_where_they_stand) {
+    const std::string whole = format_document(Document{});
+    const std::string lines = std::to_string(std::count(whole.begin(), whole.end(), '\n') + 1);
+    expect_error(whole + '\0' + "no JSON", "line " + lines + ", column 1", "zero byte");
+    expect_error(std::string("{\n  \0}", 7), "line 2, column 3", "zero byte");
+    expect_error(std::string(1, '\0'), "line 1, column 1", "zero byte");
+}
+
 TEST(NativeFormat, numbers_beyond_doubles_are_refused) {
     for (const std::string number : {"1e400", "-1e999999"}) {
         const std::string text = replaced(file_of(plain_members), "[1,2]", "[1," + number + "]");
@@ -393,6 +410,75 @@ TEST_F(NativeFile, saving_through_a_link_keeps_the_link) {
     ASSERT_TRUE(save_document(Document{}, in_folder("link.json")).has_value());
     EXPECT_TRUE(fs::is_symlink(in_folder("link.json")));
     EXPECT_TRUE(load_document(in_folder("real.json")).has_value());
+}
+
+TEST_F(NativeFile, saving_to_a_dangling_link_makes_what_it_names) {
+    fs::create_directory(in_folder("elsewhere"));
+    fs::create_symlink("elsewhere/real.json", in_folder("second.json"));
+    fs::create_symlink(in_folder("second.json"), in_folder("first.json"));
+    ASSERT_TRUE(save_document(Document{}, in_folder("first.json")).has_value());
+    EXPECT_TRUE(fs::is_symlink(in_folder("first.json")));
+    EXPECT_TRUE(fs::is_symlink(in_folder("second.json")));
+    EXPECT_FALSE(fs::is_symlink(in_folder("elsewhere/real.json")));
+    EXPECT_TRUE(load_document(in_folder("elsewhere/real.json")).has_value());
+    EXPECT_EQ(files_in_folder(), 3U);
+}
+
+TEST_F(NativeFile, links_that_lead_nowhere_are_refused) {
+    fs::create_symlink("b.json", in_folder("a.json"));
+    fs::create_symlink("a.json", in_folder("b.json"));
+    EXPECT_NE(save_document(Document{}, in_folder("a.json")).error().what.find("symbolic links"), std::string::npos);
+    fs::create_symlink("no folder/c.json", in_folder("c.json"));
+    EXPECT_NE(save_document(Document{}, in_folder("c.json")).error().what.find("No such file"), std::string::npos);
+    EXPECT_EQ(files_in_folder(), 3U);
+}
+
+TEST_F(NativeFile, limit_of_file_sizes_leaves_the_old_file_and_no_other) {
+    const fs::path path = in_folder("wave.json");
+    ASSERT_TRUE(save_document(Document{}, path).has_value());
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const rlimit small{16, before.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    const auto saved = save_document(titled("larger"), path);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+    ASSERT_FALSE(saved.has_value());
+    EXPECT_NE(saved.error().what.find("File too large"), std::string::npos) << saved.error().what;
+    EXPECT_EQ(load_document(path).value().title, "");
+    EXPECT_EQ(files_in_folder(), 1U);
+}
+
+TEST_F(NativeFile, names_may_be_as_long_as_the_system_allows) {
+    const std::string name = std::string(250, 'n') + ".json";
+    ASSERT_TRUE(save_document(Document{}, in_folder(name.c_str())).has_value());
+    EXPECT_TRUE(load_document(in_folder(name.c_str())).has_value());
+}
+
+TEST_F(NativeFile, what_fails_while_it_is_read_is_a_sentence) {
+    const FileError error = load_document("/proc/self/mem").error();
+    EXPECT_EQ(error.sentence(), "/proc/self/mem: the file cannot be read: Input/output error");
+    EXPECT_EQ(load_document(-1, "standard input").error().sentence(),
+              "standard input: the file cannot be read: Bad file descriptor");
+}
+
+TEST_F(NativeFile, input_without_end_is_refused) {
+    EXPECT_NE(load_document("/dev/zero").error().sentence().find("zero byte"), std::string::npos);
+    EXPECT_NE(load_document("/dev/urandom").error().sentence().find("not JSON"), std::string::npos);
+    std::ofstream(in_folder("large.json")) << '{';
+    fs::resize_file(in_folder("large.json"), most_file_bytes + 1);
+    EXPECT_NE(load_document(in_folder("large.json")).error().sentence().find("zero byte"), std::string::npos);
+}
+
+TEST_F(NativeFile, open_descriptors_are_read_to_their_end) {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(pipe(ends.data()), 0);
+    const std::string text = "left out" + format_document(titled("piped"));
+    ASSERT_EQ(write(ends[1], text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    close(ends[1]);
+    std::array<char, 8> skipped{};
+    ASSERT_EQ(read(ends[0], skipped.data(), skipped.size()), 8);
+    EXPECT_EQ(load_document(ends[0], "pipe").value().title, "piped");
+    close(ends[0]);
 }
 
 TEST_F(NativeFile, what_cannot_be_read_or_written_is_a_sentence) {

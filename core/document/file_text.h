@@ -1,0 +1,40 @@
+/// Whole files as text: read within a limit, and replaced at once.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+namespace batten::core {
+
+/// Why a text or file was refused.
+struct FileError {
+    std::string where;  ///< "line 3, column 7", "/curves/0/knots/4", the path of an unreadable file, or empty
+    std::string what;   ///< what was found, and what is allowed
+
+    /// "<where>: <what>"
+    std::string sentence() const;
+};
+
+template <class T>
+using FileResult = tl::expected<T, FileError>;
+
+/// Files of more bytes are refused, so that input without end has one.
+inline constexpr std::size_t most_file_bytes = std::size_t{128} << 20U;
+
+/// The content of the file at `path`. A zero byte, which no text has, is the last one read. Errors: a folder; what
+/// cannot be opened or read to its end; more than most_file_bytes. Waits for pipes.
+[[nodiscard]] FileResult<std::string> read_text(const std::filesystem::path& path);
+
+/// The same for what the open file `descriptor` still has; `name` stands for it in errors.
+[[nodiscard]] FileResult<std::string> read_text(int descriptor, const std::string& name);
+
+/// Writes `text` to a temporary file beside `path`, flushes it to disk and renames it, so that the file has the old
+/// content or the new one. A link is followed, also to a file that is not there yet. Signals that arrive meanwhile wait
+/// for the end; going beyond the limit of file sizes is an error like others. Errors leave the old file as it was and
+/// no temporary one. Keeps the permissions of the old file.
+[[nodiscard]] FileResult<void> replace_text(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace batten::core
