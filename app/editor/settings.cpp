@@ -4,11 +4,10 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/editor/user_scale.h"
+#include "core/document/file_text.h"
 
 namespace batten::editor {
 
@@ -172,23 +171,15 @@ fs::path settings_path() {
 }
 
 Settings load_settings(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return parse_settings({std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()});
+    return parse_settings(core::read_text(path).value_or(""));
 }
 
 void save_settings(const Settings& settings, const fs::path& path) {
     if (path.empty()) return;
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
-    fs::path temporary = path;
-    temporary += ".new";
-    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-    file << format_settings(settings);
-    file.close();
-    if (file)
-        fs::rename(temporary, path, error);
-    else
-        fs::remove(temporary, error);
+    // Batten works as well where nothing can be remembered.
+    static_cast<void>(core::replace_text(path, format_settings(settings)));
 }
 
 }  // namespace batten::editor
