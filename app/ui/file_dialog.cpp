@@ -7,6 +7,7 @@
 
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
+#include "app/editor/native_name.h"
 #include "app/ui/dialog_frame.h"
 #include "app/ui/folder_list.h"
 #include "app/ui/imgui_compat.h"
@@ -69,12 +70,12 @@ fs::path meant_path(const FileDialogState& dialog) {
 }
 
 void save_as(const PanelContext& context, const fs::path& typed) {
-    const fs::path path = editor::with_ending(typed);
+    const editor::Outcome<fs::path> path = editor::native_path(typed);
     std::error_code error;
-    if (fs::exists(path, error) && path != context.state.path) {
-        context.panels.file_dialog.to_replace = path;
+    if (path && fs::exists(*path, error) && *path != context.state.path) {
+        context.panels.file_dialog.to_replace = *path;
     } else {
-        context.queue.run(editor::SaveAs{.path = path});
+        context.queue.run(editor::SaveAs{.path = typed});
     }
 }
 

@@ -1,6 +1,7 @@
 #include "app/editor/commands/file_commands.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <iterator>
 
@@ -146,6 +147,49 @@ TEST_F(FileCommands, save_as_another_file) {
     EXPECT_EQ(state().path, folder_.path() / "copy.json");
     EXPECT_TRUE(run(SaveAs{}));
     EXPECT_EQ(state().dialog, Dialog::save_file);
+}
+
+TEST_F(FileCommands, a_foreign_ending_is_not_given_curves) {
+    run(Open{.path = wave_});
+    for (const char* name : {"wave.svg", "wave.PDF", "wave.txt", "wave.3dm", "wave.json.gz"}) {
+        EXPECT_FALSE(run(SaveAs{.path = folder_.path() / name})) << name;
+        EXPECT_FALSE(fs::exists(folder_.path() / name)) << name;
+    }
+    EXPECT_FALSE(run(SaveAs{.path = folder_.path() / "v1.2.svg"}));
+    EXPECT_EQ(state().message.text,
+              "'v1.2.svg' ends in .svg, but curves are written as .json alone; name it 'v1.2.json'");
+    EXPECT_EQ(state().path, wave_);
+}
+
+TEST_F(FileCommands, a_name_without_an_ending_is_given_one) {
+    run(Open{.path = wave_});
+    for (const auto& [typed, expected] :
+         {std::pair("wave 1.5", "wave 1.5.json"), std::pair("St. Gallen", "St. Gallen.json"),
+          std::pair("WAVE.JSON", "WAVE.JSON"), std::pair("out.Yk3xQz", "out.Yk3xQz.json"),
+          std::pair(".hidden", ".hidden.json")}) {
+        EXPECT_TRUE(run(SaveAs{.path = folder_.path() / typed})) << state().message.text;
+        EXPECT_EQ(state().path, folder_.path() / expected);
+    }
+}
+
+TEST_F(FileCommands, a_pipe_does_not_keep_the_window_waiting) {
+    const fs::path pipe = folder_.path() / "pipe.json";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    for (const bool runs : {run(Open{.path = pipe}), run(AddFile{.path = pipe})}) {
+        EXPECT_FALSE(runs);
+        EXPECT_EQ(state().message.text, "pipe.json: this is not an ordinary file, so it cannot be opened");
+    }
+}
+
+TEST_F(FileCommands, a_folder_that_is_gone_ends_nothing) {
+    const fs::path before = fs::current_path();
+    fs::create_directory(folder_.path() / "gone");
+    fs::current_path(folder_.path() / "gone");
+    fs::remove(folder_.path() / "gone");
+    EXPECT_FALSE(run(Open{.path = "wave.json"}));
+    EXPECT_FALSE(run(SaveAs{.path = "wave.json"}));
+    fs::current_path(before);
+    EXPECT_TRUE(state().message.is_error);
 }
 
 TEST_F(FileCommands, ask_about_unsaved_changes) {

@@ -30,6 +30,16 @@ Refusal file_refusal(const fs::path& path, const core::FileError& error) {
                                        {"what", error.where == path.string() ? error.what : error.sentence()}});
 }
 
+// Only ordinary files: a pipe would keep the window waiting.
+Outcome<core::Document> load(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
+        return tl::unexpected(
+            file_refusal(path, {path.string(), "this is not an ordinary file, so it cannot be opened"}));
+    return core::load_document(path).map_error([&](const core::FileError& found) { return file_refusal(path, found); });
+}
+
 void take_view(View& view, const core::Document& document) {
     const core::DocumentCurve* active = document.active_curve();
     const core::Interval domain = active != nullptr ? active->curve->domain() : core::Interval{};
@@ -46,8 +56,8 @@ void take_view(View& view, const core::Document& document) {
 }
 
 Outcome<void> open_file(EditorState& state, const fs::path& path) {
-    core::FileResult<core::Document> document = core::load_document(path);
-    if (!document) return tl::unexpected(file_refusal(path, document.error()));
+    Outcome<core::Document> document = load(path);
+    if (!document) return tl::unexpected(document.error());
     show_document(state, *std::move(document), path);
     remember(state.recent_files, path);
     state.message = {sentence("Opened {file}", {{"file", path.filename().string()}}), false};
@@ -60,8 +70,8 @@ Outcome<void> show_example(EditorState& state, const std::string& name) {
     std::error_code error;
     if (name.empty() || fs::path(name).has_parent_path() || !fs::is_regular_file(path, error))
         return tl::unexpected(sentence("there is no example called '{name}'", {{"name", name}}));
-    core::FileResult<core::Document> document = core::load_document(path);
-    if (!document) return tl::unexpected(file_refusal(path, document.error()));
+    Outcome<core::Document> document = load(path);
+    if (!document) return tl::unexpected(document.error());
     show_document(state, *std::move(document), {});
     state.message = {sentence("Opened example {name}", {{"name", name}}), false};
     return {};
@@ -96,7 +106,7 @@ struct Proceed {
         show_document(state, {}, {});
         return {};
     }
-    Outcome<void> operator()(const Open& command) const { return open_file(state, fs::absolute(*command.path)); }
+    Outcome<void> operator()(const Open& command) const { return open_file(state, absolute_path(*command.path)); }
     Outcome<void> operator()(const OpenExample& command) const { return show_example(state, command.name); }
     Outcome<void> operator()(const Quit&) const {
         state.wants_quit = true;
@@ -105,6 +115,12 @@ struct Proceed {
 };
 
 }  // namespace
+
+fs::path absolute_path(const fs::path& path) {
+    std::error_code error;
+    const fs::path result = fs::absolute(path, error);
+    return error ? path : result;
+}
 
 void show_document(EditorState& state, core::Document document, const fs::path& path) {
     take_view(state.view, document);
@@ -124,8 +140,8 @@ Outcome<void> proceed(EditorState& state, const Pending& command) {
 }
 
 Outcome<Edit> with_curves_of(const EditorState& state, const fs::path& path) {
-    const core::FileResult<core::Document> added = core::load_document(path);
-    if (!added) return tl::unexpected(file_refusal(path, added.error()));
+    const Outcome<core::Document> added = load(path);
+    if (!added) return tl::unexpected(added.error());
     if (added->curves.empty())
         return tl::unexpected(sentence("{file}: the file has no curves", {{"file", path.filename().string()}}));
     return Edit{joined(state.history.present(), *added), Selection{}};

@@ -8,6 +8,9 @@
 
 namespace batten::editor {
 
+/// `path` from the folder in which the program works; as it is where that folder is gone.
+std::filesystem::path absolute_path(const std::filesystem::path& path);
+
 /// Does what the command asks for, whether or not there are unsaved changes. A file is read
 /// and checked completely before anything changes.
 Outcome<void> proceed(EditorState& state, const Pending& command);

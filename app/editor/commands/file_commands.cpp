@@ -4,6 +4,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/dialog.h"
 #include "app/editor/field_kinds.h"
+#include "app/editor/native_name.h"
 
 namespace batten::editor {
 
@@ -35,7 +36,7 @@ Outcome<void> open_example(EditorState& state, const OpenExample& command) {
 }
 
 Outcome<Edit> add_file(const EditorState& state, const AddFile& command) {
-    return with_curves_of(state, fs::absolute(command.path));
+    return with_curves_of(state, absolute_path(command.path));
 }
 
 Outcome<void> quit(EditorState& state, const Quit& command) {
@@ -72,7 +73,9 @@ Outcome<void> save(EditorState& state, const Save&) {
 
 Outcome<void> save_as(EditorState& state, const SaveAs& command) {
     if (!command.path) return ask_for_path(state);
-    return save_to(state, fs::absolute(with_ending(*command.path)));
+    return native_path(*command.path).and_then([&](const fs::path& path) {
+        return save_to(state, absolute_path(path));
+    });
 }
 
 Outcome<void> answer_unsaved(EditorState& state, const AnswerUnsaved& command) {
@@ -95,11 +98,6 @@ std::optional<Refusal> no_question(const EditorState& state) {
 }
 
 }  // namespace
-
-fs::path with_ending(fs::path path) {
-    if (!path.has_extension()) path += ".json";
-    return path;
-}
 
 const CommandSpec& NewDocument::spec() {
     static const CommandSpec spec{.name = "new",

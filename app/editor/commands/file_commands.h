@@ -51,9 +51,6 @@ struct Quit {
     static const CommandSpec& spec();
 };
 
-/// The path of a file to save: with the ending of native files where it has none.
-std::filesystem::path with_ending(std::filesystem::path path);
-
 }  // namespace batten::editor
 
 namespace batten::core {

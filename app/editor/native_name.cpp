@@ -1,0 +1,54 @@
+#include "app/editor/native_name.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/base/sentence.h"
+
+namespace batten::editor {
+
+namespace {
+
+bool is_letter(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
+bool is_letter_or_digit(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0;
+}
+
+// "svg" for ".svg"; empty where what stands behind the last dot is no ending.
+std::string ending_of(const std::filesystem::path& path) {
+    constexpr std::size_t longest_with_dot = 6;
+    const std::string behind = path.extension().string();
+    if (behind.size() > longest_with_dot || behind.size() < 2) return {};
+    const bool is_ending = std::all_of(behind.begin() + 1, behind.end(), is_letter_or_digit) &&
+                           std::any_of(behind.begin() + 1, behind.end(), is_letter);
+    return is_ending ? behind.substr(1) : std::string();
+}
+
+bool is_native(std::string ending) {
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+    return ending == "json";
+}
+
+}  // namespace
+
+std::optional<Refusal> foreign_ending(const std::filesystem::path& path) {
+    const std::string ending = ending_of(path);
+    if (ending.empty() || is_native(ending)) return std::nullopt;
+    std::filesystem::path native = path.filename();
+    native.replace_extension(".json");
+    return core::sentence("'{name}' ends in .{ending}, but curves are written as .json alone; name it '{native}'",
+                          {{"name", path.filename().string()}, {"ending", ending}, {"native", native.string()}});
+}
+
+Outcome<std::filesystem::path> native_path(const std::filesystem::path& path) {
+    if (std::optional<Refusal> refusal = foreign_ending(path)) return tl::unexpected(*std::move(refusal));
+    std::filesystem::path result = path;
+    if (!is_native(ending_of(path))) result += ".json";
+    return result;
+}
+
+}  // namespace batten::editor
