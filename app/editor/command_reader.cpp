@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "app/editor/field_text.h"
+#include "app/editor/state.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -47,6 +48,14 @@ std::vector<bool> left_out(const CommandSpec& spec, std::size_t given) {
     return result;
 }
 
+// A word for a curve's number may be its name.
+Argument as_curve_index(const Argument& given, const EditorState& state) {
+    const auto* word = std::get_if<Word>(&given);
+    if (word == nullptr) return given;
+    const std::optional<std::size_t> index = core::curve_meant_by(state.history.present(), word->text);
+    return index ? Argument(static_cast<double>(*index)) : given;
+}
+
 // Goes through the arguments part by part.
 class Reader {
   public:
@@ -63,7 +72,7 @@ class Reader {
         std::vector<Argument> arguments;
         for (std::size_t k = 0; k < field.parts.size(); ++k) {
             if (!is_left_out_[part_++] && next_ != end_)
-                arguments.push_back(*next_++);
+                arguments.push_back(taken(field));
             else if (field.can_be_left_out() && (field.is_optional || !is_absent(suggestion)))
                 arguments.push_back(suggested[k]);
             else
@@ -73,6 +82,11 @@ class Reader {
     }
 
   private:
+    Argument taken(const Field& field) {
+        const Argument& given = *next_++;
+        return field.kind == FieldKind::curve_index ? as_curve_index(given, state_) : given;
+    }
+
     const CommandSpec& spec_;
     const EditorState& state_;
     std::vector<Argument>::const_iterator next_;

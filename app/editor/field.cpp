@@ -29,9 +29,14 @@ std::string shown_whole(const Field& field, std::int64_t value, const EditorStat
     return std::to_string(value);
 }
 
-std::string shown_string(const Field& field, const std::string& value) {
+std::string shown_curve(const std::string& value, const core::Document& document) {
+    const std::optional<std::size_t> index = core::curve_meant_by(document, value);
+    return sentence("'{name}'", {{"name", index ? document.curves[*index].name : value}});
+}
+
+std::string shown_string(const Field& field, const std::string& value, const EditorState& state) {
     if (field.kind == FieldKind::file) return std::filesystem::path(value).filename().string();
-    if (field.kind == FieldKind::curve_name) return sentence("'{name}'", {{"name", value}});
+    if (field.kind == FieldKind::curve_name) return shown_curve(value, state.history.present());
     for (const Choice& choice : field.choices)
         if (value == choice.name) return choice.title;
     return value;
@@ -46,7 +51,7 @@ struct ShownText {
     std::string operator()(bool value) const { return flag_text(value); }
     std::string operator()(std::int64_t value) const { return shown_whole(field, value, state); }
     std::string operator()(double value) const { return number_text(value); }
-    std::string operator()(const std::string& value) const { return shown_string(field, value); }
+    std::string operator()(const std::string& value) const { return shown_string(field, value, state); }
     std::string operator()(core::Point value) const { return pair_text(value); }
     std::string operator()(const std::vector<double>& values) const {
         return sentence({.one = "one number", .many = "{count} numbers"}, values.size());
@@ -82,8 +87,9 @@ KindWords words_of(const Field& field) {
         case FieldKind::count:
         case FieldKind::point_index:
         case FieldKind::knot_index:
-        case FieldKind::curve_index:
             return {"whole number", "a whole number"};
+        case FieldKind::curve_index:
+            return {"number or name", "the number or name of a curve"};
         case FieldKind::flag:
             return {"yes or no", "yes or no"};
         case FieldKind::positions:
@@ -91,7 +97,7 @@ KindWords words_of(const Field& field) {
         case FieldKind::point_indices:
             return {"list", "a list of numbers"};
         case FieldKind::curve_name:
-            return {"name", "the name of a curve"};
+            return {"name or number", "the name or number of a curve"};
         case FieldKind::color:
             return {"color", "a color"};
         case FieldKind::file:

@@ -124,7 +124,7 @@ std::optional<Refusal> check_choice(const Field& field, const std::string& value
 
 std::optional<Refusal> check_curve_name(const std::string& value, const EditorState& state) {
     const core::Document& document = state.history.present();
-    if (core::index_of_curve(document, value)) return std::nullopt;
+    if (core::curve_meant_by(document, value)) return std::nullopt;
     return sentence("there is no curve '{name}'; there are {names}",
                     {{"name", value}, {"names", core::quoted_names(document)}});
 }

@@ -52,6 +52,15 @@ std::optional<std::size_t> index_of_curve(const Document& document, const std::s
     return std::nullopt;
 }
 
+std::optional<std::size_t> curve_meant_by(const Document& document, const std::string& text) {
+    if (const auto index = index_of_curve(document, text)) return index;
+    std::size_t number = 0;
+    const char* end = text.data() + text.size();
+    const auto [read_end, error] = std::from_chars(text.data(), end, number);
+    const bool is_number = error == std::errc() && read_end == end && number < document.curves.size();
+    return is_number ? std::optional(number) : std::nullopt;
+}
+
 std::string quoted_names(const Document& document) {
     std::vector<std::string> names;
     for (const DocumentCurve& curve : document.curves) names.push_back(fmt::format("'{}'", curve.name));

@@ -61,6 +61,10 @@ struct Document {
 /// The index of the first curve called `name`; none where there is none.
 std::optional<std::size_t> index_of_curve(const Document& document, const std::string& name);
 
+/// The index of the curve that a person means by `text`: the first one of that name, else the one of that number,
+/// counted from 0; none where there is neither.
+std::optional<std::size_t> curve_meant_by(const Document& document, const std::string& text);
+
 /// "'wave', 'circle'", or "none".
 std::string quoted_names(const Document& document);
 

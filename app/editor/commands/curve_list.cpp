@@ -21,7 +21,7 @@ Edit with_curve(const EditorState& state, const std::string& wish, core::Curve c
 
 Outcome<std::size_t> curve_named(const EditorState& state, const std::string& name) {
     const core::Document& document = state.history.present();
-    if (const auto index = core::index_of_curve(document, name)) return *index;
+    if (const auto index = core::curve_meant_by(document, name)) return *index;
     return tl::unexpected(core::sentence("there is no curve '{name}'; there are {names}",
                                          {{"name", name}, {"names", core::quoted_names(document)}}));
 }

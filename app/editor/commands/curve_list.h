@@ -9,7 +9,8 @@ namespace batten::editor {
 /// The committed document with `curve` added under a free name like `wish`; it is active.
 Edit with_curve(const EditorState& state, const std::string& wish, core::Curve curve);
 
-/// The index of the committed document's curve called `name`; the refusal lists the names there are.
+/// The index of the committed document's curve that is meant by `name`, which may be its number; the refusal lists the
+/// names there are.
 Outcome<std::size_t> curve_named(const EditorState& state, const std::string& name);
 
 /// The committed document with the active curve replaced by its parts, at least one: the first keeps its place and

@@ -16,7 +16,7 @@ namespace {
 
 using core::sentence;
 
-constexpr const char* which_curve = "the number of a curve, counted from 0";
+constexpr const char* which_curve = "which curve, counted from 0";
 
 core::Result<core::Curve> clamped_curve(std::vector<core::Point> points, int degree) {
     const core::Result<core::KnotVector> knots =

@@ -155,19 +155,19 @@ Finding contact_row(const core::CurveContact& contact) {
 Outcome<void> intersect_curve(EditorState& state, const IntersectCurve& command) {
     const Outcome<std::size_t> index = curve_named(state, command.other);
     if (!index) return tl::unexpected(index.error());
+    const core::DocumentCurve& other = state.history.present().curves[*index];
     if (*index == state.history.present().active)
         return tl::unexpected(
             sentence("'{name}' is the active curve itself; name another one, or use self-intersections",
-                     {{"name", command.other}}));
-    const core::Curve& other = *state.history.present().curves[*index].curve;
+                     {{"name", other.name}}));
     std::vector<Finding> rows;
-    const core::CurveContacts found = core::intersect_curves(active_curve(state), other);
+    const core::CurveContacts found = core::intersect_curves(active_curve(state), *other.curve);
     for (const core::CurveContact& contact : found.contacts) rows.push_back(contact_row(contact));
     const char* pattern = found.is_complete ? "{name} meets {other} {times}"
                                             : "{name} meets {other} at least {times}; parts of them run too close to "
                                               "each other to tell all";
     std::string summary =
-        sentence(pattern, {active_name(state), {"other", command.other}, {"times", times_text(rows.size())}});
+        sentence(pattern, {active_name(state), {"other", other.name}, {"times", times_text(rows.size())}});
     return show_rows(state, "Intersections", std::move(summary), std::move(rows));
 }
 

@@ -43,7 +43,8 @@ Outcome<std::size_t> other_curve(const EditorState& state, const std::string& na
     if (!other) return other;
     const core::Document& document = state.history.present();
     if (*other == document.active)
-        return tl::unexpected(sentence("'{name}' is the active curve; name another one", {{"name", name}}));
+        return tl::unexpected(
+            sentence("'{name}' is the active curve; name another one", {{"name", document.curves[*other].name}}));
     if (std::optional<Refusal> refusal = locked(document.curves[*other])) return tl::unexpected(*std::move(refusal));
     return other;
 }

@@ -105,7 +105,7 @@ const CommandSpec& ActivateCurve::spec() {
         .synonyms = "select switch",
         .group = CommandGroup::edit,
         .submenu = "Select",
-        .fields = {field::curve_index<&ActivateCurve::index>("n", "the number of a curve, counted from 0")},
+        .fields = {field::curve_index<&ActivateCurve::index>("n", "which curve, counted from 0")},
         .refusal = no_curve,
         .run = body_of<activate_curve>};
     return spec;

@@ -39,6 +39,17 @@ TEST(Document, empty_wish_is_a_curve) {
     EXPECT_EQ(unused_name(with_names({"curve"}), ""), "curve 2");
 }
 
+TEST(Document, curve_is_meant_by_its_name_before_its_number) {
+    const Document document = with_names({"wave", "0", "7", "wave"});
+    EXPECT_EQ(curve_meant_by(document, "wave"), 0U);
+    EXPECT_EQ(curve_meant_by(document, "0"), 1U);
+    EXPECT_EQ(curve_meant_by(document, "1"), 1U);
+    EXPECT_EQ(curve_meant_by(document, "7"), 2U);
+    EXPECT_EQ(curve_meant_by(document, "3"), 3U);
+    for (const char* nobody : {"4", "-1", "+1", "1.0", "1 ", "", "Wave", "99999999999999999999999"})
+        EXPECT_EQ(curve_meant_by(document, nobody), std::nullopt) << nobody;
+}
+
 TEST(Document, active_curve_is_none_without_curves) {
     EXPECT_EQ(Document{}.active_curve(), nullptr);
     Document document = with_names({"a", "b"});
