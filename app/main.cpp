@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "app/cli/command_line.h"
+#include "app/cli/standard_streams.h"
 #ifdef BATTEN_WINDOW
 #include "app/platform/application.h"
 #endif
@@ -21,6 +22,7 @@ std::filesystem::path assets_folder() {
 #endif
 
 int main(int argc, char** argv) {
+    batten::cli::guard_standard_streams();
 #ifdef BATTEN_WINDOW
     batten::cli::WindowOptions window;
     window.assets = assets_folder();

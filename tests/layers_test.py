@@ -11,7 +11,7 @@ LAYERS = {
     "app/editor": ({"core", "app/editor"}, {"glm", "tl", "fmt", "nlohmann"}),
     "app/ui": ({"core", "app/editor", "app/ui"}, {"glm", "tl", "fmt", "imgui", "misc"}),
     "app/platform": ({"core", "render", "app/editor", "app/ui", "app/platform"}, {"glm", "tl", "fmt", "imgui", "backends", "nlohmann", "GLFW"}),
-    "app/cli": ({"core", "app/editor", "app/cli"}, {"glm", "tl", "fmt", "CLI", "nlohmann"}),
+    "app/cli": ({"core", "app/editor", "app/cli"}, {"glm", "tl", "fmt", "CLI", "nlohmann", "posix"}),
     "app": ({"app/platform", "app/cli"}, set()),
 }
 
@@ -36,10 +36,11 @@ ONLY_IN = {
     ("core", "Eigen"): {"core/base/detail/dense_least_squares.cpp"},
     ("core", "nlohmann"): {"core/document/"},
     ("core", "posix"): {"core/document/"},
+    ("app/cli", "posix"): {"app/cli/standard_streams.cpp"},
 }
 
 # Headers of the operating system, without a folder of their own.
-POSIX = {"fcntl.h", "unistd.h", "sys/stat.h"}
+POSIX = {"fcntl.h", "signal.h", "unistd.h", "sys/stat.h"}
 
 # Headers that the build makes.
 GENERATED = {"shaders/sources.h": "render", "core/base/version.h": "core"}

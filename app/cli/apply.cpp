@@ -1,10 +1,13 @@
 #include <ostream>
+#include <sstream>
 
 #include "app/cli/input.h"
 #include "app/cli/json_output.h"
 #include "app/cli/operation.h"
+#include "app/cli/standard_streams.h"
 #include "app/editor/command_reader.h"
 #include "app/editor/editor.h"
+#include "app/editor/native_name.h"
 #include "app/editor/wording.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -76,6 +79,13 @@ void print(std::ostream& out, const editor::EditorState& state, const Operation&
     for (const editor::Finding& finding : state.findings->rows) print(out, finding);
 }
 
+ExitStatus say_wrong_usage(Output output, const ApplyOptions& options, const editor::Refusal& refusal) {
+    output.errors << core::sentence("batten {subcommand}: {refusal}",
+                                    {{"subcommand", options.file ? "apply" : "new"}, {"refusal", refusal}})
+                  << '\n';
+    return ExitStatus::wrong_usage;
+}
+
 std::string place_of(std::size_t index, const Operation& operation) {
     return core::sentence("operation {number}, {text}", {{"number", index + 1}, {"text", operation.text}});
 }
@@ -88,46 +98,68 @@ std::optional<editor::Refusal> run(editor::Editor& editor, const Operation& oper
     return std::nullopt;
 }
 
-// Runs the operations; false after saying which one was refused and why.
-bool run(editor::Editor& editor, const std::vector<Operation>& operations, const ApplyOptions& options, Output output) {
+// How refusals name what the operations work on.
+std::filesystem::path name_of_input(const ApplyOptions& options) {
+    return options.file.value_or("new document");
+}
+
+// Runs the operations; says which one was refused and why.
+ExitStatus run(editor::Editor& editor, const ApplyOptions& options, Output output) {
     Json results = Json::array();
-    for (std::size_t i = 0; i < operations.size(); ++i) {
-        if (const auto refusal = run(editor, operations[i])) {
-            say_error(output, options.file, place_of(i, operations[i]), *refusal);
-            return false;
+    OperationReader reader(options.operations);
+    for (std::size_t i = 0; !reader.is_at_end(); ++i) {
+        const editor::Outcome<Operation> operation = reader.take(editor.state().history.present());
+        if (!operation) return say_wrong_usage(output, options, operation.error());
+        if (const auto refusal = run(editor, *operation)) {
+            say_error(output, name_of_input(options), place_of(i, *operation), *refusal);
+            return ExitStatus::wrong_input;
         }
         if (options.as_json) {
-            results.push_back(json_of(editor, operations[i]));
+            results.push_back(json_of(editor, *operation));
         } else {
-            print(output.results, editor.state(), operations[i]);
+            print(output.results, editor.state(), *operation);
         }
     }
     if (options.as_json) cli::print(output.results, results);
-    return true;
+    return ExitStatus::done;
+}
+
+// The document to begin with; none after saying why not.
+std::optional<core::Document> first_document(const ApplyOptions& options, Output output) {
+    if (!options.file) return core::Document{};
+    std::optional<core::Document> document = load(output, *options.file);
+    if (!document || options.curve.empty()) return document;
+    const std::optional<std::size_t> index = find_curve(output, *options.file, *document, options.curve);
+    if (!index) return std::nullopt;
+    document->active = *index;
+    return document;
+}
+
+ExitStatus save(const core::Document& document, const std::filesystem::path& file, Output output) {
+    if (is_standard(file)) {
+        output.results << core::format_document(document);
+        return ExitStatus::done;
+    }
+    const core::FileResult<void> saved = core::save_document(document, file);
+    if (saved) return ExitStatus::done;
+    say_error(output, file, saved.error());
+    return ExitStatus::wrong_input;
 }
 
 }  // namespace
 
 ExitStatus apply(const ApplyOptions& options, Output output) {
-    const editor::Outcome<std::vector<Operation>> operations = parse_operations(options.operations);
-    if (!operations) {
-        output.errors << "batten apply: " << operations.error() << '\n';
-        return ExitStatus::wrong_usage;
-    }
-    std::optional<core::Document> document = load(output, options.file);
+    if (const auto refusal = editor::foreign_ending(options.result)) return say_wrong_usage(output, options, *refusal);
+    std::optional<core::Document> document = first_document(options, output);
     if (!document) return ExitStatus::wrong_input;
-    if (!options.curve.empty()) {
-        const std::optional<std::size_t> index = find_curve(output, options.file, *document, options.curve);
-        if (!index) return ExitStatus::wrong_input;
-        document->active = *index;
-    }
     editor::Editor editor(*std::move(document));
-    if (!run(editor, *operations, options, output)) return ExitStatus::wrong_input;
-    if (options.result.empty()) return ExitStatus::done;
-    const core::FileResult<void> saved = core::save_document(editor.state().history.present(), options.result);
-    if (saved) return ExitStatus::done;
-    say_error(output, options.result, saved.error());
-    return ExitStatus::wrong_input;
+    // Where the command line is wrong nothing is printed, however far it was right.
+    std::ostringstream found;
+    const ExitStatus status = run(editor, options, {found, output.errors});
+    if (status != ExitStatus::wrong_usage)
+        (is_standard(options.result) ? output.errors : output.results) << found.str();
+    if (status != ExitStatus::done || options.result.empty()) return status;
+    return save(editor.state().history.present(), options.result, output);
 }
 
 }  // namespace batten::cli

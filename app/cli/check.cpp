@@ -2,6 +2,7 @@
 
 #include "app/cli/input.h"
 #include "app/cli/json_output.h"
+#include "app/cli/standard_streams.h"
 #include "core/base/sentence.h"
 
 namespace batten::cli {
@@ -10,7 +11,7 @@ namespace {
 
 std::string verdict(const std::filesystem::path& file, const core::Document& document) {
     return core::sentence({.one = "{file}: valid, 1 curve", .many = "{file}: valid, {count} curves"},
-                          document.curves.size(), {{"file", file.string()}});
+                          document.curves.size(), {{"file", shown_name(file)}});
 }
 
 Json json_of(const std::filesystem::path& file, const core::FileResult<core::Document>& document) {
@@ -27,7 +28,7 @@ ExitStatus check(const CheckOptions& options, Output output) {
     ExitStatus status = ExitStatus::done;
     Json results = Json::array();
     for (const std::filesystem::path& file : options.files) {
-        const core::FileResult<core::Document> document = core::load_document(file);
+        const core::FileResult<core::Document> document = read_document(file);
         if (!document) {
             status = ExitStatus::wrong_input;
             say_error(output, file, document.error());

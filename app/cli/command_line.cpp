@@ -2,9 +2,14 @@
 
 // The only source that reads CLI11, which takes long.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <new>
 #include <ostream>
+#include <sstream>
 
+#include "app/cli/divided_words.h"
 #include "app/cli/help_text.h"
+#include "app/cli/standard_streams.h"
 #include "core/base/sentence.h"
 #include "core/base/version.h"
 
@@ -12,7 +17,8 @@ namespace batten::cli {
 
 namespace {
 
-constexpr const char* file_meaning = "A curve file in Batten's own format";
+constexpr const char* file_meaning = "A curve file in Batten's own format; - is standard input";
+constexpr const char* result_meaning = "Where the result is written; - is standard output";
 constexpr int most_derivatives = 25;
 
 CLI::App* add_command(CLI::App& program, const char* name, const char* description) {
@@ -25,28 +31,46 @@ void add_json(CLI::App& command, bool& as_json) {
     command.add_flag("--json", as_json, "Print JSON, whose members stay the same from version to version");
 }
 
+void add_operations(CLI::App& command, ApplyOptions& options) {
+    command
+        .add_option("operations", options.operations,
+                    "Commands of the palette, each followed by its arguments: insert-knot 0.5 elevate 1 split 0.25; "
+                    "-- ends the arguments of one")
+        ->type_name("OPERATION");
+    command.add_option("-o,--output", options.result, result_meaning)->type_name("FILE");
+}
+
 // Adds the subcommands to a program's command line and runs the one that was given.
 class Subcommands {
   public:
     explicit Subcommands(CLI::App& program);
 
+    // Reads the words behind the program's name.
+    void parse(CLI::App& program, const std::vector<std::string>& words);
+
     // What the subcommand ended with; none where none was given. To be called after parsing.
     std::optional<ExitStatus> run(Output output) const;
 
   private:
+    ExitStatus run_check(Output output) const;
+    ExitStatus run_new(Output output) const;
+    ExitStatus run_apply(Output output) const;
     void add_info(CLI::App& program);
     void add_eval(CLI::App& program);
     void add_apply(CLI::App& program);
+    void add_new(CLI::App& program);
     void add_check(CLI::App& program);
 
     InfoOptions info_;
     EvalOptions eval_;
     ApplyOptions apply_;
+    ApplyOptions new_;
     CheckOptions check_;
     bool lists_operations_ = false;
     const CLI::App* info_command_ = nullptr;
     const CLI::App* eval_command_ = nullptr;
     const CLI::App* apply_command_ = nullptr;
+    const CLI::App* new_command_ = nullptr;
     const CLI::App* check_command_ = nullptr;
 };
 
@@ -54,6 +78,7 @@ Subcommands::Subcommands(CLI::App& program) {
     add_info(program);
     add_eval(program);
     add_apply(program);
+    add_new(program);
     add_check(program);
     // A file may still be called like a subcommand: batten ./info
     program.require_subcommand(0, 1);
@@ -73,7 +98,8 @@ void Subcommands::add_eval(CLI::App& program) {
         ->required()
         ->allow_extra_args(false)
         ->type_name("U");
-    command->add_option("--curve", eval_.curve, "The name of the curve, instead of the active one")->type_name("NAME");
+    command->add_option("--curve", eval_.curve, "The name or number of the curve, instead of the active one")
+        ->type_name("NAME");
     command
         ->add_option("--derivatives", eval_.derivatives, "How many derivatives to print beside the point, at most 25")
         ->check(CLI::Validator(CLI::Range(0, most_derivatives)).description(""))
@@ -92,38 +118,78 @@ void Subcommands::add_eval(CLI::App& program) {
 void Subcommands::add_apply(CLI::App& program) {
     CLI::App* command = add_command(program, "apply", "Run operations on a curve, in order, and write the result");
     command->add_option("file", apply_.file, file_meaning)->type_name("FILE");
+    add_operations(*command, apply_);
     command
-        ->add_option("operations", apply_.operations,
-                     "Commands of the palette, each followed by its arguments: insert-knot 0.5 elevate 1 split 0.25")
-        ->type_name("OPERATION");
-    command->add_option("-o,--output", apply_.result, "Where the result is written; without it nothing is kept")
-        ->type_name("FILE");
-    command->add_option("--curve", apply_.curve, "The curve to begin with, instead of the active one")
+        ->add_option("--curve", apply_.curve,
+                     "The name or number of the curve to begin with, instead of the active one")
         ->type_name("NAME");
     command->add_flag("--list", lists_operations_, "Explain all operations");
     add_json(*command, apply_.as_json);
     apply_command_ = command;
 }
 
+void Subcommands::add_new(CLI::App& program) {
+    CLI::App* command = add_command(program, "new", "Run operations on an empty document, and write the result");
+    add_operations(*command, new_);
+    add_json(*command, new_.as_json);
+    new_command_ = command;
+}
+
 void Subcommands::add_check(CLI::App& program) {
     CLI::App* command = add_command(program, "check", "Check whether files are valid, and say what is wrong if not");
-    command->add_option("files", check_.files, "Curve files")->required()->type_name("FILE");
+    command->add_option("files", check_.files, "Curve files; - is standard input")->required()->type_name("FILE");
     add_json(*command, check_.as_json);
     check_command_ = command;
+}
+
+void Subcommands::parse(CLI::App& program, const std::vector<std::string>& words) {
+    ApplyOptions* options = nullptr;
+    if (!words.empty() && words.front() == "apply") options = &apply_;
+    if (!words.empty() && words.front() == "new") options = &new_;
+    DividedWords divided_words{words, {}};
+    if (options != nullptr) {
+        divided_words = divided({words.begin() + 1, words.end()}, options == &apply_);
+        divided_words.options.insert(divided_words.options.begin(), words.front());
+    }
+    std::reverse(divided_words.options.begin(), divided_words.options.end());
+    program.parse(divided_words.options);
+    if (options != nullptr) options->operations = std::move(divided_words.operations);
 }
 
 std::optional<ExitStatus> Subcommands::run(Output output) const {
     if (info_command_->parsed()) return info(info_, output);
     if (eval_command_->parsed()) return eval(eval_, output);
-    if (check_command_->parsed()) return check(check_, output);
-    if (!apply_command_->parsed()) return std::nullopt;
+    if (check_command_->parsed()) return run_check(output);
+    if (new_command_->parsed()) return run_new(output);
+    if (apply_command_->parsed()) return run_apply(output);
+    return std::nullopt;
+}
+
+ExitStatus say_wrong_usage(Output output, const char* sentence) {
+    output.errors << sentence << '\n';
+    return ExitStatus::wrong_usage;
+}
+
+ExitStatus Subcommands::run_check(Output output) const {
+    if (std::count_if(check_.files.begin(), check_.files.end(), is_standard) > 1)
+        return say_wrong_usage(output, "batten check: standard input, -, can be read only once");
+    return check(check_, output);
+}
+
+ExitStatus Subcommands::run_new(Output output) const {
+    if (!new_.operations.empty() || !new_.result.empty()) return apply(new_, output);
+    return say_wrong_usage(
+        output, "batten new: at least one operation, or a file to write, is needed; batten apply --list explains them");
+}
+
+ExitStatus Subcommands::run_apply(Output output) const {
     if (lists_operations_) {
         list_operations(output.results);
         return ExitStatus::done;
     }
-    if (!apply_.file.empty() && !apply_.operations.empty()) return apply(apply_, output);
-    output.errors << "batten apply: a file and at least one operation are needed; batten apply --list explains them\n";
-    return ExitStatus::wrong_usage;
+    if (apply_.file && !apply_.operations.empty()) return apply(apply_, output);
+    return say_wrong_usage(
+        output, "batten apply: a file and at least one operation are needed; batten apply --list explains them");
 }
 
 void add_window_options(CLI::App& program, WindowOptions& options) {
@@ -143,28 +209,44 @@ void add_window_options(CLI::App& program, WindowOptions& options) {
         ->type_name("FILE");
 }
 
-}  // namespace
-
-std::optional<int> run_command_line(int argc, const char* const* argv, WindowOptions* window, Output output) {
+// What the process ends with; none where the window is to be opened.
+std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, WindowOptions* window, Output output) {
     CLI::App program("Batten: an interactive editor for B-spline and NURBS curves", "batten");
     program.set_version_flag("--version", core::sentence("batten {version}", {{"version", core::version_text}}));
     program.set_help_all_flag("--help-all", "Print this help and that of the subcommands and exit");
     program.formatter_fn(help_text);
     program.footer(
         "Without a subcommand the window opens.\n\n"
-        "Exit status:\n  0 if everything was done, 1 if the input is wrong, 2 if the command line is wrong.");
-    const Subcommands subcommands(program);
+        "Exit status:\n  0 if everything was done, 1 if the input is wrong or the results cannot be written, 2 if the "
+        "command line is wrong.");
+    Subcommands subcommands(program);
     if (window != nullptr) add_window_options(program, *window);
     try {
-        program.parse(argc, argv);
+        subcommands.parse(program, words);
     } catch (const CLI::ParseError& error) {
         const bool is_done = program.exit(error, output.results, output.errors) == 0;
-        return static_cast<int>(is_done ? ExitStatus::done : ExitStatus::wrong_usage);
+        return is_done ? ExitStatus::done : ExitStatus::wrong_usage;
     }
-    if (const auto status = subcommands.run(output)) return static_cast<int>(*status);
+    if (const auto status = subcommands.run(output)) return status;
     if (window != nullptr) return std::nullopt;
-    output.errors << "batten: this build has no window; the subcommands are info, eval, apply and check\n";
-    return static_cast<int>(ExitStatus::wrong_usage);
+    return say_wrong_usage(output,
+                           "batten: this build has no window; the subcommands are info, eval, apply, new and check");
+}
+
+}  // namespace
+
+std::optional<int> run_command_line(int argc, const char* const* argv, WindowOptions* window, Output output) {
+    std::optional<ExitStatus> status;
+    std::ostringstream results;
+    try {
+        status = parse_and_run({argv + std::min(argc, 1), argv + argc}, window, {results, output.errors});
+    } catch (const std::bad_alloc&) {
+        output.errors << "batten: there is not enough memory\n";
+        status = ExitStatus::wrong_input;
+    }
+    if (!status) return std::nullopt;
+    if (!write_results(results.str(), output) && status == ExitStatus::done) status = ExitStatus::wrong_input;
+    return static_cast<int>(*status);
 }
 
 }  // namespace batten::cli

@@ -2,20 +2,25 @@
 
 #include <ostream>
 
+#include "app/cli/standard_streams.h"
 #include "core/base/sentence.h"
 
 namespace batten::cli {
 
 void say_error(Output output, const std::filesystem::path& file, const std::string& where, const std::string& what) {
-    output.errors << file.string() << ": " << core::FileError{where, what}.sentence() << '\n';
+    output.errors << shown_name(file) << ": " << core::FileError{where, what}.sentence() << '\n';
 }
 
 void say_error(Output output, const std::filesystem::path& file, const core::FileError& error) {
-    say_error(output, file, error.where == file.string() ? "" : error.where, error.what);
+    say_error(output, file, error.where == shown_name(file) ? "" : error.where, error.what);
+}
+
+core::FileResult<core::Document> read_document(const std::filesystem::path& file) {
+    return is_standard(file) ? core::load_document(standard_input, shown_name(file)) : core::load_document(file);
 }
 
 std::optional<core::Document> load(Output output, const std::filesystem::path& file) {
-    core::FileResult<core::Document> document = core::load_document(file);
+    core::FileResult<core::Document> document = read_document(file);
     if (document) return *std::move(document);
     say_error(output, file, document.error());
     return std::nullopt;
@@ -28,7 +33,7 @@ std::optional<std::size_t> find_curve(Output output, const std::filesystem::path
         return std::nullopt;
     }
     if (name.empty()) return document.active;
-    if (const auto index = core::index_of_curve(document, name)) return index;
+    if (const auto index = core::curve_meant_by(document, name)) return index;
     say_error(output, file, "curves",
               core::sentence("there is no curve '{name}'; there are {names}",
                              {{"name", name}, {"names", core::quoted_names(document)}}));

@@ -15,10 +15,14 @@ void say_error(Output output, const std::filesystem::path& file, const std::stri
 /// The same for why `file` could not be read or written.
 void say_error(Output output, const std::filesystem::path& file, const core::FileError& error);
 
-/// The document in `file`; none after saying why not.
+/// The document in `file`, or on standard input.
+core::FileResult<core::Document> read_document(const std::filesystem::path& file);
+
+/// The same; none after saying why not.
 std::optional<core::Document> load(Output output, const std::filesystem::path& file);
 
-/// The index of the curve called `name`, or of the active one where it is empty; none after saying why not.
+/// The index of the curve that `name` names or numbers, or of the active one where it is empty; none after saying why
+/// not.
 std::optional<std::size_t> find_curve(Output output, const std::filesystem::path& file, const core::Document& document,
                                       const std::string& name);
 

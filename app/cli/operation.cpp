@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "app/editor/command_table.h"
 #include "app/editor/field_text.h"
 #include "core/base/sentence.h"
@@ -11,49 +13,118 @@ namespace batten::cli {
 namespace {
 
 using core::sentence;
+using editor::Field;
+using editor::FieldKind;
+
+// The fields of a command, one for each part.
+std::vector<const Field*> parts_of(const editor::CommandSpec& spec) {
+    std::vector<const Field*> parts;
+    for (const Field& field : spec.fields) parts.insert(parts.end(), field.parts.size(), &field);
+    return parts;
+}
+
+// The field that the last one of `count` arguments is for: the last ones that can be left out are.
+const Field* field_of_last(const std::vector<const Field*>& parts, std::size_t count) {
+    std::size_t left_out = parts.size() - count;
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+        if (left_out == 0 || !(*part)->can_be_left_out()) return *part;
+        --left_out;
+    }
+    return nullptr;
+}
+
+bool names_curve(const Field& field, const std::string& word, const core::Document& document) {
+    const bool is_curve = field.kind == FieldKind::curve_name || field.kind == FieldKind::curve_index;
+    return is_curve && core::curve_meant_by(document, word);
+}
+
+// Whether a person would take the word for the name of an operation, with a slip perhaps.
+bool looks_like_operation(const std::string& word) {
+    const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; };
+    return !word.empty() && word.front() != '-' && std::all_of(word.begin(), word.end(), fits);
+}
+
+// Whether the word says something about the field, right or wrong.
+bool can_mean(const Field& field, const std::string& word) {
+    if (field.kind == FieldKind::curve_name || field.kind == FieldKind::curve_index) return false;
+    const auto is_word = [&](const editor::Choice& choice) { return word == choice.name; };
+    if (field.kind == FieldKind::choice && !field.is_optional)
+        return std::any_of(field.choices.begin(), field.choices.end(), is_word);
+    const std::vector<editor::Argument> arguments(field.parts.size(), editor::Word{word});
+    return editor::read_field(field, arguments).has_value();
+}
+
+}  // namespace
 
 const editor::CommandSpec* operation_called(const std::string& name) {
     const editor::CommandSpec* spec = editor::find_command(name);
     return spec != nullptr && spec->offered.scripts ? spec : nullptr;
 }
 
-// A text may be anything, also the name of an operation, unless it can be left out.
-bool takes_any_word(const editor::Field& field) {
-    return editor::takes_text(field) && !field.can_be_left_out();
+std::size_t needed_count(const editor::CommandSpec& spec) {
+    const std::vector<const Field*> parts = parts_of(spec);
+    return static_cast<std::size_t>(
+        std::count_if(parts.begin(), parts.end(), [](const Field* field) { return !field->can_be_left_out(); }));
 }
 
-// Takes the words from `next` on that are arguments of `spec`.
-Operation take_operation(const editor::CommandSpec& spec, const std::vector<std::string>& words, std::size_t& next) {
-    Operation operation{&spec, {}, spec.name};
-    for (const editor::Field& field : spec.fields)
-        for (std::size_t part = 0; part < field.parts.size(); ++part) {
-            if (next == words.size()) return operation;
-            if (!takes_any_word(field) && operation_called(words[next]) != nullptr) return operation;
-            operation.text = fmt::format("{} {}", operation.text, words[next]);
-            operation.arguments.emplace_back(editor::Word{words[next]});
-            ++next;
-        }
-    return operation;
+void OperationReader::skip_mark() {
+    while (next_ < words_.size() && words_[next_] == mark) ++next_;
 }
 
-editor::Refusal no_operation(const std::string& word, const std::vector<Operation>& before) {
-    if (before.empty())
-        return sentence("'{word}' is not an operation; batten apply --list explains all of them", {{"word", word}});
-    return sentence("'{word}' after '{before}' is not an operation; batten apply --list explains all of them",
-                    {{"word", word}, {"before", before.back().text}});
+editor::Refusal OperationReader::no_operation() const {
+    const core::Place word("word", words_[next_]);
+    if (before_.empty())
+        return sentence("'{word}' is not an operation; batten apply --list explains all of them", {word});
+    if (left_out_ == nullptr)
+        return sentence("'{word}' after '{before}' is not an operation; batten apply --list explains all of them",
+                        {word, {"before", before_}});
+    return sentence(
+        "'{word}' after '{before}' is neither an operation nor a value of {name}, for which {needed} is needed; "
+        "batten apply --list explains all operations",
+        {word,
+         {"before", before_},
+         {"name", left_out_->parts.front().name},
+         {"needed", editor::needed_text(*left_out_)}});
 }
 
-}  // namespace
-
-editor::Outcome<std::vector<Operation>> parse_operations(const std::vector<std::string>& words) {
-    std::vector<Operation> operations;
-    for (std::size_t next = 0; next < words.size();) {
-        const editor::CommandSpec* spec = operation_called(words[next]);
-        if (spec == nullptr) return tl::unexpected(no_operation(words[next], operations));
-        ++next;
-        operations.push_back(take_operation(*spec, words, next));
+// Whether the next word is an argument of the operation, of which `given` are there already.
+bool OperationReader::is_argument(const editor::CommandSpec& spec, std::size_t given, const core::Document& document) {
+    const std::vector<const Field*> parts = parts_of(spec);
+    if (next_ == words_.size() || given == parts.size()) return false;
+    const bool is_needed = given < needed_count(spec);
+    if (words_[next_] == mark) {
+        if (is_needed) ++next_;
+        return is_needed && next_ < words_.size();
     }
-    return operations;
+    if (is_needed) return true;
+    const Field& field = *field_of_last(parts, given + 1);
+    const std::string& word = words_[next_];
+    if (names_curve(field, word, document)) return true;
+    if (operation_called(word) != nullptr) return false;
+    if (!looks_like_operation(word) || can_mean(field, word)) return true;
+    left_out_ = &field;
+    return false;
+}
+
+void OperationReader::take_arguments(Operation& operation, const core::Document& document) {
+    while (is_argument(*operation.spec, operation.arguments.size(), document)) {
+        operation.text = fmt::format("{} {}", operation.text, words_[next_]);
+        operation.arguments.emplace_back(editor::Word{words_[next_]});
+        ++next_;
+    }
+}
+
+editor::Outcome<Operation> OperationReader::take(const core::Document& document) {
+    const editor::CommandSpec* spec = operation_called(words_[next_]);
+    if (spec == nullptr) return tl::unexpected(no_operation());
+    ++next_;
+    left_out_ = nullptr;
+    Operation operation{spec, {}, spec->name};
+    take_arguments(operation, document);
+    before_ = operation.text;
+    skip_mark();
+    if (!is_at_end() && operation_called(words_[next_]) == nullptr) return tl::unexpected(no_operation());
+    return operation;
 }
 
 }  // namespace batten::cli

@@ -1,4 +1,4 @@
-/// The operations of `apply`: commands that scripts are offered, read from words.
+/// The operations of `apply` and `new`: commands that scripts are offered, read from words.
 #pragma once
 
 #include <string>
@@ -9,6 +9,15 @@
 
 namespace batten::cli {
 
+/// Ends the arguments of an operation.
+inline constexpr const char* mark = "--";
+
+/// The command that scripts call `name`, or null.
+const editor::CommandSpec* operation_called(const std::string& name);
+
+/// How many arguments it cannot do without.
+std::size_t needed_count(const editor::CommandSpec& spec);
+
 /// One operation as it was given.
 struct Operation {
     const editor::CommandSpec* spec;
@@ -16,8 +25,29 @@ struct Operation {
     std::string text;  ///< "insert-knot 0.5"
 };
 
-/// The words as operations: each a name and as many arguments as it takes, fewer where the next word is again the name
-/// of an operation and what is missing can be left out. Lists are "0,1,2.5". The refusal names the word.
-editor::Outcome<std::vector<Operation>> parse_operations(const std::vector<std::string>& words);
+/// Takes operations off the front of words, one by one, because what a word means may rest on the ones before.
+class OperationReader {
+  public:
+    explicit OperationReader(const std::vector<std::string>& words) : words_(words) { skip_mark(); }
+
+    bool is_at_end() const { return next_ == words_.size(); }
+
+    /// The next operation: a name and as many arguments as it takes. A word for what is needed is taken whatever it is.
+    /// One for what may be left out is taken where it names a curve of `document`; else the name of an operation, or
+    /// "--", ends the arguments. Behind "--" what is needed is taken too. The refusal names a word that is no
+    /// operation.
+    editor::Outcome<Operation> take(const core::Document& document);
+
+  private:
+    editor::Refusal no_operation() const;
+    void take_arguments(Operation& operation, const core::Document& document);
+    bool is_argument(const editor::CommandSpec& spec, std::size_t given, const core::Document& document);
+    void skip_mark();
+
+    const std::vector<std::string>& words_;
+    std::size_t next_ = 0;
+    std::string before_;                       ///< the operation before, as it was given
+    const editor::Field* left_out_ = nullptr;  ///< the field of it that the next word might have been meant for
+};
 
 }  // namespace batten::cli

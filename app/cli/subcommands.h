@@ -1,8 +1,9 @@
-/// The headless subcommands: info, eval, apply and check.
+/// The headless subcommands: info, eval, apply, new and check.
 #pragma once
 
 #include <filesystem>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace batten::cli {
 /// What a subcommand ended with; what the process returns.
 enum class ExitStatus { done = 0, wrong_input = 1, wrong_usage = 2 };
 
-/// Where a subcommand writes: results, and what is wrong.
+/// Where a subcommand writes: results, and what is wrong. A file called "-" is standard input or output.
 struct Output {
     std::ostream& results;
     std::ostream& errors;
@@ -30,7 +31,7 @@ ExitStatus info(const InfoOptions& options, Output output);
 struct EvalOptions {
     std::filesystem::path file;
     std::vector<double> at;  ///< parameters
-    std::string curve;       ///< its name; empty: the active one
+    std::string curve;       ///< its name or number; empty: the active one
     int derivatives = 0;     ///< how many
     core::Side side = core::Side::right;
     bool as_json = false;
@@ -40,14 +41,15 @@ struct EvalOptions {
 ExitStatus eval(const EvalOptions& options, Output output);
 
 struct ApplyOptions {
-    std::filesystem::path file;
-    std::vector<std::string> operations;  ///< names of commands, each followed by its arguments
-    std::filesystem::path result;         ///< where the document is written; empty: nowhere
-    std::string curve;                    ///< the one that is active at first; empty: as the file says
+    std::optional<std::filesystem::path> file;  ///< none: an empty document
+    std::vector<std::string> operations;        ///< names of commands, each followed by its arguments
+    std::filesystem::path result;               ///< where the document is written; empty: nowhere
+    std::string curve;                          ///< the one that is active at first; empty: as the file says
     bool as_json = false;
 };
 
-/// Runs commands of the editor on a file, in order, and writes the result. Nothing is written when one is refused.
+/// Runs commands of the editor on a file, in order, and writes the result. Nothing is written when one is refused. What
+/// the commands found goes to the errors where the document is written to standard output.
 ExitStatus apply(const ApplyOptions& options, Output output);
 
 /// Prints the operations that apply() knows, with their arguments.

@@ -8,11 +8,16 @@ import subprocess
 BINARY = os.environ["BATTEN_BINARY"]
 
 
-def run(*arguments):
-    """The finished process; no display is there that it could use."""
-    environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+def environment():
+    """Without a display that the program could use."""
+    return {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+
+
+def run(*arguments, **options):
+    """The finished process; the options are those of subprocess.run."""
     words = [BINARY, *(str(argument) for argument in arguments)]
-    return subprocess.run(words, capture_output=True, text=True, env=environment, timeout=120, check=False)
+    streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, **options}
+    return subprocess.run(words, env=environment(), timeout=120, check=False, **streams)
 
 
 def answer(*arguments):

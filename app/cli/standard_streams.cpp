@@ -1,0 +1,41 @@
+#include "app/cli/standard_streams.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <ostream>
+
+#include "core/base/sentence.h"
+
+namespace batten::cli {
+
+void guard_standard_streams() {
+    signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
+        if (fcntl(stream, F_GETFD) >= 0) continue;
+        // The lowest number that is free is this one.
+        if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream) return;
+    }
+}
+
+std::string shown_name(const std::filesystem::path& file) {
+    return is_standard(file) ? "standard input" : file.string();
+}
+
+bool write_results(const std::string& results, Output output) {
+    errno = 0;
+    output.results << results << std::flush;
+    const int reason = errno != 0 ? errno : EIO;
+    if (output.results) return true;
+    if (reason != EPIPE)
+        output.errors << core::sentence("standard output: the results cannot be written: {reason}",
+                                        {{"reason", std::strerror(reason)}})
+                      << '\n';
+    return false;
+}
+
+}  // namespace batten::cli

@@ -1,0 +1,30 @@
+/// Standard input and output: their names on the command line, and what can go wrong with them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/cli/subcommands.h"
+
+namespace batten::cli {
+
+/// Its file descriptor.
+inline constexpr int standard_input = 0;
+
+/// Whether `file` stands for standard input or output.
+inline bool is_standard(const std::filesystem::path& file) {
+    return file == "-";
+}
+
+/// To be called before anything is read or written. Gives standard streams that are closed a place where reading and
+/// writing fail, so that no file that is opened takes it; makes writing to a closed pipe, or beyond the limit of file
+/// sizes, an error instead of the end of the program.
+void guard_standard_streams();
+
+/// What sentences call a file that is read: "standard input" or its path.
+std::string shown_name(const std::filesystem::path& file);
+
+/// Writes all results at once; false after saying why they could not be written, but for a pipe that nobody reads.
+bool write_results(const std::string& results, Output output);
+
+}  // namespace batten::cli
