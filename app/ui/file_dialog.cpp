@@ -2,14 +2,12 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/native_name.h"
 #include "app/ui/dialog_frame.h"
-#include "app/ui/folder_list.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/panels.h"
@@ -24,6 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 using core::sentence;
 
+constexpr double hover_share = 0.1;
+
 bool is_saving(const PanelContext& context) {
     return context.state.dialog == editor::Dialog::save_file;
 }
@@ -36,64 +36,51 @@ fs::path first_folder(const editor::EditorState& state) {
     return fs::current_path(error);
 }
 
-void enter_folder(FileDialogState& dialog, const fs::path& folder) {
-    FolderContent content = read_folder(folder);
-    dialog.problem = content.problem;
-    if (!content.problem.empty()) return;
-    dialog.folder = content.folder;
-    dialog.entries = std::move(content.entries);
-    dialog.chosen.reset();
+void show_folder(FileDialogState& dialog, const fs::path& folder) {
+    dialog.problem = enter_folder(dialog.choice, folder, dialog.suggested_name);
+    dialog.takes_focus = dialog.shows_choice = dialog.follows_choice = true;
 }
 
 void begin_choice(const PanelContext& context) {
     FileDialogState& dialog = context.panels.file_dialog;
     dialog = {};
     dialog.was_open = true;
-    dialog.takes_focus = true;
-    enter_folder(dialog, first_folder(context.state));
-    if (is_saving(context)) {
-        const fs::path& path = context.state.path;
-        dialog.typed = path.empty() ? "untitled.json" : path.filename().string();
-    }
+    const fs::path& path = context.state.path;
+    if (is_saving(context)) dialog.suggested_name = path.empty() ? "untitled.json" : path.filename().string();
+    show_folder(dialog, first_folder(context.state));
+    // The folder may be gone.
+    if (dialog.choice.folder.empty()) show_folder(dialog, "/");
     // An older sentence would look as if it were about this dialog.
     if (context.state.message.is_error) context.queue.run(editor::DismissMessage{});
 }
 
-/// The path that is meant by what was typed or pasted: absolute, from the home folder, or from the folder shown.
-fs::path meant_path(const FileDialogState& dialog) {
-    const std::string& typed = dialog.typed;
-    if (typed.rfind("~/", 0) == 0) {
-        const char* home = std::getenv("HOME");
-        if (home != nullptr) return fs::path(home) / typed.substr(2);
-    }
-    return dialog.folder / typed;
-}
-
 void save_as(const PanelContext& context, const fs::path& typed) {
+    FileDialogState& dialog = context.panels.file_dialog;
     const editor::Outcome<fs::path> path = editor::native_path(typed);
     std::error_code error;
     if (path && fs::exists(*path, error) && *path != context.state.path) {
-        context.panels.file_dialog.to_replace = *path;
+        dialog.to_replace = *path;
+        dialog.is_replacing = false;
     } else {
         context.queue.run(editor::SaveAs{.path = typed});
     }
 }
 
-/// Goes on with what is typed: into a folder, or with a file.
+/// Goes on with what is typed, or with what is chosen where there is no such file to open: into a folder, or with a
+/// file.
 void accept(const PanelContext& context) {
     FileDialogState& dialog = context.panels.file_dialog;
-    if (dialog.typed.empty()) return;
-    const fs::path path = meant_path(dialog);
+    dialog.takes_focus = dialog.shows_choice = true;
+    if (dialog.choice.typed.empty()) return;
+    fs::path path = meant_path(dialog.choice.folder, dialog.choice.typed);
     std::error_code error;
+    if (!is_saving(context) && !fs::exists(path, error)) path = chosen_path(dialog.choice).value_or(path);
     if (fs::is_directory(path, error)) {
-        enter_folder(dialog, path);
-        dialog.typed.clear();
-        dialog.takes_focus = true;
+        show_folder(dialog, path);
     } else if (is_saving(context)) {
         save_as(context, path);
     } else {
         context.queue.run(editor::Open{.path = path});
-        dialog.takes_focus = true;
     }
 }
 
@@ -110,50 +97,106 @@ std::string end_of_path(const std::string& path, ImFont* font, float width_px) {
 
 void draw_folder_row(const PanelContext& context) {
     FileDialogState& dialog = context.panels.file_dialog;
-    if (draw_label_button(context, "file-dialog up", "↑")) enter_folder(dialog, dialog.folder.parent_path());
+    const fs::path shown = dialog.choice.listed.folder;
+    if (draw_label_button(context, "file-dialog up", "↑")) show_folder(dialog, shown.parent_path());
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + context.px(2));
     const float room = ImGui::GetContentRegionAvail().x;
-    ImGui::TextUnformatted(end_of_path(dialog.folder.string(), context.fonts.text, room).c_str());
-    report_item(context, "file-dialog folder", dialog.folder.string());
+    ImGui::TextUnformatted(end_of_path(shown.string(), context.fonts.text, room).c_str());
+    report_item(context, "file-dialog folder", shown.string());
 }
 
-void draw_entry_row(const PanelContext& context, std::size_t index) {
-    FileDialogState& dialog = context.panels.file_dialog;
-    const fs::directory_entry& entry = dialog.entries[index];
-    std::error_code error;
-    const bool is_folder = entry.is_directory(error);
-    const std::string name = entry.path().filename().string();
-    const std::string shown = is_folder ? fmt::format("{}/", name) : name;
-    ImGui::PushID(name.c_str());
-    if (is_folder) ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.dim));
-    const bool is_clicked = ImGui::Selectable("##entry", dialog.chosen == index, ImGuiSelectableFlags_AllowDoubleClick);
+/// Draws one row; returns whether it was clicked.
+bool draw_entry_row(const PanelContext& context, const FolderEntry& entry, bool is_chosen) {
+    const std::string shown = entry.is_folder ? fmt::format("{}/", entry.name) : entry.name;
+    ImGui::PushID(entry.name.c_str());
+    if (entry.is_folder) ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.dim));
+    // Weaker than what is chosen.
+    if (!is_chosen)
+        ImGui::PushStyleColor(ImGuiCol_HeaderHovered, imgui_color(render::faded(context.theme.accent, hover_share)));
+    const bool is_clicked = ImGui::Selectable("##entry", is_chosen, ImGuiSelectableFlags_AllowDoubleClick);
+    if (!is_chosen) ImGui::PopStyleColor();
     const Rectangle place = last_item_place();
-    report_item(context, fmt::format("{} {}", is_folder ? "folder" : "file", name));
+    report_item(context, fmt::format("{} {}", entry.is_folder ? "folder" : "file", entry.name),
+                is_chosen ? "chosen" : "");
+    const float room = static_cast<float>(place.size_px.x) - context.px(20);
+    const std::string fitting = elided(shown, context.fonts.text, room);
+    if (fitting != shown && ImGui::IsItemHovered())
+        draw_tooltip_at(context, shown, place.origin_px + glm::dvec2(0.0, place.size_px.y), {0.0, 0.0});
     const glm::vec2 corner(place.origin_px);
     ImGui::GetWindowDrawList()->AddText({corner.x + context.px(10), corner.y + 0.5F * ImGui::GetStyle().ItemSpacing.y},
-                                        ImGui::GetColorU32(ImGuiCol_Text), shown.c_str());
-    if (is_folder) ImGui::PopStyleColor();
+                                        ImGui::GetColorU32(ImGuiCol_Text), fitting.c_str());
+    if (entry.is_folder) ImGui::PopStyleColor();
     ImGui::PopID();
-    if (!is_clicked) return;
-    dialog.chosen = index;
-    dialog.typed = name;
-    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) accept(context);
+    return is_clicked;
 }
 
-/// Up and Down choose from the list while the name is the active field.
-void move_choice(const PanelContext& context) {
+/// Brings the chosen row into sight of the current window, whose rows are `pitch_px` high.
+void scroll_to_choice(FileDialogState& dialog, float pitch_px) {
+    if (!std::exchange(dialog.follows_choice, false)) return;
+    const float top = pitch_px * static_cast<float>(dialog.choice.chosen.value_or(0));
+    const float height = ImGui::GetWindowHeight() - 2.0F * ImGui::GetStyle().WindowPadding.y;
+    const float most = top;
+    const float least = top + pitch_px - height;
+    ImGui::SetScrollY(std::clamp(ImGui::GetScrollY(), std::min(least, most), most));
+}
+
+/// Draws the rows that are in sight; returns which one was clicked, if one was.
+std::optional<std::size_t> draw_rows(const PanelContext& context, float pitch_px) {
+    const FileChoice& choice = context.panels.file_dialog.choice;
+    std::optional<std::size_t> clicked;
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(choice.shown.size()), pitch_px);
+    while (clipper.Step()) {
+        for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
+            const auto index = static_cast<std::size_t>(row);
+            const FolderEntry& entry = choice.listed.entries[choice.shown[index]];
+            if (draw_entry_row(context, entry, choice.chosen == index)) clicked = index;
+        }
+    }
+    return clicked;
+}
+
+const char* reason_of_no_rows(const FileChoice& choice) {
+    if (choice.listed.entries.empty()) return "No folders and no .json files here.";
+    return "Nothing here has that in its name.";
+}
+
+/// How many rows Page Up and Page Down move.
+std::ptrdiff_t page_of(float height_px, float pitch_px) {
+    return std::max<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(height_px / pitch_px) - 1, 1);
+}
+
+/// The keys that move the choice while the name is the active field. Home and End belong to the text until the others
+/// have led into the list.
+std::ptrdiff_t rows_of_keys(const PanelContext& context, std::ptrdiff_t page) {
+    const auto all = static_cast<std::ptrdiff_t>(context.panels.file_dialog.choice.shown.size());
+    std::ptrdiff_t rows = 0;
+    if (was_pressed(context, editor::Key::down)) rows += 1;
+    if (was_pressed(context, editor::Key::up)) rows -= 1;
+    if (was_pressed(context, editor::Key::page_down)) rows += page;
+    if (was_pressed(context, editor::Key::page_up)) rows -= page;
+    if (!context.panels.file_dialog.choice.is_led_by_keys) return rows;
+    if (was_pressed(context, editor::Key::end)) rows += all;
+    if (was_pressed(context, editor::Key::home)) rows -= all;
+    return rows;
+}
+
+void move_by_keys(const PanelContext& context, std::ptrdiff_t page) {
     FileDialogState& dialog = context.panels.file_dialog;
-    const int step =
-        (was_pressed(context, editor::Key::down) ? 1 : 0) - (was_pressed(context, editor::Key::up) ? 1 : 0);
-    if (step == 0 || dialog.entries.empty()) return;
-    const auto last = static_cast<std::ptrdiff_t>(dialog.entries.size()) - 1;
-    const std::ptrdiff_t before =
-        dialog.chosen ? static_cast<std::ptrdiff_t>(*dialog.chosen) : (step > 0 ? -1 : last + 1);
-    dialog.chosen = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(before + step, 0, last));
-    dialog.typed = dialog.entries[*dialog.chosen].path().filename().string();
-    dialog.takes_focus = true;
+    const std::ptrdiff_t rows = dialog.to_replace ? 0 : rows_of_keys(context, page);
+    if (rows == 0) return;
+    move_choice(dialog.choice, rows);
+    dialog.shows_choice = dialog.follows_choice = true;
+}
+
+void take_click(const PanelContext& context, std::size_t row) {
+    FileDialogState& dialog = context.panels.file_dialog;
+    choose(dialog.choice, row);
+    dialog.to_replace.reset();
+    dialog.takes_focus = dialog.shows_choice = true;
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) accept(context);
 }
 
 void draw_entries(const PanelContext& context, float height_px) {
@@ -162,40 +205,63 @@ void draw_entries(const PanelContext& context, float height_px) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(6), context.px(6)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(8), context.px(6)));
     ImGui::BeginChild("entries", ImVec2(0.0F, height_px), true, ImGuiWindowFlags_NoNav);
-    // Entering a folder replaces the list, so the count is asked for anew.
-    for (std::size_t i = 0; i < dialog.entries.size(); ++i) draw_entry_row(context, i);
-    if (dialog.entries.empty()) ImGui::TextDisabled("No folders and no .json files here.");
+    const float pitch = ImGui::GetTextLineHeightWithSpacing();
+    move_by_keys(context, page_of(ImGui::GetContentRegionAvail().y, pitch));
+    scroll_to_choice(dialog, pitch);
+    const std::optional<std::size_t> clicked = draw_rows(context, pitch);
+    if (dialog.choice.shown.empty()) ImGui::TextDisabled("%s", reason_of_no_rows(dialog.choice));
     ImGui::EndChild();
     ImGui::PopStyleVar(2);
     ImGui::PopStyleColor();
+    if (clicked) take_click(context, *clicked);
 }
 
-/// Dear ImGui selects the text only when the field becomes active for the first time.
-int select_all(ImGuiInputTextCallbackData* data) {
+/// Puts the text that the dialog itself wrote into the active field, selected, so that typing begins anew.
+int follow_choice(ImGuiInputTextCallbackData* data) {
     auto& dialog = *static_cast<FileDialogState*>(data->UserData);
-    if (std::exchange(dialog.selects_all, false)) data->SelectAll();
+    if (!std::exchange(dialog.shows_choice, false)) return 0;
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, dialog.choice.typed.c_str());
+    data->SelectAll();
     return 0;
 }
 
 void draw_name_field(const PanelContext& context) {
     FileDialogState& dialog = context.panels.file_dialog;
-    if (std::exchange(dialog.takes_focus, false)) {
-        ImGui::SetKeyboardFocusHere();
-        dialog.selects_all = true;
-    }
+    const bool is_asking = dialog.to_replace.has_value();
+    if (!is_asking && std::exchange(dialog.takes_focus, false)) ImGui::SetKeyboardFocusHere();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.px(10), context.px(7)));
     ImGui::SetNextItemWidth(-1.0F);
-    ImGui::InputTextWithHint("##name", "Name, or the whole path of a file", &dialog.typed,
-                             ImGuiInputTextFlags_CallbackAlways, select_all, &dialog);
+    const bool was_typed = !dialog.shows_choice;
+    const std::string before = dialog.choice.typed;
+    ImGui::BeginDisabled(is_asking);
+    ImGui::InputTextWithHint("##name", "Name, or the whole path of a file", &dialog.choice.typed,
+                             ImGuiInputTextFlags_CallbackAlways, follow_choice, &dialog);
+    ImGui::EndDisabled();
     ImGui::PopStyleVar();
-    report_item(context, "file-dialog name", dialog.typed);
+    report_item(context, "file-dialog name", dialog.choice.typed);
+    if (!was_typed || dialog.choice.typed == before) return;
+    follow_typed(dialog.choice, !is_saving(context));
+    dialog.problem.clear();
+    dialog.follows_choice = true;
 }
 
-void draw_problem(const PanelContext& context) {
+/// What stands below the name: the question, or what is wrong.
+void draw_sentence(const PanelContext& context) {
+    const FileDialogState& dialog = context.panels.file_dialog;
     const editor::Message& message = context.state.message;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float height = 2.0F * ImGui::GetTextLineHeight();
-    draw_dialog_error(context, message.is_error ? message.text : context.panels.file_dialog.problem);
+    if (dialog.to_replace) {
+        const float room = ImGui::GetContentRegionAvail().x;
+        const std::string name = elided(dialog.to_replace->filename().string(), context.fonts.text, room);
+        ImGui::TextWrapped("%s", sentence("Replace {name}? It exists already.", {{"name", name}}).c_str());
+        report_item(context, "dialog question", dialog.to_replace->string());
+    } else if (message.is_error) {
+        draw_dialog_error(context, message.text);
+    } else {
+        draw_dialog_error(context, dialog.problem.empty() ? dialog.choice.listed.problem : dialog.problem);
+    }
     ImGui::SetCursorScreenPos({corner.x, corner.y + height + context.px(6)});
 }
 
@@ -205,24 +271,31 @@ void place_buttons(const PanelContext& context, const char* first, const char* s
     ImGui::SetCursorPos({ImGui::GetWindowWidth() - width - context.px(18), ImGui::GetWindowHeight() - context.px(46)});
 }
 
-/// Asks whether the file that is there may be replaced; returns whether the question is still open.
+/// Tab and the arrow keys choose an answer, Enter and Space give it; at first that is to keep the file, so that a
+/// second Enter overwrites nothing.
+bool is_answered_by_keys(const PanelContext& context) {
+    bool& is_replacing = context.panels.file_dialog.is_replacing;
+    if (was_pressed(context, editor::Key::tab) || was_pressed(context, editor::Key::tab, {.shift = true}))
+        is_replacing = !is_replacing;
+    if (was_pressed(context, editor::Key::left)) is_replacing = false;
+    if (was_pressed(context, editor::Key::right)) is_replacing = true;
+    return was_pressed(context, editor::Key::enter) || was_pressed(context, editor::Key::space);
+}
+
+/// The answers to whether the file that is there may be replaced.
 void draw_question(const PanelContext& context, bool is_left) {
     FileDialogState& dialog = context.panels.file_dialog;
-    const fs::path path = *dialog.to_replace;
-    ImGui::SetCursorPosY(ImGui::GetWindowHeight() - context.px(42));
-    const std::string question = sentence("Replace {name}? It exists already.", {{"name", path.filename().string()}});
-    ImGui::TextUnformatted(elided(question, context.fonts.text, context.px(330)).c_str());
-    report_item(context, "dialog question", path.string());
-    show_cut_text(context, path.string(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    const bool is_answered = is_answered_by_keys(context);
+    const auto look_of = [](bool is_chosen) { return is_chosen ? ButtonLook::primary : ButtonLook::plain; };
     place_buttons(context, "Keep", "Replace");
-    const bool is_kept = draw_label_button(context, "dialog keep", "Keep");
+    const bool is_kept = draw_label_button(context, "dialog keep", "Keep", look_of(!dialog.is_replacing));
     ImGui::SameLine();
-    const bool is_replaced = draw_label_button(context, "dialog replace", "Replace", ButtonLook::primary);
-    if (is_replaced || was_pressed(context, editor::Key::enter)) context.queue.run(editor::SaveAs{.path = path});
-    if (is_replaced || is_kept || is_left || was_pressed(context, editor::Key::enter)) {
-        dialog.to_replace.reset();
-        dialog.takes_focus = true;
-    }
+    const bool is_replaced = draw_label_button(context, "dialog replace", "Replace", look_of(dialog.is_replacing));
+    if (is_replaced || (is_answered && dialog.is_replacing))
+        context.queue.run(editor::SaveAs{.path = *dialog.to_replace});
+    if (!is_replaced && !is_kept && !is_left && !is_answered) return;
+    dialog.to_replace.reset();
+    dialog.takes_focus = dialog.shows_choice = true;
 }
 
 void draw_answers(const PanelContext& context, bool is_left) {
@@ -250,12 +323,11 @@ void draw_file_dialog(const PanelContext& context, const Rectangle& window) {
     frame.size = {640.0, 520.0};
     frame.closes_on_outside = false;
     const bool is_left = begin_dialog(context, window, frame);
-    move_choice(context);
     draw_folder_row(context);
     const float below = context.px(46 + 34 + 6) + 3.0F * ImGui::GetTextLineHeight();
     draw_entries(context, -below);
     draw_name_field(context);
-    draw_problem(context);
+    draw_sentence(context);
     if (dialog.to_replace) {
         draw_question(context, is_left);
     } else {

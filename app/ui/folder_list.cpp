@@ -1,6 +1,7 @@
 #include "app/ui/folder_list.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "core/base/sentence.h"
 
@@ -10,38 +11,100 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_folder(const fs::directory_entry& entry) {
-    std::error_code error;
-    return entry.is_directory(error);
+char lower(char c) {
+    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
 
-bool is_offered(const fs::directory_entry& entry) {
-    const std::string name = entry.path().filename().string();
-    if (name.empty() || name.front() == '.') return false;
-    return is_folder(entry) || entry.path().extension() == ".json";
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+// Takes the digits off the front of `rest`; returns them without leading zeros.
+std::string_view take_number(std::string_view& rest) {
+    const std::size_t end = std::min(rest.find_first_not_of("0123456789"), rest.size());
+    std::string_view digits = rest.substr(0, end);
+    rest.remove_prefix(end);
+    digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+    return digits;
+}
+
+// Below 0, 0 or above it, as numbers of that many digits are.
+int compare_numbers(std::string_view a, std::string_view b) {
+    if (a.size() != b.size()) return a.size() < b.size() ? -1 : 1;
+    return a.compare(b);
+}
+
+// The same for names, of which a number is one letter.
+int compare_names(std::string_view a, std::string_view b) {
+    while (!a.empty() && !b.empty()) {
+        if (is_digit(a.front()) && is_digit(b.front())) {
+            const int order = compare_numbers(take_number(a), take_number(b));
+            if (order != 0) return order;
+        } else {
+            const int order =
+                static_cast<unsigned char>(lower(a.front())) - static_cast<unsigned char>(lower(b.front()));
+            if (order != 0) return order;
+            a.remove_prefix(1);
+            b.remove_prefix(1);
+        }
+    }
+    return static_cast<int>(!a.empty()) - static_cast<int>(!b.empty());
+}
+
+// What files are sorted by: "wave" stands before "wave 2".
+std::string_view stem_of(const FolderEntry& entry) {
+    const std::string_view name = entry.name;
+    return entry.is_folder ? name : name.substr(0, name.rfind('.'));
+}
+
+bool stands_before(const FolderEntry& a, const FolderEntry& b) {
+    return a.is_folder != b.is_folder ? a.is_folder : comes_before(stem_of(a), stem_of(b));
+}
+
+bool has_native_ending(const fs::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), lower);
+    return ending == ".json";
 }
 
 }  // namespace
+
+bool comes_before(std::string_view a, std::string_view b) {
+    const int order = compare_names(a, b);
+    return order != 0 ? order < 0 : a < b;
+}
 
 FolderContent read_folder(const fs::path& folder) {
     FolderContent content;
     std::error_code error;
     content.folder = fs::weakly_canonical(folder, error);
-    fs::directory_iterator iterator(content.folder, fs::directory_options::skip_permission_denied, error);
+    if (error) content.folder = folder;
+    fs::directory_iterator iterator(content.folder, error);
     if (error) {
         content.problem = core::sentence("{folder} cannot be read: {reason}",
                                          {{"folder", content.folder.string()}, {"reason", error.message()}});
         return content;
     }
     for (const fs::directory_iterator end; iterator != end && !error; iterator.increment(error)) {
-        if (is_offered(*iterator)) content.entries.push_back(*iterator);
+        std::error_code ignored;
+        FolderEntry entry{iterator->path().filename().string(), iterator->is_directory(ignored)};
+        const bool is_hidden = entry.name.front() == '.';
+        if (!is_hidden && (entry.is_folder || has_native_ending(entry.name)))
+            content.entries.push_back(std::move(entry));
     }
-    std::sort(content.entries.begin(), content.entries.end(),
-              [](const fs::directory_entry& a, const fs::directory_entry& b) {
-                  const bool a_is_folder = is_folder(a);
-                  return a_is_folder != is_folder(b) ? a_is_folder : a.path() < b.path();
-              });
+    std::sort(content.entries.begin(), content.entries.end(), stands_before);
     return content;
+}
+
+std::vector<std::size_t> entries_with(const std::vector<FolderEntry>& entries, std::string_view text) {
+    const auto are_same = [](char a, char b) { return lower(a) == lower(b); };
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const std::string& name = entries[i].name;
+        const bool has_text = std::search(name.begin(), name.end(), text.begin(), text.end(), are_same) != name.end();
+        if (has_text || text.empty()) found.push_back(i);
+    }
+    return found;
 }
 
 }  // namespace batten::ui

@@ -11,21 +11,22 @@
 #include "app/editor/command_spec.h"
 #include "app/editor/pointer.h"
 #include "app/editor/selection.h"
+#include "app/ui/file_choice.h"
 #include "core/document/document.h"
 
 namespace batten::ui {
 
-/// The list of a folder and the half-typed name in the file dialog.
+/// What the file dialog shows and asks.
 struct FileDialogState {
     bool was_open = false;
-    std::filesystem::path folder;
-    std::vector<std::filesystem::directory_entry> entries;
-    std::string typed;
-    std::optional<std::size_t> chosen;                ///< index in entries
+    FileChoice choice;
+    std::string suggested_name;                       ///< where a document is saved
     std::optional<std::filesystem::path> to_replace;  ///< the file that saving would overwrite, asked about
+    bool is_replacing = false;                        ///< the answer that keys chose; at first to keep the file
     std::string problem;                              ///< why the folder cannot be shown
     bool takes_focus = false;                         ///< the name field becomes the active one in the next frame
-    bool selects_all = false;                         ///< its text is selected as soon as it is active
+    bool shows_choice = false;    ///< the text was changed by the dialog, which the field must follow
+    bool follows_choice = false;  ///< the list scrolls to the chosen row
 };
 
 struct PaletteState {

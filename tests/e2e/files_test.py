@@ -1,6 +1,9 @@
 """Files in the real window: broken ones, unsaved changes, what is remembered."""
 
+import json
+import os
 import unittest
+import unittest.mock
 
 from case import CUBIC, WindowTest
 
@@ -13,6 +16,129 @@ class FilesTest(WindowTest):
         editor.type(path)
         editor.wait(lambda state: state["widgets"]["file-dialog name"]["value"] == str(path), "the typed path")
         editor.key("Return")
+
+    def open_folder(self, *names):
+        """The editor on a file in a folder of its own that has copies of it under these names."""
+        self.curves = self.folder / "curves"
+        for path in (self.curves / name for name in ("wave.json", *names)):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(self.path.read_text())
+        return self.open_editor(self.curves / "wave.json")
+
+    def rows(self, state):
+        """The names in the list of the file dialog, from top to bottom, and which one is chosen."""
+        rows = {name.split(" ", 1)[1]: place for name, place in state["widgets"].items()
+                if name.startswith(("file ", "folder ")) and name != "file name"}
+        names = sorted(rows, key=lambda name: rows[name]["y"])
+        return names, [name for name in names if rows[name]["value"] == "chosen"]
+
+    def show_dialog(self, editor, keys, name):
+        editor.key(keys)
+        editor.wait(lambda state: state["dialog"] == name and state["is_settled"], "the file dialog")
+
+    def typed(self, editor, text):
+        def holds(value):
+            return lambda state: state["widgets"]["file-dialog name"]["value"] == value and state["is_settled"]
+
+        editor.key(*["BackSpace"] * len(editor.state()["widgets"]["file-dialog name"]["value"]))
+        editor.wait(holds(""), "the empty field")
+        editor.type(text)
+        return editor.wait(holds(text), f"'{text}' in the field")
+
+    def test_the_file_dialog_filters_while_typing_and_opens_what_fits(self):
+        editor = self.open_folder("wave 10.json", "Wave 2.json", "arch.json", "notes.txt")
+        self.show_dialog(editor, "ctrl+o", "open-file")
+        self.assertEqual(self.rows(editor.state()), (["arch.json", "wave.json", "Wave 2.json", "wave 10.json"], []))
+        self.assertEqual(self.rows(self.typed(editor, "ve 1")), (["wave 10.json"], ["wave 10.json"]))
+        self.assertEqual(self.rows(self.typed(editor, "WAVE")), (["wave.json", "Wave 2.json", "wave 10.json"], ["wave.json"]))
+        editor.screenshot("filtered")
+        self.typed(editor, "2")
+        editor.key("Return")
+        editor.wait(lambda state: state["path"] == str(self.curves / "Wave 2.json") and state["dialog"] == "none", "the file")
+
+    def test_keys_move_in_the_file_dialog(self):
+        editor = self.open_folder(*(f"curve {i}.json" for i in range(30)))
+        self.show_dialog(editor, "ctrl+o", "open-file")
+        for key, name in (("Down", "curve 0.json"), ("Down", "curve 1.json"), ("End", "wave.json"), ("Up", "curve 29.json"),
+                          ("Home", "curve 0.json"), ("Up", "curve 0.json")):
+            editor.key(key)
+            state = editor.wait(lambda state: self.rows(state)[1] == [name] and state["is_settled"], f"{name} after {key}")
+            self.assertEqual(state["widgets"]["file-dialog name"]["value"], name)
+        editor.key("Next")
+        state = editor.wait(lambda state: self.rows(state)[1] != ["curve 0.json"], "the next page")
+        ((name,), page) = self.rows(state)[1], len(self.rows(state)[0])
+        self.assertIn(int(name.split(" ")[1].split(".")[0]), range(page - 4, page + 1))
+        editor.key("Prior", "Down", "Return")
+        editor.wait(lambda state: state["path"] == str(self.curves / "curve 1.json"), "the chosen file")
+
+    def test_typed_folders_are_listed_and_the_home_folder_is_known(self):
+        with unittest.mock.patch.dict(os.environ, HOME=str(self.folder / "curves")):
+            editor = self.open_folder("week/notes.json", "week/wind.json")
+        self.show_dialog(editor, "ctrl+o", "open-file")
+        self.assertEqual(self.rows(self.typed(editor, "/"))[1], [])
+        state = self.typed(editor, "~/week/n")
+        self.assertEqual(self.rows(state)[0], ["notes.json", "wind.json"])
+        self.assertEqual(state["widgets"]["file-dialog folder"]["value"], str(self.curves / "week"))
+        self.typed(editor, "~")
+        self.assertEqual(self.rows(editor.state())[0], ["week", "wave.json"])
+        self.typed(editor, "~/week")
+        editor.key("Return")
+        editor.wait(lambda state: state["widgets"]["file-dialog name"]["value"] == "" and self.rows(state)[0] == ["notes.json", "wind.json"],
+                    "the folder")
+        self.typed(editor, "~/week/wind.json")
+        editor.key("Return")
+        editor.wait(lambda state: state["path"] == str(self.curves / "week" / "wind.json"), "the file")
+
+    def test_a_second_enter_overwrites_nothing(self):
+        editor = self.open_folder("arch.json")
+        arch = self.curves / "arch.json"
+        arch.write_text("precious")
+        self.show_dialog(editor, "ctrl+shift+s", "save-file")
+        self.typed(editor, "arch")
+        editor.key("Return", "Return")
+        editor.wait(lambda state: "dialog question" not in state["widgets"] and state["is_settled"], "the dialog")
+        editor.key("Return", "Return", "Return")
+        editor.wait(lambda state: "dialog question" in state["widgets"] and state["is_settled"], "the question")
+        editor.screenshot("question")
+        self.assertEqual(arch.read_text(), "precious")
+        editor.key("Escape")
+        editor.wait(lambda state: "dialog question" not in state["widgets"], "no question")
+        self.assertEqual(editor.state()["dialog"], "save-file")
+        editor.key("Return")
+        editor.wait(lambda state: "dialog question" in state["widgets"], "the question")
+        editor.key("Tab", "space")
+        editor.wait(lambda state: state["path"] == str(arch) and state["dialog"] == "none", "the file replaced")
+        self.assertEqual(json.loads(arch.read_text())["curves"][0]["knots"], CUBIC["curves"][0]["knots"])
+
+    def test_the_answer_can_be_clicked(self):
+        editor = self.open_folder("arch.json")
+        self.show_dialog(editor, "ctrl+shift+s", "save-file")
+        self.typed(editor, "arch.json")
+        for button, dialog in (("dialog keep", "save-file"), ("dialog replace", "none")):
+            editor.key("Return")
+            editor.click_widget(button)
+            editor.wait(lambda state: "dialog question" not in state["widgets"] and state["dialog"] == dialog, button)
+        self.assertEqual(editor.state()["path"], str(self.curves / "arch.json"))
+
+    def test_a_foreign_ending_is_not_given_curves(self):
+        editor = self.open_editor()
+        self.show_dialog(editor, "ctrl+shift+s", "save-file")
+        self.typed(editor, "wave.svg")
+        editor.key("Return")
+        state = editor.wait(lambda state: "dialog error" in state["widgets"], "the sentence")
+        self.assertIn("name it 'wave.json'", state["widgets"]["dialog error"]["value"])
+        self.assertFalse((self.folder / "wave.svg").exists())
+
+    def test_ten_thousand_files_are_listed(self):
+        editor = self.open_folder(*(f"curve {i}.json" for i in range(10000)))
+        self.show_dialog(editor, "ctrl+o", "open-file")
+        names, _ = self.rows(editor.state())
+        self.assertEqual(names[:3], ["curve 0.json", "curve 1.json", "curve 2.json"])
+        self.assertLess(len(names), 60, "rows that are out of sight are not drawn")
+        editor.key("Up")
+        state = editor.wait(lambda state: self.rows(state)[1] == ["wave.json"], "the last one in sight")
+        self.assertEqual(self.rows(self.typed(editor, "e 777"))[0][0], "curve 777.json")
+        self.assertEqual(len(self.rows(editor.state())[0]), 11)
 
     def test_broken_file_is_refused_with_a_sentence_and_the_document_stays(self):
         broken = self.folder / "broken.json"
