@@ -1,36 +1,39 @@
 #include "app/editor/expression.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <system_error>
 
+#include "app/editor/formula.h"
+#include "app/editor/quantity.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
 namespace {
 
-using Value = tl::expected<double, std::string>;
+using Value = tl::expected<Quantity, std::string>;
 
 constexpr std::string_view blanks = " \t\n\r";
 constexpr std::string_view minus_sign = "\u2212";
-constexpr int deepest = 100;  // parentheses and signs recurse: a pasted "((((..." must not exhaust the stack
+constexpr std::string_view digits_and_marks = "0123456789.,";
+constexpr int deepest = 100;  // parentheses, signs and powers recurse: a pasted "((((..." must not exhaust the stack
 
-/// A parser by recursive descent: sum = product {+ product}, product = signed {* signed}, signed = [-] signed | (sum) |
-/// number.
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// A parser by recursive descent: sum = product {+ product}; product = signed [unit] {* signed [unit]}; signed = [-]
+/// signed | power; power = operand [^ signed]; operand = (sum) | name (sum) | pi | number.
 class Parser {
   public:
-    explicit Parser(std::string_view text) : text_(text) {}
+    explicit Parser(std::string_view text) : text_(text) { skip_blanks(); }
 
     Value parse() {
-        skip_blanks();
-        if (rest().empty()) return fail("type a number, such as 0.5, 1/3 or 2*(3+1)");
-        Value value = sum();
-        if (!value) return value;
-        if (!rest().empty()) return unexpected();
-        if (!std::isfinite(*value)) return fail("the result is too large for a number");
-        return value;
+        if (rest().empty()) return fail("type a number, such as 0.5, 1/3 or sqrt(2)/2");
+        const Value value = sum();
+        return value && !rest().empty() ? unexpected() : value;
     }
 
   private:
@@ -40,8 +43,10 @@ class Parser {
 
     Value unexpected() const {
         if (rest().front() == ')') return fail("a closing parenthesis has no opening one");
-        if (rest().front() == ',') return fail("a comma cannot be read here; write decimals with a point, as in 0.5");
-        return fail(core::sentence("“{found}” cannot be read; numbers, + - * / and parentheses are allowed",
+        if (!name().empty())
+            return fail(core::sentence("“{found}” cannot be read here; a product is written with *, as in 2*pi",
+                                       {{"found", rest().substr(0, name().size())}}));
+        return fail(core::sentence("“{found}” cannot be read here; numbers, + - * / ^ and parentheses are allowed",
                                    {{"found", character()}}));
     }
 
@@ -63,6 +68,23 @@ class Parser {
 
     bool accept_minus() { return accept("-") || accept(minus_sign); }
 
+    /// The run of letters at the position, in lower case.
+    std::string name() const {
+        std::string result;
+        for (const char c : rest()) {
+            if (!is_letter(c)) break;
+            result.push_back(static_cast<char>(c | 0x20));
+        }
+        return result;
+    }
+
+    bool accept_name(std::string_view wanted) {
+        if (name() != wanted) return false;
+        position_ += wanted.size();
+        skip_blanks();
+        return true;
+    }
+
     Value sum() {
         Value value = product();
         while (value) {
@@ -70,28 +92,44 @@ class Parser {
             if (!adds && !accept_minus()) break;
             Value next = product();
             if (!next) return next;
-            value = adds ? *value + *next : *value - *next;
+            value = *value + (adds ? *next : -*next);
         }
         return value;
     }
 
+    /// A unit counts for the whole product before it: 1/3 deg is a third of a degree.
     Value product() {
         Value value = signed_operand();
+        bool has_unit = accept_unit(value);
         while (value) {
             const bool multiplies = accept("*");
             if (!multiplies && !accept("/")) break;
             Value next = signed_operand();
             if (!next) return next;
-            if (!multiplies && *next == 0.0) return fail("a division by zero has no value");
+            if (!multiplies && in_radians(*next) == 0.0) return fail("a division by zero has no value");
             value = multiplies ? *value * *next : *value / *next;
+            if (!accept_unit(value)) continue;
+            if (has_unit) return fail("a product has two units; parentheses are needed, as in (90 deg)/(30 deg)");
+            has_unit = true;
         }
         return value;
+    }
+
+    bool accept_unit(Value& value) {
+        if (!value) return false;
+        if (accept_name("deg") || accept("°")) {
+            value = *value * Quantity{0.0, 1.0};
+            return true;
+        }
+        if (!accept_name("rad")) return false;
+        value = *value * Quantity{0.0, 180.0 / std::numbers::pi};
+        return true;
     }
 
     Value signed_operand() {
         if (depth_ >= deepest) return fail("too many parentheses or signs inside one another");
         ++depth_;
-        Value value = accept_minus() ? negated() : accept("+") ? signed_operand() : operand();
+        Value value = accept_minus() ? negated() : accept("+") ? signed_operand() : power();
         --depth_;
         return value;
     }
@@ -102,27 +140,76 @@ class Parser {
         return value;
     }
 
+    Value power() {
+        Value base = operand();
+        if (!base || !accept("^")) return base;
+        Value exponent = signed_operand();
+        if (!exponent) return exponent;
+        const double result = std::pow(in_radians(*base), in_radians(*exponent));
+        if (std::isfinite(result)) return Quantity{result};
+        return fail(core::sentence(
+            in_radians(*base) < 0.0 ? "({base})^{exponent} has no value" : "{base}^{exponent} has no value",
+            {{"base", number_text(in_radians(*base))}, {"exponent", number_text(in_radians(*exponent))}}));
+    }
+
     Value operand() {
-        if (!accept("(")) return number();
+        if (accept("(")) return parenthesized();
+        if (accept_name("pi") || accept("π")) return Quantity{std::numbers::pi};
+        return name().empty() ? number() : applied_function();
+    }
+
+    Value parenthesized() {
         Value value = sum();
         if (value && !accept(")")) return rest().empty() ? fail("a closing parenthesis is missing") : unexpected();
         return value;
     }
 
+    Value applied_function() {
+        const std::string called = name();
+        const QuantityFunction function = quantity_function(called);
+        if (function == nullptr)
+            return fail(
+                core::sentence("“{name}” is not known; pi, deg, rad, sqrt, sin, cos, tan, asin, acos, atan, "
+                               "exp, ln and abs are",
+                               {{"name", rest().substr(0, called.size())}}));
+        accept_name(called);
+        if (!accept("("))
+            return fail(core::sentence("{name} needs parentheses, as in {name}(0.5)", {{"name", called}}));
+        Value argument = parenthesized();
+        if (!argument) return argument;
+        const Quantity result = function(*argument);
+        if (std::isfinite(in_radians(result))) return result;
+        return fail(core::sentence("{name}({argument}) has no value",
+                                   {{"name", called}, {"argument", number_text(in_radians(*argument))}}));
+    }
+
     Value number() {
         if (rest().empty()) return fail("a number is missing at the end");
         if (rest().front() == ')') return fail("a number is missing before the closing parenthesis");
-        if (rest().find_first_of("0123456789.") != 0) return unexpected();
+        const std::string_view found = rest().substr(0, rest().find_first_not_of(digits_and_marks));
+        if (found.empty()) return unexpected();
+        if (std::count_if(found.begin(), found.end(), [](char c) { return c == '.' || c == ','; }) > 1)
+            return fail(core::sentence("“{number}” has several points or commas; one is allowed, before the decimals",
+                                       {{"number", found}}));
+        return plain_number();
+    }
+
+    /// Decimals may stand after a comma.
+    Value plain_number() {
+        constexpr std::size_t longest_exponent = 8;
+        const std::size_t mantissa = std::min(rest().find_first_not_of(digits_and_marks), rest().size());
+        std::string text(rest().substr(0, mantissa + longest_exponent));
+        if (const std::size_t comma = text.find(','); comma < mantissa) text[comma] = '.';
         double value = 0.0;
-        const auto [end, error] = std::from_chars(rest().data(), rest().data() + rest().size(), value);
-        const auto length = static_cast<std::size_t>(end - rest().data());
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const auto length = static_cast<std::size_t>(end - text.data());
         if (error == std::errc::result_out_of_range)
             return fail(
                 core::sentence("“{number}” is outside the range of numbers", {{"number", rest().substr(0, length)}}));
         if (error != std::errc{}) return unexpected();
         position_ += length;
         skip_blanks();
-        return value;
+        return Quantity{value};
     }
 
     std::string_view text_;
@@ -142,32 +229,43 @@ std::string_view without_brackets(std::string_view text) {
     return has_brackets ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
-/// The entries of a list; between separators an entry may be empty, while a run of blanks separates once.
+/// The entries of a list; between separators an entry may be empty, while a run of blanks separates once. A last
+/// separator ends the last entry.
 std::vector<std::string_view> entries_of(std::string_view text) {
-    const bool has_separators = text.find_first_of(",;") != std::string_view::npos;
+    const bool has_separators = find_outside_parentheses(text, ",;") != std::string_view::npos;
     const std::string_view separators = has_separators ? ",;" : blanks;
     std::vector<std::string_view> entries;
-    while (true) {
-        const std::size_t end = text.find_first_of(separators);
+    while (!text.empty()) {
+        const std::size_t end = find_outside_parentheses(text, separators);
         entries.push_back(trimmed(text.substr(0, end)));
-        if (end == std::string_view::npos) return entries;
-        text.remove_prefix(end + 1);
-        if (!has_separators) text = trimmed(text);
+        text = end == std::string_view::npos ? std::string_view() : trimmed(text.substr(end + 1));
     }
+    return entries;
 }
 
 }  // namespace
 
-tl::expected<double, std::string> parse_expression(std::string_view text) {
-    return Parser(text).parse();
+std::size_t find_outside_parentheses(std::string_view text, std::string_view separators) {
+    int depth = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (depth <= 0 && separators.find(text[i]) != std::string_view::npos) return i;
+        depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+    }
+    return std::string_view::npos;
+}
+
+tl::expected<double, std::string> parse_expression(std::string_view text, ExpressionUnit unit) {
+    const Value value = Parser(text).parse();
+    if (!value) return tl::make_unexpected(value.error());
+    const double number = unit == ExpressionUnit::degrees ? in_degrees(*value) : in_radians(*value);
+    if (!std::isfinite(number)) return tl::make_unexpected("the result is too large for a number");
+    return number;
 }
 
 tl::expected<std::vector<double>, std::string> parse_expressions(std::string_view text) {
-    const std::string_view list = without_brackets(trimmed(text));
     std::vector<double> values;
-    if (list.empty()) return values;
-    for (const std::string_view entry : entries_of(list)) {
-        const Value value = parse_expression(entry);
+    for (const std::string_view entry : entries_of(without_brackets(trimmed(text)))) {
+        const auto value = parse_expression(entry);
         if (!value)
             return tl::make_unexpected(
                 core::sentence("entry {index}: {problem}", {{"index", values.size()}, {"problem", value.error()}}));

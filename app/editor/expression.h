@@ -1,4 +1,4 @@
-/// Numbers as people type them: "1/3", "2*(3+1)", "-0.5".
+/// Numbers as people type them: "1/3", "sqrt(2)/2", "30 deg", "0,5".
 #pragma once
 
 #include <string>
@@ -8,13 +8,26 @@
 
 namespace batten::editor {
 
-/// The value of `text`: decimal numbers ("2", ".5", "1e-3"), + - * / and parentheses with their usual precedence;
-/// spaces are free and the typographic minus is a minus. Always with a decimal point, whatever the system's language.
-/// The error is one sentence: what was found and where, or that the result is not a finite number.
-[[nodiscard]] tl::expected<double, std::string> parse_expression(std::string_view text);
+/// The place of the first of `separators` that stands in no parentheses; npos without one.
+std::size_t find_outside_parentheses(std::string_view text, std::string_view separators);
 
-/// The values of a list, separated by commas or semicolons, or by spaces when it has neither; brackets around it are
-/// allowed. The error names the entry, counted from 0.
+/// What a number without a unit stands for.
+enum class ExpressionUnit {
+    number,  ///< for itself; an angle is the number of its radians
+    degrees
+};
+
+/// The value of `text`: decimal numbers ("2", ".5", "1e-3", "0,5" with a decimal comma), + - * / ^ and parentheses with
+/// their usual precedence, pi, the functions sqrt, sin, cos, tan, asin, acos, atan, exp, ln and abs, and after a
+/// product deg, ° or rad. Spaces are free, the typographic minus is a minus, and letters may be capitals. The same
+/// whatever the system's language. The error is one sentence: what was found and what is allowed, or that the result is
+/// not a finite number.
+[[nodiscard]] tl::expected<double, std::string> parse_expression(std::string_view text,
+                                                                 ExpressionUnit unit = ExpressionUnit::number);
+
+/// The values of a list, separated by commas or semicolons, or by spaces when it has neither; what stands in
+/// parentheses is one value, brackets around the list are allowed, and so is a comma at its end. Decimals need a point.
+/// The error names the entry, counted from 0.
 [[nodiscard]] tl::expected<std::vector<double>, std::string> parse_expressions(std::string_view text);
 
 }  // namespace batten::editor
