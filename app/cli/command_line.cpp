@@ -10,6 +10,8 @@
 #include "app/cli/divided_words.h"
 #include "app/cli/help_text.h"
 #include "app/cli/standard_streams.h"
+#include "app/editor/expression.h"
+#include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/base/version.h"
 
@@ -25,6 +27,14 @@ CLI::App* add_command(CLI::App& program, const char* name, const char* descripti
     CLI::App* command = program.add_subcommand(name, description);
     command->set_help_all_flag();
     return command;
+}
+
+// Replaces a formula by the number that it stands for; returns what is wrong with it.
+std::string evaluate(std::string& text) {
+    const auto value = editor::parse_expression(text);
+    if (!value) return core::sentence("{found}: {problem}", {{"found", text}, {"problem", value.error()}});
+    text = core::shortest_text(*value);
+    return {};
 }
 
 void add_json(CLI::App& command, bool& as_json) {
@@ -97,6 +107,7 @@ void Subcommands::add_eval(CLI::App& program) {
     command->add_option("--at", eval_.at, "A parameter in the domain of the curve; may be given more than once")
         ->required()
         ->allow_extra_args(false)
+        ->transform(CLI::Validator(evaluate, ""))
         ->type_name("U");
     command->add_option("--curve", eval_.curve, "The name or number of the curve, instead of the active one")
         ->type_name("NAME");

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/editor/expression.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
@@ -168,11 +169,56 @@ Outcome<FieldValue> read_kind(const Field& field, Given given) {
     return refuse(field, given.front());
 }
 
-// A word is a text where the field is one, else the number or list that it reads as.
-Argument meant(const Field& field, const Argument& given) {
+bool is_number(const Field& field) {
+    switch (field.kind) {
+        case FieldKind::number:
+        case FieldKind::parameter:
+        case FieldKind::length:
+        case FieldKind::angle:
+        case FieldKind::count:
+        case FieldKind::point_index:
+        case FieldKind::knot_index:
+        case FieldKind::curve_index:
+            return true;
+        case FieldKind::position:
+        case FieldKind::vector:
+            return field.parts.size() == 2;
+        default:
+            return false;
+    }
+}
+
+bool is_list(const Field& field) {
+    switch (field.kind) {
+        case FieldKind::position:
+        case FieldKind::vector:
+            return field.parts.size() == 1;
+        case FieldKind::positions:
+        case FieldKind::parameters:
+        case FieldKind::point_indices:
+            return true;
+        default:
+            return false;
+    }
+}
+
+tl::expected<Argument, std::string> evaluated(const Field& field, const std::string& text) {
+    if (is_list(field)) return parse_expressions(text);
+    return parse_expression(text, field.kind == FieldKind::angle ? ExpressionUnit::degrees : ExpressionUnit::number);
+}
+
+// A word is a text where the field is one, else the number or list that it stands for. What has no digit is no formula
+// but something else.
+Outcome<Argument> meant(const Field& field, const FieldPart& part, const Argument& given) {
     const auto* word = std::get_if<Word>(&given);
     if (word == nullptr) return given;
-    return takes_text(field) ? Argument(word->text) : parse_argument(word->text);
+    if (takes_text(field)) return Argument(word->text);
+    if (!is_number(field) && !is_list(field)) return parse_argument(word->text);
+    auto value = evaluated(field, word->text);
+    if (value) return *std::move(value);
+    if (word->text.find_first_of("0123456789(") == std::string::npos) return Argument(word->text);
+    return tl::unexpected(sentence("{name} is {found}; {problem}",
+                                   {{"name", part.name}, {"found", word->text}, {"problem", value.error()}}));
 }
 
 // One case for each type of value.
@@ -218,7 +264,11 @@ bool takes_text(const Field& field) {
 
 Outcome<FieldValue> read_field(const Field& field, std::span<const Argument> given) {
     std::vector<Argument> arguments;
-    for (const Argument& argument : given) arguments.push_back(meant(field, argument));
+    for (std::size_t k = 0; k < given.size(); ++k) {
+        Outcome<Argument> argument = meant(field, field.parts[k], given[k]);
+        if (!argument) return tl::unexpected(argument.error());
+        arguments.push_back(*std::move(argument));
+    }
     if (field.is_optional && means_absent(field, arguments.front())) return FieldValue(Absent{});
     return read_kind(field, arguments);
 }

@@ -2,6 +2,7 @@
 
 #include "app/editor/command_reader.h"
 #include "app/editor/command_table.h"
+#include "app/editor/expression.h"
 
 namespace batten::editor {
 
@@ -14,7 +15,7 @@ Outcome<Argument> take_word(std::string_view& rest) {
     const bool is_quoted = rest.front() == '"';
     if (is_quoted) rest.remove_prefix(1);
     const std::size_t end =
-        is_quoted ? rest.find('"') : std::min(rest.find_first_of(blanks_between_words), rest.size());
+        is_quoted ? rest.find('"') : std::min(find_outside_parentheses(rest, blanks_between_words), rest.size());
     if (end == std::string_view::npos) return tl::unexpected(Refusal("a quotation mark \" is not closed"));
     std::string text(rest.substr(0, end));
     rest.remove_prefix(end + (is_quoted ? 1 : 0));

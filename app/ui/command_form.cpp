@@ -5,7 +5,6 @@
 
 #include "app/editor/command_reader.h"
 #include "app/editor/commands/help_commands.h"
-#include "app/editor/expression.h"
 #include "app/editor/field_text.h"
 #include "app/editor/formula.h"
 #include "app/ui/command_entry.h"
@@ -46,34 +45,6 @@ struct TextOf {
     }
 };
 
-bool is_list(const Field& field) {
-    switch (field.kind) {
-        case FieldKind::positions:
-        case FieldKind::parameters:
-        case FieldKind::point_indices:
-            return true;
-        case FieldKind::position:
-        case FieldKind::vector:
-            return field.parts.size() == 1;
-        default:
-            return false;
-    }
-}
-
-bool is_number(const Field& field) {
-    return !is_list(field) && (field.kind <= FieldKind::curve_index || field.kind == FieldKind::position ||
-                               field.kind == FieldKind::vector);
-}
-
-/// Numbers and lists may be written as expressions; what is none is left to the command's reader to refuse.
-Argument argument_of(const Field& field, const std::string& text) {
-    if (is_number(field))
-        if (const auto value = editor::parse_expression(text)) return *value;
-    if (is_list(field))
-        if (const auto values = editor::parse_expressions(text)) return *values;
-    return editor::Word{text};
-}
-
 bool is_empty(const std::vector<std::string>& texts) {
     return std::all_of(texts.begin(), texts.end(), [](const auto& text) { return text.empty(); });
 }
@@ -89,7 +60,7 @@ editor::Outcome<std::vector<Argument>> arguments_of(const Field& field, const st
         return editor::arguments_of(field, suggestion);
     }
     std::vector<Argument> arguments;
-    for (const std::string& text : texts) arguments.push_back(argument_of(field, text));
+    for (const std::string& text : texts) arguments.emplace_back(editor::Word{text});
     return arguments;
 }
 

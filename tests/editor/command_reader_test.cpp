@@ -75,6 +75,27 @@ TEST_F(CommandReader, takes_a_word_for_what_the_field_is) {
               (std::vector<core::Point>{{0, 0}, {1, 1}, {2, 0}}));
 }
 
+TEST_F(CommandReader, computes_words_that_are_formulas) {
+    EXPECT_EQ(read<InsertKnot>({Word{"1/3"}}).u, 1.0 / 3.0);
+    EXPECT_EQ(read<InsertKnot>({Word{"0,5"}}).u, 0.5);
+    EXPECT_EQ(read<SetPoint>({Word{"2*3"}, Word{"sqrt(2)/2"}, Word{"-1,5"}}).position,
+              core::Point(std::sqrt(2) / 2, -1.5));
+    EXPECT_EQ(read<SetPoint>({Word{"6"}, Word{"sin(30 deg)"}, Word{"180deg"}}).position,
+              core::Point(0.5, std::acos(-1)));
+    EXPECT_EQ(read<AddArc>({Word{"0"}, Word{"0"}, Word{"1"}, Word{"pi/2 rad"}, Word{"45 deg"}}).sweep, 45.0);
+    EXPECT_EQ(read<AddArc>({Word{"0"}, Word{"0"}, Word{"1"}, Word{"pi/2 rad"}, Word{"45 deg"}}).start, 90.0);
+    EXPECT_EQ(read<SetKnots>({Word{"0 0 0 0 1/4 1/2 3/4 1 1 1 1"}}).knots.at(4), 0.25);
+    EXPECT_EQ(read<SetKnots>({Word{"0,0,0,0,1/4,1/2,3/4,1,1,1,1"}}).knots.at(6), 0.75);
+}
+
+TEST_F(CommandReader, says_what_is_wrong_with_a_formula) {
+    EXPECT_EQ(refusal<InsertKnot>({Word{"1/0"}}), "u is 1/0; a division by zero has no value");
+    EXPECT_EQ(refusal<SetPoint>({Word{"0"}, Word{"0"}, Word{"2*(1"}}), "y is 2*(1; a closing parenthesis is missing");
+    EXPECT_EQ(refusal<SetKnots>({Word{"0,1/0"}}), "knots is 0,1/0; entry 1: a division by zero has no value");
+    EXPECT_EQ(refusal<SetPoint>({Word{"7/2"}, Word{"0"}, Word{"0"}}), "index is 3.5; a whole number from 0 is needed");
+    EXPECT_EQ(refusal<InsertKnot>({Word{"middle"}}), "u is the text 'middle'; a number is needed, where in the domain");
+}
+
 TEST_F(CommandReader, takes_nothing_or_none_for_what_may_be_absent) {
     EXPECT_EQ(read<SelectKnot>({std::monostate{}}).index, std::nullopt);
     EXPECT_EQ(read<SelectKnot>({Word{"none"}}).index, std::nullopt);
