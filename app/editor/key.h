@@ -5,7 +5,7 @@
 
 namespace batten::editor {
 
-/// Keys that a shortcut can use. Letters and digits are those that the user's layout prints.
+/// Keys that a shortcut can use. Letters are those that the user's layout prints.
 enum class Key {
     none,
     a,

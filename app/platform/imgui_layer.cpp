@@ -4,21 +4,33 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include "app/platform/key_map.h"
+
 namespace batten::platform {
 
 namespace {
 
 #if IMGUI_VERSION_NUM < 18700
 constexpr bool looks_at_keys_once_a_frame = true;
+
+/// Ctrl+A in a text field is the key that prints an a.
+int key_for_imgui(const KeyEvent& event) {
+    return american_key(key_from_glfw(event.key, event.scancode), event.key);
+}
 #else
 constexpr bool looks_at_keys_once_a_frame = false;
+
+/// The backend goes by the layout itself.
+int key_for_imgui(const KeyEvent& event) {
+    return event.key;
+}
 #endif
 
 void forward_key(GLFWwindow* window, const KeyEvent& event) {
     if (event.character != 0) {
         ImGui_ImplGlfw_CharCallback(window, event.character);
     } else {
-        ImGui_ImplGlfw_KeyCallback(window, event.key, event.scancode, event.action, event.modifiers);
+        ImGui_ImplGlfw_KeyCallback(window, key_for_imgui(event), event.scancode, event.action, event.modifiers);
     }
 }
 

@@ -42,6 +42,12 @@ editor::Modifiers after_key(editor::Modifiers modifiers, int key, bool is_down) 
     return modifiers;
 }
 
+/// The sign that a key prints; Shift is what it may take to print it.
+editor::Shortcut printed_shortcut(unsigned character, editor::Modifiers modifiers) {
+    modifiers.shift = false;
+    return {key_from_sign(character), modifiers};
+}
+
 }  // namespace
 
 void Input::listen_to(GLFWwindow* window) {
@@ -108,30 +114,35 @@ void Input::listen_to_keys(GLFWwindow* window, KeySink sink, bool looks_once_a_f
     key_sink_ = std::move(sink);
     sink_looks_once_a_frame_ = looks_once_a_frame;
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
-        input_of(w).on_key({key, scancode, action, modifiers, 0});
+        input_of(w).on_key({key, scancode, action, modifiers});
     });
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { input_of(w).on_key({0, 0, 0, 0, character}); });
+    // Comes after the key and before its text, also while Ctrl is held, which keeps a key from being text.
+    glfwSetCharModsCallback(window, [](GLFWwindow* w, unsigned character, int) { input_of(w).on_printed(character); });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
+        KeyEvent text;
+        text.character = character;
+        input_of(w).on_key(text);
+    });
 }
 
 void Input::on_key(const KeyEvent& event) {
     was_active_ = true;
     if (sink_looks_once_a_frame_) {
-        waiting_keys_.push_back(event);
+        waiting_keys_.push(event);
     } else {
         deliver(event);
     }
 }
 
+void Input::on_printed(unsigned character) {
+    waiting_keys_.note_printed(character);
+    if (sink_looks_once_a_frame_ || events_.empty()) return;
+    if (auto* press = std::get_if<ui::KeyPress>(&events_.back()))
+        press->printed = printed_shortcut(character, press->shortcut.modifiers);
+}
+
 void Input::deliver_keys() {
-    std::vector<int> pressed;
-    while (!waiting_keys_.empty()) {
-        const KeyEvent event = waiting_keys_.front();
-        const bool was_pressed = std::find(pressed.begin(), pressed.end(), event.key) != pressed.end();
-        if (event.character == 0 && was_pressed) return;
-        waiting_keys_.pop_front();
-        if (event.character == 0) pressed.push_back(event.key);
-        deliver(event);
-    }
+    for (const KeyEvent& event : waiting_keys_.take_portion()) deliver(event);
 }
 
 void Input::deliver(const KeyEvent& event) {
@@ -142,8 +153,10 @@ void Input::deliver(const KeyEvent& event) {
     modifiers_ = after_key(modifiers_from_glfw(event.modifiers), event.key, is_down);
     if (event.key == GLFW_KEY_SPACE) space_is_held_ = is_down;
     if (modifiers_ != before) add(pointer_event(PointerAction::move));
-    const editor::Key mapped = key_from_glfw(event.key, event.scancode);
-    if (is_down && mapped != editor::Key::none) events_.emplace_back(ui::KeyPress{{mapped, modifiers_}});
+    if (!is_down) return;
+    const ui::KeyPress press{{key_from_glfw(event.key, event.scancode), modifiers_},
+                             printed_shortcut(event.printed, modifiers_)};
+    if (press.shortcut.key != editor::Key::none || press.printed.key != editor::Key::none) events_.emplace_back(press);
 }
 
 void Input::on_button(int button, int action, int modifiers) {

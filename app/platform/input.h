@@ -8,20 +8,12 @@
 #include <variant>
 #include <vector>
 
+#include "app/platform/key_queue.h"
 #include "app/ui/frame.h"
 
 struct GLFWwindow;
 
 namespace batten::platform {
-
-/// A key, or a character of typed text, as GLFW reports it.
-struct KeyEvent {
-    int key = 0;
-    int scancode = 0;
-    int action = 0;
-    int modifiers = 0;
-    unsigned character = 0;  ///< not 0: typed text, and the other members have no meaning
-};
 
 class Input {
   public:
@@ -31,8 +23,8 @@ class Input {
     /// the window's user pointer.
     void listen_to(GLFWwindow* window);
 
-    /// Installs the callbacks of keys, which are also handed to `sink`. When it `looks_once_a_frame`, a key that went
-    /// down and up between two frames is still down during one.
+    /// Installs the callbacks of keys, which are also handed to `sink`. When it `looks_once_a_frame`, keys wait so that
+    /// each frame sees what happened in order, however long the frame before took.
     void listen_to_keys(GLFWwindow* window, KeySink sink, bool looks_once_a_frame);
 
     /// Hands out the keys that the coming frame may see; call once before each.
@@ -42,7 +34,7 @@ class Input {
     bool take_activity() { return std::exchange(was_active_, false); }
 
     /// Whether more than one portion is waiting.
-    bool is_pending() const { return !events_.empty() || !waiting_keys_.empty(); }
+    bool is_pending() const { return !events_.empty() || !waiting_keys_.is_empty(); }
 
     /// The next events: up to and including one press or release, so that each meets the state that its predecessors
     /// made.
@@ -76,13 +68,14 @@ class Input {
     editor::PointerEvent pointer_event(editor::PointerAction action) const;
     void add(const editor::PointerEvent& event);
     void on_key(const KeyEvent& event);
+    void on_printed(unsigned character);
     void deliver(const KeyEvent& event);
     void on_button(int button, int action, int modifiers);
     void note_handled(const editor::PointerEvent& event);
     bool completes_double_click(editor::PointerButton button);
 
     std::deque<Event> events_;
-    std::deque<KeyEvent> waiting_keys_;
+    KeyQueue waiting_keys_;
     KeySink key_sink_;
     bool sink_looks_once_a_frame_ = false;
     std::vector<std::filesystem::path> dropped_files_;

@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -11,40 +12,113 @@ namespace {
 
 using editor::Key;
 
-constexpr std::array<std::pair<int, Key>, 22> special_keys{{
-    {GLFW_KEY_LEFT, Key::left},           {GLFW_KEY_RIGHT, Key::right},         {GLFW_KEY_UP, Key::up},
-    {GLFW_KEY_DOWN, Key::down},           {GLFW_KEY_HOME, Key::home},           {GLFW_KEY_END, Key::end},
-    {GLFW_KEY_PAGE_UP, Key::page_up},     {GLFW_KEY_PAGE_DOWN, Key::page_down}, {GLFW_KEY_TAB, Key::tab},
-    {GLFW_KEY_ESCAPE, Key::escape},       {GLFW_KEY_ENTER, Key::enter},         {GLFW_KEY_KP_ENTER, Key::enter},
-    {GLFW_KEY_BACKSPACE, Key::backspace}, {GLFW_KEY_DELETE, Key::delete_key},   {GLFW_KEY_SPACE, Key::space},
-    {GLFW_KEY_EQUAL, Key::plus},          {GLFW_KEY_KP_ADD, Key::plus},         {GLFW_KEY_MINUS, Key::minus},
-    {GLFW_KEY_KP_SUBTRACT, Key::minus},   {GLFW_KEY_COMMA, Key::comma},         {GLFW_KEY_PERIOD, Key::period},
-    {GLFW_KEY_KP_DECIMAL, Key::period},
-}};
+struct MappedKey {
+    int code;
+    Key key;
+};
+
+constexpr std::array special_keys{
+    MappedKey{GLFW_KEY_LEFT, Key::left},
+    MappedKey{GLFW_KEY_RIGHT, Key::right},
+    MappedKey{GLFW_KEY_UP, Key::up},
+    MappedKey{GLFW_KEY_DOWN, Key::down},
+    MappedKey{GLFW_KEY_HOME, Key::home},
+    MappedKey{GLFW_KEY_END, Key::end},
+    MappedKey{GLFW_KEY_PAGE_UP, Key::page_up},
+    MappedKey{GLFW_KEY_PAGE_DOWN, Key::page_down},
+    MappedKey{GLFW_KEY_TAB, Key::tab},
+    MappedKey{GLFW_KEY_ESCAPE, Key::escape},
+    MappedKey{GLFW_KEY_ENTER, Key::enter},
+    MappedKey{GLFW_KEY_KP_ENTER, Key::enter},
+    MappedKey{GLFW_KEY_BACKSPACE, Key::backspace},
+    MappedKey{GLFW_KEY_DELETE, Key::delete_key},
+    MappedKey{GLFW_KEY_SPACE, Key::space},
+    MappedKey{GLFW_KEY_KP_ADD, Key::plus},
+    MappedKey{GLFW_KEY_KP_SUBTRACT, Key::minus},
+    MappedKey{GLFW_KEY_KP_DECIMAL, Key::period},
+};
+
+constexpr std::array american_signs{
+    MappedKey{GLFW_KEY_EQUAL, Key::plus},
+    MappedKey{GLFW_KEY_MINUS, Key::minus},
+    MappedKey{GLFW_KEY_COMMA, Key::comma},
+    MappedKey{GLFW_KEY_PERIOD, Key::period},
+};
 
 Key offset_key(Key first, int offset) {
     return static_cast<Key>(static_cast<int>(first) + offset);
 }
 
-Key key_from_character(char character) {
+template <std::size_t n>
+Key key_in(const std::array<MappedKey, n>& table, int code) {
+    const auto found =
+        std::find_if(table.begin(), table.end(), [code](MappedKey mapped) { return mapped.code == code; });
+    return found == table.end() ? Key::none : found->key;
+}
+
+/// What does not depend on the layout.
+Key fixed_key(int key) {
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return offset_key(Key::f1, key - GLFW_KEY_F1);
+    if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) return offset_key(Key::digit_0, key - GLFW_KEY_0);
+    if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return offset_key(Key::digit_0, key - GLFW_KEY_KP_0);
+    return key_in(special_keys, key);
+}
+
+Key american_place(int key) {
+    if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z) return offset_key(Key::a, key - GLFW_KEY_A);
+    return key_in(american_signs, key);
+}
+
+Key printed_key(const std::string& name) {
+    if (name.size() != 1) return Key::none;
+    const char character = name.front();
     if (character >= 'a' && character <= 'z') return offset_key(Key::a, character - 'a');
     if (character >= '0' && character <= '9') return offset_key(Key::digit_0, character - '0');
-    if (character == '+' || character == '=') return Key::plus;
+    if (character == '=') return Key::plus;
+    return key_from_sign(static_cast<unsigned char>(character));
+}
+
+/// Whether a key name is a letter beyond the Latin ones with their accents: in UTF-8 those begin before 0xC9, and
+/// typographic signs with 0xE2.
+bool is_of_another_script(const std::string& name) {
+    const unsigned char first = name.empty() ? 0 : static_cast<unsigned char>(name.front());
+    return first >= 0xC9 && first != 0xE2;
+}
+
+bool prints_anywhere(const Layout& layout, Key wanted) {
+    for (int key = GLFW_KEY_APOSTROPHE; key <= GLFW_KEY_WORLD_2; ++key)
+        if (printed_key(layout(key, 0)) == wanted) return true;
+    return false;
+}
+
+}  // namespace
+
+std::string name_in_layout(int key, int scancode) {
+    const bool is_absent = key != GLFW_KEY_UNKNOWN && glfwGetKeyScancode(key) < 0;
+    const char* name = is_absent ? nullptr : glfwGetKeyName(key, scancode);
+    return name == nullptr ? "" : name;
+}
+
+Key key_from_glfw(int key, int scancode, const Layout& layout) {
+    if (const Key fixed = fixed_key(key); fixed != Key::none) return fixed;
+    const std::string name = layout(key, scancode);
+    if (const Key printed = printed_key(name); printed != Key::none) return printed;
+    const Key place = american_place(key);
+    if (place == Key::none || is_of_another_script(name)) return place;
+    return prints_anywhere(layout, place) ? Key::none : place;
+}
+
+Key key_from_sign(unsigned character) {
+    if (character == '+') return Key::plus;
     if (character == '-') return Key::minus;
     if (character == ',') return Key::comma;
     if (character == '.') return Key::period;
     return Key::none;
 }
 
-}  // namespace
-
-Key key_from_glfw(int key, int scancode) {
-    for (const auto& [code, result] : special_keys) {
-        if (code == key) return result;
-    }
-    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return offset_key(Key::f1, key - GLFW_KEY_F1);
-    const char* name = glfwGetKeyName(key, scancode);
-    return name != nullptr && name[0] != '\0' && name[1] == '\0' ? key_from_character(name[0]) : Key::none;
+int american_key(Key key, int otherwise) {
+    if (key < Key::a || key > Key::z) return otherwise;
+    return GLFW_KEY_A + static_cast<int>(key) - static_cast<int>(Key::a);
 }
 
 editor::Modifiers modifiers_from_glfw(int bits) {

@@ -24,6 +24,7 @@ struct Rectangle {
 /// A key that went down (or repeats).
 struct KeyPress {
     editor::Shortcut shortcut;
+    editor::Shortcut printed{};  ///< the sign that the key prints with its modifiers, where there is one
 };
 
 /// What happened since the last frame, in order. Positions of pointer events are window pixels.

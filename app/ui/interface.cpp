@@ -46,9 +46,10 @@ bool is_kept_from_shortcuts(const editor::EditorState& state, const editor::Shor
     return state.dialog != Dialog::welcome || !(shortcut.modifiers.ctrl || is_function_key);
 }
 
-void run_shortcut(const PanelContext& context, const editor::Shortcut& shortcut) {
-    if (is_kept_from_shortcuts(context.state, shortcut)) return;
-    const editor::CommandSpec* spec = editor::find_command(shortcut);
+void run_shortcut(const PanelContext& context, const KeyPress& press) {
+    if (is_kept_from_shortcuts(context.state, press.shortcut)) return;
+    const editor::CommandSpec* by_key = editor::find_command(press.shortcut);
+    const editor::CommandSpec* spec = by_key != nullptr ? by_key : editor::find_command(press.printed);
     if (spec != nullptr) run_command(context, *spec);
 }
 
@@ -188,7 +189,7 @@ void Interface::dispatch_keys(const PanelContext& context) {
             end.button = editor::PointerButton::left;
             canvas_mode_ = editor::step_canvas(canvas_mode_, end, context.state, context.queue);
         } else if (panels_->pointer.captured == Picture::none) {
-            run_shortcut(context, press.shortcut);
+            run_shortcut(context, press);
         }
     }
 }

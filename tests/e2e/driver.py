@@ -55,6 +55,7 @@ class Editor:
             path = config / "batten" / "settings.json"
             path.parent.mkdir(parents=True)
             path.write_text(json.dumps(settings))
+        self.quit_key = "ctrl+q"
         self.command = [str(binary), "--state-report", str(self.report), *map(str, arguments)]
 
     def __enter__(self):
@@ -79,7 +80,7 @@ class Editor:
         if self.process.poll() is None:
             if self.state()["dialog"] not in ("none", "welcome"):
                 self.key("Escape")
-            self.key("ctrl+q")
+            self.key(self.quit_key)
             self.wait_until(lambda: self.process.poll() is not None or self.state()["dialog"] == "unsaved-changes", "quitting")
             if self.process.poll() is None:
                 self.move(*self.widget_center("dialog discard"))
