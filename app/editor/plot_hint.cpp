@@ -27,7 +27,7 @@ std::string knot_text(const core::KnotVector& knots, std::size_t stored_index) {
 const char* pattern_of_hover(core::KnotMove mode) {
     switch (mode) {
         case core::KnotMove::stop:
-            return "Drag the knot {knot} to move it; it stops at its neighbors · double-click to raise its "
+            return "Drag the knot {knot} to move it; it stops before its neighbors · double-click to raise its "
                    "multiplicity (keeps the shape)";
         case core::KnotMove::push:
             return "Drag the knot {knot} to move it; it pushes its neighbors · double-click to raise its multiplicity "
@@ -42,7 +42,7 @@ const char* pattern_of_hover(core::KnotMove mode) {
 const char* pattern_of_drag(core::KnotMove mode) {
     switch (mode) {
         case core::KnotMove::stop:
-            return "Knot at {knot}; it stops at its neighbors · Ctrl keeps to round numbers · Escape restores";
+            return "Knot at {knot}; it stops before its neighbors · Ctrl keeps to round numbers · Escape restores";
         case core::KnotMove::push:
             return "Knot at {knot}; it pushes its neighbors · Ctrl keeps to round numbers · Escape restores";
         case core::KnotMove::snap:

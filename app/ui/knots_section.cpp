@@ -118,6 +118,15 @@ void draw_name(const KnotTable& table, const Stack& stack, ImVec2 origin) {
                context.px(knot_name_width - 22)});
 }
 
+/// Sets the knot to `u`; what reaches a neighbor joins it only where dragged knots do.
+editor::Command value_command(const Stack& stack, core::KnotMove move, double u) {
+    const std::size_t index = u < stack.knot.value ? stack.first : stack.last;
+    const bool reaches_neighbor = u == stack.lowest || u == stack.highest;
+    if (reaches_neighbor && move != core::KnotMove::snap)
+        return editor::MoveKnot{.index = index, .u = u, .mode = move};
+    return editor::SetKnot{.index = index, .u = u};
+}
+
 void draw_value(const KnotTable& table, const Stack& stack) {
     const PanelContext& context = table.context;
     NumberField field;
@@ -133,9 +142,8 @@ void draw_value(const KnotTable& table, const Stack& stack) {
     field.tooltip = locked_sentence(context.state);
     if (field.is_enabled && stack.first != stack.last)
         field.tooltip = "Takes one knot out of the stack: the last one upwards, the first one downwards.";
-    draw_number_field(context, field, [stack](double u) {
-        const std::size_t index = u < stack.knot.value ? stack.first : stack.last;
-        return editor::SetKnot{.index = index, .u = u};
+    draw_number_field(context, field, [stack, move = context.state.view.knot_move](double u) {
+        return value_command(stack, move, u);
     });
 }
 
@@ -247,7 +255,7 @@ struct MoveChoice {
 };
 
 constexpr std::array move_choices{
-    MoveChoice{core::KnotMove::stop, "A dragged knot stops at its neighbors."},
+    MoveChoice{core::KnotMove::stop, "A dragged knot stops before its neighbors and never joins them."},
     MoveChoice{core::KnotMove::push, "A dragged knot takes its neighbors along."},
     MoveChoice{core::KnotMove::snap, "A dragged knot jumps onto a near one and joins its stack."},
 };

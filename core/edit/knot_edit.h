@@ -8,9 +8,10 @@ namespace batten::core {
 
 /// What a moved knot does when it meets its neighbors.
 enum class KnotMove {
-    stop,  ///< stops at the neighboring knot's value, joining its stack while the multiplicity allows
+    stop,  ///< stops before the neighboring knot, never joining it
     push,  ///< takes the neighbors along, never joining them; the ends of the domain are pushed by no knot inside it
-    snap   ///< like stop, but jumps onto a knot not farther than the snap distance, and out of a stack only beyond it
+    snap   ///< stops at the neighboring knot's value, joining its stack while the multiplicity allows; jumps onto a
+           ///< knot not farther than the snap distance, and out of a stack only beyond it
 };
 
 template <>
@@ -23,8 +24,9 @@ struct Names<KnotMove> {
 /// parameter units, >= 0). The number of knots and all control points stay. Moving one knot of a stack takes the one
 /// at the side it is moved to, so a stack is pulled apart one by one. The kind becomes custom, unless nothing moves.
 ///
-/// What cannot be joined (a stack that is full, an end that would leave no domain) is approached to 1/200 of the
-/// domain, or not at all by a knot that is nearer already. With `tears` a stack of p inside the domain of an open curve
+/// What is not joined (a neighbor in `stop`, a stack that is full, an end that would leave no domain) is approached to
+/// 1/200 of the domain, or to a tenth of the way from the knot before where that is less; not at all by a knot that is
+/// nearer already. With `tears` a stack of p inside the domain of an open curve
 /// takes one knot more, and the curve comes apart there. Pushed neighbors keep their distance, or that much of it.
 /// End knots move like others, which moves the domain. In a periodic curve t_0 and t_n are one knot and move
 /// together, so the period keeps its length; pushing, they move by at most one period.

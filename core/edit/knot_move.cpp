@@ -11,6 +11,8 @@ namespace {
 
 // What cannot be joined is kept apart by this part of the domain, so that both remain visible and can be taken hold of.
 constexpr double closest_approach = 1.0 / 200.0;
+// Among dense knots, by this part of the way from the knot before to the one after.
+constexpr double closest_among_dense = 1.0 / 10.0;
 
 // The stored knots with one of them on the way to a larger value. A move to a smaller value is the same thing in the
 // mirror (all knots reversed and negated), which is exact.
@@ -18,6 +20,7 @@ struct Row {
     int degree = 0;
     bool is_periodic = false;
     bool is_torn = false;
+    bool may_join = false;
     bool may_tear = false;  // here
     std::vector<double> knots;
     std::size_t moved = 0;
@@ -65,6 +68,7 @@ std::vector<double> with_moved_at(const Row& row, double u) {
 
 // Whether the moved knot can join the next stack: inside, a multiplicity above p comes about only where it is allowed.
 bool can_join(const Row& row, double next) {
+    if (!row.may_join) return false;
     const Tears tears = row.is_torn || row.may_tear ? Tears::allow : Tears::refuse;
     const auto joined = row.is_periodic
                             ? KnotVector::make_periodic(row.degree, with_moved_at(row, next))
@@ -76,11 +80,18 @@ bool can_join(const Row& row, double next) {
     return is_end || joined->multiplicity(next) <= row.degree;
 }
 
+// How far the moved knot comes that must stay below `next`: not at all where it is as near already.
+double limit_below(const Row& row, double next) {
+    const double knot = row.knots[row.moved];
+    const double before = row.moved == 0 ? knot : row.knots[row.moved - 1];
+    const double limit = next - std::min(row.least_distance(), closest_among_dense * (next - before));
+    return limit < next ? std::max(knot, limit) : knot;
+}
+
 std::vector<double> stopped(const Row& row) {
     if (row.moved + 1 == row.knots.size()) return with_moved_at(row, row.target);
     const double next = row.knots[row.moved + 1];
-    const double limit = can_join(row, next) ? next : std::max(row.knots[row.moved], next - row.least_distance());
-    return with_moved_at(row, std::min(row.target, limit));
+    return with_moved_at(row, std::min(row.target, can_join(row, next) ? next : limit_below(row, next)));
 }
 
 // The first knot that is not pushed: the next end of the domain, which only a knot at or outside of it moves. Past the
@@ -149,6 +160,7 @@ Result<Curve> move_knot(const Curve& curve, std::size_t index, double u, KnotMov
     Row row{curve.degree(),
             curve.is_periodic(),
             definition.tears == Tears::allow,
+            mode == KnotMove::snap,
             tears == Tears::allow && !curve.is_periodic(),
             definition.knots,
             index,

@@ -59,6 +59,10 @@ TEST_F(KnotCommands, move_a_knot_and_keep_it_selected) {
     EXPECT_EQ(knots(editor_), (std::vector<double>{0, 0, 0, 0, 0.4, 0.5, 0.75, 1, 1, 1, 1}));
     EXPECT_EQ(state().history.undo_label(), "Move knot 0.2");
     EXPECT_TRUE(run(MoveKnot{.index = 4, .u = 0.6, .mode = core::KnotMove::stop}));
+    EXPECT_EQ(knots(editor_)[4], 0.495);
+    EXPECT_EQ(state().message.text.substr(0, 78),
+              "Moved knot 0.4 up to its neighbor, which it joins where 'snap' is chosen \u2260 ");
+    EXPECT_TRUE(run(MoveKnot{.index = 4, .u = 0.6, .mode = core::KnotMove::snap}));
     EXPECT_EQ(knots(editor_)[4], 0.5);
     EXPECT_EQ(knots(editor_)[5], 0.5);
     // Pulled out of the stack to the right: it is the other one that goes.

@@ -270,7 +270,7 @@ TEST_F(PlotModes, hints_tell_the_knot_and_its_continuity) {
     use({0.25, 0.5, 0.5});
     pointer.move(at(0.5));
     EXPECT_EQ(plot_hint(pointer.mode(), state()),
-              "Drag the knot 0.5 (×2, C¹) to move it; it stops at its neighbors · double-click to raise its "
+              "Drag the knot 0.5 (×2, C¹) to move it; it stops before its neighbors · double-click to raise its "
               "multiplicity (keeps the shape)");
     pointer.move(at(0.3));
     EXPECT_EQ(plot_hint(pointer.mode(), state()),

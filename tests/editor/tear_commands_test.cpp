@@ -28,7 +28,7 @@ class TearCommands : public ::testing::Test {
 
 TEST_F(TearCommands, switch_lets_a_dragged_knot_tear_the_curve_and_undo_mends_it) {
     open_text(editor_, parabola_text);
-    const MoveKnot onto_the_stack{.index = 5, .u = 1.0, .mode = core::KnotMove::stop};
+    const MoveKnot onto_the_stack{.index = 5, .u = 1.0, .mode = core::KnotMove::snap};
     EXPECT_TRUE(run(onto_the_stack));
     EXPECT_EQ(knots(editor_), (std::vector<double>{0, 0, 0, 1, 1, 1.015, 3, 3, 3}));
     EXPECT_EQ(message().substr(0, 93),

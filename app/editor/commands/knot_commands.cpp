@@ -59,19 +59,32 @@ Outcome<Edit> move_knot(const EditorState& state, const MoveKnot& command) {
                        selection_after_move(state, command.index, command.u));
 }
 
+// Whether the knot would have joined its neighbor in the mode "snap".
+bool stops_before_neighbor(const EditorState& state, const MoveKnot& command) {
+    MoveKnot joining = command;
+    joining.mode = core::KnotMove::snap;
+    joining.snap_distance = 0.0;
+    const core::Tears tears = tears_of_active(state);
+    return command.mode == core::KnotMove::stop && moved(state, command, tears) != moved(state, joining, tears);
+}
+
 // Who drags a knot onto a full stack is told why it does not join.
+bool stops_before_full_stack(const EditorState& state, const MoveKnot& command) {
+    const core::Tears tears = tears_of_active(state);
+    return tears == core::Tears::refuse && moved(state, command, tears) != moved(state, command, core::Tears::allow);
+}
+
+const char* pattern_of_moved(const EditorState& state, const MoveKnot& command) {
+    if (stops_before_neighbor(state, command))
+        return "Moved knot {knot} up to its neighbor, which it joins where 'snap' is chosen";
+    if (stops_before_full_stack(state, command))
+        return "Moved knot {knot} up to a full stack, which it joins where 'Allow tears' lets the curve come apart";
+    return "Moved knot {knot}";
+}
+
 StepTexts texts_of_move(const EditorState& state, const MoveKnot& command) {
     const core::Place knot("knot", number_text(active_curve(state).knots().stored()[command.index]));
-    const core::Tears tears = tears_of_active(state);
-    const bool stops_short =
-        tears == core::Tears::refuse && moved(state, command, tears) != moved(state, command, core::Tears::allow);
-    return {
-        core::sentence("Move knot {knot}", {knot}),
-        stops_short
-            ? core::sentence(
-                  "Moved knot {knot} up to a full stack, which it joins where 'Allow tears' lets the curve come apart",
-                  {knot})
-            : core::sentence("Moved knot {knot}", {knot})};
+    return {core::sentence("Move knot {knot}", {knot}), core::sentence(pattern_of_moved(state, command), {knot})};
 }
 
 Outcome<Edit> set_knot(const EditorState& state, const SetKnot& command) {

@@ -61,16 +61,45 @@ TEST(MoveKnot, knot_that_does_not_move_keeps_the_kind) {
     EXPECT_EQ(move_knot(curve, 5, 0.5, KnotMove::stop).value(), curve);
 }
 
-TEST(MoveKnot, stop_joins_the_neighbor) {
+TEST(MoveKnot, snap_joins_the_neighbor) {
     const Curve curve = open_curve(3, cubic);
-    EXPECT_EQ(moved(curve, 5, 0.9, KnotMove::stop), (Knots{0, 0, 0, 0, 0.25, 0.75, 0.75, 1, 1, 1, 1}));
-    EXPECT_EQ(moved(curve, 5, 0.1, KnotMove::stop), (Knots{0, 0, 0, 0, 0.25, 0.25, 0.75, 1, 1, 1, 1}));
+    EXPECT_EQ(moved(curve, 5, 0.9, KnotMove::snap), (Knots{0, 0, 0, 0, 0.25, 0.75, 0.75, 1, 1, 1, 1}));
+    EXPECT_EQ(moved(curve, 5, 0.1, KnotMove::snap), (Knots{0, 0, 0, 0, 0.25, 0.25, 0.75, 1, 1, 1, 1}));
+}
+
+TEST(MoveKnot, stop_never_joins) {
+    const Curve curve = open_curve(3, cubic);
+    EXPECT_EQ(moved(curve, 5, 0.75, KnotMove::stop), (Knots{0, 0, 0, 0, 0.25, 0.745, 0.75, 1, 1, 1, 1}));
+    EXPECT_EQ(moved(curve, 5, 0.9, KnotMove::stop), (Knots{0, 0, 0, 0, 0.25, 0.745, 0.75, 1, 1, 1, 1}));
+    EXPECT_EQ(moved(curve, 5, 0.1, KnotMove::stop), (Knots{0, 0, 0, 0, 0.25, 0.255, 0.75, 1, 1, 1, 1}));
+    EXPECT_EQ(moved(curve, 3, 0.5, KnotMove::stop), (Knots{0, 0, 0, 0.245, 0.25, 0.5, 0.75, 1, 1, 1, 1}));
+    EXPECT_EQ(stored(move_knot(curve, 5, 0.75, KnotMove::stop, 0.1, Tears::allow).value())[5], 0.745);
+    const Curve ring = periodic_curve(3, {0, 1, 2, 3, 4});
+    expect_near(moved(ring, 3, 4.0, KnotMove::stop), {0, 1, 2, 3.98, 4});
+}
+
+TEST(MoveKnot, stop_leaves_room_to_move_among_dense_knots) {
+    Knots knots{0, 0, 0};
+    for (int i = 1; i < 1000; ++i) knots.push_back(i);
+    knots.insert(knots.end(), {1000, 1000, 1000});
+    const Curve curve = open_curve(2, knots);
+    EXPECT_NEAR(moved(curve, 500, 700.0, KnotMove::stop)[500], 498.8, 1e-12);
+    EXPECT_NEAR(moved(curve, 500, 100.0, KnotMove::stop)[500], 497.2, 1e-12);
+}
+
+TEST(MoveKnot, stop_does_not_join_a_knot_that_is_only_a_rounding_error_away) {
+    const double near = std::nextafter(0.5, 0.0);
+    const Curve curve = open_curve(2, {0, 0, 0, near, 0.5, 1, 1, 1});
+    EXPECT_EQ(move_knot(curve, 3, 0.7, KnotMove::stop).value(), curve);
+    EXPECT_EQ(move_knot(curve, 4, 0.3, KnotMove::stop).value(), curve);
+    const Curve tiny = open_curve(1, {1e16, 1e16, 1e16 + 2, 1e16 + 4, 1e16 + 4});
+    EXPECT_EQ(move_knot(tiny, 2, 2e16, KnotMove::stop).value(), tiny);
 }
 
 TEST(MoveKnot, joined_knots_lose_one_order_of_continuity) {
     const Curve curve = open_curve(3, cubic);
     EXPECT_EQ(least_continuity(curve.knots()), 2);
-    EXPECT_EQ(least_continuity(move_knot(curve, 5, 0.8, KnotMove::stop)->knots()), 1);
+    EXPECT_EQ(least_continuity(move_knot(curve, 5, 0.8, KnotMove::snap)->knots()), 1);
 }
 
 TEST(MoveKnot, full_stack_is_approached_but_not_joined) {
@@ -87,27 +116,25 @@ TEST(MoveKnot, full_stack_is_approached_but_not_joined) {
 TEST(MoveKnot, joins_a_full_stack_where_tears_are_allowed) {
     const Curve curve = open_curve(2, {0, 0, 0, 1, 1, 2, 3, 3, 3});
     EXPECT_EQ(moved(curve, 5, 0.0, KnotMove::stop), (Knots{0, 0, 0, 1, 1, 1.015, 3, 3, 3}));
-    for (const KnotMove mode : {KnotMove::stop, KnotMove::snap}) {
-        const Curve torn = move_knot(curve, 5, 1.0, mode, 0.1, Tears::allow).value();
-        EXPECT_EQ(stored(torn), (Knots{0, 0, 0, 1, 1, 1, 3, 3, 3}));
-        // Two parabolas: one ends in P2, the other begins in P3.
-        EXPECT_EQ(point_at(torn, 1.0, Side::left), Point(2, 0));
-        EXPECT_EQ(point_at(torn, 1.0, Side::right), Point(3, 2));
-        // No fourth knot joins.
-        const Curve more = open_curve(2, {0, 0, 0, 1, 1, 2, 2.5, 3, 3, 3});
-        const Curve once = move_knot(more, 5, 1.0, mode, 0.0, Tears::allow).value();
-        EXPECT_EQ(stored(move_knot(once, 6, 0.5, mode, 0.0, Tears::allow).value()),
-                  (Knots{0, 0, 0, 1, 1, 1, 1.015, 3, 3, 3}));
-    }
+    const Curve torn = move_knot(curve, 5, 1.0, KnotMove::snap, 0.1, Tears::allow).value();
+    EXPECT_EQ(stored(torn), (Knots{0, 0, 0, 1, 1, 1, 3, 3, 3}));
+    // Two parabolas: one ends in P2, the other begins in P3.
+    EXPECT_EQ(point_at(torn, 1.0, Side::left), Point(2, 0));
+    EXPECT_EQ(point_at(torn, 1.0, Side::right), Point(3, 2));
+    // No fourth knot joins.
+    const Curve more = open_curve(2, {0, 0, 0, 1, 1, 2, 2.5, 3, 3, 3});
+    const Curve once = move_knot(more, 5, 1.0, KnotMove::snap, 0.0, Tears::allow).value();
+    EXPECT_EQ(stored(move_knot(once, 6, 0.5, KnotMove::snap, 0.0, Tears::allow).value()),
+              (Knots{0, 0, 0, 1, 1, 1, 1.015, 3, 3, 3}));
     // From below and the same in the mirror.
     const Curve below = open_curve(2, {0, 0, 0, 1, 2, 2, 3, 3, 3});
-    EXPECT_EQ(stored(move_knot(below, 3, 9.0, KnotMove::stop, 0.0, Tears::allow).value()),
+    EXPECT_EQ(stored(move_knot(below, 3, 9.0, KnotMove::snap, 0.0, Tears::allow).value()),
               (Knots{0, 0, 0, 2, 2, 2, 3, 3, 3}));
     // The ends stay full at p + 1, and a period never tears.
-    EXPECT_EQ(stored(move_knot(below, 5, 3.0, KnotMove::stop, 0.0, Tears::allow).value()),
+    EXPECT_EQ(stored(move_knot(below, 5, 3.0, KnotMove::snap, 0.0, Tears::allow).value()),
               (Knots{0, 0, 0, 1, 2, 2.985, 3, 3, 3}));
     const Curve ring = periodic_curve(2, {0, 1, 1, 2, 3});
-    EXPECT_EQ(stored(move_knot(ring, 3, 0.5, KnotMove::stop, 0.0, Tears::allow).value()), (Knots{0, 1, 1, 1.015, 3}));
+    EXPECT_EQ(stored(move_knot(ring, 3, 0.5, KnotMove::snap, 0.0, Tears::allow).value()), (Knots{0, 1, 1, 1.015, 3}));
 }
 
 TEST(MoveKnot, full_end_is_not_joined) {
@@ -129,7 +156,7 @@ TEST(MoveKnot, snap_jumps_onto_a_knot_within_its_distance) {
     EXPECT_EQ(moved(curve, 5, 0.73, KnotMove::snap, 0.03)[5], 0.75);
     EXPECT_EQ(moved(curve, 5, 0.71, KnotMove::snap, 0.03)[5], 0.71);
     EXPECT_EQ(moved(curve, 5, 0.27, KnotMove::snap, 0.03)[5], 0.25);
-    EXPECT_EQ(moved(curve, 5, 2.0, KnotMove::snap, 0.03)[5], 0.75) << "and stops at neighbors like stop";
+    EXPECT_EQ(moved(curve, 5, 2.0, KnotMove::snap, 0.03)[5], 0.75) << "and stops at neighbors";
 }
 
 TEST(MoveKnot, snap_leaves_a_stack_only_beyond_its_distance) {
@@ -184,8 +211,10 @@ TEST(MoveKnot, period_keeps_its_length_when_the_seam_moves) {
     EXPECT_EQ(moved(curve, 0, 0.5, KnotMove::stop), (Knots{0.5, 1, 2, 3, 4.5}));
     EXPECT_EQ(moved(curve, 4, 4.5, KnotMove::stop), (Knots{0.5, 1, 2, 3, 4.5}));
     EXPECT_EQ(moved(curve, 0, -0.5, KnotMove::stop), (Knots{-0.5, 1, 2, 3, 3.5}));
-    EXPECT_EQ(moved(curve, 0, 7.0, KnotMove::stop), (Knots{1, 1, 2, 3, 5}));
-    EXPECT_EQ(moved(curve, 0, -7.0, KnotMove::stop), (Knots{-1, 1, 2, 3, 3}));
+    EXPECT_EQ(moved(curve, 0, 7.0, KnotMove::snap), (Knots{1, 1, 2, 3, 5}));
+    EXPECT_EQ(moved(curve, 0, -7.0, KnotMove::snap), (Knots{-1, 1, 2, 3, 3}));
+    expect_near(moved(curve, 0, 7.0, KnotMove::stop), {0.98, 1, 2, 3, 4.98});
+    expect_near(moved(curve, 0, -7.0, KnotMove::stop), {-0.98, 1, 2, 3, 3.02});
 }
 
 TEST(MoveKnot, stack_across_the_seam_is_one_stack) {
