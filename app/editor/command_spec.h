@@ -8,6 +8,7 @@
 
 #include "app/editor/field.h"
 #include "app/editor/key.h"
+#include "app/editor/nudge_burst.h"
 #include "app/editor/selection.h"
 #include "core/base/names.h"
 #include "core/document/document.h"
@@ -38,6 +39,7 @@ struct Edit {
     std::optional<std::string> clipboard{};  ///< text for the clipboard once the edit is committed
     std::optional<double> error{};           ///< how far off the result really is, where the edit knows it
     std::optional<std::string> remark{};     ///< what else is to be said of what was done, as whole sentences
+    std::optional<NudgeBurst> burst{};       ///< of a nudge; one of several extends the step before
 };
 
 /// What a step is called in the history, "Move P₅", and what is said when it is done, "Moved P₅".

@@ -95,8 +95,13 @@ void push_step(EditorState& state, const Command& command, Edit& edit) {
     const core::Document before = state.history.present();
     const ShapeEffect effect = command.spec().effect;
     StepTexts texts = texts_of_step(command, state);
-    const std::optional<Ghost> ghost = ghost_of(before, edit, effect);
-    state.history.push(std::move(texts.step), std::move(edit.document));
+    const bool extends = edit.burst && edit.burst->count > 1;
+    const std::optional<Ghost> ghost = ghost_of(extends ? state.history.previous() : before, edit, effect);
+    if (extends)
+        state.history.extend(std::move(texts.step), std::move(edit.document));
+    else
+        state.history.push(std::move(texts.step), std::move(edit.document));
+    state.burst = std::move(edit.burst);
     follow_document(state, before);
     std::vector<std::string> told{done_sentence(texts.done, effect, distances_of(state, ghost, edit))};
     if (edit.remark) told.push_back(*edit.remark);
@@ -114,16 +119,19 @@ bool commit_edit(EditorState& state, const Command& command) {
     if (edit->clipboard) write_clipboard(state, *edit->clipboard);
     state.message = {};
     state.ghost.reset();
-    if (!is_same_document(state.history.present(), edit->document))
+    if (!is_same_document(state.history.present(), edit->document)) {
         push_step(state, command, *edit);
-    else if (!edit->clipboard && !edit->selection)
-        state.message = {nothing_changed_sentence(), false};
+    } else {
+        state.burst.reset();
+        if (!edit->clipboard && !edit->selection) state.message = {nothing_changed_sentence(), false};
+    }
     if (edit->selection) state.selection = *edit->selection;
     return true;
 }
 
 bool commit_act(EditorState& state, const Command& command) {
     state.message = {};
+    state.burst.reset();
     const Outcome<void> outcome = command.spec().run.act(state, command.fields());
     return outcome ? true : show_refusal(state, outcome.error());
 }

@@ -29,6 +29,11 @@ void History::push(std::string label, core::Document document) {
     ++position_;
 }
 
+void History::extend(std::string label, core::Document document) {
+    --position_;
+    push(std::move(label), std::move(document));
+}
+
 void History::undo() {
     if (can_undo()) --position_;
 }

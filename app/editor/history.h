@@ -16,6 +16,9 @@ class History {
     explicit History(core::Document start = {});
 
     const core::Document& present() const { return steps_[position_].document; }
+    /// The document that undo would bring back; there must be one.
+    const core::Document& previous() const { return steps_[position_ - 1].document; }
+
     bool can_undo() const { return position_ > 0; }
     bool can_redo() const { return position_ + 1 < steps_.size(); }
 
@@ -25,6 +28,9 @@ class History {
 
     /// Adds `document` as the present and forgets what was undone.
     void push(std::string label, core::Document document);
+    /// Replaces the present, which can be undone, by `document`, as what the same step led to.
+    void extend(std::string label, core::Document document);
+
     void undo();
     void redo();
 

@@ -11,6 +11,7 @@
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/findings.h"
 #include "app/editor/history.h"
+#include "app/editor/nudge_burst.h"
 #include "app/editor/selection.h"
 #include "app/editor/view.h"
 #include "core/base/names.h"
@@ -61,6 +62,8 @@ struct EditorState {
     std::optional<Ghost> ghost;
     std::optional<Findings> findings;  ///< of the committed document
     Selection selection;               ///< of the committed document, even while a preview is shown
+    std::optional<NudgeBurst> burst;   ///< the last step, where it is nudges and nothing was done since
+    std::optional<double> now;         ///< seconds on the clock of the desktop; none where nobody tells it
     Hover hover;
     View view;
     Tool tool = Tool::select;

@@ -102,6 +102,7 @@ struct Apply {
         assert(change.seconds >= 0.0);
         advance(state, change.seconds);
     }
+    void operator()(const TellTime& change) const { state.now = change.seconds; }
     void operator()(const ShowRefusal& change) const { state.message = {change.sentence, true}; }
     void operator()(const ShowForm& change) const {
         show_dialog(state, Dialog::command_form);

@@ -60,6 +60,11 @@ struct Advance {
     double seconds;
 };
 
+/// The clock of the desktop stands at so many seconds.
+struct TellTime {
+    double seconds;
+};
+
 /// Why something that was asked for could not even become a command.
 struct ShowRefusal {
     std::string sentence;
@@ -71,7 +76,8 @@ struct ShowForm {
 };
 
 using ViewChange = std::variant<SetHover, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend, SetInterfaceScale,
-                                SetInspectorWidth, SetDockHeight, SetPlotRange, Advance, ShowRefusal, ShowForm>;
+                                SetInspectorWidth, SetDockHeight, SetPlotRange, Advance, TellTime, ShowRefusal,
+                                ShowForm>;
 
 /// Makes the change; sizes are brought into their ranges.
 void apply(EditorState& state, const ViewChange& change);

@@ -144,6 +144,7 @@ void Application::draw_frame() {
     const double elapsed = clock_.begin_frame(glfwGetTime());
     const editor::EditorState& state = editor_.state();
     if (state.view.playback.is_playing && elapsed > 0.0) editor_.change(editor::Advance{elapsed});
+    editor_.change(editor::TellTime{glfwGetTime()});
     take_window_requests();
     follow_scale();
     follow_theme();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/editor/command_reader.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/selection_commands.h"
@@ -17,6 +18,7 @@ class PointCommands : public ::testing::Test {
     const EditorState& state() const { return editor_.state(); }
     bool run(const Command& command) { return editor_.run(command); }
     bool type(const std::string& text) { return run_typed(editor_, text); }
+    Command nudge_right(double distance) const { return *read_command(NudgeRight::spec(), state(), {distance}); }
 
     Editor editor_;
 };
@@ -113,6 +115,69 @@ TEST_F(PointCommands, nudge_by_the_grid) {
     EXPECT_EQ(state().selection.points, (std::vector<std::size_t>{0, 3}));
     EXPECT_TRUE(run(Nudge{.offset = {1.0, 2.0}}));
     EXPECT_NEAR(points(editor_)[3].x, 5.45, 1e-14);
+}
+
+TEST_F(PointCommands, nudges_that_follow_at_once_are_one_step) {
+    run(SelectPoints{.points = {0}});
+    const core::Point start = points(editor_)[0];
+    const auto nudge_at = [&](double seconds, const Command& command) {
+        editor_.change(TellTime{seconds});
+        return run(command);
+    };
+    const auto right = [&] { return nudge_right(0.25); };
+    EXPECT_TRUE(nudge_at(10.0, right()));
+    EXPECT_EQ(state().message.text.substr(0, 24), "Nudged P₀ by (0.25, 0)");
+    editor_.change(TellTime{10.9});
+    EXPECT_TRUE(run(right()));
+    editor_.change(TellTime{11.8});
+    EXPECT_TRUE(run(*read_command(NudgeUpFar::spec(), state(), {2.0})));
+    EXPECT_EQ(state().history.undo_count(), 1U);
+    EXPECT_EQ(points(editor_)[0], core::Point(start.x + 0.5, start.y + 2.0));
+    EXPECT_EQ(state().message.text.substr(0, 23), "Nudged P₀ by (0.5, 2)");
+    EXPECT_EQ(state().ghost->curve->control_points()[0], start) << "the shape before all of them";
+    // A pause begins a new step.
+    editor_.change(TellTime{12.9});
+    EXPECT_TRUE(run(right()));
+    EXPECT_EQ(state().history.undo_count(), 2U);
+    run(Undo{});
+    EXPECT_EQ(points(editor_)[0], core::Point(start.x + 0.5, start.y + 2.0));
+    EXPECT_TRUE(run(right())) << "undoing ended the burst";
+    EXPECT_EQ(state().history.undo_count(), 2U);
+    run(Undo{});
+    run(Undo{});
+    EXPECT_EQ(points(editor_)[0], start);
+}
+
+TEST_F(PointCommands, nudges_of_other_points_or_after_another_command_are_steps_of_their_own) {
+    editor_.change(TellTime{10.0});
+    const auto right = [&] { return run(nudge_right(0.25)); };
+    run(SelectPoints{.points = {0}});
+    EXPECT_TRUE(right());
+    run(SelectPoints{.points = {0, 1}});
+    EXPECT_TRUE(right());
+    EXPECT_EQ(state().history.undo_count(), 2U);
+    EXPECT_TRUE(run(SetWeight{.index = 3, .weight = 2.0}));
+    EXPECT_TRUE(right());
+    EXPECT_EQ(state().history.undo_count(), 4U);
+    EXPECT_TRUE(run(nudge_right(0.0))) << "moves nothing and ends the burst";
+    EXPECT_TRUE(right());
+    EXPECT_EQ(state().history.undo_count(), 5U);
+}
+
+TEST_F(PointCommands, nudges_are_replayed_as_the_steps_that_they_were) {
+    editor_.change(TellTime{10.0});
+    run(SelectPoints{.points = {0}});
+    for (const double seconds : {10.1, 10.2, 15.0, 15.1, 15.2}) {
+        editor_.change(TellTime{seconds});
+        run(nudge_right(0.25));
+    }
+    run(Undo{});
+    Editor replayed;
+    open_text(replayed, bezier_text);
+    for (const Command& command : editor_.log()) EXPECT_TRUE(command.as<Open>() != nullptr || replayed.run(command));
+    EXPECT_EQ(points(replayed)[0], points(editor_)[0]);
+    EXPECT_EQ(replayed.state().history.undo_count(), 1U);
+    EXPECT_EQ(replayed.state().history.redo_count(), 1U);
 }
 
 TEST_F(PointCommands, nudge_by_design_pixels) {

@@ -43,26 +43,45 @@ StepTexts texts_of_delete_points(const EditorState& state, const DeletePoints& c
     return texts_of_deleting(state, ascending(command.points));
 }
 
-Outcome<Edit> nudge_by(const EditorState& state, core::Vector offset) {
-    return edit_active(state, core::move_control_points(active_curve(state), state.selection.points, offset));
+Outcome<Edit> nudge_by(const EditorState& state, core::Vector offset, bool continues) {
+    Outcome<Edit> edit =
+        edit_active(state, core::move_control_points(active_curve(state), state.selection.points, offset));
+    if (edit) edit->burst = burst_after(state, offset, continues);
+    return edit;
+}
+
+StepTexts texts_of_nudge_by(const EditorState& state, core::Vector offset, bool continues) {
+    const core::Vector total = burst_after(state, offset, continues).total;
+    const core::Place points("points", points_text(state.selection.points));
+    return {sentence("Nudge {points}", {points}),
+            sentence("Nudged {points} by {offset}", {points, {"offset", position_text(core::tip_of(total))}})};
 }
 
 Outcome<Edit> nudge(const EditorState& state, const Nudge& command) {
-    return nudge_by(state, command.offset);
+    return nudge_by(state, command.offset, false);
+}
+
+StepTexts texts_of_nudge(const EditorState& state, const Nudge& command) {
+    return texts_of_nudge_by(state, command.offset, false);
+}
+
+template <class Command, int x, int y>
+core::Vector offset_of(const Command& command) {
+    return {x * command.distance, y * command.distance};
 }
 
 template <class Command, int x, int y>
 Outcome<Edit> nudge_toward(const EditorState& state, const Command& command) {
-    return nudge_by(state, {x * command.distance, y * command.distance});
+    return nudge_by(state, offset_of<Command, x, y>(command), command.continues);
 }
 
-template <class Command>
-StepTexts texts_of_nudge(const EditorState& state, const Command&) {
-    const std::string points = points_text(state.selection.points);
-    return {sentence("Nudge {points}", {{"points", points}}), sentence("Nudged {points}", {{"points", points}})};
+template <class Command, int x, int y>
+StepTexts texts_of_arrow(const EditorState& state, const Command& command) {
+    return texts_of_nudge_by(state, offset_of<Command, x, y>(command), command.continues);
 }
 
-// What the arrow keys do. The distance is a field, so that a replay does not depend on the camera.
+// What the arrow keys do. The distance is a field, so that a replay does not depend on the camera; so is what belongs
+// to the step before, so that it does not depend on the clock.
 template <class Command, int x, int y>
 CommandSpec arrow(const char* name, const char* title, Shortcut shortcut) {
     const bool is_far = shortcut.modifiers.shift;
@@ -77,10 +96,13 @@ CommandSpec arrow(const char* name, const char* title, Shortcut shortcut) {
             .shortcut = shortcut,
             .fields = {(is_far ? std::move(distance).template suggesting<suggest::grid_step>()
                                : std::move(distance).template suggesting<suggest::tenth_of_grid_step>())
+                           .unasked(),
+                       field::flag<&Command::continues>("continues", "yes if it belongs to the step before")
+                           .template suggesting<continues_burst>()
                            .unasked()},
             .refusal = no_editable_points,
             .run = body_of<nudge_toward<Command, x, y>>,
-            .texts = texts_of<texts_of_nudge<Command>>};
+            .texts = texts_of<texts_of_arrow<Command, x, y>>};
 }
 
 constexpr Modifiers shift{false, true, false};
@@ -192,7 +214,7 @@ const CommandSpec& Nudge::spec() {
                                   .fields = {field::vector<&Nudge::offset>({"dx", "to the right"}, {"dy", "upwards"})},
                                   .refusal = no_editable_points,
                                   .run = body_of<nudge>,
-                                  .texts = texts_of<texts_of_nudge<Nudge>>};
+                                  .texts = texts_of<texts_of_nudge>};
     return spec;
 }
 

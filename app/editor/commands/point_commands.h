@@ -35,7 +35,8 @@ struct DeletePoints {
     static const CommandSpec& spec();
 };
 
-/// Moves the selected points, as the ones below do in one direction.
+/// Moves the selected points, as the ones below do in one direction. Those are made by arrow keys: what follows at once
+/// belongs to the step before.
 struct Nudge {
     core::Vector offset;
     static const CommandSpec& spec();
@@ -43,34 +44,42 @@ struct Nudge {
 
 struct NudgeLeft {
     double distance;
+    bool continues;  ///< the step before
     static const CommandSpec& spec();
 };
 struct NudgeRight {
     double distance;
+    bool continues;  ///< the step before
     static const CommandSpec& spec();
 };
 struct NudgeUp {
     double distance;
+    bool continues;  ///< the step before
     static const CommandSpec& spec();
 };
 struct NudgeDown {
     double distance;
+    bool continues;  ///< the step before
     static const CommandSpec& spec();
 };
 struct NudgeLeftFar {
     double distance;
+    bool continues;  ///< the step before
     static const CommandSpec& spec();
 };
 struct NudgeRightFar {
     double distance;
+    bool continues;  ///< the step before
     static const CommandSpec& spec();
 };
 struct NudgeUpFar {
     double distance;
+    bool continues;  ///< the step before
     static const CommandSpec& spec();
 };
 struct NudgeDownFar {
     double distance;
+    bool continues;  ///< the step before
     static const CommandSpec& spec();
 };
 
