@@ -1,5 +1,7 @@
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "app/editor/hover_request.h"
 #include "app/ui/number_field.h"
 #include "app/ui/section.h"
@@ -12,6 +14,15 @@ namespace {
 constexpr double top_margin = 8.0;
 constexpr double bottom_margin = 16.0;
 constexpr double window_padding = 4.0;
+
+/// What the sections lack to stay as far scrolled as was asked for, until they are scrolled back.
+void draw_room_below(const PanelContext& context) {
+    InspectorState& inspector = context.panels.inspector;
+    if (!inspector.insert_row_y) inspector.scroll_y = std::min(inspector.scroll_y, ImGui::GetScrollY());
+    const float lacking = inspector.scroll_y - (ImGui::GetCursorPosY() - ImGui::GetWindowHeight());
+    if (inspector.scroll_y > 0.0F && lacking > -ImGui::GetStyle().ItemSpacing.y)
+        ImGui::Dummy(ImVec2(1.0F, std::max(lacking, 0.0F)));
+}
 
 void draw_sections(const PanelContext& context) {
     const bool has_several = context.state.shown().curves.size() > 1;
@@ -27,6 +38,7 @@ void draw_sections(const PanelContext& context) {
     draw_show_section(context);
     if (!has_several) draw_curves_section(context);
     ImGui::Dummy(ImVec2(1.0F, context.px(bottom_margin)));
+    draw_room_below(context);
 }
 
 /// Asks for what the pointer is over in the inspector, and for nothing once it has left toward another panel; the

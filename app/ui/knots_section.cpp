@@ -10,6 +10,7 @@
 #include "app/editor/commands/view_commands.h"
 #include "app/editor/expression.h"
 #include "app/editor/formula.h"
+#include "app/ui/insert_row.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"
 #include "app/ui/section.h"
@@ -122,8 +123,7 @@ void draw_name(const KnotTable& table, const Stack& stack, ImVec2 origin) {
 editor::Command value_command(const Stack& stack, core::KnotMove move, double u) {
     const std::size_t index = u < stack.knot.value ? stack.first : stack.last;
     const bool reaches_neighbor = u == stack.lowest || u == stack.highest;
-    if (reaches_neighbor && move != core::KnotMove::snap)
-        return editor::MoveKnot{.index = index, .u = u, .mode = move};
+    if (reaches_neighbor && move != core::KnotMove::snap) return editor::MoveKnot{.index = index, .u = u, .mode = move};
     return editor::SetKnot{.index = index, .u = u};
 }
 
@@ -142,9 +142,8 @@ void draw_value(const KnotTable& table, const Stack& stack) {
     field.tooltip = locked_sentence(context.state);
     if (field.is_enabled && stack.first != stack.last)
         field.tooltip = "Takes one knot out of the stack: the last one upwards, the first one downwards.";
-    draw_number_field(context, field, [stack, move = context.state.view.knot_move](double u) {
-        return value_command(stack, move, u);
-    });
+    draw_number_field(context, field,
+                      [stack, move = context.state.view.knot_move](double u) { return value_command(stack, move, u); });
 }
 
 void draw_multiplicity(const KnotTable& table, const Stack& stack, ImVec2 origin) {
@@ -273,39 +272,6 @@ void draw_move_row(const PanelContext& context) {
     }
 }
 
-NumberField insert_field(const PanelContext& context, const core::Curve& curve) {
-    NumberField field;
-    field.name = "insert u";
-    field.value = context.panels.inspector.insert_at.value_or(context.state.parameter());
-    field.decimals = decimals_for(curve.domain().length());
-    field.speed = step_of(field.decimals);
-    field.lowest = curve.domain().lower;
-    field.highest = curve.domain().upper;
-    field.is_enabled = is_editable(context.state);
-    field.tooltip = locked_sentence(context.state);
-    return field;
-}
-
-/// Enter in the field inserts at once.
-void draw_insert_row(const PanelContext& context, const core::Curve& curve) {
-    draw_row_label(context, "Insert at u");
-    const bool is_narrow = field_width(context) < context.px(190);
-    Button insert{"insert knot", "insert", Icon::none, context.px(is_narrow ? 42 : 62)};
-    Button midpoints{"insert midpoints", is_narrow ? "mid" : "midpoints", Icon::none, context.px(is_narrow ? 34 : 62)};
-    insert.is_small = is_narrow;
-    midpoints.is_small = true;
-    NumberField field = insert_field(context, curve);
-    field.width_px = field_width(context) - insert.width_px - midpoints.width_px - 2.0F * context.px(row_gap);
-    const std::optional<NumberEdit> edit = edit_number(context, field);
-    if (edit) context.panels.inspector.insert_at = edit->value;
-    const double u = edit ? edit->value : field.value;
-    if (edit && edit->is_entered) context.queue.run(editor::InsertKnot{.u = u});
-    stay_in_row(context);
-    draw_command_button(context, insert, editor::InsertKnot{.u = u});
-    stay_in_row(context);
-    draw_command_button(context, midpoints, editor::InsertMidpoints{});
-}
-
 std::string list_text(std::span<const double> values, std::size_t most_characters) {
     std::vector<std::string> texts;
     std::size_t characters = 0;
@@ -350,10 +316,10 @@ void draw_knots_section(const PanelContext& context) {
     const std::string info = core::sentence({.one = "{knots} · 1 segment", .many = "{knots} · {count} segments"},
                                             segments, {{"knots", curve.knots().stored().size()}});
     if (draw_section_heading(context, {"knots", "Knots", info, false})) {
+        draw_insert_row(context, curve);
         draw_knot_table(context, curve);
         add_space(context, 4);
         draw_move_row(context);
-        draw_insert_row(context, curve);
         draw_vector_row(context, curve);
     }
     add_space(context, 6);

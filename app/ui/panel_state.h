@@ -107,7 +107,10 @@ struct InspectorState {
     bool owns_hover = false;                    ///< the pointer was last over the inspector
     std::vector<std::size_t> followed_points;   ///< the selection that the table was last scrolled to
     std::optional<std::size_t> followed_knot;
-    std::optional<double> insert_at;  ///< none: at the current parameter
+    std::optional<double> insert_at;    ///< none: at the current parameter
+    std::optional<double> inserted_at;  ///< where Enter inserted a knot last
+    std::optional<float> insert_row_y;  ///< of the row in the list of sections, while the pointer is on it
+    float scroll_y = 0.0F;              ///< so far the sections may be scrolled though they end before
 };
 
 struct PanelState {

@@ -78,6 +78,70 @@ class EditingTest(WindowTest):
         editor.key("ctrl+z")
         editor.wait(lambda state: "×3 C^{0}" in [label["text"] for label in state["labels"]], "the whole curve")
 
+    def test_insert_stays_under_the_pointer_while_the_lists_grow(self):
+        for name, size, folded in (("scrolled", (1024, 700), ()), ("short", (1440, 900), ("construction", "show", "curves"))):
+            with self.subTest(name):
+                editor = self.enterContext(self.start(self.display(*size)))
+                editor.click_widget("section knots")
+                for section in folded:
+                    editor.click_widget(f"section {section}")
+                if not folded:
+                    editor.move(900, 400)
+                    editor.wheel(-4)
+                place = editor.settle()["widgets"]["insert knot"]
+                editor.move(place["x"] + 20, place["y"] + 10)
+                for count in range(1, 4):
+                    editor.press()
+                    editor.release()
+                    state = editor.wait(lambda state: state["undo_count"] == count and state["is_settled"], f"insertion {count}")
+                    self.assertAlmostEqual(state["widgets"]["insert knot"]["x"], place["x"], delta=1)
+                    self.assertAlmostEqual(state["widgets"]["insert knot"]["y"], place["y"], delta=1)
+                editor.screenshot(name)
+                self.assertEqual([knot["multiplicity"] for knot in state["knots"] if knot["value"] == 0.4], [3])
+
+    def test_enter_and_a_click_insert_one_knot(self):
+        editor = self.open_editor()
+        editor.click_widget("section knots")
+        editor.click_widget("insert u")
+        editor.wait(lambda state: state["widgets"]["insert u"]["value"] == "0.4" and state["is_settled"], "the field")
+        self.retype(editor, "insert u", "1/3")
+        editor.key("Return")
+        editor.wait(lambda state: state["undo_count"] == 1 and state["is_settled"], "the knot")
+        editor.click_widget("insert knot")
+        self.assertEqual(editor.settle()["undo_count"], 1)
+        self.assertIn(1 / 3, self.save(editor)["knots"])
+        editor.key("ctrl+z")
+        editor.wait(lambda state: state["undo_count"] == 0 and state["is_settled"], "the undoing")
+        editor.click_widget("insert knot")
+        editor.wait(lambda state: state["undo_count"] == 1 and state["is_settled"], "the knot again")
+
+    def test_a_knot_dragged_or_typed_in_the_list_never_joins_its_neighbor_in_the_mode_stop(self):
+        editor = self.open_editor()
+        editor.click_widget("section knots")
+        editor.click_widget("knot move stop")
+        x, y = editor.widget_center("knot 5 value")
+        editor.drag((x, y), (x - 400, y))
+        state = editor.wait(lambda state: state["undo_count"] == 1 and state["is_settled"], "the move")
+        self.assertIn("which it joins where 'snap' is chosen", state["message"])
+        editor.click_widget("knot 6 value")
+        editor.wait(lambda state: state["widgets"]["knot 6 value"]["value"] == "0.75" and state["is_settled"], "the field")
+        self.retype(editor, "knot 6 value", "0.255")
+        editor.key("Return")
+        editor.wait(lambda state: state["undo_count"] == 2 and state["is_settled"], "the second move")
+        self.assertEqual(self.save(editor)["knots"], [0, 0, 0, 0, 0.25, 0.255, 0.26, 1, 1, 1, 1])
+
+    def test_a_burst_of_arrow_presses_is_one_step(self):
+        editor = self.open_editor()
+        before = self.save(editor)
+        editor.click(*editor.point(3))
+        editor.key("Right", "Right", "Right", "shift+Up")
+        state = editor.wait(lambda state: state["undo_count"] == 1 and state["is_settled"], "the step")
+        self.assertEqual(state["undo_label"], "Nudge P₃")
+        self.assertNotEqual(self.save(editor)["points"][3], before["points"][3])
+        editor.key("ctrl+z")
+        editor.wait(lambda state: state["undo_count"] == 0 and state["is_settled"], "the undoing")
+        self.assertEqual(self.save(editor), before)
+
     def test_double_click_on_the_curve_inserts_a_knot_and_keeps_the_curve(self):
         editor = self.open_editor()
         before = self.save(editor)
