@@ -150,9 +150,7 @@ void ask_to_move_knot(const DraggingCurveKnot& mode, const Gesture& gesture, Pha
     if (curve == nullptr) return;
     const double u = core::nearest_point(*curve, world_at_pointer(gesture)).u;
     const double snap_distance = std::min(snap_distance_at(gesture, *curve, u), curve->domain().length());
-    request(
-        gesture, phase,
-        MoveKnot{.index = mode.index, .u = u, .mode = gesture.state.view.knot_move, .snap_distance = snap_distance});
+    request(gesture, phase, dragged_knot(gesture.state, mode.index, u, snap_distance));
     request_hover(HoveredKnot{moving_knot(gesture.state, mode.index)}, gesture.state, gesture.queue);
 }
 

@@ -53,6 +53,12 @@ double rounded_to_step(double value, double step) {
     return std::round(value / step) * step;
 }
 
+MoveKnot dragged_knot(const EditorState& state, std::size_t index, double u, double snap_distance) {
+    MoveKnot command{.index = index, .u = u, .mode = state.view.knot_move};
+    if (command.mode == core::KnotMove::snap) command.snap_distance = snap_distance;
+    return command;
+}
+
 std::size_t moving_knot(const EditorState& state, std::size_t index) {
     const core::Curve* before = committed_curve(state);
     const core::Curve* now = state.active_curve();

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/editor/command.h"
+#include "app/editor/commands/knot_commands.h"
 #include "app/editor/pointer.h"
 #include "app/editor/state.h"
 
@@ -45,6 +46,9 @@ bool can_edit_curve(const EditorState& state);
 /// The multiple of `step` nearest to `value`; for a step like 0.2, 0.05 or 0.001 the double nearest to the decimal
 /// number.
 double rounded_to_step(double value, double step);
+
+/// The command that drags knot `index` to `u` as the mode that is chosen says; the distance counts where that is snap.
+MoveKnot dragged_knot(const EditorState& state, std::size_t index, double u, double snap_distance);
 
 /// The knot of the shown curve (an index in stored()) that moves when the committed knot `index` is dragged: the one of
 /// its stack that the preview has elsewhere, else `index` itself.

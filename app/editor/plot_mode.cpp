@@ -130,10 +130,8 @@ double dragged_parameter(const DraggingKnot& mode, const PlotGesture& gesture) {
 }
 
 void move_knot(const DraggingKnot& mode, const PlotGesture& gesture) {
-    const MoveKnot command{.index = mode.index,
-                           .u = dragged_parameter(mode, gesture),
-                           .mode = gesture.state.view.knot_move,
-                           .snap_distance = pixels(gesture.state, snap_reach) / gesture.px_per_unit()};
+    const MoveKnot command = dragged_knot(gesture.state, mode.index, dragged_parameter(mode, gesture),
+                                          pixels(gesture.state, snap_reach) / gesture.px_per_unit());
     if (is_release(gesture))
         gesture.queue.run(command);
     else

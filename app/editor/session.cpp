@@ -5,6 +5,7 @@
 
 #include "app/editor/command_reader.h"
 #include "app/editor/command_table.h"
+#include "app/editor/commands/knot_commands.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -49,6 +50,16 @@ Outcome<Argument> argument_of(const Line& json) {
                                          {{"found", json.dump()}}));
 }
 
+// In version 0.1 a knot in the mode "stop" joined its neighbor. Its lines are told by their snap distance, which that
+// mode has no more.
+void bring_up_to_date(const CommandSpec& spec, std::vector<Argument>& arguments) {
+    const bool joined = &spec == &MoveKnot::spec() && arguments.size() == 4 && arguments[2] == Argument("stop") &&
+                        std::holds_alternative<double>(arguments[3]);
+    if (!joined) return;
+    arguments[2] = "snap";
+    arguments[3] = 0.0;
+}
+
 }  // namespace
 
 std::string format_command(const Command& command) {
@@ -71,6 +82,7 @@ Outcome<Command> parse_command(const std::string& line, const EditorState& state
         if (!argument) return tl::unexpected(argument.error());
         arguments.push_back(*std::move(argument));
     }
+    bring_up_to_date(**spec, arguments);
     return read_command(**spec, state, arguments);
 }
 

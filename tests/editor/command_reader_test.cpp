@@ -49,7 +49,7 @@ TEST_F(CommandReader, takes_suggestions_for_what_is_left_out) {
     EXPECT_EQ(read<DeleteCurve>({}).index, 0U);
     const auto move = read<MoveKnot>({4.0, 0.3});
     EXPECT_EQ(move.mode, core::KnotMove::snap);
-    EXPECT_EQ(move.snap_distance, 0.0);
+    EXPECT_EQ(move.snap_distance, std::nullopt);
     EXPECT_EQ(read<Reduce>({}).tolerance, std::nullopt);
 }
 

@@ -60,8 +60,10 @@ TEST_F(KnotCommands, move_a_knot_and_keep_it_selected) {
     EXPECT_EQ(state().history.undo_label(), "Move knot 0.2");
     EXPECT_TRUE(run(MoveKnot{.index = 4, .u = 0.6, .mode = core::KnotMove::stop}));
     EXPECT_EQ(knots(editor_)[4], 0.495);
-    EXPECT_EQ(state().message.text.substr(0, 78),
-              "Moved knot 0.4 up to its neighbor, which it joins where 'snap' is chosen \u2260 ");
+    EXPECT_EQ(state().message.text.substr(0, 74),
+              "Moved knot 0.4 up to its neighbor, which it joins where 'snap' is chosen: ");
+    EXPECT_FALSE(run(MoveKnot{.index = 4, .u = 0.6, .mode = core::KnotMove::stop, .snap_distance = 0.1}));
+    EXPECT_EQ(state().message.text, "a knot in the mode 'stop' takes no snap distance; 'snap' does");
     EXPECT_TRUE(run(MoveKnot{.index = 4, .u = 0.6, .mode = core::KnotMove::snap}));
     EXPECT_EQ(knots(editor_)[4], 0.5);
     EXPECT_EQ(knots(editor_)[5], 0.5);

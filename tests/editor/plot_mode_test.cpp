@@ -78,10 +78,12 @@ TEST_F(PlotModes, click_selects_a_knot_without_a_step) {
     EXPECT_EQ(steps(), 0U);
 }
 
-TEST_F(PlotModes, stop_ends_at_the_neighbor_and_makes_it_double) {
+TEST_F(PlotModes, stop_ends_before_the_neighbor) {
     pointer.drag(at(0.25), at(0.6));
-    EXPECT_EQ(interior(), (Knots{0.5, 0.5, 0.75}));
-    EXPECT_EQ(committed(editor).knots().multiplicity(0.5), 2);
+    EXPECT_EQ(interior(), (Knots{0.495, 0.5, 0.75}));
+    pointer.modifiers = test::ctrl;
+    pointer.drag(at(0.75), at(0.5));
+    EXPECT_EQ(interior(), (Knots{0.495, 0.5, 0.505})) << "also where Ctrl keeps to round numbers";
 }
 
 TEST_F(PlotModes, stop_does_not_snap_from_afar) {

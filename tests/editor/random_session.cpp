@@ -117,11 +117,11 @@ Command RandomSession::knot_command(const EditorState& state, const core::Curve&
             return count < 25 ? Command(InsertMidpoints{}) : Command(DeleteKnot{.index = index(count)});
         case 3:
             return RaiseKnot{.index = index(count)};
-        case 4:
-            return MoveKnot{.index = index(count),
-                            .u = parameter(state),
-                            .mode = any<core::KnotMove>(),
-                            .snap_distance = between(0, 0.2)};
+        case 4: {
+            MoveKnot move{.index = index(count), .u = parameter(state), .mode = any<core::KnotMove>()};
+            if (move.mode != core::KnotMove::stop) move.snap_distance = between(0, 0.2);
+            return move;
+        }
         case 5:
             return SetKnot{.index = index(count), .u = parameter(state)};
         case 6:

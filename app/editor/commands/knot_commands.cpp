@@ -51,10 +51,13 @@ Selection selection_after_move(const EditorState& state, std::size_t index, doub
 }
 
 core::Result<core::Curve> moved(const EditorState& state, const MoveKnot& command, core::Tears tears) {
-    return core::move_knot(active_curve(state), command.index, command.u, command.mode, command.snap_distance, tears);
+    return core::move_knot(active_curve(state), command.index, command.u, command.mode,
+                           command.snap_distance.value_or(0.0), tears);
 }
 
 Outcome<Edit> move_knot(const EditorState& state, const MoveKnot& command) {
+    if (command.mode == core::KnotMove::stop && command.snap_distance)
+        return tl::unexpected(Refusal("a knot in the mode 'stop' takes no snap distance; 'snap' does"));
     return edit_active(state, moved(state, command, tears_of_active(state)),
                        selection_after_move(state, command.index, command.u));
 }
@@ -219,7 +222,6 @@ const CommandSpec& MoveKnot::spec() {
              field::choice<&MoveKnot::mode>("mode", "what it does at its neighbors").suggesting<current_knot_move>(),
              field::parameter<&MoveKnot::snap_distance>("snap distance",
                                                         "how close it must come to jump onto another knot")
-                 .usually(0.0)
                  .at_least(0.0)},
         .refusal = no_editable_curve,
         .run = body_of<move_knot>,

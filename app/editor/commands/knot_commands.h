@@ -25,7 +25,7 @@ struct MoveKnot {
     std::size_t index;
     double u;
     core::KnotMove mode;
-    double snap_distance = 0.0;  ///< in parameter units
+    std::optional<double> snap_distance{};  ///< in parameter units; not for stop
     static const CommandSpec& spec();
 };
 
