@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/editor/example_files.h"
 #include "app/ui/style.h"
 #include "core/document/native_file.h"
 #include "core/evaluate/tessellate.h"
@@ -38,14 +39,8 @@ std::vector<std::vector<core::Point>> lines_of(const core::Document& document, c
 }
 
 std::vector<Example> read_examples(const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> files;
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        if (entry.path().extension() == ".json") files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
     std::vector<Example> examples;
-    for (const std::filesystem::path& file : files) {
+    for (const std::filesystem::path& file : editor::example_files(folder)) {
         const auto document = core::load_document(file);
         if (!document || document->curves.empty()) continue;
         const core::Box box = box_of(*document);

@@ -8,7 +8,8 @@
 
 namespace batten::ui {
 
-/// The examples in the desktop's folder, by name; read on the first call. Files that cannot be read are left out.
+/// The examples in the desktop's folder, in the order of a lecture; read on the first call. Files that cannot be read
+/// are left out.
 const std::vector<Example>& examples_of(const PanelContext& context);
 
 /// The document's title, else the file's name.

@@ -9,8 +9,11 @@
 
 #include "core/curve/knot_analysis.h"
 #include "core/document/native_file.h"
+#include "core/edit/point_edit.h"
+#include "core/evaluate/bezier_pieces.h"
 #include "core/evaluate/de_boor.h"
 #include "core/evaluate/evaluate.h"
+#include "core/measure/conic_form.h"
 #include "core/measure/deviation.h"
 #include "core/refine/knot_insertion.h"
 #include "tests/core/golden.h"
@@ -114,6 +117,61 @@ TEST(Examples, knot_insertion_shows_the_printed_alphas) {
     EXPECT_LT(largest_deviation(curve, refined), 12.0 * 1e-14);
     // Q_4 = (P_3 + P_4) / 2 is the point of the middle α.
     EXPECT_LT(distance(refined.control_points()[4], Point(5.5, 0)), 1e-14);
+}
+
+bool says(const std::string& name, const std::string& words) {
+    return example(name).description.find(words) != std::string::npos;
+}
+
+TEST(Examples, knot_insertion_says_how_many_points_become_how_many) {
+    const Curve curve = curve_in("knot-insertion");
+    const Curve refined = insert_knot(curve, 0.5).value();
+    const auto count_not_in = [](std::span<const Point> points, std::span<const Point> others) {
+        return std::count_if(points.begin(), points.end(), [others](Point point) {
+            return std::none_of(others.begin(), others.end(),
+                                [point](Point other) { return distance(point, other) < 1e-13; });
+        });
+    };
+    EXPECT_EQ(count_not_in(curve.control_points(), refined.control_points()), 2);
+    EXPECT_EQ(count_not_in(refined.control_points(), curve.control_points()), 3);
+    EXPECT_TRUE(says("knot-insertion", "two control points become three with α = 5/6, 1/2 and 1/6"));
+}
+
+// The conic of a triangle with the weight w is an ellipse for w < 1, a parabola for w = 1, else a hyperbola.
+TEST(Examples, conic_says_which_weight_draws_what) {
+    const std::map<double, ConicType> types{{std::sqrt(0.5), ConicType::ellipse}, {0.2, ConicType::ellipse},
+                                            {0.99, ConicType::ellipse},           {1.0, ConicType::parabola},
+                                            {1.01, ConicType::hyperbola},         {5.0, ConicType::hyperbola}};
+    for (const auto& [weight, type] : types) {
+        const Curve curve = set_weight(curve_in("conic-weight"), 1, weight).value();
+        EXPECT_EQ(conic_form(bezier_pieces(curve).at(0)).value().type, type) << weight;
+    }
+    EXPECT_TRUE(says("conic-weight",
+                     "√½ draws a circular arc, other weights below 1 an ellipse, 1 a parabola, more than 1 a "
+                     "hyperbola"));
+}
+
+TEST(Examples, uniform_cubic_begins_in_its_first_point_as_it_says) {
+    CurveDefinition definition = curve_in("coons-open").definition();
+    EXPECT_TRUE(says("coons-open", "drag the knots −1 and −2 onto 0, and it begins in P₀"));
+    definition.knots = {-3, 0, 0, 0, 1, 2, 3, 4};
+    definition.kind = KnotKind::custom;
+    EXPECT_LT(distance(point_at(Curve::make(definition).value(), 0.0), definition.points[0]), 1e-15);
+}
+
+TEST(Examples, knot_vectors_say_their_segments_corners_and_continuity) {
+    EXPECT_EQ(segment_count(curve_in("knots-t1").knots()), 6U);
+    EXPECT_TRUE(says("knots-t1", "the six segments") && says("knots-t1", "C³"));
+    const Curve corner = curve_in("knots-t3");
+    EXPECT_EQ(point_at(corner, 4.0), corner.control_points()[5]);
+    EXPECT_GT(
+        std::abs(cross(derivatives_at(corner, 4.0, 1, Side::left)[1], derivatives_at(corner, 4.0, 1, Side::right)[1])),
+        1.0);
+    EXPECT_TRUE(says("knots-t3", "through the control point P₅ with a corner"));
+    const KnotVector knots = curve_in("knots-t4").knots();
+    const std::map<double, int> continuity{{1.0, 2}, {2.0, 0}, {3.0, 2}, {4.0, 1}};
+    for (const auto& [u, order] : continuity) EXPECT_EQ(knots.degree() - knots.multiplicity(u), order) << u;
+    EXPECT_TRUE(says("knots-t4", "C⁰ at 2, C¹ at 4, C² at 1 and 3"));
 }
 
 TEST(Examples, knots_are_the_printed_ones) {
