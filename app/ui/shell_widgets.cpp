@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <sstream>
 #include <utility>
 
 #include "app/ui/imgui_compat.h"
@@ -133,7 +134,28 @@ void draw_side_tooltip(const PanelContext& context, const std::string& text) {
 }
 
 float text_width(const std::string& text, ImFont* font) {
-    return font->CalcTextSizeA(font_height(font), FLT_MAX, 0.0F, text.data(), text.data() + text.size()).x;
+    return lines_size(text, font).x;
+}
+
+glm::vec2 lines_size(const std::string& text, ImFont* font) {
+    const ImVec2 size = font->CalcTextSizeA(font_height(font), FLT_MAX, 0.0F, text.data(), text.data() + text.size());
+    return {size.x, size.y};
+}
+
+std::string wrapped(const std::string& text, ImFont* font, float width_px) {
+    std::istringstream words(text);
+    std::string lines;
+    std::string line;
+    for (std::string word; words >> word;) {
+        const std::string longer = line.empty() ? word : fmt::format("{} {}", line, word);
+        if (!line.empty() && text_width(longer, font) > width_px) {
+            lines.append(line).append("\n");
+            line = word;
+        } else {
+            line = longer;
+        }
+    }
+    return lines.append(line);
 }
 
 std::string elided(const std::string& text, ImFont* font, float width_px) {

@@ -38,6 +38,13 @@ void draw_tooltip_at(const PanelContext& context, const std::string& text, glm::
 /// none of the items below; to be called while the item is hovered.
 void draw_side_tooltip(const PanelContext& context, const std::string& text);
 
+/// The text in lines of at most this width, broken at spaces only, so that numbers stay whole; a longer word has a line
+/// of its own.
+std::string wrapped(const std::string& text, ImFont* font, float width_px);
+
+/// The size of a text of one or several lines.
+glm::vec2 lines_size(const std::string& text, ImFont* font);
+
 /// The width of `text` in `font` as it was loaded.
 float text_width(const std::string& text, ImFont* font);
 

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include "app/editor/commands/file_commands.h"
@@ -19,10 +20,14 @@ namespace batten::ui {
 namespace {
 
 constexpr double side_width = 232.0;
-constexpr double card_width = 196.0;
-constexpr double thumbnail_height = 104.0;
-constexpr double card_height = 178.0;
+constexpr double most_dialog_width = 2400.0;  // as much as the window has, else
+constexpr double most_dialog_height = 1500.0;
 constexpr double card_gap = 12.0;
+constexpr double card_margin = 10.0;
+constexpr double least_card_width = 196.0;
+constexpr double least_thumbnail = 80.0;
+constexpr double usual_thumbnail = 104.0;
+constexpr float thumbnail_aspect = 1.9F;
 
 void draw_recent(const PanelContext& context) {
     if (context.state.recent_files.empty()) return;
@@ -63,10 +68,71 @@ void draw_side(const PanelContext& context) {
     ImGui::EndChild();
 }
 
-void draw_card_back(const PanelContext& context, const Rectangle& place, bool is_hovered) {
+/// How the cards share the room: as many columns of equal width, with equal heights of picture and texts.
+struct CardGrid {
+    int columns = 1;
+    float width = 0.0F;
+    float thumbnail = 0.0F;
+    float texts = 0.0F;
+    float height() const { return thumbnail + texts; }
+};
+
+float wrapped_height(ImFont* font, const std::string& text, float wrap) {
+    return text.empty() ? 0.0F : lines_size(wrapped(text, font, wrap), font).y;
+}
+
+float card_text_width(const PanelContext& context, float card_width_px) {
+    return card_width_px - 2.0F * context.px(card_margin);
+}
+
+/// What the longest texts need below the picture, so that none is cut.
+float texts_height(const PanelContext& context, float card_width_px) {
+    const float wrap = card_text_width(context, card_width_px);
+    float most = 0.0F;
+    for (const Example& example : examples_of(context))
+        most = std::max(most, wrapped_height(context.fonts.bold, title_of(example), wrap) +
+                                  wrapped_height(context.fonts.small, example.document.description, wrap));
+    return most + context.px(3.0 + 2.0 * card_margin);
+}
+
+/// The grid of so many columns that fills `room`; its thumbnails may come out too low.
+CardGrid grid_of(const PanelContext& context, ImVec2 room, int columns) {
+    const float gap = context.px(card_gap);
+    const auto count = static_cast<int>(examples_of(context).size());
+    const auto rows = static_cast<float>((count + columns - 1) / columns);
+    CardGrid grid;
+    grid.columns = columns;
+    grid.width = std::floor((room.x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+    grid.texts = texts_height(context, grid.width);
+    grid.thumbnail = std::floor((room.y - gap * (rows - 1.0F)) / rows - grid.texts);
+    return grid;
+}
+
+/// How large a thumbnail looks.
+float shown_size(const CardGrid& grid) {
+    return std::min(grid.width, thumbnail_aspect * grid.thumbnail);
+}
+
+/// The grid with the largest thumbnails that fits into `room`; where none does it has as many columns as there is width
+/// for, and scrolls.
+CardGrid best_grid(const PanelContext& context, ImVec2 room) {
+    const float gap = context.px(card_gap);
+    const int most = std::max(1, static_cast<int>((room.x + gap) / (context.px(least_card_width) + gap)));
+    CardGrid best = grid_of(context, room, most);
+    for (int columns = most - 1; columns > 0; --columns) {
+        const CardGrid grid = grid_of(context, room, columns);
+        if (shown_size(grid) > shown_size(best)) best = grid;
+    }
+    if (best.thumbnail >= context.px(least_thumbnail)) return best;
+    best = grid_of(context, room, most);
+    best.thumbnail = context.px(usual_thumbnail);
+    return best;
+}
+
+void draw_card_back(const PanelContext& context, const Rectangle& place, float thumbnail_px, bool is_hovered) {
     const glm::vec2 low(place.origin_px);
     const glm::vec2 high(place.origin_px + place.size_px);
-    const float picture_bottom = low.y + context.px(thumbnail_height);
+    const float picture_bottom = low.y + thumbnail_px;
     const float rounding = context.px(8);
     ImDrawList* list = ImGui::GetWindowDrawList();
     list->AddRectFilled({low.x, low.y}, {high.x, high.y}, imgui_packed(context.theme.field), rounding);
@@ -77,39 +143,34 @@ void draw_card_back(const PanelContext& context, const Rectangle& place, bool is
                   is_hovered ? context.px(1.5) : std::max(1.0F, context.px(1)));
 }
 
-void draw_card_texts(const PanelContext& context, const Example& example, const Rectangle& place) {
-    const float left = static_cast<float>(place.origin_px.x) + context.px(10);
-    const float width = static_cast<float>(place.size_px.x) - context.px(20);
-    const float top = static_cast<float>(place.origin_px.y) + context.px(thumbnail_height + 8.0);
-    const float bottom = static_cast<float>(place.origin_px.y + place.size_px.y) - context.px(6);
+void draw_card_texts(const PanelContext& context, const Example& example, const Rectangle& place, float top) {
+    const float left = static_cast<float>(place.origin_px.x) + context.px(card_margin);
+    const float wrap = card_text_width(context, static_cast<float>(place.size_px.x));
+    const std::string title = title_of(example);
+    const std::string& sentence = example.document.description;
     ImDrawList* list = ImGui::GetWindowDrawList();
-    const float line = font_height(context.fonts.bold);
-    const std::string title = elided(title_of(example), context.fonts.bold, width);
-    list->AddText(context.fonts.bold, line, {left, top}, imgui_packed(context.theme.text), title.c_str());
-    // Three lines; what is longer is in the tool tip.
-    const float small = font_height(context.fonts.small);
-    const float text_top = top + line + context.px(3);
-    const float most = std::min(bottom, text_top + 3.0F * small + 1.0F);
-    list->PushClipRect({left, text_top}, {left + width, most}, true);
-    list->AddText(context.fonts.small, small, {left, text_top}, imgui_packed(context.theme.dim),
-                  example.document.description.c_str(), nullptr, width);
-    list->PopClipRect();
+    list->AddText(context.fonts.bold, font_height(context.fonts.bold), {left, top}, imgui_packed(context.theme.text),
+                  wrapped(title, context.fonts.bold, wrap).c_str());
+    const float below = top + wrapped_height(context.fonts.bold, title, wrap) + context.px(3);
+    list->AddText(context.fonts.small, font_height(context.fonts.small), {left, below}, imgui_packed(context.theme.dim),
+                  wrapped(sentence, context.fonts.small, wrap).c_str());
+    const float height = wrapped_height(context.fonts.small, sentence, wrap);
+    context.widgets.push_back(
+        {fmt::format("example {} sentence", example.name), {{left, below}, {wrap, height}}, sentence});
 }
 
-void draw_card(const PanelContext& context, const Example& example, float width_px) {
+void draw_card(const PanelContext& context, const Example& example, const CardGrid& grid) {
     ImGui::PushID(example.name.c_str());
-    const bool is_clicked = ImGui::InvisibleButton("##card", ImVec2(width_px, context.px(card_height)));
+    const bool is_clicked = ImGui::InvisibleButton("##card", ImVec2(grid.width, grid.height()));
     ImGui::PopID();
     report_item(context, fmt::format("example {}", example.name), title_of(example));
-    const bool is_hovered = ImGui::IsItemHovered();
-    show_tooltip(context, example.document.description);
     const Rectangle place = last_item_place();
-    draw_card_back(context, place, is_hovered);
+    draw_card_back(context, place, grid.thumbnail, ImGui::IsItemHovered());
     const double inset = 14.0 * context.scale;
-    draw_thumbnail(
-        context, example,
-        {place.origin_px + inset, {place.size_px.x - 2.0 * inset, context.px(thumbnail_height) - 2.0 * inset}});
-    draw_card_texts(context, example, place);
+    draw_thumbnail(context, example,
+                   {place.origin_px + inset, {place.size_px.x - 2.0 * inset, grid.thumbnail - 2.0 * inset}});
+    draw_card_texts(context, example, place,
+                    static_cast<float>(place.origin_px.y) + grid.thumbnail + context.px(card_margin));
     if (is_clicked) context.queue.run(editor::OpenExample{.name = example.name});
 }
 
@@ -117,14 +178,13 @@ void draw_grid(const PanelContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(card_gap), context.px(card_gap)));
     ImGui::BeginChild("examples", ImVec2(0.0F, 0.0F), false, ImGuiWindowFlags_NoNav);
     // Room for the scroll bar, whether it is there or not, so that cards do not jump.
-    const float room = ImGui::GetWindowWidth() - ImGui::GetStyle().ScrollbarSize - context.px(4);
-    const float gap = context.px(card_gap);
-    const int columns = std::max(1, static_cast<int>((room + gap) / (context.px(card_width) + gap)));
-    const float width = std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+    const ImVec2 room(ImGui::GetWindowWidth() - ImGui::GetStyle().ScrollbarSize - context.px(4),
+                      ImGui::GetWindowHeight());
+    const CardGrid grid = best_grid(context, room);
     int index = 0;
     for (const Example& example : examples_of(context)) {
-        if (index % columns != 0) ImGui::SameLine();
-        draw_card(context, example, width);
+        if (index % grid.columns != 0) ImGui::SameLine();
+        draw_card(context, example, grid);
         ++index;
     }
     if (index == 0) ImGui::TextDisabled("The folder of examples is missing.");
@@ -138,7 +198,7 @@ void draw_welcome_screen(const PanelContext& context, const Rectangle& window) {
     if (context.state.dialog != editor::Dialog::welcome) return;
     DialogFrame frame;
     frame.title = "Welcome";
-    frame.size = {970.0, 740.0};
+    frame.size = {most_dialog_width, most_dialog_height};
     const bool is_left = begin_dialog(context, window, frame);
     draw_side(context);
     ImGui::SameLine(0.0F, context.px(16));
