@@ -13,6 +13,7 @@
 #include "app/editor/scene/plot_scene.h"
 #include "app/editor/session.h"
 #include "app/editor/settings.h"
+#include "app/platform/cursors.h"
 #include "app/platform/frame_clock.h"
 #include "app/platform/imgui_layer.h"
 #include "app/platform/picture_viewport.h"
@@ -73,6 +74,7 @@ class Application {
     std::optional<editor::ThemeName> styled_theme_;
     editor::CommandQueue queue_;
     FrameClock clock_;
+    Cursors cursors_;
     editor::Dialog last_dialog_ = editor::Dialog::none;
     int dialog_age_ = 0;  ///< frames since the dialog changed
     const Options& options_;
@@ -166,6 +168,7 @@ void Application::draw_frame() {
 
 void Application::run_requests() {
     if (!queue_.is_empty()) clock_.note_activity();
+    cursors_.show(window_.handle(), layout.cursor);
     editor_.perform(queue_);
 }
 

@@ -41,6 +41,7 @@ ImguiLayer::ImguiLayer(Window& window) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
+    io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;  // the window shows the one of the frame
     // A blinking cursor would need frames while nothing happens.
     io.ConfigInputTextCursorBlink = false;
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);

@@ -102,7 +102,8 @@ void Input::add(const PointerEvent& event) {
     if (event.action == PointerAction::move && !events_.empty()) {
         // A burst of moves is one move to where it ended.
         auto* last = std::get_if<PointerEvent>(&events_.back());
-        if (last != nullptr && last->action == PointerAction::move && last->modifiers == event.modifiers) {
+        if (last != nullptr && last->action == PointerAction::move && last->modifiers == event.modifiers &&
+            last->space_is_held == event.space_is_held) {
             *last = event;
             return;
         }
@@ -151,8 +152,9 @@ void Input::deliver(const KeyEvent& event) {
     const bool is_down = event.action != GLFW_RELEASE;
     const editor::Modifiers before = modifiers_;
     modifiers_ = after_key(modifiers_from_glfw(event.modifiers), event.key, is_down);
+    const bool held_space = space_is_held_;
     if (event.key == GLFW_KEY_SPACE) space_is_held_ = is_down;
-    if (modifiers_ != before) add(pointer_event(PointerAction::move));
+    if (modifiers_ != before || space_is_held_ != held_space) add(pointer_event(PointerAction::move));
     if (!is_down) return;
     const ui::KeyPress press{{key_from_glfw(event.key, event.scancode), modifiers_},
                              printed_shortcut(event.printed, modifiers_)};

@@ -110,6 +110,9 @@ void write_state_report(const ShownFrame& frame, const std::filesystem::path& pa
     add_labels(report["labels"], frame.plot, frame.layout.plot);
     if (state.active_curve() != nullptr) add_curve(report, state, frame.layout);
     report["curve_count"] = state.shown().curves.size();
+    report["cursor"] = core::name_of(frame.layout.cursor);
+    report["tool"] = core::name_of(state.tool);
+    report["zoom"] = state.view.camera.scale;
     report["parameter"] = state.parameter();
     report["selected_points"] = state.selection.points;
     report["message"] = state.message.text;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/cursor.h"
 #include "app/editor/key.h"
 #include "app/editor/pointer.h"
 
@@ -46,6 +47,7 @@ struct FrameLayout {
     Rectangle canvas;
     Rectangle plot;  ///< of no height when the dock is folded away
     std::vector<WidgetPlace> widgets;
+    editor::Cursor cursor = editor::Cursor::arrow;
 };
 
 }  // namespace batten::ui

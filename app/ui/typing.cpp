@@ -66,6 +66,7 @@ TextEvents shown_text(const PanelContext& context, const TextField& field, ImVec
     const bool is_clicked = ImGui::InvisibleButton(field.name.c_str(), size) && field.is_enabled;
     const bool is_lit = field.is_enabled && ImGui::IsItemHovered();
     if (field.has_frame) draw_field_frame(context, origin, size, is_lit);
+    if (is_lit && !field.needs_double_click) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
     const float padding = field.has_frame ? context.px(8) : 0.0F;
     const render::Color color = field.is_enabled ? context.theme.text : context.theme.dim;
     const ImVec2 left(origin.x + padding, origin.y + 0.5F * size.y);

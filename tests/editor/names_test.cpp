@@ -11,6 +11,7 @@
 #include "app/editor/commands/curve_ends.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
+#include "app/editor/cursor.h"
 #include "app/editor/state.h"
 #include "app/editor/theme.h"
 #include "app/editor/view.h"
@@ -44,7 +45,7 @@ using Enumerations =
                      Last<core::ConicType::hyperbola>, Last<core::ContactKind::ending>, Last<ShapeEffect::changes>,
                      Last<CommandGroup::gesture>, Last<Dialog::about>, Last<Overlay::construction>,
                      Last<Tool::parameter>, Last<ThemeName::light>, Last<CurveEnds::both>,
-                     Last<Escapable::presentation>, Last<UnsavedAnswer::cancel>>;
+                     Last<Escapable::presentation>, Last<UnsavedAnswer::cancel>, Last<Cursor::text>>;
 TYPED_TEST_SUITE(Names, Enumerations);
 
 TYPED_TEST(Names, of_an_enumeration_are_complete_and_differ) {
