@@ -74,6 +74,7 @@ struct View {
     double user_scale = 1.0;       ///< the user's part of it, within user_scales
     bool inspector_is_open = true;
     bool dock_is_open = true;
+    bool title_is_open = true;       ///< the line with the document's title and sentence, where it has any
     double inspector_width = 340.0;  ///< within inspector_widths
     double dock_height = 260.0;      ///< within dock_heights
     bool is_presenting = false;      ///< only the canvas and the dock

@@ -157,7 +157,7 @@ void Application::draw_frame() {
         portion.frames_per_second = clock_.frames_per_second();
         return portion;
     }();
-    interface_.take_pointer(state, input, queue_);
+    interface_.take_pointer(state, input, fonts_, queue_);
     run_requests();
     editor_.change(editor::PlaceLegend{});
     // What the panels ask for is run once the frame is shown: all of it shows one state.
@@ -168,7 +168,6 @@ void Application::draw_frame() {
 
 void Application::run_requests() {
     if (!queue_.is_empty()) clock_.note_activity();
-    cursors_.show(window_.handle(), layout.cursor);
     editor_.perform(queue_);
 }
 
@@ -179,6 +178,7 @@ void Application::show(const ui::FrameLayout& layout) {
     ui::draw_labels(canvas, layout.canvas, fonts_);
     ui::draw_labels(plot, layout.plot, fonts_);
     const editor::Theme theme = editor::theme_of(state.view.theme);
+    cursors_.show(window_.handle(), layout.cursor);
     paint(canvas, layout.canvas, theme.canvas);
     paint(plot, layout.plot, theme.panel);
     imgui_.paint_frame();

@@ -4,6 +4,7 @@
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/tool_commands.h"
+#include "app/ui/context_popup.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/section.h"
 #include "app/ui/style.h"
@@ -133,8 +134,9 @@ void draw_curve_row(const PanelContext& context, std::size_t i, float width) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const ImVec2 end(origin.x + width, origin.y + context.px(curve_row_height));
     const bool is_active = context.state.shown().active == i;
-    if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(origin, end) && !is_active)
-        wish_hover(context, editor::HoveredOtherCurve{i});
+    const bool is_hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(origin, end);
+    if (is_hovered && !is_active) wish_hover(context, editor::HoveredOtherCurve{i});
+    if (is_hovered && asks_for_menu()) open_context_menu(context, editor::OnCurve{i});
     const bool is_lit = context.state.hover == editor::Hover(editor::HoveredOtherCurve{i});
     if (is_active || is_lit) {
         const render::Color color = render::blended(context.theme.accent, is_active ? 0.17 : 0.08, context.theme.panel);

@@ -4,6 +4,7 @@
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/formula.h"
+#include "app/ui/context_popup.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/section.h"
 #include "app/ui/shell_widgets.h"
@@ -30,7 +31,8 @@ std::string details_of(const editor::Finding& finding) {
     return fmt::format("{}", fmt::join(parts, "   "));
 }
 
-std::string tooltip_of(const editor::Finding& finding) {
+/// All that is known of it, a line for each fact.
+std::string facts_of(const editor::Finding& finding) {
     std::vector<std::string> lines{finding.label};
     const auto add = [&lines](const std::string& name, double value) {
         lines.push_back(fmt::format("{} = {}", name, editor::number_text(value, 17)));
@@ -40,8 +42,12 @@ std::string tooltip_of(const editor::Finding& finding) {
     if (finding.point) add("y", finding.point->y);
     for (const editor::FoundNumber& number : finding.numbers) add(number.name, number.value);
     if (!finding.note.empty()) lines.push_back(finding.note);
-    if (finding.parameter) lines.emplace_back("Click to go there");
     return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
+std::string tooltip_of(const editor::Finding& finding) {
+    const std::string facts = facts_of(finding);
+    return finding.parameter ? fmt::format("{}\nClick to go there", facts) : facts;
 }
 
 void draw_texts(const PanelContext& context, const editor::Finding& finding, std::size_t i, ImVec2 origin,
@@ -77,6 +83,7 @@ void draw_finding_row(const PanelContext& context, std::size_t i, float width) {
         ImGui::GetWindowDrawList()->AddRectFilled(origin, end, imgui_packed(color), context.px(5));
     }
     show_tooltip(context, tooltip_of(finding));
+    if (ImGui::IsItemHovered() && asks_for_menu()) open_context_menu(context, editor::OnFinding{i, facts_of(finding)});
     draw_texts(context, finding, i, origin, width);
     if (is_clicked && finding.parameter) context.queue.run(editor::SetParameter{.u = *finding.parameter});
 }
@@ -93,7 +100,7 @@ void draw_findings_section(const PanelContext& context) {
                           draw_finding_row);
         Button clear{"clear findings", "clear", Icon::none, content_width(context)};
         clear.tooltip = "Forgets these results and their marks on the canvas (Escape)";
-        if (draw_button(context, clear)) context.queue.run(editor::Escape{.what = editor::Escapable::findings});
+        if (draw_button(context, clear)) context.queue.run(editor::ClearFindings{});
     }
     add_space(context, 6);
 }

@@ -49,10 +49,19 @@ FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale) {
     areas.window = {{0.0, 0.0}, size_px};
     areas.menu_bar = {{0.0, 0.0}, {size_px.x, menu}};
     areas.tool_bar = {{0.0, menu}, {tools, height}};
+    areas.title_line = {{tools, menu}, {width - inspector, 0.0}};
     areas.canvas = {{tools, menu}, {width - inspector, height - dock}};
     areas.dock = {{tools, menu + height - dock}, {width - inspector, dock}};
     areas.inspector = {{size_px.x - inspector, menu}, {inspector, height}};
     areas.status_bar = {{0.0, menu + height}, {size_px.x, status}};
+    return areas;
+}
+
+FrameAreas with_title_line(FrameAreas areas, double height_px) {
+    const double height = std::min(std::ceil(height_px), areas.canvas.size_px.y);
+    areas.title_line.size_px.y = height;
+    areas.canvas.origin_px.y += height;
+    areas.canvas.size_px.y -= height;
     return areas;
 }
 

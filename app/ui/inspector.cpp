@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/editor/hover_request.h"
+#include "app/ui/context_popup.h"
 #include "app/ui/number_field.h"
 #include "app/ui/section.h"
 #include "app/ui/shell_widgets.h"
@@ -25,10 +26,8 @@ void draw_room_below(const PanelContext& context) {
 }
 
 void draw_sections(const PanelContext& context) {
-    const bool has_several = context.state.shown().curves.size() > 1;
     add_space(context, top_margin);
     if (context.state.findings) draw_findings_section(context);
-    if (has_several) draw_curves_section(context);
     if (context.state.active_curve() != nullptr) {
         draw_curve_section(context);
         draw_points_section(context);
@@ -36,7 +35,7 @@ void draw_sections(const PanelContext& context) {
         draw_construction_section(context);
     }
     draw_show_section(context);
-    if (!has_several) draw_curves_section(context);
+    draw_curves_section(context);
     ImGui::Dummy(ImVec2(1.0F, context.px(bottom_margin)));
     draw_room_below(context);
 }
@@ -53,6 +52,16 @@ void settle_hover(const PanelContext& context, bool is_inside) {
         editor::request_hover(is_inside ? inspector.wish.value_or(editor::HoveredNothing{}) : editor::HoveredNothing{},
                               context.state, context.queue);
     if (!is_busy) inspector.owns_hover = is_inside;
+}
+
+/// The menu of the row under the pointer, which asks for itself unless it stands for a part of the active curve.
+void open_row_menu(const PanelContext& context, bool is_inside) {
+    if (!is_inside || !asks_for_menu() || context.panels.context_menu.opens) return;
+    const std::optional<editor::Hover>& wish = context.panels.inspector.wish;
+    if (wish)
+        open_context_menu(context, editor::OnPart{*wish});
+    else
+        open_context_menu(context, editor::OnPanel{});
 }
 
 void push_metrics(const PanelContext& context) {
@@ -77,6 +86,7 @@ void draw_inspector(const PanelContext& context, const Rectangle& place) {
     ImGui::Indent(context.px(section_margin - window_padding));
     draw_sections(context);
     const bool is_inside = ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows);
+    open_row_menu(context, is_inside);
     draw_edge(context, place.origin_px + glm::dvec2(0.5, 0.0), place.origin_px + glm::dvec2(0.5, place.size_px.y));
     ImGui::End();
     ImGui::PopStyleVar(3);

@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include "app/editor/command_table.h"
+#include "app/editor/hit_test.h"
 #include "app/ui/command_entry.h"
+#include "app/ui/context_popup.h"
 #include "app/ui/frame_areas.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/panels.h"
@@ -19,9 +21,9 @@ using editor::PlotIdle;
 using editor::PointerAction;
 using editor::PointerEvent;
 
-FrameAreas areas_of(const editor::EditorState& state) {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    return arrange({size.x, size.y}, state.view, state.view.interface_scale);
+/// Whether nothing is dragged that a menu would interrupt.
+bool canvas_menu_applies(const editor::CanvasMode& mode) {
+    return std::holds_alternative<CanvasIdle>(mode) || std::holds_alternative<editor::DrawingCurve>(mode);
 }
 
 Picture picture_at(const FrameLayout& layout, glm::dvec2 position_px) {
@@ -35,7 +37,8 @@ bool is_press(const PointerEvent& event) {
 }
 
 void follow_canvas_size(const editor::EditorState& state, const Rectangle& canvas, editor::CommandQueue& queue) {
-    if (state.view.camera.size_px != canvas.size_px) queue.change(editor::ResizeCanvas{canvas.size_px});
+    const bool is_new = state.view.camera.size_px != canvas.size_px || state.view.fits_on_open;
+    if (is_new) queue.change(editor::ResizeCanvas{canvas.size_px});
 }
 
 /// Whether a dialog that covers the window wants all keys. The welcome screen leaves those that act on the whole
@@ -53,6 +56,12 @@ void run_shortcut(const PanelContext& context, const KeyPress& press) {
     if (spec != nullptr) run_command(context, *spec);
 }
 
+FrameAreas areas_of(const PanelContext& context) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const FrameAreas areas = arrange({size.x, size.y}, context.state.view, context.scale);
+    return with_title_line(areas, title_line_height(context, areas.canvas));
+}
+
 void draw_frame_panels(const PanelContext& context, const FrameAreas& areas, const std::string& hint) {
     // Dear ImGui keeps windows that stay in the back in the reverse order of their making: the edges lie over the rest.
     draw_splitters(context, areas);
@@ -61,6 +70,7 @@ void draw_frame_panels(const PanelContext& context, const FrameAreas& areas, con
         draw_tool_bar(context, areas.tool_bar);
         draw_status_bar(context, areas.status_bar, hint, context.input.frames_per_second);
     }
+    draw_title_line(context, areas.title_line);
     if (areas.inspector.size_px.x > 0.0) draw_inspector(context, areas.inspector);
 }
 
@@ -76,14 +86,20 @@ void draw_dialogs(const PanelContext& context, const FrameAreas& areas) {
     draw_about_dialog(context, areas.window);
 }
 
-/// The pointer's shape says what can be dragged.
-void choose_cursor(const editor::EditorState& state, Picture hovered) {
-    const bool is_grip = std::holds_alternative<editor::HoveredPoint>(state.hover) ||
-                         std::holds_alternative<editor::HoveredWeightRing>(state.hover) ||
-                         std::holds_alternative<editor::HoveredParameter>(state.hover);
-    const bool is_knot = std::holds_alternative<editor::HoveredKnot>(state.hover);
-    if (hovered == Picture::canvas && (is_grip || is_knot)) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (hovered == Picture::plot && (is_grip || is_knot)) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+/// The shape that Dear ImGui's widgets ask for.
+editor::Cursor widget_cursor() {
+    switch (ImGui::GetMouseCursor()) {
+        case ImGuiMouseCursor_Hand:
+            return editor::Cursor::hand;
+        case ImGuiMouseCursor_TextInput:
+            return editor::Cursor::text;
+        case ImGuiMouseCursor_ResizeEW:
+            return editor::Cursor::horizontal;
+        case ImGuiMouseCursor_ResizeNS:
+            return editor::Cursor::vertical;
+        default:
+            return editor::Cursor::arrow;
+    }
 }
 
 }  // namespace
@@ -92,27 +108,50 @@ Interface::Interface() : panels_(std::make_unique<PanelState>()) {}
 
 Interface::~Interface() = default;
 
-void Interface::take_pointer(const editor::EditorState& state, const FrameInput& input, editor::CommandQueue& queue) {
-    const FrameAreas areas = areas_of(state);
+void Interface::take_pointer(const editor::EditorState& state, const FrameInput& input, const Fonts& fonts,
+                             editor::CommandQueue& queue) {
+    FrameLayout layout;
+    const PanelContext context{
+        state,          fonts, editor::theme_of(state.view.theme), state.view.interface_scale, queue, *panels_,
+        layout.widgets, input};
+    const FrameAreas areas = areas_of(context);
+    layout.canvas = areas.canvas;
+    layout.plot = areas.dock;
     follow_canvas_size(state, areas.canvas, queue);
     canvas_mode_ = editor::with_present_tool(std::move(canvas_mode_), state);
-    dispatch_pointer(state, input, {areas.canvas, areas.dock, {}}, queue);
+    dispatch_pointer(context, layout);
 }
 
 FrameLayout Interface::draw(const editor::EditorState& state, const FrameInput& input, const Fonts& fonts,
                             editor::CommandQueue& queue) {
-    const FrameAreas areas = areas_of(state);
-    FrameLayout layout{areas.canvas, areas.dock, {}};
+    FrameLayout layout;
     const PanelContext context{
         state,          fonts, editor::theme_of(state.view.theme), state.view.interface_scale, queue, *panels_,
         layout.widgets, input};
+    const FrameAreas areas = areas_of(context);
+    layout.canvas = areas.canvas;
+    layout.plot = areas.dock;
     dispatch_keys(context);
-    choose_cursor(state, panels_->pointer.hovered);
     const std::string hint = panels_->pointer.hovered == Picture::plot ? editor::plot_hint(plot_mode_, state)
                                                                        : editor::canvas_hint(canvas_mode_, state);
     draw_frame_panels(context, areas, hint);
     draw_dialogs(context, areas);
+    draw_context_menu(context);
+    layout.cursor = cursor(state);
     return layout;
+}
+
+editor::Cursor Interface::cursor(const editor::EditorState& state) const {
+    const PointerState& pointer = panels_->pointer;
+    switch (pointer.hovered) {
+        case Picture::canvas:
+            return editor::canvas_cursor(canvas_mode_, state, pointer.space_is_held);
+        case Picture::plot:
+            return editor::plot_cursor(plot_mode_, state, pointer.space_is_held);
+        case Picture::none:
+            break;
+    }
+    return widget_cursor();
 }
 
 bool Interface::is_animating() const {
@@ -132,11 +171,30 @@ void Interface::send(Picture picture, const PointerEvent& event, const editor::E
     }
 }
 
-void Interface::dispatch_pointer(const editor::EditorState& state, const FrameInput& input, const FrameLayout& layout,
-                                 editor::CommandQueue& queue) {
+void Interface::open_picture_menu(const PanelContext& context, const FrameLayout& layout, Picture picture,
+                                  glm::dvec2 position_px) const {
+    const editor::EditorState& state = context.state;
+    if (picture == Picture::canvas && canvas_menu_applies(canvas_mode_)) {
+        const glm::dvec2 local = position_px - layout.canvas.origin_px;
+        const bool is_drawing = std::holds_alternative<editor::DrawingCurve>(canvas_mode_);
+        const editor::Hover hit = is_drawing ? editor::HoveredNothing{} : editor::hit_canvas(state, local);
+        const core::Point place(render::world_from_screen(state.view.camera, local));
+        open_context_menu(context, editor::OnCanvas{hit, place});
+    } else if (picture == Picture::plot && std::holds_alternative<PlotIdle>(plot_mode_)) {
+        const glm::dvec2 local = position_px - layout.plot.origin_px;
+        const editor::PlotLayout plot = editor::plot_layout(state, layout.plot.size_px);
+        open_context_menu(context,
+                          editor::OnPlot{editor::hit_plot(state, plot, local), parameter_from_x(plot, local.x)});
+    }
+}
+
+void Interface::dispatch_pointer(const PanelContext& context, const FrameLayout& layout) {
+    const editor::EditorState& state = context.state;
+    editor::CommandQueue& queue = context.queue;
     PointerState& pointer = panels_->pointer;
     const bool is_covered = ImGui::GetIO().WantCaptureMouse;
-    for (const PointerEvent& event : input.pointer_events) {
+    for (const PointerEvent& event : context.input.pointer_events) {
+        pointer.space_is_held = event.space_is_held;
         const bool is_outside = is_covered || event.action == PointerAction::leave;
         const Picture under = is_outside ? Picture::none : picture_at(layout, event.position_px);
         const Picture target = pointer.captured != Picture::none ? pointer.captured : under;
@@ -155,6 +213,8 @@ void Interface::dispatch_pointer(const editor::EditorState& state, const FrameIn
         if (event.action != PointerAction::leave) send(target, event, state, layout, queue);
         const bool is_end = event.action == PointerAction::release && event.button == pointer.button;
         if (is_end) pointer.captured = Picture::none;
+        const bool asks = event.action == PointerAction::release && event.button == editor::PointerButton::right;
+        if (asks) open_picture_menu(context, layout, target, event.position_px);
     }
 }
 

@@ -27,7 +27,8 @@ class Interface {
 
     /// Turns what the pointer did to the pictures, and the window's size, into requests; to be run before draw(), so
     /// that panels and pictures of one frame show the same state. Needs a Dear ImGui frame that was begun.
-    void take_pointer(const editor::EditorState& state, const FrameInput& input, editor::CommandQueue& queue);
+    void take_pointer(const editor::EditorState& state, const FrameInput& input, const Fonts& fonts,
+                      editor::CommandQueue& queue);
 
     /// Draws all panels and turns the rest of the input into requests; to be run after the pictures are made.
     FrameLayout draw(const editor::EditorState& state, const FrameInput& input, const Fonts& fonts,
@@ -40,9 +41,11 @@ class Interface {
     bool is_animating() const;
 
   private:
-    void dispatch_pointer(const editor::EditorState& state, const FrameInput& input, const FrameLayout& layout,
-                          editor::CommandQueue& queue);
+    void dispatch_pointer(const PanelContext& context, const FrameLayout& layout);
+    void open_picture_menu(const PanelContext& context, const FrameLayout& layout, Picture picture,
+                           glm::dvec2 position_px) const;
     void dispatch_keys(const PanelContext& context);
+    editor::Cursor cursor(const editor::EditorState& state) const;
     bool escape_gesture(const PanelContext& context);
     void send(Picture picture, const editor::PointerEvent& event, const editor::EditorState& state,
               const FrameLayout& layout, editor::CommandQueue& queue);

@@ -1,17 +1,16 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
 #include <functional>
 #include <string_view>
 
 #include "app/editor/command_table.h"
 #include "app/editor/commands/file_commands.h"
-#include "app/ui/command_entry.h"
+#include "app/ui/context_popup.h"
 #include "app/ui/example_list.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
+#include "app/ui/menu_entry.h"
 #include "app/ui/panels.h"
 #include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
@@ -40,76 +39,11 @@ struct Column {
     }
 };
 
-/// The columns of a menu: check mark, title, sign of the effect, shortcut. Zero where nothing in the menu needs one.
-struct Columns {
-    float check = 0.0F;
-    float title = 0.0F;
-    float sign = 0.0F;
-    float shortcut = 0.0F;
-    float total() const { return check + title + sign + shortcut; }
-};
-
-float menu_text_width(const std::string& text) {
-    return ImGui::CalcTextSize(text.c_str()).x;
-}
-
-/// With an ellipsis where a form asks for more.
-std::string entry_title(const CommandSpec& spec) {
-    return has_form(spec) ? fmt::format("{}…", spec.title) : spec.title;
-}
-
 Columns columns_of(const PanelContext& context, const Column& column) {
     Columns columns;
-    const float gap = context.px(24);
-    for (const CommandSpec& spec : editor::command_table()) {
-        if (!column.holds(spec)) continue;
-        const std::string shortcut = editor::text_of(spec.shortcut);
-        columns.title = std::max(columns.title, menu_text_width(entry_title(spec)) + context.px(8));
-        if (spec.is_checked != nullptr) columns.check = context.px(22);
-        if (spec.effect != editor::ShapeEffect::none) columns.sign = context.px(32);
-        if (!shortcut.empty()) columns.shortcut = std::max(columns.shortcut, menu_text_width(shortcut) + gap);
-    }
+    for (const CommandSpec& spec : editor::command_table())
+        if (column.holds(spec)) make_room(context, columns, {&spec});
     return columns;
-}
-
-void draw_check(const PanelContext& context, ImVec2 corner) {
-    const float line = font_height(context.fonts.text);
-    const auto at = [&](float x, float y) { return ImVec2(corner.x + x * line, corner.y + y * line); };
-    const std::array points{at(0.12F, 0.52F), at(0.36F, 0.76F), at(0.82F, 0.26F)};
-    ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()),
-                                            imgui_packed(context.theme.accent), 0, context.px(1.8));
-}
-
-void draw_entry_texts(const PanelContext& context, const CommandSpec& spec, const Columns& columns, ImVec2 corner,
-                      bool is_enabled) {
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const render::Color text = is_enabled ? context.theme.text : render::faded(context.theme.text, 0.4);
-    const render::Color dim = is_enabled ? context.theme.dim : render::faded(context.theme.dim, 0.55);
-    if (spec.is_checked != nullptr && spec.is_checked(context.state)) draw_check(context, corner);
-    float x = corner.x + columns.check;
-    list->AddText({x, corner.y}, imgui_packed(text), entry_title(spec).c_str());
-    x += columns.title + columns.sign;
-    const char* sign = effect_sign(spec.effect);
-    list->AddText({x - menu_text_width(sign), corner.y}, imgui_packed(dim), sign);
-    x += columns.shortcut;
-    const std::string shortcut = editor::text_of(spec.shortcut);
-    list->AddText({x - menu_text_width(shortcut), corner.y}, imgui_packed(dim), shortcut.c_str());
-}
-
-void draw_entry(const PanelContext& context, const CommandSpec& spec, const Columns& columns) {
-    const bool is_enabled = !refusal_of(spec, context.state);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::PushID(spec.name);
-    const bool is_chosen =
-        ImGui::Selectable("##entry", false, is_enabled ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled,
-                          ImVec2(columns.total(), 0.0F));
-    ImGui::PopID();
-    report_item(context, fmt::format("menu-item {}", spec.name), is_enabled ? "enabled" : "disabled");
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        draw_side_tooltip(context, command_tooltip(spec, context.state));
-    }
-    draw_entry_texts(context, spec, columns, corner, is_enabled);
-    if (is_chosen) choose_command(context, spec);
 }
 
 void draw_recent_files(const PanelContext& context) {
@@ -148,14 +82,6 @@ void draw_submenu(const PanelContext& context, const std::string& place_name,
     draw(context);
 }
 
-/// What the signs mean, at the foot of a menu that has some.
-void draw_legend(const PanelContext& context) {
-    ImGui::Separator();
-    ImGui::PushFont(context.fonts.small);
-    ImGui::TextDisabled("≅ keeps the shape   ≠ changes it");
-    ImGui::PopFont();
-}
-
 void draw_column(const PanelContext& context, const Column& column);
 
 void draw_submenu_of_commands(const PanelContext& context, const CommandSpec& first) {
@@ -183,10 +109,10 @@ void draw_column(const PanelContext& context, const Column& column) {
         if (&spec == &editor::OpenExample::spec())
             draw_submenu(context, "menu-item examples", draw_examples);
         else
-            draw_entry(context, spec, columns);
+            draw_menu_entry(context, {&spec}, columns);
         if (&spec == &editor::Open::spec()) draw_submenu(context, "menu-item open-recent", draw_recent_files);
     }
-    if (columns.sign > 0.0F) draw_legend(context);
+    if (columns.sign > 0.0F) draw_menu_legend(context);
 }
 
 void draw_menu(const PanelContext& context, const core::Named<CommandGroup>& menu, const Rectangle& bar) {
@@ -293,6 +219,7 @@ void draw_menu_bar(const PanelContext& context, const Rectangle& place) {
         draw_file_name(context, place);
         ImGui::EndMenuBar();
     }
+    if (ImGui::IsWindowHovered() && asks_for_menu()) open_context_menu(context, editor::OnPanel{});
     const double bottom = place.origin_px.y + place.size_px.y - 0.5;
     draw_edge(context, {place.origin_px.x, bottom}, {place.origin_px.x + place.size_px.x, bottom});
     ImGui::PopStyleVar();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/editor/commands/help_commands.h"
+#include "app/ui/context_popup.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/panels.h"
 #include "app/ui/shell_widgets.h"
@@ -71,6 +72,7 @@ void draw_notice(const PanelContext& context, const Rectangle& canvas) {
                                corner.y + context.px(notice_padding - 2.0)});
     if (draw_cross_button(context, "notice dismiss", context.px(cross_size)))
         context.queue.run(editor::DismissMessage{});
+    if (ImGui::IsWindowHovered() && asks_for_menu()) open_context_menu(context, editor::OnText{message.text});
     ImGui::End();
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/editor/command_spec.h"
+#include "app/editor/context_menu.h"
 #include "app/editor/pointer.h"
 #include "app/editor/selection.h"
 #include "app/ui/file_choice.h"
@@ -70,6 +71,7 @@ struct PointerState {
     Picture captured = Picture::none;  ///< where a button went down that is still held
     editor::PointerButton button = editor::PointerButton::none;
     std::optional<glm::dvec2> canvas_px;  ///< where on the canvas the pointer is
+    bool space_is_held = false;
 };
 
 /// The field that is being edited: one at a time in the whole window.
@@ -113,6 +115,12 @@ struct InspectorState {
     float scroll_y = 0.0F;              ///< so far the sections may be scrolled though they end before
 };
 
+/// What a right click asked for.
+struct ContextMenuState {
+    editor::MenuTarget target;
+    bool opens = false;  ///< in this frame
+};
+
 struct PanelState {
     FileDialogState file_dialog;
     PaletteState palette;
@@ -120,6 +128,7 @@ struct PanelState {
     FieldState field;
     InspectorState inspector;
     PointerState pointer;
+    ContextMenuState context_menu;
     std::optional<std::vector<Example>> examples;  ///< read when the welcome screen first opens
     std::string key_sheet_filter;
 };

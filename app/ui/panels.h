@@ -30,6 +30,12 @@ void draw_status_bar(const PanelContext& context, const Rectangle& place, const 
                      double frames_per_second);
 void draw_inspector(const PanelContext& context, const Rectangle& place);
 
+/// The line with the document's title and sentence; nothing in a place of no height.
+void draw_title_line(const PanelContext& context, const Rectangle& place);
+
+/// The height in window pixels that this line needs above `canvas`; 0 where it is not shown.
+double title_line_height(const PanelContext& context, const Rectangle& canvas);
+
 // Sections of the inspector, drawn one below the other.
 void draw_findings_section(const PanelContext& context);
 void draw_curves_section(const PanelContext& context);

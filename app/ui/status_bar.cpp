@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/editor/formula.h"
+#include "app/ui/context_popup.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/panels.h"
 #include "app/ui/rich_text.h"
@@ -186,11 +187,28 @@ void draw_status_text(const PanelContext& context, const std::string& name, cons
         draw_tooltip_at(context, editor::plain_text(text), {x_px, place.origin_px.y - context.px(6)}, {0.0, 1.0});
 }
 
+/// The text of the bar under the pointer; none beside them.
+std::optional<std::string> pointed_text(const PanelContext& context, std::size_t first_widget) {
+    const ImVec2 mouse = ImGui::GetMousePos();
+    for (std::size_t i = first_widget; i < context.widgets.size(); ++i)
+        if (context.widgets[i].place.contains({mouse.x, mouse.y})) return context.widgets[i].value;
+    return std::nullopt;
+}
+
+void open_status_menu(const PanelContext& context, std::size_t first_widget) {
+    if (!ImGui::IsWindowHovered() || !asks_for_menu()) return;
+    if (const std::optional<std::string> text = pointed_text(context, first_widget))
+        open_context_menu(context, editor::OnText{*text});
+    else
+        open_context_menu(context, editor::OnPanel{});
+}
+
 }  // namespace
 
 void draw_status_bar(const PanelContext& context, const Rectangle& place, const std::string& hint,
                      double frames_per_second) {
     begin_panel("status bar", place);
+    const std::size_t first_widget = context.widgets.size();
     draw_edge(context, {place.origin_px.x, place.origin_px.y + 0.5},
               {place.origin_px.x + place.size_px.x, place.origin_px.y + 0.5});
     const editor::Message message = message_of(context.state);
@@ -204,6 +222,7 @@ void draw_status_bar(const PanelContext& context, const Rectangle& place, const 
     draw_status_text(context, "status message", text, texts.message, texts.font, begin - texts.message.width_px, place,
                      message.is_error ? context.theme.error : context.theme.text);
     draw_status_text(context, "status hint", hint, texts.hint, texts.font, left, place, context.theme.dim);
+    open_status_menu(context, first_widget);
     end_panel();
 }
 

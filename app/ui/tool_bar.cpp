@@ -9,6 +9,7 @@
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/commands/view_commands.h"
 #include "app/ui/command_entry.h"
+#include "app/ui/context_popup.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/panels.h"
 #include "app/ui/shell_widgets.h"
@@ -148,6 +149,7 @@ void draw_tool_bar(const PanelContext& context, const Rectangle& place) {
         draw_tool_button(context, all[i]);
     }
     if (!has_room) draw_rest(context, {all.begin() + static_cast<std::ptrdiff_t>(shown), all.end()});
+    if (ImGui::IsWindowHovered() && asks_for_menu()) open_context_menu(context, editor::OnToolBar{});
     const double right = place.origin_px.x + place.size_px.x - 0.5;
     draw_edge(context, {right, place.origin_px.y}, {right, place.origin_px.y + place.size_px.y});
     end_panel();

@@ -62,6 +62,12 @@ Outcome<void> copy(EditorState& state, const Copy&) {
     return {};
 }
 
+Outcome<void> copy_text(EditorState& state, const CopyText& command) {
+    write_clipboard(state, command.text);
+    state.message = {"Copied the text", false};
+    return {};
+}
+
 Outcome<Edit> cut(const EditorState& state, const Cut&) {
     Outcome<Edit> edit = without_curve(state, state.history.present().active);
     if (edit) edit->clipboard = text_of_active(state);
@@ -206,6 +212,18 @@ const CommandSpec& Copy::spec() {
     return spec;
 }
 
+const CommandSpec& CopyText::spec() {
+    static const CommandSpec spec{.name = "copy-text",
+                                  .title = "Copy text",
+                                  .explanation = "Copies a text of the window to the clipboard.",
+                                  .group = CommandGroup::gesture,
+                                  .offered = nowhere,
+                                  .fields = {field::text<&CopyText::text>("text", "what to copy")},
+                                  .run = body_of<copy_text>,
+                                  .is_logged = false};
+    return spec;
+}
+
 const CommandSpec& Paste::spec() {
     static const CommandSpec spec{
         .name = "paste",
@@ -273,7 +291,7 @@ const CommandSpec& Delete::spec() {
 }
 
 void add_edit_commands(CommandTable& table) {
-    add_all<Undo, Redo, Cut, Copy, PasteBeside, Paste, Duplicate, Delete>(table);
+    add_all<Undo, Redo, Cut, Copy, CopyText, PasteBeside, Paste, Duplicate, Delete>(table);
 }
 
 }  // namespace batten::editor

@@ -36,6 +36,11 @@ struct PasteBeside {
     static const CommandSpec& spec();
 };
 
+struct CopyText {
+    std::string text;
+    static const CommandSpec& spec();
+};
+
 struct Duplicate {
     double shift;  ///< to the right and down
     static const CommandSpec& spec();

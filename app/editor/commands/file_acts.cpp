@@ -131,8 +131,10 @@ void show_document(EditorState& state, core::Document document, const fs::path& 
     state.selection = {};
     state.hover = HoveredNothing{};
     state.path = path;
+    state.view.title_is_open = true;
     show_dialog(state, Dialog::none);
     fit_view(state);
+    state.view.fits_on_open = true;  // again in the canvas that the title leaves
 }
 
 Outcome<void> proceed(EditorState& state, const Pending& command) {

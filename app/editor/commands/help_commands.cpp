@@ -25,6 +25,16 @@ Outcome<void> dismiss_message(EditorState& state, const DismissMessage&) {
     return {};
 }
 
+Outcome<void> clear_findings(EditorState& state, const ClearFindings&) {
+    state.findings.reset();
+    return {};
+}
+
+std::optional<Refusal> no_findings(const EditorState& state) {
+    if (state.findings) return std::nullopt;
+    return "no results are shown";
+}
+
 // What Escape means now, one thing at a time. A field, so that a replay, which knows no previews, gives up the same.
 Escapable what_to_give_up(const EditorState& state) {
     if (state.dialog != Dialog::none) return Escapable::dialog;
@@ -135,6 +145,17 @@ const CommandSpec& DismissMessage::spec() {
     return spec;
 }
 
+const CommandSpec& ClearFindings::spec() {
+    static const CommandSpec spec{.name = "clear-findings",
+                                  .title = "Clear results",
+                                  .explanation = "Forgets the results shown and their marks on the canvas.",
+                                  .group = CommandGroup::analyze,
+                                  .offered = in_the_window,
+                                  .refusal = no_findings,
+                                  .run = body_of<clear_findings>};
+    return spec;
+}
+
 const CommandSpec& Escape::spec() {
     static const CommandSpec spec{
         .name = "escape",
@@ -151,7 +172,7 @@ const CommandSpec& Escape::spec() {
 
 void add_help_commands(CommandTable& table) {
     add_all<TogglePalette, ToggleKeySheet, ToggleWelcome, ToggleAbout>(table);
-    add_all<CloseDialog, DismissMessage, Escape>(table);
+    add_all<CloseDialog, DismissMessage, ClearFindings, Escape>(table);
 }
 
 }  // namespace batten::editor

@@ -33,6 +33,10 @@ struct DismissMessage {
     static const CommandSpec& spec();
 };
 
+struct ClearFindings {
+    static const CommandSpec& spec();
+};
+
 struct Escape {
     Escapable what;
     static const CommandSpec& spec();

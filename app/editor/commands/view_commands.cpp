@@ -101,6 +101,12 @@ core::KnotMove shown_knot_move(const EditorState& state) {
     return state.view.knot_move;
 }
 
+std::optional<Refusal> no_title(const EditorState& state) {
+    const core::Document& document = state.shown();
+    if (!document.title.empty() || !document.description.empty()) return std::nullopt;
+    return "the document has neither a title nor a description";
+}
+
 }  // namespace
 
 const CommandSpec& FitView::spec() {
@@ -300,6 +306,19 @@ const CommandSpec& ToggleDock::spec() {
     return spec;
 }
 
+const CommandSpec& ToggleTitle::spec() {
+    static const CommandSpec spec{.name = "toggle-title",
+                                  .title = "Title line",
+                                  .explanation = "Shows or hides the document's title and sentence above the canvas.",
+                                  .synonyms = "example description",
+                                  .group = CommandGroup::view,
+                                  .offered = in_the_window,
+                                  .refusal = no_title,
+                                  .is_checked = is_on<&View::title_is_open>,
+                                  .run = body_of<toggle_member<ToggleTitle, &View::title_is_open>>};
+    return spec;
+}
+
 const CommandSpec& TogglePresenting::spec() {
     static const CommandSpec spec{.name = "present",
                                   .title = "Present",
@@ -341,7 +360,8 @@ const CommandSpec& SetKnotMove::spec() {
 void add_view_commands(CommandTable& table) {
     add_all<FitView, ZoomIn, ZoomOut>(table);
     for (std::size_t i = 0; i < overlay_count; ++i) table.emplace_back(toggle_overlay_spec(static_cast<Overlay>(i)));
-    add_all<ToggleTheme, ScaleUp, ScaleDown, ResetScale, ToggleInspector, ToggleDock, TogglePresenting>(table);
+    add_all<ToggleTheme, ScaleUp, ScaleDown, ResetScale, ToggleInspector, ToggleDock, ToggleTitle, TogglePresenting>(
+        table);
     add_all<FitPlot, SetKnotMove>(table);
 }
 

@@ -71,6 +71,11 @@ struct ToggleDock {
     static const CommandSpec& spec();
 };
 
+/// The title and the sentence of the document, above the canvas.
+struct ToggleTitle {
+    static const CommandSpec& spec();
+};
+
 struct TogglePresenting {
     static const CommandSpec& spec();
 };
