@@ -173,8 +173,9 @@ struct FillByTarget {
     Menu& menu;
 
     void operator()(const OnCanvas& target) const {
-        if (fill_by(target.hit)) return;
         if (std::holds_alternative<HoveredOtherCurve>(target.hit)) return menu.curve();
+        if (!is_in(target.hit, state.shown())) return menu.canvas();
+        if (fill_by(target.hit)) return;
         if (const auto* leg = std::get_if<HoveredLeg>(&target.hit)) return menu.leg(leg->index, target.position);
         if (const auto* curve = std::get_if<HoveredCurve>(&target.hit)) return place_on_curve(curve->u);
         if (std::holds_alternative<HoveredParameter>(target.hit)) return place_on_curve(state.parameter());

@@ -167,7 +167,7 @@ void draw_buttons(const PanelContext& context) {
 
 void draw_curves_section(const PanelContext& context) {
     const std::size_t count = context.state.shown().curves.size();
-    if (draw_section_heading(context, {"curves", "Curves", std::to_string(count)})) {
+    if (draw_section_heading(context, {"curves", "Curves", std::to_string(count), false})) {
         if (count > 0)
             draw_row_list(context, {"curves", count, most_curve_rows, curve_row_height, curve_overhang},
                           draw_curve_row);

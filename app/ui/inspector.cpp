@@ -28,6 +28,7 @@ void draw_room_below(const PanelContext& context) {
 void draw_sections(const PanelContext& context) {
     add_space(context, top_margin);
     if (context.state.findings) draw_findings_section(context);
+    draw_curves_section(context);
     if (context.state.active_curve() != nullptr) {
         draw_curve_section(context);
         draw_points_section(context);
@@ -35,7 +36,6 @@ void draw_sections(const PanelContext& context) {
         draw_construction_section(context);
     }
     draw_show_section(context);
-    draw_curves_section(context);
     ImGui::Dummy(ImVec2(1.0F, context.px(bottom_margin)));
     draw_room_below(context);
 }

@@ -58,6 +58,7 @@ void draw_recent_files(const PanelContext& context) {
         ImGui::PopID();
         if (ImGui::IsItemHovered()) draw_side_tooltip(context, path);
         report_item(context, fmt::format("menu-item recent {}", i), path);
+        if (ImGui::IsItemHovered()) draw_side_tooltip(context, path);
     }
     ImGui::EndMenu();
 }

@@ -149,7 +149,7 @@ std::string wrapped(const std::string& text, ImFont* font, float width_px) {
     for (std::string word; words >> word;) {
         const std::string longer = line.empty() ? word : fmt::format("{} {}", line, word);
         if (!line.empty() && text_width(longer, font) > width_px) {
-            lines.append(line).append("\n");
+            lines.append(line).push_back('\n');
             line = word;
         } else {
             line = longer;

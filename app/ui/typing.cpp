@@ -1,5 +1,7 @@
 #include "app/ui/typing.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "app/ui/imgui_compat.h"
@@ -70,9 +72,10 @@ TextEvents shown_text(const PanelContext& context, const TextField& field, ImVec
     const float padding = field.has_frame ? context.px(8) : 0.0F;
     const render::Color color = field.is_enabled ? context.theme.text : context.theme.dim;
     const ImVec2 left(origin.x + padding, origin.y + 0.5F * size.y);
-    draw_text(context, left, {elided(field.shown, field.font, size.x - 2.0F * padding), field.font, 0.0, color});
+    const std::string shown = elided(field.shown, field.font, size.x - 2.0F * padding);
+    draw_text(context, left, {shown, field.font, 0.0, color});
     report_item(context, field.name, field.shown);
-    show_tooltip(context, field.tooltip);
+    show_tooltip(context, shown == field.shown ? field.tooltip : fmt::format("{}\n{}", field.shown, field.tooltip));
     const bool is_double = is_lit && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     events.begins = field.is_enabled && (field.needs_double_click ? is_double : is_clicked);
     events.is_clicked = is_clicked && !events.begins;

@@ -73,6 +73,8 @@ class GesturesTest(WindowTest):
         editor.screenshot("point")
         self.open_menu(editor, *empty, "fit")
         self.close_menu(editor)
+        editor.click_widget("section curves")
+        editor.wait(lambda state: "curve 0 name" in state["widgets"] and state["is_settled"], "the list of curves")
         leg = [(a + b) / 2 for a, b in zip(editor.point(4), editor.point(5))]
         places = (
             ("plot", editor.strip_knot(5), "raise-knot"),
