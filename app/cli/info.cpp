@@ -42,7 +42,7 @@ Json json_of(const core::DocumentCurve& entry) {
     for (const core::DistinctKnot& knot : knots_of_domain(curve)) knots.push_back(json_of(knot));
     return {{"name", entry.name},
             {"degree", curve.degree()},
-            {"kind", core::title_of(curve.knots().kind())},
+            {"kind", core::title_of(core::kind_by_values(curve.knots()))},
             {"periodic", curve.is_periodic()},
             {"rational", curve.is_rational()},
             {"clamped", core::is_clamped(curve.knots())},
@@ -72,7 +72,8 @@ void print(std::ostream& out, const core::DocumentCurve& entry) {
     const core::Curve& curve = *entry.curve;
     const core::Box box = core::tight_box(curve);
     out << entry.name << '\n'
-        << "  kind      " << core::title_of(curve.knots().kind()) << (curve.is_rational() ? ", rational" : "") << '\n'
+        << "  kind      " << core::title_of(core::kind_by_values(curve.knots()))
+        << (curve.is_rational() ? ", rational" : "") << '\n'
         << "  degree    " << curve.degree() << '\n'
         << "  points    " << curve.control_points().size() << '\n'
         << "  segments  " << core::segment_count(curve.knots()) << '\n'

@@ -85,18 +85,15 @@ void draw_degree_row(const PanelContext& context, const core::Curve& curve) {
     draw_degree_buttons(context, has_words, button_width);
 }
 
-const char* kind_text(const core::KnotVector& knots, KnotKind kind) {
-    return kind == KnotKind::custom && !core::is_uniform(knots) ? "non-uniform" : core::title_of(kind);
-}
-
 void draw_choice(const PanelContext& context, const core::Curve& curve, KnotKind kind, float width_px) {
     const core::Result<core::Curve> result = core::set_knot_kind(curve, kind);
     Button button{fmt::format("knots {}", core::name_of(kind)), core::title_of(kind), Icon::none, width_px};
     button.has_frame = false;
     button.anchor = render::Anchor::left;
-    button.is_active = curve.knots().kind() == kind;
-    button.is_enabled = result.has_value();
-    if (kind == KnotKind::custom) button.tooltip = "Keeps these knots, whatever happens to the points.";
+    const KnotKind present = core::kind_by_values(curve.knots());
+    button.is_active = kind == present;
+    button.is_enabled = result && (kind != KnotKind::custom || kind == present);
+    if (kind == KnotKind::custom) button.tooltip = "Any other spacing: move a knot, or type the knots.";
     if (!result)
         button.tooltip = core::sentence("Not possible: {reason}.", {{"reason", core::describe(result.error())}});
     if (!draw_button(context, button)) return;
@@ -123,7 +120,7 @@ void draw_kind_row(const PanelContext& context, const core::Curve& curve) {
     const ImVec2 size(field_width(context), context.px(24));
     const bool is_clicked = ImGui::InvisibleButton("knot kind", size) && is_editable(context.state);
     if (is_clicked) ImGui::OpenPopup("kinds");
-    const std::string text = kind_text(curve.knots(), curve.knots().kind());
+    const std::string text = core::title_of(core::kind_by_values(curve.knots()));
     report_item(context, "knot kind", text);
     show_tooltip(context, locked_sentence(context.state));
     draw_field_frame(context, origin, size, ImGui::IsItemHovered());

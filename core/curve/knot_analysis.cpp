@@ -30,7 +30,12 @@ bool are_equally_spaced(std::span<const double> values) {
     return true;
 }
 
+// Counting comes first: it settles most cases at once.
 bool have_interior_multiplicity(const KnotVector& knots, int multiplicity) {
+    const std::size_t interior = knots.size() - 2 * degree_of(knots) - 2;
+    const std::size_t joints = segment_count(knots) - 1;
+    if (!knots.is_periodic() && interior != joints * static_cast<std::size_t>(multiplicity) && is_clamped(knots))
+        return false;
     const auto distinct = distinct_knots(knots);
     return std::all_of(distinct.begin(), distinct.end(), [&](const DistinctKnot& knot) {
         return !knot.is_interior || knot.multiplicity == multiplicity;
@@ -75,7 +80,7 @@ bool is_clamped(const KnotVector& knots) {
 }
 
 bool is_uniform(const KnotVector& knots) {
-    return have_interior_multiplicity(knots, 1) && are_equally_spaced(breakpoints(knots));
+    return are_equally_spaced(breakpoints(knots)) && have_interior_multiplicity(knots, 1);
 }
 
 std::optional<int> least_continuity(const KnotVector& knots) {
@@ -122,6 +127,10 @@ KnotKind classify(const KnotVector& knots) {
                                 KnotKind::uniform, KnotKind::periodic})
         if (is_of_kind(knots, kind)) return kind;
     return KnotKind::custom;
+}
+
+KnotKind kind_by_values(const KnotVector& knots) {
+    return knots.kind() == KnotKind::custom ? classify(knots) : knots.kind();
 }
 
 }  // namespace batten::core

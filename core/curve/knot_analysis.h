@@ -40,10 +40,14 @@ std::optional<int> least_continuity(const KnotVector& knots);
 /// For a periodic vector the values of points 0..n-1 of the unrolled curve, brought into the domain.
 std::vector<double> greville_abscissae(const KnotVector& knots);
 
-/// Whether the values satisfy the definition of `kind`; everything is custom.
+/// Whether the values satisfy the definition of `kind`; everything satisfies that of custom.
 bool is_of_kind(const KnotVector& knots, KnotKind kind);
 
 /// The most special kind that the values satisfy (bezier before clamped_uniform and piecewise_bezier).
 KnotKind classify(const KnotVector& knots);
+
+/// The kind that the values say, whether they were typed, loaded or made: kind() where that has a name, since values
+/// may satisfy several, else classify(). A vector that is kept as custom may so have a name.
+KnotKind kind_by_values(const KnotVector& knots);
 
 }  // namespace batten::core

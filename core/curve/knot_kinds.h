@@ -12,4 +12,16 @@ namespace batten::core {
 [[nodiscard]] Result<KnotVector> make_knots(KnotKind kind, int degree, std::size_t point_count,
                                             Interval domain = {0.0, 1.0});
 
+/// Which ends of an open curve are clamped.
+struct ClampedEnds {
+    bool start = false;
+    bool end = false;
+};
+
+/// Equally spaced knots for `point_count` control points over `domain` (lower < upper), beyond it in the same steps
+/// except at `clamped` ends, which have multiplicity p+1. Errors: degree_out_of_range; too_few_points (p+1); those of
+/// KnotVector::make for a domain that is none.
+[[nodiscard]] Result<KnotVector> make_even_knots(int degree, std::size_t point_count, Interval domain,
+                                                 ClampedEnds clamped);
+
 }  // namespace batten::core

@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "core/curve/detail/edit_checks.h"
+#include "core/curve/knot_analysis.h"
 #include "core/curve/knot_kinds.h"
 #include "core/measure/deviation.h"
+#include "core/refine/clamping.h"
 
 namespace batten::core {
 
@@ -15,6 +17,23 @@ Result<Curve> changed_by_shape(const Curve& curve, int degree) {
     Result<Curve> reduced = curve;
     while (reduced && reduced->degree() > degree) reduced = reduce_degree(*reduced);
     return reduced;
+}
+
+// Equal spans, or another spacing that has a name, can be made anew in any degree.
+bool can_be_made_anew(const KnotVector& knots) {
+    return kind_by_values(knots) != KnotKind::custom || is_uniform(knots);
+}
+
+// Knots of the same sort in `degree` for the same number of points over the same domain.
+Result<KnotVector> made_anew(const Curve& curve, int degree) {
+    const KnotVector& knots = curve.knots();
+    const KnotKind kind = kind_by_values(knots);
+    const std::size_t count = curve.control_points().size();
+    const ClampedEnds clamped{is_clamped_at(knots, CurveEnd::start), is_clamped_at(knots, CurveEnd::end)};
+    if (kind == KnotKind::custom) return make_even_knots(degree, count, curve.domain(), clamped);
+    Result<KnotVector> same_kind = make_knots(kind, degree, count, curve.domain());
+    const bool fits = same_kind || same_kind.error().code != CurveErrorCode::kind_not_possible;
+    return fits ? same_kind : make_knots(KnotKind::clamped_uniform, degree, count, curve.domain());
 }
 
 }  // namespace
@@ -37,14 +56,10 @@ Result<Curve> set_degree(const Curve& curve, int degree) {
         return tl::unexpected(
             CurveError{.code = CurveErrorCode::degree_out_of_range, .value = static_cast<double>(degree)});
     if (degree == curve.degree()) return curve;
-    const KnotKind kind = curve.knots().kind();
-    if (kind == KnotKind::custom) return changed_by_shape(curve, degree);
+    if (!can_be_made_anew(curve.knots())) return changed_by_shape(curve, degree);
+    Result<KnotVector> knots = made_anew(curve, degree);
+    if (!knots) return refuse(knots.error());
     CurveDefinition definition = curve.definition();
-    const std::size_t count = definition.points.size();
-    auto knots = make_knots(kind, degree, count, curve.domain());
-    if (!knots && knots.error().code == CurveErrorCode::kind_not_possible)
-        knots = make_knots(KnotKind::clamped_uniform, degree, count, curve.domain());
-    if (!knots) return tl::unexpected(knots.error());
     return Curve::make(std::move(*knots), std::move(definition.points), std::move(definition.weights));
 }
 

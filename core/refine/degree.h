@@ -25,8 +25,8 @@ namespace batten::core {
 
 /// The curve with the same control points in another degree (shape-changing): a special kind is regenerated over the
 /// same domain (a Bézier polygon becomes clamped uniform when its degree falls, a piecewise one when its points do not
-/// fit the degree); a custom vector is never regenerated, so its degree is elevated or reduced instead. Errors:
-/// degree_out_of_range; too_few_points; those of reduce_degree.
+/// fit the degree), and so are equal spans with other ends; unequal ones are never regenerated, so their degree is
+/// elevated or reduced instead. Errors: degree_out_of_range; too_few_points; those of reduce_degree.
 [[nodiscard]] Result<Curve> set_degree(const Curve& curve, int degree);
 
 }  // namespace batten::core

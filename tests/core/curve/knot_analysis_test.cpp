@@ -102,6 +102,10 @@ TEST(KnotAnalysis, classifies_the_most_special_kind) {
     EXPECT_EQ(classify(open(2, {0, 0, 0, 1, 1, 5, 5, 5})), KnotKind::piecewise_bezier);
     EXPECT_EQ(classify(open(2, {0, 1, 2, 3, 4, 5})), KnotKind::uniform);
     EXPECT_EQ(classify(open(2, {0, 1, 2, 3, 4, 6})), KnotKind::custom);
+    const KnotVector kept = open(3, {0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4});
+    EXPECT_EQ(kept.kind(), KnotKind::custom);
+    EXPECT_EQ(kind_by_values(kept), KnotKind::clamped_uniform);
+    EXPECT_EQ(kind_by_values(open(3, {0, 0, 0, 0, 1, 2, 3.5, 4, 4, 4, 4})), KnotKind::custom);
     EXPECT_EQ(classify(open(2, {0, 0, 0, 1, 3, 3, 3})), KnotKind::custom);
     EXPECT_EQ(classify(closed(2, {0, 1, 2, 3})), KnotKind::periodic);
     EXPECT_EQ(classify(closed(2, {0, 1, 2, 4})), KnotKind::custom);
