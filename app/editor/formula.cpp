@@ -13,7 +13,7 @@
 namespace batten::editor {
 namespace {
 
-const std::string minus = "−";
+const std::string minus = true_minus;
 constexpr double least_plain = 1e-4;
 constexpr double largest_plain = 1e6;
 
@@ -22,13 +22,6 @@ std::string digits_of(double value, std::chars_format format, int precision) {
     std::array<char, 400> buffer{};
     auto* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision).ptr;
     return {buffer.data(), end};
-}
-
-std::string without_trailing_zeros(std::string text) {
-    if (text.find('.') == std::string::npos) return text;
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text;
 }
 
 bool is_zero(const std::string& digits) {
@@ -40,7 +33,8 @@ std::string scientific(double magnitude, int digits) {
     const std::string text = digits_of(magnitude, std::chars_format::scientific, digits - 1);
     const std::size_t e = text.find('e');
     const int exponent = std::atoi(text.c_str() + e + 1);
-    return fmt::format("{}e{}", without_trailing_zeros(text.substr(0, e)), exponent);
+    return fmt::format("{}e{}{}", without_trailing_zeros(text.substr(0, e)), exponent < 0 ? minus : "",
+                       std::abs(exponent));
 }
 
 std::string signed_text(double value, const std::string& magnitude) {
@@ -128,6 +122,13 @@ std::string plain_group(const std::string& group, bool raised) {
 }
 
 }  // namespace
+
+std::string without_trailing_zeros(std::string text) {
+    if (text.find('.') == std::string::npos) return text;
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
 
 std::string number_text(double value, int digits) {
     const double magnitude = std::abs(value);

@@ -9,13 +9,19 @@
 
 namespace batten::editor {
 
+/// The sign that people read; files, logs and the command line have '-'.
+inline constexpr const char* true_minus = "−";
+
 /// `digits` (1..17) significant digits, without trailing zeros, "−" for minus; a whole part is never rounded to fewer
-/// digits than it has. "1e-12" style below 1e-4 and from 1e6 (or from 10^digits if that is more).
+/// digits than it has. "1e−12" style below 1e-4 and from 1e6 (or from 10^digits if that is more).
 std::string number_text(double value, int digits = 4);
 
 /// number_text of what something is "at most", >= 0: rounded up, so that the text is no less than `value` but for its
 /// last bits.
 std::string bound_text(double value, int digits = 4);
+
+/// "0.5" for "0.500".
+std::string without_trailing_zeros(std::string text);
 
 /// Exactly `decimals` digits after the point, "−" for minus, never "−0": for columns.
 std::string fixed_text(double value, int decimals);

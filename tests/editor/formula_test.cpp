@@ -27,15 +27,15 @@ TEST(NumberText, keeps_a_whole_part_and_turns_scientific_at_the_extremes) {
     EXPECT_EQ(number_text(123456.0), "123456");
     EXPECT_EQ(number_text(1e6), "1e6");
     EXPECT_EQ(number_text(1.5e12), "1.5e12");
-    EXPECT_EQ(number_text(1e-12), "1e-12");
-    EXPECT_EQ(number_text(9.999e-5, 2), "1e-4");
+    EXPECT_EQ(number_text(1e-12), "1e−12");
+    EXPECT_EQ(number_text(9.999e-5, 2), "1e−4");
     EXPECT_EQ(number_text(12345678.0, 10), "12345678");
 }
 
 TEST(NumberText, writes_a_true_minus_and_no_negative_zero) {
     EXPECT_EQ(number_text(-2.5), "−2.5");
     EXPECT_EQ(number_text(-0.0), "0");
-    EXPECT_EQ(number_text(-1e-12), "−1e-12");
+    EXPECT_EQ(number_text(-1e-12), "−1e−12");
 }
 
 TEST(NumberText, survives_what_is_not_finite) {

@@ -40,7 +40,7 @@ TEST(Grid, numbers_have_the_digits_of_the_step) {
     EXPECT_EQ(grid_number_text(1000.0, 1.0), "1000");
     EXPECT_EQ(grid_number_text(123456.74, 0.01), "123456.74");
     EXPECT_EQ(grid_number_text(3.0000000001, 1e-10), "3.0000000001");
-    EXPECT_EQ(grid_number_text(2e-9, 1e-9), "2e-9");
+    EXPECT_EQ(grid_number_text(2e-9, 1e-9), "2e−9");
     EXPECT_EQ(grid_number_text(-0.5, 0.1), "−0.5");
 }
 
