@@ -4,6 +4,7 @@
 #include "app/editor/formula.h"
 #include "app/editor/gesture.h"
 #include "app/editor/hint_text.h"
+#include "app/editor/number_column.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 
@@ -14,7 +15,11 @@ using core::sentence;
 
 std::string knot_value(const core::Curve& curve, std::size_t stored_index) {
     const auto stored = curve.knots().stored();
-    return stored_index < stored.size() ? number_text(stored[stored_index]) : "";
+    return stored_index < stored.size() ? number_text(stored[stored_index], 6) : "";
+}
+
+std::string weight_text(const core::Curve& curve, std::size_t i) {
+    return lone_text(curve.weights()[i], weight_column(curve));
 }
 
 bool has_point(const core::Curve& curve, std::size_t i) {
@@ -36,7 +41,7 @@ struct SelectHint {
     std::string operator()(const HoveredWeightRing& h) const {
         if (!has_point(curve, h.index)) return {};
         return sentence("Drag up or right to raise the weight of {point}, now {weight}, down or left to lower it",
-                        {{"point", point_text(h.index)}, {"weight", number_text(curve.weights()[h.index])}});
+                        {{"point", point_text(h.index)}, {"weight", weight_text(curve, h.index)}});
     }
     std::string operator()(const HoveredKnot& h) const {
         return sentence(
@@ -47,11 +52,11 @@ struct SelectHint {
     std::string operator()(const HoveredCurve& h) const {
         return sentence(
             "Drag the curve to move C({u}) (changes the shape) · double-click to insert a knot there (keeps the shape)",
-            {{"u", number_text(h.u)}});
+            {{"u", parameter_text(curve, h.u)}});
     }
     std::string operator()(const HoveredParameter&) const {
         return sentence("Drag C(u) along the curve · double-click to insert a knot at u = {u} (keeps the shape)",
-                        {{"u", number_text(state.parameter())}});
+                        {{"u", parameter_text(curve, state.parameter())}});
     }
     std::string operator()(const HoveredLeg& h) const {
         if (!has_point(curve, h.index)) return {};
@@ -115,14 +120,14 @@ struct ModeHint {
             return sentence("Moving {count} points · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
                             {{"count", mode.indices.size()}});
         if (curve == nullptr || !has_point(*curve, mode.grabbed)) return {};
-        return sentence(
-            "{point} at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
-            {{"point", point_text(mode.grabbed)}, {"place", position_text(curve->control_points()[mode.grabbed])}});
+        return sentence("{point} at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
+                        {{"point", point_text(mode.grabbed)},
+                         {"place", place_text(*curve, curve->control_points()[mode.grabbed])}});
     }
     std::string operator()(const DraggingWeight& mode) const {
         if (curve == nullptr || !has_point(*curve, mode.index)) return {};
         return sentence("Weight of {point}: {weight} · up or right raises it, down or left lowers it · Escape restores",
-                        {{"point", point_text(mode.index)}, {"weight", number_text(curve->weights()[mode.index])}});
+                        {{"point", point_text(mode.index)}, {"weight", weight_text(*curve, mode.index)}});
     }
     std::string operator()(const BoxSelecting&) const { return "Release to select the points in the box"; }
     std::string operator()(const Panning&) const { return "Panning"; }
@@ -133,8 +138,9 @@ struct ModeHint {
     }
     std::string operator()(const DraggingCurvePoint& mode) const {
         if (curve == nullptr) return {};
-        return sentence("C({u}) at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
-                        {{"u", number_text(mode.u)}, {"place", position_text(core::point_at(*curve, mode.u))}});
+        return sentence(
+            "C({u}) at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
+            {{"u", parameter_text(*curve, mode.u)}, {"place", place_text(*curve, core::point_at(*curve, mode.u))}});
     }
     std::string operator()(const DrawingCurve& mode) const {
         if (mode.points.size() < 2) return "Click to set the next point · Escape gives up";

@@ -3,6 +3,7 @@
 #include "app/editor/formula.h"
 #include "app/editor/gesture.h"
 #include "app/editor/hint_text.h"
+#include "app/editor/number_column.h"
 #include "app/editor/plot_mode.h"
 #include "core/base/sentence.h"
 
@@ -18,9 +19,10 @@ std::string knot_text(const core::KnotVector& knots, std::size_t stored_index) {
     const int multiplicity = knots.multiplicity(u);
     const bool is_inside = knots.is_periodic() || (knots.domain().lower < u && u < knots.domain().upper);
     const std::string continuity = plain_text(continuity_text(knots.degree() - multiplicity));
-    if (!is_inside) return multiplicity > 1 ? fmt::format("{} (×{})", number_text(u), multiplicity) : number_text(u);
-    if (multiplicity == 1) return fmt::format("{} ({})", number_text(u), continuity);
-    return fmt::format("{} (×{}, {})", number_text(u), multiplicity, continuity);
+    if (!is_inside)
+        return multiplicity > 1 ? fmt::format("{} (×{})", number_text(u, 6), multiplicity) : number_text(u, 6);
+    if (multiplicity == 1) return fmt::format("{} ({})", number_text(u, 6), continuity);
+    return fmt::format("{} (×{}, {})", number_text(u, 6), multiplicity, continuity);
 }
 
 /// How a knot that is to be dragged behaves at its neighbors.
@@ -69,10 +71,10 @@ struct HoverHint {
         if (h.span + 1 >= knots.size()) return {};
         return sentence(
             "Double-click to insert a knot between {lower} and {upper} (keeps the shape) · press to set u here",
-            {{"lower", number_text(knots[h.span])}, {"upper", number_text(knots[h.span + 1])}});
+            {{"lower", number_text(knots[h.span], 6)}, {"upper", number_text(knots[h.span + 1], 6)}});
     }
     std::string operator()(const HoveredParameter&) const {
-        return sentence("Drag to move u = {u}", {{"u", number_text(state.parameter())}});
+        return sentence("Drag to move u = {u}", {{"u", parameter_text(curve, state.parameter())}});
     }
     template <class Other>
     std::string operator()(const Other&) const {

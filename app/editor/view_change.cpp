@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "app/editor/clipboard.h"
 #include "app/editor/dialog.h"
 #include "app/editor/fit_view.h"
 #include "app/editor/scene/legend.h"
@@ -103,7 +104,8 @@ struct Apply {
         advance(state, change.seconds);
     }
     void operator()(const TellTime& change) const { state.now = change.seconds; }
-    void operator()(const ShowRefusal& change) const { state.message = {change.sentence, true}; }
+    void operator()(const ShowRefusal& change) const { state.message = {change.sentence, change.is_alarm}; }
+    void operator()(const CopyText& change) const { write_clipboard(state, change.text); }
     void operator()(const ShowForm& change) const {
         show_dialog(state, Dialog::command_form);
         state.form = change.spec;

@@ -68,6 +68,12 @@ struct TellTime {
 /// Why something that was asked for could not even become a command.
 struct ShowRefusal {
     std::string sentence;
+    bool is_alarm = true;  ///< false where there just is nothing to do
+};
+
+/// A text that is shown goes to the clipboard.
+struct CopyText {
+    std::string text;
 };
 
 /// Opens the form that asks for the fields of a command.
@@ -77,7 +83,7 @@ struct ShowForm {
 
 using ViewChange = std::variant<SetHover, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend, SetInterfaceScale,
                                 SetInspectorWidth, SetDockHeight, SetPlotRange, Advance, TellTime, ShowRefusal,
-                                ShowForm>;
+                                CopyText, ShowForm>;
 
 /// Makes the change; sizes are brought into their ranges.
 void apply(EditorState& state, const ViewChange& change);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/editor/command_reader.h"
+#include "app/editor/reading_text.h"
 #include "core/base/sentence.h"
 
 namespace batten::ui {
@@ -43,7 +44,7 @@ void run_command(const PanelContext& context, const editor::CommandSpec& spec) {
     } else if (has_form(spec) && lacks_a_field(spec, context.state) && !refusal_of(spec, context.state)) {
         context.queue.change(editor::ShowForm{&spec});
     } else {
-        context.queue.change(editor::ShowRefusal{command.error()});
+        context.queue.change(editor::ShowRefusal{command.error(), !editor::is_idle(spec, context.state)});
     }
 }
 
@@ -70,8 +71,9 @@ std::string command_tooltip(const editor::CommandSpec& spec, const editor::Edito
         shortcut.empty() ? spec.title : sentence("{title}  ({keys})", {{"title", spec.title}, {"keys", shortcut}}),
         spec.explanation};
     if (spec.effect != editor::ShapeEffect::none) lines.push_back(effect_text(spec.effect));
-    if (const std::optional<std::string> refusal = refusal_of(spec, state))
-        lines.push_back(sentence("Not now: {reason}", {{"reason", *refusal}}));
+    const std::optional<std::string> refusal = refusal_of(spec, state);
+    if (refusal) lines.push_back(sentence("Not now: {reason}", {{"reason", editor::reading_text(*refusal)}}));
+    if (!refusal && spec.aim != nullptr) lines.push_back(editor::reading_text(spec.aim(state)));
     return fmt::format("{}", fmt::join(lines, "\n"));
 }
 

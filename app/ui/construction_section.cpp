@@ -37,16 +37,13 @@ struct Construction {
         return level ? std::min(static_cast<std::size_t>(std::max(*level, 0)), degree()) : degree();
     }
 
-    std::string point_text(core::Point point) const {
-        return fmt::format("({}, {})", editor::number_text(point.x), editor::number_text(point.y));
-    }
+    std::string point_text(core::Point point) const { return editor::place_text(curve, point); }
 };
 
 std::string title_text(const Construction& shown) {
     const bool is_bezier = core::is_of_kind(shown.curve.knots(), core::KnotKind::bezier);
-    const int decimals = decimals_for(shown.curve.domain().length());
     return core::sentence(is_bezier ? "De Casteljau at u = {u}" : "De Boor at u = {u}",
-                          {{"u", editor::fixed_text(shown.triangle.u, decimals)}});
+                          {{"u", editor::parameter_text(shown.curve, shown.triangle.u)}});
 }
 
 /// "span [0.25, 0.5)"; the last span holds its end too.
@@ -55,7 +52,7 @@ std::string span_text(const Construction& shown) {
     const std::size_t s = shown.triangle.span;
     const bool is_last = knots[s + 1] == shown.curve.domain().upper && !shown.curve.is_periodic();
     return core::sentence(is_last ? "span [{begin}, {end}]" : "span [{begin}, {end})",
-                          {{"begin", editor::number_text(knots[s])}, {"end", editor::number_text(knots[s + 1])}});
+                          {{"begin", editor::number_text(knots[s], 6)}, {"end", editor::number_text(knots[s + 1], 6)}});
 }
 
 /// A line of the formula box.
@@ -70,7 +67,7 @@ FormulaLine point_line(const Construction& shown, std::size_t r, std::size_t j) 
     const std::string name = editor::cell_text(shown.triangle, r, j, shown.curve.control_points().size());
     const std::string point = fmt::format("{} = {}", name, shown.point_text(cell.point));
     if (!shown.curve.is_rational()) return {point, shown.context.theme.text};
-    return {fmt::format("{}  w {}", point, editor::number_text(cell.weight, 3)), shown.context.theme.text};
+    return {fmt::format("{}  w {}", point, editor::number_text(cell.weight, 6)), shown.context.theme.text};
 }
 
 std::vector<FormulaLine> lines_of_cell(const Construction& shown, std::size_t r, std::size_t j) {
@@ -193,7 +190,7 @@ void draw_parameter_field(const Construction& shown, float width_px) {
     NumberField field;
     field.name = "parameter";
     field.value = shown.triangle.u;
-    field.decimals = decimals_for(domain.length());
+    field.decimals = editor::decimals_for(domain.length());
     field.speed = domain.length() / 500.0;
     field.width_px = width_px;
     field.lowest = domain.lower;

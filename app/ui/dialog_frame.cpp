@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/reading_text.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/shell_widgets.h"
@@ -112,9 +113,10 @@ float dialog_head_px(const PanelContext& context) {
 void draw_dialog_error(const PanelContext& context, const std::string& sentence) {
     if (sentence.empty()) return;
     ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.error));
-    ImGui::TextWrapped("⚠ %s", sentence.c_str());
+    const std::string text = editor::reading_text(sentence);
+    ImGui::TextWrapped("⚠ %s", text.c_str());
     ImGui::PopStyleColor();
-    report_item(context, "dialog error", sentence);
+    report_item(context, "dialog error", text);
 }
 
 }  // namespace batten::ui

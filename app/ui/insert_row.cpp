@@ -18,7 +18,7 @@ NumberField insert_field(const PanelContext& context, const core::Curve& curve) 
     NumberField field;
     field.name = "insert u";
     field.value = context.panels.inspector.insert_at.value_or(context.state.parameter());
-    field.decimals = decimals_for(curve.domain().length());
+    field.decimals = editor::decimals_for(curve.domain().length());
     field.speed = step_of(field.decimals);
     field.lowest = curve.domain().lower;
     field.highest = curve.domain().upper;

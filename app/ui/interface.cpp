@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "app/editor/command_table.h"
+#include "app/editor/commands/edit_commands.h"
 #include "app/editor/hit_test.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/context_popup.h"
@@ -53,7 +54,16 @@ void run_shortcut(const PanelContext& context, const KeyPress& press) {
     if (is_kept_from_shortcuts(context.state, press.shortcut)) return;
     const editor::CommandSpec* by_key = editor::find_command(press.shortcut);
     const editor::CommandSpec* spec = by_key != nullptr ? by_key : editor::find_command(press.printed);
-    if (spec != nullptr) run_command(context, *spec);
+    if (spec == &editor::Copy::spec() && !context.panels.text_at_pointer.empty())
+        context.queue.change(editor::CopyText{context.panels.text_at_pointer});
+    else if (spec != nullptr)
+        run_command(context, *spec);
+}
+
+FrameAreas areas_of(const PanelContext& context) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const FrameAreas areas = arrange({size.x, size.y}, context.state.view, context.scale);
+    return with_title_line(areas, title_line_height(context, areas.canvas));
 }
 
 FrameAreas areas_of(const PanelContext& context) {
@@ -132,6 +142,7 @@ FrameLayout Interface::draw(const editor::EditorState& state, const FrameInput& 
     layout.canvas = areas.canvas;
     layout.plot = areas.dock;
     dispatch_keys(context);
+    panels_->text_at_pointer.clear();
     const std::string hint = panels_->pointer.hovered == Picture::plot ? editor::plot_hint(plot_mode_, state)
                                                                        : editor::canvas_hint(canvas_mode_, state);
     draw_frame_panels(context, areas, hint);

@@ -10,6 +10,7 @@
 #include "app/editor/commands/view_commands.h"
 #include "app/editor/expression.h"
 #include "app/editor/formula.h"
+#include "app/editor/reading_text.h"
 #include "app/ui/insert_row.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"
@@ -220,7 +221,7 @@ void follow_selection(const KnotTable& table) {
 int decimals_of(const core::Curve& curve) {
     const double length = curve.domain().length();
     const double span = length / static_cast<double>(core::segment_count(curve.knots()));
-    return std::max(decimals_for(length), decimals_for(span) - 1);
+    return std::max(editor::decimals_for(length), editor::decimals_for(span) - 1);
 }
 
 void draw_knot_table(const PanelContext& context, const core::Curve& curve) {
@@ -289,7 +290,7 @@ void draw_vector_row(const PanelContext& context, const core::Curve& curve) {
     const auto stored = curve.knots().stored();
     TextField field;
     field.name = "knot vector";
-    field.shown = list_text(stored, shown_characters);
+    field.shown = editor::reading_text(list_text(stored, shown_characters));
     field.width_px = content_width(context);
     field.font = context.fonts.number;
     field.is_enabled = is_editable(context.state);

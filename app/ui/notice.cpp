@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/editor/commands/help_commands.h"
+#include "app/editor/reading_text.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/panels.h"
@@ -42,10 +43,11 @@ Rectangle place_of(const PanelContext& context, const Rectangle& canvas, ImVec2 
 void draw_notice(const PanelContext& context, const Rectangle& canvas) {
     const editor::Message& message = context.state.message;
     if (!message.is_error || message.text.empty()) return;
+    const std::string text = editor::reading_text(message.text);
     const float room =
         static_cast<float>(std::min(most_width * context.scale, canvas.size_px.x - 48.0 * context.scale)) -
         context.px(2.0 * notice_padding + sign_width + cross_size + 8.0);
-    const ImVec2 text_size = ImGui::CalcTextSize(message.text.c_str(), nullptr, false, std::max(room, context.px(80)));
+    const ImVec2 text_size = ImGui::CalcTextSize(text.c_str(), nullptr, false, std::max(room, context.px(80)));
     const Rectangle place = place_of(context, canvas, text_size);
     const glm::vec2 corner(place.origin_px);
     const glm::vec2 size(place.size_px);
@@ -64,10 +66,9 @@ void draw_notice(const PanelContext& context, const Rectangle& canvas) {
     const ImVec2 text_corner(corner.x + context.px(notice_padding + sign_width),
                              corner.y + std::floor(0.5F * (size.y - text_size.y)));
     ImGui::GetWindowDrawList()->AddText(context.fonts.text, font_height(context.fonts.text), text_corner,
-                                        imgui_packed(context.theme.text), message.text.c_str(), nullptr,
+                                        imgui_packed(context.theme.text), text.c_str(), nullptr,
                                         std::max(room, context.px(80)));
-    context.widgets.push_back(
-        {"notice text", {{text_corner.x, text_corner.y}, {text_size.x, text_size.y}}, message.text});
+    context.widgets.push_back({"notice text", {{text_corner.x, text_corner.y}, {text_size.x, text_size.y}}, text});
     ImGui::SetCursorScreenPos({corner.x + size.x - context.px(notice_padding + cross_size - 4.0),
                                corner.y + context.px(notice_padding - 2.0)});
     if (draw_cross_button(context, "notice dismiss", context.px(cross_size)))

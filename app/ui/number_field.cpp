@@ -7,6 +7,7 @@
 
 #include "app/editor/expression.h"
 #include "app/editor/formula.h"
+#include "app/editor/reading_text.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/rich_text.h"
@@ -25,7 +26,7 @@ constexpr double slow_factor = 0.1;     // with Shift
 std::string number_of(const NumberField& field) {
     const double magnitude = std::abs(field.value);
     const bool is_blurred = magnitude != 0.0 && magnitude < 10.0 * step_of(field.decimals);
-    if (field.is_multiplicative && (is_blurred || magnitude >= 1000.0)) return editor::number_text(field.value, 3);
+    if (field.is_multiplicative && (is_blurred || magnitude >= 1000.0)) return editor::number_text(field.value, 6);
     return editor::fixed_text(field.value, field.decimals);
 }
 
@@ -39,6 +40,14 @@ std::string shown_text(const PanelContext& context, const NumberField& field, fl
     for (int digits = 7; digits >= 2 && !fits(text); --digits)
         text = editor::number_text(field.value, digits) + field.unit;
     return text;
+}
+
+/// What is not all on the field is in its tip.
+std::string tooltip_of(const NumberField& field, const std::string& shown) {
+    const std::string full = editor::full_reading_text(core::shortest_text(field.value)) + field.unit;
+    const bool is_exact = editor::without_trailing_zeros(shown) == full || shown == full;
+    if (is_exact || !field.tooltip.empty()) return field.tooltip;
+    return full;
 }
 
 /// Rounded to what the field shows; a factor to three significant digits.
@@ -101,7 +110,7 @@ std::optional<NumberEdit> press(const PanelContext& context, const NumberField& 
     draw_text(context, ImVec2(origin.x + context.px(number_padding), origin.y + 0.5F * size.y),
               {text, context.fonts.number, 0.0, color});
     report_item(context, field.name, text);
-    if (!ImGui::IsItemActive()) show_tooltip(context, field.tooltip);
+    if (!ImGui::IsItemActive()) show_tooltip(context, tooltip_of(field, text));
     if (!field.is_enabled) return std::nullopt;
     if (is_hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
 
@@ -195,11 +204,6 @@ void draw_number_field(const PanelContext& context, const NumberField& field,
         context.queue.preview(std::move(request));
     else
         context.queue.run(std::move(request));
-}
-
-int decimals_for(double size) {
-    if (!(size > 0.0) || !std::isfinite(size)) return 2;
-    return static_cast<int>(std::clamp(std::ceil(3.0 - std::log10(size)), 0.0, 15.0));
 }
 
 double step_of(int decimals) {

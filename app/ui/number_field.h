@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/number_column.h"
 #include "app/ui/panels.h"
 
 namespace batten::ui {
@@ -47,9 +48,6 @@ std::optional<NumberEdit> edit_number(const PanelContext& context, const NumberF
 /// The same; the command for a new value is made by `command` and previewed, committed or canceled.
 void draw_number_field(const PanelContext& context, const NumberField& field,
                        const std::function<editor::Command(double)>& command);
-
-/// Decimals that tell positions apart in something of extent `size` (> 0): three to four significant digits of it.
-int decimals_for(double size);
 
 /// What a drag over one design pixel changes, one unit of the last decimal.
 double step_of(int decimals);

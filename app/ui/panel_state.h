@@ -131,6 +131,7 @@ struct PanelState {
     ContextMenuState context_menu;
     std::optional<std::vector<Example>> examples;  ///< read when the welcome screen first opens
     std::string key_sheet_filter;
+    std::string text_at_pointer;  ///< what Ctrl+C copies in place of the curve; of this frame until its end
 };
 
 }  // namespace batten::ui

@@ -27,6 +27,7 @@ struct PointTable {
     const PanelContext& context;
     const core::Curve& curve;
     int decimals = 2;
+    int weight_decimals = 2;
     float row_width = 0.0F;
     float field_width = 0.0F;
 };
@@ -119,7 +120,7 @@ void draw_coordinates(const PointTable& table, std::size_t i) {
 
 void draw_weight(const PointTable& table, std::size_t i) {
     NumberField field = field_of(table, i, "w", table.curve.weights()[i]);
-    field.decimals = 2;
+    field.decimals = table.weight_decimals;
     field.speed = 0.01;
     field.is_multiplicative = true;
     field.lowest = 1.0 / largest_weight;
@@ -198,8 +199,12 @@ void draw_point_table(const PanelContext& context, const core::Curve& curve) {
     const float bar = scrolls ? context.px(6) : 0.0F;
     const float fields = content_width(context) - context.px(point_name_width + 2.0 * coordinate_gap) - bar;
     const core::Vector size = core::control_box(curve).size();
-    const PointTable table{context, curve, decimals_for(std::max(size.x, size.y)),
-                           content_width(context) + 2.0F * context.px(point_overhang) - bar, std::floor(fields / 3.0F)};
+    const PointTable table{context,
+                           curve,
+                           editor::decimals_for(std::max(size.x, size.y)),
+                           std::max(2, editor::weight_column(curve).decimals),
+                           content_width(context) + 2.0F * context.px(point_overhang) - bar,
+                           std::floor(fields / 3.0F)};
     draw_header(table);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(point_overhang));
     const float height = context.px(point_row_height) * static_cast<float>(std::min(count, most_point_rows));

@@ -133,6 +133,10 @@ void draw_side_tooltip(const PanelContext& context, const std::string& text) {
     draw_tooltip_at(context, text, {x, y}, {0.0F, is_low ? 1.0F : 0.0F});
 }
 
+void offer_copy(const PanelContext& context, const std::string& text) {
+    if (ImGui::IsItemHovered()) context.panels.text_at_pointer = text;
+}
+
 float text_width(const std::string& text, ImFont* font) {
     return lines_size(text, font).x;
 }

@@ -45,6 +45,9 @@ std::string wrapped(const std::string& text, ImFont* font, float width_px);
 /// The size of a text of one or several lines.
 glm::vec2 lines_size(const std::string& text, ImFont* font);
 
+/// Lets Ctrl+C copy `text`, in full, while the last item is hovered.
+void offer_copy(const PanelContext& context, const std::string& text);
+
 /// The width of `text` in `font` as it was loaded.
 float text_width(const std::string& text, ImFont* font);
 

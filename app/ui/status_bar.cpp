@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/editor/formula.h"
+#include "app/editor/reading_text.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/panels.h"
@@ -14,6 +15,7 @@
 #include "app/ui/style.h"
 #include "app/ui/text_lines.h"
 #include "core/base/sentence.h"
+#include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
 #include "render/camera.h"
 
@@ -24,6 +26,7 @@ namespace {
 constexpr double bar_margin = 16.0;
 constexpr double gap = 20.0;
 constexpr std::size_t most_lines = 2;
+constexpr double straight = 1e-12;  ///< of curvature times size, which is not above its rounding
 /// The scale of the camera that is called 100 %, in design pixels for a unit.
 constexpr double full_zoom = 64.0;
 
@@ -80,7 +83,10 @@ std::string curvature_text(const editor::EditorState& state) {
     const core::Curve* curve = state.active_curve();
     if (curve == nullptr) return "–";
     const std::optional<double> curvature = core::curvature_at(*curve, state.parameter());
-    return curvature ? editor::number_text(*curvature, 3) : "–";
+    if (!curvature) return "–";
+    const core::Vector size = core::control_box(*curve).size();
+    const bool is_noise = std::abs(*curvature) * std::max(size.x, size.y) < straight;
+    return editor::number_text(is_noise ? 0.0 : *curvature, 3);
 }
 
 std::string zoom_text(double percent) {
@@ -130,7 +136,7 @@ void draw_readouts(const PanelContext& context, const Rectangle& place, const st
 editor::Message message_of(const editor::EditorState& state) {
     if (state.preview && state.ghost) {
         const std::string deviation = editor::bound_text(state.ghost->deviation, 3);
-        return {core::sentence("deviates by at most {deviation}", {{"deviation", deviation}}), false};
+        return {core::sentence("The curve moves by at most {deviation}", {{"deviation", deviation}}), false};
     }
     return state.message;
 }
@@ -168,7 +174,7 @@ StatusTexts arranged(const PanelContext& context, const std::string& hint, const
     }
 }
 
-/// Draws the lines from `x_px` on, one above the other; what had to be left out can be read while the pointer is there.
+/// Draws the lines from `x_px` on, one above the other.
 void draw_status_text(const PanelContext& context, const std::string& name, const std::string& text,
                       const TextLines& lines, ImFont* font, float x_px, const Rectangle& place, render::Color color) {
     if (lines.lines.empty()) return;
@@ -181,10 +187,6 @@ void draw_status_text(const PanelContext& context, const std::string& name, cons
         y += line;
     }
     context.widgets.push_back({name, {{x_px, top}, {lines.width_px, height}}, text});
-    const bool is_hovered = ImGui::IsWindowHovered() &&
-                            ImGui::IsMouseHoveringRect({x_px, top}, {x_px + lines.width_px, top + height}, false);
-    if (is_hovered && !lines.is_whole)
-        draw_tooltip_at(context, editor::plain_text(text), {x_px, place.origin_px.y - context.px(6)}, {0.0, 1.0});
 }
 
 /// The text of the bar under the pointer; none beside them.
@@ -203,6 +205,29 @@ void open_status_menu(const PanelContext& context, std::size_t first_widget) {
         open_context_menu(context, editor::OnPanel{});
 }
 
+/// Pointing at a hint that had to be cut shows all of it.
+void show_cut_hint(const PanelContext& context, const std::string& hint, const TextLines& lines,
+                   const Rectangle& place) {
+    if (lines.is_whole || !ImGui::IsWindowHovered()) return;
+    const ImVec2 mouse = ImGui::GetMousePos();
+    if (Rectangle{place.origin_px, {lines.width_px, place.size_px.y}}.contains({mouse.x, mouse.y}))
+        draw_tooltip_at(context, editor::plain_text(hint), {place.origin_px.x, place.origin_px.y - context.px(6)},
+                        {0.0, 1.0});
+}
+
+/// Pointing at the message shows all of it, with all digits.
+void offer_full_message(const PanelContext& context, const std::string& message, const Rectangle& place) {
+    if (message.empty() || place.size_px.x < 1.0) return;
+    ImGui::SetCursorScreenPos({static_cast<float>(place.origin_px.x), static_cast<float>(place.origin_px.y)});
+    ImGui::InvisibleButton("message", {static_cast<float>(place.size_px.x), static_cast<float>(place.size_px.y)});
+    offer_copy(context, message);
+    if (!ImGui::IsItemHovered()) return;
+    const std::string text =
+        core::sentence("{message}\nCtrl+C copies this", {{"message", editor::full_reading_text(message)}});
+    draw_tooltip_at(context, text, {place.origin_px.x + place.size_px.x, place.origin_px.y - context.px(4)},
+                    {1.0, 1.0});
+}
+
 }  // namespace
 
 void draw_status_bar(const PanelContext& context, const Rectangle& place, const std::string& hint,
@@ -212,7 +237,8 @@ void draw_status_bar(const PanelContext& context, const Rectangle& place, const 
     draw_edge(context, {place.origin_px.x, place.origin_px.y + 0.5},
               {place.origin_px.x + place.size_px.x, place.origin_px.y + 0.5});
     const editor::Message message = message_of(context.state);
-    const std::string text = message.is_error ? fmt::format("⚠ {}", message.text) : message.text;
+    const std::string shown = editor::reading_text(message.text);
+    const std::string text = message.is_error ? fmt::format("⚠ {}", shown) : shown;
     const float left = static_cast<float>(place.origin_px.x) + context.px(bar_margin);
     const float room = static_cast<float>(place.size_px.x) - 2.0F * context.px(bar_margin);
     std::vector<Readout> readouts = readouts_of(context, frames_per_second);
@@ -221,7 +247,10 @@ void draw_status_bar(const PanelContext& context, const Rectangle& place, const 
     draw_readouts(context, place, readouts, begin);
     draw_status_text(context, "status message", text, texts.message, texts.font, begin - texts.message.width_px, place,
                      message.is_error ? context.theme.error : context.theme.text);
+    offer_full_message(context, message.text,
+                       {{begin - texts.message.width_px, place.origin_px.y}, {texts.message.width_px, place.size_px.y}});
     draw_status_text(context, "status hint", hint, texts.hint, texts.font, left, place, context.theme.dim);
+    show_cut_hint(context, hint, texts.hint, {{left, place.origin_px.y}, place.size_px});
     open_status_menu(context, first_widget);
     end_panel();
 }

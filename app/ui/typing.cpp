@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/editor/reading_text.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/shell_widgets.h"
@@ -158,7 +159,7 @@ void set_problem(FieldState& field, unsigned id, std::string sentence) {
 void draw_problem(const PanelContext& context, unsigned id) {
     FieldState& field = context.panels.field;
     if (field.problem_id != id) return;
-    draw_note(context, field.problem);
+    draw_note(context, editor::reading_text(field.problem));
     // The click that ended the typing must not take the note away at once.
     const bool is_new = field.problem_frame == ImGui::GetFrameCount();
     if (!is_new && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) field.problem_id = 0;

@@ -283,14 +283,14 @@ TEST_F(CanvasPress, hints_tell_what_a_click_would_do) {
     EXPECT_EQ(canvas_hint(pointer.mode(), state()), "Drag P₁ to move it · hold Alt to change its weight");
     pointer.move(px(0, -1));
     EXPECT_EQ(canvas_hint(pointer.mode(), state()),
-              "Drag C(u) along the curve · double-click to insert a knot at u = 1.5 (keeps the shape)");
+              "Drag C(u) along the curve · double-click to insert a knot at u = 1.500 (keeps the shape)");
     pointer.move(px(-3, 0));
     EXPECT_EQ(canvas_hint(pointer.mode(), state()),
               "Double-click to add a control point between P₀ and P₁ (changes the shape)");
     pointer.press(px(-2, 2));
     pointer.move(px(-1, 2));
     EXPECT_EQ(canvas_hint(pointer.mode(), state()),
-              "P₁ at (−1, 2) · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores");
+              "P₁ at (−1.000, 2.000) · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores");
 }
 
 TEST(BestIndex, keeps_the_polygon_shortest) {

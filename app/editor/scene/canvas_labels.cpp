@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/editor/formula.h"
+#include "app/editor/number_column.h"
 #include "app/editor/scene/control_polygon.h"
 #include "app/editor/scene/label_layout.h"
 #include "app/editor/scene/text_size.h"
@@ -75,11 +76,12 @@ class LabelWriter {
     LabelLayout layout_;
 };
 
-void write_point_name(LabelWriter& writer, CanvasFrame& frame, std::size_t i) {
+void write_point_name(LabelWriter& writer, CanvasFrame& frame, NumberColumn weights, std::size_t i) {
     const double weight = frame.curve->weights()[i];
     std::vector<Word> words{{fmt::format("P_{{{}}}", i), {.color = frame.theme.text, .size = name_size}}};
     if (weight != 1.0)
-        words.push_back({fmt::format("· w {}", number_text(weight, 3)), {.color = frame.theme.dim, .size = name_size}});
+        words.push_back(
+            {fmt::format("· w {}", lone_text(weight, weights)), {.color = frame.theme.dim, .size = name_size}});
     const double ring = weight_ring_radius_px(frame.state, i).value_or(0.0) / frame.pen.px(1.0);
     const double distance = std::max(i == 0 ? boxed_point_distance : point_distance, ring + 3.0);
     const auto* hovered = std::get_if<HoveredPoint>(&frame.state.hover);
@@ -112,7 +114,7 @@ void avoid_construction(LabelWriter& writer, const CanvasFrame& frame) {
 void write_curve_point(LabelWriter& writer, CanvasFrame& frame) {
     avoid_construction(writer, frame);
     const glm::dvec2 place = frame.screen(frame.triangle->point());
-    const std::string text = fmt::format("C({})", fixed_text(frame.triangle->u, 3));
+    const std::string text = fmt::format("C({})", parameter_text(*frame.curve, frame.triangle->u));
     const TextStyle style{.color = frame.theme.parameter, .size = name_size, .font = render::LabelFont::bold};
     for (const Crowding crowding : {Crowding::leave_out, Crowding::cover_symbols})
         for (const double distance : {13.0, 24.0, 36.0})
@@ -126,8 +128,10 @@ void draw_canvas_labels(CanvasFrame& frame, const std::vector<CurveKnot>& knots,
     LabelWriter writer(frame, covered);
     for (const CurveKnot& knot : knots)
         for (const glm::dvec2 place : knot.places) writer.layout().avoid_symbol(place, frame.pen.px(5.0));
+    const NumberColumn weights = weight_column(*frame.curve);
     if (frame.shows(Overlay::polygon))
-        for (std::size_t i = 0; i < frame.curve->control_points().size(); ++i) write_point_name(writer, frame, i);
+        for (std::size_t i = 0; i < frame.curve->control_points().size(); ++i)
+            write_point_name(writer, frame, weights, i);
     for (const CurveKnot& knot : knots) write_knot(writer, frame, knot);
     write_curve_point(writer, frame);
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/editor/formula.h"
+#include "app/editor/number_column.h"
 #include "app/editor/scene/text_size.h"
 #include "core/base/sentence.h"
 
@@ -25,9 +26,9 @@ void draw_level(PlotFrame& frame, double value) {
                    {.color = frame.theme.dim, .size = 11.0, .anchor = render::Anchor::right});
 }
 
-std::string parameter_text(const PlotFrame& frame) {
+std::string readout_text(const PlotFrame& frame) {
     const Playback& playback = frame.state.view.playback;
-    const std::string u = fixed_text(frame.u, 3);
+    const std::string u = parameter_text(frame.curve, frame.u);
     return playback.is_playing ? fmt::format("▶ {}× u = {}", number_text(playback.speed, 2), u)
                                : fmt::format("u = {}", u);
 }
@@ -60,7 +61,7 @@ void draw_plot_title(PlotFrame& frame) {
     const double margin = frame.pen.px(16.0);
     const TextStyle style{
         .color = frame.theme.parameter, .anchor = render::Anchor::right, .font = render::LabelFont::bold};
-    const std::string u = parameter_text(frame);
+    const std::string u = readout_text(frame);
     const double room = frame.pen.size_px().x - 3.0 * margin - text_size(u, frame.pen.px(style.size), style.font).x;
     frame.pen.text({margin, y}, title_text(frame, room), {.color = frame.theme.text, .font = render::LabelFont::bold});
     frame.pen.text({frame.pen.size_px().x - margin, y}, u, style);
