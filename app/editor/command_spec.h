@@ -40,6 +40,7 @@ struct Edit {
     std::optional<double> error{};           ///< how far off the result really is, where the edit knows it
     std::optional<std::string> remark{};     ///< what else is to be said of what was done, as whole sentences
     std::optional<NudgeBurst> burst{};       ///< of a nudge; one of several extends the step before
+    bool only_adds = false;  ///< the old part of the curve stays, with its parameters, and a part is new
 };
 
 /// What a step is called in the history, "Move P₅", and what is said when it is done, "Moved P₅".
@@ -71,16 +72,21 @@ struct CommandSpec {
 
     /// Why the command cannot be run now, as a sentence; null where it always can.
     std::optional<Refusal> (*refusal)(const EditorState&) = nullptr;
+    /// Whether there is nothing for it to do, which is said without alarm; null where every refusal is one.
+    bool (*is_idle)(const EditorState&) = nullptr;
+    /// What it would do now, for tips; null where that is what the explanation says.
+    std::string (*aim)(const EditorState&) = nullptr;
     /// Whether the command shows a check mark now; null where it is not a switch.
     bool (*is_checked)(const EditorState&) = nullptr;
 
     CommandBody run{};
 
     /// The step's name in the history, "Insert knot {u}", where that is not the title, and what is said when it is
-    /// done, "Inserted knot {u}". The places are the names of fields. Edits have them, or `texts` in their place.
+    /// done, "Inserted knot {u}". The places are the names of fields. Edits have them, or `texts` in their place, given
+    /// the state before and the edit. Numbers are written in full (core::shortest_text): reading_text shortens them.
     const char* step = nullptr;
     const char* done = nullptr;
-    StepTexts (*texts)(const EditorState& state, const void* command) = nullptr;
+    StepTexts (*texts)(const EditorState& state, const void* command, const Edit& edit) = nullptr;
 
     /// Whether it is said where a shape-changing edit takes smoothness that the curve had at its knots; not where it is
     /// what the user does, as by moving a control point.
@@ -110,8 +116,14 @@ template <auto function>
 struct TextsOf;
 template <class C, StepTexts (*function)(const EditorState&, const C&)>
 struct TextsOf<function> {
-    static StepTexts texts(const EditorState& state, const void* c) {
+    static StepTexts texts(const EditorState& state, const void* c, const Edit&) {
         return function(state, *static_cast<const C*>(c));
+    }
+};
+template <class C, StepTexts (*function)(const EditorState&, const C&, const core::Curve&)>
+struct TextsOf<function> {
+    static StepTexts texts(const EditorState& state, const void* c, const Edit& edit) {
+        return function(state, *static_cast<const C*>(c), *edit.document.active_curve()->curve);
     }
 };
 
@@ -122,9 +134,15 @@ struct TextsOf<function> {
 template <auto function>
 inline constexpr CommandBody body_of = detail::BodyOf<function>::body;
 
-/// The texts of a step by StepTexts(const EditorState&, const InsertKnot&).
+/// The texts of a step by StepTexts(const EditorState&, const InsertKnot&), or with the curve that the edit gives as a
+/// third argument.
 template <auto function>
 inline constexpr auto texts_of = &detail::TextsOf<function>::texts;
+
+/// Whether there is nothing for the command to do now, which is no alarm.
+inline bool is_idle(const CommandSpec& spec, const EditorState& state) {
+    return spec.is_idle != nullptr && spec.is_idle(state);
+}
 
 }  // namespace batten::editor
 

@@ -7,10 +7,10 @@
 #include "app/editor/command_reader.h"
 #include "app/editor/commands/file_acts.h"
 #include "app/editor/commands/joint_report.h"
-#include "app/editor/formula.h"
 #include "app/editor/same_document.h"
 #include "app/editor/upkeep.h"
 #include "app/editor/wording.h"
+#include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/measure/closing.h"
 #include "core/measure/deviation.h"
@@ -27,8 +27,8 @@ constexpr double rounding_of_size = 1e-14;
 // The distance of shapes is said where it is below this part of the deviation.
 constexpr double much_less = 0.8;
 
-bool show_refusal(EditorState& state, const Refusal& sentence) {
-    state.message = {sentence, true};
+bool show_refusal(EditorState& state, const Refusal& sentence, bool is_alarm = true) {
+    state.message = {sentence, is_alarm};
     return false;
 }
 
@@ -38,7 +38,7 @@ std::optional<Ghost> ghost_of(const core::Document& before, const Edit& edit, Sh
     const core::DocumentCurve* old_active = before.active_curve();
     const core::DocumentCurve* active = after.active_curve();
     if (effect != ShapeEffect::changes || old_active == nullptr || active == nullptr ||
-        before.curves.size() != after.curves.size())
+        before.curves.size() != after.curves.size() || edit.only_adds)
         return std::nullopt;
     return Ghost{old_active->curve,
                  edit.error ? *edit.error : core::largest_deviation(*old_active->curve, *active->curve)};
@@ -54,15 +54,15 @@ std::vector<core::Place> places_of(const Command& command, const EditorState& st
             continue;
         }
         const core::Point pair = std::get<core::Point>(value);
-        places.emplace_back(field.parts[0].name, number_text(pair.x));
-        places.emplace_back(field.parts[1].name, number_text(pair.y));
+        places.emplace_back(field.parts[0].name, core::shortest_text(pair.x));
+        places.emplace_back(field.parts[1].name, core::shortest_text(pair.y));
     }
     return places;
 }
 
-StepTexts texts_of_step(const Command& command, const EditorState& state) {
+StepTexts texts_of_step(const Command& command, const EditorState& state, const Edit& edit) {
     const CommandSpec& spec = command.spec();
-    if (spec.texts != nullptr) return spec.texts(state, command.fields());
+    if (spec.texts != nullptr) return spec.texts(state, command.fields(), edit);
     const std::vector<core::Place> places = places_of(command, state);
     return {core::filled_as_needed(spec.step != nullptr ? spec.step : spec.title, places),
             core::filled_as_needed(spec.done, places)};
@@ -94,7 +94,7 @@ Distances distances_of(const EditorState& state, const std::optional<Ghost>& gho
 void push_step(EditorState& state, const Command& command, Edit& edit) {
     const core::Document before = state.history.present();
     const ShapeEffect effect = command.spec().effect;
-    StepTexts texts = texts_of_step(command, state);
+    StepTexts texts = texts_of_step(command, state, edit);
     const bool extends = edit.burst && edit.burst->count > 1;
     const std::optional<Ghost> ghost = ghost_of(extends ? state.history.previous() : before, edit, effect);
     if (extends)
@@ -177,7 +177,8 @@ bool Editor::run_checked(const Command& command, Phase phase) {
     const CommandSpec& spec = command.spec();
     // The preview belongs to a gesture that an edit replaces or ends, even where the edit is refused.
     if (spec.run.edit != nullptr && std::exchange(state_.preview, std::nullopt)) state_.ghost.reset();
-    if (const std::optional<Refusal> refusal = refusal_of(state_, command)) return show_refusal(state_, *refusal);
+    if (const std::optional<Refusal> refusal = refusal_of(state_, command))
+        return show_refusal(state_, *refusal, !is_idle(spec, state_));
     if (phase == Phase::preview) return spec.run.edit == nullptr || preview_edit(state_, command);
     const bool is_done = spec.run.edit != nullptr ? commit_edit(state_, command) : commit_act(state_, command);
     if (is_done && spec.is_logged) log_.push_back(command);

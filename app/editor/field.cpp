@@ -3,6 +3,8 @@
 #include "app/editor/field_text.h"
 #include "app/editor/formula.h"
 #include "app/editor/state.h"
+#include "app/editor/wording.h"
+#include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -11,10 +13,6 @@ namespace {
 
 using core::sentence;
 
-std::string pair_text(core::Point pair) {
-    return sentence("({x}, {y})", {{"x", number_text(pair.x)}, {"y", number_text(pair.y)}});
-}
-
 std::string shown_whole(const Field& field, std::int64_t value, const EditorState& state) {
     const auto index = static_cast<std::size_t>(value);
     if (field.kind == FieldKind::point_index) return point_text(index);
@@ -22,7 +20,7 @@ std::string shown_whole(const Field& field, std::int64_t value, const EditorStat
     const std::vector<core::DocumentCurve>& curves = document.curves;
     if (field.kind == FieldKind::knot_index && document.active_curve() != nullptr) {
         const std::span<const double> knots = document.active_curve()->curve->knots().stored();
-        if (index < knots.size()) return number_text(knots[index]);
+        if (index < knots.size()) return core::shortest_text(knots[index]);
     }
     if (field.kind == FieldKind::curve_index && index < curves.size())
         return sentence("'{name}'", {{"name", curves[index].name}});
@@ -50,9 +48,9 @@ struct ShownText {
     std::string operator()(Absent) const { return "none"; }
     std::string operator()(bool value) const { return flag_text(value); }
     std::string operator()(std::int64_t value) const { return shown_whole(field, value, state); }
-    std::string operator()(double value) const { return number_text(value); }
+    std::string operator()(double value) const { return core::shortest_text(value); }
     std::string operator()(const std::string& value) const { return shown_string(field, value, state); }
-    std::string operator()(core::Point value) const { return pair_text(value); }
+    std::string operator()(core::Point value) const { return place_words(value); }
     std::string operator()(const std::vector<double>& values) const {
         return sentence({.one = "one number", .many = "{count} numbers"}, values.size());
     }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/editor/command_spec.h"
+#include "core/curve/curve.h"
 
 namespace batten::editor {
 
@@ -22,5 +23,23 @@ std::string done_sentence(const std::string& done, ShapeEffect effect, const Dis
 
 /// What is said after an edit that left everything as it was.
 std::string nothing_changed_sentence();
+
+/// How far off, as a part of its size, a computed number may be by rounding.
+inline constexpr double rounding_error = 1e-14;
+
+/// How far off a coordinate of a point on the curve may be by rounding.
+double coordinate_error(const core::Curve& curve);
+
+/// "(1, -0.5)", in full, with 0 for a coordinate that is not above `error`.
+std::string place_words(core::Point place, double error = 0.0);
+
+/// What a knot of the value `u` means for the curve: "multiplicity 2, C¹ there".
+std::string knot_words(const core::Curve& curve, double u);
+
+/// That u = `asked` is outside of the domain and `taken` stands for it.
+std::string clamped_sentence(const core::KnotVector& knots, double asked, double taken);
+
+/// What is said when knot `index` of stored() was deleted, which took a control point along: "Deleted knot 0.5 and P₃".
+StepTexts texts_of_deleted_knot(const core::Curve& before, std::size_t index, const core::Curve& after);
 
 }  // namespace batten::editor

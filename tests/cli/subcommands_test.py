@@ -117,7 +117,7 @@ class Subcommands(unittest.TestCase):
     def test_apply_reports_what_it_did(self):
         (inserted, moved) = answer("apply", self.file, "insert-knot", "0.25", "move-points", "1,", "-0.5", "1")
         self.assertEqual(inserted, {"operation": "insert-knot", "arguments": [0.25], "effect": "keeps",
-                                    "message": "Inserted knot 0.25: the curve is unchanged"})
+                                    "message": "Inserted knot 0.25: multiplicity 1, C¹ there; the curve is unchanged"})
         self.assertEqual((moved["arguments"], moved["effect"]), ([[1], -0.5, 1], "changes"))
         self.assertGreater(moved["deviation"], 0.1)
 

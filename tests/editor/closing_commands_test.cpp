@@ -71,6 +71,9 @@ TEST_F(ClosingCommands, add_end_vertices) {
     EXPECT_EQ(points(editor_).front(), (core::Point{-6, -18}));
     EXPECT_EQ(points(editor_).back(), (core::Point{54, 30}));
     EXPECT_EQ(state().history.undo_label(), "Add phantom end vertices");
+    EXPECT_EQ(state().message.text,
+              "Added phantom end vertices (both); the old part of the curve stays and new spans lead to its ends");
+    EXPECT_FALSE(state().ghost) << "nothing has moved";
     run(Undo{});
     EXPECT_TRUE(run(TripleEnd{.end = CurveEnds::start}));
     EXPECT_EQ(points(editor_).size(), 7U);

@@ -12,6 +12,7 @@
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/view_commands.h"
+#include "app/editor/reading_text.h"
 #include "sample_editor.h"
 
 namespace batten::editor {
@@ -51,9 +52,9 @@ TEST_F(EditorTest, says_that_a_command_is_unknown) {
 
 TEST_F(EditorTest, refuses_undo_and_redo_where_there_is_nothing) {
     EXPECT_FALSE(editor_.run(Undo{}));
-    EXPECT_EQ(state().message, (Message{"there is nothing to undo", true}));
+    EXPECT_EQ(state().message, (Message{"there is nothing to undo", false}));
     EXPECT_FALSE(editor_.run(Redo{}));
-    EXPECT_EQ(state().message, (Message{"there is nothing to redo", true}));
+    EXPECT_EQ(state().message, (Message{"there is nothing to redo", false}));
 }
 
 TEST_F(EditorTest, commits_an_edit_as_one_named_step) {
@@ -71,10 +72,24 @@ TEST_F(EditorTest, shows_the_old_curve_and_the_deviation_after_a_change_of_shape
     EXPECT_EQ(state().ghost->curve, before);
     // Every point of the curve moves by (3, 4).
     EXPECT_NEAR(state().ghost->deviation, 5.0, 1e-12);
-    EXPECT_EQ(state().message, (Message{"Moved 4 points: deviates by at most 5", false}));
+    EXPECT_EQ(reading_text(state().message.text), "Moved 4 points by (3, 4); the curve moved by at most 5");
     editor_.run(InsertKnot{.u = 0.5});
     EXPECT_FALSE(state().ghost);
-    EXPECT_EQ(state().message, (Message{"Inserted knot 0.5: the curve is unchanged", false}));
+    EXPECT_EQ(state().message, (Message{"Inserted knot 0.5: multiplicity 1, C² there; the curve is unchanged", false}));
+}
+
+TEST_F(EditorTest, tips_of_undo_and_redo_name_the_step) {
+    editor_.run(InsertKnot{.u = 0.5});
+    EXPECT_EQ(Undo::spec().aim(state()), "Takes back: Insert knot 0.5");
+    editor_.run(Undo{});
+    EXPECT_EQ(Redo::spec().aim(state()), "Repeats: Insert knot 0.5");
+}
+
+TEST_F(EditorTest, a_parameter_beyond_the_domain_says_where_it_was_put) {
+    editor_.run(SetParameter{.u = 5.0});
+    EXPECT_EQ(state().message, (Message{"u = 5 is outside the domain from 0 to 1; its end 1 is taken", false}));
+    editor_.run(SetParameter{.u = 0.25});
+    EXPECT_EQ(state().message.text, "");
 }
 
 TEST_F(EditorTest, previews_without_touching_the_committed_document) {

@@ -37,6 +37,24 @@ TEST_F(FindingsTest, say_what_was_found_and_make_no_step_of_the_history) {
     EXPECT_EQ(state().findings->rows.front().point, core::Point(2.0, 1.5));
 }
 
+TEST_F(FindingsTest, have_the_same_decimals_in_all_rows_and_all_digits_in_full) {
+    EditorState shown = state();
+    show_findings(shown, {.title = "Points",
+                          .summary = "",
+                          .rows = {{.label = "a", .parameter = 0.5, .point = core::Point(1.0, -4.4e-16)},
+                                   {.label = "b",
+                                    .parameter = 1.0 / 3.0,
+                                    .point = core::Point(4.0 / 3.0, 2.5),
+                                    .numbers = {{"curvature", -1e-17, 1e-15}}}},
+                          .coordinate_error = 4e-14});
+    const Findings& found = *shown.findings;
+    EXPECT_EQ(details_text(found, found.rows[0]), "(1.00000, 0.00000)");
+    EXPECT_EQ(details_text(found, found.rows[1]), "(1.33333, 2.50000)   curvature 0");
+    EXPECT_EQ(column_text(0.5, found.columns.parameter), "0.500000");
+    EXPECT_EQ(full_text(found, found.rows[1]),
+              "b\nu = 0.3333333333333333\nx = 1.3333333333333333\ny = 2.5\ncurvature = 0");
+}
+
 TEST_F(FindingsTest, are_marked_where_they_are) {
     const std::vector<render::Marker> marked = marks(picture());
     ASSERT_EQ(marked.size(), 1U);

@@ -144,9 +144,9 @@ TEST_F(FittingCommands, fits_refuse_ends_that_exclude_each_other) {
 TEST_F(FittingCommands, fit_points_says_the_error) {
     EXPECT_TRUE(run(FitPoints{.count = 8, .points = bow(50)}));
     EXPECT_EQ(points(editor_).size(), 8U);
-    EXPECT_EQ(message().substr(0, 38), "Fitted curve to points: error at most ") << message();
+    EXPECT_EQ(message().substr(0, 38), "Fitted curve to points; error at most ") << message();
     EXPECT_TRUE(run(FitPointsWithin{.tolerance = 1e-4, .points = bow(50)}));
-    EXPECT_EQ(message().substr(0, 44), "Fitted curve within tolerance: error at most") << message();
+    EXPECT_EQ(message().substr(0, 44), "Fitted curve within tolerance; error at most") << message();
     for (int k = 0; k <= 50; ++k) EXPECT_LT(distance_to({5.0 * k / 50, std::sin(5.0 * k / 50)}), 1e-4);
     EXPECT_TRUE(run(FitPoints{.count = 8, .points = bow(50), .closed = true}));
     EXPECT_TRUE(curve(editor_).is_periodic());

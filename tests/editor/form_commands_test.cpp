@@ -22,7 +22,7 @@ TEST_F(FormCommands, closing_is_told_by_the_data) {
     find(FindClosing{});
     EXPECT_EQ(rows()[0].label, "open");
     EXPECT_NEAR(number(0, "gap"), std::hypot(12.2, 5.0), 1e-14);
-    EXPECT_EQ(state().message.text, "wave is open; its ends are 13.18 apart");
+    EXPECT_EQ(state().message.text, "wave is open; its ends are 13.184839779079606 apart");
     editor_.run(ActivateCurve{.index = 1});
     find(FindClosing{});
     EXPECT_EQ(rows()[0].label, "periodic");
@@ -88,6 +88,15 @@ TEST_F(FormCommands, blossom_labels_and_greville_points) {
     find(FindGrevillePoints{});
     ASSERT_EQ(rows().size(), 4U);
     EXPECT_NEAR(number(1, "abscissa"), 1.0 / 3.0, 1e-16);
+}
+
+TEST_F(FormCommands, a_greville_point_outside_the_domain_says_so) {
+    open_text(editor_, uniform_text);
+    find(FindGrevillePoints{});
+    EXPECT_EQ(number(0, "abscissa"), -1.0);
+    EXPECT_EQ(rows()[0].note, "outside the domain from 0 to 2; the curve does not go so far");
+    EXPECT_FALSE(rows()[0].parameter);
+    EXPECT_EQ(rows()[1].note, "");
 }
 
 TEST_F(FormCommands, collinear_runs_are_found) {

@@ -52,12 +52,64 @@ TEST_F(KnotCommands, insert_at_the_parameter_or_at_all_midpoints) {
     EXPECT_EQ(state().message.text, "the parameter 1.5 is outside the domain; it must be from 0 to 1");
 }
 
+TEST_F(KnotCommands, messages_name_what_matters) {
+    open_text(editor_, sample_text);  // 0, 0, 0, 0, 0.2, 0.5, 0.75, 1, 1, 1, 1
+    const auto begins = [this](const std::string& text) { return state().message.text.rfind(text, 0) == 0; };
+    run(InsertKnot{.u = 0.5});
+    EXPECT_EQ(state().message.text, "Inserted knot 0.5: multiplicity 2, C¹ there; the curve is unchanged");
+    run(RaiseKnot{.index = 4});
+    EXPECT_EQ(state().message.text, "Raised knot 0.2: multiplicity 2, C¹ there; the curve is unchanged");
+    run(SetKnot{.index = 8, .u = 0.5});
+    EXPECT_TRUE(begins("Set knot 0.75 to 0.5: multiplicity 3, C⁰ there; the curve moved by at most "));
+    run(DeleteKnot{.index = 8});
+    EXPECT_TRUE(begins("Deleted knot 0.5 and P₅; ")) << state().message.text;
+    run(MoveKnot{.index = 6, .u = 0.1, .mode = core::KnotMove::push});
+    EXPECT_TRUE(begins("Moved knot 0.5 to 0.")) << state().message.text;
+    run(InsertMidpoints{});
+    EXPECT_TRUE(begins("Inserted 4 knots, one in the middle of every span; the curve is unchanged"))
+        << state().message.text;
+}
+
+TEST_F(KnotCommands, typed_uniform_knots_are_called_so_and_stay_so_in_another_degree) {
+    open_text(editor_, sample_text);
+    const auto begins = [this](const std::string& text) { return state().message.text.rfind(text, 0) == 0; };
+    run(SetKnots{.knots = {0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4}});
+    EXPECT_TRUE(begins("Typed knot vector: clamped uniform; ")) << state().message.text;
+    run(SetDegree{.degree = 2});
+    EXPECT_TRUE(begins("Set degree from 3 to 2 with the same control points over clamped uniform knots; "))
+        << state().message.text;
+}
+
+TEST_F(KnotCommands, a_knot_that_goes_less_far_than_asked_says_so) {
+    open_text(editor_, sample_text);
+    run(MoveKnot{.index = 4, .u = 0.6, .mode = core::KnotMove::stop});
+    EXPECT_NE(state().message.text.find(" instead of 0.6, as far as its neighbors let it: multiplicity "),
+              std::string::npos)
+        << state().message.text;
+}
+
+TEST_F(KnotCommands, a_typed_knot_out_of_order_is_told_its_neighbors) {
+    open_text(editor_, sample_text);
+    EXPECT_FALSE(run(SetKnot{.index = 4, .u = 0.6}));
+    EXPECT_EQ(state().message.text, "knot 4 cannot be 0.6, above knot 5, which is 0.5; it must be from 0 to 0.5");
+    EXPECT_FALSE(run(SetKnot{.index = 5, .u = 0.1}));
+    EXPECT_EQ(state().message.text, "knot 5 cannot be 0.1, below knot 4, which is 0.2; it must be from 0.2 to 0.75");
+    EXPECT_FALSE(run(SetKnot{.index = 0, .u = 0.3}));
+    EXPECT_EQ(state().message.text, "knot 0 cannot be 0.3, above knot 4, which is 0.2; it must be at most 0.2");
+    EXPECT_FALSE(run(SetKnot{.index = 10, .u = 0.3}));
+    EXPECT_EQ(state().message.text, "knot 10 cannot be 0.3, below knot 6, which is 0.75; it must be at least 0.75");
+}
+
 TEST_F(KnotCommands, move_a_knot_and_keep_it_selected) {
     open_text(editor_, sample_text);
     run(SelectKnot{.index = 4});
     EXPECT_TRUE(run(MoveKnot{.index = 4, .u = 0.4, .mode = core::KnotMove::stop}));
     EXPECT_EQ(knots(editor_), (std::vector<double>{0, 0, 0, 0, 0.4, 0.5, 0.75, 1, 1, 1, 1}));
-    EXPECT_EQ(state().history.undo_label(), "Move knot 0.2");
+    EXPECT_EQ(state().history.undo_label(), "Move knot 0.2 to 0.4");
+    EXPECT_EQ(state().message.text.rfind(
+                  "Moved knot 0.2 to 0.4: multiplicity 1, C² there; the curve moved by at most 1.6", 0),
+              0U)
+        << state().message.text;
     EXPECT_TRUE(run(MoveKnot{.index = 4, .u = 0.6, .mode = core::KnotMove::stop}));
     EXPECT_EQ(knots(editor_)[4], 0.495);
     EXPECT_EQ(state().message.text.substr(0, 74),
@@ -142,7 +194,7 @@ TEST_F(KnotCommands, change_the_degree_with_and_without_the_shape) {
     open_text(editor_, bezier_text);
     EXPECT_TRUE(type("elevate"));
     EXPECT_EQ(state().history.undo_label(), "Raise degree to 4");
-    EXPECT_EQ(state().message.text, "Raised degree to 4: the curve is unchanged");
+    EXPECT_EQ(state().message.text, "Raised degree from 3 to 4; the curve is unchanged");
     // (i/4) P_{i-1} + (1 - i/4) P_i
     const std::vector<core::Point> raised{{0, 0}, {0.75, 1.5}, {2, 2}, {3.25, 1.5}, {4, 0}};
     for (std::size_t i = 0; i < raised.size(); ++i) {

@@ -47,7 +47,7 @@ TEST_F(PieceCommands, split_leaves_two_curves_side_by_side) {
     EXPECT_EQ(curve_at(0).control_points()[2], core::Point(0.5, 0.25));
     EXPECT_EQ(curve_at(1).control_points()[0], core::Point(0.5, 0.25));
     EXPECT_EQ(document(editor_).curves[1].color, document(editor_).curves[0].color);
-    EXPECT_EQ(state().message.text, "Split at 0.25: the curve is unchanged");
+    EXPECT_EQ(state().message.text, "Split at 0.25; the curve is unchanged");
     ASSERT_TRUE(run(Undo{}));
     EXPECT_EQ(names().size(), 3U);
 }
@@ -138,7 +138,7 @@ TEST_F(PieceCommands, reverse_twice_is_the_same) {
     const core::Curve before = curve_at(0);
     ASSERT_TRUE(run(Reverse{}));
     EXPECT_EQ(curve_at(0).control_points().front(), core::Point(2.0, 4.0));
-    EXPECT_EQ(state().message.text, "Reversed direction: the curve is unchanged");
+    EXPECT_EQ(state().message.text, "Reversed direction; the curve is unchanged");
     ASSERT_TRUE(run(Reverse{}));
     EXPECT_EQ(curve_at(0), before);
 }

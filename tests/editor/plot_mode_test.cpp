@@ -56,7 +56,7 @@ TEST_F(PlotModes, drag_moves_a_knot_by_as_much_as_the_pointer) {
     EXPECT_NEAR(interior()[0], 0.35, 1e-15);
     EXPECT_EQ(interior()[1], 0.5);
     EXPECT_EQ(steps(), 1U);
-    EXPECT_EQ(state().history.undo_label(), "Move knot 0.25");
+    EXPECT_EQ(state().history.undo_label(), "Move knot 0.25 to 0.35");
     EXPECT_EQ(state().selection.knot, std::optional<std::size_t>(4));
 }
 
@@ -145,7 +145,7 @@ TEST_F(PlotModes, the_knot_that_moves_is_the_hovered_one) {
     pointer.move(at(0.4));
     pointer.move(at(0.4) - glm::dvec2(1, 0));
     EXPECT_EQ(state().hover, Hover{HoveredKnot{4}});
-    EXPECT_NE(plot_hint(pointer.mode(), state()).find("0.3989 (C²)"), std::string::npos);
+    EXPECT_NE(plot_hint(pointer.mode(), state()).find("0.398932 (C²)"), std::string::npos);
 }
 
 TEST_F(PlotModes, ctrl_keeps_a_knot_to_round_numbers) {

@@ -45,7 +45,7 @@ TEST_F(RefinementCommands, remove_nothing_over_the_tolerance) {
     EXPECT_EQ(message().find("the knot cannot be removed; that would change the curve by "), 0U) << message();
     EXPECT_EQ(points(editor_), before);
     EXPECT_TRUE(run(RemoveKnot{.u = 0.5, .times = 1, .tolerance = 10.0})) << message();
-    EXPECT_NE(message().find("Removed knot 0.5: deviates by at most"), std::string::npos) << message();
+    EXPECT_NE(message().find("Removed knot 0.5; the curve moved by at most"), std::string::npos) << message();
 }
 
 TEST_F(RefinementCommands, merge_near_knots) {
@@ -115,13 +115,13 @@ TEST_F(RefinementCommands, make_uniform_spaces_the_knots) {
     ASSERT_TRUE(run(MakeUniform{})) << message();
     const std::vector<double> expected{0, 0, 0, 0, 1.0 / 3.0, 2.0 / 3.0, 1, 1, 1, 1};
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(knots(editor_)[i], expected[i], 1e-15);
-    EXPECT_NE(message().find("deviates by at most"), std::string::npos) << message();
+    EXPECT_NE(message().find("the curve moved by at most"), std::string::npos) << message();
 }
 
 TEST_F(RefinementCommands, elevate_and_reduce_by_several) {
     const std::vector<core::Point> before = points(editor_);
     ASSERT_TRUE(run(Elevate{.by = 2})) << message();
-    EXPECT_EQ(message(), "Raised degree to 5: the curve is unchanged");
+    EXPECT_EQ(message(), "Raised degree from 3 to 5; the curve is unchanged");
     EXPECT_EQ(curve(editor_).degree(), 5);
     ASSERT_TRUE(run(Reduce{.by = 2, .tolerance = 1e-9})) << message();
     EXPECT_EQ(curve(editor_).degree(), 3);

@@ -31,8 +31,9 @@ TEST_F(TearCommands, switch_lets_a_dragged_knot_tear_the_curve_and_undo_mends_it
     const MoveKnot onto_the_stack{.index = 5, .u = 1.0, .mode = core::KnotMove::snap};
     EXPECT_TRUE(run(onto_the_stack));
     EXPECT_EQ(knots(editor_), (std::vector<double>{0, 0, 0, 1, 1, 1.015, 3, 3, 3}));
-    EXPECT_EQ(message().substr(0, 93),
-              "Moved knot 2 up to a full stack, which it joins where 'Allow tears' lets the curve come apart");
+    EXPECT_EQ(
+        message().substr(0, 103),
+        "Moved knot 2 to 1.015, up to a full stack, which it joins where 'Allow tears' lets the curve come apart");
     run(Undo{});
     EXPECT_TRUE(run(AllowTears{}));
     EXPECT_EQ(message(), "Allowed tears");

@@ -8,6 +8,8 @@
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/formula.h"
+#include "app/editor/wording.h"
+#include "core/base/number_text.h"
 #include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
 #include "core/measure/bounds.h"
@@ -46,7 +48,7 @@ bool is_smoother_than_promised(const core::JointContinuity& joint) {
 }
 
 std::string joint_label(const core::JointContinuity& joint) {
-    const core::Place u("u", number_text(joint.u));
+    const core::Place u("u", core::shortest_text(joint.u));
     switch (joint.kind) {
         case core::JointKind::seam:
             return sentence("seam {u}", {u});
@@ -58,6 +60,11 @@ std::string joint_label(const core::JointContinuity& joint) {
     return sentence("knot {u}", {u});
 }
 
+// A jump is as uncertain as what it is relative to.
+FoundNumber jump_number(const char* name, const core::Jump& jump) {
+    return {name, jump.size, jump.relative > 0.0 ? rounding_error * jump.size / jump.relative : 0.0};
+}
+
 Finding joint_row(const core::Curve& curve, const core::JointContinuity& joint) {
     Finding row{.label = joint_label(joint),
                 .parameter = joint.u,
@@ -66,14 +73,14 @@ Finding joint_row(const core::Curve& curve, const core::JointContinuity& joint) 
                             {"C by knots", static_cast<double>(joint.promised)},
                             {"C found", static_cast<double>(joint.parametric)},
                             {"G found", static_cast<double>(joint.geometric)},
-                            {"jump", joint.position.size},
-                            {"relative jump", joint.position.relative},
-                            {"jump of C'", joint.first.size},
-                            {"relative jump of C'", joint.first.relative},
-                            {"jump of C''", joint.second.size},
-                            {"relative jump of C''", joint.second.relative}},
+                            jump_number("jump", joint.position),
+                            {"relative jump", joint.position.relative, rounding_error},
+                            jump_number("jump of C'", joint.first),
+                            {"relative jump of C'", joint.first.relative, rounding_error},
+                            jump_number("jump of C''", joint.second),
+                            {"relative jump of C''", joint.second.relative, rounding_error}},
                 .note = continuity_note(joint)};
-    if (joint.angle) row.numbers.push_back({"angle in degrees", glm::degrees(*joint.angle)});
+    if (joint.angle) row.numbers.push_back({"angle in degrees", glm::degrees(*joint.angle), 180.0 * rounding_error});
     if (joint.before) row.numbers.push_back({"curvature before", *joint.before});
     if (joint.after) row.numbers.push_back({"curvature after", *joint.after});
     return row;
@@ -151,7 +158,7 @@ Outcome<void> find_cusps(EditorState& state, const FindCusps&) {
         const bool turns = found.turn && std::abs(*found.turn) > core::ContinuityTolerances{}.angle;
         if (turns) ++proper;
         Finding row{.label = turns ? "cusp" : "zero speed", .parameter = found.u, .point = found.point};
-        if (found.turn) row.numbers.push_back({"turn in degrees", glm::degrees(*found.turn)});
+        if (found.turn) row.numbers.push_back({"turn in degrees", glm::degrees(*found.turn), 180.0 * rounding_error});
         add_interval(row, found.where);
         rows.push_back(std::move(row));
     }
@@ -197,20 +204,22 @@ Outcome<void> find_bounds(EditorState& state, const FindBounds&) {
     const core::Curve& curve = active_curve(state);
     const core::Box box = core::tight_box(curve);
     std::string summary =
-        sentence("{name} is {width} wide and {height} high",
-                 {active_name(state), {"width", number_text(box.size().x)}, {"height", number_text(box.size().y)}});
+        sentence("{name} is {width} wide and {height} high", {active_name(state),
+                                                              {"width", core::shortest_text(box.size().x)},
+                                                              {"height", core::shortest_text(box.size().y)}});
     return show_rows(state, "Bounds", std::move(summary),
                      {box_row("curve", box), box_row("control points", core::control_box(curve))});
 }
 
 Outcome<void> find_span_hulls(EditorState& state, const FindSpanHulls&) {
     std::vector<Finding> rows;
+    const double error = coordinate_error(active_curve(state));
     for (const core::SpanHull& found : core::span_hulls(active_curve(state))) {
         Finding row{.label = sentence("span {number}", {{"number", rows.size() + 1}}),
                     .parameter = found.interval.lower};
         add_interval(row, found.interval);
         for (std::size_t i = 0; i < found.hull.size(); ++i)
-            add_numbers(row, fmt::format("corner {}", i + 1).c_str(), found.hull[i]);
+            add_numbers(row, fmt::format("corner {}", i + 1).c_str(), found.hull[i], error);
         rows.push_back(std::move(row));
     }
     return show_counted_rows(

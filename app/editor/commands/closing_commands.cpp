@@ -41,7 +41,9 @@ Outcome<Edit> add_end_vertex(const EditorState& state, const Command& command) {
     const auto add = [](const core::Curve& curve, core::CurveEnd end) {
         return core::add_end_vertex(curve, end, vertex);
     };
-    return edit_active(state, change_ends(active_curve(state), command.end, add));
+    Outcome<Edit> edit = edit_active(state, change_ends(active_curve(state), command.end, add));
+    if (edit) edit->only_adds = true;
+    return edit;
 }
 
 Outcome<Edit> straighten(const EditorState& state, const Straighten& command) {
@@ -139,7 +141,7 @@ const CommandSpec& DoubleEnd::spec() {
         .fields = {ends_field<&DoubleEnd::end>()},
         .refusal = no_editable_curve,
         .run = body_of<add_end_vertex<DoubleEnd, core::EndVertex::doubled>>,
-        .done = "Doubled end vertices"};
+        .done = "Doubled end vertices ({end}); the old part of the curve stays and new spans lead to its ends"};
     return spec;
 }
 
@@ -154,7 +156,7 @@ const CommandSpec& TripleEnd::spec() {
         .fields = {ends_field<&TripleEnd::end>()},
         .refusal = no_editable_curve,
         .run = body_of<add_end_vertex<TripleEnd, core::EndVertex::tripled>>,
-        .done = "Tripled end vertices"};
+        .done = "Tripled end vertices ({end}); the old part of the curve stays and new spans lead to its ends"};
     return spec;
 }
 
@@ -171,7 +173,7 @@ const CommandSpec& PhantomEnd::spec() {
         .fields = {ends_field<&PhantomEnd::end>()},
         .refusal = no_editable_curve,
         .run = body_of<add_end_vertex<PhantomEnd, core::EndVertex::phantom>>,
-        .done = "Added phantom end vertices"};
+        .done = "Added phantom end vertices ({end}); the old part of the curve stays and new spans lead to its ends"};
     return spec;
 }
 

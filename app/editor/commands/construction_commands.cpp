@@ -5,6 +5,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/field_kinds.h"
+#include "app/editor/wording.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -16,7 +17,10 @@ constexpr double most_speed = 20.0;
 constexpr int steps_in_domain = 100;
 
 Outcome<void> set_parameter(EditorState& state, const SetParameter& command) {
-    state.view.parameter = state.active_curve()->knots().into_domain(command.u);
+    const core::KnotVector& knots = state.active_curve()->knots();
+    state.view.parameter = knots.into_domain(command.u);
+    if (!knots.domain().contains(command.u))
+        state.message = {clamped_sentence(knots, command.u, state.view.parameter), false};
     return {};
 }
 

@@ -1,5 +1,6 @@
 #include "app/editor/commands/degree_commands.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "app/editor/commands/active_curve.h"
@@ -7,6 +8,7 @@
 #include "app/editor/field_kinds.h"
 #include "core/base/degree_range.h"
 #include "core/base/sentence.h"
+#include "core/curve/knot_analysis.h"
 #include "core/refine/degree.h"
 
 namespace batten::editor {
@@ -30,14 +32,32 @@ Outcome<Edit> reduce(const EditorState& state, const Reduce& command) {
     return edit_active(state, std::move(reduced->curve));
 }
 
+// Whether the control points stayed depends on the knots.
+StepTexts texts_of_degree(const EditorState& state, const SetDegree& command, const core::Curve& after) {
+    const core::Curve& before = active_curve(state);
+    const core::Place from("from", before.degree());
+    const core::Place degree("degree", command.degree);
+    const bool has_same_points = std::ranges::equal(before.control_points(), after.control_points());
+    return {sentence("Set degree to {degree}", {degree}),
+            has_same_points
+                ? sentence("Set degree from {from} to {degree} with the same control points over {kind} knots",
+                           {from, degree, {"kind", core::title_of(core::kind_by_values(after.knots()))}})
+                : sentence("Set degree from {from} to {degree} with new control points, since the knots are custom",
+                           {from, degree})};
+}
+
 StepTexts texts_of_elevation(const EditorState& state, const Elevate& command) {
-    const core::Place degree("degree", active_curve(state).degree() + command.by);
-    return {sentence("Raise degree to {degree}", {degree}), sentence("Raised degree to {degree}", {degree})};
+    const int from = active_curve(state).degree();
+    const core::Place degree("degree", from + command.by);
+    return {sentence("Raise degree to {degree}", {degree}),
+            sentence("Raised degree from {from} to {degree}", {{"from", from}, degree})};
 }
 
 StepTexts texts_of_reduction(const EditorState& state, const Reduce& command) {
-    const core::Place degree("degree", active_curve(state).degree() - command.by);
-    return {sentence("Lower degree to {degree}", {degree}), sentence("Lowered degree to {degree}", {degree})};
+    const int from = active_curve(state).degree();
+    const core::Place degree("degree", from - command.by);
+    return {sentence("Lower degree to {degree}", {degree}),
+            sentence("Lowered degree from {from} to {degree}", {{"from", from}, degree})};
 }
 
 std::optional<Refusal> no_higher_degree(const EditorState& state) {
@@ -70,8 +90,7 @@ const CommandSpec& SetDegree::spec() {
         .fields = {field::count<&SetDegree::degree>("p", "the new degree, 1 to 25").beginning_with<current_degree>()},
         .refusal = no_editable_curve,
         .run = body_of<set_degree>,
-        .step = "Set degree to {p}",
-        .done = "Set degree to {p}"};
+        .texts = texts_of<texts_of_degree>};
     return spec;
 }
 

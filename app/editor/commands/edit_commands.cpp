@@ -9,8 +9,8 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/field_kinds.h"
-#include "app/editor/formula.h"
 #include "app/editor/upkeep.h"
+#include "app/editor/wording.h"
 #include "core/base/sentence.h"
 #include "core/document/native_file.h"
 #include "core/edit/knot_edit.h"
@@ -37,6 +37,22 @@ Outcome<void> redo(EditorState& state, const Redo&) {
     follow_document(state, before);
     state.message = {sentence("Redid: {step}", {{"step", label}}), false};
     return {};
+}
+
+bool cannot_undo(const EditorState& state) {
+    return !state.history.can_undo();
+}
+
+bool cannot_redo(const EditorState& state) {
+    return !state.history.can_redo();
+}
+
+std::string aim_of_undo(const EditorState& state) {
+    return sentence("Takes back: {step}", {{"step", state.history.undo_label()}});
+}
+
+std::string aim_of_redo(const EditorState& state) {
+    return sentence("Repeats: {step}", {{"step", state.history.redo_label()}});
 }
 
 std::optional<Refusal> nothing_to_undo(const EditorState& state) {
@@ -144,6 +160,10 @@ StepTexts texts_of_duplicate(const EditorState& state, const Duplicate&) {
             sentence("Duplicated curve '{name}'", {active_name(state)})};
 }
 
+bool has_nothing_selected(const EditorState& state) {
+    return !no_editable_curve(state) && state.selection.points.empty() && !state.selection.knot;
+}
+
 std::optional<Refusal> nothing_to_delete(const EditorState& state) {
     if (std::optional<Refusal> refusal = no_editable_curve(state)) return refusal;
     if (!state.selection.points.empty() || state.selection.knot) return std::nullopt;
@@ -157,8 +177,8 @@ Outcome<Edit> delete_selected(const EditorState& state, const Delete&) {
 
 StepTexts texts_of_delete(const EditorState& state, const Delete&) {
     if (!state.selection.points.empty()) return texts_of_deleting(state, state.selection.points);
-    const core::Place knot("knot", number_text(active_curve(state).knots().stored()[*state.selection.knot]));
-    return {sentence("Delete knot {knot}", {knot}), sentence("Deleted knot {knot}", {knot})};
+    const core::Curve& curve = active_curve(state);
+    return texts_of_deleted_knot(curve, *state.selection.knot, *core::delete_knot(curve, *state.selection.knot));
 }
 
 }  // namespace
@@ -171,6 +191,8 @@ const CommandSpec& Undo::spec() {
                                   .offered = in_the_window,
                                   .shortcut = {Key::z, with_ctrl},
                                   .refusal = nothing_to_undo,
+                                  .is_idle = cannot_undo,
+                                  .aim = aim_of_undo,
                                   .run = body_of<undo>};
     return spec;
 }
@@ -184,6 +206,8 @@ const CommandSpec& Redo::spec() {
                                   .shortcut = {Key::y, with_ctrl},
                                   .second_shortcut = {Key::z, with_ctrl_shift},
                                   .refusal = nothing_to_redo,
+                                  .is_idle = cannot_redo,
+                                  .aim = aim_of_redo,
                                   .run = body_of<redo>};
     return spec;
 }
@@ -285,6 +309,7 @@ const CommandSpec& Delete::spec() {
         .shortcut = {Key::delete_key, {}},
         .second_shortcut = {Key::backspace, {}},
         .refusal = nothing_to_delete,
+        .is_idle = has_nothing_selected,
         .run = body_of<delete_selected>,
         .texts = texts_of<texts_of_delete>};
     return spec;

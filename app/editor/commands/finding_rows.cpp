@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "app/editor/wording.h"
+
 namespace batten::editor {
 
 namespace {
@@ -21,13 +23,21 @@ core::Place active_name(const EditorState& state) {
     return {"name", state.history.present().active_curve()->name};
 }
 
-void add_numbers(Finding& finding, const char* name, core::Vector vector) {
-    finding.numbers.push_back({fmt::format("{} x", name), vector.x});
-    finding.numbers.push_back({fmt::format("{} y", name), vector.y});
+namespace {
+
+void add_pair(Finding& finding, const char* name, core::Vector pair, double error) {
+    finding.numbers.push_back({fmt::format("{} x", name), pair.x, error});
+    finding.numbers.push_back({fmt::format("{} y", name), pair.y, error});
 }
 
-void add_numbers(Finding& finding, const char* name, core::Point point) {
-    add_numbers(finding, name, core::vector_to(point));
+}  // namespace
+
+void add_numbers(Finding& finding, const char* name, core::Vector vector) {
+    add_pair(finding, name, vector, rounding_error * core::robust_length(vector));
+}
+
+void add_numbers(Finding& finding, const char* name, core::Point point, double error) {
+    add_pair(finding, name, core::vector_to(point), error);
 }
 
 void add_interval(Finding& finding, core::Interval where) {
@@ -43,7 +53,8 @@ Outcome<void> show_rows(EditorState& state, const char* title, std::string summa
                 core::sentence("{number} of {name} cannot be computed: its points, weights or knots are too far apart, "
                                "too large or too small",
                                {active_name(state), {"number", *number}}));
-    show_findings(state, {title, std::move(summary), std::move(rows)});
+    const double error = coordinate_error(*state.history.present().active_curve()->curve);
+    show_findings(state, {title, std::move(summary), std::move(rows), error});
     return {};
 }
 

@@ -11,9 +11,9 @@ namespace batten::editor {
 /// The name of the committed active curve as the place {name}; there must be one.
 core::Place active_name(const EditorState& state);
 
-/// Two numbers for a point or vector: "tangent x", "tangent y".
+/// Two numbers for a vector, "tangent x", "tangent y", or a point, whose coordinates may be off by `error`.
 void add_numbers(Finding& finding, const char* name, core::Vector vector);
-void add_numbers(Finding& finding, const char* name, core::Point point);
+void add_numbers(Finding& finding, const char* name, core::Point point, double error);
 
 /// "from" and "to", unless the interval is a single parameter.
 void add_interval(Finding& finding, core::Interval where);

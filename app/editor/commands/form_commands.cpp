@@ -8,6 +8,8 @@
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/field_kinds.h"
 #include "app/editor/formula.h"
+#include "app/editor/wording.h"
+#include "core/base/number_text.h"
 #include "core/evaluate/blossom.h"
 #include "core/evaluate/blossom_labels.h"
 #include "core/evaluate/de_boor.h"
@@ -27,7 +29,7 @@ std::string summary_of_closing(const EditorState& state, const core::ClosingRepo
     switch (report.closing) {
         case core::Closing::open:
             return sentence("{name} is open; its ends are {gap} apart",
-                            {active_name(state), {"gap", number_text(report.gap)}});
+                            {active_name(state), {"gap", core::shortest_text(report.gap)}});
         case core::Closing::ends_meet:
             return sentence("{name} is closed by ends that meet", {active_name(state)});
         case core::Closing::wrapped:
@@ -45,7 +47,8 @@ Outcome<void> find_closing(EditorState& state, const FindClosing&) {
     Finding finding{.label = core::title_of(report.closing),
                     .parameter = start,
                     .point = core::point_at(curve, start),
-                    .numbers = {{"gap", report.gap}, {"continuity", static_cast<double>(report.continuity)}}};
+                    .numbers = {{"gap", report.gap, coordinate_error(curve)},
+                                {"continuity", static_cast<double>(report.continuity)}}};
     return show_rows(state, "Closing", summary_of_closing(state, report), {std::move(finding)});
 }
 
@@ -103,11 +106,12 @@ Outcome<void> find_ferguson_form(EditorState& state, const FindFergusonForm&) {
     const auto segments = core::ferguson_segments(active_curve(state));
     if (!segments) return tl::unexpected(core::describe(segments.error()));
     std::vector<Finding> rows;
+    const double error = coordinate_error(active_curve(state));
     for (const core::FergusonSegment& segment : *segments) {
         Finding finding{
             .label = segment_label(rows.size()), .parameter = segment.interval.lower, .point = segment.start};
-        add_numbers(finding, "start", segment.start);
-        add_numbers(finding, "end", segment.end);
+        add_numbers(finding, "start", segment.start, error);
+        add_numbers(finding, "end", segment.end, error);
         add_numbers(finding, "start tangent", segment.start_tangent);
         add_numbers(finding, "end tangent", segment.end_tangent);
         rows.push_back(std::move(finding));
@@ -122,13 +126,14 @@ Outcome<void> find_anticentroids(EditorState& state, const FindAnticentroids&) {
     const auto joints = core::anticentroids(active_curve(state));
     if (!joints) return tl::unexpected(core::describe(joints.error()));
     std::vector<Finding> rows;
+    const double error = coordinate_error(active_curve(state));
     for (const core::Anticentroid& joint : *joints) {
         Finding finding{.label = sentence("triangle at {point}", {{"point", point_text(joint.index)}}),
                         .parameter = joint.u,
                         .point = joint.anticentroid};
-        add_numbers(finding, "anticentroid", joint.anticentroid);
-        add_numbers(finding, "vertex", joint.vertex);
-        add_numbers(finding, "middle of base", joint.base_middle);
+        add_numbers(finding, "anticentroid", joint.anticentroid, error);
+        add_numbers(finding, "vertex", joint.vertex, error);
+        add_numbers(finding, "middle of base", joint.base_middle, error);
         add_numbers(finding, "tangent", joint.tangent);
         add_numbers(finding, "second derivative", joint.second_derivative);
         rows.push_back(std::move(finding));
@@ -140,7 +145,7 @@ Outcome<void> find_anticentroids(EditorState& state, const FindAnticentroids&) {
                              std::move(rows));
 }
 
-Finding row_of(const core::ConicForm& form) {
+Finding row_of(const core::ConicForm& form, double error) {
     const core::ImplicitConic& k = form.equation;
     Finding row{.label = core::title_of(form.type),
                 .point = form.shoulder,
@@ -153,17 +158,19 @@ Finding row_of(const core::ConicForm& form) {
                             {"E", k.e},
                             {"F", k.f}},
                 .note = "A X² + B XY + C Y² + D X + E Y + F = 0, (X, Y) seen from the origin given"};
-    add_numbers(row, "origin", k.origin);
+    add_numbers(row, "origin", k.origin, error);
     return row;
 }
 
 Outcome<void> find_conic_form(EditorState& state, const FindConicForm&) {
     std::vector<Finding> rows;
+    const double error = coordinate_error(active_curve(state));
     for (const core::BezierPiece& piece : core::bezier_pieces(active_curve(state))) {
         const auto form = core::conic_form(piece);
         if (!form && form.error().code != core::CurveErrorCode::points_collinear)
             return tl::unexpected(core::describe(form.error()));
-        rows.push_back(form ? row_of(*form) : Finding{.label = "straight line", .parameter = piece.interval.lower});
+        rows.push_back(form ? row_of(*form, error)
+                            : Finding{.label = "straight line", .parameter = piece.interval.lower});
     }
     return show_counted_rows(state, "Conic form",
                              {.one = "{name} has 1 conic piece", .many = "{name} has {count} conic pieces"},
@@ -196,15 +203,16 @@ Outcome<void> find_blossom_labels(EditorState& state, const FindBlossomLabels& c
                         .note = label_text(core::control_point_label(curve.knots(), i))});
     const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, command.u);
     for (Finding& row : rows_of(curve, triangle)) rows.push_back(std::move(row));
-    std::string summary = sentence("{name} has {count} blossom labels, t = {t}",
-                                   {active_name(state), {"count", rows.size()}, {"t", number_text(triangle.u)}});
+    std::string summary =
+        sentence("{name} has {count} blossom labels, t = {t}",
+                 {active_name(state), {"count", rows.size()}, {"t", core::shortest_text(triangle.u)}});
     return show_rows(state, "Blossom labels", std::move(summary), std::move(rows));
 }
 
 // "b(0.1, 0.2, 0.3)"
 std::string blossom_text(const std::vector<double>& arguments) {
     std::vector<std::string> texts;
-    for (const double argument : arguments) texts.push_back(number_text(argument));
+    for (const double argument : arguments) texts.push_back(core::shortest_text(argument));
     return fmt::format("b({})", fmt::join(texts, ", "));
 }
 
@@ -217,20 +225,31 @@ Outcome<void> find_blossom(EditorState& state, const FindBlossom& command) {
     const core::HomogeneousPoint value = core::blossom(curve, curve.knots().span_at(u), command.arguments);
     Finding finding{.label = blossom_text(command.arguments), .numbers = {{"weight", value.z}}};
     if (value.z != 0.0) finding.point = core::project(value);
-    std::string summary =
-        sentence("{name} has this polar form over the span of {u}", {active_name(state), {"u", number_text(u)}});
+    std::string summary = sentence("{name} has this polar form over the span of {u}",
+                                   {active_name(state), {"u", core::shortest_text(u)}});
     return show_rows(state, "Blossom", std::move(summary), {std::move(finding)});
+}
+
+// A control point beyond an unclamped end acts most where the curve is no longer drawn.
+std::string outside_note(const core::Curve& curve) {
+    return sentence(
+        "outside the domain from {lower} to {upper}; the curve does not go so far",
+        {{"lower", core::shortest_text(curve.domain().lower)}, {"upper", core::shortest_text(curve.domain().upper)}});
 }
 
 Outcome<void> find_greville_points(EditorState& state, const FindGrevillePoints&) {
     const core::Curve& curve = active_curve(state);
     std::vector<Finding> rows;
+    const double error = coordinate_error(curve);
     for (const core::GrevillePoint& point : core::greville_points(curve)) {
         Finding finding{.label = sentence("ξ of {point}", {{"point", point_text(rows.size())}}),
                         .point = point.curve_point};
-        if (curve.domain().contains(point.abscissa)) finding.parameter = point.abscissa;
+        if (curve.domain().contains(point.abscissa))
+            finding.parameter = point.abscissa;
+        else
+            finding.note = outside_note(curve);
         finding.numbers.push_back({"abscissa", point.abscissa});
-        add_numbers(finding, "control point", point.control_point);
+        add_numbers(finding, "control point", point.control_point, error);
         rows.push_back(std::move(finding));
     }
     return show_counted_rows(state, "Greville points",

@@ -1,17 +1,23 @@
 #include "app/editor/commands/knot_commands.h"
 
+#include <algorithm>
+
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/commands/tear_commands.h"
 #include "app/editor/field_kinds.h"
-#include "app/editor/formula.h"
+#include "app/editor/wording.h"
+#include "core/base/number_text.h"
 #include "core/base/sentence.h"
+#include "core/curve/knot_analysis.h"
 #include "core/refine/knot_insertion.h"
 
 namespace batten::editor {
 
 namespace {
+
+using core::sentence;
 
 constexpr const char* which_knot = "the number of a knot, counted from 0";
 
@@ -33,12 +39,32 @@ Outcome<Edit> insert_knot(const EditorState& state, const InsertKnot& command) {
     return insert_at(state, command.u);
 }
 
+StepTexts texts_of_insertion(const EditorState&, const InsertKnot& command, const core::Curve& after) {
+    const core::Place u("u", core::shortest_text(command.u));
+    return {sentence("Insert knot {u}", {u}),
+            sentence("Inserted knot {u}: {words}", {u, {"words", knot_words(after, command.u)}})};
+}
+
 Outcome<Edit> insert_midpoints(const EditorState& state, const InsertMidpoints&) {
     return edit_active(state, core::insert_midpoint_knots(active_curve(state)));
 }
 
+StepTexts texts_of_midpoints(const EditorState& state, const InsertMidpoints&, const core::Curve& after) {
+    const std::size_t count = after.control_points().size() - active_curve(state).control_points().size();
+    return {InsertMidpoints::spec().title, sentence({.one = "Inserted one knot, in the middle of the only span",
+                                                     .many = "Inserted {count} knots, one in the middle of every span"},
+                                                    count)};
+}
+
 Outcome<Edit> raise_knot(const EditorState& state, const RaiseKnot& command) {
     return insert_at(state, active_curve(state).knots().stored()[command.index]);
+}
+
+StepTexts texts_of_raising(const EditorState& state, const RaiseKnot& command, const core::Curve& after) {
+    const double u = active_curve(state).knots().stored()[command.index];
+    const core::Place knot("u", core::shortest_text(u));
+    return {sentence("Raise knot {u}", {knot}),
+            sentence("Raised knot {u}: {words}", {knot, {"words", knot_words(after, u)}})};
 }
 
 // Of a stack the knot at the side to which it is moved is taken; knots keep their order.
@@ -77,26 +103,80 @@ bool stops_before_full_stack(const EditorState& state, const MoveKnot& command) 
     return tears == core::Tears::refuse && moved(state, command, tears) != moved(state, command, core::Tears::allow);
 }
 
-const char* pattern_of_moved(const EditorState& state, const MoveKnot& command) {
+// Who drags a knot farther than it goes is told where it stopped and why.
+const char* pattern_of_move(const EditorState& state, const MoveKnot& command, double reached) {
     if (stops_before_neighbor(state, command))
-        return "Moved knot {knot} up to its neighbor, which it joins where 'snap' is chosen";
+        return "Moved knot {from} to {to}, up to its neighbor, which it joins where 'snap' is chosen: {words}";
     if (stops_before_full_stack(state, command))
-        return "Moved knot {knot} up to a full stack, which it joins where 'Allow tears' lets the curve come apart";
-    return "Moved knot {knot}";
+        return "Moved knot {from} to {to}, up to a full stack, which it joins where 'Allow tears' lets the curve come "
+               "apart";
+    if (command.mode != core::KnotMove::snap && reached != command.u)
+        return "Moved knot {from} to {to} instead of {u}, as far as its neighbors let it: {words}";
+    return "Moved knot {from} to {to}: {words}";
 }
 
-StepTexts texts_of_move(const EditorState& state, const MoveKnot& command) {
-    const core::Place knot("knot", number_text(active_curve(state).knots().stored()[command.index]));
-    return {core::sentence("Move knot {knot}", {knot}), core::sentence(pattern_of_moved(state, command), {knot})};
+StepTexts texts_of_move(const EditorState& state, const MoveKnot& command, const core::Curve& after) {
+    const double from = active_curve(state).knots().stored()[command.index];
+    const double to = after.knots().stored()[*selection_after_move(state, command.index, command.u).knot];
+    const core::Place old("from", core::shortest_text(from));
+    const core::Place now("to", core::shortest_text(to));
+    return {
+        sentence("Move knot {from} to {to}", {old, now}),
+        core::filled_as_needed(pattern_of_move(state, command, to),
+                               {old, now, {"u", core::shortest_text(command.u)}, {"words", knot_words(after, to)}})};
+}
+
+// Which neighbor is in the way of a typed value, and what is allowed.
+std::optional<Refusal> out_of_order(const core::Curve& curve, const SetKnot& command) {
+    const std::span<const double> knots = curve.knots().stored();
+    const auto [first, last] = std::equal_range(knots.begin(), knots.end(), knots[command.index]);
+    const bool has_lower = first != knots.begin();
+    const bool has_upper = last != knots.end();
+    const core::Place lower("lower", has_lower ? core::shortest_text(*(first - 1)) : "");
+    const core::Place upper("upper", has_upper ? core::shortest_text(*last) : "");
+    const core::Place index("index", command.index);
+    const core::Place u("u", core::shortest_text(command.u));
+    if (has_upper && command.u > *last)
+        return core::filled_as_needed(
+            has_lower ? "knot {index} cannot be {u}, above knot {next}, which is {upper}; it must be from {lower} to "
+                        "{upper}"
+                      : "knot {index} cannot be {u}, above knot {next}, which is {upper}; it must be at most {upper}",
+            {index, u, lower, upper, {"next", last - knots.begin()}});
+    if (has_lower && command.u < *(first - 1))
+        return core::filled_as_needed(
+            has_upper ? "knot {index} cannot be {u}, below knot {previous}, which is {lower}; it must be from {lower} "
+                        "to {upper}"
+                      : "knot {index} cannot be {u}, below knot {previous}, which is {lower}; it must be at least "
+                        "{lower}",
+            {index, u, lower, upper, {"previous", first - knots.begin() - 1}});
+    return std::nullopt;
 }
 
 Outcome<Edit> set_knot(const EditorState& state, const SetKnot& command) {
+    if (std::optional<Refusal> refusal = out_of_order(active_curve(state), command))
+        return tl::unexpected(*std::move(refusal));
     return edit_or_tear(state, core::set_knot(active_curve(state), command.index, command.u, tears_of_active(state)),
                         selection_after_move(state, command.index, command.u));
 }
 
+StepTexts texts_of_setting(const EditorState& state, const SetKnot& command, const core::Curve& after) {
+    const core::Place from("from", core::shortest_text(active_curve(state).knots().stored()[command.index]));
+    const core::Place to("to", core::shortest_text(command.u));
+    return {sentence("Set knot {from} to {to}", {from, to}),
+            sentence("Set knot {from} to {to}: {words}", {from, to, {"words", knot_words(after, command.u)}})};
+}
+
 Outcome<Edit> delete_knot(const EditorState& state, const DeleteKnot& command) {
     return edit_active(state, core::delete_knot(active_curve(state), command.index));
+}
+
+StepTexts texts_of_deletion(const EditorState& state, const DeleteKnot& command, const core::Curve& after) {
+    return texts_of_deleted_knot(active_curve(state), command.index, after);
+}
+
+StepTexts texts_of_typing(const EditorState&, const SetKnots&, const core::Curve& after) {
+    return {SetKnots::spec().title,
+            sentence("Typed knot vector: {kind}", {{"kind", core::title_of(core::kind_by_values(after.knots()))}})};
 }
 
 Outcome<Edit> set_knots(const EditorState& state, const SetKnots& command) {
@@ -148,7 +228,7 @@ std::optional<std::vector<double>> stored_knots(const EditorState& state) {
 
 std::optional<core::KnotKind> current_kind(const EditorState& state) {
     if (no_curve(state)) return std::nullopt;
-    return active_curve(state).knots().kind();
+    return core::kind_by_values(active_curve(state).knots());
 }
 
 core::KnotMove current_knot_move(const EditorState& state) {
@@ -171,8 +251,7 @@ const CommandSpec& InsertKnot::spec() {
             {field::parameter<&InsertKnot::u>("u", "where in the domain").suggesting<suggest::current_parameter>()},
         .refusal = no_editable_curve,
         .run = body_of<insert_knot>,
-        .step = "Insert knot {u}",
-        .done = "Inserted knot {u}"};
+        .texts = texts_of<texts_of_insertion>};
     return spec;
 }
 
@@ -187,7 +266,7 @@ const CommandSpec& InsertMidpoints::spec() {
         .effect = ShapeEffect::keeps,
         .refusal = no_editable_curve,
         .run = body_of<insert_midpoints>,
-        .done = "Inserted knots at all midpoints"};
+        .texts = texts_of<texts_of_midpoints>};
     return spec;
 }
 
@@ -203,8 +282,7 @@ const CommandSpec& RaiseKnot::spec() {
         .fields = {field::knot_index<&RaiseKnot::index>("index", which_knot).suggesting<suggest::selected_knot>()},
         .refusal = no_editable_curve,
         .run = body_of<raise_knot>,
-        .step = "Raise multiplicity of knot {index}",
-        .done = "Raised multiplicity of knot {index}"};
+        .texts = texts_of<texts_of_raising>};
     return spec;
 }
 
@@ -241,8 +319,7 @@ const CommandSpec& SetKnot::spec() {
                    field::parameter<&SetKnot::u>("u", "its new value")},
         .refusal = no_editable_curve,
         .run = body_of<set_knot>,
-        .step = "Set knot {index} to {u}",
-        .done = "Set knot {index} to {u}"};
+        .texts = texts_of<texts_of_setting>};
     return spec;
 }
 
@@ -257,8 +334,7 @@ const CommandSpec& DeleteKnot::spec() {
         .fields = {field::knot_index<&DeleteKnot::index>("index", which_knot).suggesting<suggest::selected_knot>()},
         .refusal = no_editable_curve,
         .run = body_of<delete_knot>,
-        .step = "Delete knot {index}",
-        .done = "Deleted knot {index}"};
+        .texts = texts_of<texts_of_deletion>};
     return spec;
 }
 
@@ -274,7 +350,7 @@ const CommandSpec& SetKnots::spec() {
                        .beginning_with<stored_knots>()},
         .refusal = no_editable_curve,
         .run = body_of<set_knots>,
-        .done = "Typed knot vector"};
+        .texts = texts_of<texts_of_typing>};
     return spec;
 }
 

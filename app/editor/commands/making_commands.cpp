@@ -8,6 +8,7 @@
 #include "app/editor/field_kinds.h"
 #include "app/editor/formula.h"
 #include "app/editor/grid_step.h"
+#include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/bezier_pieces.h"
 #include "core/evaluate/hodograph.h"
@@ -84,7 +85,7 @@ StepTexts texts_of_conic(const EditorState&, const AddConic& command) {
         conic_of(command).and_then([](const core::Curve& conic) { return conic_form(core::bezier_piece(conic, 2)); });
     if (!form) return {"Make conic", "Made conic"};
     const core::Place type("type", core::title_of(form->type));
-    const core::Place ratio("ratio", number_text(form->shoulder_ratio));
+    const core::Place ratio("ratio", core::shortest_text(form->shoulder_ratio));
     return {sentence("Make conic: {type}, w/(1 + w) = {ratio}", {type, ratio}),
             sentence("Made conic: {type}, w/(1 + w) = {ratio}", {type, ratio})};
 }

@@ -6,7 +6,8 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/field_kinds.h"
-#include "app/editor/formula.h"
+#include "app/editor/wording.h"
+#include "core/base/number_text.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/tangent.h"
 #include "core/measure/arc_length.h"
@@ -21,8 +22,6 @@ namespace batten::editor {
 namespace {
 
 using core::sentence;
-
-constexpr int digits = 6;
 
 // A part may be as short as the rounding of the whole.
 bool is_doubtful(const core::Curve& curve, const core::Integral& length) {
@@ -42,10 +41,10 @@ Outcome<void> measure_arc_length(EditorState& state, const MeasureArcLength& com
             ? sentence(
                   "{name} has a length from {least} to {most}; its weights or points are too far apart to tell more",
                   {active_name(state),
-                   {"least", number_text(length.value - length.error, digits)},
-                   {"most", number_text(length.value + length.error, digits)}})
+                   {"least", core::shortest_text(length.value - length.error)},
+                   {"most", core::shortest_text(length.value + length.error)}})
             : sentence("{name} has the length {length}",
-                       {active_name(state), {"length", number_text(length.value, digits)}});
+                       {active_name(state), {"length", core::shortest_text(length.value)}});
     return show_rows(state, "Arc length", std::move(summary), {std::move(row)});
 }
 
@@ -67,24 +66,24 @@ Outcome<void> find_point_at_length(EditorState& state, const FindPointAtLength& 
                 .parameter = u,
                 .point = core::point_at(curve, u),
                 .numbers = {{"length", reached}, {"u", u}, {"whole length", whole}}};
-    add_numbers(row, "point", *row.point);
+    add_numbers(row, "point", *row.point, coordinate_error(curve));
     std::string summary = core::filled_as_needed(pattern_of_length(curve, command.length, whole),
                                                  {active_name(state),
-                                                  {"length", number_text(command.length)},
-                                                  {"whole", number_text(whole, digits)},
-                                                  {"u", number_text(u, digits)}});
+                                                  {"length", core::shortest_text(command.length)},
+                                                  {"whole", core::shortest_text(whole)},
+                                                  {"u", core::shortest_text(u)}});
     return show_rows(state, "Point at length", std::move(summary), {std::move(row)});
 }
 
 Outcome<void> measure_area(EditorState& state, const MeasureArea&) {
     const auto area = core::enclosed_area(active_curve(state));
     if (!area) return tl::unexpected(core::describe(area.error()));
-    const core::Place value("area", number_text(area->signed_area, digits));
+    const core::Place value("area", core::shortest_text(area->signed_area));
     Finding row{.label = sentence("area {area}", {value}),
                 .point = area->centroid,
-                .numbers = {{"area", area->signed_area}, {"error", area->error}},
+                .numbers = {{"area", area->signed_area, area->error}, {"error", area->error}},
                 .note = area->signed_area < 0.0 ? "negative: the curve runs clockwise" : ""};
-    if (area->centroid) add_numbers(row, "centroid", *area->centroid);
+    if (area->centroid) add_numbers(row, "centroid", *area->centroid, coordinate_error(active_curve(state)));
     std::string summary = sentence("{name} encloses the area {area}", {active_name(state), value});
     return show_rows(state, "Area", std::move(summary), {std::move(row)});
 }
@@ -95,11 +94,11 @@ Outcome<void> find_nearest(EditorState& state, const FindNearest& command) {
     Finding row{.label = "nearest point",
                 .parameter = found.u,
                 .point = found.point,
-                .numbers = {{"distance", distance}, {"u", found.u}}};
-    add_numbers(row, "point", found.point);
-    std::string summary =
-        sentence("{name} is {distance} away at u = {u}",
-                 {active_name(state), {"distance", number_text(distance)}, {"u", number_text(found.u)}});
+                .numbers = {{"distance", distance, coordinate_error(active_curve(state))}, {"u", found.u}}};
+    add_numbers(row, "point", found.point, coordinate_error(active_curve(state)));
+    std::string summary = sentence(
+        "{name} is {distance} away at u = {u}",
+        {active_name(state), {"distance", core::shortest_text(distance)}, {"u", core::shortest_text(found.u)}});
     return show_rows(state, "Nearest point", std::move(summary), {std::move(row)});
 }
 
@@ -174,7 +173,7 @@ Outcome<void> intersect_curve(EditorState& state, const IntersectCurve& command)
 Finding evaluation_row(const core::Curve& curve, const std::string& label, double u, core::Side side) {
     const core::Jet jet = core::derivatives_at(curve, u, 3, side);
     Finding row{.label = label, .parameter = u, .point = jet.point};
-    add_numbers(row, "C", jet.point);
+    add_numbers(row, "C", jet.point, coordinate_error(curve));
     add_numbers(row, "C'", jet[1]);
     add_numbers(row, "C''", jet[2]);
     add_numbers(row, "C'''", jet[3]);
@@ -192,7 +191,7 @@ Outcome<void> evaluate(EditorState& state, const Evaluate& command) {
     const double u = curve.knots().into_domain(command.u);
     const core::Interval domain = curve.domain();
     const bool is_inside = curve.is_periodic() || (domain.lower < u && u < domain.upper);
-    const core::Place at("u", number_text(u, digits));
+    const core::Place at("u", core::shortest_text(u));
     std::vector<Finding> rows;
     if (is_inside && curve.knots().multiplicity(u) > 0) {
         rows.push_back(evaluation_row(curve, sentence("left of u = {u}", {at}), u, core::Side::left));
@@ -200,9 +199,11 @@ Outcome<void> evaluate(EditorState& state, const Evaluate& command) {
     } else {
         rows.push_back(evaluation_row(curve, sentence("u = {u}", {at}), u, core::Side::right));
     }
-    const core::Point point = *rows.back().point;
-    std::string summary = sentence("{name} is at ({x}, {y}) for u = {u}",
-                                   {active_name(state), {"x", number_text(point.x)}, {"y", number_text(point.y)}, at});
+    if (!domain.contains(command.u))
+        for (Finding& row : rows) row.note = clamped_sentence(curve.knots(), command.u, u);
+    std::string summary =
+        sentence("{name} is at {place} for u = {u}",
+                 {active_name(state), {"place", place_words(*rows.back().point, coordinate_error(curve))}, at});
     return show_rows(state, "Point and derivatives", std::move(summary), std::move(rows));
 }
 

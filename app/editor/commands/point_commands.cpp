@@ -6,6 +6,8 @@
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/field_kinds.h"
 #include "app/editor/formula.h"
+#include "app/editor/wording.h"
+#include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/edit/point_edit.h"
 
@@ -26,8 +28,26 @@ Outcome<Edit> set_point(const EditorState& state, const SetPoint& command) {
     return edit_active(state, core::set_control_point(active_curve(state), command.index, command.position));
 }
 
+StepTexts texts_of_place(const EditorState& state, const SetPoint& command) {
+    const core::Place point("point", point_text(command.index));
+    return {sentence("Move {point}", {point}),
+            sentence("Moved {point} from {from} to {to}",
+                     {point,
+                      {"from", place_words(active_curve(state).control_points()[command.index])},
+                      {"to", place_words(command.position)}})};
+}
+
 Outcome<Edit> set_weight(const EditorState& state, const SetWeight& command) {
     return edit_active(state, core::set_weight(active_curve(state), command.index, command.weight));
+}
+
+StepTexts texts_of_weight(const EditorState& state, const SetWeight& command) {
+    const core::Place point("point", point_text(command.index));
+    return {sentence("Set weight of {point}", {point}),
+            sentence("Set weight of {point} from {from} to {to}",
+                     {point,
+                      {"from", core::shortest_text(active_curve(state).weights()[command.index])},
+                      {"to", core::shortest_text(command.weight)}})};
 }
 
 Outcome<Edit> add_point(const EditorState& state, const AddPoint& command) {
@@ -75,6 +95,10 @@ Outcome<Edit> nudge_toward(const EditorState& state, const Command& command) {
     return nudge_by(state, offset_of<Command, x, y>(command), command.continues);
 }
 
+bool has_no_points_selected(const EditorState& state) {
+    return !no_editable_curve(state) && state.selection.points.empty();
+}
+
 template <class Command, int x, int y>
 StepTexts texts_of_arrow(const EditorState& state, const Command& command) {
     return texts_of_nudge_by(state, offset_of<Command, x, y>(command), command.continues);
@@ -101,6 +125,7 @@ CommandSpec arrow(const char* name, const char* title, Shortcut shortcut) {
                            .template suggesting<continues_burst>()
                            .unasked()},
             .refusal = no_editable_points,
+            .is_idle = has_no_points_selected,
             .run = body_of<nudge_toward<Command, x, y>>,
             .texts = texts_of<texts_of_arrow<Command, x, y>>};
 }
@@ -124,7 +149,7 @@ const CommandSpec& MovePoints::spec() {
         .refusal = no_editable_curve,
         .run = body_of<move_points>,
         .step = "Move {indices}",
-        .done = "Moved {indices}"};
+        .done = "Moved {indices} by ({dx}, {dy})"};
     return spec;
 }
 
@@ -142,8 +167,7 @@ const CommandSpec& SetPoint::spec() {
              field::position<&SetPoint::position>({"x", "its new x"}, {"y", "its new y"})},
         .refusal = no_editable_curve,
         .run = body_of<set_point>,
-        .step = "Move {index}",
-        .done = "Moved {index}"};
+        .texts = texts_of<texts_of_place>};
     return spec;
 }
 
@@ -161,8 +185,7 @@ const CommandSpec& SetWeight::spec() {
                    field::number<&SetWeight::weight>("w", "its new weight, above 0")},
         .refusal = no_editable_curve,
         .run = body_of<set_weight>,
-        .step = "Set weight of {index}",
-        .done = "Set weight of {index}"};
+        .texts = texts_of<texts_of_weight>};
     return spec;
 }
 
@@ -181,7 +204,7 @@ const CommandSpec& AddPoint::spec() {
         .refusal = no_editable_curve,
         .run = body_of<add_point>,
         .step = "Add {index}",
-        .done = "Added {index}"};
+        .done = "Added {index} at ({x}, {y})"};
     return spec;
 }
 
@@ -213,6 +236,7 @@ const CommandSpec& Nudge::spec() {
                                   .effect = ShapeEffect::changes,
                                   .fields = {field::vector<&Nudge::offset>({"dx", "to the right"}, {"dy", "upwards"})},
                                   .refusal = no_editable_points,
+                                  .is_idle = has_no_points_selected,
                                   .run = body_of<nudge>,
                                   .texts = texts_of<texts_of_nudge>};
     return spec;

@@ -5,7 +5,8 @@
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/commands/tear_commands.h"
 #include "app/editor/field_kinds.h"
-#include "app/editor/formula.h"
+#include "app/editor/wording.h"
+#include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/edit/knot_edit.h"
 #include "core/edit/knot_merging.h"
@@ -35,15 +36,15 @@ Outcome<Edit> insert_knots(const EditorState& state, const InsertKnots& command)
 
 // What is wrong when not all knots asked for could be removed: nothing is changed then.
 Refusal not_removed(const core::KnotRemoval& removal, double tolerance) {
-    return sentence(
-        {.one = "only one knot can be removed; removing another would change the curve by {deviation}, and "
-                "{tolerance} is allowed",
-         .many = "only {count} knots can be removed; removing another would change the curve by "
-                 "{deviation}, and {tolerance} is allowed",
-         .none = "the knot cannot be removed; that would change the curve by {deviation}, and {tolerance} "
-                 "is allowed"},
-        static_cast<std::size_t>(removal.count),
-        {{"deviation", bound_text(removal.refused.value_or(removal.error))}, {"tolerance", number_text(tolerance)}});
+    return sentence({.one = "only one knot can be removed; removing another would change the curve by {deviation}, and "
+                            "{tolerance} is allowed",
+                     .many = "only {count} knots can be removed; removing another would change the curve by "
+                             "{deviation}, and {tolerance} is allowed",
+                     .none = "the knot cannot be removed; that would change the curve by {deviation}, and {tolerance} "
+                             "is allowed"},
+                    static_cast<std::size_t>(removal.count),
+                    {{"deviation", core::shortest_text(removal.refused.value_or(removal.error))},
+                     {"tolerance", core::shortest_text(tolerance)}});
 }
 
 Outcome<Edit> remove_knot(const EditorState& state, const RemoveKnot& command) {
@@ -59,7 +60,7 @@ Outcome<Edit> remove_knots(const EditorState& state, const RemoveKnots& command)
     if (!removal) return tl::unexpected(core::describe(removal.error()));
     if (removal->count == 0)
         return tl::unexpected(sentence("no knot can be removed within a deviation of {tolerance}",
-                                       {{"tolerance", number_text(command.tolerance)}}));
+                                       {{"tolerance", core::shortest_text(command.tolerance)}}));
     return edit_active(state, std::move(removal->curve));
 }
 
@@ -68,8 +69,51 @@ Outcome<Edit> merge_knots(const EditorState& state, const MergeKnots& command) {
     if (!merging) return tl::unexpected(core::describe(merging.error()));
     if (merging->count == 0)
         return tl::unexpected(sentence("no two knots are nearer than {tolerance} of the domain",
-                                       {{"tolerance", number_text(command.tolerance)}}));
+                                       {{"tolerance", core::shortest_text(command.tolerance)}}));
     return edit_active(state, std::move(merging->curve));
+}
+
+std::size_t knots_lost(const EditorState& state, const core::Curve& after) {
+    return active_curve(state).knots().stored().size() - after.knots().stored().size();
+}
+
+StepTexts texts_of_many(const EditorState& state, const InsertKnots&, const core::Curve& after) {
+    const std::size_t count = after.knots().stored().size() - active_curve(state).knots().stored().size();
+    return {InsertKnots::spec().title, sentence({.one = "Inserted one knot", .many = "Inserted {count} knots"}, count)};
+}
+
+StepTexts texts_of_removal(const EditorState& state, const RemoveKnot& command, const core::Curve& after) {
+    const core::Place u("u", core::shortest_text(command.u));
+    const int left = after.knots().multiplicity(command.u);
+    return {sentence("Remove knot {u}", {u}),
+            left == 0
+                ? sentence("Removed knot {u}", {u})
+                : sentence({.one = "Removed knot {u} once: {words}", .many = "Removed knot {u} {count} times: {words}"},
+                           knots_lost(state, after), {u, {"words", knot_words(after, command.u)}})};
+}
+
+StepTexts texts_of_sparing(const EditorState& state, const RemoveKnots&, const core::Curve& after) {
+    return {RemoveKnots::spec().title,
+            sentence({.one = "Removed the only spare knot", .many = "Removed {count} spare knots"},
+                     knots_lost(state, after))};
+}
+
+// "[0, 4]" of the curve.
+core::Place domain_place(const char* name, const core::Curve& curve) {
+    const core::Interval domain = curve.domain();
+    return {name, sentence("[{lower}, {upper}]", {{"lower", core::shortest_text(domain.lower)},
+                                                  {"upper", core::shortest_text(domain.upper)}})};
+}
+
+StepTexts texts_of_domain(const EditorState& state, const Reparametrize&, const core::Curve& after) {
+    const core::Place to = domain_place("to", after);
+    return {sentence("Set domain to {to}", {to}),
+            sentence("Set domain from {from} to {to}", {domain_place("from", active_curve(state)), to})};
+}
+
+StepTexts texts_of_normalization(const EditorState& state, const Normalize&, const core::Curve& after) {
+    return {Normalize::spec().title, sentence("Normalized domain from {from} to {to}",
+                                              {domain_place("from", active_curve(state)), domain_place("to", after)})};
 }
 
 Outcome<Edit> to_bezier(const EditorState& state, const ToBezier&) {
@@ -111,6 +155,20 @@ Outcome<Edit> unclamp(const EditorState& state, const Unclamp& command) {
     return edit;
 }
 
+template <class Command>
+StepTexts texts_of_ends(const Command& command, const char* both, const char* start, const char* end) {
+    const char* done = command.end == CurveEnds::both ? both : command.end == CurveEnds::start ? start : end;
+    return {Command::spec().title, done};
+}
+
+StepTexts texts_of_clamping(const EditorState&, const Clamp& command) {
+    return texts_of_ends(command, "Clamped both ends", "Clamped the start", "Clamped the end");
+}
+
+StepTexts texts_of_unclamping(const EditorState&, const Unclamp& command) {
+    return texts_of_ends(command, "Unclamped both ends", "Unclamped the start", "Unclamped the end");
+}
+
 }  // namespace
 
 const CommandSpec& InsertKnots::spec() {
@@ -125,7 +183,7 @@ const CommandSpec& InsertKnots::spec() {
                                       "knots", "where in the domain, in any order; a value given twice counts twice")},
                                   .refusal = no_editable_curve,
                                   .run = body_of<insert_knots>,
-                                  .done = "Inserted knots"};
+                                  .texts = texts_of<texts_of_many>};
     return spec;
 }
 
@@ -144,8 +202,7 @@ const CommandSpec& RemoveKnot::spec() {
              field::length<&RemoveKnot::tolerance>("tolerance", how_far).suggesting<suggest::tiny_length>()},
         .refusal = no_editable_curve,
         .run = body_of<remove_knot>,
-        .step = "Remove knot {u}",
-        .done = "Removed knot {u}",
+        .texts = texts_of<texts_of_removal>,
         .tells_smoothness = true};
     return spec;
 }
@@ -162,7 +219,7 @@ const CommandSpec& RemoveKnots::spec() {
         .fields = {field::length<&RemoveKnots::tolerance>("tolerance", how_far).suggesting<suggest::tiny_length>()},
         .refusal = no_editable_curve,
         .run = body_of<remove_knots>,
-        .done = "Removed all spare knots",
+        .texts = texts_of<texts_of_sparing>,
         .tells_smoothness = true};
     return spec;
 }
@@ -219,8 +276,7 @@ const CommandSpec& Reparametrize::spec() {
                        .beginning_with<suggest::domain_end>()},
         .refusal = no_editable_curve,
         .run = body_of<reparametrize>,
-        .step = "Set domain to [{a}, {b}]",
-        .done = "Set domain to [{a}, {b}]"};
+        .texts = texts_of<texts_of_domain>};
     return spec;
 }
 
@@ -235,7 +291,7 @@ const CommandSpec& Normalize::spec() {
         .effect = ShapeEffect::keeps,
         .refusal = no_editable_curve,
         .run = body_of<normalize>,
-        .done = "Normalized domain"};
+        .texts = texts_of<texts_of_normalization>};
     return spec;
 }
 
@@ -266,7 +322,7 @@ const CommandSpec& Clamp::spec() {
         .fields = {field::choice<&Clamp::end>("end", "which ends").usually(CurveEnds::both)},
         .refusal = no_editable_curve,
         .run = body_of<clamp>,
-        .done = "Clamped ends"};
+        .texts = texts_of<texts_of_clamping>};
     return spec;
 }
 
@@ -282,7 +338,7 @@ const CommandSpec& Unclamp::spec() {
         .fields = {field::choice<&Unclamp::end>("end", "which ends").usually(CurveEnds::both)},
         .refusal = no_editable_curve,
         .run = body_of<unclamp>,
-        .done = "Unclamped ends"};
+        .texts = texts_of<texts_of_unclamping>};
     return spec;
 }
 

@@ -87,7 +87,7 @@ const CommandSpec& MoveCurvePoint::spec() {
         .fields = {parameter_field<MoveCurvePoint>(), position_field<MoveCurvePoint>()},
         .refusal = no_editable_curve,
         .run = body_of<move_curve_point>,
-        .done = "Moved curve point",
+        .done = "Moved C({u}) to ({x}, {y})",
         .tells_smoothness = true};
     return spec;
 }
@@ -104,7 +104,7 @@ const CommandSpec& SetTangent::spec() {
         .fields = {parameter_field<SetTangent>(), derivative_field<SetTangent>()},
         .refusal = no_editable_curve,
         .run = body_of<set_tangent>,
-        .done = "Set tangent",
+        .done = "Set tangent at u = {u} to ({dx}, {dy})",
         .tells_smoothness = true};
     return spec;
 }
@@ -122,7 +122,7 @@ const CommandSpec& MovePointAndTangent::spec() {
                    derivative_field<MovePointAndTangent>()},
         .refusal = no_editable_curve,
         .run = body_of<move_point_and_tangent>,
-        .done = "Moved curve point and tangent",
+        .done = "Moved C({u}) to ({x}, {y}), its tangent to ({dx}, {dy})",
         .tells_smoothness = true};
     return spec;
 }
