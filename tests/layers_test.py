@@ -40,7 +40,7 @@ ONLY_IN = {
 }
 
 # Headers of the operating system, without a folder of their own.
-POSIX = {"fcntl.h", "signal.h", "unistd.h", "sys/stat.h"}
+POSIX = {"fcntl.h", "unistd.h", "sys/stat.h"}
 
 # Headers that the build makes.
 GENERATED = {"shaders/sources.h": "render", "core/base/version.h": "core"}

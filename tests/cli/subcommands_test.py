@@ -154,13 +154,13 @@ class Subcommands(unittest.TestCase):
 
     def test_help_names_everything(self):
         text = run("--help-all").stdout
-        for part in ("info", "eval", "apply", "check", "--at", "--side", "--derivatives", "--json", "--list", "--output", "--version"):
+        for part in ("info", "eval", "apply", "new", "check", "- is standard input", "- is standard output", "-- ends the arguments", "--at", "--side", "--derivatives", "--json", "--list", "--output", "--version"):
             self.assertIn(part, text)
         self.assertEqual(run("--help").returncode, 0)
 
     def test_the_man_page_is_made_from_the_help(self):
         page = pathlib.Path(os.environ["BATTEN_MAN_PAGE"]).read_text().replace("\\-", "-")
-        for part in (".SH SYNOPSIS", "insert-knot 0.5 elevate 1 split 0.25", "derivatives", "Exit status"):
+        for part in (".SH SYNOPSIS", "insert-knot 0.5 elevate 1 split 0.25", "Run operations on an empty document", "derivatives", "Exit status"):
             self.assertIn(part, page)
 
 

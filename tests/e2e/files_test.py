@@ -40,7 +40,7 @@ class FilesTest(WindowTest):
         def holds(value):
             return lambda state: state["widgets"]["file-dialog name"]["value"] == value and state["is_settled"]
 
-        editor.key(*["BackSpace"] * len(editor.state()["widgets"]["file-dialog name"]["value"]))
+        editor.key(*["BackSpace"] * max(1, len(editor.state()["widgets"]["file-dialog name"]["value"])))
         editor.wait(holds(""), "the empty field")
         editor.type(text)
         return editor.wait(holds(text), f"'{text}' in the field")

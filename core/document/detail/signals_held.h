@@ -1,7 +1,7 @@
 /// Keeps signals from ending the program between making a file and removing it.
 #pragma once
 
-#include <signal.h>
+#include <csignal>
 
 namespace batten::core {
 
