@@ -39,11 +39,13 @@ bool contains(const Box& box, std::span<const Point> points) {
     return std::all_of(points.begin(), points.end(), [&](Point point) { return box.contains(point); });
 }
 
-// Takes in the places of `piece` where a coordinate turns back.
+// Takes in the places of `piece` where a coordinate turns back, and where rounding leaves open whether it does.
 void include_turns(Box& box, const Curve& curve, const PieceForms& piece, const Expression& slope) {
     for (const SignRun& run : sign_runs(piece.forms, slope)) {
-        if (run.sign != 0 || run.where.length() > 0.0 || run.where.lower == 0.0 || run.where.lower == 1.0) continue;
-        box.include(point_at(curve, from_unit(piece.interval, run.where.lower)));
+        if (run.sign != 0) continue;
+        const double middle = run.where.lower + 0.5 * run.where.length();
+        for (const double share : {run.where.lower, middle, run.where.upper})
+            if (0.0 < share && share < 1.0) box.include(point_at(curve, from_unit(piece.interval, share)));
     }
 }
 
