@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "app/editor/clipboard.h"
 #include "app/editor/dialog.h"
 #include "app/editor/fit_view.h"
 #include "app/editor/scene/legend.h"
@@ -105,7 +104,6 @@ struct Apply {
     }
     void operator()(const TellTime& change) const { state.now = change.seconds; }
     void operator()(const ShowRefusal& change) const { state.message = {change.sentence, change.is_alarm}; }
-    void operator()(const CopyText& change) const { write_clipboard(state, change.text); }
     void operator()(const ShowForm& change) const {
         show_dialog(state, Dialog::command_form);
         state.form = change.spec;

@@ -71,19 +71,14 @@ struct ShowRefusal {
     bool is_alarm = true;  ///< false where there just is nothing to do
 };
 
-/// A text that is shown goes to the clipboard.
-struct CopyText {
-    std::string text;
-};
-
 /// Opens the form that asks for the fields of a command.
 struct ShowForm {
     const CommandSpec* spec;
 };
 
-using ViewChange = std::variant<SetHover, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend, SetInterfaceScale,
-                                SetInspectorWidth, SetDockHeight, SetPlotRange, Advance, TellTime, ShowRefusal,
-                                CopyText, ShowForm>;
+using ViewChange =
+    std::variant<SetHover, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend, SetInterfaceScale, SetInspectorWidth,
+                 SetDockHeight, SetPlotRange, Advance, TellTime, ShowRefusal, ShowForm>;
 
 /// Makes the change; sizes are brought into their ranges.
 void apply(EditorState& state, const ViewChange& change);

@@ -55,15 +55,9 @@ void run_shortcut(const PanelContext& context, const KeyPress& press) {
     const editor::CommandSpec* by_key = editor::find_command(press.shortcut);
     const editor::CommandSpec* spec = by_key != nullptr ? by_key : editor::find_command(press.printed);
     if (spec == &editor::Copy::spec() && !context.panels.text_at_pointer.empty())
-        context.queue.change(editor::CopyText{context.panels.text_at_pointer});
+        context.queue.run(editor::CopyText{.text = context.panels.text_at_pointer});
     else if (spec != nullptr)
         run_command(context, *spec);
-}
-
-FrameAreas areas_of(const PanelContext& context) {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const FrameAreas areas = arrange({size.x, size.y}, context.state.view, context.scale);
-    return with_title_line(areas, title_line_height(context, areas.canvas));
 }
 
 FrameAreas areas_of(const PanelContext& context) {
