@@ -21,8 +21,7 @@ std::string deviation_sentence(const std::string& done, const Distances& distanc
         return core::sentence(
             "{done}; the curve moved by at most {deviation} at equal parameters, its shape by at most {shape}",
             {{"done", done}, {"deviation", deviation}, {"shape", core::shortest_text(*distances.of_shapes)}});
-    return core::sentence("{done}; the curve moved by at most {deviation}",
-                          {{"done", done}, {"deviation", deviation}});
+    return core::sentence("{done}; the curve moved by at most {deviation}", {{"done", done}, {"deviation", deviation}});
 }
 
 }  // namespace

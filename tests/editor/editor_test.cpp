@@ -179,7 +179,8 @@ TEST_F(EditorTest, says_the_distance_of_shapes_where_parameters_make_most_of_the
     Editor line(document);
     ASSERT_TRUE(line.run(SetWeight{.index = 1, .weight = 9.0}));
     const std::string text = line.state().message.text;
-    EXPECT_NE(text.find("deviates by at most 4 at equal parameters, in shape by at most "), std::string::npos) << text;
+    EXPECT_NE(text.find("the curve moved by at most 4 at equal parameters, its shape by at most "), std::string::npos)
+        << text;
 }
 
 TEST_F(EditorTest, undoes_and_redoes_exactly) {

@@ -125,10 +125,10 @@ TEST_F(FittingCommands, closed_fits_have_no_ends_for_derivatives_and_say_so) {
     const std::vector<core::Point> plain = points(editor_);
     ASSERT_TRUE(run(FitPoints{.count = 12, .points = ring, .closed = true, .start = core::Vector(9, 9)})) << message();
     EXPECT_EQ(points(editor_), plain);
-    EXPECT_EQ(message().substr(0, message().find(": ")),
+    EXPECT_EQ(message().substr(0, message().find("; ")),
               "Fitted closed curve to points, without the derivatives at ends that it lacks");
     ASSERT_TRUE(run(FitPointsWithin{.tolerance = 0.1, .points = ring, .closed = true, .end = core::Vector(1, 0)}));
-    EXPECT_EQ(message().substr(0, message().find(": ")),
+    EXPECT_EQ(message().substr(0, message().find("; ")),
               "Fitted closed curve within tolerance, without the derivatives at ends that it lacks");
 }
 

@@ -55,7 +55,7 @@ TEST(BoundText, is_no_less_than_the_number) {
     EXPECT_EQ(bound_text(33759.3), "33760");
     EXPECT_EQ(bound_text(999999.2), "1000000");
     EXPECT_EQ(bound_text(1.00001e12), "1.001e12");
-    EXPECT_EQ(bound_text(1.2341e-17), "1.235e-17");
+    EXPECT_EQ(bound_text(1.2341e-17), "1.235e−17");
     EXPECT_EQ(bound_text(std::numeric_limits<double>::infinity()), "∞");
 }
 

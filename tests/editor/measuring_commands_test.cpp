@@ -42,11 +42,11 @@ TEST_F(MeasuringCommands, point_beyond_an_end_is_said_to_be_the_end) {
     find(FindPointAtLength{.length = 7.5});
     EXPECT_EQ(rows()[0].parameter, 1.0);
     EXPECT_NEAR(number(0, "length"), whole, 1e-13);
-    EXPECT_EQ(state().message.text, "parabola ends at the length 4.64678, at u = 1: 7.5 is beyond it");
+    EXPECT_EQ(state().message.text, "parabola ends at the length 4.646783762432936, at u = 1: 7.5 is beyond it");
     find(FindPointAtLength{.length = -2.0});
     EXPECT_EQ(rows()[0].parameter, 0.0);
     EXPECT_EQ(number(0, "length"), 0.0);
-    EXPECT_EQ(state().message.text, "parabola begins at the length 0, at u = 0: −2 is before it");
+    EXPECT_EQ(state().message.text, "parabola begins at the length 0, at u = 0: -2 is before it");
 }
 
 TEST_F(MeasuringCommands, what_is_too_large_for_a_number_is_refused) {
@@ -64,7 +64,7 @@ TEST_F(MeasuringCommands, area_of_closed_curves_only) {
     ASSERT_TRUE(editor_.run(ActivateCurve{.index = 1}));
     find(MeasureArea{});
     EXPECT_NEAR(number(0, "area"), -9.0, 1e-13);
-    EXPECT_EQ(rows()[0].label, "area −9");
+    EXPECT_EQ(rows()[0].label, "area -9");
     EXPECT_NEAR(rows()[0].point->x, 2.0, 1e-13);
     EXPECT_EQ(rows()[0].note, "negative: the curve runs clockwise");
     ASSERT_TRUE(editor_.run(ActivateCurve{.index = 0}));

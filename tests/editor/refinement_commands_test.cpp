@@ -98,7 +98,7 @@ TEST(Unclamping, says_what_rounding_of_far_control_points_does) {
     Editor editor = tangled_editor(14, 0.0);
     ASSERT_TRUE(editor.run(Unclamp{.end = CurveEnds::both}));
     EXPECT_EQ(editor.state().message.text.rfind(
-                  "Unclamped ends: the shape is kept up to rounding of far control points, error at most ", 0),
+                  "Unclamped both ends; the shape is kept up to rounding of far control points, error at most ", 0),
               0U)
         << editor.state().message.text;
 }

@@ -106,7 +106,8 @@ bool stops_before_full_stack(const EditorState& state, const MoveKnot& command) 
 // Who drags a knot farther than it goes is told where it stopped and why.
 const char* pattern_of_move(const EditorState& state, const MoveKnot& command, double reached) {
     if (stops_before_neighbor(state, command))
-        return "Moved knot {from} to {to}, up to its neighbor, which it joins where 'snap' is chosen: {words}";
+        return "Moved knot {from} to {to} instead of {u}, up to its neighbor, which it joins where 'snap' is chosen: "
+               "{words}";
     if (stops_before_full_stack(state, command))
         return "Moved knot {from} to {to}, up to a full stack, which it joins where 'Allow tears' lets the curve come "
                "apart";

@@ -149,8 +149,8 @@ Outcome<Edit> unclamp(const EditorState& state, const Unclamp& command) {
     const double deviation = core::largest_deviation(curve, *edit->document.active_curve()->curve);
     if (deviation > core::absolute_tolerance(curve, largest_rounding))
         return tl::unexpected(sentence(
-            "unclamped, the control points would be so far away that rounding moves the curve by up to {deviation}",
-            {{"deviation", bound_text(deviation)}}));
+            "unclamped, the control points would be so far away that rounding moves the curve by at most {deviation}",
+            {{"deviation", core::shortest_text(deviation)}}));
     if (deviation > core::absolute_tolerance(curve, least_rounding)) edit->error = deviation;
     return edit;
 }
