@@ -257,6 +257,7 @@ void draw_sentence(const PanelContext& context) {
         const std::string name = elided(dialog.to_replace->filename().string(), context.fonts.text, room);
         ImGui::TextWrapped("%s", sentence("Replace {name}? It exists already.", {{"name", name}}).c_str());
         report_item(context, "dialog question", dialog.to_replace->string());
+        show_cut_text(context, dialog.to_replace->string(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     } else if (message.is_error) {
         draw_dialog_error(context, message.text);
     } else {

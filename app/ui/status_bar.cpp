@@ -247,8 +247,9 @@ void draw_status_bar(const PanelContext& context, const Rectangle& place, const 
     draw_readouts(context, place, readouts, begin);
     draw_status_text(context, "status message", text, texts.message, texts.font, begin - texts.message.width_px, place,
                      message.is_error ? context.theme.error : context.theme.text);
-    offer_full_message(context, message.text,
-                       {{begin - texts.message.width_px, place.origin_px.y}, {texts.message.width_px, place.size_px.y}});
+    offer_full_message(
+        context, message.text,
+        {{begin - texts.message.width_px, place.origin_px.y}, {texts.message.width_px, place.size_px.y}});
     draw_status_text(context, "status hint", hint, texts.hint, texts.font, left, place, context.theme.dim);
     show_cut_hint(context, hint, texts.hint, {{left, place.origin_px.y}, place.size_px});
     open_status_menu(context, first_widget);

@@ -171,7 +171,7 @@ TEST(PitfallsEdit, p8_close_knots_and_large_domains_behave_like_any_others) {
             const Curve plain = Curve::make({.degree = 3, .knots = unit, .points = points}).value();
             const Curve curve = Curve::make({.degree = 3, .knots = knots, .points = points}).value();
             const auto u = [&](double of_unit) { return scale * (of_unit + offset); };
-            EXPECT_NEAR(stored(move_knot(curve, 4, u(0.9), KnotMove::stop).value())[4], u(0.75), 1e-15 * scale);
+            EXPECT_NEAR(stored(move_knot(curve, 4, u(0.9), KnotMove::stop).value())[4], u(0.745), 1e-15 * scale);
             EXPECT_NEAR(stored(move_knot(curve, 4, u(0.9), KnotMove::push).value())[5], u(0.905), 1e-14 * scale);
             EXPECT_EQ(tessellate(curve, {1e-3, everything, curve.domain()})[0].size(),
                       tessellate(plain, {1e-3, everything, plain.domain()})[0].size());
