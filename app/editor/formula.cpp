@@ -57,11 +57,14 @@ double last_digit(double magnitude, int digits) {
 }
 
 /// What a text of number_text without a sign says.
-double value_of(std::string text) {
-    if (const std::size_t sign = text.find(true_minus); sign != std::string::npos)
-        text.replace(sign, std::string_view(true_minus).size(), "-");
+double value_of(const std::string& text) {
+    const std::size_t sign = text.find(true_minus);
+    const std::string ascii =
+        sign == std::string::npos
+            ? text
+            : fmt::format("{}-{}", text.substr(0, sign), text.substr(sign + std::string_view(true_minus).size()));
     double value = 0.0;
-    std::from_chars(text.data(), text.data() + text.size(), value);
+    std::from_chars(ascii.data(), ascii.data() + ascii.size(), value);
     return value;
 }
 
