@@ -76,7 +76,7 @@ std::string_view number_at(std::string_view text, std::size_t i) {
     const std::size_t first = text[i] == '-' ? i + 1 : i;
     if (first >= text.size() || !is_digit(text[first])) return {};
     double ignored = 0.0;
-    const auto end = std::from_chars(text.data() + i, text.data() + text.size(), ignored).ptr;
+    const auto* const end = std::from_chars(text.data() + i, text.data() + text.size(), ignored).ptr;
     const auto length = static_cast<std::size_t>(end - text.data()) - i;
     const std::size_t behind = i + length;
     const bool goes_on = behind < text.size() && belongs_to_word(text[behind]) && text[behind] != '.';

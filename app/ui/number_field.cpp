@@ -44,7 +44,7 @@ std::string shown_text(const PanelContext& context, const NumberField& field, fl
 
 /// What is not all on the field is in its tip.
 std::string tooltip_of(const NumberField& field, const std::string& shown) {
-    const std::string full = editor::full_reading_text(core::shortest_text(field.value)) + field.unit;
+    std::string full = editor::full_reading_text(core::shortest_text(field.value)) + field.unit;
     const bool is_exact = editor::without_trailing_zeros(shown) == full || shown == full;
     if (is_exact || !field.tooltip.empty()) return field.tooltip;
     return full;

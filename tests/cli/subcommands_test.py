@@ -62,6 +62,12 @@ class Subcommands(unittest.TestCase):
         x, y = row["point"]
         self.assertAlmostEqual(x * x + y * y, 1.0, delta=4e-16)
 
+    def test_eval_computes_parameters(self):
+        write_document(self.file, QUARTER)
+        rows = answer("eval", self.file, "--at", "1/4", "--at", "sqrt(4)/4", "--at", "sin(30 deg)")
+        self.assertEqual([row["u"] for row in rows], [0.25, 0.5, 0.5])
+        self.assertIn("1/0", self.refused(2, "eval", self.file, "--at", "1/0"))
+
     def test_eval_takes_a_side_at_a_knot(self):
         corner = {"name": "corner", "degree": 1, "knots": [0, 0, 1, 2, 2], "points": [[0, 0], [1, 0], [1, 1]]}
         write_document(self.file, corner)

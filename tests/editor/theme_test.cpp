@@ -34,7 +34,7 @@ double luminance(render::Color color) {
 }
 
 double contrast(render::Color a, render::Color b) {
-    const auto [darker, lighter] = std::minmax(luminance(a), luminance(b));
+    const auto [darker, lighter] = std::minmax({luminance(a), luminance(b)});
     return (lighter + 0.05) / (darker + 0.05);
 }
 
