@@ -7,8 +7,9 @@ namespace batten::core {
 
 /// The same curve in degree p + `by` (by >= 1; shape-keeping). Every multiplicity grows by `by`; an unclamped vector
 /// keeps as many knots outside its domain as the new degree needs. Control points are convex combinations of the old
-/// ones, so they are right to a few units in the last place in every degree. Error: degree_out_of_range. Cost O(p^2)
-/// for each step and point. Source: Prautzsch 1984; Prautzsch and Piper 1991.
+/// ones, so they are right to a few units in the last place in every degree. Errors: degree_out_of_range;
+/// knots_coincide where knots of a period are too close for the next one. Cost O(p^2) for each step and point. Source:
+/// Prautzsch 1984; Prautzsch and Piper 1991.
 [[nodiscard]] Result<Curve> elevate_degree(const Curve& curve, int by = 1);
 
 /// The curve in degree p - 1 that agrees with this one at the Greville points of the lower degree (shape-changing,

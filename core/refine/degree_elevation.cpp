@@ -1,3 +1,4 @@
+#include <optional>
 #include <utility>
 
 #include "core/refine/degree.h"
@@ -25,7 +26,20 @@ std::vector<double> elevated_period(std::span<const double> period, int by) {
     return longer;
 }
 
+// The first knot that rounding makes equal to the one before it in a copy of the period, as far as elevation looks.
+std::optional<CurveError> merged_in_a_copy(std::span<const double> period) {
+    constexpr std::size_t copies = 2;
+    const std::size_t n = period.size() - 1;
+    const std::vector<double> strip = unroll_period(period, copies * n, copies * n);
+    for (std::size_t i = 1; i <= n; ++i)
+        for (std::size_t first = 0; first + n < strip.size(); first += n)
+            if (period[i - 1] < period[i] && strip[first + i - 1] == strip[first + i])
+                return CurveError{.code = CurveErrorCode::knots_coincide, .index = i, .value = strip[first + i]};
+    return std::nullopt;
+}
+
 Result<Curve> elevate_periodic(const Curve& curve, int by) {
+    if (const auto merged = merged_in_a_copy(curve.knots().stored())) return refuse(*merged);
     const CarriedSpline strip = elevated_often(carried(curve, 1), by);
     std::vector<double> period = elevated_period(curve.knots().stored(), by);
     // Where the period stands in the strip: its last knot at the lower end of the domain, found in both.

@@ -135,6 +135,22 @@ TEST(ElevateDegree, torn_curves_stay_torn) {
     EXPECT_LE(largest_deviation(reduce_degree(elevated).value(), torn), 1e-12);
 }
 
+TEST(ElevateDegree, refuses_knots_that_are_one_in_the_next_period) {
+    // 1 + 1e-20 is 1.
+    const Curve close =
+        Curve::make({.degree = 3, .knots = {0, 1e-20, 0.5, 1}, .points = {{0, 0}, {1, 0}, {0, 1}}, .periodic = true})
+            .value();
+    EXPECT_EQ(elevate_degree(close).error().code, CurveErrorCode::knots_coincide);
+    EXPECT_EQ(elevate_degree(close).error().index, 1U);
+    const Curve crowded =
+        Curve::make({.degree = 3,
+                     .knots = {1e-300, 6.4e-133, 1.8e-23, 1.8e-23, 7.7e69, 1.8e72, 1.8e72},
+                     .points = {{0.2, -0.2}, {-0.2, -0.2}, {0.8, 0.6}, {0, 0.1}, {-0.5, -0.7}, {0.7, -0.2}},
+                     .periodic = true})
+            .value();
+    EXPECT_EQ(elevate_degree(crowded, 7).error().code, CurveErrorCode::knots_coincide);
+}
+
 TEST(ElevateDegree, refuses_degrees_out_of_range) {
     const Curve line = Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 0}, {1, 1}}}).value();
     EXPECT_EQ(elevate_degree(line, 0).error().code, CurveErrorCode::degree_out_of_range);
