@@ -1,6 +1,11 @@
 #include "core/measure/intersect_curves.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <span>
+#include <vector>
 
 #include "core/base/detail/unit_interval.h"
 #include "core/curve/control_box.h"
@@ -37,7 +42,11 @@ double tolerance_within(const Box& box) {
 class Parameters {
   public:
     Parameters(const Curve& curve, const ContactPieces& pieces)
-        : curve_(curve), pieces_(pieces), is_closed_(is_closed(curve)) {}
+        : curve_(curve), pieces_(pieces), is_closed_(is_closed(curve)) {
+        const auto knots = curve.knots().values();
+        for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+            widest_slack_ = std::max(widest_slack_, same_parameter * (knots[i + 1] - knots[i]));
+    }
 
     bool closes() const { return is_closed_; }
 
@@ -71,6 +80,15 @@ class Parameters {
         return false;
     }
 
+    // The same place in all periods that touch the domain.
+    std::vector<double> copies(double u) const {
+        const double period = curve_.domain().length();
+        return is_closed_ ? std::vector{u, u - period, u + period} : std::vector{u};
+    }
+
+    // Parameters that are the same are no farther apart than this, anywhere.
+    double widest_slack() const { return widest_slack_; }
+
   private:
     double slack(double u) const {
         const std::size_t span = curve_.knots().span_at(u);
@@ -80,6 +98,36 @@ class Parameters {
     const Curve& curve_;
     const ContactPieces& pieces_;
     bool is_closed_;
+    double widest_slack_ = 0.0;
+};
+
+// Overlaps in the order in which they begin on the first curve, of which those around a parameter are found without a
+// look at all of them.
+class OverlapIndex {
+  public:
+    explicit OverlapIndex(std::span<const CurveContact> overlaps) : overlaps_(overlaps) {
+        double reach = -std::numeric_limits<double>::infinity();
+        for (const CurveContact& overlap : overlaps) {
+            reach = std::max(reach, overlap.on_first.upper);
+            reaches_.push_back(reach);
+        }
+    }
+
+    // Whether `is_meant` holds for one that comes within `margin` of `u`.
+    template <class Predicate>
+    bool any_around(double u, double margin, const Predicate& is_meant) const {
+        const auto begins_behind = [](double place, const CurveContact& overlap) {
+            return place < overlap.on_first.lower;
+        };
+        const auto end = std::upper_bound(overlaps_.begin(), overlaps_.end(), u + margin, begins_behind);
+        for (auto i = static_cast<std::size_t>(end - overlaps_.begin()); i > 0 && reaches_[i - 1] >= u - margin; --i)
+            if (is_meant(overlaps_[i - 1])) return true;
+        return false;
+    }
+
+  private:
+    std::span<const CurveContact> overlaps_;
+    std::vector<double> reaches_;  // how far the overlaps up to each come
 };
 
 // Turns what was found piece by piece into contacts of whole curves.
@@ -100,12 +148,12 @@ class ContactList {
 
     std::vector<CurveContact> finish() {
         sort(overlaps_);
-        std::vector<CurveContact> contacts;
-        for (const CurveContact& overlap : overlaps_) add_overlap(contacts, overlap);
+        std::vector<CurveContact> contacts = joined_overlaps();
+        const OverlapIndex index(overlaps_);
         sort(points_);
         std::vector<CurveContact> points;
         for (const CurveContact& point : points_)
-            if (!is_within_overlap(point) && !is_known(points, point)) points.push_back(point);
+            if (!is_within_overlap(index, point) && !is_known(points, point)) points.push_back(point);
         contacts.insert(contacts.end(), points.begin(), points.end());
         for (CurveContact& contact : contacts) complete(contact);
         sort(contacts);
@@ -125,25 +173,55 @@ class ContactList {
                on_second_.are_same(a.second_begin, b.second_begin) && on_second_.are_same(a.second_end, b.second_end);
     }
 
-    // Parts of the same pieces find the same overlap.
-    void add_overlap(std::vector<CurveContact>& contacts, const CurveContact& overlap) const {
-        if (!contacts.empty() && are_same(contacts.back(), overlap)) return;
-        for (CurveContact& earlier : contacts)
-            if (on_first_.are_same(earlier.on_first.upper, overlap.on_first.lower) &&
-                on_second_.are_same(earlier.second_end, overlap.second_begin)) {
-                earlier.on_first.upper = overlap.on_first.upper;
-                earlier.second_end = overlap.second_end;
-                return;
+    // By the end of a contact on the first curve, its number.
+    using Ends = std::multimap<double, std::size_t>;
+
+    // The first of `contacts` that `overlap` continues.
+    Ends::iterator continued_by(const CurveContact& overlap, std::span<const CurveContact> contacts, Ends& ends) const {
+        auto found = ends.end();
+        const double margin = on_first_.widest_slack();
+        for (const double begin : on_first_.copies(overlap.on_first.lower)) {
+            const auto behind = ends.upper_bound(begin + margin);
+            for (auto end = ends.lower_bound(begin - margin); end != behind; ++end) {
+                const CurveContact& earlier = contacts[end->second];
+                if (on_first_.are_same(earlier.on_first.upper, overlap.on_first.lower) &&
+                    on_second_.are_same(earlier.second_end, overlap.second_begin) &&
+                    (found == ends.end() || end->second < found->second))
+                    found = end;
             }
-        contacts.push_back(overlap);
+        }
+        return found;
+    }
+
+    // Parts of the same pieces find the same overlap, and those of neighbors go on in each other.
+    std::vector<CurveContact> joined_overlaps() const {
+        std::vector<CurveContact> contacts;
+        Ends ends;
+        for (const CurveContact& overlap : overlaps_) {
+            if (!contacts.empty() && are_same(contacts.back(), overlap)) continue;
+            std::size_t number = contacts.size();
+            if (const auto earlier = continued_by(overlap, contacts, ends); earlier != ends.end()) {
+                number = earlier->second;
+                contacts[number].on_first.upper = overlap.on_first.upper;
+                contacts[number].second_end = overlap.second_end;
+                ends.erase(earlier);
+            } else {
+                contacts.push_back(overlap);
+            }
+            ends.emplace(overlap.on_first.upper, number);
+        }
+        return contacts;
     }
 
     // Piece by piece, so that a double point of coinciding curves is a contact of its own.
-    bool is_within_overlap(const CurveContact& point) const {
-        return std::any_of(overlaps_.begin(), overlaps_.end(), [&](const CurveContact& overlap) {
+    bool is_within_overlap(const OverlapIndex& index, const CurveContact& point) const {
+        const auto is_around = [&](const CurveContact& overlap) {
             return on_first_.are_within(point.on_first.lower, overlap.on_first.lower, overlap.on_first.upper) &&
                    on_second_.are_within(point.second_begin, overlap.second_begin, overlap.second_end);
-        });
+        };
+        const std::vector<double> places = on_first_.copies(point.on_first.lower);
+        return std::any_of(places.begin(), places.end(),
+                           [&](double place) { return index.any_around(place, on_first_.widest_slack(), is_around); });
     }
 
     // Of points in order of u only neighbors can be the same, and on a closed curve the first ones.

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/evaluate/evaluate.h"
@@ -479,6 +480,28 @@ TEST(SelfIntersections, way_there_and_back_is_an_interval) {
     EXPECT_NEAR(found[0].on_first.upper, 1.0, 1e-12);
     EXPECT_NEAR(found[0].second_begin, 2.0, 1e-12);
     EXPECT_NEAR(found[0].second_end, 1.0, 1e-12);
+}
+
+TEST(SelfIntersections, rounds_of_a_square_are_one_interval_for_each_difference) {
+    constexpr int rounds = 60;
+    constexpr std::array<Point, 4> corners{Point{0, 0}, Point{1, 0}, Point{1, 1}, Point{0, 1}};
+    std::vector<Point> points;
+    std::vector<double> knots{0.0};
+    for (int i = 0; i <= 4 * rounds; ++i) {
+        points.push_back(corners[static_cast<std::size_t>(i % 4)]);
+        knots.push_back(i);
+    }
+    knots.push_back(4 * rounds);
+    const Curve curve = Curve::make({.degree = 1, .knots = knots, .points = points}).value();
+    const auto found = self_intersections(curve).contacts;
+    ASSERT_EQ(found.size(), static_cast<std::size_t>(rounds - 1));
+    for (const CurveContact& contact : found) {
+        const double later = contact.second_begin;
+        EXPECT_EQ(std::fmod(later, 4.0), 0.0);
+        EXPECT_EQ(contact.on_first.lower, 0.0);
+        EXPECT_EQ(contact.on_first.upper, 4 * rounds - later);
+        EXPECT_EQ(contact.second_end, 4.0 * rounds);
+    }
 }
 
 TEST(SelfIntersections, as_many_as_fine_polylines) {
