@@ -56,7 +56,11 @@ class Thinning {
   public:
     // Takes knots of all values, or only `among` these.
     Thinning(const Curve& curve, std::optional<std::span<const double>> among, double tolerance)
-        : curve_(curve), among_(among), tolerance_(tolerance), spent_(curve.knots().stored().size(), 0.0) {}
+        : curve_(curve),
+          has_weights_(curve.is_rational()),
+          among_(among),
+          tolerance_(tolerance),
+          spent_(curve.knots().stored().size(), 0.0) {}
 
     bool remove_some() { return has_room_for_removal(curve_) ? remove_apart() : remove_one_cramped(); }
     const Curve& curve() const { return curve_; }
@@ -89,7 +93,10 @@ class Thinning {
         std::vector<RemovableKnot> knots;
         for (const std::size_t index : wanted_indices(spline)) {
             auto knot = removable_knot(spline, index);
-            if (knot && knot->bound + spent_within(spline, *knot) <= tolerance_) knots.push_back(*std::move(knot));
+            if (!knot) continue;
+            const double left = tolerance_ - spent_within(spline, *knot);
+            if (knot->bound > left && has_weights_) knot->bound = nearer_bound(spline, *knot, left);
+            if (knot->bound <= left) knots.push_back(*std::move(knot));
         }
         std::sort(knots.begin(), knots.end(), [](const auto& a, const auto& b) { return a.bound < b.bound; });
         return knots;
@@ -156,6 +163,7 @@ class Thinning {
     }
 
     Curve curve_;
+    bool has_weights_;
     std::optional<std::span<const double>> among_;
     double tolerance_;
     std::vector<double> spent_;  // by span of stored()

@@ -1,9 +1,12 @@
 #include "core/refine/detail/removable_knot.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
 
+#include "core/evaluate/evaluate.h"
+#include "core/measure/deviation.h"
 #include "core/refine/detail/spline_removal.h"
 
 namespace batten::core {
@@ -36,6 +39,25 @@ double bound_of(const CarriedSpline& spline, const RemovableKnot& knot, Homogene
     for (const CarriedPoint& point : knot.points) least_weight = std::min(least_weight, point.point.z);
     if (!(least_weight > 0.0)) return std::numeric_limits<double>::infinity();
     return (length(plane_part(error) - vector_to(near) * error.z) + reach * std::abs(error.z)) / least_weight;
+}
+
+// The curve of the points around the knot, before or without it; none where it has no room in double precision.
+Result<Curve> curve_around(const CarriedSpline& spline, const RemovableKnot& knot, bool is_removed) {
+    const std::size_t first = knot.first > spline.p ? knot.first - spline.p : 0;
+    const std::size_t end = std::min(knot.first + knot.replaced + spline.p, spline.points.size());
+    CurveDefinition around{.degree = static_cast<int>(spline.p), .tears = Tears::allow};
+    for (std::size_t i = first; i <= end + spline.p; ++i)
+        if (!is_removed || i != knot.index) around.knots.push_back(spline.knots[i]);
+    const auto add = [&](const CarriedPoint& point) {
+        around.points.push_back(project(point.point));
+        around.weights.push_back(point.point.z);
+    };
+    for (std::size_t i = first; i < end; ++i) {
+        const bool is_replaced = knot.first <= i && i < knot.first + knot.replaced;
+        if (!is_removed || !is_replaced) add(spline.points[i]);
+        if (is_removed && i == knot.first) std::for_each(knot.points.begin(), knot.points.end(), add);
+    }
+    return Curve::make(std::move(around));
 }
 
 // The two sides of a tear are pulled together.
@@ -123,6 +145,15 @@ std::optional<RemovableKnot> removable_knot(const CarriedSpline& spline, std::si
     }
     if (!std::isfinite(knot.bound)) return std::nullopt;
     return knot;
+}
+
+double nearer_bound(const CarriedSpline& spline, const RemovableKnot& knot, double most) {
+    const auto before = curve_around(spline, knot, false);
+    const auto after = curve_around(spline, knot, true);
+    if (!before || !after) return knot.bound;
+    const double u = spline.knots[knot.index];
+    if (distance(point_at(*before, u), point_at(*after, u)) > most) return knot.bound;
+    return std::min(knot.bound, largest_deviation(*before, *after));
 }
 
 Result<Curve> without_knots(const Curve& curve, const CarriedSpline& spline, std::span<const RemovableKnot> removed) {

@@ -34,6 +34,11 @@ std::vector<std::size_t> removable_indices(const Curve& curve, const CarriedSpli
 /// not be positive. Cost O(p).
 std::optional<RemovableKnot> removable_knot(const CarriedSpline& spline, std::size_t index);
 
+/// Another bound of how far the curve moves without the knot, or the same: near the true distance where the weights
+/// differ by much, as long as the curve does not move by more than `most` at the knot itself. Cost O(p^2) for each of
+/// the spans that the knot reaches.
+double nearer_bound(const CarriedSpline& spline, const RemovableKnot& knot, double most);
+
 /// `curve` without these knots, at least one, ascending and degree + 2 or more apart, across the seam too.
 [[nodiscard]] Result<Curve> without_knots(const Curve& curve, const CarriedSpline& spline,
                                           std::span<const RemovableKnot> removed);
