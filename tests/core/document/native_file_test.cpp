@@ -349,8 +349,8 @@ TEST(NativeFormat, large_files_are_read) {
     std::string points;
     std::string knots;
     constexpr int count = 50'000;
-    for (int i = 0; i < count; ++i) points += (i ? ",[" : "[") + std::to_string(i) + ",0.123456789]";
-    for (int i = 0; i < count + 2; ++i) knots += (i ? "," : "") + std::to_string(i);
+    for (int i = 0; i < count; ++i) points.append(i ? ",[" : "[").append(std::to_string(i)).append(",0.123456789]");
+    for (int i = 0; i < count + 2; ++i) knots.append(i ? "," : "").append(std::to_string(i));
     const auto document =
         parse_document(file_of("\"degree\": 1, \"knots\": [" + knots + "], \"points\": [" + points + "]"));
     ASSERT_TRUE(document.has_value()) << document.error().sentence();
@@ -449,7 +449,8 @@ TEST_F(NativeFile, limit_of_file_sizes_leaves_the_old_file_and_no_other) {
 }
 
 TEST_F(NativeFile, names_may_be_as_long_as_the_system_allows) {
-    const std::string name = std::string(250, 'n') + ".json";
+    std::string name(250, 'n');
+    name.append(".json");
     ASSERT_TRUE(save_document(Document{}, in_folder(name.c_str())).has_value());
     EXPECT_TRUE(load_document(in_folder(name.c_str())).has_value());
 }
