@@ -66,6 +66,13 @@ FrameAreas areas_of(const PanelContext& context) {
     return with_title_line(areas, title_line_height(context, areas.canvas));
 }
 
+FrameAreas place_pictures(const PanelContext& context, FrameLayout& layout) {
+    FrameAreas areas = areas_of(context);
+    layout.canvas = areas.canvas;
+    layout.plot = areas.dock;
+    return areas;
+}
+
 void draw_frame_panels(const PanelContext& context, const FrameAreas& areas, const std::string& hint) {
     // Dear ImGui keeps windows that stay in the back in the reverse order of their making: the edges lie over the rest.
     draw_splitters(context, areas);
@@ -112,15 +119,17 @@ Interface::Interface() : panels_(std::make_unique<PanelState>()) {}
 
 Interface::~Interface() = default;
 
+PanelContext Interface::context_of(const editor::EditorState& state, const FrameInput& input, const Fonts& fonts,
+                                   editor::CommandQueue& queue, FrameLayout& layout) const {
+    return {state,          fonts, editor::theme_of(state.view.theme), state.view.interface_scale, queue, *panels_,
+            layout.widgets, input};
+}
+
 void Interface::take_pointer(const editor::EditorState& state, const FrameInput& input, const Fonts& fonts,
                              editor::CommandQueue& queue) {
     FrameLayout layout;
-    const PanelContext context{
-        state,          fonts, editor::theme_of(state.view.theme), state.view.interface_scale, queue, *panels_,
-        layout.widgets, input};
-    const FrameAreas areas = areas_of(context);
-    layout.canvas = areas.canvas;
-    layout.plot = areas.dock;
+    const PanelContext context = context_of(state, input, fonts, queue, layout);
+    const FrameAreas areas = place_pictures(context, layout);
     follow_canvas_size(state, areas.canvas, queue);
     canvas_mode_ = editor::with_present_tool(std::move(canvas_mode_), state);
     dispatch_pointer(context, layout);
@@ -129,12 +138,8 @@ void Interface::take_pointer(const editor::EditorState& state, const FrameInput&
 FrameLayout Interface::draw(const editor::EditorState& state, const FrameInput& input, const Fonts& fonts,
                             editor::CommandQueue& queue) {
     FrameLayout layout;
-    const PanelContext context{
-        state,          fonts, editor::theme_of(state.view.theme), state.view.interface_scale, queue, *panels_,
-        layout.widgets, input};
-    const FrameAreas areas = areas_of(context);
-    layout.canvas = areas.canvas;
-    layout.plot = areas.dock;
+    const PanelContext context = context_of(state, input, fonts, queue, layout);
+    const FrameAreas areas = place_pictures(context, layout);
     dispatch_keys(context);
     panels_->text_at_pointer.clear();
     const std::string hint = panels_->pointer.hovered == Picture::plot ? editor::plot_hint(plot_mode_, state)

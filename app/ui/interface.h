@@ -41,6 +41,8 @@ class Interface {
     bool is_animating() const;
 
   private:
+    PanelContext context_of(const editor::EditorState& state, const FrameInput& input, const Fonts& fonts,
+                            editor::CommandQueue& queue, FrameLayout& layout) const;
     void dispatch_pointer(const PanelContext& context, const FrameLayout& layout);
     void open_picture_menu(const PanelContext& context, const FrameLayout& layout, Picture picture,
                            glm::dvec2 position_px) const;
