@@ -21,9 +21,12 @@ Result<void> check_points(std::span<const Point> points, bool is_closed) {
     return {};
 }
 
-double step(Point from, Point to, Parametrization parametrization) {
-    if (parametrization == Parametrization::uniform) return 1.0;
-    const double chord = robust_length(to - from);
+// In more digits, because rounding it would be seen in the parameters, and that of a long sum in its last ones.
+long double step(Point from, Point to, Parametrization parametrization) {
+    if (parametrization == Parametrization::uniform) return 1.0L;
+    const long double across = static_cast<long double>(to.x) - from.x;
+    const long double up = static_cast<long double>(to.y) - from.y;
+    const long double chord = std::hypot(across, up);
     return parametrization == Parametrization::chordal ? chord : std::sqrt(chord);
 }
 
@@ -34,10 +37,9 @@ Result<std::vector<double>> parametrize(std::span<const Point> points, Parametri
     if (const auto check = check_points(points, is_closed); !check) return refuse(check.error());
     const std::size_t n = points.size();
     const std::size_t steps = is_closed ? n : n - 1;
-    // In more digits, because the rounding of a long sum would be seen in its last parameters.
     std::vector<long double> lengths(steps + 1, 0.0L);
     for (std::size_t k = 1; k <= steps; ++k)
-        lengths[k] = lengths[k - 1] + static_cast<long double>(step(points[k - 1], points[k % n], parametrization));
+        lengths[k] = lengths[k - 1] + step(points[k - 1], points[k % n], parametrization);
     std::vector<double> parameters(steps + 1, 0.0);
     for (std::size_t k = 1; k <= steps; ++k) {
         parameters[k] = static_cast<double>(lengths[k] / lengths.back());

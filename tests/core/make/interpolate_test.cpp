@@ -61,6 +61,13 @@ TEST(Parametrize, divides_the_domain_as_the_points_lie) {
     EXPECT_EQ(parametrize(square, Parametrization::chordal, true).value(), (std::vector{0.0, 0.25, 0.5, 0.75, 1.0}));
 }
 
+// sqrt(2) / (2 sqrt(2) + sqrt(5)) and twice that, rounded once; of rounded chords one would get others.
+TEST(Parametrize, is_right_to_the_last_bit) {
+    const Point points[] = {{0, 1}, {1, 0}, {2, 1}, {3, 3}};
+    EXPECT_EQ(parametrize(points, Parametrization::chordal).value(),
+              (std::vector{0.0, 0.27924077994387353, 0.5584815598877471, 1.0}));
+}
+
 TEST(Parametrize, refuses_points_that_cannot_be_told_apart_and_names_them) {
     const Point repeated[] = {{0, 0}, {1, 0}, {1, 0}, {2, 0}};
     const auto error = parametrize(repeated, Parametrization::centripetal).error();
