@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/base/detail/gauss_rule.h"
 #include "core/curve/detail/edit_checks.h"
-#include "core/evaluate/evaluate.h"
+#include "core/evaluate/detail/precise_jet.h"
 #include "core/make/detail/end_conditions.h"
 
 namespace batten::core {
@@ -66,6 +67,14 @@ DirectedData directed(std::span<const Point> points, const FitRequest& request) 
     return data;
 }
 
+// A curve and how far each point is from it, at its own parameter.
+struct Fit {
+    Curve curve;
+    std::vector<double> errors;
+
+    double error() const { return *std::max_element(errors.begin(), errors.end()); }
+};
+
 class Fitter {
   public:
     Fitter(DirectedData data, std::vector<double> parameters)
@@ -100,25 +109,25 @@ class Fitter {
             return refuse({.code = CurveErrorCode::control_points_too_many,
                            .value = static_cast<double>(count),
                            .upper = static_cast<double>(most_count())});
-        return over(even_breaks(count)).map([&](Approximation found) { return in_given_direction(std::move(found)); });
+        return over(even_breaks(count)).map([&](Fit found) { return in_given_direction(std::move(found)); });
     }
 
     Result<Approximation> within(double tolerance) {
         std::vector<double> breaks = even_breaks(first_count());
-        Result<Approximation> best = over(breaks);
+        Result<Fit> best = over(breaks);
         // Breaks where they are needed may be more than the points determine; evenly there may be as many as points.
-        while (best && best->error > tolerance && refine(breaks, best->curve, tolerance)) {
-            Result<Approximation> finer = over(breaks);
+        while (best && best->error() > tolerance && refine(breaks, best->errors, tolerance)) {
+            Result<Fit> finer = over(breaks);
             if (!finer) break;
             best = std::move(finer);
         }
-        if (best && best->error > tolerance) {
-            Result<Approximation> through_all = over(even_breaks(most_count()));
-            if (through_all && through_all->error < best->error) best = std::move(through_all);
+        if (best && best->error() > tolerance) {
+            Result<Fit> through_all = over(even_breaks(most_count()));
+            if (through_all && through_all->error() < best->error()) best = std::move(through_all);
         }
-        if (best && best->error > tolerance)
-            return refuse({.code = CurveErrorCode::tolerance_not_reached, .value = tolerance, .lower = best->error});
-        return best.map([&](Approximation found) { return in_given_direction(std::move(found)); });
+        if (best && best->error() > tolerance)
+            return refuse({.code = CurveErrorCode::tolerance_not_reached, .value = tolerance, .lower = best->error()});
+        return best.map([&](Fit found) { return in_given_direction(std::move(found)); });
     }
 
   private:
@@ -218,7 +227,7 @@ class Fitter {
         }
     }
 
-    Result<Approximation> over(const std::vector<double>& breaks) const {
+    Result<Fit> over(const std::vector<double>& breaks) const {
         auto knots = knots_for(breaks);
         if (!knots) return refuse(knots.error());
         SplineSystem system(*knots, points_.front(), fixed_points(*knots));
@@ -231,23 +240,26 @@ class Fitter {
             points->back() = points_.back();
         }
         return Curve::make(*std::move(knots), *std::move(points), {}).map([&](Curve curve) {
-            double error = 0.0;
-            for (std::size_t k = 0; k < points_.size(); ++k)
-                error = std::max(error, error_at(curve, k, shift_of(breaks)));
-            return Approximation{std::move(curve), error};
+            std::vector<double> errors;
+            for (std::size_t k = 0; k < points_.size(); ++k) errors.push_back(error_at(curve, k, shift_of(breaks)));
+            return Fit{std::move(curve), std::move(errors)};
         });
     }
 
+    // Rounded up, and before that in twice the precision: of a curve through the points rounding is all there is.
     double error_at(const Curve& curve, std::size_t k, double shift) const {
-        return distance(point_at(curve, parameters_[k] + shift), points_[k]);
+        constexpr double rounding_up = 1.0 + 4.0 * std::numeric_limits<double>::epsilon();
+        const Location place = located(curve.knots(), parameters_[k] + shift, Side::right);
+        const PreciseHomogeneousPoint found = precise_point(curve, place.at, place.u, points_[k]);
+        return rounding_up * std::hypot(found.x.rounded(), found.y.rounded());
     }
 
     // Which spans contain a point with a larger error than allowed; a point at a break is in both of its spans.
-    std::vector<char> bad_spans(const std::vector<double>& breaks, const Curve& curve, double tolerance) const {
-        const double shift = shift_of(breaks);
+    std::vector<char> bad_spans(const std::vector<double>& breaks, std::span<const double> errors,
+                                double tolerance) const {
         std::vector<char> is_bad(breaks.size() - 1, 0);
         for (std::size_t k = 0; k < points_.size(); ++k) {
-            if (!(error_at(curve, k, shift) > tolerance)) continue;
+            if (!(errors[k] > tolerance)) continue;
             auto at = static_cast<double>(k);
             if (is_closed_ && at > breaks.back()) at -= static_cast<double>(step_count());
             const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, at);
@@ -259,8 +271,8 @@ class Fitter {
     }
 
     // More breaks where the errors are too large; whether there is room for any.
-    bool refine(std::vector<double>& breaks, const Curve& curve, double tolerance) const {
-        std::vector<char> is_bad = bad_spans(breaks, curve, tolerance);
+    bool refine(std::vector<double>& breaks, std::span<const double> errors, double tolerance) const {
+        const std::vector<char> is_bad = bad_spans(breaks, errors, tolerance);
         return halve(breaks, is_bad) || divide_evenly(breaks, is_bad);
     }
 
@@ -310,9 +322,9 @@ class Fitter {
         return true;
     }
 
-    Approximation in_given_direction(Approximation found) const {
-        if (is_reversed_) found.curve = reversed(found.curve);
-        return found;
+    Approximation in_given_direction(Fit found) const {
+        const double error = found.error();
+        return {is_reversed_ ? reversed(found.curve) : std::move(found.curve), error};
     }
 
     std::vector<Point> points_;

@@ -52,6 +52,10 @@ PreciseHomogeneousPoint blended_precisely(Points points, const SpanKnots& at, do
 
 }  // namespace
 
+PreciseHomogeneousPoint precise_point(const Curve& curve, const SpanKnots& at, double u, Point origin) {
+    return blended_precisely(precise_local_points(curve, at, origin), at, u, 0);
+}
+
 std::array<PreciseHomogeneousPoint, 3> precise_jet(const Curve& curve, const SpanKnots& at, double u, Point origin) {
     std::array<PreciseHomogeneousPoint, 3> jet;
     Points points = precise_local_points(curve, at, origin);

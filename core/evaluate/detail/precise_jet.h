@@ -14,8 +14,11 @@ struct PreciseHomogeneousPoint {
     DoubleDouble w;
 };
 
-/// A(u), A'(u), A''(u) of the homogeneous spline over the span `at`, seen from `origin`, as exact as if it were
-/// computed in some 30 digits. Cost O(p^2), some twenty times that of the same in doubles.
+/// A(u) of the homogeneous spline over the span `at`, seen from `origin`, as exact as if it were computed in some 30
+/// digits. Cost O(p^2), some ten times that of the same in doubles.
+PreciseHomogeneousPoint precise_point(const Curve& curve, const SpanKnots& at, double u, Point origin);
+
+/// A(u), A'(u), A''(u), likewise. Cost O(p^2), some twenty times that of the same in doubles.
 std::array<PreciseHomogeneousPoint, 3> precise_jet(const Curve& curve, const SpanKnots& at, double u, Point origin);
 
 }  // namespace batten::core

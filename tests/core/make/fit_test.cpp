@@ -83,6 +83,16 @@ TEST(Fit, ends_in_the_first_and_last_point_and_reports_the_largest_error) {
     }
 }
 
+// The double next to 2/3 is 2/3 - 2^-53 / 3, where the leg from 0 to 3 is at 2 - 2^-53, which is no double.
+TEST(Fit, reports_an_error_below_the_last_digit_of_the_points) {
+    const Point points[] = {{0, 0}, {2, 0}, {3, 0}};
+    const double error = fit(points, 2, {.degree = 1}).value().error;
+    EXPECT_GE(error, 0x1p-53);
+    EXPECT_LE(error, 0x1p-53 * (1 + 1e-15));
+    EXPECT_EQ(fit_within(points, 0x1p-52, {.degree = 1}).value().curve.control_points().size(), 2U);
+    EXPECT_EQ(fit_within(points, 0x1p-53, {.degree = 1}).value().curve.control_points().size(), 3U);
+}
+
 TEST(Fit, returns_a_polynomial_that_the_points_lie_on) {
     std::vector<Point> points;
     for (int k = 0; k <= 40; ++k) points.emplace_back(k / 40.0, std::pow(k / 40.0 - 0.3, 3));
