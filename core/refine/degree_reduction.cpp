@@ -4,6 +4,7 @@
 
 #include "core/base/detail/banded_least_squares.h"
 #include "core/base/detail/dense_least_squares.h"
+#include "core/curve/control_box.h"
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/basis.h"
 #include "core/evaluate/blossom.h"
@@ -327,13 +328,18 @@ Result<Curve> reduce_open(const Curve& curve) {
     const std::vector<double> values = reduced_values(curve.knots());
     const auto target = KnotVector::make(degree, values, curve.knots().kind(), tears);
     if (!target) return tl::unexpected(target.error());
-    const bool is_end_kept = is_clamped(curve.knots());
     return KnotVector::make(degree, clamped(values, static_cast<std::size_t>(degree), curve.domain()),
                             curve.knots().kind(), tears)
         .and_then([&](KnotVector knots) { return interpolated(curve, std::move(knots)); })
         .and_then([&](const Curve& reduced) {
-            return is_end_kept ? with_ends_of(curve, reduced) : unclamped(reduced, *target, curve);
+            return is_clamped(curve.knots()) ? reduced : unclamped(reduced, *target, curve);
         });
+}
+
+Result<Curve> moved(const Curve& curve, Vector by) {
+    CurveDefinition definition = curve.definition();
+    for (Point& point : definition.points) point += by;
+    return Curve::make(std::move(definition));
 }
 
 }  // namespace
@@ -342,7 +348,13 @@ Result<Curve> reduce_degree(const Curve& curve) {
     if (curve.degree() <= min_degree)
         return tl::unexpected(
             CurveError{.code = CurveErrorCode::degree_out_of_range, .value = static_cast<double>(curve.degree() - 1)});
-    return curve.is_periodic() ? reduce_periodic(curve) : reduce_open(curve);
+    // Near the origin, because the equations lose as many digits as coordinates are larger than the curve.
+    const Vector from_origin = vector_to(middle_of(curve));
+    const bool is_end_kept = !curve.is_periodic() && is_clamped(curve.knots());
+    return moved(curve, -from_origin)
+        .and_then([](const Curve& near) { return near.is_periodic() ? reduce_periodic(near) : reduce_open(near); })
+        .and_then([&](const Curve& reduced) { return moved(reduced, from_origin); })
+        .and_then([&](const Curve& reduced) { return is_end_kept ? with_ends_of(curve, reduced) : reduced; });
 }
 
 }  // namespace batten::core

@@ -175,6 +175,22 @@ TEST(ReduceDegree, undoes_elevation) {
     }
 }
 
+// There a unit in the last place is 1.2e-10.
+TEST(ReduceDegree, undoes_elevation_far_away_to_the_last_digits) {
+    RandomCurves random(111);
+    for (const int degree : {3, 5, 8, 12}) {
+        CurveDefinition definition = high_degree_curve(degree, 16, random).definition();
+        std::fill(definition.weights.begin(), definition.weights.end(), 1.0);
+        for (Point& point : definition.points) point += Vector(1e6, -1e6);
+        for (const bool is_clamped : {true, false}) {
+            if (!is_clamped)
+                for (std::size_t i = 0; i < definition.knots.size(); ++i) definition.knots[i] = static_cast<double>(i);
+            const Curve far = Curve::make(definition).value();
+            EXPECT_LE(largest_deviation(far, reduce_degree(elevate_degree(far).value()).value()), 5e-10) << degree;
+        }
+    }
+}
+
 TEST(ReduceDegree, keeps_the_ends_of_a_clamped_curve) {
     RandomCurves random(105);
     for (int i = 0; i < 200; ++i) {
