@@ -21,9 +21,9 @@ struct KnotRemoval {
 /// deviation would exceed `tolerance` (> 0, in the units of the points). Control points out of reach keep every bit.
 ///
 /// Each removal solves the equations of inserting the knot again, P_i = (1 - alpha_i) Q_{i-1} + alpha_i Q_i, which are
-/// one more than the unknown Q: the error is spread over all of them with equal size and alternating sign, which makes
-/// the largest smallest, and they are solved from both ends toward where alpha passes 1/2, so that every step divides
-/// by 1/2 or more and knots inserted before come out to the last digits.
+/// one more than the unknown Q: the error is spread over all of them in proportion to their weights and with
+/// alternating sign, which makes the largest in the plane smallest, and they are solved from both ends toward where
+/// alpha passes 1/2, so that every step divides by 1/2 or more and knots inserted before come out to the last digits.
 ///
 /// Errors: tolerance_not_positive; parameter_not_finite; knot_not_found where `u` is no knot strictly inside the domain
 /// (for a periodic curve: no knot); knot_not_removable for a seam of multiplicity 1, which is where the period begins,

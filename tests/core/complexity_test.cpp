@@ -109,7 +109,7 @@ TEST(Complexity, a_removed_knot_costs_a_few_products_for_each_of_its_p_points) {
                 std::vector<Ratio> ratios;
                 for (std::size_t i = r - p; i < r; ++i)
                     ratios.push_back(ratio_between(spline.knots[i], spline.knots[i + p + 1], inside));
-                removal<CountedPoint>(ratios, std::span(spline.points).subspan(r - p - 1, p + 2));
+                removal<CountedPoint>(ratios, std::vector(p, 1.0), std::span(spline.points).subspan(r - p - 1, p + 2));
             }));
         EXPECT_LE(costs[0], 4 * (p + 1));
         EXPECT_EQ(costs[0], costs[1]);

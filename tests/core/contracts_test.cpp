@@ -208,7 +208,8 @@ TEST(ContractsDeathTest, knots_in_and_out) {
     EXPECT_DEATH((void)cramped_removal(wave(), 1.0), "curve.is_periodic");
     EXPECT_DEATH((void)cramped_removal(ring(), 0.5), "multiplicity\\(u\\) > 0");
     const std::vector<double> points(2, 0.0);
-    EXPECT_DEATH((void)removal<double>(std::vector<Ratio>(1), points), "points.size\\(\\) == count \\+ 2");
+    EXPECT_DEATH((void)removal<double>(std::vector<Ratio>(1), std::vector(1, 1.0), points),
+                 "points.size\\(\\) == count \\+ 2");
 }
 
 TEST(ContractsDeathTest, ends_and_degree) {

@@ -27,7 +27,7 @@ std::vector<double> without_value(std::span<const double> period, double u) {
 }
 
 // Column j: what inserting `u` again makes of the spline that is 1 at point j. Row i belongs to old point i, to which
-// it shall lead.
+// it shall lead, divided by its weight, so that all points count alike in the plane.
 std::optional<DenseEquations> insertion_equations(int degree, const std::vector<double>& reduced, double u,
                                                   std::span<const CarriedPoint> points) {
     const std::size_t columns = reduced.size() - 1;
@@ -40,9 +40,9 @@ std::optional<DenseEquations> insertion_equations(int degree, const std::vector<
             Curve::make(std::move(unit)).and_then([&](const Curve& basis) { return refine_knots(basis, {u}); });
         if (!inserted) return std::nullopt;
         for (std::size_t i = 0; i < points.size(); ++i)
-            equations.matrix[i * columns + j] = inserted->control_points()[i].x;
+            equations.matrix[i * columns + j] = inserted->control_points()[i].x / points[i].point.z;
     }
-    for (const CarriedPoint& carried : points) equations.right.push_back(carried.point);
+    for (const CarriedPoint& carried : points) equations.right.push_back(carried.point / carried.point.z);
     return equations;
 }
 
@@ -57,12 +57,6 @@ std::vector<HomogeneousPoint> errors_of(const DenseEquations& equations, std::sp
     return errors;
 }
 
-double least_weight_of(std::span<const HomogeneousPoint> points) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const HomogeneousPoint& point : points) least = std::min(least, point.z);
-    return least;
-}
-
 // As for RemovableKnot, with the whole curve for what is around.
 double bound_of(std::span<const HomogeneousPoint> points, std::span<const HomogeneousPoint> errors) {
     double error = 0.0;
@@ -73,9 +67,8 @@ double bound_of(std::span<const HomogeneousPoint> points, std::span<const Homoge
         weight_error = std::max(weight_error, std::abs(errors[i].z));
         reach = std::max(reach, length(vector_to(project(points[i]))));
     }
-    const double least_weight = least_weight_of(points) - weight_error;
-    if (!(least_weight > 0.0)) return std::numeric_limits<double>::infinity();
-    return (error + reach * weight_error) / least_weight;
+    if (!(weight_error < 1.0)) return std::numeric_limits<double>::infinity();
+    return (error + reach * weight_error) / (1.0 - weight_error);
 }
 
 }  // namespace
@@ -90,7 +83,6 @@ std::optional<CrampedRemoval> cramped_removal(const Curve& curve, double u) {
     if (!equations) return std::nullopt;
     const std::vector<HomogeneousPoint> solution = solve_least_squares(*equations);
     const double bound = bound_of(equations->right, errors_of(*equations, solution));
-    if (!std::isfinite(bound) || !(least_weight_of(solution) > 0.0)) return std::nullopt;
     std::vector<CarriedPoint> found;
     for (const HomogeneousPoint& point : solution) found.push_back({point, CarriedPoint::is_new});
     auto result = settled(

@@ -26,19 +26,17 @@ std::span<const CarriedPoint> points_around(const CarriedSpline& spline, const R
     return std::span(spline.points).subspan(first, end - first);
 }
 
-// With A' = A + dA and w' = w + dw the shadow moves by (dA - C dw) / w', and dA, dw are at most `error` in size.
+// The curve moves by (dA - C dw) / (w + dw). Where point i moves by w_i times `error` at most, dA and dw are w times it
+// at most.
 double bound_of(const CarriedSpline& spline, const RemovableKnot& knot, HomogeneousPoint error) {
-    if (error.z == 0.0) return robust_length(plane_part(error)) / spline.points[knot.first].point.z;
+    if (error.z == 0.0) return robust_length(plane_part(error));
+    if (!(std::abs(error.z) < 1.0)) return std::numeric_limits<double>::infinity();
     const Point near = project(spline.points[knot.first].point);
-    double least_weight = std::numeric_limits<double>::infinity();
     double reach = 0.0;
-    for (const CarriedPoint& around : points_around(spline, knot)) {
-        least_weight = std::min(least_weight, around.point.z - std::abs(error.z));
+    for (const CarriedPoint& around : points_around(spline, knot))
         reach = std::max(reach, distance(near, project(around.point)));
-    }
-    for (const CarriedPoint& point : knot.points) least_weight = std::min(least_weight, point.point.z);
-    if (!(least_weight > 0.0)) return std::numeric_limits<double>::infinity();
-    return (length(plane_part(error) - vector_to(near) * error.z) + reach * std::abs(error.z)) / least_weight;
+    const double moved = length(plane_part(error) - vector_to(near) * error.z) + reach * std::abs(error.z);
+    return moved / (1.0 - std::abs(error.z));
 }
 
 // The curve of the points around the knot, before or without it; none where it has no room in double precision.
@@ -60,13 +58,15 @@ Result<Curve> curve_around(const CarriedSpline& spline, const RemovableKnot& kno
     return Curve::make(std::move(around));
 }
 
-// The two sides of a tear are pulled together.
+// The two sides of a tear are pulled together, to the middle of them.
 double close_tear(const CarriedSpline& spline, RemovableKnot& knot) {
     knot.first = knot.index - spline.p - 1;
     knot.replaced = 2;
-    const CarriedPoint half = 0.5 * (spline.points[knot.first + 1] - spline.points[knot.first]);
-    knot.points = {spline.points[knot.first] + half};
-    return bound_of(spline, knot, half.point);
+    const CarriedPoint& left = spline.points[knot.first];
+    const CarriedPoint& right = spline.points[knot.first + 1];
+    const CarriedPoint error = (1.0 / (left.point.z + right.point.z)) * (right - left);
+    knot.points = {left + left.point.z * error};
+    return bound_of(spline, knot, error.point);
 }
 
 std::vector<double> stored_without(const Curve& curve, const CarriedSpline& spline,
@@ -137,13 +137,19 @@ std::optional<RemovableKnot> removable_knot(const CarriedSpline& spline, std::si
         knot.bound = close_tear(spline, knot);
     } else {
         std::vector<Ratio> ratios;
-        for (std::size_t i = knot.first; i < knot.first + knot.replaced; ++i)
+        std::vector<double> weights;
+        for (std::size_t i = knot.first; i < knot.first + knot.replaced; ++i) {
             ratios.push_back(ratio_between(spline.knots[i], spline.knots[i + p + 1], u));
-        auto found = removal<CarriedPoint>(ratios, std::span(spline.points).subspan(knot.first - 1, knot.replaced + 2));
+            weights.push_back(spline.points[i].point.z);
+        }
+        // Moved in proportion to their weights, all points move by much the same in the plane.
+        auto found =
+            removal<CarriedPoint>(ratios, weights, std::span(spline.points).subspan(knot.first - 1, knot.replaced + 2));
         knot.points = std::move(found.points);
         knot.bound = bound_of(spline, knot, found.error.point);
     }
-    if (!std::isfinite(knot.bound)) return std::nullopt;
+    if (!std::ranges::all_of(knot.points, [](const CarriedPoint& point) { return point.point.z > 0.0; }))
+        return std::nullopt;
     return knot;
 }
 

@@ -13,7 +13,7 @@ struct RemovableKnot {
     std::size_t first = 0;             ///< the first of the points to be replaced
     std::size_t replaced = 0;          ///< how many there are
     std::vector<CarriedPoint> points;  ///< one fewer
-    double bound = 0.0;                ///< the curve moves by no more than this
+    double bound = 0.0;                ///< the curve moves by no more than this; infinite where that is not known
     bool from_upper_end = false;       ///< of a seam named at both ends of the period: which of them loses a knot
 };
 
@@ -44,7 +44,8 @@ double nearer_bound(const CarriedSpline& spline, const RemovableKnot& knot, doub
                                           std::span<const RemovableKnot> removed);
 
 /// A periodic curve without one knot of value `u`, where there is no room: the least squares solution of all equations
-/// of inserting the knot again, and the largest of their errors. Cost O(n^3) for n <= p + 1.
+/// of inserting the knot again, each divided by its weight, and a bound of how far the curve moves. Cost O(n^3) for n
+/// <= p + 1.
 struct CrampedRemoval {
     Curve curve;
     double bound = 0.0;

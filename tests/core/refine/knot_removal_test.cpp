@@ -81,6 +81,50 @@ TEST(KnotRemoval, spreads_the_error_of_a_parabola_by_hand) {
     EXPECT_EQ(removed.error, largest_deviation(curve, removed.curve));
 }
 
+TEST(KnotRemoval, spreads_the_error_in_proportion_to_the_weights_by_hand) {
+    // The same with a weight of 3 at (1, 1). From (1, 0, 1) - e = Q1/2 + (0, 0, 1)/2 and
+    // (3, 3, 3) + 3 e = Q1/2 + (0, 1, 1)/2 follow e = -(0.5, 0.625, 0.5) and Q1 = (3, 1.25, 2).
+    const Curve curve = Curve::make({.degree = 2,
+                                     .knots = {0, 0, 0, 1, 2, 2, 2},
+                                     .points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                                     .weights = {1, 1, 3, 1}})
+                            .value();
+    const auto removed = remove_knot(curve, 1.0, 1, 1.0).value();
+    ASSERT_EQ(removed.count, 1);
+    EXPECT_EQ(removed.curve.control_points()[1], Point(1.5, 0.625));
+    EXPECT_EQ(removed.curve.weights()[1], 2.0);
+    EXPECT_EQ(removed.error, largest_deviation(curve, removed.curve));
+}
+
+TEST(KnotRemoval, weighs_the_equations_of_a_short_period_by_hand) {
+    // A0 = Q0 and A1, A2 = Q0/3 + 2 Q1/3, divided by 1, 2 and 4: Q1 is where 4 (Q0 + 2 Q1 - 3 A1) = -(Q0 + 2 Q1 - 3
+    // A2), so Q0 = (0, 0, 1) and Q1 = (9.6, 4.8, 3.1).
+    const Curve ring = Curve::make({.degree = 2,
+                                    .knots = {0, 1, 2, 3},
+                                    .points = {{0, 0}, {4, 0}, {0, 4}},
+                                    .weights = {1, 2, 4},
+                                    .periodic = true})
+                           .value();
+    const auto removed = remove_knot(ring, 1.0, 1, 10.0).value();
+    ASSERT_EQ(removed.count, 1);
+    const auto points = removed.curve.control_points();
+    EXPECT_LE(distance(points[0], {0, 0}), 1e-14);
+    EXPECT_LE(distance(points[1], {9.6 / 3.1, 4.8 / 3.1}), 1e-14);
+    EXPECT_NEAR(removed.curve.weights()[0], 1.0, 1e-14);
+    EXPECT_NEAR(removed.curve.weights()[1], 3.1, 1e-14);
+}
+
+TEST(KnotRemoval, of_a_corner_of_little_weight_tells_how_far_the_curve_moves) {
+    // From (1, 1) to (1, 0) at u = 1, and nowhere farther.
+    const Curve line =
+        Curve::make(
+            {.degree = 1, .knots = {0, 0, 1, 2, 2}, .points = {{0, 0}, {1, 1}, {2, 0}}, .weights = {1, 0.01, 1}})
+            .value();
+    EXPECT_NEAR(remove_knot(line, 1.0, 1, 0.99)->refused.value(), 1.0, 1e-12);
+    EXPECT_EQ(remove_knot(line, 1.0, 1, 1.01)->count, 1);
+    EXPECT_EQ(remove_knots(line, 1.01)->count, 1);
+}
+
 TEST(KnotRemoval, reports_the_error_it_makes_and_never_more_than_the_tolerance) {
     RandomCurves random(313);
     for (int k = 0; k < 400; ++k) {
@@ -213,6 +257,50 @@ TEST(KnotRemoval, small_weights_among_large_ones_are_no_reason_to_keep_a_knot) {
     EXPECT_LE(found->curve.control_points().size(), curve.control_points().size());
     for (int k = 0; k <= 300; ++k)
         EXPECT_LE(distance(point_at(found->curve, 0.01 * k), point_at(curve, 0.01 * k)), tolerance) << k;
+}
+
+// Coordinates of 10^6 are known to 1.2e-10, and so is the curve with the knots, however its weights differ. A step of
+// two of these is as near as the curve without them can be told to be.
+TEST(KnotRemoval, undoes_insertion_among_weights_that_differ_by_much) {
+    const Curve curve =
+        Curve::make({.degree = 10,
+                     .knots = {1000, 1000, 1000, 1000, 1000, 1000, 1000, 1000, 1000, 1000, 1000,
+                               1001, 1001, 1001, 1001, 1001, 1001, 1001, 1001, 1001, 1001, 1001},
+                     .points = {{1000000.8678833832, -999999.7148452249},
+                                {1000000.1055462803, -1000000.9256733361},
+                                {999999.1927117375, -1000000.6162036683},
+                                {999999.8048841273, -999999.7634403744},
+                                {999999.217703875, -1000000.8387410605},
+                                {1000000.0452604382, -999999.9555667712},
+                                {999999.8647154525, -1000000.021312463},
+                                {999999.9627369139, -999999.8460683338},
+                                {1000000.0215148593, -1000000.6718499204},
+                                {999999.6055963712, -1000000.650341892},
+                                {999999.647282572, -999999.3462069948}},
+                     .weights = {0.17674198861779605, 0.07281303573864521, 1.9663597133385942, 645.6330617213665,
+                                 10.824853932647363, 0.32713818540307404, 0.03909476145567305, 857.6870731570143,
+                                 2.7581723316548055, 144.3384547626475, 0.001220128141132485}})
+            .value();
+    const double u = 1000.7399274208573;
+    const auto back = remove_knot(insert_knot(curve, u, 2).value(), u, 2, 1e-8);
+    ASSERT_EQ(back->count, 2);
+    for (int k = 0; k <= 400; ++k) {
+        const double at = 1000.0 + k / 400.0;
+        EXPECT_LE(distance(point_at(back->curve, at), point_at(curve, at)), 4.7e-10) << k;
+    }
+}
+
+TEST(KnotRemoval, pulls_the_sides_of_a_tear_to_the_middle_whatever_they_weigh) {
+    const Curve torn = Curve::make({.degree = 1,
+                                    .knots = {0, 0, 1, 1, 2, 2},
+                                    .points = {{0, 0}, {2, 0}, {2, 1}, {4, 1}},
+                                    .weights = {1, 1, 3, 1},
+                                    .tears = Tears::allow})
+                           .value();
+    const auto closed = remove_knot(torn, 1.0, 1, 10.0).value();
+    ASSERT_EQ(closed.count, 1);
+    EXPECT_EQ(closed.curve.control_points()[1], Point(2, 0.5));
+    EXPECT_EQ(closed.curve.weights()[1], 1.5);
 }
 
 TEST(KnotRemoval, closes_a_tear_whose_sides_meet) {
