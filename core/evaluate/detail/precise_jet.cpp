@@ -6,30 +6,12 @@ namespace {
 
 using Points = LocalPoints<PreciseHomogeneousPoint>;
 
-PreciseHomogeneousPoint operator-(const PreciseHomogeneousPoint& a, const PreciseHomogeneousPoint& b) {
-    return {a.x - b.x, a.y - b.y, a.w - b.w};
-}
-
-PreciseHomogeneousPoint operator*(DoubleDouble factor, const PreciseHomogeneousPoint& a) {
-    return {factor * a.x, factor * a.y, factor * a.w};
-}
-
-PreciseHomogeneousPoint operator+(const PreciseHomogeneousPoint& a, const PreciseHomogeneousPoint& b) {
-    return {a.x + b.x, a.y + b.y, a.w + b.w};
-}
-
-DoubleDouble length_between(double lower, double upper) {
-    return exact_sum(upper, -lower);
-}
-
 Points precise_local_points(const Curve& curve, const SpanKnots& at, Point origin) {
     Points points;
     const std::size_t n = curve.control_points().size();
     for (std::size_t j = 0; j <= at.p; ++j) {
         const std::size_t i = (at.s - at.p + j) % n;
-        const Point& point = curve.control_points()[i];
-        const double w = curve.weights()[i];
-        points[j] = {w * length_between(origin.x, point.x), w * length_between(origin.y, point.y), w};
+        points[j] = lift_precisely(curve.control_points()[i], curve.weights()[i], origin);
     }
     return points;
 }
@@ -38,15 +20,13 @@ Points precise_local_points(const Curve& curve, const SpanKnots& at, Point origi
 void differentiate_precisely(Points& points, const SpanKnots& at, std::size_t r) {
     const auto factor = static_cast<double>(at.p - r + 1);
     for (std::size_t j = at.p; j >= r; --j)
-        points[j] = (factor / length_between(at.lower(j), at.upper(j, r))) * (points[j] - points[j - 1]);
+        points[j] = (factor / exact_sum(at.upper(j, r), -at.lower(j))) * (points[j] - points[j - 1]);
 }
 
 PreciseHomogeneousPoint blended_precisely(Points points, const SpanKnots& at, double u, std::size_t levels_done) {
     for (std::size_t r = levels_done + 1; r <= at.p; ++r)
-        for (std::size_t j = at.p; j >= r; --j) {
-            const DoubleDouble alpha = length_between(at.lower(j), u) / length_between(at.lower(j), at.upper(j, r));
-            points[j] = points[j - 1] + alpha * (points[j] - points[j - 1]);
-        }
+        for (std::size_t j = at.p; j >= r; --j)
+            points[j] = blend_precisely(points[j - 1], points[j], at.lower(j), at.upper(j, r), u);
     return points[at.p];
 }
 

@@ -3,16 +3,10 @@
 
 #include <array>
 
-#include "core/base/detail/double_double.h"
+#include "core/base/detail/precise_point.h"
 #include "core/curve/detail/bspline.h"
 
 namespace batten::core {
-
-struct PreciseHomogeneousPoint {
-    DoubleDouble x;
-    DoubleDouble y;
-    DoubleDouble w;
-};
 
 /// A(u) of the homogeneous spline over the span `at`, seen from `origin`, as exact as if it were computed in some 30
 /// digits. Cost O(p^2), some ten times that of the same in doubles.
