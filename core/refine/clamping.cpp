@@ -11,33 +11,17 @@ namespace batten::core {
 
 namespace {
 
-CarriedSpline turned(CarriedSpline spline, CurveEnd end) {
-    return end == CurveEnd::end ? mirrored(std::move(spline)) : spline;
-}
-
-CarriedSpline clamped_at_start(CarriedSpline spline) {
-    const std::size_t p = spline.p;
-    const double a = spline.domain().lower;
-    if (spline.multiplicity(a) < p) insert_ascending(spline, std::vector(p - spline.multiplicity(a), a));
-    const std::size_t outside = spline.last_of_run(a) - p;
-    const auto count = static_cast<std::ptrdiff_t>(outside);
-    spline.knots.erase(spline.knots.begin(), spline.knots.begin() + count);
-    spline.points.erase(spline.points.begin(), spline.points.begin() + count);
-    spline.knots.front() = a;
-    return spline;
-}
-
 // The p+1 knots before and at the start of a domain whose spans are repeated outside it, `share` times as long.
-void repeat_spans_before_start(CarriedSpline& spline, double share) {
+void repeat_spans_before_start(PreciselyCarriedSpline& spline, double share) {
     const std::size_t p = spline.p;
     const std::size_t n = spline.points.size() - 1;
     for (std::size_t i = 0; i < p; ++i)
         spline.knots[p - i - 1] = spline.knots[p - i] - share * (spline.knots[n - i + 1] - spline.knots[n - i]);
 }
 
-CarriedSpline unclamped_by(CarriedSpline spline, double share) {
+PreciselyCarriedSpline unclamped_by(PreciselyCarriedSpline spline, double share) {
     const std::size_t p = spline.p;
-    CarriedSpline result = spline;
+    PreciselyCarriedSpline result = spline;
     repeat_spans_before_start(result, share);
     std::vector<double> values;
     for (std::size_t i = 1; i < p; ++i) values.push_back(result.knots[p - i]);
@@ -46,17 +30,17 @@ CarriedSpline unclamped_by(CarriedSpline spline, double share) {
     return result;
 }
 
-CarriedSpline unclamped_at_start(CarriedSpline spline) {
-    return unclamped_by(std::move(spline), 1.0);
+PreciselyCarriedSpline unclamped_at_start(PreciselyCarriedSpline spline) {
+    return unclamped_by(clamped_at_start(std::move(spline)), 1.0);
 }
 
 // How far the knots would lie outside, and how far they may for positive weights.
-CurveError outer_knots_too_far(const Curve& clamped, CurveEnd end) {
-    const CarriedSpline spline = turned(carried(clamped), end);
+CurveError outer_knots_too_far(const Curve& curve, CurveEnd end) {
+    const PreciselyCarriedSpline spline = clamped_at_start(seen_from_end(carried_precisely(curve), end));
     const double reach = spline.knots[spline.p] - unclamped_at_start(spline).knots[1];
     const double most = largest_possible(reach, [&](double part) {
         return std::ranges::all_of(unclamped_by(spline, part / reach).points,
-                                   [](const CarriedPoint& point) { return point.point.z > 0.0; });
+                                   [](const PreciselyCarriedPoint& point) { return rounded(point.point).z > 0.0; });
     });
     return {.code = CurveErrorCode::outer_knots_too_far, .value = reach, .upper = most};
 }
@@ -67,9 +51,10 @@ KnotKind kind_with_ends(KnotKind kind, bool clamped) {
     return kind == KnotKind::custom ? kind : KnotKind::uniform;
 }
 
-Result<Curve> with_end(const Curve& curve, CurveEnd end, CarriedSpline (*change)(CarriedSpline), bool clamped) {
+Result<Curve> with_end(const Curve& curve, CurveEnd end, PreciselyCarriedSpline (*change)(PreciselyCarriedSpline),
+                       bool clamped) {
     if (curve.is_periodic()) return refuse({.code = CurveErrorCode::curve_periodic});
-    CarriedSpline spline = turned(change(turned(carried(curve), end)), end);
+    PreciselyCarriedSpline spline = seen_from_end(change(seen_from_end(carried_precisely(curve), end)), end);
     return settled(curve, std::move(spline), kind_with_ends(curve.knots().kind(), clamped));
 }
 
@@ -81,12 +66,10 @@ Result<Curve> clamp(const Curve& curve, CurveEnd end) {
 }
 
 Result<Curve> unclamp(const Curve& curve, CurveEnd end) {
-    return clamp(curve, end).and_then([&](const Curve& clamped) {
-        auto result = with_end(clamped, end, unclamped_at_start, false);
-        if (!result && result.error().code == CurveErrorCode::weight_not_positive)
-            return Result<Curve>(refuse(outer_knots_too_far(clamped, end)));
-        return result;
-    });
+    auto result = with_end(curve, end, unclamped_at_start, false);
+    if (!result && result.error().code == CurveErrorCode::weight_not_positive)
+        return refuse(outer_knots_too_far(curve, end));
+    return result;
 }
 
 namespace {

@@ -30,22 +30,20 @@ double moved_out(double u, CurveEnd end, double by) {
     return end == CurveEnd::start ? u - by : u + by;
 }
 
-Result<Curve> with_end_at(const Curve& clamped, CurveEnd end, double u) {
-    CarriedSpline spline = carried(clamped);
-    if (end == CurveEnd::end) spline = mirrored(std::move(spline));
+Result<Curve> with_end_at(const Curve& curve, CurveEnd end, double u) {
+    PreciselyCarriedSpline spline = clamped_at_start(seen_from_end(carried_precisely(curve), end));
     const double target = end == CurveEnd::end ? -u : u;
     exchange_start_knots(spline, std::vector(spline.p, target));
     std::fill(spline.knots.begin(), spline.knots.begin() + static_cast<std::ptrdiff_t>(spline.p) + 1, target);
-    if (end == CurveEnd::end) spline = mirrored(std::move(spline));
-    return settled(clamped, std::move(spline), clamped.knots().kind());
+    return settled(curve, seen_from_end(std::move(spline), end), curve.knots().kind());
 }
 
 // The curve over a longer domain, or that it runs out of positive weights.
-Result<Curve> longer_if_possible(const Curve& clamped, CurveEnd end, double by) {
-    const double old = end_of(clamped, end);
+Result<Curve> longer_if_possible(const Curve& curve, CurveEnd end, double by) {
+    const double old = end_of(curve, end);
     const double target = moved_out(old, end, by);
     if (target == old) return refuse({.code = CurveErrorCode::range_empty, .lower = old, .upper = target});
-    return with_end_at(clamped, end, target);
+    return with_end_at(curve, end, target);
 }
 
 double speed_at(const Curve& curve, CurveEnd end) {
@@ -126,22 +124,20 @@ void add_straight_piece(CurveDefinition& definition, CurveEnd end, Vector step, 
 
 Result<Curve> extend_parameter(const Curve& curve, CurveEnd end, double by) {
     if (const auto check = check_added_length(by); !check) return refuse(check.error());
-    const auto clamped = clamp(curve, end);
-    if (!clamped) return refuse(clamped.error());
-    auto longer = longer_if_possible(*clamped, end, by);
+    if (curve.is_periodic()) return refuse({.code = CurveErrorCode::curve_periodic});
+    auto longer = longer_if_possible(curve, end, by);
     if (longer || longer.error().code != CurveErrorCode::weight_not_positive) return longer;
     const double most =
-        largest_possible(by, [&](double part) { return longer_if_possible(*clamped, end, part).has_value(); });
+        largest_possible(by, [&](double part) { return longer_if_possible(curve, end, part).has_value(); });
     return refuse({.code = CurveErrorCode::extension_too_far, .value = by, .upper = most});
 }
 
 Result<Curve> extend_length(const Curve& curve, CurveEnd end, double length) {
     if (const auto check = check_added_length(length); !check) return refuse(check.error());
-    const auto clamped = clamp(curve, end);
-    if (!clamped) return refuse(clamped.error());
-    if (!curvature_at(*clamped, end_of(curve, end)))
+    if (curve.is_periodic()) return refuse({.code = CurveErrorCode::curve_periodic});
+    if (!curvature_at(curve, end_of(curve, end)))
         return refuse({.code = CurveErrorCode::curve_stands_still, .value = end_of(curve, end)});
-    return longer_by(*clamped, end, length);
+    return longer_by(curve, end, length);
 }
 
 Result<Curve> extend_straight(const Curve& curve, CurveEnd end, double length) {

@@ -213,6 +213,7 @@ TEST(ContractsDeathTest, knots_in_and_out) {
 }
 
 TEST(ContractsDeathTest, ends_and_degree) {
+    EXPECT_DEATH((void)carried_precisely(ring()), "is_periodic");
     Spline<double> spline{.p = 1, .knots = {0, 0, 1, 2, 2}, .points = {1, 2, 3}};
     EXPECT_DEATH(exchange_start_knots(spline, std::vector{-1.0, -2.0}), "values.size\\(\\) <= p");
     EXPECT_DEATH((void)KnotComb({.step = 2, .phase = 0, .last = 4}).left_out_until(4), "i < last");

@@ -48,6 +48,12 @@ P blend(const P& a, const P& b, Ratio ratio) {
     return ratio.upper_share <= 0.5 ? a + ratio.upper_share * (b - a) : b + ratio.lower_share * (a - b);
 }
 
+/// The affine combination at `u` of `a`, at `lower`, and `b`, at `upper`, lower < upper. A point type may have its own.
+template <class P>
+P blend_between(const P& a, const P& b, double lower, double upper, double u) {
+    return blend(a, b, ratio_between(lower, upper, u));
+}
+
 /// One span of a knot vector: what the levels of the triangle need to know.
 struct SpanKnots {
     std::span<const double> knots;

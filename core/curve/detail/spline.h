@@ -52,7 +52,7 @@ void insert_at_place(Spline<P>& spline, std::size_t place, std::size_t last_old,
         if (upper == u)
             points[i - 1] = points[i];
         else if (lower < u)
-            points[i - 1] = blend(points[i - 1], points[i], ratio_between(lower, upper, u));
+            points[i - 1] = blend_between(points[i - 1], points[i], lower, upper, u);
     }
     knots[place] = u;
 }

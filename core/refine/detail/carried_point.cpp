@@ -1,5 +1,6 @@
 #include "core/refine/detail/carried_point.h"
 
+#include <cassert>
 #include <utility>
 
 #include "core/curve/control_box.h"
@@ -15,8 +16,31 @@ double near_coordinate(double lower, double upper) {
     return 0.0;
 }
 
-double carried_weight(const Curve& curve, bool is_rational, std::size_t i) {
-    return is_rational ? curve.weights()[i] : 1.0;
+CarriedPoint carried_point(Point point, double weight, Point origin, std::size_t source) {
+    return {lift(seen_from(point, origin), weight), source};
+}
+
+PreciselyCarriedPoint precisely_carried_point(Point point, double weight, Point origin, std::size_t source) {
+    return {lift_precisely(point, weight, origin), source};
+}
+
+template <class P>
+Spline<P> carried_as(const Curve& curve, std::size_t periods, P (*carry)(Point, double, Point, std::size_t)) {
+    const KnotVector& knots = curve.knots();
+    const std::size_t n = curve.control_points().size();
+    const auto p = static_cast<std::size_t>(curve.degree());
+    const std::size_t margin = p + periods * n;
+    Spline<P> spline{.p = p,
+                     .knots = knots.is_periodic() ? unroll_period(knots.stored(), margin, margin)
+                                                  : std::vector(knots.values().begin(), knots.values().end())};
+    const Point origin = origin_near(curve);
+    const bool is_rational = curve.is_rational();
+    spline.points.reserve(spline.knots.size() - p);
+    for (std::size_t i = 0; i + p + 1 < spline.knots.size(); ++i) {
+        const std::size_t k = i % n;
+        spline.points.push_back(carry(curve.control_points()[k], is_rational ? curve.weights()[k] : 1.0, origin, k));
+    }
+    return spline;
 }
 
 }  // namespace
@@ -27,22 +51,12 @@ Point origin_near(const Curve& curve) {
 }
 
 CarriedSpline carried(const Curve& curve, std::size_t periods) {
-    const KnotVector& knots = curve.knots();
-    const std::size_t n = curve.control_points().size();
-    const auto p = static_cast<std::size_t>(curve.degree());
-    const std::size_t margin = p + periods * n;
-    CarriedSpline spline{.p = p,
-                         .knots = knots.is_periodic() ? unroll_period(knots.stored(), margin, margin)
-                                                      : std::vector(knots.values().begin(), knots.values().end())};
-    const Point origin = origin_near(curve);
-    const bool is_rational = curve.is_rational();
-    spline.points.reserve(spline.knots.size() - p);
-    for (std::size_t i = 0; i + p + 1 < spline.knots.size(); ++i) {
-        const std::size_t k = i % n;
-        const double weight = carried_weight(curve, is_rational, k);
-        spline.points.push_back({lift(seen_from(curve.control_points()[k], origin), weight), k});
-    }
-    return spline;
+    return carried_as(curve, periods, carried_point);
+}
+
+PreciselyCarriedSpline carried_precisely(const Curve& curve) {
+    assert(!curve.is_periodic());
+    return carried_as(curve, 0, precisely_carried_point);
 }
 
 Result<Curve> settled(const Curve& from, CarriedForm form, std::span<const CarriedPoint> points) {
@@ -75,6 +89,14 @@ Result<Curve> settled(const Curve& from, CarriedSpline spline, KnotKind kind, Te
     return settled(
         from, {.degree = static_cast<int>(spline.p), .knots = std::move(spline.knots), .kind = kind, .tears = tears},
         spline.points);
+}
+
+Result<Curve> settled(const Curve& from, PreciselyCarriedSpline spline, KnotKind kind) {
+    CarriedSpline plain{.p = spline.p, .knots = std::move(spline.knots)};
+    plain.points.reserve(spline.points.size());
+    for (const PreciselyCarriedPoint& carried : spline.points)
+        plain.points.push_back({rounded(carried.point), carried.source});
+    return settled(from, std::move(plain), kind);
 }
 
 }  // namespace batten::core

@@ -74,6 +74,19 @@ TEST(Unclamping, makes_a_clamped_uniform_vector_uniform_and_back) {
     EXPECT_LE(point_difference(uniform, *back), 1e-15);
 }
 
+TEST(Unclamping, leaves_an_even_curve_of_high_degree_as_it_is) {
+    CurveDefinition definition{.degree = 18, .kind = KnotKind::uniform};
+    for (int i = -18; i <= 21; ++i) definition.knots.push_back(i);
+    for (int i = 0; i < 21; ++i) definition.points.emplace_back(i % 3, i % 4);
+    const Curve curve = Curve::make(definition).value();
+    for (const CurveEnd end : {CurveEnd::start, CurveEnd::end}) {
+        const Curve same = unclamp(curve, end).value();
+        EXPECT_EQ(stored(same), stored(curve));
+        EXPECT_EQ(same.knots().kind(), KnotKind::uniform);
+        EXPECT_LE(point_difference(curve, same), 1e-15);
+    }
+}
+
 TEST(Unclamping, repeats_the_spans_of_the_domain_outside) {
     const Curve curve =
         Curve::make(

@@ -69,6 +69,65 @@ TEST(Extend, by_arc_length_meets_it) {
     EXPECT_GT(extended, 90);
 }
 
+TEST(Extend, goes_on_as_the_same_polynomial_of_high_degree) {
+    // Exact fractions, rounded once.
+    CurveDefinition definition{.degree = 18};
+    for (int i = -18; i <= 21; ++i) definition.knots.push_back(i);
+    definition.points = {{2, 3},   {-1, -1}, {-2, 1}, {-3, 1}, {0, 0},  {3, -3},  {3, 3},
+                         {-3, 1},  {0, 0},   {2, -3}, {1, -3}, {-3, 1}, {-3, -1}, {1, 3},
+                         {-2, -2}, {-2, -3}, {0, 2},  {3, 3},  {1, 1},  {-1, 1},  {-1, 0}};
+    const Curve longer = extend_parameter(Curve::make(definition).value(), CurveEnd::end, 3.0).value();
+    const auto points = longer.control_points();
+    EXPECT_LE(distance(points[20], {-1.0277201234020805, -0.5991458765377873}), 1e-15);
+    EXPECT_LE(distance(points[19], {-1.093478036093821, -0.5716775854919175}), 1e-15);
+    EXPECT_LE(distance(points[12], {-2.1658609930714707, -0.5772258011596246}), 1e-15);
+}
+
+TEST(Extend, by_arc_length_from_a_short_span_among_weights_that_differ_by_much) {
+    // Over thirty times the first span; where that ends is the root of the length of the exact polynomial.
+    const Curve curve =
+        Curve::make({.degree = 7,
+                     .knots = {-2.2634060402261094,
+                               -1.2255232459019718,
+                               -1.1900258204972218,
+                               -0.9182393996778004,
+                               -0.6336272265268493,
+                               -0.48912105782639037,
+                               -0.11751220208230412,
+                               0.0,
+                               0.006727504805582276,
+                               0.6342934388162748,
+                               0.7632793405815307,
+                               4.467463525789524,
+                               5.0,
+                               5.0,
+                               5.0,
+                               5.0,
+                               5.0,
+                               5.0,
+                               5.256371979426131,
+                               7.201842581136606},
+                     .points = {{-0.006084260198579678, -1.0283090612850385},
+                                {-0.4458516679863269, -1.4613715002682397},
+                                {-1.3485800982012406, -2.5106302361557136},
+                                {-1.5115268854699604, -2.8762276795149577},
+                                {-1.8345858953745307, -3.0632972095680095},
+                                {-2.492209515601846, -2.9366471300163184},
+                                {-3.571546129759545, -2.9630383323460068},
+                                {-4.278078944889436, -3.640050595506913},
+                                {-4.452049230404756, -4.38602032785576},
+                                {-5.158151861962873, -5.194931368798689},
+                                {-5.525108375185663, -5.851258804727595},
+                                {-4.668642963284679, -6.361484227205344}},
+                     .weights = {0.08246989491122196, 38.09810958887369, 2.01630032876995, 1.0243860163940772,
+                                 0.013785930230178255, 1.140805747756308, 0.005009924191719422, 0.08672998417988075,
+                                 0.07763645747121829, 105.26059025960451, 0.011952775005329022, 0.21903489839185042}})
+            .value();
+    const Curve longer = extend_length(curve, CurveEnd::start, 0.5519024114987084).value();
+    EXPECT_NEAR(longer.domain().lower, -0.20089149505665432, 1e-13);
+    EXPECT_NEAR(arc_length(longer, longer.domain().lower, 0.0).value, 0.5519024114987084, 1e-11);
+}
+
 TEST(Extend, straight_by_the_length_and_in_the_direction_of_the_end) {
     RandomCurves random(383);
     for (int k = 0; k < 200; ++k) {
