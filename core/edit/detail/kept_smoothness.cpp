@@ -16,6 +16,23 @@ int most_kept(const Curve& curve) {
     return std::min(2, curve.degree() - 1);
 }
 
+// Whether it asks nothing of the control points: whatever moves, a closed curve of two points stays on its line, and
+// one of three is an affine image of itself. What is left of the coefficients then is less than what counts as smooth.
+bool is_met_by_all_moves(const Curve& curve, const MoveCondition& condition) {
+    std::vector<double> of_points(std::min(curve.control_points().size(), condition.coefficients.size()), 0.0);
+    double largest = 0.0;
+    for (std::size_t j = 0; j < condition.coefficients.size(); ++j) {
+        of_points[j % of_points.size()] += condition.coefficients[j];
+        largest = std::max(largest, std::abs(condition.coefficients[j]));
+    }
+    const double allowed = ContinuityTolerances{}.derivative * largest;
+    return std::ranges::all_of(of_points, [&](double coefficient) { return std::abs(coefficient) <= allowed; });
+}
+
+void add_unless_met(std::vector<MoveCondition>& conditions, const Curve& curve, MoveCondition condition) {
+    if (!is_met_by_all_moves(curve, condition)) conditions.push_back(std::move(condition));
+}
+
 void add_conditions(std::vector<MoveCondition>& conditions, const Curve& curve, const JointContinuity& joint) {
     const int level = std::min(joint.geometric, most_kept(curve));
     if (level <= joint.promised) return;
@@ -23,12 +40,12 @@ void add_conditions(std::vector<MoveCondition>& conditions, const Curve& curve, 
     if (!relation) return;
     const RationalBasis before = rational_basis(curve, joint.u, 2, Side::left);
     const RationalBasis after = rational_basis(curve, joint.u, 2, Side::right);
-    conditions.push_back(difference_at_knot(curve, before, 1, after, 1, relation->scale));
+    add_unless_met(conditions, curve, difference_at_knot(curve, before, 1, after, 1, relation->scale));
     if (level < 2) return;
     MoveCondition second = difference_at_knot(curve, before, 2, after, 2, relation->scale * relation->scale);
     for (std::size_t j = 0; j < before.derivatives[1].size(); ++j)
         second.coefficients[j] -= relation->shift * before.derivatives[1][j];
-    conditions.push_back(std::move(second));
+    add_unless_met(conditions, curve, std::move(second));
 }
 
 bool is_multiple(const Curve& curve, const DistinctKnot& knot, Interval range) {

@@ -25,8 +25,9 @@ MoveCondition difference_at_knot(const Curve& curve, const RationalBasis& before
 
 /// For every knot in `range` at which the curve is smoother by its shape than by its knots: that the moves are related
 /// there as the curve is (joint_relation), so that it stays G1 and G2. Kept is G2 at most, and no more than G^(p-1),
-/// beyond which pieces could not be moved by themselves. No condition where the curve stands still. Cost O(p^3) for
-/// each of these knots, and O(n).
+/// beyond which pieces could not be moved by themselves. No condition where the curve stands still, nor where all moves
+/// keep it, as those of a closed curve of two points, which stays on a line. Cost O(p^3) for each of these knots, and
+/// O(n).
 std::vector<MoveCondition> smoothness_conditions(const Curve& curve, Interval range);
 
 /// The curve with the least sum of squared moves of control points which leaves it as smooth at its knots as it is, for

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/evaluate/evaluate.h"
@@ -201,6 +202,27 @@ TEST(MoveCurvePoint, moves_no_more_of_a_smooth_shape_than_simple_knots_would) {
         const bool is_near = i >= 2 && i <= 8;
         EXPECT_EQ(point_at(curve, middle) != point_at(moved, middle), is_near) << i;
     }
+}
+
+// Closed curves of two points stay on a line, so they are G2 wherever the points are. With one double knot a quarter of
+// the way the shares are 23/64 and 41/64: the moves are 23 * 64 / (23^2 + 41^2) and 41 * 64 / (23^2 + 41^2).
+TEST(MoveCurvePoint, moves_two_points_of_a_closed_curve_by_their_shares) {
+    for (const double period : {1.0, 1e9})
+        for (const double origin : {0.0, 1e6}) {
+            const Curve curve = Curve::make({.degree = 3,
+                                             .knots = {0, period, period},
+                                             .points = {{origin, 1}, {origin - 3, 0}},
+                                             .weights = {2.5, 2.5},
+                                             .periodic = true})
+                                    .value();
+            const Curve moved =
+                move_curve_point(curve, 0.25 * period, {origin - 123.0 / 64.0 + 1.0, 23.0 / 64.0 - 2.0}).value();
+            const std::array<double, 2> shares{736.0 / 1105.0, 1312.0 / 1105.0};
+            for (std::size_t i = 0; i < 2; ++i) {
+                const Point wanted = curve.control_points()[i] + shares[i] * Vector(1.0, -2.0);
+                EXPECT_LE(distance(moved.control_points()[i], wanted), 1e-15 * (4.0 + origin)) << i;
+            }
+        }
 }
 
 TEST(MoveCurvePoint, of_a_straight_polyline_makes_the_corner_that_it_must) {
