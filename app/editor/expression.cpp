@@ -6,8 +6,8 @@
 #include <numbers>
 #include <system_error>
 
-#include "app/editor/formula.h"
 #include "app/editor/quantity.h"
+#include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -149,7 +149,8 @@ class Parser {
         if (std::isfinite(result)) return Quantity{result};
         return fail(core::sentence(
             in_radians(*base) < 0.0 ? "({base})^{exponent} has no value" : "{base}^{exponent} has no value",
-            {{"base", number_text(in_radians(*base))}, {"exponent", number_text(in_radians(*exponent))}}));
+            {{"base", core::shortest_text(in_radians(*base))},
+             {"exponent", core::shortest_text(in_radians(*exponent))}}));
     }
 
     Value operand() {
@@ -180,7 +181,7 @@ class Parser {
         const Quantity result = function(*argument);
         if (std::isfinite(in_radians(result))) return result;
         return fail(core::sentence("{name}({argument}) has no value",
-                                   {{"name", called}, {"argument", number_text(in_radians(*argument))}}));
+                                   {{"name", called}, {"argument", core::shortest_text(in_radians(*argument))}}));
     }
 
     Value number() {

@@ -157,10 +157,6 @@ std::string fixed_text(double value, int decimals) {
     return is_zero(digits) ? digits : signed_text(value, digits);
 }
 
-std::string position_text(core::Point point, int digits) {
-    return fmt::format("({}, {})", number_text(point.x, digits), number_text(point.y, digits));
-}
-
 std::string cell_text(const core::DeBoorTriangle& triangle, std::size_t level, std::size_t index,
                       std::size_t point_count) {
     const std::size_t i = triangle.levels[level][index].index;

@@ -26,9 +26,6 @@ std::string without_trailing_zeros(std::string text);
 /// Exactly `decimals` digits after the point, "−" for minus, never "−0": for columns.
 std::string fixed_text(double value, int decimals);
 
-/// "(0.5, −2)".
-std::string position_text(core::Point point, int digits = 4);
-
 /// "P_{3}^{1}", for level 0 "P_{3}", for the last level "C(u)". `index` is the place in the level, not the i of P_i.
 /// Pass the number of control points of a periodic curve, so that level 0 names the points as the canvas does (i mod
 /// n); the other levels keep the numbering of the unrolled points and knots, which their formulas need.

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int digits_to_read = 6;
 constexpr std::string_view bound_words = "at most ";
+constexpr std::string_view degree_sign = "°";
 
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
@@ -78,8 +79,9 @@ std::string_view number_at(std::string_view text, std::size_t i) {
     double ignored = 0.0;
     const auto* const end = std::from_chars(text.data() + i, text.data() + text.size(), ignored).ptr;
     const auto length = static_cast<std::size_t>(end - text.data()) - i;
-    const std::size_t behind = i + length;
-    const bool goes_on = behind < text.size() && belongs_to_word(text[behind]) && text[behind] != '.';
+    const std::string_view behind = text.substr(i + length);
+    const bool goes_on =
+        !behind.empty() && belongs_to_word(behind.front()) && behind.front() != '.' && !behind.starts_with(degree_sign);
     return goes_on ? std::string_view() : text.substr(i, length);
 }
 

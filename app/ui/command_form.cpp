@@ -6,7 +6,7 @@
 #include "app/editor/command_reader.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/field_text.h"
-#include "app/editor/formula.h"
+#include "app/editor/reading_text.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/dialog_frame.h"
 #include "app/ui/form_row.h"
@@ -124,8 +124,8 @@ std::string effect_of(const PanelContext& context) {
     const std::optional<editor::Ghost>& ghost = context.state.ghost;
     if (spec.effect != editor::ShapeEffect::changes || !context.state.preview || !ghost)
         return effect_text(spec.effect);
-    return sentence("≠ changes the shape by at most {deviation}",
-                    {{"deviation", editor::bound_text(ghost->deviation)}});
+    return editor::reading_text(
+        sentence("≠ changes the shape by at most {deviation}", {{"deviation", core::shortest_text(ghost->deviation)}}));
 }
 
 /// Why the command cannot be applied: what is wrong in the fields, or why its preview was refused.

@@ -1,8 +1,10 @@
 """The subcommands: what they print, what they refuse and how, and what they end with."""
 
 import json
+import math
 import os
 import pathlib
+import re
 import tempfile
 import unittest
 
@@ -97,6 +99,16 @@ class Subcommands(unittest.TestCase):
         write_document(self.file, {**QUARTER, "points": [[-1.7e308, 0], [1.7e308, 1], [0, 1]]})
         self.assertIn("too large for a double", self.refused(1, "eval", self.file, "--at", 0.5, "--derivatives", 1))
         self.assertIn("too large for a double", run("info", self.file).stdout)
+
+    def test_a_joint_is_told_with_numbers_in_full(self):
+        # From the end (1, 0) to the other's beginning (1.3, 0.1), which goes on by (1.7, 0.8).
+        lines = [{**LINE, "points": [[0, 0], [1, 0]]}, {**LINE, "name": "other", "points": [[1.3, 0.1], [3, 0.9]]}]
+        write_document(self.file, *lines)
+        (joined,) = answer("apply", self.file, "join", "other", "C1")
+        told = re.search("the joint had a gap of (.*?), a turn of (.*?)° and the curvatures 0 and 0;", joined["message"])
+        self.assertAlmostEqual(float(told[1]), 0.1**0.5, delta=1e-15)
+        self.assertAlmostEqual(float(told[2]), math.degrees(math.atan2(0.8, 1.7)), delta=1e-13)
+        self.assertNotIn("−", joined["message"])
 
     def test_a_wrong_command_line_ends_with_2(self):
         self.refused(2, "info")

@@ -10,6 +10,7 @@ TEST(ReadingText, six_digits_are_enough_to_read) {
     EXPECT_EQ(reading_text("at (0.1, 1.2345678e-7)"), "at (0.1, 1.23457e\u22127)");
     EXPECT_EQ(reading_text("1234567 points, 12.25 s, 1e+20"), "1234567 points, 12.25 s, 1e20");
     EXPECT_EQ(reading_text("it is 0.99999999."), "it is 1.");
+    EXPECT_EQ(reading_text("a turn of 26.565051177077994° and -0.1234567°"), "a turn of 26.5651° and −0.123457°");
 }
 
 TEST(ReadingText, minus_signs_are_true_ones) {

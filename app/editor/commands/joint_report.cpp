@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "app/editor/formula.h"
+#include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -20,11 +20,12 @@ constexpr double least_degrees = 1e-7;
 std::string degrees_text(std::optional<double> radians) {
     if (!radians) return "none";
     const double degrees = std::abs(*radians) * 180.0 / std::numbers::pi;
-    return sentence("{degrees}°", {{"degrees", number_text(degrees < least_degrees ? 0.0 : degrees)}});
+    return sentence("{degrees}°", {{"degrees", core::shortest_text(degrees < least_degrees ? 0.0 : degrees)}});
 }
 
 std::string curvature_text(std::optional<double> curvature) {
-    return curvature ? number_text(*curvature) : "none";
+    // Never "-0".
+    return curvature ? core::shortest_text(*curvature + 0.0) : "none";
 }
 
 double turn_of(const core::SmoothnessLoss& loss) {
@@ -39,7 +40,8 @@ std::string corners_sentence(std::span<const core::SmoothnessLoss> corners) {
     const auto& worst = *std::ranges::max_element(corners, {}, turn_of);
     return sentence({.one = "the curve now has a corner of {angle} at u = {u}",
                      .many = "the curve now has {count} more corners, the sharpest of {angle} at u = {u}"},
-                    corners.size(), {{"angle", degrees_text(turn_of(worst))}, {"u", number_text(worst.after.u)}});
+                    corners.size(),
+                    {{"angle", degrees_text(turn_of(worst))}, {"u", core::shortest_text(worst.after.u)}});
 }
 
 std::string jumps_sentence(std::span<const core::SmoothnessLoss> jumps) {
@@ -49,7 +51,7 @@ std::string jumps_sentence(std::span<const core::SmoothnessLoss> jumps) {
                     jumps.size(),
                     {{"before", curvature_text(worst.after.before)},
                      {"after", curvature_text(worst.after.after)},
-                     {"u", number_text(worst.after.u)}});
+                     {"u", core::shortest_text(worst.after.u)}});
 }
 
 // Where the other curve stands and how, unless it simply follows.
@@ -63,7 +65,7 @@ std::optional<std::string> placing(const std::string& name, core::JoinedEnds end
 }
 
 std::string meeting_sentence(const char* pattern, const core::Meeting& meeting) {
-    return sentence(pattern, {{"gap", number_text(meeting.gap)},
+    return sentence(pattern, {{"gap", core::shortest_text(meeting.gap)},
                               {"angle", degrees_text(meeting.angle)},
                               {"before", curvature_text(meeting.before)},
                               {"after", curvature_text(meeting.after)}});
@@ -97,9 +99,10 @@ std::string join_report(const std::string& name, const core::JoinedCurve& joined
     if (joined.changed.length() > 0.0) {
         sentences.push_back(meeting_sentence(
             "it has a gap of {gap}, a turn of {angle} and the curvatures {before} and {after}", joined.after));
-        sentences.push_back(sentence(
-            "'{name}' changed from u = {from} to {to}",
-            {{"name", name}, {"from", number_text(joined.changed.lower)}, {"to", number_text(joined.changed.upper)}}));
+        sentences.push_back(
+            sentence("'{name}' changed from u = {from} to {to}", {{"name", name},
+                                                                  {"from", core::shortest_text(joined.changed.lower)},
+                                                                  {"to", core::shortest_text(joined.changed.upper)}}));
     } else {
         sentences.emplace_back("nothing had to be moved");
     }

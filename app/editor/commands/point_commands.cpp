@@ -74,7 +74,7 @@ StepTexts texts_of_nudge_by(const EditorState& state, core::Vector offset, bool 
     const core::Vector total = burst_after(state, offset, continues).total;
     const core::Place points("points", points_text(state.selection.points));
     return {sentence("Nudge {points}", {points}),
-            sentence("Nudged {points} by {offset}", {points, {"offset", position_text(core::tip_of(total))}})};
+            sentence("Nudged {points} by {offset}", {points, {"offset", place_words(core::tip_of(total))}})};
 }
 
 Outcome<Edit> nudge(const EditorState& state, const Nudge& command) {
