@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include "core/base/degree_range.h"
 #include "core/base/number_text.h"
@@ -104,14 +105,17 @@ constexpr std::array templates{
              "the curve is not one Bézier piece; it must have degree + 1 equal knots at both ends and no others"},
     Template{Code::curve_closed, "the ends of the curve meet; only a curve that is open there can go on"},
     Template{Code::extension_too_far,
-             "the curve cannot go on by {value}, because a weight would become 0 before; at most {upper} is possible"},
-    Template{
-        Code::outer_knots_too_far,
-        "the knots outside would have to reach {value} beyond the end, where a weight is no longer above 0; at most "
-        "{upper} is possible"},
+             "the curve cannot go on by {value}, because a weight would become 0 or a number too large before; at most "
+             "{upper} is possible"},
+    Template{Code::outer_knots_too_far,
+             "the knots outside would have to reach {value} beyond the end, but a weight would become 0 or a number "
+             "too large "
+             "before; at most {upper} is possible"},
     Template{Code::joint_turns_back,
              "one curve runs straight back along the other where they meet; a smooth joint needs a turn of less than "
              "180 degrees"},
+    Template{Code::not_computable,
+             "the result cannot be computed: points, weights or knots are too far apart, too large or too small"},
 };
 
 constexpr bool is_in_order() {
@@ -122,6 +126,11 @@ constexpr bool is_in_order() {
 static_assert(is_in_order(), "a template for each code, in the order of the codes");
 
 }  // namespace
+
+tl::unexpected<CurveError> refuse_computed(CurveError error) {
+    const bool is_known = std::isfinite(error.value) && std::isfinite(error.lower) && std::isfinite(error.upper);
+    return refuse(is_known ? error : CurveError{.code = CurveErrorCode::not_computable});
+}
 
 const char* sentence_template(const CurveError& error) {
     assert(static_cast<std::size_t>(error.code) < templates.size());

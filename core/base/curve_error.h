@@ -62,7 +62,8 @@ enum class CurveErrorCode {
     curve_closed,                ///< the ends of an open curve meet, so that it has none to go on from
     extension_too_far,           ///< value = length asked for, upper = most that keeps every weight positive
     outer_knots_too_far,         ///< value = how far knots would lie outside, upper = most that keeps weights positive
-    joint_turns_back             ///< two curves run back along each other where they should meet smoothly
+    joint_turns_back,            ///< two curves run back along each other where they should meet smoothly
+    not_computable               ///< numbers on the way are beyond what doubles can hold
 };
 
 /// One refusal: the code, the offending item, and the numbers that the sentence needs (see CurveErrorCode).
@@ -84,6 +85,9 @@ using Result = tl::expected<T, CurveError>;
 inline tl::unexpected<CurveError> refuse(CurveError error) {
     return tl::unexpected(error);
 }
+
+/// The refusal `error` with numbers that were computed; not_computable where one of them is not finite.
+tl::unexpected<CurveError> refuse_computed(CurveError error);
 
 /// The English template of the sentence about `error`, with the places {index}, {previous} (the index before), {value},
 /// {lower}, {upper}, {min_degree} and {max_degree} where it needs them. The plural form is that of the count it speaks

@@ -151,6 +151,10 @@ constexpr Point project(HomogeneousPoint point) {
     return {point.x / point.z, point.y / point.z};
 }
 
+inline bool is_finite(HomogeneousPoint point) {
+    return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
 /// (wx, wy) of a homogeneous point or derivative.
 constexpr Vector plane_part(HomogeneousPoint point) {
     return {point.x, point.y};

@@ -58,14 +58,16 @@ class OffsetBuilder {
         if (auto exact = circular()) return *std::move(exact);
         // Halving on would only chase rounding.
         if (tolerance_ < noise_)
-            return refuse({.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = noise_});
+            return refuse_computed(
+                {.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = noise_});
         if (auto check = collect_breaks(); !check) return refuse(check.error());
         auto result = assembled();
         if (!result) return refuse(result.error());
         if (const auto sampled = error_of(*result); !sampled) return refuse(sampled.error());
         const double error = offset_error_bound(curve_, *result, distance_);
         if (!(error <= tolerance_))
-            return refuse({.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = error});
+            return refuse_computed(
+                {.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = error});
         return Approximation{*std::move(result), error};
     }
 
@@ -177,7 +179,8 @@ class OffsetBuilder {
         const bool is_divisible = depth < most_offset_halvings && lower < middle && middle < upper;
         if (*near || !is_divisible) {
             if (breaks_.size() > most_spans)
-                return refuse({.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = worst_});
+                return refuse_computed(
+                    {.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = worst_});
             breaks_.push_back({upper, end.point, end.derivative, end.derivative});
             return {};
         }

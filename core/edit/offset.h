@@ -16,8 +16,8 @@ namespace batten::core {
 /// distance of 0 gives the curve itself. Errors: vector_not_finite; tolerance_not_positive; curve_stands_still where
 /// there is no direction; curve_has_corner where the direction jumps, beyond degree 1 (split there first);
 /// offset_too_far where the distance reaches the radius of curvature on that side, so that the offset would have a
-/// cusp; leg_vanishes, likewise for a polygon; tolerance_not_reached. Source: Hermite interpolation of the offset,
-/// whose derivative is C' (1 - distance * curvature).
+/// cusp; leg_vanishes, likewise for a polygon; tolerance_not_reached; not_computable. Source: Hermite interpolation of
+/// the offset, whose derivative is C' (1 - distance * curvature).
 [[nodiscard]] Result<Approximation> offset(const Curve& curve, double distance, double tolerance);
 
 }  // namespace batten::core

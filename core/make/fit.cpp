@@ -239,11 +239,14 @@ class Fitter {
             points->front() = points_.front();
             points->back() = points_.back();
         }
-        return Curve::make(*std::move(knots), *std::move(points), {}).map([&](Curve curve) {
-            std::vector<double> errors;
-            for (std::size_t k = 0; k < points_.size(); ++k) errors.push_back(error_at(curve, k, shift_of(breaks)));
-            return Fit{std::move(curve), std::move(errors)};
-        });
+        auto curve = Curve::make(*std::move(knots), *std::move(points), {});
+        if (!curve) return refuse(curve.error());
+        std::vector<double> errors;
+        for (std::size_t k = 0; k < points_.size(); ++k) {
+            errors.push_back(error_at(*curve, k, shift_of(breaks)));
+            if (!std::isfinite(errors.back())) return refuse({.code = CurveErrorCode::not_computable});
+        }
+        return Fit{*std::move(curve), std::move(errors)};
     }
 
     // Rounded up, and before that in twice the precision: of a curve through the points rounding is all there is.

@@ -27,8 +27,8 @@ struct FitRequest {
 /// those after the first) give the reversed curve, bit for bit, knots included. Checked in this order:
 /// degree_out_of_range; degree_too_low for the ends; those of parametrize; smoothing_negative; vector_not_finite;
 /// data_points_too_few; too_few_points (p+1; 4 with two conditions at the ends; 2 when closed); control_points_too_many
-/// (as many as points, and one more for each condition at an end); equations_singular. Cost O(m p^2) for m points.
-/// Source: The NURBS Book, 9.4.1, with knots that do not depend on the direction.
+/// (as many as points, and one more for each condition at an end); equations_singular; not_computable. Cost O(m p^2)
+/// for m points. Source: The NURBS Book, 9.4.1, with knots that do not depend on the direction.
 [[nodiscard]] Result<Approximation> fit(std::span<const Point> points, std::size_t count,
                                         const FitRequest& request = {});
 

@@ -112,8 +112,9 @@ Result<Approximation> join_pieces(std::span<const Curve> pieces, double toleranc
             whole = next->definition();
             continue;
         }
-        const double gap = distance(whole->points.back(), next->control_points().front());
-        if (!(gap <= tolerance)) return refuse({.code = CurveErrorCode::ends_apart, .value = gap, .upper = tolerance});
+        const double gap = robust_length(next->control_points().front() - whole->points.back());
+        if (!(gap <= tolerance))
+            return refuse_computed({.code = CurveErrorCode::ends_apart, .value = gap, .upper = tolerance});
         largest_gap = std::max(largest_gap, gap);
         joints.push_back(*begin);
         whole = concatenated(*std::move(whole), next->definition());

@@ -18,7 +18,7 @@ namespace batten::core {
 /// a common factor where they differ at a joint. Knots at the joints are then removed as long as the whole curve
 /// deviates by no more than `tolerance` (> 0, in the units of the points), which also is how far apart the ends that
 /// meet may be; the later one gives way. The error is the largest of these gaps plus the deviation by the removals.
-/// Errors: tolerance_not_positive; curve_periodic; ends_apart; knots_coincide. Cost O(n p^2).
+/// Errors: tolerance_not_positive; curve_periodic; ends_apart; knots_coincide; not_computable. Cost O(n p^2).
 [[nodiscard]] Result<Approximation> join_pieces(std::span<const Curve> pieces, double tolerance);
 
 /// The definition of `first` continued by `second`, both clamped where they meet, of equal degree and with domains that

@@ -39,8 +39,10 @@ CurveError outer_knots_too_far(const Curve& curve, CurveEnd end) {
     const PreciselyCarriedSpline spline = clamped_at_start(seen_from_end(carried_precisely(curve), end));
     const double reach = spline.knots[spline.p] - unclamped_at_start(spline).knots[1];
     const double most = largest_possible(reach, [&](double part) {
-        return std::ranges::all_of(unclamped_by(spline, part / reach).points,
-                                   [](const PreciselyCarriedPoint& point) { return rounded(point.point).z > 0.0; });
+        return std::ranges::all_of(unclamped_by(spline, part / reach).points, [](const PreciselyCarriedPoint& carried) {
+            const HomogeneousPoint point = rounded(carried.point);
+            return is_finite(point) && point.z > 0.0;
+        });
     });
     return {.code = CurveErrorCode::outer_knots_too_far, .value = reach, .upper = most};
 }
@@ -67,8 +69,7 @@ Result<Curve> clamp(const Curve& curve, CurveEnd end) {
 
 Result<Curve> unclamp(const Curve& curve, CurveEnd end) {
     auto result = with_end(curve, end, unclamped_at_start, false);
-    if (!result && result.error().code == CurveErrorCode::weight_not_positive)
-        return refuse(outer_knots_too_far(curve, end));
+    if (!result && is_carried_too_far(result.error())) return refuse_computed(outer_knots_too_far(curve, end));
     return result;
 }
 

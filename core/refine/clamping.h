@@ -14,7 +14,8 @@ namespace batten::core {
 /// The same curve with different knots beyond this end of its domain, which keeps one knot there: the spans of the
 /// domain are repeated outside it as if the curve were periodic, u_{p-k} - u_{p-k-1} being the k-th span from the other
 /// end. Control points there are extrapolated. Errors: curve_periodic; outer_knots_too_far, which says how far they
-/// could lie, when an extrapolated weight is not positive. Cost O(p^2) plus the copying. Source: The NURBS Book, A12.1.
+/// could lie, when an extrapolated weight is not positive or beyond doubles; not_computable. Cost O(p^2) plus the
+/// copying. Source: The NURBS Book, A12.1.
 [[nodiscard]] Result<Curve> unclamp(const Curve& curve, CurveEnd end);
 
 /// The same for both ends. A uniform kind goes over into the clamped uniform one and back.

@@ -47,7 +47,7 @@ Result<Approximation> reduce_degree(const Curve& curve, int by, double tolerance
     if (!reduced) return refuse(reduced.error());
     const double error = largest_deviation(curve, *reduced);
     if (!(error <= tolerance))
-        return refuse({.code = CurveErrorCode::deviation_too_large, .value = error, .upper = tolerance});
+        return refuse_computed({.code = CurveErrorCode::deviation_too_large, .value = error, .upper = tolerance});
     return Approximation{*reduced, error};
 }
 

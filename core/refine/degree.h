@@ -8,8 +8,8 @@ namespace batten::core {
 /// The same curve in degree p + `by` (by >= 1; shape-keeping). Every multiplicity grows by `by`; an unclamped vector
 /// keeps as many knots outside its domain as the new degree needs. Control points are convex combinations of the old
 /// ones, so they are right to a few units in the last place in every degree. Errors: degree_out_of_range;
-/// knots_coincide where knots of a period are too close for the next one. Cost O(p^2) for each step and point. Source:
-/// Prautzsch 1984; Prautzsch and Piper 1991.
+/// knots_coincide where knots of a period are too close for the next one; not_computable. Cost O(p^2) for each step and
+/// point. Source: Prautzsch 1984; Prautzsch and Piper 1991.
 [[nodiscard]] Result<Curve> elevate_degree(const Curve& curve, int by = 1);
 
 /// The curve in degree p - 1 that agrees with this one at the Greville points of the lower degree (shape-changing,
@@ -21,7 +21,7 @@ namespace batten::core {
 
 /// The curve in degree p - `by` (by >= 1), by so many of these steps, and a bound of the deviation they make.
 /// Errors: tolerance_not_positive; deviation_too_large when it is above `tolerance` (> 0, in the units of the points);
-/// those of reduce_degree.
+/// not_computable; those of reduce_degree.
 [[nodiscard]] Result<Approximation> reduce_degree(const Curve& curve, int by, double tolerance);
 
 /// The curve with the same control points in another degree (shape-changing): a special kind is regenerated over the

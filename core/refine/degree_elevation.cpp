@@ -39,7 +39,7 @@ std::optional<CurveError> merged_in_a_copy(std::span<const double> period) {
 }
 
 Result<Curve> elevate_periodic(const Curve& curve, int by) {
-    if (const auto merged = merged_in_a_copy(curve.knots().stored())) return refuse(*merged);
+    if (const auto merged = merged_in_a_copy(curve.knots().stored())) return refuse_computed(*merged);
     const CarriedSpline strip = elevated_often(carried(curve, 1), by);
     std::vector<double> period = elevated_period(curve.knots().stored(), by);
     // Where the period stands in the strip: its last knot at the lower end of the domain, found in both.

@@ -76,7 +76,7 @@ double added_length(const Curve& curve, const Curve& longer, CurveEnd end) {
 
 // That so much `length` is too much, where a domain longer by `most` is about the longest.
 Result<Curve> too_long(const Curve& curve, CurveEnd end, double length, double most, CurveError error) {
-    if (error.code != CurveErrorCode::weight_not_positive || !(most > 0.0)) return refuse(error);
+    if (!is_carried_too_far(error) || !(most > 0.0)) return refuse(error);
     const auto longest = longer_if_possible(curve, end, most);
     if (!longest) return refuse(error);
     return refuse({.code = CurveErrorCode::extension_too_far,
@@ -126,9 +126,10 @@ Result<Curve> extend_parameter(const Curve& curve, CurveEnd end, double by) {
     if (const auto check = check_added_length(by); !check) return refuse(check.error());
     if (curve.is_periodic()) return refuse({.code = CurveErrorCode::curve_periodic});
     auto longer = longer_if_possible(curve, end, by);
-    if (longer || longer.error().code != CurveErrorCode::weight_not_positive) return longer;
+    if (longer || !is_carried_too_far(longer.error())) return longer;
     const double most =
         largest_possible(by, [&](double part) { return longer_if_possible(curve, end, part).has_value(); });
+    if (!(most > 0.0)) return longer;
     return refuse({.code = CurveErrorCode::extension_too_far, .value = by, .upper = most});
 }
 

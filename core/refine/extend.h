@@ -8,8 +8,8 @@ namespace batten::core {
 
 /// The curve over a domain that is longer by `by` (> 0) at this end: the polynomial of its last piece simply goes on.
 /// The end becomes clamped, no knot is added. Errors: curve_periodic; length_not_positive; range_empty when `by` is too
-/// small beside the parameters; extension_too_far, which says how far it can go, when the denominator runs out. Cost
-/// O(p^2) plus the copying. Source: blossoms.
+/// small beside the parameters; extension_too_far, which says how far it can go, when the denominator runs out or
+/// doubles do; not_computable where not even that is known. Cost O(p^2) plus the copying. Source: blossoms.
 [[nodiscard]] Result<Curve> extend_parameter(const Curve& curve, CurveEnd end, double by);
 
 /// The same, by as much as makes the curve longer by the arc length `length` (> 0), met to about 1e-12 of it. Errors

@@ -205,8 +205,8 @@ JoinedEnds nearest_ends(const Curve& first, const Curve& second) {
                                  JoinedEnds{CurveEnd::start, CurveEnd::start}};
     const double rounding = rounding_of(first) + rounding_of(second);
     const auto gap = [&](JoinedEnds ends) {
-        return distance(point_at(first, parameter_of(first, ends.first)),
-                        point_at(second, parameter_of(second, ends.second)));
+        return robust_length(point_at(second, parameter_of(second, ends.second)) -
+                             point_at(first, parameter_of(first, ends.first)));
     };
     JoinedEnds nearest = choices.front();
     for (const JoinedEnds& ends : choices)
@@ -221,7 +221,10 @@ Result<JoinedCurve> join(const Curve& first, const Curve& second, JoinContinuity
     if (!oriented) return refuse(oriented.error());
     auto joined = ends.first == CurveEnd::end ? joined_forward(first, *oriented, continuity)
                                               : joined_backward(first, *oriented, continuity);
-    if (joined) joined->ends = ends;
+    if (!joined) return joined;
+    if (!std::isfinite(joined->before.gap) || !std::isfinite(joined->after.gap))
+        return refuse({.code = CurveErrorCode::not_computable});
+    joined->ends = ends;
     return joined;
 }
 

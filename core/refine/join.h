@@ -66,8 +66,8 @@ JoinedEnds nearest_ends(const Curve& first, const Curve& second);
 /// multiplicity p; for C1 and C2 it loses as many knots as rounding allows, all of 1 and 2 unless weights differ.
 ///
 /// Errors: curve_periodic; curve_closed where the ends of one meet; curve_stands_still where a direction or curvature
-/// is needed and an end has none; joint_turns_back where a smooth joint would have to turn on the spot; those of
-/// elevate_degree and shift_domain. Cost O(n p^2).
+/// is needed and an end has none; joint_turns_back where a smooth joint would have to turn on the spot; not_computable;
+/// those of elevate_degree and shift_domain. Cost O(n p^2).
 [[nodiscard]] Result<JoinedCurve> join(const Curve& first, const Curve& second, JoinContinuity continuity,
                                        JoinedEnds ends);
 

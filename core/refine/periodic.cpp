@@ -22,9 +22,11 @@ auto iterator_at(T& container, std::size_t i) {
 }
 
 Result<void> check_closed(const Curve& curve, double tolerance) {
-    const double gap = distance(point_at(curve, curve.domain().lower), point_at(curve, curve.domain().upper));
-    if (curve.is_periodic() || gap <= tolerance) return {};
-    return refuse({.code = CurveErrorCode::ends_apart, .value = gap, .upper = tolerance});
+    if (curve.is_periodic()) return {};
+    const auto [lower, upper] = curve.domain();
+    const double gap = robust_length(point_at(curve, upper) - point_at(curve, lower));
+    if (gap <= tolerance) return {};
+    return refuse_computed({.code = CurveErrorCode::ends_apart, .value = gap, .upper = tolerance});
 }
 
 // `curve` with knot `u` of multiplicity `wanted`.

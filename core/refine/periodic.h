@@ -12,8 +12,8 @@ namespace batten::core {
 /// as the curve is there. Where the weights at the ends differ, the parameter is first changed by a linear rational
 /// function that makes them equal; that keeps the shape and the domain, but moves knots inside it.
 /// The error is measured against the curve (with changed parameter) over all spans. Errors: tolerance_not_positive;
-/// ends_apart; too_few_points when fewer than 2 remain; multiplicity_too_high for a curve that is torn inside. Cost
-/// O(n p^2).
+/// ends_apart; not_computable; too_few_points when fewer than 2 remain; multiplicity_too_high for a curve that is torn
+/// inside. Cost O(n p^2).
 [[nodiscard]] Result<Approximation> to_periodic(const Curve& curve, double tolerance);
 
 /// The clamped curve with the same points and the same domain: a periodic curve is opened at its seam, an open one has

@@ -70,11 +70,12 @@ Result<Curve> settled(const Curve& from, CarriedForm form, std::span<const Carri
     definition.points.reserve(points.size());
     definition.weights.reserve(points.size());
     for (const CarriedPoint& carried : points) {
+        const bool is_kept = carried.source != CarriedPoint::is_new;
+        if (!is_kept && !is_finite(carried.point)) return refuse({.code = CurveErrorCode::not_computable});
         if (!(carried.point.z > 0.0))
             return refuse({.code = CurveErrorCode::weight_not_positive,
                            .index = definition.points.size(),
                            .value = carried.point.z});
-        const bool is_kept = carried.source != CarriedPoint::is_new;
         definition.points.push_back(is_kept ? from.control_points()[carried.source]
                                             : origin + vector_to(project(carried.point)));
         if (!is_rational)

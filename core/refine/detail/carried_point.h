@@ -58,8 +58,13 @@ struct CarriedForm {
     Tears tears = Tears::refuse;       ///< a torn curve keeps its tears anyway
 };
 
-/// The curve of points carried from `from`. Errors: weight_not_positive; those of Curve::make.
+/// The curve of points carried from `from`. Errors: weight_not_positive; not_computable; those of Curve::make.
 [[nodiscard]] Result<Curve> settled(const Curve& from, CarriedForm form, std::span<const CarriedPoint> points);
+
+/// Whether points could not be `settled` because they were carried too far.
+inline bool is_carried_too_far(const CurveError& error) {
+    return error.code == CurveErrorCode::weight_not_positive || error.code == CurveErrorCode::not_computable;
+}
 
 /// The open curve of a spline carried from `from`.
 [[nodiscard]] Result<Curve> settled(const Curve& from, CarriedSpline spline, KnotKind kind,

@@ -158,7 +158,8 @@ int order_of(JoinContinuity continuity) {
 }
 
 Meeting meeting_of(const Curve& first, double end, const Curve& second, double start) {
-    Meeting meeting{.gap = distance(point_at(first, end, Side::left), point_at(second, start)), .angle = std::nullopt};
+    Meeting meeting{.gap = robust_length(point_at(second, start) - point_at(first, end, Side::left)),
+                    .angle = std::nullopt};
     const auto before = tangent_at(first, end, Side::left);
     const auto after = tangent_at(second, start, Side::right);
     if (before && after) meeting.angle = angle_between(*before, *after);
@@ -201,7 +202,7 @@ double end_of_change(const Curve& second, const Jet& wanted) {
     const Walk walk(second);
     const std::size_t order = wanted.derivatives.size();
     const Jet found = derivatives_at(second, lower, static_cast<int>(order));
-    const double gap = distance(found.point, wanted.point);
+    const double gap = robust_length(wanted.point - found.point);
     const double length = wanted_length(walk, gap, order >= 1 ? severity(found[1], wanted[1]) : 0.0);
     double reach = end_by_length(second, walk, length, gap) - lower;
     if (order >= 1) {

@@ -12,6 +12,7 @@ inline double rounded_down(double value) {
     // Powers of ten with exact values, so that the result is the nearest double of the number that is meant.
     const double exponent = std::floor(std::log10(value)) + 1 - digits;
     const double power = std::pow(10.0, std::abs(exponent));
+    if (!std::isfinite(power)) return value;
     return exponent < 0.0 ? std::floor(value * power) / power : std::floor(value / power) * power;
 }
 

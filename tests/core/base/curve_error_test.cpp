@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -107,6 +108,18 @@ TEST(CurveError, says_what_was_found_where_and_what_is_allowed) {
         seen.insert(error.code);
     }
     EXPECT_EQ(seen.size(), static_cast<std::size_t>(CurveErrorCode::curve_not_polynomial_piece) + 1);
+}
+
+TEST(CurveError, tells_no_computed_number_that_is_not_finite) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    using Code = CurveErrorCode;
+    const CurveError apart{.code = Code::ends_apart, .value = 0.5, .upper = 1e-9};
+    EXPECT_EQ(refuse_computed(apart).value(), apart);
+    for (const CurveError& error : {CurveError{.code = Code::ends_apart, .value = infinity, .upper = 1e-9},
+                                    CurveError{.code = Code::tolerance_not_reached, .value = 1.0, .lower = -infinity},
+                                    CurveError{.code = Code::outer_knots_too_far, .value = 1.0, .upper = std::nan("")}})
+        EXPECT_EQ(describe(refuse_computed(error).value()),
+                  "the result cannot be computed: points, weights or knots are too far apart, too large or too small");
 }
 
 TEST(CurveError, prints_numbers_in_the_fewest_digits_that_keep_them) {

@@ -178,6 +178,9 @@ TEST(Offset, refuses_cusps_corners_and_standstill) {
     EXPECT_EQ(offset(still, 0.1, 1e-6).error(), (CurveError{.code = CurveErrorCode::curve_stands_still, .value = 0}));
     EXPECT_EQ(offset(parabola, 0.1, 0.0).error().code, CurveErrorCode::tolerance_not_positive);
     EXPECT_EQ(offset(parabola, 0.1, 1e-30).error().code, CurveErrorCode::tolerance_not_reached);
+    const Curve vast =
+        Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{0, 0}, {1e160, 1e160}, {2e160, 0}}}).value();
+    EXPECT_EQ(offset(vast, -1e159, 1e155).error().code, CurveErrorCode::not_computable);
     EXPECT_EQ(offset(parabola, 0.0, 1e-3).value().curve, parabola);
 }
 

@@ -227,6 +227,23 @@ TEST(Fit, is_the_same_far_from_the_origin) {
                   1e-9);
 }
 
+// The squares of these distances are no doubles. Those of the points 1e-300 times as large are.
+TEST(Fit, tells_the_error_of_the_largest_points) {
+    std::vector<Point> points;
+    std::vector<Point> large;
+    for (int k = 0; k < 6; ++k) {
+        points.emplace_back(k, k % 2);
+        large.emplace_back(1e300 * k, 1e300 * (k % 2));
+    }
+    const double error = fit(points, 4).value().error;
+    EXPECT_GT(error, 0.1);
+    EXPECT_NEAR(fit(large, 4).value().error, 1e300 * error, 1e286);
+    const auto refused = fit_within(large, 1e299, {.smoothing = 1e9});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, CurveErrorCode::tolerance_not_reached);
+    EXPECT_TRUE(std::isfinite(refused.error().lower));
+}
+
 TEST(Fit, refuses_what_the_points_cannot_determine) {
     const auto points = wave(10);
     EXPECT_EQ(describe(fit(points, 11).error()),

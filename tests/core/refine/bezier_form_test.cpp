@@ -93,6 +93,11 @@ TEST(JoinPieces, refuses_gaps_and_rings) {
               (CurveError{.code = CurveErrorCode::ends_apart, .value = 3.0, .upper = 1.0}));
     const Curve ring =
         Curve::make({.degree = 2, .knots = {0, 1, 2}, .points = {{0, 0}, {1, 2}}, .periodic = true}).value();
+    const Curve far = Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{-1e300, 0}, {-1.5e308, 0}}}).value();
+    EXPECT_EQ(join_pieces(std::vector{line, far}, 1.0).error(),
+              (CurveError{.code = CurveErrorCode::ends_apart, .value = 1e300, .upper = 1.0}));
+    const Curve opposite = Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{1.5e308, 0}, {0, 0}}}).value();
+    EXPECT_EQ(join_pieces(std::vector{far, opposite}, 1.0).error().code, CurveErrorCode::not_computable);
     EXPECT_EQ(join_pieces(std::vector{line, ring}, 1.0).error().code, CurveErrorCode::curve_periodic);
     EXPECT_EQ(join_pieces(std::vector{line}, 0.0).error().code, CurveErrorCode::tolerance_not_positive);
     EXPECT_EQ(join_pieces(std::vector{line}, 1.0)->curve, line);

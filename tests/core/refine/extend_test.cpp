@@ -7,6 +7,7 @@
 
 #include "core/make/conics.h"
 #include "core/measure/arc_length.h"
+#include "core/refine/detail/largest_possible.h"
 #include "core/refine/split.h"
 #include "tests/core/shape_check.h"
 
@@ -182,7 +183,8 @@ TEST(Extend, of_a_rational_curve_says_how_far_it_can_go) {
         const auto far = extend_parameter(arc, end, 3.0);
         ASSERT_FALSE(far);
         EXPECT_EQ(describe(far.error()),
-                  "the curve cannot go on by 3, because a weight would become 0 before; at most 2.414 is possible");
+                  "the curve cannot go on by 3, because a weight would become 0 or a number too large before; at most "
+                  "2.414 is possible");
         EXPECT_TRUE(extend_parameter(arc, end, far.error().upper));
         EXPECT_NEAR(arc_length(extend_length(arc, end, 1.5).value()).value, std::numbers::pi / 2 + 1.5, 1e-9);
         const auto longer = extend_length(arc, end, 2.0);
@@ -193,6 +195,29 @@ TEST(Extend, of_a_rational_curve_says_how_far_it_can_go) {
         EXPECT_GE(longer.error().upper, std::numbers::pi / 2 - 0.01);
         EXPECT_TRUE(extend_length(arc, end, longer.error().upper));
     }
+}
+
+// The end of the line goes on to 1e308 (1 + by), which is a double below by = 0.79769...; so do its weights.
+TEST(Extend, goes_on_as_far_as_doubles_do) {
+    const Curve line = Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 0}, {1e308, 0}}}).value();
+    const Curve heavy =
+        Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 0}, {1, 0}}, .weights = {1, 1e308}}).value();
+    for (const Curve& curve : {line, heavy}) {
+        const auto far = extend_parameter(curve, CurveEnd::end, 10.0);
+        ASSERT_FALSE(far);
+        EXPECT_EQ(far.error().code, CurveErrorCode::extension_too_far);
+        EXPECT_LE(far.error().upper, 0.79769);
+        EXPECT_GE(far.error().upper, 0.797);
+        EXPECT_TRUE(extend_parameter(curve, CurveEnd::end, far.error().upper));
+    }
+    EXPECT_EQ(extend_parameter(heavy, CurveEnd::end, 1e300).error().code, CurveErrorCode::not_computable);
+}
+
+TEST(Extend, writes_the_smallest_limits_in_full) {
+    EXPECT_EQ(rounded_down(1.23456e-300), 1.234e-300);
+    EXPECT_EQ(rounded_down(1.23456e-306), 1.23456e-306);
+    EXPECT_EQ(rounded_down(5e-324), 5e-324);
+    EXPECT_EQ(rounded_down(1.23456e308), 1.234e308);
 }
 
 }  // namespace

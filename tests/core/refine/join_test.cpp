@@ -285,6 +285,17 @@ TEST(Join, keeps_its_continuity_far_away_and_in_high_degrees) {
         }
 }
 
+TEST(Join, tells_the_gap_of_ends_as_far_apart_as_doubles_reach) {
+    const auto line = [](Point from, Point to) {
+        return Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {from, to}}).value();
+    };
+    const Curve first = line({0, 0}, {1e300, 0});
+    EXPECT_EQ(join(first, line({1e300, 1e300}, {0, 3e300}), JoinContinuity::c0).value().before.gap, 1e300);
+    const Curve left = line({-1.5e308, 0}, {-1.5e308, 1e300});
+    const Curve right = line({1.5e308, 0}, {1.5e308, 1e300});
+    EXPECT_EQ(join(left, right, JoinContinuity::c0).error().code, CurveErrorCode::not_computable);
+}
+
 TEST(Join, refuses_rings_and_ends_without_direction) {
     using Code = CurveErrorCode;
     const Curve line = Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 0}, {2, 0}}}).value();

@@ -205,6 +205,18 @@ TEST(Periodic, refuses_open_curves_and_bad_numbers) {
     EXPECT_EQ(move_seam(ring, std::nan(""), 1e-9).error().code, Code::parameter_not_finite);
 }
 
+TEST(Periodic, tells_the_gap_of_ends_as_far_apart_as_doubles_reach) {
+    using Code = CurveErrorCode;
+    const auto with_ends_at = [](double x) {
+        return Curve::make({.degree = 1, .knots = {0, 0, 1, 2, 2}, .points = {{-x, 0}, {0, 1}, {x, 0}}}).value();
+    };
+    EXPECT_EQ(to_periodic(with_ends_at(1e300), 1.0).error(),
+              (CurveError{.code = Code::ends_apart, .value = 2e300, .upper = 1.0}));
+    EXPECT_EQ(to_periodic(with_ends_at(1.5e308), 1.0).error().code, Code::not_computable);
+    EXPECT_EQ(to_wrapped(with_ends_at(1.5e308), 1.0).error().code, Code::not_computable);
+    EXPECT_EQ(move_seam(with_ends_at(1.5e308), 0.5, 1.0).error().code, Code::not_computable);
+}
+
 TEST(Periodic, works_far_away_and_on_tiny_and_huge_domains) {
     RandomCurves random(337);
     for (int k = 0; k < 100; ++k) {
