@@ -64,7 +64,7 @@ Json json_of(const editor::Editor& editor, const Operation& operation) {
                 {"arguments", std::move(arguments)},
                 {"message", message_of(state, spec)},
                 {"effect", core::name_of(spec.effect)}};
-    if (spec.run.edit != nullptr && state.ghost) result["deviation"] = state.ghost->deviation;
+    if (spec.run.edit != nullptr && state.ghost) result["deviation"] = cli::json_of(state.ghost->deviation);
     if (spec.group != editor::CommandGroup::analyze || !state.findings) return result;
     result["findings"] = Json::array();
     for (const editor::Finding& finding : state.findings->rows) result["findings"].push_back(json_of(finding));

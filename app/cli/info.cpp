@@ -7,6 +7,7 @@
 #include "app/cli/input.h"
 #include "app/cli/json_output.h"
 #include "core/base/number_text.h"
+#include "core/base/sentence.h"
 #include "core/curve/knot_analysis.h"
 #include "core/measure/arc_length.h"
 #include "core/measure/bounds.h"
@@ -14,6 +15,8 @@
 namespace batten::cli {
 
 namespace {
+
+constexpr const char* not_known = "not known: the weights or points are too far apart";
 
 // The distinct knots of the closed domain; the others move the ends of the curve but part nothing.
 std::vector<core::DistinctKnot> knots_of_domain(const core::Curve& curve) {
@@ -28,6 +31,16 @@ Json json_of(const core::DistinctKnot& knot) {
     return result;
 }
 
+// None where the curve is beyond doubles.
+std::optional<core::Box> bounds_of(const core::Curve& curve) {
+    const core::Box box = core::tight_box(curve);
+    return core::is_finite(box.lower) && core::is_finite(box.upper) ? std::optional(box) : std::nullopt;
+}
+
+Json json_of(const core::Box& box) {
+    return Json::array({cli::json_of(box.lower), cli::json_of(box.upper)});
+}
+
 // None where it cannot be computed.
 std::optional<double> length_of(const core::Curve& curve) {
     const core::Integral length = core::arc_length(curve);
@@ -36,7 +49,7 @@ std::optional<double> length_of(const core::Curve& curve) {
 
 Json json_of(const core::DocumentCurve& entry) {
     const core::Curve& curve = *entry.curve;
-    const core::Box box = core::tight_box(curve);
+    const std::optional<core::Box> bounds = bounds_of(curve);
     const std::optional<double> length = length_of(curve);
     Json knots = Json::array();
     for (const core::DistinctKnot& knot : knots_of_domain(curve)) knots.push_back(json_of(knot));
@@ -51,7 +64,7 @@ Json json_of(const core::DocumentCurve& entry) {
             {"segments", core::segment_count(curve.knots())},
             {"domain", Json::array({curve.domain().lower, curve.domain().upper})},
             {"length", length ? Json(*length) : Json(nullptr)},
-            {"bounds", Json::array({cli::json_of(box.lower), cli::json_of(box.upper)})},
+            {"bounds", bounds ? json_of(*bounds) : Json(nullptr)},
             {"knots", std::move(knots)}};
 }
 
@@ -64,13 +77,18 @@ std::string text_of(const core::DistinctKnot& knot) {
 
 std::string length_text(const core::Curve& curve) {
     if (const auto length = length_of(curve)) return core::shortest_text(*length);
-    return std::isfinite(core::arc_length(curve).value) ? "not known: the weights or points are too far apart"
-                                                        : "too large for a double";
+    return std::isfinite(core::arc_length(curve).value) ? not_known : "too large for a double";
+}
+
+std::string bounds_text(const core::Curve& curve) {
+    const std::optional<core::Box> bounds = bounds_of(curve);
+    return bounds ? core::sentence("{lower} to {upper}",
+                                   {{"lower", point_text(bounds->lower)}, {"upper", point_text(bounds->upper)}})
+                  : not_known;
 }
 
 void print(std::ostream& out, const core::DocumentCurve& entry) {
     const core::Curve& curve = *entry.curve;
-    const core::Box box = core::tight_box(curve);
     out << entry.name << '\n'
         << "  kind      " << core::title_of(core::kind_by_values(curve.knots()))
         << (curve.is_rational() ? ", rational" : "") << '\n'
@@ -80,7 +98,7 @@ void print(std::ostream& out, const core::DocumentCurve& entry) {
         << "  domain    " << core::shortest_text(curve.domain().lower) << " to "
         << core::shortest_text(curve.domain().upper) << '\n'
         << "  length    " << length_text(curve) << '\n'
-        << "  bounds    " << point_text(box.lower) << " to " << point_text(box.upper) << '\n'
+        << "  bounds    " << bounds_text(curve) << '\n'
         << "  knots\n";
     for (const core::DistinctKnot& knot : knots_of_domain(curve)) out << "    " << text_of(knot) << '\n';
 }

@@ -12,6 +12,9 @@ namespace batten::cli {
 /// Members stay in the order in which they are set.
 using Json = nlohmann::ordered_json;
 
+/// null where the number is too large for a double, or could not be computed.
+Json json_of(double value);
+
 /// [x, y]
 inline Json json_of(core::Vector v) {
     return Json::array({v.x, v.y});

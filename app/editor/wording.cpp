@@ -28,6 +28,11 @@ std::string deviation_sentence(const std::string& done, const Distances& distanc
 
 std::string done_sentence(const std::string& done, ShapeEffect effect, const Distances& distances) {
     const auto& [deviation, of_shapes, error, is_rounding] = distances;
+    if (!std::isfinite(deviation.value_or(0.0)) || !std::isfinite(error.value_or(0.0)))
+        return core::sentence(
+            "{done}; how far the curve moved cannot be computed: its points, weights or knots are too far apart, too "
+            "large or too small",
+            {{"done", done}});
     const bool is_unchanged = deviation ? *deviation == 0.0 : effect == ShapeEffect::keeps && !error;
     if (is_unchanged) return core::sentence("{done}; the curve is unchanged", {{"done", done}});
     if (deviation) return deviation_sentence(done, distances);

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/editor/command_reader.h"
 #include "app/editor/commands/help_commands.h"
@@ -124,6 +125,7 @@ std::string effect_of(const PanelContext& context) {
     const std::optional<editor::Ghost>& ghost = context.state.ghost;
     if (spec.effect != editor::ShapeEffect::changes || !context.state.preview || !ghost)
         return effect_text(spec.effect);
+    if (!std::isfinite(ghost->deviation)) return "≠ changes the shape; how far cannot be computed";
     return editor::reading_text(
         sentence("≠ changes the shape by at most {deviation}", {{"deviation", core::shortest_text(ghost->deviation)}}));
 }

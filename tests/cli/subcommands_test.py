@@ -100,6 +100,23 @@ class Subcommands(unittest.TestCase):
         self.assertIn("too large for a double", self.refused(1, "eval", self.file, "--at", 0.5, "--derivatives", 1))
         self.assertIn("too large for a double", run("info", self.file).stdout)
 
+    def test_a_deviation_beyond_doubles_is_null_and_told(self):
+        write_document(self.file, {**LINE, "points": [[-1.5e308, 0], [1.5e308, 0]]})
+        (moved,) = answer("apply", self.file, "set-point", 0, "1.5e308", 1)
+        self.assertIsNone(moved["deviation"])
+        self.assertEqual(moved["message"], "Moved P₀ from (-1.5e+308, 0) to (1.5e+308, 1); how far the curve moved cannot be computed: "
+                         "its points, weights or knots are too far apart, too large or too small")
+        (same,) = answer("apply", self.file, "set-point", 0, "-1.5e308", 0)
+        self.assertNotIn("deviation", same)
+        (near,) = answer("apply", self.file, "set-point", 0, "-1.5e308", 1e300)
+        self.assertAlmostEqual(near["deviation"] / 1e300, 1, delta=1e-4)
+
+    def test_bounds_beyond_doubles_are_null_and_told(self):
+        # The difference of the points, from which the curve is blended, is no double.
+        write_document(self.file, {"name": "ring", "degree": 2, "knots": [0, 1, 2], "points": [[-1.2e308, 0], [1.2e308, 1]], "periodic": True})
+        self.assertIsNone(answer("info", self.file)["curves"][0]["bounds"])
+        self.assertIn("bounds    not known: the weights or points are too far apart", run("info", self.file).stdout)
+
     def test_a_joint_is_told_with_numbers_in_full(self):
         # From the end (1, 0) to the other's beginning (1.3, 0.1), which goes on by (1.7, 0.8).
         lines = [{**LINE, "points": [[0, 0], [1, 0]]}, {**LINE, "name": "other", "points": [[1.3, 0.1], [3, 0.9]]}]

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace batten::editor {
 namespace {
 
@@ -18,6 +20,16 @@ TEST(Wording, says_what_an_edit_did_to_the_shape) {
 TEST(Wording, says_both_distances_where_they_differ_by_much) {
     EXPECT_EQ(done_sentence("Lowered degree", ShapeEffect::changes, {.deviation = 0.6289, .of_shapes = 0.3339}),
               "Lowered degree; the curve moved by at most 0.6289 at equal parameters, its shape by at most 0.3339");
+}
+
+TEST(Wording, says_where_a_distance_cannot_be_computed) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const char* const said =
+        "Moved P₅; how far the curve moved cannot be computed: its points, weights or knots are too far apart, too "
+        "large or too small";
+    EXPECT_EQ(done_sentence("Moved P₅", ShapeEffect::changes, {.deviation = infinity}), said);
+    EXPECT_EQ(done_sentence("Moved P₅", ShapeEffect::changes, {.deviation = infinity, .is_rounding = true}), said);
+    EXPECT_EQ(done_sentence("Moved P₅", ShapeEffect::changes, {.error = infinity}), said);
 }
 
 TEST(Wording, is_no_more_unchanged_than_it_is) {

@@ -1,5 +1,7 @@
 #include "app/editor/commands/refinement_commands.h"
 
+#include <cmath>
+
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
@@ -36,6 +38,8 @@ Outcome<Edit> insert_knots(const EditorState& state, const InsertKnots& command)
 
 // What is wrong when not all knots asked for could be removed: nothing is changed then.
 Refusal not_removed(const core::KnotRemoval& removal, double tolerance) {
+    const double deviation = removal.refused.value_or(removal.error);
+    if (!std::isfinite(deviation)) return core::describe({.code = core::CurveErrorCode::not_computable});
     return sentence({.one = "only one knot can be removed; removing another would change the curve by {deviation}, and "
                             "{tolerance} is allowed",
                      .many = "only {count} knots can be removed; removing another would change the curve by "
@@ -43,8 +47,7 @@ Refusal not_removed(const core::KnotRemoval& removal, double tolerance) {
                      .none = "the knot cannot be removed; that would change the curve by {deviation}, and {tolerance} "
                              "is allowed"},
                     static_cast<std::size_t>(removal.count),
-                    {{"deviation", core::shortest_text(removal.refused.value_or(removal.error))},
-                     {"tolerance", core::shortest_text(tolerance)}});
+                    {{"deviation", core::shortest_text(deviation)}, {"tolerance", core::shortest_text(tolerance)}});
 }
 
 Outcome<Edit> remove_knot(const EditorState& state, const RemoveKnot& command) {
@@ -147,6 +150,8 @@ Outcome<Edit> unclamp(const EditorState& state, const Unclamp& command) {
                              : edit_active(state, change_ends(curve, command.end, core::unclamp));
     if (!edit) return edit;
     const double deviation = core::largest_deviation(curve, *edit->document.active_curve()->curve);
+    if (!std::isfinite(deviation))
+        return tl::unexpected(core::describe({.code = core::CurveErrorCode::not_computable}));
     if (deviation > core::absolute_tolerance(curve, largest_rounding))
         return tl::unexpected(sentence(
             "unclamped, the control points would be so far away that rounding moves the curve by at most {deviation}",
