@@ -21,7 +21,7 @@ Result<Curve> with_mapped_knots(const Curve& curve, const Map& map) {
         if (i == 0) continue;
         definition.knots[i] = std::max(definition.knots[i], definition.knots[i - 1]);
         if (stored[i - 1] < stored[i] && definition.knots[i - 1] == definition.knots[i])
-            return refuse({.code = CurveErrorCode::knots_coincide, .index = i, .value = definition.knots[i]});
+            return refuse_computed({.code = CurveErrorCode::knots_coincide, .index = i, .value = definition.knots[i]});
     }
     return Curve::make(std::move(definition));
 }

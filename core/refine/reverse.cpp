@@ -88,7 +88,8 @@ Result<Curve> reverse(const Curve& curve) {
     if (!is_equally_spaced(definition.kind)) {
         definition.knots = reflected(definition.knots, curve.domain());
         if (const auto index = first_coincidence(curve.knots().stored(), definition.knots))
-            return refuse({.code = CurveErrorCode::knots_coincide, .index = *index, .value = definition.knots[*index]});
+            return refuse_computed(
+                {.code = CurveErrorCode::knots_coincide, .index = *index, .value = definition.knots[*index]});
     }
     definition.points = points_backwards(curve, curve.control_points());
     definition.weights = points_backwards(curve, curve.weights());

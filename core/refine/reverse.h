@@ -11,8 +11,8 @@ namespace batten::core {
 /// come back when the curve is reversed again; but of all numbers that a + b - u may stand for within the rounding of
 /// the domain's ends, one of at most 12 digits is preferred, unless it would change a neighboring span by more than a
 /// few of its own units. So knots that were typed (0.1, 0.35) come back bit by bit, and so do all others whose
-/// reflection is a double; equally spaced knots stay as they are. Error: knots_coincide when different knots become
-/// equal, which only happens to knots that differ by less than the rounding of the domain's ends.
+/// reflection is a double; equally spaced knots stay as they are. Errors: knots_coincide when different knots become
+/// equal, which only happens to knots that differ by less than the rounding of the domain's ends; not_computable.
 [[nodiscard]] Result<Curve> reverse(const Curve& curve);
 
 }  // namespace batten::core

@@ -30,6 +30,13 @@ TEST(Reparametrize, keeps_the_shape_over_any_domain) {
     }
 }
 
+// The knots outside would go to -2e308 and 3e308.
+TEST(Reparametrize, refuses_knots_beyond_doubles) {
+    const Curve curve =
+        Curve::make({.degree = 2, .knots = {0, 1, 2, 3, 4, 5}, .points = {{0, 0}, {1, 1}, {2, 0}}}).value();
+    EXPECT_EQ(reparametrize(curve, {0.0, 1e308}).error().code, CurveErrorCode::not_computable);
+}
+
 TEST(Reparametrize, maps_knots_affinely) {
     const Curve curve =
         Curve::make({.degree = 1, .knots = {1, 1, 2, 5, 5}, .points = {{0, 0}, {1, 1}, {2, 0}}}).value();
