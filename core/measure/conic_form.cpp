@@ -95,7 +95,8 @@ Result<ConicForm> conic_form(const BezierPiece& piece) {
         return refuse({.code = CurveErrorCode::points_collinear});
     const double w1 = piece.points[1].z;
     const double weight_squared = (w1 / piece.points[0].z) * (w1 / piece.points[2].z);
-    const double weight = std::sqrt(weight_squared);
+    // Its square need not be a double.
+    const double weight = w1 / (std::sqrt(piece.points[0].z) * std::sqrt(piece.points[2].z));
     const Point middle = points[0] + 0.5 * (points[2] - points[0]);
     const double ratio = weight / (1.0 + weight);
     return ConicForm{.interval = piece.interval,

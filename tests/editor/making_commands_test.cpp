@@ -69,6 +69,8 @@ TEST_F(MakingCommands, take_numbers) {
     EXPECT_TRUE(run(AddConic{.points = {{0, 0}, {1, 2}, {2, 0}}, .weight = 3.0}));
     EXPECT_EQ(curve(editor_).weights()[1], 3.0);
     EXPECT_EQ(state().history.undo_label(), "Make conic: hyperbola, w/(1 + w) = 0.75");
+    EXPECT_TRUE(run(AddConic{.points = {{0, 0}, {1, 2}, {2, 0}}, .weight = 1e160}));
+    EXPECT_EQ(state().history.undo_label(), "Make conic: hyperbola, w/(1 + w) = 1");
 }
 
 TEST_F(MakingCommands, refuse_what_makes_no_shape) {
