@@ -89,6 +89,7 @@ void fit_box(EditorState& state, const core::Box& box) {
     Corner corner = all_corners.front();
     double scale = least_share * best.scale;
     for (const Corner tried : all_corners) {
+        if (has_legend(state) && meets_inset(state, tried)) continue;
         const std::vector<PixelBox> panels = panels_of(state, tried);
         for (const PixelBox& area : areas_beside(picture, panels)) {
             const Camera camera = fitted_into(view, box, area);

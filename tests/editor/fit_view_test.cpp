@@ -24,8 +24,9 @@ struct Canvas {
     glm::dvec2 size_px;
     double scale;
 };
-constexpr Canvas canvases[] = {{{632, 366}, 1.0}, {{1048, 566}, 1.0}, {{1528, 746}, 1.0}, {{436, 290}, 1.5},
-                               {{780, 400}, 1.5}, {{414, 276}, 2.0},  {{1136, 472}, 2.0}, {{2096, 1132}, 2.0}};
+constexpr Canvas canvases[] = {{{632, 366}, 1.0}, {{1048, 566}, 1.0}, {{1528, 746}, 1.0},
+                               {{436, 290}, 1.5}, {{780, 400}, 1.5},  {{414, 170}, 2.0},
+                               {{414, 276}, 2.0}, {{1136, 472}, 2.0}, {{2096, 1132}, 2.0}};
 
 core::Document example(const std::filesystem::path& path) {
     return core::load_document(path).value();
@@ -47,10 +48,12 @@ void expect_all_clear(const EditorState& state, const std::string& where) {
     const PixelBox picture{{}, state.view.camera.size_px};
     const PixelBox legend = legend_box(state, state.view.legend_corner);
     const PixelBox inset = hodograph_box(state.view);
-    EXPECT_TRUE(picture.contains(legend.lower_px) && picture.contains(legend.upper_px)) << where;
+    EXPECT_TRUE(!has_legend(state) || (picture.contains(legend.lower_px) && picture.contains(legend.upper_px)))
+        << where;
+    EXPECT_FALSE(has_legend(state) && has_inset(state) && legend.overlaps(inset)) << where;
     for (const core::Point point : shown_points(*state.active_curve())) {
         EXPECT_TRUE(picture.contains(seen(state, point))) << where;
-        EXPECT_FALSE(legend.contains(seen(state, point))) << where;
+        EXPECT_FALSE(has_legend(state) && legend.contains(seen(state, point))) << where;
         EXPECT_FALSE(has_inset(state) && inset.contains(seen(state, point))) << where;
     }
 }
@@ -67,7 +70,6 @@ TEST(FitView, keeps_every_example_clear_of_legend_and_inset) {
                 if (has_hodograph != editor.state().view.overlays.is_shown(Overlay::hodograph))
                     editor.run(ToggleOverlay<Overlay::hodograph>{});
                 editor.run(FitView{});
-                if (!has_legend(editor.state())) continue;
                 expect_all_clear(editor.state(), file.path().filename().string());
             }
     }
@@ -168,6 +170,24 @@ TEST_F(Legend, does_not_flicker_at_an_edge) {
         last = corner();
     }
     EXPECT_LE(changes, 1);
+}
+
+TEST_F(Legend, is_left_out_of_a_canvas_that_is_too_low_for_both) {
+    editor_.change(ResizeCanvas{{414, 170}});
+    editor_.change(SetInterfaceScale{1.0});
+    EXPECT_TRUE(has_legend(editor_.state()));
+    editor_.change(SetInterfaceScale{2.0});
+    EXPECT_FALSE(has_legend(editor_.state()));
+}
+
+TEST_F(Legend, does_not_lie_over_the_inset_in_a_narrow_canvas) {
+    editor_.run(ToggleOverlay<Overlay::hodograph>{});
+    editor_.change(ResizeCanvas{{440, 366}});
+    for (int k = 0; k < 20; ++k) {
+        editor_.change(PanCamera{{0.0, 10.0}});
+        editor_.change(PlaceLegend{});
+        EXPECT_FALSE(legend_box(editor_.state(), corner()).overlaps(hodograph_box(editor_.state().view))) << k;
+    }
 }
 
 TEST_F(Legend, is_brief_where_the_canvas_is_narrow) {

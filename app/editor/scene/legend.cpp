@@ -20,8 +20,10 @@ constexpr double legend_padding = 13.0;
 constexpr double text = 12.5;
 constexpr double disc_space = 22.0;  // from the end of a text to the next disc
 constexpr double disc_to_text = 10.0;
-constexpr double inset_reach = 180.0;  // below the upper edge, where the hodograph's inset is
-constexpr int reluctance = 2;          // how much less another corner must cover
+constexpr double least_picture_height = 160.0;  // in a lower one the curve needs all the room
+constexpr double inset_reach = 180.0;           // below the upper edge, where the hodograph's inset is
+constexpr int inset_cost = 1000;                // of covering it, which nothing makes good
+constexpr int reluctance = 2;                   // how much less another corner must cover
 const char* const title = "de Boor";
 
 /// With words, or with numbers only where the canvas is narrow.
@@ -76,7 +78,8 @@ LegendTexts fitting_texts(const EditorState& state) {
 }  // namespace
 
 bool has_legend(const EditorState& state) {
-    return state.visible_active_curve() != nullptr && state.view.overlays.is_shown(Overlay::construction);
+    const bool is_low = state.view.camera.size_px.y < least_picture_height * state.view.interface_scale;
+    return !is_low && state.visible_active_curve() != nullptr && state.view.overlays.is_shown(Overlay::construction);
 }
 
 render::PixelBox legend_box(const EditorState& state, Corner corner) {
@@ -91,8 +94,15 @@ render::PixelBox legend_box(const EditorState& state, Corner corner) {
     return {scale * lower, scale * (lower + size)};
 }
 
+bool meets_inset(const EditorState& state, Corner corner) {
+    return has_inset(state) && legend_box(state, corner).overlaps(hodograph_box(state.view));
+}
+
 Corner free_corner(const EditorState& state) {
-    const auto cost = [&state](Corner corner) { return covered(state, state.view.camera, legend_box(state, corner)); };
+    const auto cost = [&state](Corner corner) {
+        return covered(state, state.view.camera, legend_box(state, corner)) +
+               (meets_inset(state, corner) ? inset_cost : 0);
+    };
     Corner best = state.view.legend_corner;
     int least = cost(best);
     if (least == 0) return best;

@@ -5,14 +5,18 @@
 
 namespace batten::editor {
 
-/// Whether there is a visible curve whose construction is shown; the other functions are for such states.
+/// Whether there is a visible curve whose construction is shown, and a canvas high enough for both; the other functions
+/// are for such states.
 bool has_legend(const EditorState& state);
 
 /// Where the legend is when it stands in `corner`.
 render::PixelBox legend_box(const EditorState& state, Corner corner);
 
-/// The corner where the legend covers least of the curves. It stays where it is while it covers nothing there, or
-/// little more than elsewhere.
+/// Whether the legend and the hodograph's inset would lie over each other.
+bool meets_inset(const EditorState& state, Corner corner);
+
+/// The corner where the legend covers nothing of the inset, if there is one, and least of the curves. It stays where it
+/// is while it covers nothing there, or little more than elsewhere.
 Corner free_corner(const EditorState& state);
 
 /// "de Boor ● level 1 ● level 2 ● level 3", with all levels of one color together.
