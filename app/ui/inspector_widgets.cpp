@@ -14,7 +14,8 @@
 namespace batten::ui {
 namespace {
 
-constexpr float least_shrink = 0.75F;  // smaller text is cut instead
+constexpr double least_tooltip_room = 180.0;  // for a tool tip to the left
+constexpr float least_shrink = 0.75F;         // smaller text is cut instead
 
 ImVec2 minus(ImVec2 a, ImVec2 b) {
     return {a.x - b.x, a.y - b.y};
@@ -100,13 +101,13 @@ void report_item(const PanelContext& context, std::string name, std::string valu
     context.widgets.push_back({std::move(name), {lower, upper - lower}, std::move(value)});
 }
 
-// Beside the inspector rather than at the pointer, so that it hides none of the fields below.
+// Beside the panel rather than at the pointer, so that it hides none of the fields below.
 void show_tooltip(const PanelContext& context, const std::string& text) {
     if (text.empty() || !ImGui::IsItemHovered()) return;
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float right = ImGui::GetWindowPos().x - context.px(6);
+    if (right < context.px(least_tooltip_room)) return draw_side_tooltip(context, text);
     const float y = ImGui::GetItemRectMin().y;
-    const bool is_low = y > 0.7F * window.y;
-    const float right = window.x - context.px(context.state.view.inspector_width + 6.0);
+    const bool is_low = y > 0.7F * ImGui::GetIO().DisplaySize.y;
     draw_tooltip_at(context, text, {right, is_low ? ImGui::GetItemRectMax().y : y}, {1.0F, is_low ? 1.0F : 0.0F});
 }
 

@@ -30,7 +30,8 @@ void show_cut_text(const PanelContext& context, const std::string& text, ImVec2 
 /// Reports the last Dear ImGui item under `name`, as far as it is in sight.
 void report_item(const PanelContext& context, std::string name, std::string value = {});
 
-/// Shows `text` beside the inspector while the last item is hovered. Nothing for an empty text.
+/// Shows `text` to the left of the current window, or right of it where there is no room, while the last item is
+/// hovered. Nothing for an empty text.
 void show_tooltip(const PanelContext& context, const std::string& text);
 
 /// The background of a field from `origin`, lit when hovered.

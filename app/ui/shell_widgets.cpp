@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <glm/common.hpp>
 #include <sstream>
 #include <utility>
 
@@ -49,6 +50,8 @@ void push_colors(const ButtonColors& colors) {
 constexpr int pushed_colors = 4;
 constexpr double button_padding_x = 14.0;
 constexpr double button_padding_y = 6.0;
+constexpr double least_tooltip_width = 160.0;  // of its lines
+constexpr double most_tooltip_width = 310.0;
 
 ImVec2 packed(glm::dvec2 p) {
     return {static_cast<float>(p.x), static_cast<float>(p.y)};
@@ -116,11 +119,21 @@ bool draw_cross_button(const PanelContext& context, const std::string& name, flo
 }
 
 void draw_tooltip_at(const PanelContext& context, const std::string& text, glm::dvec2 position, glm::dvec2 pivot) {
-    ImGui::SetNextWindowPos(packed(position), ImGuiCond_Always, packed(pivot));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(10), context.px(7)));
+    const glm::dvec2 padding(context.px(10), context.px(7));
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const glm::dvec2 window(display.x, display.y);
+    const double room = (pivot.x > 0.5 ? position.x : window.x - position.x) - 2.0 * padding.x;
+    const float wrap =
+        std::clamp(static_cast<float>(room), context.px(least_tooltip_width), context.px(most_tooltip_width));
+    const ImVec2 text_size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+    const glm::dvec2 size = glm::dvec2(text_size.x, text_size.y) + 2.0 * padding;
+    const glm::dvec2 corner = glm::clamp(position - pivot * size, glm::dvec2(0.0), glm::max(window - size, 0.0));
+    ImGui::SetNextWindowPos(packed(corner));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, packed(padding));
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(context.px(320));
+    ImGui::PushTextWrapPos(static_cast<float>(padding.x) + wrap);
     ImGui::TextUnformatted(text.c_str());
+    context.widgets.push_back({"tool tip", last_item_place(), text});
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
     ImGui::PopStyleVar();

@@ -31,7 +31,8 @@ float label_button_width(const PanelContext& context, const char* label);
 /// A button that shows a cross, `size_px` wide and high, reported as `name`.
 bool draw_cross_button(const PanelContext& context, const std::string& name, float size_px);
 
-/// A tool tip with `text`, wrapped, whose point `pivot` (0..1 of its width and height) is at `position`.
+/// A tool tip with `text`, wrapped, whose point `pivot` (0..1 of its width and height) is at `position`, or as near as
+/// the window allows.
 void draw_tooltip_at(const PanelContext& context, const std::string& text, glm::dvec2 position, glm::dvec2 pivot);
 
 /// A tool tip with `text`, wrapped, to the right of the current window and level with the last item, so that it hides
