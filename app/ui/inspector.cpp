@@ -14,12 +14,22 @@ namespace {
 
 constexpr double top_margin = 8.0;
 constexpr double bottom_margin = 16.0;
-constexpr double window_padding = 4.0;
+
+/// Keeps the sections where they are when the findings below them go and leave more room than they fill.
+void hold_scroll(const PanelContext& context, float height_px) {
+    InspectorState& inspector = context.panels.inspector;
+    if (height_px > inspector.height_px && inspector.scroll_y > 0.0F)
+        ImGui::SetNextWindowContentSize(ImVec2(0.0F, inspector.scroll_y + height_px));
+    inspector.height_px = height_px;
+}
 
 /// What the sections lack to stay as far scrolled as was asked for, until they are scrolled back.
 void draw_room_below(const PanelContext& context) {
     InspectorState& inspector = context.panels.inspector;
-    if (!inspector.insert_row_y) inspector.scroll_y = std::min(inspector.scroll_y, ImGui::GetScrollY());
+    if (context.state.findings)
+        inspector.scroll_y = ImGui::GetScrollY();
+    else if (!inspector.insert_row_y)
+        inspector.scroll_y = std::min(inspector.scroll_y, ImGui::GetScrollY());
     const float lacking = inspector.scroll_y - (ImGui::GetCursorPosY() - ImGui::GetWindowHeight());
     if (inspector.scroll_y > 0.0F && lacking > -ImGui::GetStyle().ItemSpacing.y)
         ImGui::Dummy(ImVec2(1.0F, std::max(lacking, 0.0F)));
@@ -27,7 +37,6 @@ void draw_room_below(const PanelContext& context) {
 
 void draw_sections(const PanelContext& context) {
     add_space(context, top_margin);
-    if (context.state.findings) draw_findings_section(context);
     draw_curves_section(context);
     if (context.state.active_curve() != nullptr) {
         draw_curve_section(context);
@@ -71,12 +80,8 @@ void push_metrics(const PanelContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, context.px(8));
 }
 
-}  // namespace
-
-void draw_inspector(const PanelContext& context, const Rectangle& place) {
-    drop_lost_field(context);
-    context.panels.inspector.wish.reset();
-    push_metrics(context);
+void draw_section_panel(const PanelContext& context, const Rectangle& place) {
+    hold_scroll(context, static_cast<float>(place.size_px.y));
     ImGui::SetNextWindowPos(ImVec2(static_cast<float>(place.origin_px.x), static_cast<float>(place.origin_px.y)));
     ImGui::SetNextWindowSize(ImVec2(static_cast<float>(place.size_px.x), static_cast<float>(place.size_px.y)));
     ImGui::Begin("inspector", nullptr,
@@ -89,8 +94,20 @@ void draw_inspector(const PanelContext& context, const Rectangle& place) {
     open_row_menu(context, is_inside);
     draw_edge(context, place.origin_px + glm::dvec2(0.5, 0.0), place.origin_px + glm::dvec2(0.5, place.size_px.y));
     ImGui::End();
-    ImGui::PopStyleVar(3);
     settle_hover(context, is_inside);
+}
+
+}  // namespace
+
+void draw_inspector(const PanelContext& context, const Rectangle& place) {
+    drop_lost_field(context);
+    context.panels.inspector.wish.reset();
+    const double findings = findings_height(context, place);
+    const double sections = place.size_px.y - findings;
+    push_metrics(context);
+    draw_section_panel(context, {place.origin_px, {place.size_px.x, sections}});
+    draw_findings_panel(context, {place.origin_px + glm::dvec2(0.0, sections), {place.size_px.x, findings}});
+    ImGui::PopStyleVar(3);
 }
 
 }  // namespace batten::ui

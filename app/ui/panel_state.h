@@ -113,6 +113,7 @@ struct InspectorState {
     std::optional<double> inserted_at;  ///< where Enter inserted a knot last
     std::optional<float> insert_row_y;  ///< of the row in the list of sections, while the pointer is on it
     float scroll_y = 0.0F;              ///< so far the sections may be scrolled though they end before
+    float height_px = 0.0F;             ///< in which the sections were shown last
 };
 
 /// What a right click asked for.

@@ -36,8 +36,13 @@ void draw_title_line(const PanelContext& context, const Rectangle& place);
 /// The height in window pixels that this line needs above `canvas`; 0 where it is not shown.
 double title_line_height(const PanelContext& context, const Rectangle& canvas);
 
+/// What a measuring command found, at the end of the inspector; nothing in a place of no height.
+void draw_findings_panel(const PanelContext& context, const Rectangle& place);
+
+/// The height in window pixels that the findings need of an inspector at `place`; 0 where there are none.
+double findings_height(const PanelContext& context, const Rectangle& place);
+
 // Sections of the inspector, drawn one below the other.
-void draw_findings_section(const PanelContext& context);
 void draw_curves_section(const PanelContext& context);
 void draw_curve_section(const PanelContext& context);
 void draw_points_section(const PanelContext& context);

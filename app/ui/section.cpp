@@ -13,7 +13,6 @@
 namespace batten::ui {
 namespace {
 
-constexpr double heading_height = 26.0;
 constexpr double row_label_width = 102.0;
 constexpr float largest_label_share = 0.36F;  // of a narrow inspector
 
@@ -34,19 +33,14 @@ void draw_fold_mark(const PanelContext& context, ImVec2 center, bool is_open) {
         list->AddTriangleFilled(at(-1.8, -3.5), at(2.6, 0), at(-1.8, 3.5), color);
 }
 
-float label_width(const PanelContext& context) {
-    return std::floor(std::min(context.px(row_label_width), largest_label_share * content_width(context)));
+ImVec2 heading_size(const PanelContext& context) {
+    return {content_width(context), context.px(heading_height)};
 }
 
-}  // namespace
-
-bool draw_section_heading(const PanelContext& context, const Section& section) {
-    const ImVec2 origin = ImGui::GetCursorScreenPos();
-    const ImVec2 size(content_width(context), context.px(heading_height));
-    bool open = is_open(context, section);
-    if (ImGui::InvisibleButton(section.name.c_str(), size))
-        context.panels.inspector.open_sections[section.name] = open = !open;
-    const bool is_hovered = ImGui::IsItemHovered();
+/// Reports the last item as the heading, and draws it there.
+void draw_heading_texts(const PanelContext& context, const Section& section) {
+    const ImVec2 origin = ImGui::GetItemRectMin();
+    const ImVec2 size = ImGui::GetItemRectSize();
     const std::string value =
         section.info.empty() ? section.title : fmt::format("{} | {}", section.title, section.info);
     report_item(context, fmt::format("section {}", section.name), value);
@@ -57,11 +51,32 @@ bool draw_section_heading(const PanelContext& context, const Section& section) {
     draw_text(context, ImVec2(origin.x + size.x, middle),
               {section.info, context.fonts.text, 0.0, context.theme.dim, render::Anchor::right,
                size.x - title_width - context.px(12)});
-    if (is_hovered || !open) draw_fold_mark(context, ImVec2(origin.x - context.px(9), middle), open);
     const float bottom = origin.y + size.y + 0.5F * context.px(1);
     ImGui::GetWindowDrawList()->AddLine(ImVec2(origin.x, bottom), ImVec2(origin.x + size.x, bottom),
                                         imgui_packed(context.theme.line), context.px(1));
+}
+
+float label_width(const PanelContext& context) {
+    return std::floor(std::min(context.px(row_label_width), largest_label_share * content_width(context)));
+}
+
+}  // namespace
+
+bool draw_section_heading(const PanelContext& context, const Section& section) {
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    bool open = is_open(context, section);
+    if (ImGui::InvisibleButton(section.name.c_str(), heading_size(context)))
+        context.panels.inspector.open_sections[section.name] = open = !open;
+    const bool is_hovered = ImGui::IsItemHovered();
+    draw_heading_texts(context, section);
+    const ImVec2 mark(origin.x - context.px(9), origin.y + 0.5F * context.px(heading_height));
+    if (is_hovered || !open) draw_fold_mark(context, mark, open);
     return open;
+}
+
+void draw_heading(const PanelContext& context, const Section& section) {
+    ImGui::Dummy(heading_size(context));
+    draw_heading_texts(context, section);
 }
 
 float content_width(const PanelContext& context) {

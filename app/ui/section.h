@@ -9,6 +9,8 @@ namespace batten::ui {
 
 inline constexpr double section_margin = 18.0;  ///< design pixels left and right of the sections
 inline constexpr double row_gap = 4.0;          ///< design pixels between rows
+inline constexpr double heading_height = 26.0;  ///< design pixels
+inline constexpr double window_padding = 4.0;   ///< design pixels, of the inspector's windows
 
 struct Section {
     std::string name;   ///< its place is "section NAME"
@@ -19,6 +21,9 @@ struct Section {
 
 /// Draws the heading with the line below; a click folds the section. Returns whether it is open.
 bool draw_section_heading(const PanelContext& context, const Section& section);
+
+/// The same for what does not fold.
+void draw_heading(const PanelContext& context, const Section& section);
 
 /// The width between the margins, in window pixels; for use in the inspector's own window.
 float content_width(const PanelContext& context);
