@@ -117,6 +117,8 @@ void draw_dialog_error(const PanelContext& context, const std::string& sentence)
     ImGui::TextWrapped("⚠ %s", text.c_str());
     ImGui::PopStyleColor();
     report_item(context, "dialog error", text);
+    const std::string full = editor::full_reading_text(sentence);
+    if (full != text) show_tooltip(context, full);
 }
 
 }  // namespace batten::ui

@@ -109,6 +109,8 @@ void draw_finding_rows(const PanelContext& context, double height_px) {
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + content_width(context));
     ImGui::TextUnformatted(editor::reading_text(findings.summary).c_str());
     ImGui::PopTextWrapPos();
+    const ImVec2 corner(ImGui::GetWindowPos().x - context.px(6), ImGui::GetItemRectMin().y);
+    offer_full_message(context, findings.summary, {corner.x, corner.y}, {1.0, 0.0});
 }
 
 }  // namespace

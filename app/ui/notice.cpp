@@ -8,6 +8,7 @@
 #include "app/editor/reading_text.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/imgui_compat.h"
+#include "app/ui/inspector_widgets.h"
 #include "app/ui/panels.h"
 #include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
@@ -68,7 +69,10 @@ void draw_notice(const PanelContext& context, const Rectangle& canvas) {
     ImGui::GetWindowDrawList()->AddText(context.fonts.text, font_height(context.fonts.text), text_corner,
                                         imgui_packed(context.theme.text), text.c_str(), nullptr,
                                         std::max(room, context.px(80)));
-    context.widgets.push_back({"notice text", {{text_corner.x, text_corner.y}, {text_size.x, text_size.y}}, text});
+    ImGui::SetCursorScreenPos(text_corner);
+    ImGui::InvisibleButton("text", text_size);
+    report_item(context, "notice text", text);
+    offer_full_message(context, message.text, {corner.x, corner.y + size.y + context.px(4)}, {0.0, 0.0});
     ImGui::SetCursorScreenPos({corner.x + size.x - context.px(notice_padding + cross_size - 4.0),
                                corner.y + context.px(notice_padding - 2.0)});
     if (draw_cross_button(context, "notice dismiss", context.px(cross_size)))

@@ -1,5 +1,6 @@
 #include "app/ui/number_field.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -46,8 +47,8 @@ std::string shown_text(const PanelContext& context, const NumberField& field, fl
 std::string tooltip_of(const NumberField& field, const std::string& shown) {
     std::string full = editor::full_reading_text(core::shortest_text(field.value)) + field.unit;
     const bool is_exact = editor::without_trailing_zeros(shown) == full || shown == full;
-    if (is_exact || !field.tooltip.empty()) return field.tooltip;
-    return full;
+    if (is_exact) return field.tooltip;
+    return field.tooltip.empty() ? full : fmt::format("{}\n{}", full, field.tooltip);
 }
 
 /// Rounded to what the field shows; a factor to three significant digits.

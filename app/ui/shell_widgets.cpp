@@ -9,9 +9,11 @@
 #include <sstream>
 #include <utility>
 
+#include "app/editor/reading_text.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/style.h"
+#include "core/base/sentence.h"
 
 namespace batten::ui {
 
@@ -148,6 +150,15 @@ void draw_side_tooltip(const PanelContext& context, const std::string& text) {
 
 void offer_copy(const PanelContext& context, const std::string& text) {
     if (ImGui::IsItemHovered()) context.panels.text_at_pointer = text;
+}
+
+void offer_full_message(const PanelContext& context, const std::string& message, glm::dvec2 position,
+                        glm::dvec2 pivot) {
+    offer_copy(context, message);
+    if (!ImGui::IsItemHovered()) return;
+    const std::string text =
+        core::sentence("{message}\nCtrl+C copies this", {{"message", editor::full_reading_text(message)}});
+    draw_tooltip_at(context, text, position, pivot);
 }
 
 float text_width(const std::string& text, ImFont* font) {

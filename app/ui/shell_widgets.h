@@ -49,6 +49,10 @@ glm::vec2 lines_size(const std::string& text, ImFont* font);
 /// Lets Ctrl+C copy `text`, in full, while the last item is hovered.
 void offer_copy(const PanelContext& context, const std::string& text);
 
+/// For the last item, which shows `message` with few digits: while it is hovered, all of them in a tool tip (as
+/// draw_tooltip_at) and for Ctrl+C.
+void offer_full_message(const PanelContext& context, const std::string& message, glm::dvec2 position, glm::dvec2 pivot);
+
 /// The width of `text` in `font` as it was loaded.
 float text_width(const std::string& text, ImFont* font);
 

@@ -217,16 +217,12 @@ void show_cut_hint(const PanelContext& context, const std::string& hint, const T
 }
 
 /// Pointing at the message shows all of it, with all digits.
-void offer_full_message(const PanelContext& context, const std::string& message, const Rectangle& place) {
+void draw_message_item(const PanelContext& context, const std::string& message, const Rectangle& place) {
     if (message.empty() || place.size_px.x < 1.0) return;
     ImGui::SetCursorScreenPos({static_cast<float>(place.origin_px.x), static_cast<float>(place.origin_px.y)});
     ImGui::InvisibleButton("message", {static_cast<float>(place.size_px.x), static_cast<float>(place.size_px.y)});
-    offer_copy(context, message);
-    if (!ImGui::IsItemHovered()) return;
-    const std::string text =
-        core::sentence("{message}\nCtrl+C copies this", {{"message", editor::full_reading_text(message)}});
-    draw_tooltip_at(context, text, {place.origin_px.x + place.size_px.x, place.origin_px.y - context.px(4)},
-                    {1.0, 1.0});
+    offer_full_message(context, message, {place.origin_px.x + place.size_px.x, place.origin_px.y - context.px(4)},
+                       {1.0, 1.0});
 }
 
 }  // namespace
@@ -248,9 +244,8 @@ void draw_status_bar(const PanelContext& context, const Rectangle& place, const 
     draw_readouts(context, place, readouts, begin);
     draw_status_text(context, "status message", text, texts.message, texts.font, begin - texts.message.width_px, place,
                      message.is_error ? context.theme.error : context.theme.text);
-    offer_full_message(
-        context, message.text,
-        {{begin - texts.message.width_px, place.origin_px.y}, {texts.message.width_px, place.size_px.y}});
+    draw_message_item(context, message.text,
+                      {{begin - texts.message.width_px, place.origin_px.y}, {texts.message.width_px, place.size_px.y}});
     draw_status_text(context, "status hint", hint, texts.hint, texts.font, left, place, context.theme.dim);
     show_cut_hint(context, hint, texts.hint, {{left, place.origin_px.y}, place.size_px});
     open_status_menu(context, first_widget);

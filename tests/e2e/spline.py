@@ -1,5 +1,7 @@
 """The little of spline mathematics that checking saved files takes, written independently of the program."""
 
+import math
+
 
 def span_of(degree, knots, count, u):
     last = max(i for i in range(degree, count) if knots[i] < knots[i + 1])
@@ -32,3 +34,15 @@ def largest_deviation(one, other, samples=500):
         (x0, y0), (x1, y1) = point_at(one, u), point_at(other, u)
         worst = max(worst, abs(x1 - x0), abs(y1 - y0))
     return worst
+
+
+def chord_length(curve, lower, upper, pieces):
+    points = [point_at(curve, lower + (upper - lower) * i / pieces) for i in range(pieces)] + [point_at(curve, upper)]
+    return sum(math.dist(p, q) for p, q in zip(points, points[1:]))
+
+
+def length(curve, pieces=500):
+    """The length over the domain: for each span two sums of chords, extrapolated."""
+    domain = curve["knots"][curve["degree"]:len(curve["points"]) + 1]
+    spans = [(lower, upper) for lower, upper in zip(domain, domain[1:]) if lower < upper]
+    return sum((4 * chord_length(curve, *span, 2 * pieces) - chord_length(curve, *span, pieces)) / 3 for span in spans)
