@@ -133,7 +133,9 @@ void draw_value(const KnotTable& table, const Stack& stack) {
     NumberField field;
     field.name = fmt::format("knot {} value", stack.first);
     field.value = stack.knot.value;
+    const auto stored = table.curve.knots().stored();
     field.decimals = table.decimals;
+    field.most_decimals = decimals_in(context, table.value_width, stored.front(), stored.back());
     field.speed = step_of(table.decimals);
     field.width_px = table.value_width;
     field.height = 20.0;
@@ -231,7 +233,7 @@ void draw_knot_table(const PanelContext& context, const core::Curve& curve) {
     table.row_width = width - (count > most_knot_rows ? context.px(6) : 0.0F);
     const float free =
         table.row_width - context.px(2.0 * knot_overhang + knot_name_width + multiplicity_width + steps_width);
-    table.value_width = std::clamp(free, context.px(44), context.px(value_width));
+    table.value_width = std::clamp(free, context.px(52), context.px(value_width));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(knot_overhang));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
     ImGui::BeginChild("knots",

@@ -12,6 +12,7 @@
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/rich_text.h"
+#include "app/ui/shell_widgets.h"
 #include "app/ui/typing.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -28,7 +29,7 @@ std::string number_of(const NumberField& field) {
     const double magnitude = std::abs(field.value);
     const bool is_blurred = magnitude != 0.0 && magnitude < 10.0 * step_of(field.decimals);
     if (field.is_multiplicative && (is_blurred || magnitude >= 1000.0)) return editor::number_text(field.value, 6);
-    return editor::fixed_text(field.value, field.decimals);
+    return editor::fixed_text(field.value, std::min(field.decimals, field.most_decimals));
 }
 
 /// The text that fits: fewer digits rather than cut ones.
@@ -205,6 +206,15 @@ void draw_number_field(const PanelContext& context, const NumberField& field,
         context.queue.preview(std::move(request));
     else
         context.queue.run(std::move(request));
+}
+
+int decimals_in(const PanelContext& context, float width_px, double lowest, double highest) {
+    const float room = width_px - 2.0F * context.px(number_padding);
+    const double largest = std::max({std::abs(lowest), std::abs(highest), 1.0});
+    const double whole = std::floor(std::log10(largest)) + (lowest < 0.0 ? 2.0 : 1.0);
+    const double digits = std::floor(room / text_width("0", context.fonts.number));
+    // One for the point.
+    return static_cast<int>(std::clamp(digits - whole - 1.0, 0.0, 17.0));
 }
 
 double step_of(int decimals) {

@@ -17,6 +17,7 @@ struct NumberField {
     std::string name;                ///< unique in the window, also of its WidgetPlace
     double value = 0.0;              ///< shown when not being typed
     int decimals = 2;                ///< shown; dragged values are rounded to them. Typing shows all digits
+    int most_decimals = 17;          ///< shown, where a column has no room for all
     double speed = 0.01;             ///< change per design pixel dragged; for multiplicative fields the relative change
     bool is_multiplicative = false;  ///< a drag multiplies, so that 0.01 and 100 are equally far from 1
     float width_px = 0.0F;           ///< 0: what is left
@@ -48,6 +49,10 @@ std::optional<NumberEdit> edit_number(const PanelContext& context, const NumberF
 /// The same; the command for a new value is made by `command` and previewed, committed or canceled.
 void draw_number_field(const PanelContext& context, const NumberField& field,
                        const std::function<editor::Command(double)>& command);
+
+/// The decimals that numbers of up to this size have room for in fields of this width, so that all of a column can be
+/// written alike.
+int decimals_in(const PanelContext& context, float width_px, double lowest, double highest);
 
 /// What a drag over one design pixel changes, one unit of the last decimal.
 double step_of(int decimals);

@@ -30,6 +30,8 @@ struct PointTable {
     int weight_decimals = 2;
     float row_width = 0.0F;
     float field_width = 0.0F;
+    int most_decimals = 0;  ///< for which the fields have room
+    int most_weight_decimals = 0;
 };
 
 /// Shift adds all from the nearest selected point on.
@@ -99,6 +101,7 @@ NumberField field_of(const PointTable& table, std::size_t i, const char* axis, d
     field.name = fmt::format("point {} {}", i, axis);
     field.value = value;
     field.decimals = table.decimals;
+    field.most_decimals = table.most_decimals;
     field.speed = step_of(table.decimals);
     field.width_px = table.field_width;
     field.height = 20.0;
@@ -121,6 +124,7 @@ void draw_coordinates(const PointTable& table, std::size_t i) {
 void draw_weight(const PointTable& table, std::size_t i) {
     NumberField field = field_of(table, i, "w", table.curve.weights()[i]);
     field.decimals = table.weight_decimals;
+    field.most_decimals = table.most_weight_decimals;
     field.speed = 0.01;
     field.is_multiplicative = true;
     field.lowest = 1.0 / largest_weight;
@@ -198,13 +202,19 @@ void draw_point_table(const PanelContext& context, const core::Curve& curve) {
     const bool scrolls = count > most_point_rows;
     const float bar = scrolls ? context.px(6) : 0.0F;
     const float fields = content_width(context) - context.px(point_name_width + 2.0 * coordinate_gap) - bar;
-    const core::Vector size = core::control_box(curve).size();
-    const PointTable table{context,
-                           curve,
-                           editor::decimals_for(std::max(size.x, size.y)),
-                           std::max(2, editor::weight_column(curve).decimals),
-                           content_width(context) + 2.0F * context.px(point_overhang) - bar,
-                           std::floor(fields / 3.0F)};
+    const float field_width = std::floor(fields / 3.0F);
+    const core::Box box = core::control_box(curve);
+    const auto weights = curve.weights();
+    const double heaviest = *std::max_element(weights.begin(), weights.end());
+    const PointTable table{
+        context,
+        curve,
+        editor::decimals_for(std::max(box.size().x, box.size().y)),
+        std::max(2, editor::weight_column(curve).decimals),
+        content_width(context) + 2.0F * context.px(point_overhang) - bar,
+        field_width,
+        decimals_in(context, field_width, std::min(box.lower.x, box.lower.y), std::max(box.upper.x, box.upper.y)),
+        decimals_in(context, field_width, 0.0, heaviest)};
     draw_header(table);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(point_overhang));
     const float height = context.px(point_row_height) * static_cast<float>(std::min(count, most_point_rows));

@@ -81,6 +81,20 @@ class LookTest(WindowTest):
                     self.assert_reachable_triangle(editor)
                     self.assert_whole_key_sheet(editor)
 
+    def test_the_numbers_of_a_narrow_table_have_the_same_decimals(self):
+        size = (1024, 700)
+        settings = {"window": {"x": 0, "y": 0, "width": size[0], "height": size[1]}}
+        with self.start(self.display(*size), self.path, "--display-scale", 2, settings=settings) as editor:
+            widgets = editor.settle()["widgets"]
+            shown = [widgets[f"point {i} {axis}"]["value"] for i in range(2) for axis in "xy"]
+            self.assertEqual([len(text.partition(".")[2]) for text in shown], [1] * 4, shown)
+            editor.click_widget("section curve")
+            editor.click_widget("section points")
+            editor.click_widget("section knots")
+            widgets = editor.wait(lambda state: "knot 5 value" in state["widgets"] and state["is_settled"], "the knots")["widgets"]
+            self.assertEqual([widgets[f"knot {i} value"]["value"] for i in (0, 4, 5)], ["0.00", "0.25", "0.50"])
+            editor.screenshot("narrow-knots")
+
     def test_scale_two(self):
         size = (2880, 1800)
         geometry = {"x": 0, "y": 0, "width": size[0], "height": size[1]}
