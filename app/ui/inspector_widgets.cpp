@@ -57,7 +57,7 @@ void draw_box(const PanelContext& context, ImVec2 center, const Button& button) 
     const render::Color fill = button.is_active ? context.theme.accent : context.theme.field;
     list->AddRectFilled(lower, upper, imgui_packed(fill), context.px(3));
     if (button.is_active) return draw_tick(context, center);
-    list->AddRect(lower, upper, imgui_packed(context.theme.line), context.px(3), 0, context.px(1));
+    list->AddRect(lower, upper, imgui_packed(context.theme.dim), context.px(3), 0, context.px(1));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 """The look of the window at common sizes, in both themes and at scale 2, kept as pictures; and that nothing is drawn while nothing happens."""
 
 import os
+import subprocess
 import time
 import unittest
 
@@ -16,6 +17,13 @@ def processor_seconds(process):
     with open(f"/proc/{process.pid}/stat") as file:
         fields = file.read().rsplit(")", 1)[1].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def luminance(color):
+    """Relative, 0 to 1, of 8-bit sRGB."""
+    parts = [part / 255 for part in color]
+    red, green, blue = (part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
 
 
 class LookTest(WindowTest):
@@ -94,6 +102,21 @@ class LookTest(WindowTest):
             widgets = editor.wait(lambda state: "knot 5 value" in state["widgets"] and state["is_settled"], "the knots")["widgets"]
             self.assertEqual([widgets[f"knot {i} value"]["value"] for i in (0, 4, 5)], ["0.00", "0.25", "0.50"])
             editor.screenshot("narrow-knots")
+
+    def pixels(self, picture, place):
+        """The colors in a place of a screenshot, as (red, green, blue)."""
+        box = f"{place['width']:.0f}x{place['height']:.0f}+{place['x']:.0f}+{place['y']:.0f}"
+        raw = subprocess.run(["convert", str(picture), "-crop", box, "-depth", "8", "rgb:-"], capture_output=True, check=True).stdout
+        return set(zip(raw[0::3], raw[1::3], raw[2::3]))
+
+    def test_an_empty_check_box_stands_out_from_its_field(self):
+        editor = self.open_editor()
+        for theme in ("dark", "light"):
+            state = editor.wait(lambda state: state["theme"] == theme and state["is_settled"], f"the {theme} theme")
+            self.assertEqual(state["widgets"]["closed"]["value"], "off")
+            levels = sorted(luminance(color) for color in self.pixels(editor.screenshot(f"box-{theme}"), state["widgets"]["closed"]))
+            self.assertGreaterEqual((levels[-1] + 0.05) / (levels[0] + 0.05), 3.0, theme)
+            editor.key("t")
 
     def test_scale_two(self):
         size = (2880, 1800)
