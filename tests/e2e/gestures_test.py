@@ -32,6 +32,19 @@ class GesturesTest(WindowTest):
                 self.assertGreater(dialog["width"], 0.9 * width)
                 self.assertGreater(dialog["height"], 0.9 * height)
 
+    def test_the_welcome_screen_of_a_small_window_shows_a_whole_card_and_scrolls_to_the_last(self):
+        with self.start_with_welcome(1024, 700, 2) as editor:
+            editor.screenshot("welcome-small")
+            widgets = editor.settle()["widgets"]
+            self.assertTrue(is_inside(widgets["example bezier-cubic"], widgets["dialog"]))
+            self.assertTrue(is_inside(widgets["example bezier-cubic sentence"], widgets["example bezier-cubic"]))
+            self.assertGreater(widgets["example coons-open"]["height"], 10, "the next one shows that there is more")
+            editor.move(*editor.widget_center("example bezier-cubic"))
+            editor.wheel(-200)
+            editor.wait(lambda state: "example wave" in state["widgets"] and state["is_settled"], "the last card")
+            editor.click_widget("example wave")
+            editor.wait(lambda state: state["dialog"] == "none" and state["is_settled"], "the example")
+
     def test_the_title_line_stays_until_dismissed_and_returns_with_the_next_example(self):
         with self.start_with_welcome(1440, 900, 1) as editor:
             editor.click_widget("example bezier-cubic")
