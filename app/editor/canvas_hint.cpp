@@ -19,7 +19,7 @@ std::string knot_value(const core::Curve& curve, std::size_t stored_index) {
 }
 
 std::string weight_text(const core::Curve& curve, std::size_t i) {
-    return lone_text(curve.weights()[i], weight_column(curve));
+    return weight_text(curve.weights()[i], weight_column(curve));
 }
 
 bool has_point(const core::Curve& curve, std::size_t i) {

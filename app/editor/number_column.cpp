@@ -15,12 +15,17 @@ namespace {
 constexpr int most_digits = 6;
 constexpr int few_digits = 3;
 constexpr int least_decade = -4;
+constexpr int most_weight_decimals = 5;
 
 double largest_of(std::span<const double> values) {
     double largest = 0.0;
     for (const double value : values)
         if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
     return largest;
+}
+
+int decade_of(double value) {
+    return static_cast<int>(std::floor(std::log10(value)));
 }
 
 /// The fewest decimals, at most `most`, that write `value` as `most` decimals do.
@@ -39,7 +44,7 @@ int decimals_needed(double value, int most) {
 NumberColumn column_for(std::span<const double> values) {
     const double largest = largest_of(values);
     if (largest == 0.0) return {};
-    const int decade = static_cast<int>(std::floor(std::log10(largest)));
+    const int decade = decade_of(largest);
     if (decade >= most_digits || decade < least_decade) return {0, false};
     const int most = most_digits - 1 - decade;
     NumberColumn column;
@@ -77,7 +82,18 @@ std::string place_text(const core::Curve& curve, core::Point place) {
 NumberColumn weight_column(const core::Curve& curve) {
     const std::span<const double> weights = curve.weights();
     // Equal weights need not be looked at one by one.
-    return column_for(curve.is_rational() ? weights : weights.first(1));
+    const std::size_t count = curve.is_rational() ? weights.size() : 1;
+    NumberColumn column;
+    for (std::size_t i = 0; i < count && column.decimals < most_weight_decimals; ++i) {
+        if (weights[i] >= great_weight) continue;
+        const int most = std::min(most_weight_decimals, most_digits - 1 - decade_of(weights[i]));
+        column.decimals = std::max(column.decimals, decimals_needed(weights[i], most));
+    }
+    return column;
+}
+
+std::string weight_text(double weight, NumberColumn column) {
+    return weight >= great_weight ? number_text(weight, most_digits) : lone_text(weight, column);
 }
 
 }  // namespace batten::editor

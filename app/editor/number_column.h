@@ -32,7 +32,14 @@ int decimals_for(double size);
 std::string parameter_text(const core::Curve& curve, double u);
 std::string place_text(const core::Curve& curve, core::Point place);
 
-/// The weights of `curve`, written alike.
+/// Weights from here on are written by themselves.
+inline constexpr double great_weight = 1000.0;
+
+/// The weights of `curve`, written alike. A weight counts by its ratio to others, so that each keeps its digits beside
+/// a greater one.
 NumberColumn weight_column(const core::Curve& curve);
+
+/// A weight by itself, as it is beside its point.
+std::string weight_text(double weight, NumberColumn column);
 
 }  // namespace batten::editor

@@ -24,12 +24,15 @@ constexpr double number_padding = 8.0;  // of the text, in design pixels
 constexpr float drag_threshold = 3.0F;  // design pixels before a press becomes a drag
 constexpr double slow_factor = 0.1;     // with Shift
 
-/// With `decimals` after the point; a value that these would blur gets significant digits instead.
+/// With `decimals` after the point; a factor that these would blur gets significant digits instead.
 std::string number_of(const NumberField& field) {
     const double magnitude = std::abs(field.value);
     const bool is_blurred = magnitude != 0.0 && magnitude < 10.0 * step_of(field.decimals);
-    if (field.is_multiplicative && (is_blurred || magnitude >= 1000.0)) return editor::number_text(field.value, 6);
-    return editor::fixed_text(field.value, std::min(field.decimals, field.most_decimals));
+    const std::string all = editor::fixed_text(field.value, field.decimals);
+    const std::string text = editor::fixed_text(field.value, std::min(field.decimals, field.most_decimals));
+    const bool is_shortened = editor::without_trailing_zeros(all) != editor::without_trailing_zeros(text);
+    const bool stands_alone = is_blurred || is_shortened || magnitude >= editor::great_weight;
+    return field.is_multiplicative && stands_alone ? editor::number_text(field.value, 6) : text;
 }
 
 /// The text that fits: fewer digits rather than cut ones.

@@ -111,6 +111,15 @@ class NumbersTest(WindowTest):
         editor.key("Escape")
         self.assertEqual(self.save(editor)["weights"][5], 1.995)
 
+    def test_a_typed_weight_keeps_its_digits_beside_a_great_one(self):
+        data = json.loads(self.path.read_text())
+        data["curves"][0]["weights"] = [1, 1, 1, 12345.678, 1, 1.995, 1]
+        self.path.write_text(json.dumps(data))
+        state = self.open_editor().state()
+        self.assertEqual(float(state["widgets"]["point 5 w"]["value"]), 1.995)
+        self.assertEqual(state["widgets"]["point 3 w"]["value"], "12345.7")
+        self.assertEqual([label["text"] for label in state["labels"] if "w " in label["text"]], ["· w 12345.7", "· w 1.995"])
+
     def test_a_field_with_a_hint_of_its_own_tells_all_digits_too(self):
         data = json.loads(self.path.read_text())
         data["curves"][0]["knots"] = [0, 0, 0, 0, 1 / 3, 1 / 3, 0.75, 1, 1, 1, 1]

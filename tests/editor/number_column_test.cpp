@@ -39,5 +39,31 @@ TEST(NumberColumn, very_large_and_small_ones_have_powers_of_ten) {
     EXPECT_EQ(texts({2.5e-7}), (Texts{"2.5e−7"}));
 }
 
+/// A Bézier curve with these weights.
+core::Curve weighted(const std::vector<double>& weights) {
+    core::CurveDefinition definition;
+    definition.degree = static_cast<int>(weights.size()) - 1;
+    definition.knots.assign(weights.size(), 0.0);
+    definition.knots.insert(definition.knots.end(), weights.size(), 1.0);
+    for (std::size_t i = 0; i < weights.size(); ++i) definition.points.emplace_back(static_cast<double>(i), 0.0);
+    definition.weights = weights;
+    return core::Curve::make(definition).value();
+}
+
+Texts weight_texts(const std::vector<double>& weights) {
+    Texts result;
+    const core::Curve curve = weighted(weights);
+    for (const double weight : weights) result.push_back(weight_text(weight, weight_column(curve)));
+    return result;
+}
+
+TEST(WeightColumn, keeps_the_digits_of_a_weight_beside_greater_ones) {
+    EXPECT_EQ(weight_texts({1, 1.995, 1}), (Texts{"1", "1.995", "1"}));
+    EXPECT_EQ(weight_texts({1, 1.995, 12345.678}), (Texts{"1", "1.995", "12345.7"}));
+    EXPECT_EQ(weight_texts({0.001, 0.70710678118654752, 500}), (Texts{"0.001", "0.70711", "500"}));
+    EXPECT_EQ(weight_texts({1, 20.12345, 1e9}), (Texts{"1", "20.1234", "1e9"}));
+    EXPECT_EQ(weight_texts({1e-7, 3, 3}), (Texts{"1e−7", "3", "3"}));
+}
+
 }  // namespace
 }  // namespace batten::editor

@@ -81,7 +81,7 @@ void write_point_name(LabelWriter& writer, CanvasFrame& frame, NumberColumn weig
     std::vector<Word> words{{fmt::format("P_{{{}}}", i), {.color = frame.theme.text, .size = name_size}}};
     if (weight != 1.0)
         words.push_back(
-            {fmt::format("· w {}", lone_text(weight, weights)), {.color = frame.theme.dim, .size = name_size}});
+            {fmt::format("· w {}", weight_text(weight, weights)), {.color = frame.theme.dim, .size = name_size}});
     const double ring = weight_ring_radius_px(frame.state, i).value_or(0.0) / frame.pen.px(1.0);
     const double distance = std::max(i == 0 ? boxed_point_distance : point_distance, ring + 3.0);
     const auto* hovered = std::get_if<HoveredPoint>(&frame.state.hover);
