@@ -35,7 +35,7 @@ std::string number_of(const NumberField& field) {
     return field.is_multiplicative && stands_alone ? editor::number_text(field.value, 6) : text;
 }
 
-/// The text that fits: fewer digits rather than cut ones.
+/// The text that fits: fewer digits rather than cut ones, at last one digit and the power of ten.
 std::string shown_text(const PanelContext& context, const NumberField& field, float room_px) {
     ImFont* font = context.fonts.number;
     const auto fits = [&](const std::string& text) {
@@ -44,7 +44,7 @@ std::string shown_text(const PanelContext& context, const NumberField& field, fl
     std::string text = number_of(field) + field.unit;
     for (int digits = 7; digits >= 2 && !fits(text); --digits)
         text = editor::number_text(field.value, digits) + field.unit;
-    return text;
+    return fits(text) ? text : editor::full_reading_text(fmt::format("{:.0e}", field.value)) + field.unit;
 }
 
 /// What is not all on the field is in its tip.

@@ -120,6 +120,16 @@ class NumbersTest(WindowTest):
         self.assertEqual(state["widgets"]["point 3 w"]["value"], "12345.7")
         self.assertEqual([label["text"] for label in state["labels"] if "w " in label["text"]], ["· w 12345.7", "· w 1.995"])
 
+    def test_a_number_that_does_not_fit_is_written_with_a_power_of_ten(self):
+        data = json.loads(self.path.read_text())
+        data["curves"][0]["points"] = [[x - 5e5, y + 5e5] for x, y in data["curves"][0]["points"]]
+        self.path.write_text(json.dumps(data))
+        size = (1024, 700)
+        settings = {"window": {"x": 0, "y": 0, "width": size[0], "height": size[1]}}
+        editor = self.enterContext(self.start(self.display(*size), self.path, "--display-scale", 2, settings=settings))
+        self.assertEqual(editor.widget("point 0 x")["value"], "−5e5")
+        self.assertEqual(self.tip_at(editor, "point 0 x"), "−500006")
+
     def test_a_field_with_a_hint_of_its_own_tells_all_digits_too(self):
         data = json.loads(self.path.read_text())
         data["curves"][0]["knots"] = [0, 0, 0, 0, 1 / 3, 1 / 3, 0.75, 1, 1, 1, 1]
