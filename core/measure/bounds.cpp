@@ -39,13 +39,26 @@ bool contains(const Box& box, std::span<const Point> points) {
     return std::all_of(points.begin(), points.end(), [&](Point point) { return box.contains(point); });
 }
 
+// The points of a curve that a box must hold; `are_known` is false once one of them cannot be computed.
+struct Extremes {
+    const Curve& curve;
+    Box box{};
+    bool are_known = true;
+
+    void include(double u, Side side = Side::right) {
+        const Point point = point_at(curve, u, side);
+        are_known = are_known && is_finite(point);
+        box.include(point);
+    }
+};
+
 // Takes in the places of `piece` where a coordinate turns back, and where rounding leaves open whether it does.
-void include_turns(Box& box, const Curve& curve, const PieceForms& piece, const Expression& slope) {
+void include_turns(Extremes& extremes, const PieceForms& piece, const Expression& slope) {
     for (const SignRun& run : sign_runs(piece.forms, slope)) {
         if (run.sign != 0) continue;
         const double middle = run.where.lower + 0.5 * run.where.length();
         for (const double share : {run.where.lower, middle, run.where.upper})
-            if (0.0 < share && share < 1.0) box.include(point_at(curve, from_unit(piece.interval, share)));
+            if (0.0 < share && share < 1.0) extremes.include(from_unit(piece.interval, share));
     }
 }
 
@@ -53,17 +66,18 @@ void include_turns(Box& box, const Curve& curve, const PieceForms& piece, const 
 
 Box tight_box(const Curve& curve) {
     const auto pieces = piece_forms(curve, 1);
-    Box box;
+    Extremes extremes{.curve = curve};
     for (const PieceForms& piece : pieces) {
-        box.include(point_at(curve, piece.interval.lower, Side::right));
-        box.include(point_at(curve, piece.interval.upper, Side::left));
+        extremes.include(piece.interval.lower, Side::right);
+        extremes.include(piece.interval.upper, Side::left);
     }
     for (const PieceForms& piece : pieces) {
-        if (contains(box, control_points_of_span(curve, curve.knots().span_at(piece.interval.lower)))) continue;
-        include_turns(box, curve, piece, hodograph_x);
-        include_turns(box, curve, piece, hodograph_y);
+        const std::size_t span = curve.knots().span_at(piece.interval.lower);
+        if (contains(extremes.box, control_points_of_span(curve, span))) continue;
+        include_turns(extremes, piece, hodograph_x);
+        include_turns(extremes, piece, hodograph_y);
     }
-    return box;
+    return extremes.are_known ? extremes.box : Box{};
 }
 
 std::vector<Point> convex_hull(std::span<const Point> points) {

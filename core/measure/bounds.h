@@ -9,7 +9,8 @@
 namespace batten::core {
 
 /// The smallest box that contains the curve, right to rounding: of the ends of all pieces and the zeros of x' and y',
-/// which are found globally. Source: variation diminishing.
+/// which are found globally. Empty where numbers on the way are beyond what doubles can hold. Source: variation
+/// diminishing.
 Box tight_box(const Curve& curve);
 
 /// The convex hull of `points`, which are finite, counter-clockwise, without collinear points; fewer than three points

@@ -203,6 +203,7 @@ Finding box_row(const char* label, const core::Box& box) {
 Outcome<void> find_bounds(EditorState& state, const FindBounds&) {
     const core::Curve& curve = active_curve(state);
     const core::Box box = core::tight_box(curve);
+    if (box.is_empty()) return tl::unexpected(core::describe({.code = core::CurveErrorCode::not_computable}));
     std::string summary =
         sentence("{name} is {width} wide and {height} high", {active_name(state),
                                                               {"width", core::shortest_text(box.size().x)},

@@ -87,6 +87,16 @@ TEST(Bounds, tight_box_contains_the_curve_and_touches_it_on_all_sides) {
     }
 }
 
+TEST(Bounds, tight_box_is_empty_where_numbers_overflow_on_the_way) {
+    // C(1/2).x = -1e308 * 100 / 202 + ..., left of both ends, but 100 * 1e308 is no double.
+    const Curve curve = Curve::make({.degree = 2,
+                                     .knots = {0, 0, 0, 1, 1, 1},
+                                     .points = {{0, 0}, {-1e308, 1}, {1e308, 0}},
+                                     .weights = {1, 100, 1}})
+                            .value();
+    EXPECT_TRUE(tight_box(curve).is_empty());
+}
+
 TEST(Bounds, every_piece_lies_in_the_hull_of_its_span) {
     RandomCurves random(44);
     for (int i = 0; i < 60; ++i) {
