@@ -41,6 +41,9 @@ constexpr std::array templates{
              "knot {index} is {value}, less than knot {previous}, which is {lower}; knots must not decrease"},
     Template{Code::multiplicity_too_high,
              "knot {index} occurs {value} times; at most {upper} equal knots are allowed there"},
+    Template{Code::knots_too_far_apart,
+             "the knots begin at {lower} and end at {upper}; their distance is too large for a number, also where the "
+             "period is repeated"},
     Template{Code::domain_empty, "the domain begins and ends at {value}; its end must be above its beginning"},
     Template{Code::parameter_not_finite, "the parameter is not a finite number; it must be finite"},
     Template{Code::parameter_outside_domain,

@@ -19,6 +19,7 @@ enum class CurveErrorCode {
     weight_not_positive,         ///< index = weight, value = weight found
     knot_decreasing,             ///< index = the smaller later knot, value = it, lower = the knot before
     multiplicity_too_high,       ///< index = first such knot, value = multiplicity found, upper = most allowed
+    knots_too_far_apart,         ///< lower, upper = the first and the last knot
     domain_empty,                ///< value = the one value that the domain consists of
     parameter_not_finite,        ///< a typed parameter is NaN or infinite
     parameter_outside_domain,    ///< value = parameter, [lower, upper] = domain

@@ -34,6 +34,13 @@ Check check_order(std::span<const double> knots) {
     return {};
 }
 
+// Of knots as algorithms see them; `stored` are their ends as they were given.
+Check check_extent(std::span<const double> knots, std::span<const double> stored) {
+    if (!std::isfinite(knots.back() - knots.front()))
+        return refuse({.code = CurveErrorCode::knots_too_far_apart, .lower = stored.front(), .upper = stored.back()});
+    return {};
+}
+
 Check check_domain(Interval domain) {
     if (domain.lower == domain.upper) return refuse({.code = CurveErrorCode::domain_empty, .value = domain.lower});
     return {};
@@ -98,6 +105,7 @@ Result<KnotVector> KnotVector::make(int degree, std::vector<double> knots, KnotK
     const Check check = check_count(knots.size(), 2 * p + 2)
                             .and_then([&] { return check_finite(knots); })
                             .and_then([&] { return check_order(knots); })
+                            .and_then([&] { return check_extent(knots, knots); })
                             .and_then([&] { return check_domain(domain()); })
                             .and_then([&] { return check_multiplicities(knots, p, domain(), tears); });
     if (!check) return refuse(check.error());
@@ -115,7 +123,9 @@ Result<KnotVector> KnotVector::make_periodic(int degree, std::vector<double> per
                             })
                             .and_then([&] { return check_period_multiplicities(period, p); });
     if (!check) return refuse(check.error());
-    return KnotVector(degree, true, kind, unroll_period(period, p, p));
+    std::vector<double> values = unroll_period(period, p, p);
+    if (auto extent = check_extent(values, period); !extent) return refuse(extent.error());
+    return KnotVector(degree, true, kind, std::move(values));
 }
 
 std::size_t KnotVector::control_point_count() const {

@@ -54,13 +54,15 @@ enum class Tears { refuse, allow };
 class KnotVector {
   public:
     /// The full textbook vector of m+1 = n+p+2 knots. Values are kept as they are.
-    /// Checked in this order: degree, count (at least 2p+2), finite, non-decreasing, domain not empty, multiplicities
-    /// (ends of the domain p+1, all others p, or p+1 with Tears::allow). A `kind` that the values do not have becomes
+    /// Checked in this order: degree, count (at least 2p+2), finite, non-decreasing, first and last so near that their
+    /// difference is a double, domain not empty, multiplicities (ends of the domain p+1, all others p, or p+1 with
+    /// Tears::allow). A `kind` that the values do not have becomes
     /// custom.
     [[nodiscard]] static Result<KnotVector> make(int degree, std::vector<double> knots,
                                                  KnotKind kind = KnotKind::custom, Tears tears = Tears::refuse);
 
-    /// One period of n+1 knots for n >= 2 control points; same order of checks. No knot exceeds multiplicity p, the
+    /// One period of n+1 knots for n >= 2 control points; same order of checks, but for the distance of the unrolled
+    /// knots at last. No knot exceeds multiplicity p, the
     /// seam's counted across the seam.
     [[nodiscard]] static Result<KnotVector> make_periodic(int degree, std::vector<double> period,
                                                           KnotKind kind = KnotKind::custom);

@@ -49,6 +49,7 @@ std::string place_of(const std::string& pointer, const CurveError& error) {
         case CurveErrorCode::weight_not_positive:
             return place_in(place_in(pointer, "weights"), error.index);
         case CurveErrorCode::knot_count_mismatch:
+        case CurveErrorCode::knots_too_far_apart:
         case CurveErrorCode::domain_empty:
             return place_in(pointer, "knots");
         case CurveErrorCode::knot_not_finite:

@@ -31,6 +31,10 @@ TEST(CurveError, says_what_was_found_where_and_what_is_allowed) {
          "knot 5 is 0.25, less than knot 4, which is 0.5; knots must not decrease"},
         {{.code = Code::multiplicity_too_high, .index = 4, .value = 5, .upper = 3},
          "knot 4 occurs 5 times; at most 3 equal knots are allowed there"},
+        {{.code = Code::knots_too_far_apart, .lower = -1e308, .upper = 1e308},
+         "the knots begin at -1e+308 and end at 1e+308; their distance is too large for a number, also where the "
+         "period "
+         "is repeated"},
         {{.code = Code::domain_empty, .value = 0.1},
          "the domain begins and ends at 0.1; its end must be above its beginning"},
         {{.code = Code::parameter_not_finite}, "the parameter is not a finite number; it must be finite"},

@@ -71,12 +71,26 @@ TEST(KnotVector, checks_in_the_order_that_the_header_promises) {
     EXPECT_EQ(error_of(KnotVector::make(2, {1, infinity, 0})).code, Code::knot_count_mismatch);
     EXPECT_EQ(error_of(KnotVector::make(1, {1, 0, 0, 0, infinity})).code, Code::knot_not_finite);
     EXPECT_EQ(error_of(KnotVector::make(1, {1, 0, 0, 0})).code, Code::knot_decreasing);
+    EXPECT_EQ(error_of(KnotVector::make(1, {-1e308, 0, 0, 1e308})).code, Code::knots_too_far_apart);
     EXPECT_EQ(error_of(KnotVector::make(1, {0, 0, 0, 0})).code, Code::domain_empty);
     EXPECT_EQ(error_of(KnotVector::make_periodic(0, {1, infinity})).code, Code::degree_out_of_range);
     EXPECT_EQ(error_of(KnotVector::make_periodic(2, {1, infinity})).code, Code::knot_count_mismatch);
     EXPECT_EQ(error_of(KnotVector::make_periodic(2, {1, 0, infinity})).code, Code::knot_not_finite);
     EXPECT_EQ(error_of(KnotVector::make_periodic(2, {1, 0, 0})).code, Code::knot_decreasing);
     EXPECT_EQ(error_of(KnotVector::make_periodic(2, {0, 0, 0})).code, Code::domain_empty);
+}
+
+TEST(KnotVector, is_no_longer_than_a_number) {
+    using Code = CurveErrorCode;
+    EXPECT_TRUE(KnotVector::make(1, {-8e307, -8e307, 8e307, 8e307}));
+    EXPECT_EQ(error_of(KnotVector::make(1, {-1e308, -1e308, 1e308, 1e308})),
+              (CurveError{.code = Code::knots_too_far_apart, .lower = -1e308, .upper = 1e308}));
+    EXPECT_EQ(error_of(KnotVector::make_periodic(1, {-1e308, 0, 1e308})),
+              (CurveError{.code = Code::knots_too_far_apart, .lower = -1e308, .upper = 1e308}));
+    // Unrolled by two knots on both sides, from -2e307 to 4e307; by four at 1e308, from -2e308 to 3e308.
+    EXPECT_TRUE(KnotVector::make_periodic(2, {0, 1e307, 2e307}));
+    EXPECT_EQ(error_of(KnotVector::make_periodic(4, {0, 5e307, 1e308})),
+              (CurveError{.code = Code::knots_too_far_apart, .lower = 0, .upper = 1e308}));
 }
 
 TEST(KnotVector, tears_only_where_allowed) {
