@@ -25,21 +25,28 @@ int level_at(const std::vector<JointContinuity>& joints, double u) {
     return found != joints.end() && found->u == u ? found->geometric : smoothest;
 }
 
-bool is_end(const JointContinuity& joint) {
-    return joint.kind == JointKind::ends;
+// Without the ends.
+std::vector<JointContinuity> joints_at_knots(const Curve& curve, const ContinuityTolerances& tolerances = {}) {
+    return joint_continuity_within(curve, curve.domain(), tolerances);
+}
+
+void add_loss_at_ends(std::vector<SmoothnessLoss>& losses, const Curve& before, const Curve& after) {
+    if (before.is_periodic() || after.is_periodic()) return;
+    const int level = continuity_of_ends(before).geometric;
+    const JointContinuity ends = continuity_of_ends(after, lenient());
+    if (ends.geometric < level) losses.push_back({level, ends});
 }
 
 }  // namespace
 
 std::vector<SmoothnessLoss> smoothness_losses(const Curve& before, const Curve& after) {
-    auto joints = joint_continuity(before);
-    std::erase_if(joints, is_end);
+    const auto joints = joints_at_knots(before);
     std::vector<SmoothnessLoss> losses;
-    for (const JointContinuity& joint : joint_continuity(after, lenient())) {
-        if (is_end(joint)) continue;
+    for (const JointContinuity& joint : joints_at_knots(after, lenient())) {
         const int level = level_at(joints, joint.u);
         if (joint.geometric < level) losses.push_back({level, joint});
     }
+    add_loss_at_ends(losses, before, after);
     return losses;
 }
 

@@ -53,6 +53,13 @@ TEST_F(ShapeCommands, say_what_smoothness_was_lost_and_where) {
     EXPECT_NE(message().find("; the curve now has a corner of 90° at u = 1"), std::string::npos) << message();
 }
 
+TEST_F(ShapeCommands, say_that_ends_no_longer_meet) {
+    open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [
+      { "name": "triangle", "degree": 1, "knots": [0,0,1,2,3,3], "points": [[0,0],[4,0],[0,4],[0,0]] } ] })");
+    EXPECT_TRUE(run(MoveCurvePoint{.u = 0.0, .position = {0.0, -0.5}}));
+    EXPECT_NE(message().find("; its ends, which met, are now 0.5 apart"), std::string::npos) << message();
+}
+
 TEST_F(ShapeCommands, set_tangent_keeps_the_point) {
     const core::Point before = core::point_at(curve(editor_), 0.4);
     EXPECT_TRUE(run(SetTangent{.u = 0.4, .derivative = {3.0, -8.0}}));

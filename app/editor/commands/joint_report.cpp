@@ -54,6 +54,12 @@ std::string jumps_sentence(std::span<const core::SmoothnessLoss> jumps) {
                      {"u", core::shortest_text(worst.after.u)}});
 }
 
+std::string gap_sentence(const core::SmoothnessLoss& loss) {
+    const core::Place gap("gap", core::shortest_text(loss.after.position.size));
+    if (loss.after.kind == core::JointKind::ends) return sentence("its ends, which met, are now {gap} apart", {gap});
+    return sentence("the curve now has a gap of {gap} at u = {u}", {gap, {"u", core::shortest_text(loss.after.u)}});
+}
+
 // Where the other curve stands and how, unless it simply follows.
 std::optional<std::string> placing(const std::string& name, core::JoinedEnds ends) {
     const bool is_before = ends.first == core::CurveEnd::start;
@@ -84,8 +90,12 @@ std::optional<std::string> told_in_turn(std::span<const std::string> sentences) 
 std::optional<std::string> lost_smoothness(std::span<const core::SmoothnessLoss> losses) {
     std::vector<core::SmoothnessLoss> corners;
     std::vector<core::SmoothnessLoss> jumps;
-    for (const core::SmoothnessLoss& loss : losses) (loss.after.geometric < 1 ? corners : jumps).push_back(loss);
     std::vector<std::string> sentences;
+    for (const core::SmoothnessLoss& loss : losses)
+        if (loss.after.geometric < 0)
+            sentences.push_back(gap_sentence(loss));
+        else
+            (loss.after.geometric < 1 ? corners : jumps).push_back(loss);
     if (!corners.empty()) sentences.push_back(corners_sentence(corners));
     if (!jumps.empty()) sentences.push_back(jumps_sentence(jumps));
     return told_in_turn(sentences);
