@@ -19,14 +19,15 @@ namespace {
 
 using render::PixelBox;
 
-// The canvases of windows from 1024 x 700 to 1920 x 1080, with their scale.
+// The canvases of windows from 1024 x 700 to 1920 x 1080, with their scale; the last ones below a line with the title.
 struct Canvas {
     glm::dvec2 size_px;
     double scale;
 };
-constexpr Canvas canvases[] = {{{632, 366}, 1.0}, {{1048, 566}, 1.0}, {{1528, 746}, 1.0},
-                               {{436, 290}, 1.5}, {{780, 400}, 1.5},  {{414, 170}, 2.0},
-                               {{414, 276}, 2.0}, {{1136, 472}, 2.0}, {{2096, 1132}, 2.0}};
+constexpr Canvas canvases[] = {{{632, 366}, 1.0},  {{1048, 566}, 1.0}, {{1528, 746}, 1.0}, {{632, 318}, 1.0},
+                               {{436, 290}, 1.5},  {{780, 400}, 1.5},  {{436, 177}, 1.5},  {{414, 166}, 2.0},
+                               {{414, 170}, 2.0},  {{414, 276}, 2.0},  {{656, 226}, 2.0},  {{1136, 472}, 2.0},
+                               {{2096, 1132}, 2.0}};
 
 core::Document example(const std::filesystem::path& path) {
     return core::load_document(path).value();
@@ -46,7 +47,7 @@ std::vector<core::Point> shown_points(const core::Curve& curve) {
 
 void expect_all_clear(const EditorState& state, const std::string& where) {
     const PixelBox picture{{}, state.view.camera.size_px};
-    const PixelBox legend = legend_box(state, state.view.legend_corner);
+    const PixelBox legend = has_legend(state) ? legend_box(state, state.view.legend_corner) : PixelBox{};
     const PixelBox inset = hodograph_box(state.view);
     EXPECT_TRUE(!has_legend(state) || (picture.contains(legend.lower_px) && picture.contains(legend.upper_px)))
         << where;
