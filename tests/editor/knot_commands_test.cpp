@@ -89,6 +89,17 @@ TEST_F(KnotCommands, a_knot_that_goes_less_far_than_asked_says_so) {
         << state().message.text;
 }
 
+TEST_F(KnotCommands, a_knot_that_joins_a_neighbor_before_what_was_asked_says_so) {
+    open_text(editor_, sample_text);
+    const auto begins = [this](const std::string& text) { return state().message.text.rfind(text, 0) == 0; };
+    run(MoveKnot{.index = 4, .u = 9.0, .mode = core::KnotMove::snap});
+    EXPECT_TRUE(begins("Moved knot 0.2 to 0.5 instead of 9, onto its neighbor: multiplicity 2, C¹ there; "))
+        << state().message.text;
+    run(Undo{});
+    run(MoveKnot{.index = 4, .u = 0.49, .mode = core::KnotMove::snap, .snap_distance = 0.02});
+    EXPECT_TRUE(begins("Moved knot 0.2 to 0.5: multiplicity 2, C¹ there; ")) << state().message.text;
+}
+
 TEST_F(KnotCommands, a_typed_knot_out_of_order_is_told_its_neighbors) {
     open_text(editor_, sample_text);
     EXPECT_FALSE(run(SetKnot{.index = 4, .u = 0.6}));

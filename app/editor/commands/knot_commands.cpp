@@ -111,8 +111,10 @@ const char* pattern_of_move(const EditorState& state, const MoveKnot& command, d
     if (stops_before_full_stack(state, command))
         return "Moved knot {from} to {to}, up to a full stack, which it joins where 'Allow tears' lets the curve come "
                "apart";
-    if (command.mode != core::KnotMove::snap && reached != command.u)
-        return "Moved knot {from} to {to} instead of {u}, as far as its neighbors let it: {words}";
+    if (std::abs(reached - command.u) > command.snap_distance.value_or(0.0))
+        return command.mode == core::KnotMove::snap
+                   ? "Moved knot {from} to {to} instead of {u}, onto its neighbor: {words}"
+                   : "Moved knot {from} to {to} instead of {u}, as far as its neighbors let it: {words}";
     return "Moved knot {from} to {to}: {words}";
 }
 
