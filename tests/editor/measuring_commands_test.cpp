@@ -36,6 +36,17 @@ TEST_F(MeasuringCommands, arc_length_and_its_inverse) {
     EXPECT_NEAR(number(0, "point y"), 1.0, 1e-13);
 }
 
+TEST_F(MeasuringCommands, arc_length_says_where_the_curve_ends) {
+    ASSERT_TRUE(editor_.run(ActivateCurve{.index = 2}));
+    find(MeasureArcLength{.begin = -1.0, .end = 3.0});
+    EXPECT_EQ(number(0, "length"), 2.0);
+    EXPECT_EQ(rows()[0].note,
+              "u = -1 is outside the domain from 0 to 1; its end 0 is taken; u = 3 is outside the domain from 0 to 1; "
+              "its end 1 is taken");
+    find(MeasureArcLength{.begin = 0.5, .end = 1.0});
+    EXPECT_EQ(rows()[0].note, "");
+}
+
 TEST_F(MeasuringCommands, point_beyond_an_end_is_said_to_be_the_end) {
     ASSERT_TRUE(editor_.run(ActivateCurve{.index = 0}));
     const double whole = std::sqrt(17.0) + 0.25 * std::asinh(4.0);

@@ -4,6 +4,7 @@
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/joint_report.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/field_kinds.h"
 #include "app/editor/wording.h"
@@ -30,12 +31,22 @@ bool is_doubtful(const core::Curve& curve, const core::Integral& length) {
     return !core::is_sharp(whole) || length.error > whole.error;
 }
 
+// Which of the parameters are outside of the domain of an open curve, and what is taken instead.
+std::string clamped_note(const core::Curve& curve, std::initializer_list<double> parameters) {
+    std::vector<std::string> sentences;
+    for (const double u : parameters)
+        if (!curve.is_periodic() && !curve.domain().contains(u))
+            sentences.push_back(clamped_sentence(curve.knots(), u, curve.knots().into_domain(u)));
+    return told_in_turn(sentences).value_or("");
+}
+
 Outcome<void> measure_arc_length(EditorState& state, const MeasureArcLength& command) {
     const core::Curve& curve = active_curve(state);
     const core::Integral length = core::arc_length(curve, command.begin, command.end);
     Finding row{
         .label = "length",
-        .numbers = {{"length", length.value}, {"error", length.error}, {"from", command.begin}, {"to", command.end}}};
+        .numbers = {{"length", length.value}, {"error", length.error}, {"from", command.begin}, {"to", command.end}},
+        .note = clamped_note(curve, {command.begin, command.end})};
     std::string summary =
         is_doubtful(curve, length)
             ? sentence(
