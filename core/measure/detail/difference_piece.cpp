@@ -224,7 +224,8 @@ DifferencePiece difference_in(const Curve& a, const Curve& b, const CommonSpan& 
 }
 
 double distance_of(const HomogeneousPoint& point) {
-    return point.z > least_sound_weight ? length(plane_part(point) / point.z) : std::numeric_limits<double>::infinity();
+    return point.z > least_sound_weight ? robust_length(plane_part(point) / point.z)
+                                        : std::numeric_limits<double>::infinity();
 }
 
 double farthest_of(const std::vector<HomogeneousPoint>& points) {

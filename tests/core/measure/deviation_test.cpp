@@ -85,6 +85,16 @@ TEST(Deviation, of_extreme_weights_is_a_bound) {
     }
 }
 
+// A point at h with the weight 1 / h is a direction: 2 u (1 - u) / ((1 - u)^2 + u^2) of it is added, 1 in the middle.
+TEST(Deviation, of_points_as_far_as_their_weights_are_small_is_a_bound) {
+    for (const double h : {1e3, 1e30, 1e150, 1e170, 1e200, 1e270}) {
+        const std::vector<double> weights{1.0, 1.0 / h, 1.0};
+        const double found =
+            largest_deviation(bezier({{-1, 0}, {0, h}, {1, 0}}, weights), bezier({{-1, 0}, {0, -h}, {1, 0}}, weights));
+        EXPECT_NEAR(found, 2.0 / (1.0 + 1.0 / h), 2.0 * looseness) << h;
+    }
+}
+
 // The middle point of a parabola counts half in its middle.
 TEST(Deviation, of_curves_that_differ_in_the_last_bit_is_a_bound) {
     const double ulp = std::numeric_limits<double>::epsilon();
