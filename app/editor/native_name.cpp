@@ -17,14 +17,22 @@ bool is_letter_or_digit(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
+bool is_small_letter(char c) {
+    return std::islower(static_cast<unsigned char>(c)) != 0;
+}
+
+bool is_ending(const std::string& text) {
+    constexpr std::size_t longest = 5;
+    constexpr std::size_t longest_word = 10;
+    if (std::all_of(text.begin(), text.end(), is_small_letter)) return text.size() <= longest_word;
+    return text.size() <= longest && std::all_of(text.begin(), text.end(), is_letter_or_digit) &&
+           std::any_of(text.begin(), text.end(), is_letter);
+}
+
 // "svg" for ".svg"; empty where what stands behind the last dot is no ending.
 std::string ending_of(const std::filesystem::path& path) {
-    constexpr std::size_t longest_with_dot = 6;
     const std::string behind = path.extension().string();
-    if (behind.size() > longest_with_dot || behind.size() < 2) return {};
-    const bool is_ending = std::all_of(behind.begin() + 1, behind.end(), is_letter_or_digit) &&
-                           std::any_of(behind.begin() + 1, behind.end(), is_letter);
-    return is_ending ? behind.substr(1) : std::string();
+    return behind.size() > 1 && is_ending(behind.substr(1)) ? behind.substr(1) : std::string();
 }
 
 bool is_native(std::string ending) {

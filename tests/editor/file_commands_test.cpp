@@ -151,7 +151,7 @@ TEST_F(FileCommands, save_as_another_file) {
 
 TEST_F(FileCommands, a_foreign_ending_is_not_given_curves) {
     run(Open{.path = wave_});
-    for (const char* name : {"wave.svg", "wave.PDF", "wave.txt", "wave.3dm", "wave.json.gz"}) {
+    for (const char* name : {"wave.svg", "wave.PDF", "wave.txt", "wave.3dm", "wave.json.gz", "wave.geojson"}) {
         EXPECT_FALSE(run(SaveAs{.path = folder_.path() / name})) << name;
         EXPECT_FALSE(fs::exists(folder_.path() / name)) << name;
     }
