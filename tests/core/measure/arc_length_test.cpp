@@ -258,5 +258,20 @@ TEST(ArcLengthTable, stretches_without_length_do_no_harm) {
     EXPECT_NEAR(ArcLengthTable(cusp()).parameter_at(arc_length(cusp()).value / 2), 0.5, 1e-6);
 }
 
+TEST(ArcLength, tells_what_rounding_leaves_of_a_curve_much_shorter_than_its_polygon) {
+    // Its control points are 1 apart. The length was computed in numbers of 64 binary digits.
+    const Curve still = Curve::make({.degree = 25,
+                                     .knots = {0.0, 333333333.3333333, 666666666.6666666, 1000000000.0},
+                                     .points = {{1000001.1021974011, -1000000.2604886176},
+                                                {1000002.2891678213, -1000000.0032045902},
+                                                {1000002.9224008515, -1000000.5762406283}},
+                                     .weights = {0.00394282231681817, 0.008273036874870058, 20.939214641528597},
+                                     .periodic = true})
+                            .value();
+    const Integral found = arc_length(still);
+    EXPECT_NEAR(found.value, 5.8654071894494696e-05, found.error);
+    EXPECT_LT(found.error, 1e-8 * found.value);
+}
+
 }  // namespace
 }  // namespace batten::core
