@@ -200,8 +200,8 @@ double parameter_of(const Curve& curve, CurveEnd end) {
 }  // namespace
 
 JoinedEnds nearest_ends(const Curve& first, const Curve& second) {
-    constexpr std::array choices{JoinedEnds{CurveEnd::end, CurveEnd::start}, JoinedEnds{CurveEnd::end, CurveEnd::end},
-                                 JoinedEnds{CurveEnd::start, CurveEnd::end},
+    constexpr std::array choices{JoinedEnds{CurveEnd::end, CurveEnd::start}, JoinedEnds{CurveEnd::start, CurveEnd::end},
+                                 JoinedEnds{CurveEnd::end, CurveEnd::end},
                                  JoinedEnds{CurveEnd::start, CurveEnd::start}};
     const double rounding = rounding_of(first) + rounding_of(second);
     const auto gap = [&](JoinedEnds ends) {

@@ -48,8 +48,8 @@ struct JoinedCurve {
     std::vector<SmoothnessLoss> lost{};  ///< where the second curve became less smooth
 };
 
-/// The two ends that are nearest to each other. Of ends that are equally near, but for rounding, the end of `first`
-/// goes before its start, and then that end of `second` with which it keeps its direction.
+/// The two ends that are nearest to each other. Of ends that are equally near, but for rounding, those go before with
+/// which `second` keeps its direction, and then the end of `first` before its start.
 JoinedEnds nearest_ends(const Curve& first, const Curve& second);
 
 /// One curve of `first`, which keeps its shape, its direction and its parameters, and of `second`, which follows it or

@@ -196,7 +196,19 @@ TEST(Join, of_ends_equally_near_takes_the_end_and_turns_nothing) {
     const Curve upper = line({0, 1}, {1, 1}).value();
     EXPECT_EQ(nearest_ends(lower, upper), (JoinedEnds{CurveEnd::end, CurveEnd::end}));
     EXPECT_EQ(nearest_ends(lower, line({0.5, 1}, {0.5, 2}).value()), forward);
-    EXPECT_EQ(nearest_ends(lower, line({0.5, 2}, {0.5, 1}).value()), (JoinedEnds{CurveEnd::end, CurveEnd::end}));
+    EXPECT_EQ(nearest_ends(lower, line({0.5, 2}, {0.5, 1}).value()), (JoinedEnds{CurveEnd::start, CurveEnd::end}));
+}
+
+TEST(Join, of_ends_equally_near_turns_no_curve_if_it_need_not) {
+    const Curve second = line({0, 0}, {1, 1}).value();
+    const JoinedEnds backward{CurveEnd::start, CurveEnd::end};
+    EXPECT_EQ(nearest_ends(line({0, 1}, {1, 2}).value(), second), backward);
+    EXPECT_EQ(nearest_ends(second, line({0, 1}, {1, 2}).value()), forward);
+    // Rounding does not decide: a tenth of the way, thrice, is not 0.3.
+    EXPECT_EQ(nearest_ends(line({0.1 + 0.2, 1}, {1.3, 2}).value(), line({0.3, 0}, {1.3, 1}).value()), backward);
+    const auto joined = join(line({0, 1}, {1, 2}).value(), second, JoinContinuity::c0).value();
+    EXPECT_EQ(joined.curve.control_points().front(), Point(0, 0));
+    EXPECT_EQ(joined.curve.control_points().back(), Point(1, 2));
 }
 
 TEST(Join, of_two_lines_by_hand) {
