@@ -89,8 +89,7 @@ std::vector<PieceForms> piece_forms(const Curve& curve, int order) {
     assert(order >= 0);
     const Curve seen = seen_from(curve, middle_of(curve));
     const double length_scale = form_scale(curve);
-    const double weight_scale = scale_to_one(*std::max_element(curve.weights().begin(), curve.weights().end()));
-    const HomogeneousPoint scale(length_scale * weight_scale, length_scale * weight_scale, weight_scale);
+    const HomogeneousPoint scale(length_scale, length_scale, 1.0);
     std::vector<PieceForms> result;
     for (const BezierPiece& piece : bezier_pieces(seen))
         result.push_back(forms_of(piece, length_scale * coordinate_error(curve, seen, piece.span), scale, order));

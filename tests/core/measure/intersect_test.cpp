@@ -192,6 +192,18 @@ TEST(IntersectLine, far_domains_lose_no_contact) {
     }
 }
 
+// C(u).y is 1 - u less w u over positive weights, and the line y = 0 is passed where u = 1 / (1 + w).
+TEST(IntersectLine, extreme_weights_lose_no_crossing) {
+    for (const double w : {1e-300, 1e-200, 1.0, 1e100, 1e200, 1e300}) {
+        const Curve curve =
+            Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 1}, {0, -1}}, .weights = {1.0, w}}).value();
+        const LineContacts found = intersect_line(curve, {-1, 0}, {1, 0}).value();
+        ASSERT_EQ(found.contacts.size(), 1U) << w;
+        EXPECT_EQ(found.crossings, 1U) << w;
+        EXPECT_NEAR(found.contacts[0].u, 1.0 / (1.0 + w), 1e-15) << w;
+    }
+}
+
 TEST(IntersectLine, never_more_crossings_than_the_polygon_and_as_many_as_samples_show) {
     RandomCurves random(341);
     for (int i = 0; i < 300; ++i) {
