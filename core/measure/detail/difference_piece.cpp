@@ -16,6 +16,10 @@ constexpr double half_ulp = 0.5 * std::numeric_limits<double>::epsilon();
 // Below this a weight has lost digits.
 constexpr double least_sound_weight = 1e-280;
 
+// The order of the largest weight of either curve: products of two of them then have all the room that doubles have for
+// smaller ones, and the binomials have room above.
+constexpr int order_of_weights = 450;
+
 // Of all roundings of a control point, from lifting to the last quotient, for each degree.
 constexpr double roundings_of_degree = 32.0;
 
@@ -95,13 +99,13 @@ View view_of(const Curve& a, const Curve& b, const CommonSpan& common) {
 template <class T>
 using LocalLifted = std::array<Lifted<T>, max_degree + 1>;
 
-// The local control points as seen in `view`, the largest weight about 1.
+// The local control points as seen in `view`, the largest weight of the order that leaves most room.
 template <class T>
 LocalLifted<T> local_lifted(const Curve& curve, std::size_t span, const View& view) {
     double heaviest = 0.0;
     for_local_points(curve, span,
                      [&](std::size_t, std::size_t i) { heaviest = std::max(heaviest, curve.weights()[i]); });
-    const int exponent = std::ilogb(heaviest);
+    const int exponent = std::ilogb(heaviest) - order_of_weights;
     LocalLifted<T> points;
     for_local_points(curve, span, [&](std::size_t j, std::size_t i) {
         const Point point = curve.control_points()[i];

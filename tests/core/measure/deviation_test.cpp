@@ -77,7 +77,7 @@ TEST(Deviation, of_any_degree_is_a_bound) {
 // On the line from 0 to 1 with weights 1 and w, C(t) - t is largest where t = 1 / (1 + sqrt(w)): (sqrt(w) - 1) /
 // (sqrt(w) + 1).
 TEST(Deviation, of_extreme_weights_is_a_bound) {
-    for (const double w : {1e-12, 1e-6, 1e-3, 0.25, 4.0, 1e3, 1e6, 1e12, 1e100}) {
+    for (const double w : {1e-300, 1e-12, 1e-6, 1e-3, 0.25, 4.0, 1e3, 1e6, 1e12, 1e100, 1e280, 1e300}) {
         const double root = std::sqrt(w);
         const double found = largest_deviation(bezier({{0, 0}, {1, 0}}), bezier({{0, 0}, {1, 0}}, {1.0, w}));
         EXPECT_GE(found, std::abs(root - 1.0) / (root + 1.0) * (1.0 - 1e-15)) << w;
