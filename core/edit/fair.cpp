@@ -10,6 +10,7 @@
 #include "core/evaluate/detail/spline_system.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/rational_basis.h"
+#include "core/measure/continuity.h"
 #include "core/measure/deviation.h"
 
 namespace batten::core {
@@ -99,6 +100,7 @@ class Fairing {
         scale_to_one(conditions_);
         scale_rows_to_one(kept_);
         if (curve.is_periodic()) return;
+        fixed_.meet = is_closed(curve);
         const KnotVector& knots = curve.knots();
         const std::size_t n = curve.control_points().size();
         const auto p = static_cast<std::size_t>(curve.degree());

@@ -9,9 +9,10 @@ namespace batten::core {
 ///     integral |C'''(u)|^2 du + mu * sum of squared control point moves
 /// for the least mu with which it stays within `distance` of the old curve, at equal parameters; below degree 3 the
 /// squared jumps of the highest derivative stand for the integral. Where the curve is smoother at a knot than its
-/// multiplicity promises, it stays so: G1, and from degree 3 on G2. The error is a bound of the largest
-/// distance. A curve that cannot become fairer comes back as it is. Error: tolerance_not_positive. Cost O(n p^2) for
-/// each of about 50 trials. Source: Kjellander 1983 and Eck and Hadenfeld 1995, with all knots at once.
+/// multiplicity promises, it stays so: G1, and from degree 3 on G2. Ends that meet are such a joint. The error is a
+/// bound of the largest distance. A curve that cannot become fairer comes back as it is. Error: tolerance_not_positive.
+/// Cost O(n p^2) for each of about 50 trials. Source: Kjellander 1983 and Eck and Hadenfeld 1995, with all knots at
+/// once.
 [[nodiscard]] Result<Approximation> fair(const Curve& curve, double distance);
 
 }  // namespace batten::core

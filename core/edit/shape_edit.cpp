@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/curve/detail/edit_checks.h"
+#include "core/curve/knot_analysis.h"
 #include "core/edit/detail/kept_smoothness.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/rational_basis.h"
@@ -44,6 +45,12 @@ std::optional<std::size_t> only_share(const std::vector<double>& values) {
     return std::nullopt;
 }
 
+// Whether one point is both the first and the last control point, and these are the ends of the curve.
+bool has_one_end_point(const Curve& curve) {
+    const auto points = curve.control_points();
+    return !curve.is_periodic() && is_clamped(curve.knots()) && points.front() == points.back();
+}
+
 // The curve with what acts at u moved by `moves` so that it stays smooth at its knots, where that takes more than the
 // knots; else none, and then the least change is free.
 std::optional<Curve> kept_smooth(const Curve& curve, const RationalBasis& basis, double u, Side side, Point target,
@@ -51,9 +58,14 @@ std::optional<Curve> kept_smooth(const Curve& curve, const RationalBasis& basis,
     auto moved = moved_smoothly(curve, u, side, moves);
     const std::size_t n = curve.control_points().size();
     const auto only = only_share(shares(basis, 0, n));
-    if (!moved || !only) return moved;
+    if (!moved || (!only && !has_one_end_point(curve))) return moved;
     CurveDefinition definition = moved->definition();
-    definition.points[(basis.first + *only) % n] = target;
+    if (only) definition.points[(basis.first + *only) % n] = target;
+    if (has_one_end_point(curve)) {
+        const bool is_last = only && basis.first + *only + 1 == n;
+        const Point end = is_last ? definition.points.back() : definition.points.front();
+        definition.points.front() = definition.points.back() = end;
+    }
     const auto exact = Curve::make(std::move(definition));
     return exact ? std::optional(*exact) : std::nullopt;
 }

@@ -10,9 +10,9 @@ namespace batten::core {
 /// where R_i are the rational basis functions. Knots and weights stay, and so do control points that do not act at u;
 /// where one point alone makes C(u), as at a clamped end, it is put on the target. Where the curve is smoother at a
 /// knot nearby than its multiplicity promises, the least change is sought among those that keep G1 and G2 there, and
-/// points up to p spans away move with it; where none does, as in degree 1, the smoothness is lost. Errors:
-/// parameter_not_finite; parameter_outside_domain; vector_not_finite. Cost O(p^2) plus the copying. Source: The NURBS
-/// Book, 11.2.
+/// points up to p spans away move with it; ends that meet are such a knot, and stay together. Where none does, as in
+/// degree 1, the smoothness is lost. Errors: parameter_not_finite; parameter_outside_domain; vector_not_finite. Cost
+/// O(p^2) plus the copying. Source: The NURBS Book, 11.2.
 [[nodiscard]] Result<Curve> move_curve_point(const Curve& curve, double u, Point target);
 
 /// The curve with C(u) = `target` and C'(u) = `derivative`, seen from `side` at a knot; again with the least change

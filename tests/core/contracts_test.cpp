@@ -159,7 +159,7 @@ TEST(ContractsDeathTest, pieces_of_curves) {
 
 TEST(ContractsDeathTest, spline_system) {
     const EndPoints beyond{.known = {{.index = 5, .point = {0, 0}}}};
-    EXPECT_DEATH((void)SplineSystem(wave().knots(), {0, 0}, beyond), "given.index < n");
+    EXPECT_DEATH((void)SplineSystem(wave().knots(), {0, 0}, beyond), "given.index < points_.size");
     EXPECT_DEATH((void)SplineSystem(ring().knots(), {0, 0}, EndPoints{.known = {KnownPoint{}}}), "known.empty");
     SplineSystem system(wave().knots(), {0, 0});
     EXPECT_DEATH(system.require_derivative(0.5, 0, {1, 0}), "order >= 1");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/detail/banded_least_squares.h"
+#include "core/curve/control_box.h"
 #include "core/curve/knot_analysis.h"
 #include "core/measure/detail/joint_relation.h"
 
@@ -36,10 +37,12 @@ void add_unless_met(std::vector<MoveCondition>& conditions, const Curve& curve, 
 void add_conditions(std::vector<MoveCondition>& conditions, const Curve& curve, const JointContinuity& joint) {
     const int level = std::min(joint.geometric, most_kept(curve));
     if (level <= joint.promised) return;
+    const RationalBasis before = rational_basis(curve, parameter_before(curve, joint), 2, Side::left);
+    const RationalBasis after = rational_basis(curve, joint.u, 2, Side::right);
+    if (joint.promised < 0) add_unless_met(conditions, curve, difference_at_knot(curve, before, 0, after, 0));
+    if (level < 1) return;
     const auto relation = joint_relation(curve, joint, level);
     if (!relation) return;
-    const RationalBasis before = rational_basis(curve, joint.u, 2, Side::left);
-    const RationalBasis after = rational_basis(curve, joint.u, 2, Side::right);
     add_unless_met(conditions, curve, difference_at_knot(curve, before, 1, after, 1, relation->scale));
     if (level < 2) return;
     MoveCondition second = difference_at_knot(curve, before, 2, after, 2, relation->scale * relation->scale);
@@ -52,14 +55,15 @@ bool is_multiple(const Curve& curve, const DistinctKnot& knot, Interval range) {
     return knot.is_interior && range.contains(knot.value) && knot.continuity < most_kept(curve);
 }
 
-// The control points that may move: a run of the unrolled ones, or of a periodic curve all.
+// The control points that may move: a run of them or, where the last ones are tied to the first, all.
 struct Window {
     std::size_t first = 0;
     std::size_t count = 0;
     Interval range{};
 };
 
-// Between the knots that are p distinct ones away from the span of `u` on both sides.
+// Between the knots that are p distinct ones away from the span of `u` on both sides, and all around where ends that
+// meet lie between them.
 Window window_around(const Curve& curve, double u, Side side) {
     const KnotVector& knots = curve.knots();
     const std::size_t n = curve.control_points().size();
@@ -79,6 +83,7 @@ Window window_around(const Curve& curve, double u, Side side) {
     if (high < n)
         end = static_cast<std::size_t>(std::ranges::upper_bound(knots.values(), knots[high]) - knots.values().begin()) -
               p - 1;
+    if ((first == 0 || end == n) && is_closed(curve)) return {0, n, curve.domain()};
     return {first, end > first ? end - first : 0, {knots[low], knots[high]}};
 }
 
@@ -93,8 +98,7 @@ class LeastMoves {
         std::vector<double> row(window_.count, 0.0);
         double size = 0.0;
         for (std::size_t j = 0; j < condition.coefficients.size(); ++j) {
-            const std::size_t i =
-                curve_.is_periodic() ? (condition.first + j) % n : condition.first + j - window_.first;
+            const std::size_t i = (condition.first + j) % n - window_.first;
             if (i < window_.count) row[place(i)] += condition.coefficients[j];
         }
         for (const double value : row) size = std::hypot(size, value);
@@ -131,7 +135,10 @@ class LeastMoves {
     }
 
   private:
-    std::size_t place(std::size_t i) const { return curve_.is_periodic() ? folded(i, window_.count) : i; }
+    // Where all points may move, conditions may tie the last ones to the first.
+    std::size_t place(std::size_t i) const {
+        return window_.count == curve_.control_points().size() ? folded(i, window_.count) : i;
+    }
 
     static Vector missed(const BandedEquation<Vector>& equation, const std::vector<Vector>& found) {
         Vector sum = -equation.right;
@@ -162,10 +169,10 @@ class LeastMoves {
 
 // Whether a condition speaks of a point that acts in a span whose functions are `basis`.
 bool touches(const Curve& curve, const std::vector<MoveCondition>& conditions, const RationalBasis& basis) {
-    if (curve.is_periodic()) return !conditions.empty();
+    const std::size_t n = curve.control_points().size();
     return std::ranges::any_of(conditions, [&](const MoveCondition& condition) {
-        return condition.first < basis.first + basis.derivatives[0].size() &&
-               basis.first < condition.first + condition.coefficients.size();
+        const std::size_t behind = (basis.first + n - condition.first % n) % n;
+        return behind < condition.coefficients.size() || behind + basis.derivatives[0].size() > n;
     });
 }
 
@@ -186,10 +193,12 @@ MoveCondition difference_at_knot(const Curve& curve, const RationalBasis& before
 
 std::vector<MoveCondition> smoothness_conditions(const Curve& curve, Interval range) {
     std::vector<MoveCondition> conditions;
+    if (robust_length(control_box(curve).size()) == 0.0) return conditions;
     const auto distinct = distinct_knots(curve.knots());
-    if (std::ranges::none_of(distinct, [&](const DistinctKnot& knot) { return is_multiple(curve, knot, range); }))
-        return conditions;
-    for (const JointContinuity& joint : joint_continuity_within(curve, range)) add_conditions(conditions, curve, joint);
+    if (std::ranges::any_of(distinct, [&](const DistinctKnot& knot) { return is_multiple(curve, knot, range); }))
+        for (const JointContinuity& joint : joint_continuity_within(curve, range))
+            add_conditions(conditions, curve, joint);
+    if (!curve.is_periodic() && range == curve.domain()) add_conditions(conditions, curve, continuity_of_ends(curve));
     return conditions;
 }
 

@@ -13,16 +13,16 @@ SplineSystem::SplineSystem(KnotVector knots, Point origin, const EndPoints& ends
       origin_(origin),
       points_(knots_.control_point_count(), Vector{}),
       shares_(knots_.control_point_count(), 1.0),
-      unknown_(knots_.control_point_count(), 0) {
-    const std::size_t n = points_.size();
+      unknown_(knots_.control_point_count(), 0),
+      is_ring_(knots_.is_periodic() || ends.meet) {
     assert((ends.known.empty() && ends.bound.empty()) || !knots_.is_periodic());
     for (const KnownPoint& given : ends.known) {
-        assert(given.index < n);
+        assert(given.index < points_.size());
         points_[given.index] = given.point - origin;
         unknown_[given.index] = is_known;
     }
     for (const BoundPoint& bound : ends.bound) {
-        assert(bound.index < n && bound.to < n);
+        assert(bound.index < points_.size() && bound.to < points_.size());
         points_[bound.index] = (1.0 - bound.share) * (bound.from - origin);
         shares_[bound.index] = bound.share;
         unknown_[bound.index] = is_known;
@@ -30,8 +30,9 @@ SplineSystem::SplineSystem(KnotVector knots, Point origin, const EndPoints& ends
     for (std::size_t& unknown : unknown_)
         if (unknown != is_known) unknown = unknown_count_++;
     for (const BoundPoint& bound : ends.bound) unknown_[bound.index] = unknown_[bound.to];
-    if (!knots_.is_periodic()) return;
-    for (std::size_t i = 0; i < n; ++i) unknown_[i] = folded(i, n);
+    if (!is_ring_) return;
+    for (std::size_t& unknown : unknown_)
+        if (unknown != is_known) unknown = folded(unknown, unknown_count_);
 }
 
 void SplineSystem::require_point(double u, Point point) {
@@ -56,7 +57,7 @@ void SplineSystem::require(const Site& site) {
 
 void SplineSystem::require_sum(std::size_t first, std::span<const double> coefficients, Vector right) {
     const std::size_t n = points_.size();
-    assert(knots_.is_periodic() || first + coefficients.size() <= n);
+    assert(is_ring_ || first + coefficients.size() <= n);
     std::size_t lowest = unknown_count_;
     std::size_t highest = 0;
     for (std::size_t j = 0; j < coefficients.size(); ++j) {

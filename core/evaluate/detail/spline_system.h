@@ -28,6 +28,7 @@ struct BoundPoint {
 struct EndPoints {
     std::vector<KnownPoint> known{};
     std::vector<BoundPoint> bound{};
+    bool meet = false;  ///< whether sums reach from the last points to the first
 };
 
 /// Collects conditions and solves them: exactly when they are as many as the unknown control points, by least squares
@@ -43,7 +44,8 @@ class SplineSystem {
     /// that are squared. Cost O(p^2).
     void require_derivative(double u, int order, Vector value, double weight = 1.0);
 
-    /// sum of coefficients[j] (P_{first + j} - origin) shall be `right`; indices are those of the unrolled spline.
+    /// sum of coefficients[j] (P_{first + j} - origin) shall be `right`; indices are those of the unrolled spline,
+    /// which an open one has where its ends meet.
     void require_sum(std::size_t first, std::span<const double> coefficients, Vector right);
 
     /// All control points; none where the conditions do not determine them. As many conditions on the spline, of order
@@ -74,6 +76,7 @@ class SplineSystem {
     std::vector<double> shares_;
     std::vector<std::size_t> unknown_;  ///< or is_known
     std::size_t unknown_count_ = 0;
+    bool is_ring_ = false;  ///< whether the last points are neighbors of the first
     std::vector<BandedEquation<Vector>> equations_;
     std::vector<Site> sites_;  ///< where the equations come from; fewer than equations when some are sums
 };

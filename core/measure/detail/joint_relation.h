@@ -14,6 +14,9 @@ struct JointRelation {
     double shift = 0.0;
 };
 
+/// Where the side before a joint ends: the joint's own parameter, and that of the upper end where ends meet.
+double parameter_before(const Curve& curve, const JointContinuity& joint);
+
 /// The relation at a joint of `curve` that is G^level, level 1 or 2. None where the curve stands still. Source: Barsky
 /// and DeRose 1989.
 std::optional<JointRelation> joint_relation(const Curve& curve, const JointContinuity& joint, int level);

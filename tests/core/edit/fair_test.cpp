@@ -157,6 +157,22 @@ TEST(Fair, keeps_the_smoothness_of_the_shape) {
         }
 }
 
+TEST(Fair, keeps_a_closed_curve_smooth_at_its_ends) {
+    const Curve round = circle({0, 0}, 1000.0).value();
+    const auto result = fair(round, 10.0).value();
+    EXPECT_GT(result.error, 9.0);
+    const JointContinuity ends = continuity_of_ends(result.curve);
+    EXPECT_EQ(ends.position.size, 0.0);
+    EXPECT_LE(std::abs(ends.angle.value()), 1e-12);
+    const Curve ring = bumpy(true, true);
+    for (const Curve& curve : {to_clamped(ring).value(), to_wrapped(ring, 1e-9).value().curve}) {
+        const auto faired = fair(curve, 0.3).value();
+        EXPECT_GT(faired.error, 0.25);
+        EXPECT_EQ(continuity_of_ends(faired.curve).geometric, 2);
+        EXPECT_TRUE(smoothness_losses(curve, faired.curve).empty());
+    }
+}
+
 TEST(Fair, keeps_the_smoothness_across_a_seam) {
     // A circle of 9 points, closed without a seam: G2 at triple knots.
     const Curve ring = elevate_degree(to_periodic(circle({1, 2}, 3.0).value(), 1e-9).value().curve, 1).value();

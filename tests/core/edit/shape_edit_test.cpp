@@ -7,6 +7,9 @@
 
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/rational_basis.h"
+#include "core/make/conics.h"
+#include "core/measure/continuity.h"
+#include "core/refine/periodic.h"
 #include "tests/core/random_curves.h"
 #include "tests/core/smooth_shapes.h"
 
@@ -223,6 +226,58 @@ TEST(MoveCurvePoint, moves_two_points_of_a_closed_curve_by_their_shares) {
                 EXPECT_LE(distance(moved.control_points()[i], wanted), 1e-15 * (4.0 + origin)) << i;
             }
         }
+}
+
+// The moves of the corners of the circle's square are 1 beside the ends, -1/7 on the far side, and each point between
+// two corners moves by their mean: 6 a + (1 + a) = 0 makes 2 a^2 + (1 + a)^2 / 2 + a^2 least.
+TEST(MoveCurvePoint, of_a_closed_curve_keeps_its_ends_one_point) {
+    const Curve round = circle({0, 0}, 1.0).value();
+    const std::array<double, 9> moves{1.0, 1.0, 3.0 / 7.0, -1.0 / 7.0, -1.0 / 7.0, -1.0 / 7.0, 3.0 / 7.0, 1.0, 1.0};
+    for (const double u : {0.0, 1.0}) {
+        const Curve moved = move_curve_point(round, u, {1, 1}).value();
+        EXPECT_EQ(moved.control_points().front(), Point(1, 1));
+        EXPECT_EQ(moved.control_points().back(), Point(1, 1));
+        for (std::size_t i = 0; i < moves.size(); ++i)
+            EXPECT_LE(distance(moved.control_points()[i], round.control_points()[i] + Vector(0, moves[i])), 1e-12) << i;
+    }
+    const Curve triangle =
+        Curve::make({.degree = 1, .knots = {0, 0, 1, 2, 3, 3}, .points = {{0, 0}, {1, 0}, {0, 1}, {0, 0}}}).value();
+    const Curve moved = move_curve_point(triangle, 3.0, {0.1, -0.2}).value();
+    EXPECT_EQ(moved.control_points().front(), Point(0.1, -0.2));
+    EXPECT_EQ(moved.control_points()[1], Point(1, 0));
+    EXPECT_EQ(moved.control_points()[2], Point(0, 1));
+    EXPECT_EQ(moved.control_points().back(), Point(0.1, -0.2));
+}
+
+TEST(MoveCurvePoint, of_a_closed_curve_keeps_its_ends_smooth) {
+    const Curve round = circle({0, 0}, 1.0).value();
+    for (const double u : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+        const Curve moved = move_curve_point(round, u, {1, 1}).value();
+        const Curve turned = move_curve_point_and_tangent(round, u, {1, 1}, {3, 2}).value();
+        for (const Curve& curve : {moved, turned}) {
+            EXPECT_LE(distance(point_at(curve, u), {1, 1}), 1e-12) << u;
+            EXPECT_EQ(curve.control_points().front(), curve.control_points().back()) << u;
+            EXPECT_LE(std::abs(continuity_of_ends(curve).angle.value()), 1e-12) << u;
+        }
+    }
+    RandomCurves random(398);
+    for (int k = 0; k < 200; ++k) {
+        const Curve ring = random.curve();
+        if (!ring.is_periodic() || ring.control_points().size() < 4) continue;
+        const Curve curve = to_clamped(ring).value();
+        const double u = random.parameter(curve);
+        const Curve moved = move_curve_point(curve, u, point_at(curve, u) + Vector(0.3, -0.2)).value();
+        EXPECT_EQ(moved.control_points().front(), moved.control_points().back());
+        for (const SmoothnessLoss& loss : smoothness_losses(curve, moved))
+            EXPECT_EQ(loss.after.geometric, curve.degree() - 1) << curve.degree();
+    }
+}
+
+TEST(MoveCurvePoint, pulls_a_curve_that_is_a_single_point_apart) {
+    const Curve point = Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{2, 1}, {2, 1}}}).value();
+    const Curve moved = move_curve_point(point, 1.0, {5, 5}).value();
+    EXPECT_EQ(moved.control_points().front(), Point(2, 1));
+    EXPECT_EQ(moved.control_points().back(), Point(5, 5));
 }
 
 TEST(MoveCurvePoint, of_a_straight_polyline_makes_the_corner_that_it_must) {
