@@ -15,8 +15,9 @@ namespace batten::core {
 /// The curve in degree p - 1 that agrees with this one at the Greville points of the lower degree (shape-changing,
 /// exact when the curve is an elevated one); the ends of a clamped curve stay. Where the curve is smoother at a knot
 /// than its multiplicity in the lower degree promises, it stays G1, and from degree 3 on G2, and the Greville points
-/// are only met as well as that allows. Multiplicities shrink by one, at least to one. Errors: degree_out_of_range;
-/// too_few_points (periodic: 2); weight_not_positive when weights differ too much to be met in the lower degree.
+/// are only met as well as that allows; so it does where ends meet, if that leaves p control points or more free.
+/// Multiplicities shrink by one, at least to one. Errors: degree_out_of_range; too_few_points (periodic: 2);
+/// weight_not_positive when weights differ too much to be met in the lower degree.
 [[nodiscard]] Result<Curve> reduce_degree(const Curve& curve);
 
 /// The curve in degree p - `by` (by >= 1), by so many of these steps, and a bound of the deviation they make.

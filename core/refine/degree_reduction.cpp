@@ -118,12 +118,13 @@ std::vector<Row> agreements(const Curve& curve, const KnotVector& knots, std::sp
     return rows;
 }
 
-// Both sides of a knot of the spline over `knots`: derivative `order` behind it less sum factors[r] times derivative r
-// before it, which shall be 0.
-Row relation_at(const KnotVector& knots, double u, std::size_t order, std::span<const double> factors) {
+// Both sides of a joint of the curve, for the spline over `knots`: derivative `order` behind it less sum factors[r]
+// times derivative r before it, which shall be 0.
+Row relation_at(const JointContinuity& joint, const Curve& curve, const KnotVector& knots, std::size_t order,
+                std::span<const double> factors) {
     const std::size_t n = knots.control_point_count();
-    const BasisValues before = basis_functions(knots, u, 2, Side::left);
-    const BasisValues after = basis_functions(knots, u, 2, Side::right);
+    const BasisValues before = basis_functions(knots, parameter_before(curve, joint), 2, Side::left);
+    const BasisValues after = basis_functions(knots, joint.u, 2, Side::right);
     const std::size_t count = after.derivatives[order].size();
     const std::size_t shift = (after.span + n - before.span % n) % n;
     Row row{before.span - static_cast<std::size_t>(knots.degree()), std::vector<double>(shift + count, 0.0)};
@@ -146,21 +147,33 @@ std::array<double, 3> weights_at(const Curve& curve, double u, Side side) {
     return sums;
 }
 
-// What keeps a joint of the curve G1, and G2 for level 2, in homogeneous coordinates A = w C: with C'_+ = b C'_- and
-// C''_+ = b^2 C''_- + c C'_- it is A'_+ = b A'_- + d A_- and A''_+ = b^2 A''_- + (2 b d + c) A'_- + e A_-.
+// What keeps a joint of the curve G1, and G2 for level 2, in homogeneous coordinates A = w C: with C'_+ = b C'_-,
+// C''_+ = b^2 C''_- + c C'_- and w_+ = l w_- it is A'_+ = l b A'_- + d A_- and
+// A''_+ = l b^2 A''_- + (2 b d + l c) A'_- + e A_-. Weights of ends that meet may differ, else l is 1.
 void add_relations(std::vector<Row>& rows, const Curve& curve, const KnotVector& knots, const JointContinuity& joint,
                    int level) {
     const auto relation = joint_relation(curve, joint, level);
     if (!relation) return;
-    const auto before = weights_at(curve, joint.u, Side::left);
+    const auto before = weights_at(curve, parameter_before(curve, joint), Side::left);
     const auto after = weights_at(curve, joint.u, Side::right);
     const double b = relation->scale;
-    const double d = (after[1] - b * before[1]) / before[0];
-    rows.push_back(relation_at(knots, joint.u, 1, std::array{d, b}));
+    const double l = joint.kind == JointKind::ends ? after[0] / before[0] : 1.0;
+    const double d = (after[1] - l * b * before[1]) / before[0];
+    rows.push_back(relation_at(joint, curve, knots, 1, std::array{d, l * b}));
     if (level < 2) return;
-    const double middle = 2.0 * b * d + relation->shift;
-    const double e = (after[2] - b * b * before[2] - middle * before[1]) / before[0];
-    rows.push_back(relation_at(knots, joint.u, 2, std::array{e, middle, b * b}));
+    const double middle = 2.0 * b * d + l * relation->shift;
+    const double e = (after[2] - l * b * b * before[2] - middle * before[1]) / before[0];
+    rows.push_back(relation_at(joint, curve, knots, 2, std::array{e, middle, l * b * b}));
+}
+
+// What keeps ends that meet smooth, if beside the conditions at knots as many points stay free as one piece has: with
+// fewer the curve would shrink to a line or to its end.
+void add_relations_of_ends(std::vector<Row>& rows, const Curve& curve, const KnotVector& knots) {
+    const JointContinuity ends = continuity_of_ends(curve);
+    const int level = std::min({ends.geometric, knots.degree() - 1, 2});
+    if (level < 1) return;
+    const std::size_t needed = rows.size() + static_cast<std::size_t>(level + knots.degree()) + 1;
+    if (needed < knots.control_point_count()) add_relations(rows, curve, knots, ends, level);
 }
 
 // What keeps the curve smooth where it is so by its shape and the lower degree would not: G2 at most, and no more than
@@ -172,6 +185,7 @@ std::vector<Row> kept_smoothness(const Curve& curve, const KnotVector& knots) {
         const int level = std::min({joint.geometric, knots.degree() - 1, 2});
         if (multiplicity > 0 && level > knots.degree() - multiplicity) add_relations(rows, curve, knots, joint, level);
     }
+    if (!curve.is_periodic()) add_relations_of_ends(rows, curve, knots);
     for (Row& row : rows) {
         double size = 0.0;
         for (const double value : row.values) size = std::hypot(size, value);
@@ -190,21 +204,29 @@ DenseEquations dense_equations(std::span<const Row> rows, std::size_t n) {
     return equations;
 }
 
-std::vector<BandedEquation<HomogeneousPoint>> banded_equations(std::span<const Row> rows, const KnotVector& knots) {
-    const std::size_t n = knots.control_point_count();
-    const auto unknown = [&](std::size_t i) { return knots.is_periodic() ? folded(i % n, n) : i; };
+// The places of n unknowns in which the equations have a narrow band, even where they tie the last ones to the first.
+std::vector<std::size_t> band_order(std::span<const Row> rows, std::size_t n) {
+    const bool is_ring = std::ranges::any_of(rows, [n](const Row& row) { return row.first + row.values.size() > n; });
+    std::vector<std::size_t> places(n);
+    for (std::size_t i = 0; i < n; ++i) places[i] = is_ring ? folded(i, n) : i;
+    return places;
+}
+
+std::vector<BandedEquation<HomogeneousPoint>> banded_equations(std::span<const Row> rows,
+                                                               std::span<const std::size_t> places) {
+    const std::size_t n = places.size();
     std::vector<BandedEquation<HomogeneousPoint>> equations;
     for (const Row& row : rows) {
         std::size_t lowest = n;
         std::size_t highest = 0;
         for (std::size_t j = 0; j < row.values.size(); ++j) {
-            lowest = std::min(lowest, unknown(row.first + j));
-            highest = std::max(highest, unknown(row.first + j));
+            lowest = std::min(lowest, places[(row.first + j) % n]);
+            highest = std::max(highest, places[(row.first + j) % n]);
         }
         auto& equation = equations.emplace_back(
             BandedEquation<HomogeneousPoint>{lowest, std::vector<double>(highest - lowest + 1), row.right});
         for (std::size_t j = 0; j < row.values.size(); ++j)
-            equation.coefficients[unknown(row.first + j) - lowest] += row.values[j];
+            equation.coefficients[places[(row.first + j) % n] - lowest] += row.values[j];
     }
     return equations;
 }
@@ -212,10 +234,11 @@ std::vector<BandedEquation<HomogeneousPoint>> banded_equations(std::span<const R
 // The control points over `knots` that fulfill the equations.
 std::vector<HomogeneousPoint> solution_of(std::span<const Row> rows, const KnotVector& knots) {
     const std::size_t n = knots.control_point_count();
+    const auto places = band_order(rows, n);
     if (n > largest_dense_system)
-        if (const auto x = solve_least_squares(banded_equations(rows, knots), n)) {
+        if (const auto x = solve_least_squares(banded_equations(rows, places), n)) {
             std::vector<HomogeneousPoint> points(n);
-            for (std::size_t i = 0; i < n; ++i) points[i] = (*x)[knots.is_periodic() ? folded(i, n) : i];
+            for (std::size_t i = 0; i < n; ++i) points[i] = (*x)[places[i]];
             return points;
         }
     // Periodic systems may be singular; the smallest of the best solutions is then taken.
@@ -226,6 +249,19 @@ HomogeneousPoint missed(const Row& row, std::span<const HomogeneousPoint> points
     HomogeneousPoint sum = -row.right;
     for (std::size_t j = 0; j < row.values.size(); ++j) sum += row.values[j] * points[(row.first + j) % points.size()];
     return sum;
+}
+
+double largest_coordinate(const HomogeneousPoint& point) {
+    return std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+}
+
+// Whether the points fulfill the equations but for rounding.
+bool are_met(std::span<const Row> rows, std::span<const HomogeneousPoint> points) {
+    constexpr double rounding = 1e-11;
+    double largest = 0.0;
+    for (const HomogeneousPoint& point : points) largest = std::max(largest, largest_coordinate(point));
+    return std::ranges::all_of(
+        rows, [&](const Row& row) { return largest_coordinate(missed(row, points)) <= rounding * largest; });
 }
 
 // The control points that agree with the curve as well as they can and keep `kept` exactly, by the method of
@@ -256,7 +292,8 @@ std::vector<HomogeneousPoint> points_at_sites(const Curve& curve, const KnotVect
                                               std::span<const Site> sites) {
     const std::vector<Row> agreeing = agreements(curve, knots, sites);
     std::vector<Row> kept = kept_smoothness(curve, knots);
-    if (kept.empty()) return solution_of(agreeing, knots);
+    std::vector<HomogeneousPoint> points = solution_of(agreeing, knots);
+    if (are_met(kept, points)) return points;
     if (!knots.is_periodic()) {
         kept.push_back(agreeing.front());
         kept.push_back(agreeing.back());

@@ -3,11 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/curve/knot_analysis.h"
 #include "core/curve/knot_kinds.h"
+#include "core/edit/point_edit.h"
 #include "core/evaluate/evaluate.h"
+#include "core/make/conics.h"
+#include "core/measure/continuity.h"
 #include "core/measure/deviation.h"
+#include "core/refine/periodic.h"
 #include "core/refine/reverse.h"
 #include "tests/core/golden.h"
 #include "tests/core/random_curves.h"
@@ -325,6 +330,47 @@ TEST(ReduceDegree, keeps_the_smoothness_of_the_shape) {
             EXPECT_TRUE(degree == 3 || losses.empty()) << degree;
             for (const SmoothnessLoss& loss : losses) EXPECT_EQ(loss.after.geometric, 1);
         }
+}
+
+TEST(ReduceDegree, keeps_a_closed_curve_smooth_at_its_ends) {
+    const Curve dented = set_weight(elevate_degree(circle({0, 0}, 1.0).value(), 2).value(), 3, 2.5).value();
+    // Weights in a geometric sequence leave the shape of the pieces, and here those of the ends differ by 1.1^16.
+    CurveDefinition definition = dented.definition();
+    for (std::size_t i = 0; i < definition.weights.size(); ++i)
+        definition.weights[i] *= std::pow(1.1, static_cast<double>(i));
+    std::vector<Curve> closed{dented, Curve::make(std::move(definition)).value()};
+    RandomCurves random(400);
+    for (const std::size_t spans : {6U, 80U})
+        for (const int degree : {3, 4, 6}) {
+            CurveDefinition ring{.degree = degree, .knots = {}, .points = {}, .periodic = true};
+            for (std::size_t i = 0; i <= spans; ++i) ring.knots.push_back(static_cast<double>(i));
+            for (std::size_t i = 0; i < spans; ++i) {
+                const double angle = 6.28 * static_cast<double>(i) / static_cast<double>(spans);
+                const double radius = 5.0 + random.number(0.0, 1.0);
+                ring.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+                ring.weights.push_back(random.number(0.8, 1.2));
+            }
+            closed.push_back(to_clamped(Curve::make(std::move(ring)).value()).value());
+        }
+    for (const Curve& curve : closed) {
+        const Curve reduced = reduce_degree(curve).value();
+        const int level = std::min(2, reduced.degree() - 1);
+        EXPECT_EQ(continuity_of_ends(curve).geometric, 2);
+        EXPECT_GE(continuity_of_ends(reduced).geometric, level) << curve.degree();
+        EXPECT_EQ(reduced.control_points().front(), reduced.control_points().back());
+    }
+}
+
+// Two parabolas that go on smoothly at both of their joints are one line, run through to and fro.
+TEST(ReduceDegree, lets_a_closed_curve_have_a_corner_where_it_would_shrink_to_a_line) {
+    const Curve oval = Curve::make({.degree = 3,
+                                    .knots = {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2},
+                                    .points = {{2, 0}, {2, 1}, {-2, 1}, {-2, 0}, {-2, -1}, {2, -1}, {2, 0}}})
+                           .value();
+    EXPECT_EQ(continuity_of_ends(oval).geometric, 2);
+    const Curve reduced = reduce_degree(oval).value();
+    EXPECT_EQ(continuity_of_ends(reduced).geometric, 0);
+    EXPECT_LE(largest_deviation(oval, reduced), 1.0);
 }
 
 TEST(ReduceDegree, of_a_raised_curve_that_is_smooth_by_shape_restores_it) {
