@@ -12,7 +12,6 @@
 #include "app/editor/wording.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
-#include "core/measure/closing.h"
 #include "core/measure/deviation.h"
 #include "core/measure/geometric_distance.h"
 #include "core/measure/smoothness.h"
@@ -82,7 +81,7 @@ Distances distances_of(const EditorState& state, const std::optional<Ghost>& gho
     Distances distances{.error = edit.error};
     if (!ghost) return distances;
     distances.deviation = ghost->deviation;
-    distances.is_rounding = ghost->deviation <= core::absolute_tolerance(*ghost->curve, rounding_of_size);
+    distances.is_rounding = ghost->deviation <= shape_tolerance(*ghost->curve, rounding_of_size);
     if (edit.error || distances.is_rounding) return distances;
     const core::Curve& after = *state.history.present().active_curve()->curve;
     const double of_shapes = core::geometric_distance(*ghost->curve, after);

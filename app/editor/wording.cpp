@@ -2,15 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/editor/formula.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
-#include "core/curve/control_box.h"
+#include "core/measure/bounds.h"
 
 namespace batten::editor {
 
 namespace {
+
+// What storing a coordinate and computing with it a little may change, as a part of it.
+constexpr double coordinate_rounding = 4.0 * std::numeric_limits<double>::epsilon();
+
+// 0 for an empty box.
+double largest_coordinate(const core::Box& box) {
+    if (box.is_empty()) return 0.0;
+    return std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.upper.x), std::abs(box.upper.y)});
+}
 
 std::string deviation_sentence(const std::string& done, const Distances& distances) {
     const std::string deviation = core::shortest_text(*distances.deviation);
@@ -58,9 +68,13 @@ StepTexts texts_of_deleted_knot(const core::Curve& before, std::size_t index, co
 }
 
 double coordinate_error(const core::Curve& curve) {
-    const core::Box box = core::control_box(curve);
-    const auto size = [](core::Point corner) { return std::max(std::abs(corner.x), std::abs(corner.y)); };
-    return rounding_error * std::max(size(box.lower), size(box.upper));
+    return rounding_error * largest_coordinate(core::tight_box(curve));
+}
+
+double shape_tolerance(const core::Curve& curve, double relative) {
+    const core::Box box = core::tight_box(curve);
+    if (box.is_empty()) return 0.0;
+    return std::max(relative * std::max(box.size().x, box.size().y), coordinate_rounding * largest_coordinate(box));
 }
 
 std::string clamped_sentence(const core::KnotVector& knots, double asked, double taken) {

@@ -27,8 +27,13 @@ std::string nothing_changed_sentence();
 /// How far off, as a part of its size, a computed number may be by rounding.
 inline constexpr double rounding_error = 1e-14;
 
-/// How far off a coordinate of a point on the curve may be by rounding.
+/// How far off a coordinate of a point on the curve may be by rounding; 0 where its box is not known.
 double coordinate_error(const core::Curve& curve);
+
+/// The length that `relative` (>= 0) means for the curve: times the larger side of the curve's own box, which far
+/// control points of small weight do not widen, and never less than the rounding of its coordinates; 0 where its box is
+/// not known.
+double shape_tolerance(const core::Curve& curve, double relative);
 
 /// "(1, -0.5)", in full, with 0 for a coordinate that is not above `error`.
 std::string place_words(core::Point place, double error = 0.0);

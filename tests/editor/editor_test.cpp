@@ -183,6 +183,15 @@ TEST_F(EditorTest, says_the_distance_of_shapes_where_parameters_make_most_of_the
         << text;
 }
 
+TEST_F(EditorTest, a_far_point_of_tiny_weight_does_not_make_a_change_rounding) {
+    // At u = 0 the curve is P₀, which moves by 0.001; elsewhere less moves. The far point adds 1 to the numerator only.
+    ASSERT_TRUE(editor_.run(SetWeight{.index = 1, .weight = 1e-15}));
+    ASSERT_TRUE(editor_.run(SetPoint{.index = 1, .position = {1e15, -2.5}}));
+    ASSERT_TRUE(editor_.run(MovePoints{.points = {0}, .offset = {0.0, 0.001}}));
+    EXPECT_NE(state().message.text.find("; the curve moved by at most 0.001"), std::string::npos)
+        << state().message.text;
+}
+
 TEST_F(EditorTest, undoes_and_redoes_exactly) {
     const auto first = document(editor_).curves[0].curve;
     editor_.run(SetWeight{.index = 1, .weight = 3.0});

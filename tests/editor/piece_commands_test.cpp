@@ -105,6 +105,20 @@ TEST_F(PieceCommands, join_says_what_was_turned_and_that_nothing_moved) {
     EXPECT_EQ(curve_at(0).control_points().size(), 3U);
 }
 
+TEST_F(PieceCommands, join_tells_a_curvature_below_its_error_as_0) {
+    // A straight cubic, whose curvature is rounding, and a parabola with y'' = 2, x' = 1 and y' = 0 at its start.
+    open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [
+      { "name": "straight", "degree": 3, "knots": [0,0,0,0,1,1,1,1],
+        "points": [[-0.3,-0.1],[-0.2,-0.06666666666666667],[-0.1,-0.03333333333333333],[0,0]] },
+      { "name": "bow", "degree": 2, "knots": [0,0,0,1,1,1], "points": [[0,0],[0.5,0],[1,1]] },
+      { "name": "stop", "degree": 2, "knots": [0,0,0,1,1,1], "points": [[1,1],[1,1],[2,1]] } ] })");
+    ASSERT_TRUE(run(Join{.other = "bow", .continuity = core::JoinContinuity::c0})) << state().message.text;
+    EXPECT_NE(state().message.text.find(" and the curvatures 0 and 2; "), std::string::npos) << state().message.text;
+    ASSERT_TRUE(run(Join{.other = "stop", .continuity = core::JoinContinuity::c0})) << state().message.text;
+    EXPECT_NE(state().message.text.find(" before it and no curvature behind it; "), std::string::npos)
+        << state().message.text;
+}
+
 TEST_F(PieceCommands, join_names_the_closed_curve) {
     open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [
       { "name": "a", "degree": 1, "knots": [0,0,1,1], "points": [[0,0],[1,0]] },

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "app/editor/wording.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
@@ -17,15 +18,17 @@ using core::sentence;
 // Degrees below this are what rounding leaves.
 constexpr double least_degrees = 1e-7;
 
-std::string degrees_text(std::optional<double> radians) {
-    if (!radians) return "none";
-    const double degrees = std::abs(*radians) * 180.0 / std::numbers::pi;
+// And curvatures below this, relative to others there or to 1 / size of the curve.
+constexpr double least_curvature = 1e-12;
+
+std::string degrees_text(double radians) {
+    const double degrees = std::abs(radians) * 180.0 / std::numbers::pi;
     return sentence("{degrees}°", {{"degrees", core::shortest_text(degrees < least_degrees ? 0.0 : degrees)}});
 }
 
-std::string curvature_text(std::optional<double> curvature) {
-    // Never "-0".
-    return curvature ? core::shortest_text(*curvature + 0.0) : "none";
+// 0 where the number is not above its own error.
+std::string text_above(double error, double number) {
+    return core::shortest_text(std::abs(number) <= error ? 0.0 : number);
 }
 
 double turn_of(const core::SmoothnessLoss& loss) {
@@ -46,12 +49,17 @@ std::string corners_sentence(std::span<const core::SmoothnessLoss> corners) {
 
 std::string jumps_sentence(std::span<const core::SmoothnessLoss> jumps) {
     const auto& worst = *std::ranges::max_element(jumps, {}, jump_of);
-    return sentence({.one = "its curvature now jumps from {before} to {after} at u = {u}",
-                     .many = "its curvature now jumps at {count} more knots, most from {before} to {after} at u = {u}"},
-                    jumps.size(),
-                    {{"before", curvature_text(worst.after.before)},
-                     {"after", curvature_text(worst.after.after)},
-                     {"u", core::shortest_text(worst.after.u)}});
+    const core::Place u("u", core::shortest_text(worst.after.u));
+    if (!worst.after.before || !worst.after.after)
+        return sentence({.one = "it now has no curvature on one side of u = {u}",
+                         .many = "its curvature now jumps at {count} more knots; on one side of u = {u} there is none"},
+                        jumps.size(), {u});
+    const double error = least_curvature * jump_of(worst);
+    return sentence(
+        {.one = "its curvature now jumps from {before} to {after} at u = {u}",
+         .many = "its curvature now jumps at {count} more knots, most from {before} to {after} at u = {u}"},
+        jumps.size(),
+        {{"before", text_above(error, *worst.after.before)}, {"after", text_above(error, *worst.after.after)}, u});
 }
 
 std::string gap_sentence(const core::SmoothnessLoss& loss) {
@@ -70,11 +78,44 @@ std::optional<std::string> placing(const std::string& name, core::JoinedEnds end
     return std::nullopt;
 }
 
-std::string meeting_sentence(const char* pattern, const core::Meeting& meeting) {
-    return sentence(pattern, {{"gap", core::shortest_text(meeting.gap)},
-                              {"angle", degrees_text(meeting.angle)},
-                              {"before", curvature_text(meeting.before)},
-                              {"after", curvature_text(meeting.after)}});
+// One sentence for each of what two curves may lack where they meet.
+struct MeetingPatterns {
+    const char* whole;
+    const char* without_first;
+    const char* without_second;
+    const char* without_both;
+    const char* without_direction;
+};
+
+constexpr MeetingPatterns as_it_was{
+    "the joint had a gap of {gap}, a turn of {angle} and the curvatures {before} and {after}",
+    "the joint had a gap of {gap}, a turn of {angle}, no curvature before it and the curvature {after} behind it",
+    "the joint had a gap of {gap}, a turn of {angle}, the curvature {before} before it and no curvature behind it",
+    "the joint had a gap of {gap}, a turn of {angle} and no curvature on either side",
+    "the joint had a gap of {gap} and no direction on one side"};
+
+constexpr MeetingPatterns as_it_is{
+    "it has a gap of {gap}, a turn of {angle} and the curvatures {before} and {after}",
+    "it has a gap of {gap}, a turn of {angle}, no curvature before it and the curvature {after} behind it",
+    "it has a gap of {gap}, a turn of {angle}, the curvature {before} before it and no curvature behind it",
+    "it has a gap of {gap}, a turn of {angle} and no curvature on either side",
+    "it has a gap of {gap} and no direction on one side"};
+
+const char* pattern_of(const MeetingPatterns& patterns, const core::Meeting& meeting) {
+    if (!meeting.angle) return patterns.without_direction;
+    if (!meeting.before) return meeting.after ? patterns.without_first : patterns.without_both;
+    return meeting.after ? patterns.whole : patterns.without_second;
+}
+
+std::string meeting_sentence(const MeetingPatterns& patterns, const core::Meeting& meeting, const core::Curve& joined) {
+    // The error of a curvature is relative to that of a circle as large as the curve.
+    const double size = shape_tolerance(joined, 1.0);
+    const double error = size > 0.0 ? least_curvature / size : 0.0;
+    return core::filled_as_needed(pattern_of(patterns, meeting),
+                                  {{"gap", text_above(coordinate_error(joined), meeting.gap)},
+                                   {"angle", degrees_text(meeting.angle.value_or(0.0))},
+                                   {"before", text_above(error, meeting.before.value_or(0.0))},
+                                   {"after", text_above(error, meeting.after.value_or(0.0))}});
 }
 
 }  // namespace
@@ -104,11 +145,9 @@ std::optional<std::string> lost_smoothness(std::span<const core::SmoothnessLoss>
 std::string join_report(const std::string& name, const core::JoinedCurve& joined, int degree) {
     std::vector<std::string> sentences;
     if (const auto placed = placing(name, joined.ends)) sentences.push_back(*placed);
-    sentences.push_back(meeting_sentence(
-        "the joint had a gap of {gap}, a turn of {angle} and the curvatures {before} and {after}", joined.before));
+    sentences.push_back(meeting_sentence(as_it_was, joined.before, joined.curve));
     if (joined.changed.length() > 0.0) {
-        sentences.push_back(meeting_sentence(
-            "it has a gap of {gap}, a turn of {angle} and the curvatures {before} and {after}", joined.after));
+        sentences.push_back(meeting_sentence(as_it_is, joined.after, joined.curve));
         sentences.push_back(
             sentence("'{name}' changed from u = {from} to {to}", {{"name", name},
                                                                   {"from", core::shortest_text(joined.changed.lower)},

@@ -12,7 +12,6 @@
 #include "core/base/sentence.h"
 #include "core/edit/knot_edit.h"
 #include "core/edit/knot_merging.h"
-#include "core/measure/closing.h"
 #include "core/measure/deviation.h"
 #include "core/refine/bezier_form.h"
 #include "core/refine/clamping.h"
@@ -152,11 +151,11 @@ Outcome<Edit> unclamp(const EditorState& state, const Unclamp& command) {
     const double deviation = core::largest_deviation(curve, *edit->document.active_curve()->curve);
     if (!std::isfinite(deviation))
         return tl::unexpected(core::describe({.code = core::CurveErrorCode::not_computable}));
-    if (deviation > core::absolute_tolerance(curve, largest_rounding))
+    if (deviation > shape_tolerance(curve, largest_rounding))
         return tl::unexpected(sentence(
             "unclamped, the control points would be so far away that rounding moves the curve by at most {deviation}",
             {{"deviation", core::shortest_text(deviation)}}));
-    if (deviation > core::absolute_tolerance(curve, least_rounding)) edit->error = deviation;
+    if (deviation > shape_tolerance(curve, least_rounding)) edit->error = deviation;
     return edit;
 }
 
