@@ -80,6 +80,14 @@ TEST_F(KnotCommands, typed_uniform_knots_are_called_so_and_stay_so_in_another_de
         << state().message.text;
 }
 
+TEST_F(KnotCommands, knots_that_are_uniform_are_never_called_custom) {
+    open_text(editor_, sample_text);
+    run(SetKnots{.knots = {0, 0, 0, 0, 2, 4, 6, 8, 8, 8, 8}});
+    run(SetKind{.kind = core::KnotKind::clamped_uniform});
+    run(SetKind{.kind = core::KnotKind::custom});
+    EXPECT_EQ(state().message.text, "Kept the values of the knots, which stay clamped uniform; the curve is unchanged");
+}
+
 TEST_F(KnotCommands, a_knot_that_goes_less_far_than_asked_says_so) {
     open_text(editor_, sample_text);
     run(MoveKnot{.index = 4, .u = 0.6, .mode = core::KnotMove::stop});
@@ -103,13 +111,30 @@ TEST_F(KnotCommands, a_knot_that_joins_a_neighbor_before_what_was_asked_says_so)
 TEST_F(KnotCommands, a_typed_knot_out_of_order_is_told_its_neighbors) {
     open_text(editor_, sample_text);
     EXPECT_FALSE(run(SetKnot{.index = 4, .u = 0.6}));
-    EXPECT_EQ(state().message.text, "knot 4 cannot be 0.6, above knot 5, which is 0.5; it must be from 0 to 0.5");
+    EXPECT_EQ(state().message.text,
+              "knot number 4 cannot be 0.6, above knot number 5, which is 0.5; it must be above 0 and at most 0.5");
     EXPECT_FALSE(run(SetKnot{.index = 5, .u = 0.1}));
-    EXPECT_EQ(state().message.text, "knot 5 cannot be 0.1, below knot 4, which is 0.2; it must be from 0.2 to 0.75");
+    EXPECT_EQ(state().message.text,
+              "knot number 5 cannot be 0.1, below knot number 4, which is 0.2; it must be from 0.2 to 0.75");
     EXPECT_FALSE(run(SetKnot{.index = 0, .u = 0.3}));
-    EXPECT_EQ(state().message.text, "knot 0 cannot be 0.3, above knot 4, which is 0.2; it must be at most 0.2");
+    EXPECT_EQ(state().message.text,
+              "knot number 0 cannot be 0.3, above knot number 4, which is 0.2; it must be at most 0.2");
     EXPECT_FALSE(run(SetKnot{.index = 10, .u = 0.3}));
-    EXPECT_EQ(state().message.text, "knot 10 cannot be 0.3, below knot 6, which is 0.75; it must be at least 0.75");
+    EXPECT_EQ(state().message.text,
+              "knot number 10 cannot be 0.3, below knot number 6, which is 0.75; it must be at least 0.75");
+}
+
+TEST_F(KnotCommands, what_a_typed_knot_may_be_is_true_also_beside_full_stacks) {
+    open_text(editor_, sample_text);  // 0, 0, 0, 0, 0.2, 0.5, 0.75, 1, 1, 1, 1
+    EXPECT_FALSE(run(SetKnot{.index = 4, .u = -1.0}));
+    EXPECT_EQ(state().message.text,
+              "knot number 4 cannot be -1, below knot number 3, which is 0; it must be above 0 and at most 0.5");
+    EXPECT_FALSE(run(SetKnot{.index = 4, .u = 0.0}));
+    EXPECT_EQ(state().message.text,
+              "knot number 4 cannot be 0, which occurs 4 times already; it must be above 0 and at most 0.5");
+    EXPECT_FALSE(run(SetKnot{.index = 6, .u = 2.0}));
+    EXPECT_EQ(state().message.text,
+              "knot number 6 cannot be 2, above knot number 7, which is 1; it must be at least 0.5 and below 1");
 }
 
 TEST_F(KnotCommands, move_a_knot_and_keep_it_selected) {

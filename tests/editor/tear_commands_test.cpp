@@ -74,8 +74,10 @@ TEST_F(TearCommands, inserted_knots_tear_and_the_parts_come_apart) {
 TEST_F(TearCommands, typed_knots_tear_where_it_is_allowed) {
     open_text(editor_, parabola_text);
     EXPECT_FALSE(run(SetKnot{.index = 5, .u = 1.0}));
-    EXPECT_EQ(message(),
-              "knot 3 occurs 3 times; 2 are allowed, or one more where 'Allow tears' lets the curve come apart");
+    EXPECT_EQ(
+        message(),
+        "knot number 3 is the first of 3 equal ones; 2 are allowed, or one more where 'Allow tears' lets the curve "
+        "come apart");
     EXPECT_FALSE(run(SetKnots{.knots = {0, 0, 0, 1, 1, 1, 3, 3, 3}}));
     EXPECT_FALSE(run(SetKnots{.knots = {0, 0, 1, 1, 1, 1, 3, 3, 3}}));
     EXPECT_EQ(message(), "knot 2 occurs 4 times; at most 3 equal knots are allowed there");

@@ -6,6 +6,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/commands/tear_commands.h"
+#include "app/editor/commands/typed_knot.h"
 #include "app/editor/field_kinds.h"
 #include "app/editor/wording.h"
 #include "core/base/number_text.h"
@@ -129,34 +130,8 @@ StepTexts texts_of_move(const EditorState& state, const MoveKnot& command, const
                                {old, now, {"u", core::shortest_text(command.u)}, {"words", knot_words(after, to)}})};
 }
 
-// Which neighbor is in the way of a typed value, and what is allowed.
-std::optional<Refusal> out_of_order(const core::Curve& curve, const SetKnot& command) {
-    const std::span<const double> knots = curve.knots().stored();
-    const auto [first, last] = std::equal_range(knots.begin(), knots.end(), knots[command.index]);
-    const bool has_lower = first != knots.begin();
-    const bool has_upper = last != knots.end();
-    const core::Place lower("lower", has_lower ? core::shortest_text(*(first - 1)) : "");
-    const core::Place upper("upper", has_upper ? core::shortest_text(*last) : "");
-    const core::Place index("index", command.index);
-    const core::Place u("u", core::shortest_text(command.u));
-    if (has_upper && command.u > *last)
-        return core::filled_as_needed(
-            has_lower ? "knot {index} cannot be {u}, above knot {next}, which is {upper}; it must be from {lower} to "
-                        "{upper}"
-                      : "knot {index} cannot be {u}, above knot {next}, which is {upper}; it must be at most {upper}",
-            {index, u, lower, upper, {"next", last - knots.begin()}});
-    if (has_lower && command.u < *(first - 1))
-        return core::filled_as_needed(
-            has_upper ? "knot {index} cannot be {u}, below knot {previous}, which is {lower}; it must be from {lower} "
-                        "to {upper}"
-                      : "knot {index} cannot be {u}, below knot {previous}, which is {lower}; it must be at least "
-                        "{lower}",
-            {index, u, lower, upper, {"previous", first - knots.begin() - 1}});
-    return std::nullopt;
-}
-
 Outcome<Edit> set_knot(const EditorState& state, const SetKnot& command) {
-    if (std::optional<Refusal> refusal = out_of_order(active_curve(state), command))
+    if (auto refusal = refusal_of_typed_knot(state, command.index, command.u))
         return tl::unexpected(*std::move(refusal));
     return edit_or_tear(state, core::set_knot(active_curve(state), command.index, command.u, tears_of_active(state)),
                         selection_after_move(state, command.index, command.u));
@@ -190,7 +165,15 @@ Outcome<Edit> set_kind(const EditorState& state, const SetKind& command) {
     return edit_active(state, core::set_knot_kind(active_curve(state), command.kind));
 }
 
-StepTexts texts_of_kind(const EditorState&, const SetKind& command) {
+// Values that have a kind by themselves keep it.
+StepTexts texts_of_custom(const core::Curve& after) {
+    const core::KnotKind kind = core::kind_by_values(after.knots());
+    if (kind == core::KnotKind::custom) return {"Make knots custom", "Made knots custom"};
+    return {"Keep knots",
+            sentence("Kept the values of the knots, which stay {kind}", {{"kind", core::title_of(kind)}})};
+}
+
+StepTexts texts_of_kind(const EditorState&, const SetKind& command, const core::Curve& after) {
     switch (command.kind) {
         case core::KnotKind::uniform:
             return {"Make knots uniform", "Made knots uniform"};
@@ -205,7 +188,7 @@ StepTexts texts_of_kind(const EditorState&, const SetKind& command) {
         case core::KnotKind::custom:
             break;
     }
-    return {"Make knots custom", "Made knots custom"};
+    return texts_of_custom(after);
 }
 
 Outcome<Edit> toggle_closed(const EditorState& state, const ToggleClosed&) {

@@ -32,6 +32,15 @@ std::optional<Refusal> cannot_allow(const EditorState& state) {
     return std::nullopt;
 }
 
+bool allows_tears(const EditorState& state) {
+    return !no_editable_curve(state) && !active_curve(state).is_periodic() &&
+           tears_of_active(state) == core::Tears::allow;
+}
+
+bool forbids_tears(const EditorState& state) {
+    return !no_editable_curve(state) && tears_of_active(state) == core::Tears::refuse;
+}
+
 std::optional<Refusal> cannot_forbid(const EditorState& state) {
     if (std::optional<Refusal> refusal = no_editable_curve(state)) return refusal;
     if (tears_of_active(state) == core::Tears::refuse) return "tears are not allowed as it is";
@@ -53,8 +62,8 @@ std::string refusal_of(const core::CurveError& error) {
             "knot {value} may occur {upper} times, or once more where 'Allow tears' lets the curve come apart",
             {{"value", core::shortest_text(error.value)}, {"upper", core::shortest_text(error.upper)}});
     return sentence(
-        "knot {index} occurs {value} times; {upper} are allowed, or one more where 'Allow tears' lets the curve come "
-        "apart",
+        "knot number {index} is the first of {value} equal ones; {upper} are allowed, or one more where 'Allow tears' "
+        "lets the curve come apart",
         {{"index", error.index},
          {"value", core::shortest_text(error.value)},
          {"upper", core::shortest_text(error.upper)}});
@@ -82,6 +91,7 @@ const CommandSpec& AllowTears::spec() {
         .group = CommandGroup::curve,
         .submenu = "Knots",
         .refusal = cannot_allow,
+        .is_idle = allows_tears,
         .run = body_of<allow_tears>,
         .done = "Allowed tears"};
     return spec;
@@ -95,6 +105,7 @@ const CommandSpec& ForbidTears::spec() {
                                   .group = CommandGroup::curve,
                                   .submenu = "Knots",
                                   .refusal = cannot_forbid,
+                                  .is_idle = forbids_tears,
                                   .run = body_of<forbid_tears>,
                                   .done = "Forbade tears"};
     return spec;
