@@ -12,6 +12,7 @@
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/view_commands.h"
+#include "core/base/sentence.h"
 #include "sample_editor.h"
 
 namespace batten::editor {
@@ -159,6 +160,19 @@ TEST_F(FileCommands, a_foreign_ending_is_not_given_curves) {
     EXPECT_EQ(state().message.text,
               "'v1.2.svg' ends in .svg, but curves are written as .json alone; name it 'v1.2.json'");
     EXPECT_EQ(state().path, wave_);
+}
+
+TEST_F(FileCommands, advice_for_a_name_is_a_name_of_its_own) {
+    run(Open{.path = wave_});
+    EXPECT_FALSE(run(SaveAs{.path = folder_.path() / "x.json.bak"}));
+    EXPECT_EQ(state().message.text,
+              "'x.json.bak' ends in .bak, but curves are written as .json alone; name it 'x.bak.json'");
+    for (const char* name : {".svg", ".json"}) {
+        EXPECT_FALSE(run(SaveAs{.path = folder_.path() / name}));
+        EXPECT_EQ(state().message.text,
+                  core::sentence("'{name}' is an ending without a name; name it 'curves.json'", {{"name", name}}));
+        EXPECT_FALSE(fs::exists(folder_.path() / name)) << name;
+    }
 }
 
 TEST_F(FileCommands, a_name_without_an_ending_is_given_one) {
