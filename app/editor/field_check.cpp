@@ -74,10 +74,11 @@ std::optional<Refusal> check_item_count(const Field& field, std::size_t count) {
 std::optional<Refusal> check_whole(const Field& field, std::int64_t value) {
     const core::Place name("name", name_of(field));
     const core::Place found("value", value);
+    if (std::optional<Refusal> refusal = check_limits(field, static_cast<double>(value), found)) return refusal;
     if (value < 0) return sentence("{name} is {value}; a whole number from 0 is needed", {name, found});
     if (value > greatest_whole)
         return sentence("{name} is {value}; a whole number from 0 to 1000000000 is needed", {name, found});
-    return check_limits(field, static_cast<double>(value), found);
+    return std::nullopt;
 }
 
 // `pattern` says that there is no {index}, the last one being {last}. Where there is nothing at all the command itself

@@ -47,8 +47,14 @@ Outcome<FieldValue> read_number(const Field& field, const Argument& given) {
 Outcome<std::int64_t> whole(const Field& field, double number) {
     constexpr double exact_up_to = 1e15;
     if (number == std::floor(number) && std::abs(number) <= exact_up_to) return static_cast<std::int64_t>(number);
-    return tl::unexpected(sentence("{name} is {value}; a whole number from 0 is needed",
-                                   {{"name", field.parts.front().name}, {"value", core::shortest_text(number)}}));
+    const core::Place name("name", field.parts.front().name);
+    const core::Place found("value", core::shortest_text(number));
+    const auto& [lower, upper, excludes_lower] = field.limits;
+    if (lower && upper)
+        return tl::unexpected(
+            sentence("{name} is {value}; a whole number from {lower} to {upper} is needed",
+                     {name, found, {"lower", core::shortest_text(*lower)}, {"upper", core::shortest_text(*upper)}}));
+    return tl::unexpected(sentence("{name} is {value}; a whole number from 0 is needed", {name, found}));
 }
 
 Outcome<FieldValue> read_whole(const Field& field, const Argument& given) {

@@ -15,6 +15,7 @@
 #include "app/editor/commands/making_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
+#include "core/base/number_text.h"
 #include "sample_editor.h"
 
 namespace batten::editor {
@@ -156,6 +157,9 @@ TEST_F(CommandReader, says_what_is_out_of_range) {
     EXPECT_EQ(refusal<DeletePoints>({Numbers{1, 9}}), "there is no control point 9; the last one is 6");
     EXPECT_EQ(refusal<DeleteKnot>({11.0}), "there is no knot 11; the last one is 10");
     EXPECT_EQ(refusal<ActivateCurve>({3.0}), "there is no curve 3; the last one is 2");
+    for (const double degree : {-1.0, 0.0, 99.0})
+        EXPECT_EQ(refusal<SetDegree>({degree}), "p is " + core::shortest_text(degree) + "; it must be from 1 to 25");
+    EXPECT_EQ(refusal<SetDegree>({2.5}), "p is 2.5; a whole number from 1 to 25 is needed");
     EXPECT_EQ(refusal<DeleteKnot>({0.5}), "index is 0.5; a whole number from 0 is needed");
     EXPECT_EQ(refusal<DeleteKnot>({-2.0}), "index is -2; a whole number from 0 is needed");
     EXPECT_EQ(refusal<DeleteKnot>({1e18}), "index is 1e+18; a whole number from 0 is needed");

@@ -87,7 +87,10 @@ const CommandSpec& SetDegree::spec() {
         .group = CommandGroup::curve,
         .submenu = "Degree",
         .effect = ShapeEffect::changes,
-        .fields = {field::count<&SetDegree::degree>("p", "the new degree, 1 to 25").beginning_with<current_degree>()},
+        .fields = {field::count<&SetDegree::degree>("p", "the new degree, 1 to 25")
+                       .beginning_with<current_degree>()
+                       .at_least(core::min_degree)
+                       .at_most(core::max_degree)},
         .refusal = no_editable_curve,
         .run = body_of<set_degree>,
         .texts = texts_of<texts_of_degree>};
