@@ -156,6 +156,29 @@ TEST(CanvasScene, name_of_the_curve_point_covers_no_mark) {
     }
 }
 
+TEST(CanvasScene, name_of_the_curve_point_stays_inside_and_off_control_points_in_a_small_canvas) {
+    EditorState state = test::sample_state();
+    state.view.interface_scale = 2.0;
+    state.view.camera.size_px = {560.0, 300.0};
+    state.view.camera.scale = 40.0;
+    for (int k = 0; k <= 100; ++k) {
+        state.view.parameter = 0.01 * k;
+        const render::DrawList list = scene_of(state);
+        for (const render::Label& label : test::all_of<render::Label>(list)) {
+            if (!label.text.starts_with("C(")) continue;
+            const render::PixelBox box = test::box_of(label);
+            EXPECT_GE(box.lower_px.x, 0.0) << k;
+            EXPECT_GE(box.lower_px.y, 0.0) << k;
+            EXPECT_LE(box.upper_px.x, 560.0) << k;
+            EXPECT_LE(box.upper_px.y, 300.0) << k;
+            for (const core::Point point : state.active_curve()->control_points()) {
+                const glm::dvec2 place = render::screen_from_world(state.view.camera, point);
+                EXPECT_FALSE(box.overlaps({place - 12.0, place + 12.0})) << k;
+            }
+        }
+    }
+}
+
 TEST(CanvasScene, labels_stay_while_a_point_moves_away_from_them) {
     const EditorState before = test::sample_state();
     EditorState after = before;

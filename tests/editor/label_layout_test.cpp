@@ -86,6 +86,11 @@ TEST(LabelLayout, stays_inside_the_picture) {
     EXPECT_GE(found->box.lower_px.y, 0.0);
 }
 
+TEST(LabelLayout, leaves_out_what_could_only_stand_outside) {
+    LabelLayout layout({40.0, 20.0});
+    EXPECT_FALSE(layout.place({20.0, 10.0}, {60.0, 16.0}, 11.0, LabelSide::upper_right, Crowding::cover_symbols));
+}
+
 TEST(LabelLayout, boxes_are_never_covered) {
     LabelLayout layout(picture);
     layout.avoid_box({{401.0, 200.0}, {700.0, 299.0}});
@@ -98,6 +103,7 @@ TEST(TextSize, counts_characters_not_bytes_and_shrinks_scripts) {
     EXPECT_DOUBLE_EQ(text_size("αα", 10.0).x, 2.0 * text_size("α", 10.0).x);
     EXPECT_DOUBLE_EQ(text_size("P_{2}", 10.0).x, text_size("P", 10.0).x + 0.7 * text_size("2", 10.0).x);
     EXPECT_DOUBLE_EQ(text_size("P_{2}^{1}", 20.0).x, 2.0 * text_size("P_{2}^{1}", 10.0).x);
+    EXPECT_DOUBLE_EQ(text_size("·", 10.0).x, text_size(".", 10.0).x);
     EXPECT_NEAR(text_size("12345", 10.0, render::LabelFont::number).x, 30.5, 1e-9);
 }
 

@@ -20,6 +20,7 @@ constexpr double detail_size = 11.0;
 constexpr double point_distance = 11.0;
 constexpr double knot_distance = 9.0;
 constexpr double boxed_point_distance = 14.0;
+constexpr double point_reach = 7.5;
 constexpr double construction_reach = 5.0;
 constexpr double word_gap = 4.0;
 
@@ -39,7 +40,7 @@ class LabelWriter {
         if (!frame.shows(Overlay::polygon)) return;
         layout_.avoid_line(polygon_places(frame));
         for (const core::Point point : frame.curve->control_points())
-            layout_.avoid_symbol(frame.screen(point), frame.pen.px(7.5));
+            layout_.avoid_symbol(frame.screen(point), frame.pen.px(point_reach));
     }
 
     LabelLayout& layout() { return layout_; }
@@ -110,14 +111,25 @@ void avoid_construction(LabelWriter& writer, const CanvasFrame& frame) {
             writer.layout().avoid_symbol(frame.screen(cell.point), frame.pen.px(construction_reach));
 }
 
+/// The name of C(u) covers no control point, whatever else it has to cover.
+void spare_control_points(LabelWriter& writer, const CanvasFrame& frame) {
+    if (!frame.shows(Overlay::polygon)) return;
+    const glm::dvec2 reach(frame.pen.px(point_reach));
+    for (const core::Point point : frame.curve->control_points()) {
+        const glm::dvec2 place = frame.screen(point);
+        writer.layout().avoid_box({place - reach, place + reach});
+    }
+}
+
 /// Beside C(u), or farther away when it is crowded there, before it covers a mark; the dock tells the parameter, too.
 void write_curve_point(LabelWriter& writer, CanvasFrame& frame) {
     avoid_construction(writer, frame);
+    spare_control_points(writer, frame);
     const glm::dvec2 place = frame.screen(frame.triangle->point());
     const std::string text = fmt::format("C({})", parameter_text(*frame.curve, frame.triangle->u));
     const TextStyle style{.color = frame.theme.parameter, .size = name_size, .font = render::LabelFont::bold};
     for (const Crowding crowding : {Crowding::leave_out, Crowding::cover_symbols})
-        for (const double distance : {13.0, 24.0, 36.0})
+        for (const double distance : {13.0, 24.0, 36.0, 52.0, 72.0})
             if (writer.write(place, {{text, style}}, distance, LabelSide::lower_right, crowding)) return;
 }
 

@@ -15,8 +15,8 @@ constexpr double column_px = 48.0;
 constexpr double impossible = std::numeric_limits<double>::infinity();
 constexpr double line_cost = 1.0;
 constexpr double symbol_cost = 4.0;
-constexpr double outside_cost = 20.0;
 constexpr double script_share = 0.2;  // of a line by which sub- and superscripts reach beyond it
+constexpr double width_error = 0.1;   // of the width of a text that is not measured with its font
 
 constexpr std::array all_sides{LabelSide::upper_right, LabelSide::upper_left, LabelSide::lower_right,
                                LabelSide::lower_left,  LabelSide::right,      LabelSide::left,
@@ -100,9 +100,9 @@ void LabelLayout::avoid_box(const render::PixelBox& box) {
 
 double LabelLayout::cost(const render::PixelBox& box, double limit) const {
     const render::PixelBox picture{{}, size_px_};
-    const glm::dvec2 scripts{0.0, script_share * (box.upper_px.y - box.lower_px.y)};
-    const bool is_inside = picture.contains(box.lower_px - scripts) && picture.contains(box.upper_px + scripts);
-    double sum = is_inside ? 0.0 : outside_cost;
+    const glm::dvec2 beyond = glm::dvec2(width_error, script_share) * (box.upper_px - box.lower_px);
+    if (!picture.contains(box.lower_px - beyond) || !picture.contains(box.upper_px + beyond)) return impossible;
+    double sum = 0.0;
     for (std::size_t k = column(box.lower_px.x); k <= column(box.upper_px.x); ++k)
         for (const Obstacle& obstacle : columns_[k]) {
             if (sum >= limit) return sum;

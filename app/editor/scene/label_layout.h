@@ -28,7 +28,8 @@ struct LabelPlace {
 };
 
 /// Greedy: every label takes the first of eight places around its point that is free, in a fixed order, so that labels
-/// stay where they are while nothing comes in their way; else the one that covers least. Labels never cover labels.
+/// stay where they are while nothing comes in their way; else the one that covers least. Labels never cover labels and
+/// never leave the picture.
 class LabelLayout {
   public:
     explicit LabelLayout(glm::dvec2 size_px);
@@ -39,7 +40,8 @@ class LabelLayout {
     void avoid_box(const render::PixelBox& box);
 
     /// A place for a text of `text_px` that begins `offset_px` sideways of `point`, and about half as far above or
-    /// below; `first` is tried first. None when every place would cover another label, or what `crowding` forbids.
+    /// below; `first` is tried first. None when every place would cover another label, leave
+    /// the picture, or what `crowding` forbids.
     std::optional<LabelPlace> place(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide first,
                                     Crowding crowding);
 

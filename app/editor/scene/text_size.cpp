@@ -7,8 +7,10 @@ namespace {
 constexpr double script_share = 0.7;
 constexpr double line_height = 1.25;
 
-/// The width of one character of a proportional font, as a share of the size.
-double advance(char c) {
+/// The width of the first character of `text` in a proportional font, as a share of the size.
+double advance(std::string_view text) {
+    const char c = text.front();
+    if (text.starts_with("·")) return 0.29;
     constexpr std::string_view narrow = "iljtfrI.,:;|!'()[] ";
     constexpr std::string_view wide = "mwMW=+";
     if (narrow.find(c) != std::string_view::npos) return 0.29;
@@ -36,7 +38,7 @@ glm::dvec2 text_size(std::string_view text, double size, render::LabelFont font)
         } else if (c == '}') {
             share = 1.0;
         } else if (!continues_character(c)) {
-            width += share * (font == render::LabelFont::number ? 0.61 : advance(c));
+            width += share * (font == render::LabelFont::number ? 0.61 : advance(text.substr(i)));
         }
     }
     if (font == render::LabelFont::bold) width *= 1.06;
