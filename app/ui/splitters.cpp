@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/ui/context_popup.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
@@ -50,6 +51,7 @@ void draw_edge_handle(const PanelContext& context, const Edge& edge) {
         const glm::vec2 b(edge.to);
         ImGui::GetWindowDrawList()->AddLine({a.x, a.y}, {b.x, b.y}, imgui_packed(context.theme.accent), context.px(2));
     }
+    if (ImGui::IsItemHovered() && asks_for_menu()) open_context_menu(context, editor::OnPanel{});
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         context.queue.change(edge.change(edge.usual_size));
     } else if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1.0F)) {

@@ -96,6 +96,8 @@ class GesturesTest(WindowTest):
             ("row of a point", editor.widget_center("point 4 name"), "set-point"),
             ("row of a curve", editor.widget_center("curve 0 name"), "rename-curve"),
             ("heading", editor.widget_center("section points"), "toggle-inspector"),
+            ("edge of the inspector", editor.widget_center("inspector edge"), "toggle-inspector"),
+            ("edge of the dock", editor.widget_center("dock edge"), "toggle-inspector"),
             ("tool bar", editor.widget_center("tool weight"), "tool-weight"),
             ("status bar", editor.widget_center("status zoom"), "copy-text"),
         )
