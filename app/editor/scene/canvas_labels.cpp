@@ -20,7 +20,7 @@ constexpr double detail_size = 11.0;
 constexpr double point_distance = 11.0;
 constexpr double knot_distance = 9.0;
 constexpr double boxed_point_distance = 14.0;
-constexpr double point_reach = 7.5;
+constexpr double control_point_reach = 7.5;
 constexpr double construction_reach = 5.0;
 constexpr double word_gap = 4.0;
 
@@ -40,7 +40,7 @@ class LabelWriter {
         if (!frame.shows(Overlay::polygon)) return;
         layout_.avoid_line(polygon_places(frame));
         for (const core::Point point : frame.curve->control_points())
-            layout_.avoid_symbol(frame.screen(point), frame.pen.px(point_reach));
+            layout_.avoid_symbol(frame.screen(point), frame.pen.px(control_point_reach));
     }
 
     LabelLayout& layout() { return layout_; }
@@ -114,7 +114,7 @@ void avoid_construction(LabelWriter& writer, const CanvasFrame& frame) {
 /// The name of C(u) covers no control point, whatever else it has to cover.
 void spare_control_points(LabelWriter& writer, const CanvasFrame& frame) {
     if (!frame.shows(Overlay::polygon)) return;
-    const glm::dvec2 reach(frame.pen.px(point_reach));
+    const glm::dvec2 reach(frame.pen.px(control_point_reach));
     for (const core::Point point : frame.curve->control_points()) {
         const glm::dvec2 place = frame.screen(point);
         writer.layout().avoid_box({place - reach, place + reach});
