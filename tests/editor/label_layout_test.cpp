@@ -107,5 +107,11 @@ TEST(TextSize, counts_characters_not_bytes_and_shrinks_scripts) {
     EXPECT_NEAR(text_size("12345", 10.0, render::LabelFont::number).x, 30.5, 1e-9);
 }
 
+TEST(TextSize, is_near_the_ink_of_inter) {
+    EXPECT_NEAR(text_size("· w 0.70711", 100.0).x, 506.0, 16.0);
+    EXPECT_NEAR(text_size("111", 100.0).x, 120.0, 4.0);
+    EXPECT_NEAR(text_size("w 2", 100.0).x, 160.0, 16.0);
+}
+
 }  // namespace
 }  // namespace batten::editor

@@ -1,5 +1,7 @@
 #include "app/editor/scene/text_size.h"
 
+#include <array>
+
 namespace batten::editor {
 
 namespace {
@@ -11,6 +13,8 @@ constexpr double line_height = 1.25;
 double advance(std::string_view text) {
     const char c = text.front();
     if (text.starts_with("·")) return 0.29;
+    constexpr std::array digits{0.63, 0.40, 0.59, 0.62, 0.65, 0.60, 0.62, 0.56, 0.62, 0.62};
+    if (c >= '0' && c <= '9') return digits[static_cast<std::size_t>(c - '0')];
     constexpr std::string_view narrow = "iljtfrI.,:;|!'()[] ";
     constexpr std::string_view wide = "mwMW=+";
     if (narrow.find(c) != std::string_view::npos) return 0.29;
