@@ -81,7 +81,7 @@ Distances distances_of(const EditorState& state, const std::optional<Ghost>& gho
     Distances distances{.error = edit.error};
     if (!ghost) return distances;
     distances.deviation = ghost->deviation;
-    distances.is_rounding = ghost->deviation <= shape_tolerance(*ghost->curve, rounding_of_size);
+    distances.is_rounding = is_within_tolerance(*ghost->curve, ghost->deviation, rounding_of_size);
     if (edit.error || distances.is_rounding) return distances;
     const core::Curve& after = *state.history.present().active_curve()->curve;
     const double of_shapes = core::geometric_distance(*ghost->curve, after);

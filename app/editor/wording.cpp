@@ -7,6 +7,7 @@
 #include "app/editor/formula.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
+#include "core/curve/control_box.h"
 #include "core/measure/bounds.h"
 
 namespace batten::editor {
@@ -20,6 +21,11 @@ constexpr double coordinate_rounding = 4.0 * std::numeric_limits<double>::epsilo
 double largest_coordinate(const core::Box& box) {
     if (box.is_empty()) return 0.0;
     return std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.upper.x), std::abs(box.upper.y)});
+}
+
+double tolerance_in(const core::Box& box, double relative) {
+    if (box.is_empty()) return 0.0;
+    return std::max(relative * std::max(box.size().x, box.size().y), coordinate_rounding * largest_coordinate(box));
 }
 
 std::string deviation_sentence(const std::string& done, const Distances& distances) {
@@ -72,9 +78,13 @@ double coordinate_error(const core::Curve& curve) {
 }
 
 double shape_tolerance(const core::Curve& curve, double relative) {
-    const core::Box box = core::tight_box(curve);
-    if (box.is_empty()) return 0.0;
-    return std::max(relative * std::max(box.size().x, box.size().y), coordinate_rounding * largest_coordinate(box));
+    return tolerance_in(core::tight_box(curve), relative);
+}
+
+bool is_within_tolerance(const core::Curve& curve, double deviation, double relative) {
+    // The box of the control points allows no less, and is found at once.
+    return deviation <= tolerance_in(core::control_box(curve), relative) &&
+           deviation <= shape_tolerance(curve, relative);
 }
 
 std::string clamped_sentence(const core::KnotVector& knots, double asked, double taken) {

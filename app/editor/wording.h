@@ -35,6 +35,9 @@ double coordinate_error(const core::Curve& curve);
 /// not known.
 double shape_tolerance(const core::Curve& curve, double relative);
 
+/// Whether `deviation` is at most that length. Quick where it is much more.
+bool is_within_tolerance(const core::Curve& curve, double deviation, double relative);
+
 /// "(1, -0.5)", in full, with 0 for a coordinate that is not above `error`.
 std::string place_words(core::Point place, double error = 0.0);
 

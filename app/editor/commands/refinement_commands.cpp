@@ -151,11 +151,11 @@ Outcome<Edit> unclamp(const EditorState& state, const Unclamp& command) {
     const double deviation = core::largest_deviation(curve, *edit->document.active_curve()->curve);
     if (!std::isfinite(deviation))
         return tl::unexpected(core::describe({.code = core::CurveErrorCode::not_computable}));
-    if (deviation > shape_tolerance(curve, largest_rounding))
+    if (!is_within_tolerance(curve, deviation, largest_rounding))
         return tl::unexpected(sentence(
             "unclamped, the control points would be so far away that rounding moves the curve by at most {deviation}",
             {{"deviation", core::shortest_text(deviation)}}));
-    if (deviation > shape_tolerance(curve, least_rounding)) edit->error = deviation;
+    if (!is_within_tolerance(curve, deviation, least_rounding)) edit->error = deviation;
     return edit;
 }
 
