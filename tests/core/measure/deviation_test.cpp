@@ -7,6 +7,7 @@
 
 #include "core/evaluate/evaluate.h"
 #include "core/refine/knot_insertion.h"
+#include "tests/core/bezier_curve.h"
 #include "tests/core/random_curves.h"
 
 namespace batten::core {
@@ -41,14 +42,6 @@ TEST(Deviation, moved_curve_deviates_by_the_offset) {
 TEST(Deviation, moved_end_is_seen) {
     expect_bound(largest_deviation(line({0, 0}, {1, 0}), line({0, 0}, {1, 2})), 2.0);
     expect_bound(largest_deviation(line({0, 0}, {1, 0}), line({0, -3}, {1, 0})), 3.0);
-}
-
-Curve bezier(std::vector<Point> points, std::vector<double> weights = {}) {
-    const auto p = static_cast<int>(points.size()) - 1;
-    std::vector<double> knots(points.size(), 0.0);
-    knots.insert(knots.end(), points.size(), 1.0);
-    return Curve::make({.degree = p, .knots = knots, .points = std::move(points), .weights = std::move(weights)})
-        .value();
 }
 
 // The move v of P_1 moves C(t) by 3 t (1-t)^2 v, which is largest at 1/3: 4/9 v.

@@ -7,20 +7,13 @@
 #include "core/evaluate/evaluate.h"
 #include "core/measure/deviation.h"
 #include "core/measure/nearest.h"
+#include "tests/core/bezier_curve.h"
 #include "tests/core/random_curves.h"
 
 namespace batten::core {
 namespace {
 
 constexpr double percent = 0.011;
-
-Curve bezier(std::vector<Point> points, std::vector<double> weights = {}) {
-    const auto p = static_cast<int>(points.size()) - 1;
-    std::vector<double> knots(points.size(), 0.0);
-    knots.insert(knots.end(), points.size(), 1.0);
-    return Curve::make({.degree = p, .knots = knots, .points = std::move(points), .weights = std::move(weights)})
-        .value();
-}
 
 void expect_distance(double found, double exact) {
     EXPECT_GE(found, exact * (1.0 - 1e-12));

@@ -8,6 +8,7 @@
 #include "core/measure/intersect_line.h"
 #include "core/refine/degree.h"
 #include "core/refine/knot_insertion.h"
+#include "tests/core/bezier_curve.h"
 #include "tests/core/random_curves.h"
 
 namespace batten::core {
@@ -32,13 +33,6 @@ Curve over(const Curve& curve, double lower, double factor) {
     CurveDefinition definition = curve.definition();
     for (double& knot : definition.knots) knot = lower + factor * knot;
     return Curve::make(std::move(definition)).value();
-}
-
-Curve bezier(std::vector<Point> points) {
-    const int degree = static_cast<int>(points.size()) - 1;
-    std::vector<double> knots(points.size(), 0.0);
-    knots.resize(2 * points.size(), 1.0);
-    return Curve::make({.degree = degree, .knots = std::move(knots), .points = std::move(points)}).value();
 }
 
 Curve polygon(std::vector<Point> points) {
