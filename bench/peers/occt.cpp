@@ -4,13 +4,13 @@
 #include <Geom2dAdaptor_Curve.hxx>
 #include <Geom2dConvert_BSplineCurveToBezierCurve.hxx>
 #include <Geom2dLProp_CLProps2d.hxx>
-#include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_BezierCurve.hxx>
 #include <Standard_Failure.hxx>
 #include <Standard_Version.hxx>
 #include <math_Matrix.hxx>
 #include <type_traits>
 
+#include "occt_curve.h"
 #include "spline_library.h"
 
 namespace batten::bench {
@@ -19,42 +19,7 @@ namespace {
 
 // The tightest tolerance with which OpenCASCADE still answers all the cases.
 constexpr double length_tolerance = 1e-13;
-using Spline = Handle(Geom2d_BSplineCurve);
-
-template <class Array, class Values>
-Array array_of(const Values& values) {
-    Array array(1, static_cast<int>(values.size()));
-    for (int i = 1; i <= array.Length(); ++i) array(i) = values[static_cast<std::size_t>(i) - 1];
-    return array;
-}
-
-TColgp_Array1OfPnt2d array_of(std::span<const Point> points) {
-    TColgp_Array1OfPnt2d array(1, static_cast<int>(points.size()));
-    for (int i = 1; i <= array.Length(); ++i) {
-        const Point& point = points[static_cast<std::size_t>(i) - 1];
-        array(i) = gp_Pnt2d(point.x, point.y);
-    }
-    return array;
-}
-
-// Throws where OpenCASCADE refuses the curve.
-Spline spline_of(const Curve& curve) {
-    std::vector<double> knots;
-    std::vector<int> multiplicities;
-    for (const double u : curve.knots().values()) {
-        if (knots.empty() || knots.back() != u) {
-            knots.push_back(u);
-            multiplicities.push_back(0);
-        }
-        ++multiplicities.back();
-    }
-    const auto poles = array_of(curve.control_points());
-    const auto values = array_of<TColStd_Array1OfReal>(knots);
-    const auto counts = array_of<TColStd_Array1OfInteger>(multiplicities);
-    if (!curve.is_rational()) return new Geom2d_BSplineCurve(poles, values, counts, curve.degree());
-    return new Geom2d_BSplineCurve(poles, array_of<TColStd_Array1OfReal>(curve.weights()), values, counts,
-                                   curve.degree());
-}
+using Spline = OcctCurve;
 
 CurveDefinition definition_of(const Spline& spline) {
     CurveDefinition definition{.degree = spline->Degree()};
@@ -82,7 +47,7 @@ class Occt : public SplineLibrary {
 
     Answer<std::vector<Point>> derivatives(const Curve& curve, double u, int order) const override {
         return attempt([&] {
-            const Spline spline = spline_of(curve);
+            const Spline spline = occt_curve(curve);
             gp_Pnt2d point;
             gp_Pnt2d again;
             gp_Vec2d d1;
@@ -104,7 +69,8 @@ class Occt : public SplineLibrary {
             const int p = knots.degree();
             math_Matrix matrix(1, order + 1, 1, p + 1);
             int first = 0;
-            BSplCLib::EvalBsplineBasis(order, p + 1, array_of<TColStd_Array1OfReal>(knots.values()), u, first, matrix);
+            BSplCLib::EvalBsplineBasis(order, p + 1, occt_array<TColStd_Array1OfReal>(knots.values()), u, first,
+                                       matrix);
             if (first != static_cast<int>(knots.span_at(u)) - p + 1) return {};
             Rows rows(static_cast<std::size_t>(order) + 1);
             for (int r = 0; r <= order; ++r)
@@ -116,7 +82,7 @@ class Occt : public SplineLibrary {
 
     Answer<CurveDefinition> insert(const Curve& curve, std::span<const double> knots) const override {
         return attempt([&] {
-            const Spline spline = spline_of(curve);
+            const Spline spline = occt_curve(curve);
             for (const double u : knots) spline->InsertKnots(one(u), one(1), 0.0, true);
             return definition_of(spline);
         });
@@ -124,7 +90,7 @@ class Occt : public SplineLibrary {
 
     Answer<CurveDefinition> remove(const Curve& curve, std::span<const double> knots, double tolerance) const override {
         const auto result = attempt([&]() -> Answer<CurveDefinition> {
-            const Spline spline = spline_of(curve);
+            const Spline spline = occt_curve(curve);
             for (const double u : knots)
                 for (int i = 1; i <= spline->NbKnots(); ++i)
                     if (spline->Knot(i) == u) {
@@ -138,7 +104,7 @@ class Occt : public SplineLibrary {
 
     Answer<CurveDefinition> elevate(const Curve& curve, int by) const override {
         return attempt([&] {
-            const Spline spline = spline_of(curve);
+            const Spline spline = occt_curve(curve);
             spline->IncreaseDegree(curve.degree() + by);
             return definition_of(spline);
         });
@@ -146,8 +112,8 @@ class Occt : public SplineLibrary {
 
     Answer<std::vector<CurveDefinition>> split(const Curve& curve, double u) const override {
         return attempt([&] {
-            const Spline left = spline_of(curve);
-            const Spline right = spline_of(curve);
+            const Spline left = occt_curve(curve);
+            const Spline right = occt_curve(curve);
             left->Segment(curve.domain().lower, u, 0.0);
             right->Segment(u, curve.domain().upper, 0.0);
             return std::vector{definition_of(left), definition_of(right)};
@@ -156,7 +122,7 @@ class Occt : public SplineLibrary {
 
     Answer<std::vector<CurveDefinition>> bezier_pieces(const Curve& curve) const override {
         return attempt([&] {
-            Geom2dConvert_BSplineCurveToBezierCurve conversion(spline_of(curve), curve.domain().lower,
+            Geom2dConvert_BSplineCurveToBezierCurve conversion(occt_curve(curve), curve.domain().lower,
                                                                curve.domain().upper, 0.0);
             std::vector<CurveDefinition> pieces;
             for (int k = 1; k <= conversion.NbArcs(); ++k) {
@@ -173,18 +139,18 @@ class Occt : public SplineLibrary {
     }
 
     Answer<double> curvature(const Curve& curve, double u) const override {
-        return attempt([&] { return Geom2dLProp_CLProps2d(spline_of(curve), u, 2, 1e-300).Curvature(); });
+        return attempt([&] { return Geom2dLProp_CLProps2d(occt_curve(curve), u, 2, 1e-300).Curvature(); });
     }
 
     Answer<double> arc_length(const Curve& curve) const override {
         return attempt(
-            [&] { return GCPnts_AbscissaPoint::Length(Geom2dAdaptor_Curve(spline_of(curve)), length_tolerance); });
+            [&] { return GCPnts_AbscissaPoint::Length(Geom2dAdaptor_Curve(occt_curve(curve)), length_tolerance); });
     }
 
     // OpenCASCADE finds the feet of perpendiculars; the ends are compared here.
     Answer<Point> closest_point(const Curve& curve, Point query) const override {
         return attempt([&] {
-            const Spline spline = spline_of(curve);
+            const Spline spline = occt_curve(curve);
             const gp_Pnt2d from(query.x, query.y);
             gp_Pnt2d nearest = spline->Value(curve.domain().lower);
             const gp_Pnt2d end = spline->Value(curve.domain().upper);
@@ -198,11 +164,11 @@ class Occt : public SplineLibrary {
 
     Answer<CurveDefinition> interpolate(const InterpolationTask& task) const override {
         const auto result = attempt([&]() -> Answer<CurveDefinition> {
-            auto poles = array_of(task.through);
+            auto poles = occt_array(task.through);
             int problem = 0;
-            BSplCLib::Interpolate(task.degree, array_of<TColStd_Array1OfReal>(task.knots),
-                                  array_of<TColStd_Array1OfReal>(task.parameters),
-                                  array_of<TColStd_Array1OfInteger>(std::vector<int>(task.through.size(), 0)), poles,
+            BSplCLib::Interpolate(task.degree, occt_array<TColStd_Array1OfReal>(task.knots),
+                                  occt_array<TColStd_Array1OfReal>(task.parameters),
+                                  occt_array<TColStd_Array1OfInteger>(std::vector<int>(task.through.size(), 0)), poles,
                                   problem);
             if (problem != 0) return {};
             CurveDefinition definition{.degree = task.degree, .knots = task.knots};

@@ -1,7 +1,7 @@
+#include "sisl_curve.h"
 #include "spline_library.h"
 
 extern "C" {
-#include <sisl.h>
 // Not in sisl.h, which offers them only inside the library.
 void s1220(double* et, int ik, int in, int* ileft, double ax, int ider, double ebder[], int* jstat);
 void s1891(double etau[], double epoint[], int idim, int inbpnt, int iright, int eder[], int iopen, double et[],
@@ -19,39 +19,13 @@ namespace {
 constexpr double length_tolerance = 1e-12;
 constexpr double closest_tolerance = 1e-10;  // of the size of the curve
 
-struct CurveDeleter {
-    void operator()(SISLCurve* curve) const { freeCurve(curve); }
-};
-using Handle = std::unique_ptr<SISLCurve, CurveDeleter>;
-
-struct Free {
-    void operator()(double* memory) const { std::free(memory); }
-};
-
-Handle handle_of(int degree, std::span<const double> knots, std::span<const Point> points,
-                 std::span<const double> weights, bool is_rational) {
-    std::vector<double> coefficients;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const double w = is_rational ? weights[i] : 1.0;
-        coefficients.push_back(points[i].x * w);
-        coefficients.push_back(points[i].y * w);
-        if (is_rational) coefficients.push_back(w);
-    }
-    std::vector<double> copy(knots.begin(), knots.end());
-    return Handle(newCurve(static_cast<int>(points.size()), degree + 1, copy.data(), coefficients.data(),
-                           is_rational ? 2 : 1, 2, 1));
-}
-
-Handle handle_of(const Curve& curve) {
-    return handle_of(curve.degree(), curve.knots().values(), curve.control_points(), curve.weights(),
-                     curve.is_rational());
-}
+using Handle = SislCurve;
 
 // What some operations need, which SISL's other operations do.
 Handle clamped_handle_of(const Curve& curve) {
     SISLCurve* clamped = nullptr;
     int status = 0;
-    s1712(handle_of(curve).get(), curve.domain().lower, curve.domain().upper, &clamped, &status);
+    s1712(sisl_curve(curve).get(), curve.domain().lower, curve.domain().upper, &clamped, &status);
     return Handle(clamped);
 }
 
@@ -72,7 +46,7 @@ class Sisl : public SplineLibrary {
     std::string name() const override { return "SISL " SISL_VERSION; }
 
     Answer<std::vector<Point>> derivatives(const Curve& curve, double u, int order) const override {
-        const Handle handle = handle_of(curve);
+        const Handle handle = sisl_curve(curve);
         std::vector<double> values(2 * (static_cast<std::size_t>(order) + 1));
         int left = 0;
         int status = 0;
@@ -105,14 +79,14 @@ class Sisl : public SplineLibrary {
         std::sort(values.begin(), values.end());
         SISLCurve* result = nullptr;
         int status = 0;
-        s1018(handle_of(curve).get(), values.data(), static_cast<int>(values.size()), &result, &status);
+        s1018(sisl_curve(curve).get(), values.data(), static_cast<int>(values.size()), &result, &status);
         return definition_of(Handle(result), status);
     }
 
     Answer<CurveDefinition> elevate(const Curve& curve, int by) const override {
         SISLCurve* result = nullptr;
         int status = 0;
-        s1750(handle_of(curve).get(), curve.degree() + 1 + by, &result, &status);
+        s1750(sisl_curve(curve).get(), curve.degree() + 1 + by, &result, &status);
         return definition_of(Handle(result), status);
     }
 
@@ -120,7 +94,7 @@ class Sisl : public SplineLibrary {
         SISLCurve* left = nullptr;
         SISLCurve* right = nullptr;
         int status = 0;
-        s1710(handle_of(curve).get(), u, &left, &right, &status);
+        s1710(sisl_curve(curve).get(), u, &left, &right, &status);
         const auto first = definition_of(Handle(left), status);
         const auto second = definition_of(Handle(right), status);
         if (!first || !second) return {};
@@ -146,14 +120,14 @@ class Sisl : public SplineLibrary {
     Answer<CurveDefinition> hodograph(const Curve& curve) const override {
         SISLCurve* result = nullptr;
         int status = 0;
-        s1720(handle_of(curve).get(), 1, &result, &status);
+        s1720(sisl_curve(curve).get(), 1, &result, &status);
         return definition_of(Handle(result), status);
     }
 
     Answer<double> curvature(const Curve& curve, double u) const override {
         double value = 0.0;
         int status = 0;
-        s2550(handle_of(curve).get(), &u, 1, &value, &status);
+        s2550(sisl_curve(curve).get(), &u, 1, &value, &status);
         if (status < 0) return {};
         return value;
     }
@@ -176,7 +150,7 @@ class Sisl : public SplineLibrary {
         int status = 0;
         s1953(clamped_handle_of(curve).get(), &query.x, 2, 0.0, closest_tolerance * size, &count, &parameters,
               &run_count, &runs, &status);
-        const std::unique_ptr<double, Free> owner(parameters);
+        const SislNumbers owner(parameters);
         if (run_count > 0) freeIntcrvlist(runs, run_count);
         if (status < 0) return {};
         Answer<Point> nearest;
@@ -200,7 +174,7 @@ class Sisl : public SplineLibrary {
         int status = 0;
         s1891(parameters.data(), points.data(), 2, static_cast<int>(task.through.size()), 1, orders.data(), 1,
               knots.data(), &coefficients, &count, task.degree + 1, 0, 0, &status);
-        const std::unique_ptr<double, Free> owner(coefficients);
+        const SislNumbers owner(coefficients);
         if (status < 0 || coefficients == nullptr) return {};
         CurveDefinition definition{.degree = task.degree, .knots = task.knots};
         for (int i = 0; i < count; ++i) definition.points.emplace_back(coefficients[2 * i], coefficients[2 * i + 1]);

@@ -1,0 +1,47 @@
+// One knot inserted in the middle.
+#include <memory>
+
+#include "core/refine/knot_insertion.h"
+#include "curve_numbers.h"
+#include "inputs.h"
+#include "works.h"
+
+namespace batten::bench {
+
+namespace {
+
+void add_insertion_into(Contests& contests, std::size_t n) {
+    constexpr double u = 0.5;
+    const core::Curve curve = spiral(n);
+    Contest contest("insert_knot/n:" + std::to_string(n), 1.0, 1e-13);
+    contest.enter(
+        "Batten", [curve] { return core::insert_knot(curve, u); }, ControlPoints());
+    contest.enter(
+        "SISL",
+        [sisl = std::make_shared<SislCurve>(sisl_curve(curve))] {
+            SISLCurve* result = nullptr;
+            int status = 0;
+            s1017(sisl->get(), &result, u, &status);
+            return SislCurve(result);
+        },
+        ControlPoints());
+    contest.enter(
+        "OpenCASCADE",
+        [occt = occt_curve(curve)] {
+            const OcctCurve copy = OcctCurve::DownCast(occt->Copy());
+            copy->InsertKnot(u, 1, 0.0);
+            return copy;
+        },
+        ControlPoints());
+    contest.enter(
+        "copying", [result = core::insert_knot(curve, u).value()] { return result; }, ControlPoints());
+    contests.push_back(std::move(contest));
+}
+
+}  // namespace
+
+void add_insert_knot(Contests& contests) {
+    for (const std::size_t n : {10UL, 100UL, 1000UL, 10'000UL, 100'000UL, 1'000'000UL}) add_insertion_into(contests, n);
+}
+
+}  // namespace batten::bench
