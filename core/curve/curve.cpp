@@ -55,8 +55,8 @@ Check check_weights_positive(std::span<const double> weights) {
 
 }  // namespace
 
-Curve::Curve(KnotVector knots, std::vector<Point> points, std::vector<double> weights)
-    : knots_(std::move(knots)), points_(std::move(points)), weights_(std::move(weights)) {}
+Curve::Curve(KnotVector knots, SharedArray<Point> points, SharedArray<double> weights, bool is_rational)
+    : knots_(std::move(knots)), points_(std::move(points)), weights_(std::move(weights)), is_rational_(is_rational) {}
 
 Result<Curve> Curve::make(CurveDefinition definition) {
     const Check check = check_degree(definition.degree).and_then([&] {
@@ -79,11 +79,8 @@ Result<Curve> Curve::make(KnotVector knots, std::vector<Point> points, std::vect
                             .and_then([&] { return check_weights_finite(weights); })
                             .and_then([&] { return check_weights_positive(weights); });
     if (!check) return refuse(check.error());
-    return Curve(std::move(knots), std::move(points), std::move(weights));
-}
-
-bool Curve::is_rational() const {
-    return std::adjacent_find(weights_.begin(), weights_.end(), std::not_equal_to<>()) != weights_.end();
+    const bool is_rational = std::ranges::adjacent_find(weights, std::not_equal_to<>()) != weights.end();
+    return Curve(std::move(knots), SharedArray(std::move(points)), SharedArray(std::move(weights)), is_rational);
 }
 
 bool Curve::is_torn() const {
@@ -99,8 +96,8 @@ CurveDefinition Curve::definition() const {
     const auto stored = knots_.stored();
     return {.degree = degree(),
             .knots = {stored.begin(), stored.end()},
-            .points = points_,
-            .weights = weights_,
+            .points = {control_points().begin(), control_points().end()},
+            .weights = {weights().begin(), weights().end()},
             .periodic = is_periodic(),
             .kind = knots_.kind(),
             .tears = is_torn() ? Tears::allow : Tears::refuse};

@@ -35,11 +35,12 @@ class Curve {
     const KnotVector& knots() const { return knots_; }
     Interval domain() const { return knots_.domain(); }
 
-    std::span<const Point> control_points() const { return points_; }
-    std::span<const double> weights() const { return weights_; }
+    /// Copies of a curve share them, as they share its knots.
+    std::span<const Point> control_points() const { return points_.values(); }
+    std::span<const double> weights() const { return weights_.values(); }
 
     /// Not all weights are equal.
-    bool is_rational() const;
+    bool is_rational() const { return is_rational_; }
 
     /// Whether a knot inside the domain has multiplicity p+1, so that the curve may come apart there. Cost O(n).
     bool is_torn() const;
@@ -56,11 +57,14 @@ class Curve {
     bool operator==(const Curve&) const = default;
 
   private:
-    Curve(KnotVector knots, std::vector<Point> points, std::vector<double> weights);
+    friend struct Trusted;
+
+    Curve(KnotVector knots, SharedArray<Point> points, SharedArray<double> weights, bool is_rational);
 
     KnotVector knots_;
-    std::vector<Point> points_;
-    std::vector<double> weights_;
+    SharedArray<Point> points_;
+    SharedArray<double> weights_;
+    bool is_rational_ = false;
 };
 
 }  // namespace batten::core

@@ -93,9 +93,13 @@ Result<void> check_degree(int degree) {
     return {};
 }
 
-KnotVector::KnotVector(int degree, bool is_periodic, KnotKind kind, std::vector<double> values)
-    : degree_(degree), is_periodic_(is_periodic), values_(std::move(values)) {
-    if (is_of_kind(*this, kind)) kind_ = kind;
+KnotVector::KnotVector(int degree, bool is_periodic, KnotKind kind, SharedArray<double> values)
+    : degree_(degree), is_periodic_(is_periodic), kind_(kind), values_(std::move(values)) {}
+
+KnotVector KnotVector::of_kind_or_custom(int degree, bool is_periodic, KnotKind kind, std::vector<double> values) {
+    KnotVector knots(degree, is_periodic, kind, SharedArray(std::move(values)));
+    if (!is_of_kind(knots, kind)) knots.kind_ = KnotKind::custom;
+    return knots;
 }
 
 Result<KnotVector> KnotVector::make(int degree, std::vector<double> knots, KnotKind kind, Tears tears) {
@@ -109,7 +113,7 @@ Result<KnotVector> KnotVector::make(int degree, std::vector<double> knots, KnotK
                             .and_then([&] { return check_domain(domain()); })
                             .and_then([&] { return check_multiplicities(knots, p, domain(), tears); });
     if (!check) return refuse(check.error());
-    return KnotVector(degree, false, kind, std::move(knots));
+    return of_kind_or_custom(degree, false, kind, std::move(knots));
 }
 
 Result<KnotVector> KnotVector::make_periodic(int degree, std::vector<double> period, KnotKind kind) {
@@ -125,7 +129,7 @@ Result<KnotVector> KnotVector::make_periodic(int degree, std::vector<double> per
     if (!check) return refuse(check.error());
     std::vector<double> values = unroll_period(period, p, p);
     if (auto extent = check_extent(values, period); !extent) return refuse(extent.error());
-    return KnotVector(degree, true, kind, std::move(values));
+    return of_kind_or_custom(degree, true, kind, std::move(values));
 }
 
 std::size_t KnotVector::control_point_count() const {
@@ -134,7 +138,7 @@ std::size_t KnotVector::control_point_count() const {
 }
 
 std::span<const double> KnotVector::stored() const {
-    const std::span<const double> all = values_;
+    const std::span<const double> all = values();
     return is_periodic_ ? all.subspan(stored_offset(), control_point_count() + 1) : all;
 }
 
@@ -145,12 +149,13 @@ Interval KnotVector::domain() const {
 
 std::size_t KnotVector::span_at(double u, Side side) const {
     const auto [lower, upper] = domain();
-    const auto first = values_.begin() + degree_ + 1;
-    const auto last = values_.end() - degree_ - 1;
+    const auto knots = values();
+    const auto first = knots.begin() + degree_ + 1;
+    const auto last = knots.end() - degree_ - 1;
     const bool from_left = u >= upper || (side == Side::left && u > lower);
     const auto upper_knot = from_left ? std::lower_bound(first, last, std::min(u, upper))
                                       : std::upper_bound(first, last, u > lower ? u : lower);
-    return static_cast<std::size_t>(upper_knot - values_.begin()) - 1;
+    return static_cast<std::size_t>(upper_knot - knots.begin()) - 1;
 }
 
 int KnotVector::multiplicity(double u) const {

@@ -9,6 +9,7 @@
 #include "core/base/degree_range.h"
 #include "core/base/geometry.h"
 #include "core/base/names.h"
+#include "core/base/shared_array.h"
 
 namespace batten::core {
 
@@ -74,8 +75,8 @@ class KnotVector {
     /// Control points that a curve over these knots has (n for a periodic vector of one period n+1).
     std::size_t control_point_count() const;
 
-    /// The knots u_0..u_m, unrolled when periodic.
-    std::span<const double> values() const { return values_; }
+    /// The knots u_0..u_m, unrolled when periodic. Copies of a vector share them.
+    std::span<const double> values() const { return values_.values(); }
     double operator[](std::size_t i) const {
         assert(i < values_.size());
         return values_[i];
@@ -110,12 +111,15 @@ class KnotVector {
     bool operator==(const KnotVector&) const = default;
 
   private:
-    KnotVector(int degree, bool is_periodic, KnotKind kind, std::vector<double> values);
+    friend struct Trusted;
+
+    KnotVector(int degree, bool is_periodic, KnotKind kind, SharedArray<double> values);
+    static KnotVector of_kind_or_custom(int degree, bool is_periodic, KnotKind kind, std::vector<double> values);
 
     int degree_ = 0;
     bool is_periodic_ = false;
     KnotKind kind_ = KnotKind::custom;
-    std::vector<double> values_;
+    SharedArray<double> values_;
 };
 
 /// `below` knots before one period t_0..t_n, n >= 1, the period itself and `above` knots after it, continued by

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/curve/detail/edit_checks.h"
+#include "core/curve/detail/trusted.h"
 #include "core/curve/knot_kinds.h"
 
 namespace batten::core {
@@ -106,6 +107,10 @@ auto at(std::vector<T>& list, std::size_t index) {
     return list.begin() + static_cast<std::ptrdiff_t>(index);
 }
 
+std::vector<Point> points_of(const Curve& curve) {
+    return {curve.control_points().begin(), curve.control_points().end()};
+}
+
 Result<Curve> over(Result<KnotVector> knots, CurveDefinition definition) {
     if (!knots) return tl::unexpected(knots.error());
     return Curve::make(std::move(*knots), std::move(definition.points), std::move(definition.weights));
@@ -116,19 +121,20 @@ Result<Curve> over(Result<KnotVector> knots, CurveDefinition definition) {
 Result<Curve> set_control_point(const Curve& curve, std::size_t index, Point position) {
     if (auto check = check_point_index(index, curve.control_points().size() - 1); !check)
         return tl::unexpected(check.error());
-    CurveDefinition definition = curve.definition();
-    definition.points[index] = position;
-    return over(curve.knots(), std::move(definition));
+    if (auto check = check_finite(position, index); !check) return tl::unexpected(check.error());
+    std::vector<Point> points = points_of(curve);
+    points[index] = position;
+    return Trusted::with_points(curve, std::move(points));
 }
 
 Result<Curve> move_control_points(const Curve& curve, std::span<const std::size_t> indices, Vector offset) {
-    CurveDefinition definition = curve.definition();
+    std::vector<Point> points = points_of(curve);
     for (const std::size_t index : indices) {
-        if (auto check = check_point_index(index, definition.points.size() - 1); !check)
-            return tl::unexpected(check.error());
-        definition.points[index] = curve.control_points()[index] + offset;
+        if (auto check = check_point_index(index, points.size() - 1); !check) return tl::unexpected(check.error());
+        points[index] = curve.control_points()[index] + offset;
+        if (auto check = check_finite(points[index], index); !check) return tl::unexpected(check.error());
     }
-    return over(curve.knots(), std::move(definition));
+    return Trusted::with_points(curve, std::move(points));
 }
 
 Result<Curve> set_weight(const Curve& curve, std::size_t index, double weight) {

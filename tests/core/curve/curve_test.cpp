@@ -110,6 +110,25 @@ TEST(Curve, over_known_knots_checks_the_same) {
     EXPECT_TRUE(Curve::make(knots, {{0, 0}, {1, 1}}, {}));
 }
 
+TEST(Curve, copies_share_their_arrays) {
+    const Curve curve = Curve::make(parabola()).value();
+    const Curve copy = curve;
+    EXPECT_EQ(copy.knots().values().data(), curve.knots().values().data());
+    EXPECT_EQ(copy.control_points().data(), curve.control_points().data());
+    EXPECT_EQ(copy.weights().data(), curve.weights().data());
+}
+
+TEST(Curve, is_equal_by_its_values) {
+    EXPECT_EQ(Curve::make(parabola()), Curve::make(parabola()));
+    for (const auto change :
+         {+[](CurveDefinition& d) { d.knots.back() = 2; }, +[](CurveDefinition& d) { d.points[1].y = 3; },
+          +[](CurveDefinition& d) { d.weights[1] = 3; }}) {
+        CurveDefinition other = parabola();
+        change(other);
+        EXPECT_NE(Curve::make(other).value(), Curve::make(parabola()).value());
+    }
+}
+
 TEST(Curve, definition_makes_an_equal_curve) {
     RandomCurves random(2);
     for (int k = 0; k < 100; ++k) {

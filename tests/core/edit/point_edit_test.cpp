@@ -66,6 +66,14 @@ TEST(MoveControlPoints, moves_each_once) {
     EXPECT_EQ(points(result), expected);
 }
 
+TEST(MoveControlPoints, leaves_knots_and_weights_shared) {
+    const Curve curve = of_kind(KnotKind::clamped_uniform, 3, 8);
+    const Curve moved = move_control_points(curve, std::vector<std::size_t>{4}, {1, 2}).value();
+    EXPECT_EQ(moved.knots().values().data(), curve.knots().values().data());
+    EXPECT_EQ(moved.weights().data(), curve.weights().data());
+    EXPECT_EQ(curve.control_points()[4] + Vector(1, 2), moved.control_points()[4]);
+}
+
 TEST(MoveControlPoints, refuses_without_moving_any) {
     const Curve curve = of_kind(KnotKind::clamped_uniform, 3, 6);
     EXPECT_EQ(move_control_points(curve, std::vector<std::size_t>{0, 6}, {1, 1}).error().code,
