@@ -42,6 +42,8 @@ void add_basis(Contests& contests) {
     const std::size_t n = 1000;
     const core::Curve curve = spiral(n);
     Contest contest("basis/n:" + std::to_string(n), parameter_count, 1e-14);
+    contest.share(curve);
+    contest.share("parameters", random_parameters(parameter_count));
     contest.enter("Batten", each([knots = curve.knots()](double u, double* out) {
                       const core::BasisValues basis = core::basis_functions(knots, u);
                       std::copy(basis.derivatives[0].begin(), basis.derivatives[0].end(), out);

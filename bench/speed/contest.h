@@ -3,7 +3,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,15 @@ class Contest {
                             }});
     }
 
+    /// An input by its name, for libraries of other languages.
+    void share(std::string name, std::span<const double> values);
+    void share(std::string name, std::span<const core::Point> points);
+    void share(const core::Curve& curve);
+
+    /// Where inputs are shared: writes these and the answer of the first library into the folder "`folder`/work", as
+    /// the bytes of doubles.
+    void write_shared(const std::filesystem::path& folder) const;
+
     /// Throws std::runtime_error, naming the work and the library, where an answer is not that of the first library.
     void check_agreement() const;
 
@@ -55,6 +66,7 @@ class Contest {
     std::string work_;
     double items_;
     double tolerance_;
+    std::vector<std::pair<std::string, Numbers>> shared_;
     std::vector<Entry> entries_;
 };
 

@@ -38,6 +38,8 @@ void write_occt(double* out, const gp_Pnt2d& point, const gp_Vec2d& first, const
 void add_jets_of(Contests& contests, std::size_t n) {
     const core::Curve curve = spiral(n);
     Contest contest("derivatives/n:" + std::to_string(n), parameter_count, 1e-12);
+    contest.share(curve);
+    contest.share("parameters", random_parameters(parameter_count));
     contest.enter("Batten", each([curve](double u, double* out) {
                       const core::Jet jet = core::derivatives_at(curve, u, 2);
                       const double numbers[] = {jet.point.x, jet.point.y, jet[1].x, jet[1].y, jet[2].x, jet[2].y};

@@ -14,6 +14,8 @@ void add_insertion_into(Contests& contests, std::size_t n) {
     constexpr double u = 0.5;
     const core::Curve curve = spiral(n);
     Contest contest("insert_knot/n:" + std::to_string(n), 1.0, 1e-13);
+    contest.share(curve);
+    contest.share("knot", std::span(&u, 1));
     contest.enter(
         "Batten", [curve] { return core::insert_knot(curve, u); }, ControlPoints());
     contest.enter(

@@ -28,6 +28,9 @@ void add_interpolation_of(Contests& contests, std::size_t count) {
         request.parameters[i] += 0.3 * shifts[i] / static_cast<double>(count - 1);
     const core::Curve expected = core::interpolate(through, request)->curve;
     Contest contest("interpolate/n:" + std::to_string(count), 1.0, 1e-12);
+    contest.share("points", through);
+    contest.share("parameters", request.parameters);
+    contest.share("knots", expected.knots().values());
     contest.enter(
         "Batten", [through, request] { return core::interpolate(through, request); }, InterpolatedPoints());
 

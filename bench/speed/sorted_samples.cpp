@@ -47,6 +47,10 @@ void add_samples_of(Contests& contests, std::size_t n, int degree, bool is_ratio
     Contest contest("sorted_samples/p:" + std::to_string(degree) + "/rational:" + std::to_string(is_rational ? 1 : 0) +
                         "/n:" + std::to_string(n),
                     static_cast<double>(samples->parameters.size()), 1e-13);
+    if (degree == 3 && !is_rational) {
+        contest.share(samples->curve);
+        contest.share("parameters", samples->parameters);
+    }
     contest.enter("Batten", [samples]() -> const Numbers& {
         double* out = samples->points.data();
         for (const double u : samples->parameters) {
