@@ -9,10 +9,6 @@ namespace batten::core {
 
 namespace {
 
-bool has_name(const Document& document, const std::string& name) {
-    return index_of_curve(document, name).has_value();
-}
-
 // "wave" for "wave 2"; the text itself where no number follows a blank.
 std::string without_number(const std::string& name) {
     const std::size_t last_letter = name.find_last_not_of("0123456789");
@@ -68,12 +64,23 @@ std::string quoted_names(const Document& document) {
 }
 
 std::string unused_name(const Document& document, const std::string& wish) {
-    std::string first = wish.empty() ? "curve" : wish;
-    if (!has_name(document, first)) return first;
-    const std::string stem = without_number(first);
-    std::size_t number = 2;
-    while (has_name(document, numbered(stem, number))) ++number;
-    return numbered(stem, number);
+    return FreeNames(document).take(wish);
+}
+
+FreeNames::FreeNames(const Document& document) {
+    for (const DocumentCurve& entry : document.curves) used_.insert(entry.name);
+}
+
+std::string FreeNames::take(const std::string& wish) {
+    std::string name = wish.empty() ? "curve" : wish;
+    if (used_.contains(name)) {
+        const std::string stem = without_number(name);
+        std::size_t& number = next_numbers_.try_emplace(stem, 2).first->second;
+        do name = numbered(stem, number++);
+        while (used_.contains(name));
+    }
+    used_.insert(name);
+    return name;
 }
 
 }  // namespace batten::core

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -71,5 +73,18 @@ std::string quoted_names(const Document& document);
 /// A name that no curve of `document` has: `wish` itself ("curve" when it is empty), else its first free successor:
 /// "wave 2" after "wave", "wave 3" after "wave 2".
 std::string unused_name(const Document& document, const std::string& wish);
+
+/// The same for many curves that are added one after another. Cost O(log n) for each.
+class FreeNames {
+  public:
+    explicit FreeNames(const Document& document);
+
+    /// The unused name for `wish`, which from now on is in use.
+    std::string take(const std::string& wish);
+
+  private:
+    std::set<std::string> used_;
+    std::map<std::string, std::size_t> next_numbers_;  // no number below is free, by the name without it
+};
 
 }  // namespace batten::core

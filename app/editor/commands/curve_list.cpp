@@ -1,5 +1,7 @@
 #include "app/editor/commands/curve_list.h"
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "app/editor/commands/active_curve.h"
@@ -28,26 +30,30 @@ Outcome<std::size_t> curve_named(const EditorState& state, const std::string& na
 
 Edit with_parts(const EditorState& state, std::vector<core::Curve> parts) {
     Edit edit{state.history.present(), Selection{}};
-    const std::size_t active = edit.document.active;
-    edit.document.curves[active].curve = std::make_shared<const core::Curve>(std::move(parts.front()));
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-        core::DocumentCurve part = edit.document.curves[active];
-        part.name = core::unused_name(edit.document, part.name);
-        part.curve = std::make_shared<const core::Curve>(std::move(parts[i]));
-        edit.document.curves.insert(edit.document.curves.begin() + static_cast<std::ptrdiff_t>(active + i),
-                                    std::move(part));
+    std::vector<core::DocumentCurve>& curves = edit.document.curves;
+    const auto active = static_cast<std::ptrdiff_t>(edit.document.active);
+    std::vector<core::DocumentCurve> entries(parts.size(), curves[edit.document.active]);
+    core::FreeNames names(edit.document);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        entries[i].curve = std::make_shared<const core::Curve>(std::move(parts[i]));
+        if (i > 0) entries[i].name = names.take(entries[i].name);
     }
+    curves.erase(curves.begin() + active);
+    curves.insert(curves.begin() + active, std::move_iterator(entries.begin()), std::move_iterator(entries.end()));
     return edit;
 }
 
 Edit with_one_for_several(const EditorState& state, core::Curve curve, const std::vector<std::size_t>& others) {
     Edit edit{state.history.present(), Selection{}};
-    core::Document& document = edit.document;
-    document.curves[document.active].curve = std::make_shared<const core::Curve>(std::move(curve));
-    for (auto other = others.rbegin(); other != others.rend(); ++other) {
-        document.curves.erase(document.curves.begin() + static_cast<std::ptrdiff_t>(*other));
-        if (*other < document.active) --document.active;
+    std::vector<core::DocumentCurve>& curves = edit.document.curves;
+    curves[edit.document.active].curve = std::make_shared<const core::Curve>(std::move(curve));
+    std::vector<core::DocumentCurve> kept;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        if (std::ranges::binary_search(others, i)) continue;
+        if (i == state.history.present().active) edit.document.active = kept.size();
+        kept.push_back(std::move(curves[i]));
     }
+    curves = std::move(kept);
     return edit;
 }
 

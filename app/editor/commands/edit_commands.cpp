@@ -101,11 +101,12 @@ Outcome<Edit> with_curves_of_text(const EditorState& state, const std::string& t
             sentence("the clipboard holds no Batten curves: {reason}", {{"reason", pasted.error().sentence()}}));
     if (pasted->curves.empty()) return tl::unexpected(Refusal("the clipboard holds a document without curves"));
     Edit edit{state.history.present(), Selection{}};
+    core::FreeNames names(edit.document);
     for (core::DocumentCurve curve : pasted->curves) {
         core::Result<core::Curve> shifted = shifted_curve(*curve.curve, shift);
         if (!shifted) return tl::unexpected(core::describe(shifted.error()));
         curve.curve = std::make_shared<const core::Curve>(*std::move(shifted));
-        curve.name = core::unused_name(edit.document, curve.name);
+        curve.name = names.take(curve.name);
         curve.visible = true;
         curve.locked = false;
         edit.document.curves.push_back(std::move(curve));

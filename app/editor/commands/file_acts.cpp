@@ -79,8 +79,9 @@ Outcome<void> show_example(EditorState& state, const std::string& name) {
 
 // The curves of both, those of `added` under names that are not in use; the last one is active.
 core::Document joined(core::Document document, const core::Document& added) {
+    core::FreeNames names(document);
     for (core::DocumentCurve curve : added.curves) {
-        curve.name = core::unused_name(document, curve.name);
+        curve.name = names.take(curve.name);
         document.curves.push_back(std::move(curve));
     }
     document.active = document.curves.size() - 1;

@@ -34,6 +34,17 @@ TEST(Document, number_is_only_what_follows_a_blank) {
     EXPECT_EQ(unused_name(with_names({" 7"}), " 7"), " 7 2");
 }
 
+TEST(Document, names_that_are_taken_are_in_use) {
+    FreeNames names(with_names({"wave", "wave 3"}));
+    EXPECT_EQ(names.take("wave"), "wave 2");
+    EXPECT_EQ(names.take("wave"), "wave 4");
+    EXPECT_EQ(names.take("wave 3"), "wave 5");
+    EXPECT_EQ(names.take("wave 6"), "wave 6");
+    EXPECT_EQ(names.take("wave 2"), "wave 7");
+    EXPECT_EQ(names.take(""), "curve");
+    EXPECT_EQ(names.take(""), "curve 2");
+}
+
 TEST(Document, empty_wish_is_a_curve) {
     EXPECT_EQ(unused_name(Document{}, ""), "curve");
     EXPECT_EQ(unused_name(with_names({"curve"}), ""), "curve 2");
