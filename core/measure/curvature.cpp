@@ -1,6 +1,8 @@
 #include "core/measure/curvature.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/evaluate/evaluate.h"
 #include "core/measure/continuity.h"
@@ -45,12 +47,51 @@ Bernstein change_of_curvature(Forms forms) {
     return difference(product(rise, squared), scaled(product(product(n, forms[2]), half_slope), 3.0));
 }
 
+// Intervals that can be asked whether one of them meets another interval. Cost of a question: one binary search.
+class Places {
+  public:
+    explicit Places(std::vector<Interval> intervals) : intervals_(std::move(intervals)) {
+        std::ranges::sort(intervals_, {}, &Interval::lower);
+        double farthest = -std::numeric_limits<double>::infinity();
+        for (const Interval& interval : intervals_) farthest_.push_back(farthest = std::max(farthest, interval.upper));
+    }
+
+    bool any_meets(Interval where) const {
+        const auto behind = std::ranges::upper_bound(intervals_, where.upper, {}, &Interval::lower);
+        const auto count = static_cast<std::size_t>(behind - intervals_.begin());
+        return count > 0 && farthest_[count - 1] >= where.lower;
+    }
+
+  private:
+    std::vector<Interval> intervals_;  // by their lower ends
+    std::vector<double> farthest_;     // the greatest upper end up to each
+};
+
+// The corners, gaps and cusps, and the same a period later.
+std::vector<Interval> rough_places(const Curve& curve, const std::vector<JointContinuity>& joints) {
+    std::vector<Interval> places;
+    for (const JointContinuity& joint : joints)
+        if (joint.geometric < 1) places.push_back({joint.u, joint.u});
+    for (const Cusp& cusp : cusps(curve)) {
+        if (cusp.turn && std::abs(*cusp.turn) <= ContinuityTolerances{}.angle) continue;
+        const std::size_t span = curve.knots().span_at(cusp.u);
+        const double margin = same_place * (curve.knots()[span + 1] - curve.knots()[span]);
+        places.push_back({cusp.where.lower - margin, cusp.where.upper + margin});
+    }
+    const double period = curve.domain().length();
+    const std::size_t count = places.size();
+    for (std::size_t i = 0; i < count; ++i) places.push_back({places[i].lower + period, places[i].upper + period});
+    return places;
+}
+
 // What is known of a curve before its changes of bending are sought.
 class Smoothness {
   public:
-    explicit Smoothness(const Curve& curve) : curve_(curve), joints_(joint_continuity(curve)) {
-        for (const Cusp& cusp : cusps(curve))
-            if (!cusp.turn || std::abs(*cusp.turn) > ContinuityTolerances{}.angle) cusps_.push_back(cusp);
+    explicit Smoothness(const Curve& curve)
+        : curve_(curve), joints_(joint_continuity(curve)), rough_(rough_places(curve, joints_)) {
+        for (const JointContinuity& joint : joints_)
+            if (joint.geometric == 1 && joint.before && joint.after) jumps_.push_back(joint);
+        std::ranges::stable_sort(jumps_, {}, &JointContinuity::u);
     }
 
     // Whether what is at the end goes on at the beginning without a corner.
@@ -59,28 +100,10 @@ class Smoothness {
                (!joints_.empty() && joints_.back().kind == JointKind::ends && joints_.back().geometric >= 1);
     }
 
-    // No corner, gap or cusp within.
-    bool is_smooth(Interval where) const {
-        const double period = curve_.domain().length();
-        const auto meets = [&](double lower, double upper) {
-            return (lower <= where.upper && where.lower <= upper) ||
-                   (lower + period <= where.upper && where.lower <= upper + period);
-        };
-        for (const JointContinuity& joint : joints_)
-            if (joint.geometric < 1 && meets(joint.u, joint.u)) return false;
-        for (const Cusp& cusp : cusps_) {
-            const std::size_t span = curve_.knots().span_at(cusp.u);
-            const double margin = same_place * (curve_.knots()[span + 1] - curve_.knots()[span]);
-            if (meets(cusp.where.lower - margin, cusp.where.upper + margin)) return false;
-        }
-        return true;
-    }
-
     // Both one-sided curvatures where the curvature jumps.
     const JointContinuity* jump_at(double u) const {
-        for (const JointContinuity& joint : joints_)
-            if (joint.u == u && joint.geometric == 1 && joint.before && joint.after) return &joint;
-        return nullptr;
+        const auto jump = std::ranges::lower_bound(jumps_, u, {}, &JointContinuity::u);
+        return jump != jumps_.end() && jump->u == u ? &*jump : nullptr;
     }
 
     double middle(Interval where) const {
@@ -91,14 +114,16 @@ class Smoothness {
     // The changes of sign of `expression` at smooth places.
     std::vector<SignEvent> changes(int order, const Expression& expression) const {
         auto events = sign_events(sign_runs_along(curve_, order, expression), is_cyclic());
-        std::erase_if(events, [&](const SignEvent& event) { return !event.is_change() || !is_smooth(event.where); });
+        std::erase_if(events,
+                      [&](const SignEvent& event) { return !event.is_change() || rough_.any_meets(event.where); });
         return events;
     }
 
   private:
     const Curve& curve_;
     std::vector<JointContinuity> joints_;
-    std::vector<Cusp> cusps_;
+    Places rough_;
+    std::vector<JointContinuity> jumps_;
 };
 
 // The most extreme of the one-sided curvatures at the ends of `where` and in its middle.
