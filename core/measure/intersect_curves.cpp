@@ -12,6 +12,7 @@
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/tangent.h"
 #include "core/measure/continuity.h"
+#include "core/measure/detail/box_tree.h"
 #include "core/measure/detail/contact_search.h"
 
 namespace batten::core {
@@ -252,6 +253,12 @@ class ContactList {
     std::vector<CurveContact> points_;
 };
 
+std::vector<Box> boxes_of(std::span<const ContactPiece> pieces) {
+    std::vector<Box> boxes;
+    for (const ContactPiece& piece : pieces) boxes.push_back(piece.box);
+    return boxes;
+}
+
 // Enough pieces that the first and the last one have only one end in common.
 std::vector<ContactPiece> enough_pieces(std::vector<ContactPiece> pieces) {
     constexpr std::size_t least = 3;
@@ -294,9 +301,11 @@ CurveContacts intersect_curves(const Curve& first, const Curve& second) {
     const Point origin = middle(both.lower, both.upper);
     const ContactPieces a = contact_pieces(first, origin);
     const ContactPieces b = contact_pieces(second, origin);
-    ContactSearch search(a, b, std::min(size_of(box), size_of(other)), tolerance_within(both));
+    const double tolerance = tolerance_within(both);
+    ContactSearch search(a, b, std::min(size_of(box), size_of(other)), tolerance);
+    const BoxTree against(boxes_of(b.pieces));
     for (const ContactPiece& piece : a.pieces)
-        for (const ContactPiece& against : b.pieces) search.add_pair(piece, against);
+        against.each_near(piece.box, tolerance, 0, [&](std::size_t j) { search.add_pair(piece, b.pieces[j]); });
     const Parameters on_first(first, a);
     const Parameters on_second(second, b);
     ContactList list(first, on_first, second, on_second);
@@ -309,17 +318,19 @@ CurveContacts self_intersections(const Curve& curve) {
     const ContactPieces all = contact_pieces(curve, middle_of(curve));
     const auto pieces = enough_pieces(all.pieces);
     const Parameters parameters(curve, all);
-    ContactSearch search(all, all, size_of(box), tolerance_within(box));
+    const double tolerance = tolerance_within(box);
+    ContactSearch search(all, all, size_of(box), tolerance);
+    const BoxTree against(boxes_of(pieces));
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         search.add_alone(pieces[i]);
-        for (std::size_t j = i + 1; j < pieces.size(); ++j) {
+        against.each_near(pieces[i].box, tolerance, i + 1, [&](std::size_t j) {
             if (j == i + 1)
                 search.add_neighbors(pieces[i], pieces[j]);
             else if (parameters.closes() && i == 0 && j + 1 == pieces.size())
                 search.add_neighbors(pieces[j], pieces[i]);
             else
                 search.add_pair(pieces[i], pieces[j]);
-        }
+        });
     }
     ContactList list(curve, parameters, curve, parameters);
     for (const FoundContact& found : search.finish()) {

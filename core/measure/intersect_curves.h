@@ -33,8 +33,8 @@ struct CurveContacts {
 /// smaller curve from others; finished by Newton's iteration. Points nearer than 1e-13 of the size of both curves are
 /// taken to meet. Where the ends of a curve meet they are one place, the lower end. Of two Bézier pieces that coincide
 /// on an interval no further contacts are sought; a double point of curves that coincide is a crossing of other pieces.
-/// Cost: one comparison of boxes for each pair of pieces, and a few dozen halvings for each contact; the number of
-/// halvings is bounded.
+/// Cost: O(log n) comparisons of boxes for each piece and for each pair of pieces that are near, and a few dozen
+/// halvings for each contact; the number of halvings is bounded.
 CurveContacts intersect_curves(const Curve& first, const Curve& second);
 
 /// The places where the curve passes through a point a second time, on_first before second_begin, in the same way.
