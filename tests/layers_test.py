@@ -6,7 +6,7 @@ import sys
 
 # Folder: the folders of the project and the outside headers it may include (beside the standard library).
 LAYERS = {
-    "core": ({"core"}, {"glm", "tl", "Eigen", "fmt", "nlohmann", "posix"}),
+    "core": ({"core"}, {"glm", "tl", "Eigen", "fmt", "hwy", "nlohmann", "posix"}),
     "render": ({"render"}, {"glm", "tl", "fmt", "glad"}),
     "app/editor": ({"core", "app/editor"}, {"glm", "tl", "fmt", "nlohmann"}),
     "app/ui": ({"core", "app/editor", "app/ui"}, {"glm", "tl", "fmt", "imgui", "misc"}),
@@ -34,6 +34,7 @@ CORE_FOLDERS = {
 # Outside headers that only these places may include.
 ONLY_IN = {
     ("core", "Eigen"): {"core/base/detail/dense_least_squares.cpp"},
+    ("core", "hwy"): {"core/evaluate/detail/taylor_samples.cpp"},
     ("core", "nlohmann"): {"core/document/"},
     ("core", "posix"): {"core/document/"},
     ("app/cli", "posix"): {"app/cli/standard_streams.cpp"},

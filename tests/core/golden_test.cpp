@@ -9,6 +9,7 @@
 #include "core/evaluate/bezier_pieces.h"
 #include "core/evaluate/de_boor.h"
 #include "core/evaluate/evaluate.h"
+#include "core/evaluate/evaluator.h"
 #include "core/evaluate/hodograph.h"
 #include "core/make/interpolate.h"
 #include "core/measure/conic_form.h"
@@ -76,9 +77,14 @@ TEST(Golden, evaluate) {
         const Curve curve = curve_of(item);
         auto scales = derivative_scales(item.at("at"));
         scales[0] = largest_coordinate(curve.control_points());
+        const Evaluator prepared(curve);
         for (const json& place : item.at("at")) {
             const double u = place.at("u");
             const auto expected = points_of(place.at("derivatives"));
+            const Vector error_of_prepared = prepared.point_at(u) - expected[0];
+            tally.add("points of a prepared curve",
+                      relative(std::max(std::abs(error_of_prepared.x), std::abs(error_of_prepared.y)), scales[0]),
+                      1e-15, name);
             const Jet jet = derivatives_at(curve, u, static_cast<int>(expected.size()) - 1);
             EXPECT_EQ(point_at(curve, u), jet.point);
             std::vector<Point> found{jet.point};

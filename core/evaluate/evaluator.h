@@ -1,0 +1,45 @@
+/// A curve prepared for many points.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/evaluate/detail/taylor_pieces.h"
+#include "core/evaluate/evaluate.h"
+
+namespace batten::core {
+
+/// Gives the points of one curve: those of point_at up to rounding, many times faster. Holds the polynomial of every
+/// span, 8 bytes for each of some 2 (rational 3) p + 6 numbers, and a table that finds the span.
+class Evaluator {
+  public:
+    /// Cost O(n p^3).
+    explicit Evaluator(Curve curve);
+
+    const Curve& curve() const { return curve_; }
+
+    /// C(u); u is clamped to the domain (wrapped when periodic). At both ends of the domain bit-equal to point_at. Cost
+    /// O(p), and O(log n) more where knots are spread very unevenly.
+    Point point_at(double u, Side side = Side::right) const;
+
+    /// The points at `parameters`, fastest where they ascend; `points` has as many places. In the last digits a point
+    /// depends on the processor.
+    void points_at(std::span<const double> parameters, std::span<Point> points) const;
+
+  private:
+    bool is_inside(double u) const { return pieces_.joints.front() < u && u < pieces_.joints.back(); }
+    std::size_t part_at(double u) const;
+    std::size_t piece_at(double u, Side side) const;
+    std::size_t end_of_run(std::span<const double> parameters, std::size_t piece) const;
+
+    Curve curve_;
+    Point start_{};
+    Point end_{};
+    TaylorPieces pieces_;
+    // The domain in equal parts, some two for each piece. Entry k: the last piece that begins before part k.
+    double parts_per_unit_ = 0.0;
+    std::vector<std::uint32_t> last_pieces_;
+};
+
+}  // namespace batten::core

@@ -1,0 +1,212 @@
+#include "core/evaluate/evaluator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/curve/knot_kinds.h"
+#include "core/make/conics.h"
+#include "tests/core/law_curves.h"
+#include "tests/core/random_curves.h"
+
+namespace batten::core {
+
+namespace {
+
+// Some roundings of the largest coordinate.
+double allowed_in(const Curve& curve) {
+    return 6 * laws::unit_of(curve);
+}
+
+double largest_part(Vector v) {
+    return std::max(std::abs(v.x), std::abs(v.y));
+}
+
+// Parameters from below the domain to above it, with all knots.
+std::vector<double> parameters_over(const Curve& curve, int count) {
+    const auto [lower, upper] = curve.domain();
+    std::vector<double> parameters;
+    for (int k = -2; k <= count + 2; ++k) parameters.push_back(lower + (upper - lower) * k / count);
+    for (const double knot : curve.knots().values()) parameters.push_back(knot);
+    std::sort(parameters.begin(), parameters.end());
+    return parameters;
+}
+
+// The largest difference from point_at, one by one from both sides and many at once.
+double largest_error(const Curve& curve, int count = 97) {
+    const Evaluator evaluator(curve);
+    const std::vector<double> parameters = parameters_over(curve, count);
+    std::vector<Point> points(parameters.size());
+    evaluator.points_at(parameters, points);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const Point right = point_at(curve, parameters[i]);
+        const Point left = point_at(curve, parameters[i], Side::left);
+        largest =
+            std::max({largest, largest_part(points[i] - right), largest_part(evaluator.point_at(parameters[i]) - right),
+                      largest_part(evaluator.point_at(parameters[i], Side::left) - left)});
+    }
+    return largest;
+}
+
+// Knots of every multiplicity in turn, at uneven distances.
+Curve of_every_multiplicity(int degree, bool is_rational, RandomCurves& random) {
+    const auto p = static_cast<std::size_t>(degree);
+    std::vector<double> knots(p + 1, -1.0);
+    for (std::size_t multiplicity = 1; multiplicity <= p; multiplicity += 1 + p / 5)
+        knots.insert(knots.end(), multiplicity, knots.back() + random.number(0.01, 3));
+    knots.insert(knots.end(), p + 1, knots.back() + 1.0);
+    CurveDefinition definition{.degree = degree, .knots = knots};
+    for (std::size_t i = 0; i + p + 1 < knots.size(); ++i) {
+        definition.points.emplace_back(random.number(-8, 8), random.number(-8, 8));
+        if (is_rational) definition.weights.push_back(random.number(0.2, 5));
+    }
+    return Curve::make(definition).value();
+}
+
+Curve of_kind(KnotKind kind, int degree, std::size_t n, RandomCurves& random) {
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < n; ++i) points.emplace_back(random.number(-8, 8), random.number(-8, 8));
+    return Curve::make(make_knots(kind, degree, n).value(), points, {}).value();
+}
+
+Curve scaled(const Curve& curve, double factor, Vector offset = {}) {
+    CurveDefinition definition = curve.definition();
+    for (Point& point : definition.points) point = tip_of(factor * vector_to(point)) + offset;
+    return Curve::make(definition).value();
+}
+
+}  // namespace
+
+TEST(Evaluator, gives_the_points_of_every_sort_of_curve) {
+    laws::check_everywhere("a prepared curve has the same points", [](laws::Setting setting) {
+        const Curve curve = laws::draw_curve(setting);
+        RC_ASSERT(largest_error(curve) <= allowed_in(curve));
+    });
+}
+
+TEST(Evaluator, gives_the_points_at_every_degree_and_multiplicity) {
+    RandomCurves random(31);
+    for (int degree = min_degree; degree <= max_degree; ++degree) {
+        SCOPED_TRACE(degree);
+        for (const bool is_rational : {false, true}) {
+            const Curve curve = of_every_multiplicity(degree, is_rational, random);
+            EXPECT_LE(largest_error(curve), allowed_in(curve)) << is_rational;
+        }
+        for (const KnotKind kind : {KnotKind::uniform, KnotKind::clamped_uniform, KnotKind::periodic}) {
+            const Curve curve = of_kind(kind, degree, 40, random);
+            EXPECT_LE(largest_error(curve), allowed_in(curve)) << name_of(kind);
+        }
+    }
+}
+
+TEST(Evaluator, gives_the_points_of_weights_of_any_size) {
+    RandomCurves random(32);
+    for (int k = 0; k < 300; ++k) {
+        CurveDefinition definition = random.curve().definition();
+        for (double& weight : definition.weights) weight = std::pow(10.0, random.number(-6, 6));
+        const Curve curve = Curve::make(definition).value();
+        EXPECT_LE(largest_error(curve), allowed_in(curve));
+        for (double& weight : definition.weights) weight *= 1e-290;
+        const Curve light = Curve::make(definition).value();
+        EXPECT_LE(largest_error(light), allowed_in(light));
+    }
+}
+
+TEST(Evaluator, gives_the_points_at_any_size_and_place) {
+    RandomCurves random(33);
+    for (int k = 0; k < 50; ++k) {
+        const Curve curve = random.curve();
+        for (const Curve& other : {scaled(curve, 1e-300), scaled(curve, 1e-12), scaled(curve, 1e300),
+                                   scaled(curve, 1e306), scaled(curve, 1, {1e6, -3e8}), scaled(curve, 1e-9, {1, 1})})
+            EXPECT_LE(largest_error(other), allowed_in(other)) << largest_part(vector_to(other.control_points()[0]));
+    }
+}
+
+TEST(Evaluator, gives_the_points_of_both_sides_of_a_tear) {
+    const Evaluator torn(Curve::make({.degree = 2,
+                                      .knots = {0, 0, 0, 1, 1, 1, 2, 2, 2},
+                                      .points = {{0, 0}, {1, 1}, {2, 0}, {5, 0}, {6, -1}, {7, 0}},
+                                      .tears = Tears::allow})
+                             .value());
+    EXPECT_EQ(torn.point_at(1, Side::left), Point(2, 0));
+    EXPECT_EQ(torn.point_at(1, Side::right), Point(5, 0));
+    EXPECT_EQ(torn.point_at(1), Point(5, 0));
+}
+
+TEST(Evaluator, has_the_bits_of_point_at_at_both_ends_and_beyond) {
+    RandomCurves random(34);
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 200; ++k) {
+        const Curve curve = random.curve();
+        const Evaluator evaluator(curve);
+        const auto [lower, upper] = curve.domain();
+        for (const double u : {lower, upper, infinity, -infinity, std::nan("")})
+            for (const Side side : {Side::left, Side::right})
+                EXPECT_EQ(evaluator.point_at(u, side), point_at(curve, u, side)) << u;
+        if (curve.is_periodic()) continue;
+        EXPECT_EQ(evaluator.point_at(lower - 1), point_at(curve, lower));
+        EXPECT_EQ(evaluator.point_at(upper + 1), point_at(curve, upper));
+        std::vector<Point> points(3);
+        evaluator.points_at(std::vector{upper, lower, lower}, points);
+        EXPECT_EQ(points, (std::vector{point_at(curve, upper), point_at(curve, lower), point_at(curve, lower)}));
+    }
+}
+
+TEST(Evaluator, finds_spans_of_very_different_lengths) {
+    CurveDefinition definition{.degree = 1, .knots = {0, 0}, .points = {{0, 0}}};
+    for (int k = -1000; k <= 1000; k += 5) {
+        definition.knots.push_back(std::ldexp(1.0, k));
+        definition.points.emplace_back(k, k % 7);
+    }
+    definition.knots.push_back(definition.knots.back());
+    const Curve curve = Curve::make(definition).value();
+    const Evaluator evaluator(curve);
+    for (int k = -1000; k < 1000; k += 5)
+        for (const double u : {std::ldexp(1.0, k), std::ldexp(3.0, k)})
+            EXPECT_LE(distance(evaluator.point_at(u), point_at(curve, u)), allowed_in(curve)) << k;
+}
+
+TEST(Evaluator, takes_the_shortest_domain_and_the_longest) {
+    const double least = std::numeric_limits<double>::denorm_min();
+    for (const double length : {least, 3 * least, 1e-308, 1e-300, 1.0, 1e300, 1.7e308}) {
+        const Curve curve = Curve::make({.degree = 3,
+                                         .knots = {0, 0, 0, 0, length, length, length, length},
+                                         .points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}}})
+                                .value();
+        const Evaluator evaluator(curve);
+        for (const double u : {0.0, 0.25 * length, 0.5 * length, 0.7 * length, length})
+            EXPECT_LE(distance(evaluator.point_at(u), point_at(curve, u)), allowed_in(curve)) << length;
+    }
+}
+
+TEST(Evaluator, gives_the_same_points_in_any_order_and_number) {
+    RandomCurves random(35);
+    const Curve curve = of_kind(KnotKind::clamped_uniform, 3, 50, random);
+    const Evaluator evaluator(curve);
+    std::vector<double> parameters = parameters_over(curve, 1000);
+    std::vector<Point> sorted(parameters.size());
+    evaluator.points_at(parameters, sorted);
+    std::reverse(parameters.begin(), parameters.end());
+    std::vector<Point> reversed(parameters.size());
+    evaluator.points_at(parameters, reversed);
+    std::reverse(reversed.begin(), reversed.end());
+    EXPECT_EQ(reversed, sorted);
+    for (std::size_t count = 0; count < 20; ++count) {
+        std::vector<Point> few(count);
+        evaluator.points_at(std::span(parameters).subspan(100, count), few);
+        EXPECT_TRUE(std::equal(few.begin(), few.end(), sorted.rbegin() + 100)) << count;
+    }
+}
+
+TEST(Evaluator, keeps_a_circle_round) {
+    const Evaluator evaluator(circle({3, 4}, 5).value());
+    const auto [lower, upper] = evaluator.curve().domain();
+    for (int k = 0; k <= 1000; ++k) {
+        const Point point = evaluator.point_at(lower + (upper - lower) * k / 1000);
+        EXPECT_NEAR(std::hypot(point.x - 3, point.y - 4), 5, 2e-15);
+    }
+}
+
+}  // namespace batten::core
