@@ -20,6 +20,11 @@ struct AsNumbers {
     Numbers operator()(double value) const { return {value}; }
     Numbers operator()(core::Point point) const { return {point.x, point.y}; }
     const Numbers& operator()(const Numbers& numbers) const { return numbers; }
+    Numbers operator()(const std::vector<core::Point>& points) const {
+        Numbers numbers;
+        for (const core::Point& point : points) numbers.insert(numbers.end(), {point.x, point.y});
+        return numbers;
+    }
 };
 
 class Contest {

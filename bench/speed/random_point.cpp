@@ -5,6 +5,7 @@
 #include "bench/peers/occt_curve.h"
 #include "bench/peers/sisl_curve.h"
 #include "core/evaluate/evaluate.h"
+#include "core/evaluate/evaluator.h"
 #include "eigen_curve.h"
 #include "inputs.h"
 #include "works.h"
@@ -34,6 +35,8 @@ void add_points_of(Contests& contests, std::size_t n) {
     const core::Curve curve = spiral(n);
     Contest contest("random_point/n:" + std::to_string(n), parameter_count, 1e-13);
     contest.enter("Batten", each([curve](double u) { return core::point_at(curve, u); }));
+    contest.enter("Batten_prepared",
+                  each([evaluator = core::Evaluator(curve)](double u) { return evaluator.point_at(u); }));
     contest.enter("SISL", each([sisl = std::make_shared<SislCurve>(sisl_curve(curve))](double u) {
                       double point[2];
                       int left = 0;
