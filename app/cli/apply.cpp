@@ -1,10 +1,12 @@
 #include <ostream>
 #include <sstream>
+#include <utility>
 
 #include "app/cli/input.h"
 #include "app/cli/json_output.h"
 #include "app/cli/operation.h"
 #include "app/cli/standard_streams.h"
+#include "app/cli/table_argument.h"
 #include "app/editor/command_reader.h"
 #include "app/editor/editor.h"
 #include "app/editor/native_name.h"
@@ -91,7 +93,8 @@ std::string place_of(std::size_t index, const Operation& operation) {
 }
 
 // Why the operation could not be run, if it could not.
-std::optional<editor::Refusal> run(editor::Editor& editor, const Operation& operation) {
+std::optional<editor::Refusal> run(editor::Editor& editor, Operation& operation) {
+    if (const auto outcome = read_tables(operation); !outcome) return outcome.error();
     const auto command = editor::read_command(*operation.spec, editor.state(), operation.arguments);
     if (!command) return command.error();
     if (!editor.run(*command)) return editor.state().message.text;
@@ -103,13 +106,23 @@ std::filesystem::path name_of_input(const ApplyOptions& options) {
     return options.file.value_or("new document");
 }
 
+// Whether the operation reads standard input although that is read already; notes in `is_read` where it reads it.
+bool reads_input_again(const Operation& operation, bool& is_read) {
+    for (const std::string& word : table_words(operation))
+        if (names_standard_input(word) && std::exchange(is_read, true)) return true;
+    return false;
+}
+
 // Runs the operations; says which one was refused and why.
 ExitStatus run(editor::Editor& editor, const ApplyOptions& options, Output output) {
     Json results = Json::array();
     OperationReader reader(options.operations);
+    bool is_input_read = options.file && is_standard(*options.file);
     for (std::size_t i = 0; !reader.is_at_end(); ++i) {
-        const editor::Outcome<Operation> operation = reader.take(editor.state().history.present());
+        editor::Outcome<Operation> operation = reader.take(editor.state().history.present());
         if (!operation) return say_wrong_usage(output, options, operation.error());
+        if (reads_input_again(*operation, is_input_read))
+            return say_wrong_usage(output, options, "standard input, -, can be read only once");
         if (const auto refusal = run(editor, *operation)) {
             say_error(output, name_of_input(options), place_of(i, *operation), *refusal);
             return ExitStatus::wrong_input;

@@ -10,6 +10,7 @@
 #include "app/cli/divided_words.h"
 #include "app/cli/help_text.h"
 #include "app/cli/standard_streams.h"
+#include "app/cli/table_argument.h"
 #include "app/editor/expression.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -29,8 +30,9 @@ CLI::App* add_command(CLI::App& program, const char* name, const char* descripti
     return command;
 }
 
-// Replaces a formula by the number that it stands for; returns what is wrong with it.
+// Replaces a formula by the number that it stands for; returns what is wrong with it. The name of a table stays.
 std::string evaluate(std::string& text) {
+    if (names_table(text)) return {};
     const auto value = editor::parse_expression(text);
     if (!value) return core::sentence("{found}: {problem}", {{"found", text}, {"problem", value.error()}});
     text = core::shortest_text(*value);
@@ -45,7 +47,9 @@ void add_operations(CLI::App& command, ApplyOptions& options) {
     command
         .add_option("operations", options.operations,
                     "Commands of the palette, each followed by its arguments: insert-knot 0.5 elevate 1 split 0.25; "
-                    "-- ends the arguments of one")
+                    "-- ends the arguments of one; @FILE stands for a list that is read from a table of numbers, @- "
+                    "for one from "
+                    "standard input")
         ->type_name("OPERATION");
     command.add_option("-o,--output", options.result, result_meaning)->type_name("FILE");
 }
@@ -63,6 +67,7 @@ class Subcommands {
 
   private:
     ExitStatus run_check(Output output) const;
+    ExitStatus run_eval(Output output) const;
     ExitStatus run_new(Output output) const;
     ExitStatus run_apply(Output output) const;
     void add_info(CLI::App& program);
@@ -104,7 +109,10 @@ void Subcommands::add_info(CLI::App& program) {
 void Subcommands::add_eval(CLI::App& program) {
     CLI::App* command = add_command(program, "eval", "Print points and derivatives of a curve");
     command->add_option("file", eval_.file, file_meaning)->required()->type_name("FILE");
-    command->add_option("--at", eval_.at, "A parameter in the domain of the curve; may be given more than once")
+    command
+        ->add_option(
+            "--at", eval_.at,
+            "A parameter in the domain of the curve, or @FILE for a table of them; may be given more than once")
         ->required()
         ->allow_extra_args(false)
         ->transform(CLI::Validator(evaluate, ""))
@@ -169,7 +177,7 @@ void Subcommands::parse(CLI::App& program, const std::vector<std::string>& words
 
 std::optional<ExitStatus> Subcommands::run(Output output) const {
     if (info_command_->parsed()) return info(info_, output);
-    if (eval_command_->parsed()) return eval(eval_, output);
+    if (eval_command_->parsed()) return run_eval(output);
     if (check_command_->parsed()) return run_check(output);
     if (new_command_->parsed()) return run_new(output);
     if (apply_command_->parsed()) return run_apply(output);
@@ -185,6 +193,13 @@ ExitStatus Subcommands::run_check(Output output) const {
     if (std::count_if(check_.files.begin(), check_.files.end(), is_standard) > 1)
         return say_wrong_usage(output, "batten check: standard input, -, can be read only once");
     return check(check_, output);
+}
+
+ExitStatus Subcommands::run_eval(Output output) const {
+    const auto inputs = std::count_if(eval_.at.begin(), eval_.at.end(), names_standard_input);
+    if (inputs + (is_standard(eval_.file) ? 1 : 0) > 1)
+        return say_wrong_usage(output, "batten eval: standard input, -, can be read only once");
+    return eval(eval_, output);
 }
 
 ExitStatus Subcommands::run_new(Output output) const {

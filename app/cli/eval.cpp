@@ -4,6 +4,7 @@
 
 #include "app/cli/input.h"
 #include "app/cli/json_output.h"
+#include "app/cli/table_argument.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
@@ -16,10 +17,29 @@ std::string place_of(const core::DocumentCurve& entry) {
     return core::sentence("curve '{name}'", {{"name", entry.name}});
 }
 
+// The parameters that the words stand for; none after saying why not.
+std::optional<std::vector<double>> parameters_of(const EvalOptions& options, Output output) {
+    std::vector<double> parameters;
+    for (const std::string& word : options.at) {
+        if (!names_table(word)) {
+            parameters.push_back(core::leading_number(word)->value);
+            continue;
+        }
+        const auto numbers = read_table(word, TableLine::numbers);
+        if (!numbers) {
+            output.errors << numbers.error().sentence() << '\n';
+            return std::nullopt;
+        }
+        parameters.insert(parameters.end(), numbers->begin(), numbers->end());
+    }
+    return parameters;
+}
+
 // The parameters must lie in the domain of an open curve; a periodic one goes on for ever.
-bool are_parameters_inside(const EvalOptions& options, Output output, const core::DocumentCurve& entry) {
+bool are_parameters_inside(const std::vector<double>& parameters, const EvalOptions& options, Output output,
+                           const core::DocumentCurve& entry) {
     const core::Curve& curve = *entry.curve;
-    for (const double u : options.at) {
+    for (const double u : parameters) {
         if (curve.is_periodic() || curve.domain().contains(u)) continue;
         const core::CurveError error{.code = core::CurveErrorCode::parameter_outside_domain,
                                      .value = u,
@@ -60,11 +80,12 @@ ExitStatus eval(const EvalOptions& options, Output output) {
     const std::optional<std::size_t> index = find_curve(output, options.file, *document, options.curve);
     if (!index) return ExitStatus::wrong_input;
     const core::DocumentCurve& entry = document->curves[*index];
-    if (!are_parameters_inside(options, output, entry)) return ExitStatus::wrong_input;
+    const auto parameters = parameters_of(options, output);
+    if (!parameters || !are_parameters_inside(*parameters, options, output, entry)) return ExitStatus::wrong_input;
 
     Json rows = Json::array();
     std::ostringstream table;
-    for (const double u : options.at) {
+    for (const double u : *parameters) {
         const core::Jet jet = core::derivatives_at(*entry.curve, u, options.derivatives, options.side);
         if (!is_finite(jet)) {
             say_error(output, options.file, place_of(entry),

@@ -23,16 +23,6 @@ std::vector<const Field*> parts_of(const editor::CommandSpec& spec) {
     return parts;
 }
 
-// The field that the last one of `count` arguments is for: the last ones that can be left out are.
-const Field* field_of_last(const std::vector<const Field*>& parts, std::size_t count) {
-    std::size_t left_out = parts.size() - count;
-    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
-        if (left_out == 0 || !(*part)->can_be_left_out()) return *part;
-        --left_out;
-    }
-    return nullptr;
-}
-
 bool names_curve(const Field& field, const std::string& word, const core::Document& document) {
     const bool is_curve = field.kind == FieldKind::curve_name || field.kind == FieldKind::curve_index;
     return is_curve && core::curve_meant_by(document, word);
@@ -59,6 +49,13 @@ bool can_mean(const Field& field, const std::string& word) {
 const editor::CommandSpec* operation_called(const std::string& name) {
     const editor::CommandSpec* spec = editor::find_command(name);
     return spec != nullptr && spec->offered.scripts ? spec : nullptr;
+}
+
+std::vector<const Field*> fields_of_arguments(const editor::CommandSpec& spec, std::size_t count) {
+    std::vector<const Field*> fields = parts_of(spec);
+    for (std::size_t i = fields.size(); i-- > 0 && fields.size() > count;)
+        if (fields[i]->can_be_left_out()) fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(i));
+    return fields;
 }
 
 std::size_t needed_count(const editor::CommandSpec& spec) {
@@ -97,7 +94,7 @@ bool OperationReader::is_argument(const editor::CommandSpec& spec, std::size_t g
         return is_needed && next_ < words_.size();
     }
     if (is_needed) return true;
-    const Field& field = *field_of_last(parts, given + 1);
+    const Field& field = *fields_of_arguments(spec, given + 1).back();
     const std::string& word = words_[next_];
     if (names_curve(field, word, document)) return true;
     if (operation_called(word) != nullptr) return false;

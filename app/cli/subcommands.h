@@ -30,9 +30,9 @@ ExitStatus info(const InfoOptions& options, Output output);
 
 struct EvalOptions {
     std::filesystem::path file;
-    std::vector<double> at;  ///< parameters
-    std::string curve;       ///< its name or number; empty: the active one
-    int derivatives = 0;     ///< how many
+    std::vector<std::string> at;  ///< parameters, or tables of them: "0.5", "@parameters.txt"
+    std::string curve;            ///< its name or number; empty: the active one
+    int derivatives = 0;          ///< how many
     core::Side side = core::Side::right;
     bool as_json = false;
 };

@@ -1,11 +1,26 @@
-/// Numbers as text that reads back to the same double.
+/// Numbers as text that reads back to the same double, and back.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace batten::core {
 
 /// The shortest such text, "0.1", whatever the locale.
 std::string shortest_text(double value);
+
+/// Appends it to `text`.
+void append_shortest_text(std::string& text, double value);
+
+/// A number that stands at the front of a text, and how many bytes it takes there.
+struct LeadingNumber {
+    double value = 0.0;
+    std::size_t length = 0;
+};
+
+/// The decimal number at the front of `text`, "2", "+.5" or "1e-3", as the double that is nearest to it, whatever the
+/// locale; none where there is no number, or one that is not finite or outside the range of doubles.
+std::optional<LeadingNumber> leading_number(std::string_view text);
 
 }  // namespace batten::core

@@ -68,7 +68,7 @@ FileResult<std::string> read_text(int descriptor, const std::string& name) {
         const std::size_t zero = text.find('\0', before);
         if (zero != std::string::npos) return text.substr(0, zero + 1);
         if (text.size() > most_file_bytes)
-            return refused(name, sentence("there are more than {most} MiB; this is not a curve document",
+            return refused(name, sentence("there are more than {most} MiB, the most that is read",
                                           {{"most", most_file_bytes >> 20U}}));
     }
 }

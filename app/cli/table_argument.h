@@ -1,0 +1,31 @@
+/// Arguments that are written @FILE: lists of numbers too long for a command line.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/number_table.h"
+#include "app/cli/operation.h"
+
+namespace batten::cli {
+
+/// Whether a word where a list is needed names a table: "@points.csv", or "@-" for standard input.
+inline bool names_table(const std::string& word) {
+    return word.starts_with('@');
+}
+
+/// Whether the word names standard input.
+inline bool names_standard_input(const std::string& word) {
+    return word == "@-";
+}
+
+/// The numbers of the table that `word` names. The error's place is the file's name, also where a line is meant.
+core::FileResult<std::vector<double>> read_table(const std::string& word, TableLine line);
+
+/// The words of `operation` that name a table where a list of points, numbers or indices is needed.
+std::vector<std::string> table_words(const Operation& operation);
+
+/// Puts the numbers of those tables in their place. The refusal is one sentence.
+editor::Outcome<void> read_tables(Operation& operation);
+
+}  // namespace batten::cli

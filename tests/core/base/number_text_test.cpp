@@ -1,0 +1,45 @@
+#include "core/base/number_text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace batten::core {
+namespace {
+
+TEST(NumberText, shortest_text_reads_back) {
+    EXPECT_EQ(shortest_text(0.1), "0.1");
+    EXPECT_EQ(shortest_text(100000.0), "1e+05");
+    EXPECT_EQ(shortest_text(-0.0), "-0");
+    std::string text = "u = ";
+    append_shortest_text(text, 0.1 + 0.2);
+    EXPECT_EQ(text, "u = 0.30000000000000004");
+    EXPECT_EQ(leading_number(shortest_text(std::numeric_limits<double>::denorm_min()))->value, 0x1p-1074);
+}
+
+void expect_number(std::string_view text, double value, std::size_t length) {
+    const auto found = leading_number(text);
+    ASSERT_TRUE(found) << text;
+    EXPECT_EQ(found->value, value) << text;
+    EXPECT_EQ(found->length, length) << text;
+}
+
+TEST(NumberText, numbers_are_read_at_the_front) {
+    expect_number("2", 2.0, 1);
+    expect_number("+.5,7", 0.5, 3);
+    expect_number("-1e-3 ", -0.001, 5);
+    expect_number("1.2.3", 1.2, 3);
+    expect_number("0,5", 0.0, 1);
+    // Halfway between 1 and the next double, and a digit beyond: to the even one, and up.
+    expect_number("1.00000000000000011102230246251565404236316680908203125", 1.0, 55);
+    expect_number("1.000000000000000111022302462515654042363166809082031251", 0x1.0000000000001p0, 56);
+}
+
+TEST(NumberText, what_is_no_finite_number_is_none) {
+    for (const char* text : {"", " 1", "x", "+-1", "--1", "nan", "inf", "-infinity", "1e999", "1e-999", ".", "-"})
+        EXPECT_FALSE(leading_number(text)) << text;
+}
+
+}  // namespace
+}  // namespace batten::core
