@@ -3,8 +3,21 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 namespace batten::core {
+
+namespace {
+
+// What std::to_chars makes of the arguments.
+template <class... Arguments>
+void append_chars(std::string& text, Arguments... arguments) {
+    std::array<char, 32> buffer{};
+    char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), arguments...).ptr;
+    text.append(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+}
+
+}  // namespace
 
 std::string shortest_text(double value) {
     std::string text;
@@ -13,9 +26,21 @@ std::string shortest_text(double value) {
 }
 
 void append_shortest_text(std::string& text, double value) {
-    std::array<char, 32> buffer{};
-    char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-    text.append(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+    append_chars(text, value);
+}
+
+void append_json_text(std::string& text, double value) {
+    constexpr double least_fixed = 1e-4;
+    constexpr double least_with_exponent = 1e15;
+    const double size = std::abs(value);
+    if (value == 0.0)
+        text.append(std::signbit(value) ? "-0.0" : "0");
+    else if (size < least_with_exponent && std::trunc(value) == value)
+        append_chars(text, static_cast<std::int64_t>(value));
+    else
+        append_chars(text, value,
+                     least_fixed <= size && size < least_with_exponent ? std::chars_format::fixed
+                                                                       : std::chars_format::scientific);
 }
 
 std::optional<LeadingNumber> leading_number(std::string_view text) {

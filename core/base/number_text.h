@@ -13,6 +13,10 @@ std::string shortest_text(double value);
 /// Appends it to `text`.
 void append_shortest_text(std::string& text, double value);
 
+/// Appends the shortest such text as JSON has it: with an exponent only below 1e-4 and from 1e15 on, and for whole
+/// numbers before that without a fraction. Negative zero is "-0.0". `value` must be finite.
+void append_json_text(std::string& text, double value);
+
 /// A number that stands at the front of a text, and how many bytes it takes there.
 struct LeadingNumber {
     double value = 0.0;

@@ -1,14 +1,15 @@
 #include "core/document/file_text.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <vector>
 
 #include "core/base/sentence.h"
+#include "core/document/detail/input_file.h"
 #include "core/document/detail/signals_held.h"
 #include "core/document/detail/temporary_file.h"
 
@@ -27,16 +28,21 @@ tl::unexpected<FileError> refused_by_system(const std::string& name, const char*
     return refused(name, sentence(pattern, {{"reason", std::strerror(errno)}}));
 }
 
-// Appends what one call reads; returns how many bytes that were, 0 at the end, -1 on errors.
-ssize_t read_more(int descriptor, std::string& text) {
+// Reads to the end, or to a zero byte.
+FileResult<std::string> whole_text(InputFile& file) {
+    std::string text;
+    text.reserve(std::min(file.expected_bytes(), most_file_bytes));
     constexpr std::size_t block_bytes = 65536;
-    std::array<char, block_bytes> block;
-    ssize_t count = -1;
-    do {
-        count = read(descriptor, block.data(), block.size());
-    } while (count < 0 && errno == EINTR);
-    if (count > 0) text.append(block.data(), static_cast<std::size_t>(count));
-    return count;
+    std::vector<char> block(block_bytes);
+    for (;;) {
+        const FileResult<std::size_t> count = file.read(block.data(), block.size());
+        if (!count) return tl::unexpected(count.error());
+        if (*count == 0) return text;
+        const std::string_view more(block.data(), *count);
+        const std::size_t zero = more.find('\0');
+        text.append(more.substr(0, zero == std::string_view::npos ? zero : zero + 1));
+        if (zero != std::string_view::npos) return text;
+    }
 }
 
 // The file itself where `path` is a link, or a chain of links, so that saving does not replace the link. A link to
@@ -59,28 +65,12 @@ std::string FileError::sentence() const {
 }
 
 FileResult<std::string> read_text(int descriptor, const std::string& name) {
-    std::string text;
-    for (;;) {
-        const std::size_t before = text.size();
-        const ssize_t count = read_more(descriptor, text);
-        if (count < 0) return refused_by_system(name, "the file cannot be read: {reason}");
-        if (count == 0) return text;
-        const std::size_t zero = text.find('\0', before);
-        if (zero != std::string::npos) return text.substr(0, zero + 1);
-        if (text.size() > most_file_bytes)
-            return refused(name, sentence("there are more than {most} MiB, the most that is read",
-                                          {{"most", most_file_bytes >> 20U}}));
-    }
+    InputFile file(descriptor, name);
+    return whole_text(file);
 }
 
 FileResult<std::string> read_text(const fs::path& path) {
-    std::error_code error;
-    if (fs::is_directory(path, error)) return refused(path.string(), "this is a folder; a file is needed");
-    const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
-    if (file < 0) return refused_by_system(path.string(), "the file cannot be opened: {reason}");
-    FileResult<std::string> text = read_text(file, path.string());
-    close(file);
-    return text;
+    return InputFile::open(path).and_then([](InputFile file) { return whole_text(file); });
 }
 
 FileResult<void> replace_text(const fs::path& path, std::string_view text) {

@@ -1,8 +1,19 @@
 #include "core/document/native_file.h"
 
+#include "core/document/detail/native_reader.h"
+
 namespace batten::core {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+FileResult<Document> read_file(InputFile& file, const Progress& progress) {
+    TextStream text(file, progress);
+    return read_document(text);
+}
+
+}  // namespace
 
 FileResult<Curve> load_curve(const fs::path& path) {
     const FileResult<Document> document = load_document(path);
@@ -20,12 +31,18 @@ FileResult<void> save_curve(const Curve& curve, const fs::path& path, const std:
     return save_document(document, path);
 }
 
-FileResult<Document> load_document(const fs::path& path) {
-    return read_text(path).and_then(parse_document);
+FileResult<Document> parse_document(std::string_view text) {
+    TextStream stream(text);
+    return read_document(stream);
+}
+
+FileResult<Document> load_document(const fs::path& path, const Progress& progress) {
+    return InputFile::open(path).and_then([&](InputFile file) { return read_file(file, progress); });
 }
 
 FileResult<Document> load_document(int descriptor, const std::string& name) {
-    return read_text(descriptor, name).and_then(parse_document);
+    InputFile file(descriptor, name);
+    return read_file(file, {});
 }
 
 FileResult<void> save_document(const Document& document, const fs::path& path) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/progress.h"
 #include "core/document/document.h"
 #include "core/document/file_text.h"
 
@@ -25,8 +26,10 @@ namespace batten::core {
 /// The text that parse_document reads back to an equal document; numbers as the shortest text of the same double.
 std::string format_document(const Document& document);
 
-/// parse_document of the file's content. Errors also: those of read_text.
-[[nodiscard]] FileResult<Document> load_document(const std::filesystem::path& path);
+/// parse_document of the file's content, which is never held whole: besides the document itself the numbers of its
+/// curves take at most twice their memory. `progress` is told how much is read, where the size of the file is known.
+/// Errors also: those of read_text.
+[[nodiscard]] FileResult<Document> load_document(const std::filesystem::path& path, const Progress& progress = {});
 
 /// The same for what the open file `descriptor` still has; `name` stands for it in errors.
 [[nodiscard]] FileResult<Document> load_document(int descriptor, const std::string& name);

@@ -134,11 +134,14 @@ class Streams(unittest.TestCase):
                 self.assertEqual(process.stderr.count("\n"), 1)
 
     def test_input_without_end_has_a_limit(self):
-        with subprocess.Popen(["yes", "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[["], stdout=subprocess.PIPE) as endless:
-            process = run("info", "-", stdin=endless.stdout)
-            endless.stdout.close()
-        self.assertEqual(process.returncode, 1)
-        self.assertIn("more than 128 MiB", process.stderr)
+        for line, arguments, refusal in (("0 0", ("new", "polyline", "@-"), "standard input: there are more than 128 MiB"),
+                                         ("[", ("info", "-"), "standard input: lists and objects are nested more than 100 deep"),
+                                         ("x", ("info", "-"), "standard input: line 1, column 1: this is not JSON")):
+            with subprocess.Popen(["yes", line], stdout=subprocess.PIPE) as endless:
+                process = run(*arguments, stdin=endless.stdout)
+                endless.stdout.close()
+            self.assertEqual(process.returncode, 1)
+            self.assertIn(refusal, process.stderr)
 
     def test_a_pipe_with_a_name_is_read(self):
         os.mkfifo(self.folder / "pipe")

@@ -1,20 +1,15 @@
 #include "core/document/detail/json_text.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "core/base/sentence.h"
+#include "core/document/detail/number_list.h"
 
 namespace batten::core {
 
 namespace {
-
-std::string line_and_column(std::string_view text, std::size_t byte) {
-    const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
-    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    const std::size_t line_start = before.rfind('\n') + 1;
-    return sentence("line {line}, column {column}", {{"line", line}, {"column", before.size() - line_start + 1}});
-}
 
 // The library says "[...] parse error at line 1, column 2: syntax error while parsing value - invalid literal; last
 // read: '[N'". Kept is what was wrong and expected; what was read last may be long and need not be UTF-8.
@@ -29,54 +24,126 @@ std::string without_decoration(std::string message) {
     return message;
 }
 
-// Reads through the text without building anything and notes the first defect.
-class SyntaxCheck : public nlohmann::json_sax<Json> {
+// The stream as the library reads it: a range that ends where the stream does.
+class StreamIterator {
   public:
-    explicit SyntaxCheck(std::string_view text) : text_(text) {}
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = char;
 
+    // Without a stream it is the end of every range.
+    explicit StreamIterator(TextStream* text = nullptr) : text_(text) {}
+
+    char operator*() const { return text_->front(); }
+    StreamIterator& operator++() {
+        text_->skip(1);
+        return *this;
+    }
+    bool operator==(const StreamIterator& other) const { return is_at_end() == other.is_at_end(); }
+
+  private:
+    bool is_at_end() const { return text_ == nullptr || text_->is_at_end(); }
+
+    TextStream* text_;
+};
+
+// Builds the tree and notes the first defect. The numbers of curves it takes from under the library's eyes: that
+// stands, when a list begins, behind its bracket, and goes on with what is left of the list.
+class TreeBuilder : public nlohmann::json_sax<Json> {
+  public:
+    explicit TreeBuilder(TextStream& text) : text_(text) {}
+
+    Json& tree() { return tree_; }
     const FileError& error() const { return error_; }
 
-    bool null() override { return true; }
-    bool boolean(bool) override { return true; }
-    bool number_integer(number_integer_t) override { return true; }
-    bool number_unsigned(number_unsigned_t) override { return true; }
-    bool number_float(number_float_t, const string_t&) override { return true; }
-    bool string(string_t&) override { return true; }
-    bool binary(binary_t&) override { return true; }
-    bool start_object(std::size_t) override { return enter(); }
+    bool null() override { return add(nullptr); }
+    bool boolean(bool value) override { return add(value); }
+    bool number_integer(number_integer_t value) override { return add(value); }
+    bool number_unsigned(number_unsigned_t value) override { return add(value); }
+    bool number_float(number_float_t value, const string_t&) override { return add(value); }
+    bool string(string_t& value) override { return add(std::move(value)); }
+    bool binary(binary_t&) override { return false; }
+    bool start_object(std::size_t) override { return enter(Json::object()); }
     bool end_object() override { return leave(); }
-    bool start_array(std::size_t) override { return enter(); }
     bool end_array() override { return leave(); }
 
+    bool start_array(std::size_t) override {
+        if (!enter(Json::array())) return false;
+        if (is_member_of_curve("knots") || is_member_of_curve("weights")) take_packed(ListItem::number);
+        if (is_member_of_curve("points")) take_packed(ListItem::pair);
+        return true;
+    }
+
     bool key(string_t& name) override {
-        if (names_.back().size() == most_members)
+        Open& object = open_.back();
+        if (object.names.size() == most_members)
             return refuse({"", sentence("an object has more than {most} members; this is not a curve document",
                                         {{"most", most_members}})});
-        if (names_.back().insert(name).second) return true;
-        return refuse({"", sentence("the member \"{name}\" occurs twice in one object; every name may occur once",
-                                    {{"name", name}})});
+        if (!object.names.insert(name).second)
+            return refuse({"", sentence("the member \"{name}\" occurs twice in one object; every name may occur once",
+                                        {{"name", name}})});
+        object.next_name = std::move(name);
+        return true;
     }
 
     bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception& exception) override {
+        // Counted from 1, and without what was taken; at the front of an empty text there is no byte.
+        const std::string where = text_.line_and_column(bytes_taken_ + std::max<std::size_t>(byte, 1) - 1);
         // The only error of another kind than syntax is a number beyond the range of doubles.
         const bool is_syntax = dynamic_cast<const Json::parse_error*>(&exception) != nullptr;
-        if (!is_syntax)
-            return refuse({line_and_column(text_, byte), "the number is too large; numbers must be finite"});
-        return refuse({line_and_column(text_, byte),
-                       sentence("this is not JSON: {reason}", {{"reason", without_decoration(exception.what())}})});
+        if (!is_syntax) return refuse({where, "the number is too large; numbers must be finite"});
+        return refuse(
+            {where, sentence("this is not JSON: {reason}", {{"reason", without_decoration(exception.what())}})});
     }
 
   private:
-    bool enter() {
-        names_.emplace_back();
-        if (names_.size() <= deepest_nesting) return true;
+    // A list or an object whose end is not read yet.
+    struct Open {
+        Json* value;
+        std::string name;               // as a member of the object around it
+        std::set<std::string> names{};  // of its members
+        std::string next_name{};        // of the member that follows
+    };
+
+    Json& added(Json value) {
+        if (open_.empty()) return tree_ = std::move(value);
+        Open& around = open_.back();
+        if (around.value->is_object()) return (*around.value)[around.next_name] = std::move(value);
+        around.value->push_back(std::move(value));
+        return around.value->back();
+    }
+
+    bool add(Json value) {
+        added(std::move(value));
+        return true;
+    }
+
+    bool enter(Json value) {
+        const std::string name = open_.empty() ? std::string() : open_.back().next_name;
+        open_.push_back({&added(std::move(value)), name});
+        if (open_.size() <= deepest_nesting) return true;
         return refuse({"", sentence("lists and objects are nested more than {most} deep; this is not a curve document",
                                     {{"most", deepest_nesting}})});
     }
 
     bool leave() {
-        names_.pop_back();
+        open_.pop_back();
         return true;
+    }
+
+    // Whether what was opened last is /curves/i/`name`.
+    bool is_member_of_curve(std::string_view name) const {
+        return open_.size() == 4 && open_[3].name == name && open_[2].value->is_object() && open_[1].name == "curves" &&
+               open_[1].value->is_array() && open_[0].value->is_object();
+    }
+
+    void take_packed(ListItem item) {
+        const std::size_t before = text_.position();
+        Json items = take_numbers(text_, item);
+        bytes_taken_ += text_.position() - before;
+        if (!items.get_binary().empty()) add(std::move(items));
     }
 
     bool refuse(FileError found) {
@@ -84,21 +151,21 @@ class SyntaxCheck : public nlohmann::json_sax<Json> {
         return false;
     }
 
-    std::string_view text_;
-    std::vector<std::set<std::string>> names_;
+    TextStream& text_;
+    std::size_t bytes_taken_ = 0;
+    Json tree_;
+    std::vector<Open> open_;
     FileError error_;
 };
 
 }  // namespace
 
-FileResult<Json> parse_json(std::string_view text) {
-    // The library takes a zero byte for the end of the text and would not see what is behind it.
-    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
-        return tl::unexpected(
-            FileError{line_and_column(text, zero + 1), "this is not JSON: there is a zero byte, which no text has"});
-    SyntaxCheck check(text);
-    if (!Json::sax_parse(text, &check)) return tl::unexpected(check.error());
-    return Json::parse(text, nullptr, false);
+FileResult<Json> parse_json(TextStream& text) {
+    TreeBuilder builder(text);
+    const bool is_read = Json::sax_parse(StreamIterator(&text), StreamIterator(), &builder);
+    if (text.is_at_end() && text.error()) return tl::unexpected(*text.error());
+    if (!is_read) return tl::unexpected(builder.error());
+    return std::move(builder.tree());
 }
 
 }  // namespace batten::core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/detail/native_format.h"
+#include "core/document/detail/text_stream.h"
 #include "core/document/native_file.h"
 
 namespace batten::core {
@@ -12,9 +13,10 @@ inline constexpr std::size_t deepest_nesting = 100;
 /// Objects of more members are refused, because a member is found by comparing with all before it.
 inline constexpr std::size_t most_members = 10'000;
 
-/// The tree of `text`. Refused with "line L, column C": anything that is not JSON, numbers too large for a double, text
+/// The tree of `text`, in which the lists of numbers of curves (/curves/i/knots, points, weights) are packed as
+/// number_list.h says. Refused with "line L, column C": anything that is not JSON, numbers too large for a double, text
 /// that is not UTF-8. Refused without a place: nesting or members beyond the limits, a member that occurs twice in one
-/// object.
-[[nodiscard]] FileResult<Json> parse_json(std::string_view text);
+/// object. Also: what ended the text early.
+[[nodiscard]] FileResult<Json> parse_json(TextStream& text);
 
 }  // namespace batten::core

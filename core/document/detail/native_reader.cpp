@@ -1,3 +1,5 @@
+#include "core/document/detail/native_reader.h"
+
 #include <fmt/core.h>
 
 #include <cmath>
@@ -7,7 +9,6 @@
 #include "core/document/detail/json_text.h"
 #include "core/document/detail/native_format.h"
 #include "core/document/detail/object_reader.h"
-#include "core/document/native_file.h"
 
 namespace batten::core {
 
@@ -95,14 +96,17 @@ void read_definition(ObjectReader& reader, CurveDefinition& definition, std::opt
 
 // Without a stored kind it is what the values say, which needs the vector first.
 Result<Curve> make_curve(CurveDefinition definition, std::optional<KnotKind> kind) {
-    if (kind) definition.kind = *kind;
-    auto curve = Curve::make(definition);
+    definition.kind = kind.value_or(KnotKind::custom);
+    auto curve = Curve::make(std::move(definition));
     if (kind || !curve) return curve;
-    definition.kind = classify(curve->knots());
+    const KnotKind found = classify(curve->knots());
+    if (found == KnotKind::custom) return curve;
+    definition = curve->definition();
+    definition.kind = found;
     return Curve::make(std::move(definition));
 }
 
-FileResult<DocumentCurve> read_curve(const Json& object, const std::string& pointer) {
+FileResult<DocumentCurve> read_curve(Json& object, const std::string& pointer) {
     ObjectReader reader(object, pointer);
     DocumentCurve entry;
     CurveDefinition definition;
@@ -136,7 +140,7 @@ void read_format(ObjectReader& reader) {
 }
 
 void read_curves(ObjectReader& reader, std::vector<DocumentCurve>& curves) {
-    const Json* list = reader.find("curves");
+    Json* list = reader.find("curves");
     if (!list) return;
     if (!list->is_array()) return reader.note(wrong_value(reader.place("curves"), *list, "a list of curves"));
     for (std::size_t i = 0; i < list->size(); ++i) {
@@ -155,7 +159,7 @@ std::size_t find_active(const Json& active, const std::vector<DocumentCurve>& cu
 }
 
 void read_view(ObjectReader& document_reader, Document& document) {
-    const Json* object = document_reader.find("view");
+    Json* object = document_reader.find("view");
     if (!object) return;
     ObjectReader reader(*object, document_reader.place("view"));
     reader.optional("parameter", document.view.parameter);
@@ -167,8 +171,8 @@ void read_view(ObjectReader& document_reader, Document& document) {
 
 }  // namespace
 
-FileResult<Document> parse_document(std::string_view text) {
-    const auto tree = parse_json(text);
+FileResult<Document> read_document(TextStream& text) {
+    auto tree = parse_json(text);
     if (!tree) return tl::unexpected(tree.error());
     ObjectReader reader(*tree, "");
     Document document;

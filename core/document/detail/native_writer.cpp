@@ -3,33 +3,20 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "core/document/detail/native_format.h"
+#include "core/document/detail/number_list.h"
 #include "core/document/native_file.h"
 
 namespace batten::core {
 
 namespace {
 
-// Whole numbers below this are exact and are written without a fraction or an exponent.
-constexpr double whole_number_limit = 1e15;
-
+// Whole numbers without a fraction.
 Json number(double value) {
-    const bool is_negative_zero = value == 0.0 && std::signbit(value);
-    if (std::trunc(value) == value && std::abs(value) < whole_number_limit && !is_negative_zero)
-        return static_cast<std::int64_t>(value);
-    return value;
-}
-
-Json numbers(std::span<const double> values) {
-    Json list = Json::array();
-    for (const double value : values) list.push_back(number(value));
-    return list;
-}
-
-Json coordinates(std::span<const Point> points) {
-    Json list = Json::array();
-    for (const Point& point : points) list.push_back(Json::array({number(point.x), number(point.y)}));
-    return list;
+    std::string text;
+    append_json_text(text, value);
+    return Json::parse(text);
 }
 
 // The members of `unknown` (a JSON object as text) that the object does not have yet.
@@ -41,16 +28,15 @@ void add_unknown_members(Json& object, const std::string& unknown) {
 }
 
 Json json_of(const DocumentCurve& entry) {
-    assert(entry.curve != nullptr);
-    const CurveDefinition definition = entry.curve->definition();
+    const Curve& curve = *entry.curve;
     Json object = Json::object();
     object["name"] = entry.name;
-    object["degree"] = definition.degree;
-    object["knots"] = numbers(definition.knots);
-    object["points"] = coordinates(definition.points);
-    object["weights"] = numbers(definition.weights);
-    object["periodic"] = definition.periodic;
-    object["kind"] = name_of(definition.kind);
+    object["degree"] = curve.degree();
+    object["knots"] = packed(curve.knots().stored());
+    object["points"] = packed(curve.control_points());
+    object["weights"] = packed(curve.weights());
+    object["periodic"] = curve.is_periodic();
+    object["kind"] = name_of(curve.knots().kind());
     if (tears_of(entry) == Tears::allow) object["tears"] = true;
     if (entry.color) object["color"] = color_text(*entry.color);
     object["visible"] = entry.visible;
@@ -132,8 +118,42 @@ void write_on_lines(std::string& text, const Json& value, std::size_t indent) {
     text += value.is_object() ? '}' : ']';
 }
 
+void write_numbers(std::string& text, const Json& list) {
+    const std::size_t count = packed_count<double>(list);
+    text += '[';
+    for (std::size_t i = 0; i < count; ++i) {
+        text += i > 0 ? ", " : "";
+        append_json_text(text, packed_at<double>(list, i));
+    }
+    text += ']';
+}
+
+// One pair a line.
+void write_pairs(std::string& text, const Json& list, std::size_t indent) {
+    const std::size_t count = packed_count<Point>(list);
+    const std::string line = line_of(indent + 2);
+    text += '[';
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto pair = packed_at<Point>(list, i);
+        if (i > 0) text += ',';
+        text += line;
+        text += '[';
+        append_json_text(text, pair.x);
+        text += ',';
+        text += ' ';
+        append_json_text(text, pair.y);
+        text += ']';
+    }
+    text += line_of(indent);
+    text += ']';
+}
+
 void write_value(std::string& text, const Json& value, std::size_t indent) {
-    if (is_on_one_line(value))
+    if (value.is_binary() && packed_item(value) == ListItem::pair)
+        write_pairs(text, value, indent);
+    else if (value.is_binary())
+        write_numbers(text, value);
+    else if (is_on_one_line(value))
         write_on_one_line(text, value);
     else if (value.is_structured())
         write_on_lines(text, value, indent);
@@ -144,7 +164,14 @@ void write_value(std::string& text, const Json& value, std::size_t indent) {
 }  // namespace
 
 std::string format_document(const Document& document) {
+    constexpr std::size_t usual_length = 20;
+    std::size_t numbers = 0;
+    for (const DocumentCurve& entry : document.curves) {
+        assert(entry.curve != nullptr);
+        numbers += 4 * entry.curve->control_points().size();
+    }
     std::string text;
+    text.reserve(usual_length * numbers);
     write_value(text, json_of(document), 0);
     text += '\n';
     return text;

@@ -64,11 +64,11 @@ std::optional<FileError> take(const Json& value, const std::string& pointer, Poi
     return take(value[1], place_in(pointer, 1), target.y);
 }
 
-ObjectReader::ObjectReader(const Json& object, std::string pointer) : object_(object), pointer_(std::move(pointer)) {
+ObjectReader::ObjectReader(Json& object, std::string pointer) : object_(object), pointer_(std::move(pointer)) {
     if (!object_.is_object()) note(wrong_value(pointer_, object_, "an object"));
 }
 
-const Json* ObjectReader::find(const char* name) {
+Json* ObjectReader::find(const char* name) {
     if (error_) return nullptr;
     known_.insert(name);
     const auto member = object_.find(name);

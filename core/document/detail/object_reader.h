@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "core/document/detail/native_format.h"
+#include "core/document/detail/number_list.h"
 #include "core/document/native_file.h"
 
 namespace batten::core {
@@ -25,17 +27,25 @@ std::optional<FileError> take(const Json& value, const std::string& pointer, dou
 std::optional<FileError> take(const Json& value, const std::string& pointer, std::string& target);
 std::optional<FileError> take(const Json& value, const std::string& pointer, Point& target);
 
+/// The items of a list may be packed, as number_list.h says; those are let go once they are stored.
 template <class T>
-std::optional<FileError> take(const Json& value, const std::string& pointer, std::vector<T>& target) {
+std::optional<FileError> take(Json& value, const std::string& pointer, std::vector<T>& target) {
     if (!value.is_array()) return wrong_value(pointer, value, "a list");
-    target.resize(value.size());
-    for (std::size_t i = 0; i < target.size(); ++i)
-        if (auto error = take(value[i], place_in(pointer, i), target[i])) return error;
+    target.clear();
+    for (Json& item : value) {
+        if constexpr (can_be_packed<T>)
+            if (item.is_binary()) {
+                unpack(std::exchange(item, nullptr), target);
+                continue;
+            }
+        const std::string place = place_in(pointer, target.size());
+        if (auto error = take(item, place, target.emplace_back())) return error;
+    }
     return std::nullopt;
 }
 
 template <class T>
-std::optional<FileError> take(const Json& value, const std::string& pointer, std::optional<T>& target) {
+std::optional<FileError> take(Json& value, const std::string& pointer, std::optional<T>& target) {
     return take(value, pointer, target.emplace());
 }
 
@@ -43,25 +53,25 @@ std::optional<FileError> take(const Json& value, const std::string& pointer, std
 class ObjectReader {
   public:
     /// `object` must outlive the reader; `pointer` is its place in the file, "" for the whole.
-    ObjectReader(const Json& object, std::string pointer);
+    ObjectReader(Json& object, std::string pointer);
 
     /// Stores member `name` in `target`, which stays as it is when there is no such member.
     template <class T>
     void optional(const char* name, T& target) {
-        if (const Json* value = find(name)) note(take(*value, place(name), target));
+        if (Json* value = find(name)) note(take(*value, place(name), target));
     }
 
     /// The same for a member that must be there.
     template <class T>
     void required(const char* name, T& target) {
-        if (const Json* value = find(name))
+        if (Json* value = find(name))
             note(take(*value, place(name), target));
         else
             note(missing_member(pointer_, name));
     }
 
     /// The member `name`, or null; asked for by name, it counts as known.
-    const Json* find(const char* name);
+    Json* find(const char* name);
 
     /// Keeps `error` unless there is one already.
     void note(std::optional<FileError> error);
@@ -75,7 +85,7 @@ class ObjectReader {
     std::string unknown_members() const;
 
   private:
-    const Json& object_;
+    Json& object_;
     std::string pointer_;
     std::set<std::string> known_;
     std::optional<FileError> error_;

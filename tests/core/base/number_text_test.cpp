@@ -18,6 +18,23 @@ TEST(NumberText, shortest_text_reads_back) {
     EXPECT_EQ(leading_number(shortest_text(std::numeric_limits<double>::denorm_min()))->value, 0x1p-1074);
 }
 
+TEST(NumberText, json_text_has_exponents_only_far_from_one) {
+    const auto text_of = [](double value) {
+        std::string text;
+        append_json_text(text, value);
+        return text;
+    };
+    EXPECT_EQ(text_of(100000.0), "100000");
+    EXPECT_EQ(text_of(-999999999999999.0), "-999999999999999");
+    EXPECT_EQ(text_of(1e15), "1e+15");
+    EXPECT_EQ(text_of(999999999999999.9), "999999999999999.9");
+    EXPECT_EQ(text_of(0.0001), "0.0001");
+    EXPECT_EQ(text_of(0.000099), "9.9e-05");
+    EXPECT_EQ(text_of(0.0), "0");
+    EXPECT_EQ(text_of(-0.0), "-0.0");
+    EXPECT_EQ(text_of(-std::numeric_limits<double>::max()), "-1.7976931348623157e+308");
+}
+
 void expect_number(std::string_view text, double value, std::size_t length) {
     const auto found = leading_number(text);
     ASSERT_TRUE(found) << text;

@@ -357,6 +357,65 @@ TEST(NativeFormat, large_files_are_read) {
     EXPECT_EQ(document->curves[0].curve->control_points().size(), static_cast<std::size_t>(count));
 }
 
+std::string spaced_out(const std::string& numbers, std::size_t blanks) {
+    std::string text;
+    for (const char c : numbers) text += c == ' ' ? std::string(blanks, '\n') : std::string(1, c);
+    return text;
+}
+
+// Whatever stands between the numbers and however they are written, they are the same.
+TEST(NativeFormat, numbers_are_read_however_they_are_written) {
+    const std::string many_digits = "1." + std::string(1500, '0');
+    for (const std::string numbers : {"0,0,0,1,1,1", " 0 , 0 , 0 , 1 , 1 , 1 ", "0,0,0.0,1e0,1.0,10E-1",
+                                      "0,0,1e-400,1,1,1", "-0,0,0e5,1,1,0.1e+1"}) {
+        const auto document = parse_document(replaced(file_of(plain_members), "0,0,0,1,1,1", numbers));
+        ASSERT_TRUE(document.has_value()) << document.error().sentence();
+        const auto knots = document->curves[0].curve->knots().stored();
+        EXPECT_TRUE(std::equal(knots.begin(), knots.end(), std::array{0.0, 0.0, 0.0, 1.0, 1.0, 1.0}.begin()));
+        EXPECT_FALSE(std::signbit(knots[0])) << "a whole number has no negative zero";
+    }
+    for (const std::size_t blanks : {1U, 600U, 1500U})
+        for (const std::string& one : {std::string("1"), many_digits}) {
+            const std::string list = spaced_out("[ 0 , 0 , 0 , " + one + " , 1 , 1 ]", blanks);
+            const auto document = parse_document(replaced(file_of(plain_members), "[0,0,0,1,1,1]", list));
+            ASSERT_TRUE(document.has_value()) << document.error().sentence();
+            EXPECT_EQ(document->curves[0].curve->knots()[3], 1.0);
+        }
+    const auto document = parse_document(file_of(plain_members + R"(, "weights": [-0.0, 1, 1])"));
+    EXPECT_EQ(document.error().where, "/curves/0/weights/0");
+}
+
+TEST(NativeFormat, only_numbers_of_curves_are_taken_out_of_the_tree) {
+    const std::string text =
+        R"({"format": "batten", "version": 1, "knots": [1, 2.0], "x": {"curves": [{"points": [[1, 2]]}]},)"
+        R"( "curves": [{)" +
+        plain_members + R"(, "shape": {"knots": [1, 2]}, "lists": [[1, 2], [3]]}]})";
+    const auto document = parse_document(text);
+    ASSERT_TRUE(document.has_value()) << document.error().sentence();
+    EXPECT_EQ(document->unknown_members, R"({"knots":[1,2.0],"x":{"curves":[{"points":[[1,2]]}]}})");
+    EXPECT_EQ(document->curves[0].unknown_members, R"({"shape":{"knots":[1,2]},"lists":[[1,2],[3]]})");
+}
+
+TEST(NativeFormat, errors_in_long_lists_have_their_place) {
+    constexpr int count = 50'000;
+    std::string knots;
+    std::string points;
+    for (int i = 0; i < count; ++i) points.append(i ? ",\n[" : "\n[").append(std::to_string(i)).append(", 0.5]");
+    for (int i = 0; i < count + 2; ++i) knots.append(i ? "," : "").append(std::to_string(i));
+    const std::string good = file_of("\"degree\": 1, \"knots\": [" + knots + "], \"points\": [" + points + "]");
+    EXPECT_TRUE(parse_document(good).has_value());
+    expect_error(replaced(good, ",49999,", ",null,"), "/curves/0/knots/49999", "found null, but it must be a number");
+    expect_error(replaced(good, "[49999, 0.5]", "[49999]"), "/curves/0/points/49999", "found a list of one item");
+    expect_error(replaced(good, "[49999, 0.5]", "[49999, true]"), "/curves/0/points/49999/1", "found true");
+    expect_error(replaced(good, "[49999, 0.5]", "7"), "/curves/0/points/49999", "found 7");
+    expect_error(replaced(good, "[49999, 0.5]", "[49999, 1e999]"), "line 50001, column 13", "too large");
+    expect_error(replaced(good, "[49999, 0.5]", "[49999, NaN]"), "line 50001, column 9", "invalid literal");
+    expect_error(replaced(good, "[49999, 0.5]", "[49999, 0.5],"), "line 50001, column 14", "unexpected ']'");
+    expect_error(replaced(good, "[49999, 0.5]", "[49999, 01]"), "line 50001, column 10", "unexpected number literal");
+    expect_error(good.substr(0, good.find("[49999, 0.5]")), "line 50001, column 1", "unexpected end of input");
+    expect_error(replaced(good, "[49999, 0.5]", std::string("[4\0", 3)), "line 50001, column 3", "zero byte");
+}
+
 TEST(NativeFormat, damaged_files_never_crash) {
     RandomCurves random(112);
     for (int i = 0; i < 2000; ++i) {
@@ -480,6 +539,67 @@ TEST_F(NativeFile, open_descriptors_are_read_to_their_end) {
     ASSERT_EQ(read(ends[0], skipped.data(), skipped.size()), 8);
     EXPECT_EQ(load_document(ends[0], "pipe").value().title, "piped");
     close(ends[0]);
+}
+
+// A file of many blocks, so that numbers, names and ends of lines stand across their edges.
+TEST_F(NativeFile, files_and_texts_are_read_alike) {
+    RandomCurves random(114);
+    Document document;
+    for (int i = 0; i < 1500; ++i) document.curves.push_back(random_document(random).curves.emplace_back());
+    for (DocumentCurve& entry : document.curves) {
+        entry.name = "a curve";
+        entry.curve = std::make_shared<const Curve>(random.curve());
+    }
+    const std::string text = format_document(document);
+    ASSERT_GT(text.size(), std::size_t{1} << 20U);
+    const fs::path path = in_folder("large.json");
+    std::ofstream(path) << text;
+    const auto loaded = load_document(path);
+    ASSERT_TRUE(loaded.has_value()) << loaded.error().sentence();
+    EXPECT_EQ(format_document(*loaded), text);
+    for (const char* wrong : {"x", "]"}) {
+        std::string damaged = text;
+        for (std::size_t at = damaged.size() - 1; at > damaged.size() / 2; at -= damaged.size() / 5) {
+            damaged.insert(at, wrong);
+            std::ofstream(path) << damaged;
+            const FileError error = error_of(damaged);
+            EXPECT_EQ(load_document(path).error().sentence(), error.sentence());
+        }
+    }
+}
+
+TEST_F(NativeFile, progress_is_told_and_may_stop_the_reading) {
+    const fs::path path = in_folder("large.json");
+    Document document = titled(std::string(2'000'000, 'x'));
+    ASSERT_TRUE(save_document(document, path).has_value());
+    std::vector<double> shares;
+    ASSERT_TRUE(load_document(path, [&](double share) { shares.push_back(share); }).has_value());
+    EXPECT_GT(shares.size(), 5U);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_GT(shares.front(), 0.0);
+    EXPECT_EQ(shares.back(), 1.0);
+    struct Stopped {};
+    const auto stop = [](double share) {
+        if (share > 0.3) throw Stopped{};
+    };
+    EXPECT_THROW(static_cast<void>(load_document(path, stop)), Stopped);
+}
+
+TEST_F(NativeFile, a_file_that_grows_meanwhile_is_read_to_its_end) {
+    const fs::path path = in_folder("growing.json");
+    ASSERT_TRUE(save_document(titled(std::string(1'000'000, 'x')), path).has_value());
+    std::ofstream more(path, std::ios::app);
+    int lines = 0;
+    const auto grow = [&](double share) {
+        EXPECT_LE(share, 1.0);
+        if (++lines <= 8) more << std::string(100'000, '\n') << std::flush;
+    };
+    EXPECT_TRUE(load_document(path, grow).has_value());
+    lines = 7;
+    const auto spoil = [&](double) {
+        if (++lines == 8) more << "x" << std::flush;
+    };
+    EXPECT_EQ(load_document(path, spoil).error().where, "line 800007, column 1");
 }
 
 TEST_F(NativeFile, what_cannot_be_read_or_written_is_a_sentence) {
