@@ -170,7 +170,7 @@ ExitStatus apply(const ApplyOptions& options, Output output) {
     std::ostringstream found;
     const ExitStatus status = run(editor, options, {found, output.errors});
     if (status != ExitStatus::wrong_usage)
-        (is_standard(options.result) ? output.errors : output.results) << found.str();
+        (is_standard(options.result) ? output.errors : output.results) << found.view();
     if (status != ExitStatus::done || options.result.empty()) return status;
     return save(editor.state().history.present(), options.result, output);
 }

@@ -271,7 +271,7 @@ std::optional<int> run_command_line(int argc, const char* const* argv, WindowOpt
         status = ExitStatus::wrong_input;
     }
     if (!status) return std::nullopt;
-    if (!write_results(results.str(), output) && status == ExitStatus::done) status = ExitStatus::wrong_input;
+    if (!write_results(results.view(), output) && status == ExitStatus::done) status = ExitStatus::wrong_input;
     return static_cast<int>(*status);
 }
 

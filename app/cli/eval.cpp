@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <ostream>
-#include <sstream>
+#include <string>
 
 #include "app/cli/input.h"
-#include "app/cli/json_output.h"
 #include "app/cli/table_argument.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -56,20 +55,40 @@ bool is_finite(const core::Jet& jet) {
                                                      [](core::Vector vector) { return core::is_finite(vector); });
 }
 
-void print_row(std::ostream& out, double u, const core::Jet& jet) {
-    const auto print_pair = [&](const auto& pair) {
-        out << '\t' << core::shortest_text(pair.x) << '\t' << core::shortest_text(pair.y);
+void append_row(std::string& text, double u, const core::Jet& jet) {
+    const auto append_pair = [&](const auto& pair) {
+        text += '\t';
+        core::append_shortest_text(text, pair.x);
+        text += '\t';
+        core::append_shortest_text(text, pair.y);
     };
-    out << core::shortest_text(u);
-    print_pair(jet.point);
-    for (const core::Vector& derivative : jet.derivatives) print_pair(derivative);
-    out << '\n';
+    core::append_shortest_text(text, u);
+    append_pair(jet.point);
+    for (const core::Vector& derivative : jet.derivatives) append_pair(derivative);
+    text += '\n';
 }
 
-Json json_of_row(double u, const core::Jet& jet) {
-    Json derivatives = Json::array();
-    for (const core::Vector& derivative : jet.derivatives) derivatives.push_back(cli::json_of(derivative));
-    return {{"u", u}, {"point", cli::json_of(jet.point)}, {"derivatives", std::move(derivatives)}};
+// `before`, and a number as print() prints those of a double.
+void append_json(std::string& text, const char* before, double value) {
+    text += before;
+    const std::size_t begin = text.size();
+    core::append_json_text(text, value);
+    const bool looks_whole = text.find_first_of(".e", begin) == std::string::npos;
+    text += looks_whole ? ".0" : "";
+}
+
+// The row as print() prints a member of a list: it would take most of the time to make JSON values of a million.
+void append_json_row(std::string& text, double u, const core::Jet& jet) {
+    append_json(text, text.empty() ? "[\n  {\n    \"u\": " : ",\n  {\n    \"u\": ", u);
+    append_json(text, ",\n    \"point\": [\n      ", jet.point.x);
+    append_json(text, ",\n      ", jet.point.y);
+    const char* before = "\n    ],\n    \"derivatives\": [\n      [\n        ";
+    for (const core::Vector& derivative : jet.derivatives) {
+        append_json(text, before, derivative.x);
+        append_json(text, ",\n        ", derivative.y);
+        before = "\n      ],\n      [\n        ";
+    }
+    text += jet.derivatives.empty() ? "\n    ],\n    \"derivatives\": []\n  }" : "\n      ]\n    ]\n  }";
 }
 
 }  // namespace
@@ -83,8 +102,7 @@ ExitStatus eval(const EvalOptions& options, Output output) {
     const auto parameters = parameters_of(options, output);
     if (!parameters || !are_parameters_inside(*parameters, options, output, entry)) return ExitStatus::wrong_input;
 
-    Json rows = Json::array();
-    std::ostringstream table;
+    std::string text;
     for (const double u : *parameters) {
         const core::Jet jet = core::derivatives_at(*entry.curve, u, options.derivatives, options.side);
         if (!is_finite(jet)) {
@@ -92,17 +110,10 @@ ExitStatus eval(const EvalOptions& options, Output output) {
                       core::sentence("the values at {u} are too large for a double", {{"u", core::shortest_text(u)}}));
             return ExitStatus::wrong_input;
         }
-        if (options.as_json) {
-            rows.push_back(json_of_row(u, jet));
-        } else {
-            print_row(table, u, jet);
-        }
+        options.as_json ? append_json_row(text, u, jet) : append_row(text, u, jet);
     }
-    if (options.as_json) {
-        print(output.results, rows);
-    } else {
-        output.results << table.str();
-    }
+    if (options.as_json) text += text.empty() ? "[]\n" : "\n]\n";
+    output.results << text;
     return ExitStatus::done;
 }
 

@@ -26,7 +26,7 @@ std::string shown_name(const std::filesystem::path& file) {
     return is_standard(file) ? "standard input" : file.string();
 }
 
-bool write_results(const std::string& results, Output output) {
+bool write_results(std::string_view results, Output output) {
     errno = 0;
     output.results << results << std::flush;
     const int reason = errno != 0 ? errno : EIO;

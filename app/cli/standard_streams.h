@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "app/cli/subcommands.h"
 
@@ -25,6 +26,6 @@ void guard_standard_streams();
 std::string shown_name(const std::filesystem::path& file);
 
 /// Writes all results at once; false after saying why they could not be written, but for a pipe that nobody reads.
-bool write_results(const std::string& results, Output output);
+bool write_results(std::string_view results, Output output);
 
 }  // namespace batten::cli

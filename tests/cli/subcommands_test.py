@@ -59,6 +59,12 @@ class Subcommands(unittest.TestCase):
                                 {"u": 0.5, "point": [0.75, 1], "derivatives": [[1.5, 2], [0, 0]]}])
         self.assertEqual(run("eval", self.file, "--curve", "line", "--at", "0.5").stdout, "0.5\t0.75\t1\n")
 
+    def test_eval_lays_its_rows_out_as_all_json(self):
+        write_document(self.file, {**LINE, "points": [[-0.0, 0.1], [0.3, 4]]})
+        for count in (0, 1, 2):
+            rows = run("eval", self.file, "--at", 0, "--at", 1.5, "--derivatives", count, "--json").stdout
+            self.assertEqual(rows, json.dumps(json.loads(rows), indent=2) + "\n")
+
     def test_eval_prints_numbers_in_full(self):
         ((row),) = answer("eval", self.file, "--at", "0.1")
         x, y = row["point"]
