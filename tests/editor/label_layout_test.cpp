@@ -91,6 +91,33 @@ TEST(LabelLayout, leaves_out_what_could_only_stand_outside) {
     EXPECT_FALSE(layout.place({20.0, 10.0}, {60.0, 16.0}, 11.0, LabelSide::upper_right, Crowding::cover_symbols));
 }
 
+TEST(LabelLayout, looks_only_at_what_is_near) {
+    constexpr int across = 100;
+    LabelLayout layout({50.0 * across, 50.0 * across});
+    const auto lattice = [](int i) { return glm::dvec2(25.0 + 50.0 * (i % across), 25.0 + 50.0 * (i / across)); };
+    for (int i = 0; i < across * across; ++i) {
+        layout.avoid_symbol(lattice(i), 7.0);
+        layout.avoid_line(std::array{lattice(i), lattice(i) + glm::dvec2(40.0, 30.0)});
+    }
+    std::size_t found = 0;
+    for (int i = 0; i < across * across; ++i) found += place(layout, lattice(i)) ? 1U : 0U;
+    EXPECT_GT(found, across * across / 2U);
+    // At most nine places, each in at most four cells, each with a symbol or two, and a few lines and labels.
+    EXPECT_LT(layout.look_count(), 9U * 4U * 8U * across * across);
+    EXPECT_GT(layout.look_count(), static_cast<std::size_t>(across * across));
+}
+
+TEST(LabelLayout, counts_a_line_once_however_many_cells_it_passes) {
+    LabelLayout layout(picture);
+    // Three lines through every place; those above the point reach over the border of cells at y = 288.
+    for (const double x : {370.0, 375.0, 380.0, 390.0, 400.0, 410.0, 420.0, 425.0, 430.0})
+        layout.avoid_line(std::array{glm::dvec2(x, 10.0), glm::dvec2(x, 590.0)});
+    const auto found = place(layout);
+    ASSERT_TRUE(found) << "four would be as much as a symbol";
+    EXPECT_LT(found->position.y, 300.0);
+    EXPECT_EQ(found->anchor, render::Anchor::left);
+}
+
 TEST(LabelLayout, boxes_are_never_covered) {
     LabelLayout layout(picture);
     layout.avoid_box({{401.0, 200.0}, {700.0, 299.0}});

@@ -11,7 +11,8 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double column_px = 48.0;
+constexpr double cell_px = 48.0;
+constexpr double most_cells = 1000.0;  // across
 constexpr double impossible = std::numeric_limits<double>::infinity();
 constexpr double line_cost = 1.0;
 constexpr double symbol_cost = 4.0;
@@ -45,6 +46,15 @@ glm::dvec2 direction_of(LabelSide side) {
     return {1.0, -1.0};
 }
 
+std::size_t cells_across(double length_px) {
+    return static_cast<std::size_t>(std::clamp(length_px / cell_px, 0.0, most_cells)) + 1;
+}
+
+/// Which of `count` cells a coordinate is in; the first or last one outside of the picture.
+std::size_t cell_at(double coordinate, std::size_t count) {
+    return static_cast<std::size_t>(std::clamp(coordinate / cell_px, 0.0, static_cast<double>(count - 1)));
+}
+
 LabelPlace place_at(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide side) {
     const glm::dvec2 direction = direction_of(side);
     const bool is_diagonal = direction.x != 0.0 && direction.y != 0.0;
@@ -69,15 +79,41 @@ LabelPlace place_at(glm::dvec2 point, glm::dvec2 text_px, double offset_px, Labe
 }  // namespace
 
 LabelLayout::LabelLayout(glm::dvec2 size_px)
-    : size_px_(size_px), columns_(static_cast<std::size_t>(std::clamp(size_px.x / column_px, 0.0, 1000.0)) + 1) {}
+    : size_px_(size_px),
+      column_count_(cells_across(size_px.x)),
+      row_count_(cells_across(size_px.y)),
+      cells_(column_count_ * row_count_) {}
 
-std::size_t LabelLayout::column(double x) const {
-    return static_cast<std::size_t>(std::clamp(x / column_px, 0.0, static_cast<double>(columns_.size() - 1)));
+LabelLayout::Cells LabelLayout::columns(double left, double right) const {
+    return {cell_at(left, column_count_), cell_at(right, column_count_)};
 }
 
-void LabelLayout::add(const Obstacle& obstacle) {
-    const auto [left, right] = std::minmax(obstacle.a.x, obstacle.b.x);
-    for (std::size_t k = column(left); k <= column(right); ++k) columns_[k].push_back(obstacle);
+LabelLayout::Cells LabelLayout::rows(double top, double bottom) const {
+    return {cell_at(top, row_count_), cell_at(bottom, row_count_)};
+}
+
+/// Into the cells that the line passes, not all those of its box.
+void LabelLayout::add_line(glm::dvec2 a, glm::dvec2 b) {
+    if (a.x > b.x) std::swap(a, b);
+    const Cells across = columns(a.x, b.x);
+    const double rise = b.x > a.x ? (b.y - a.y) / (b.x - a.x) : 0.0;
+    for (std::size_t k = across.first; k <= across.last; ++k) {
+        const double left = static_cast<double>(k) * cell_px;
+        const double y_in = k == across.first ? a.y : a.y + rise * (left - a.x);
+        const double y_out = k == across.last ? b.y : a.y + rise * (left + cell_px - a.x);
+        const auto [top, bottom] = std::minmax(y_in, y_out);
+        // A pixel more, since where the line enters a column is rounded.
+        const Cells down = rows(top - 1.0, bottom + 1.0);
+        for (std::size_t r = down.first; r <= down.last; ++r) cell(k, r).push_back({Kind::line, a, b, down.first});
+    }
+}
+
+void LabelLayout::add_block(Kind kind, const render::PixelBox& box) {
+    const Cells across = columns(box.lower_px.x, box.upper_px.x);
+    const Cells down = rows(box.lower_px.y, box.upper_px.y);
+    for (std::size_t k = across.first; k <= across.last; ++k)
+        for (std::size_t r = down.first; r <= down.last; ++r)
+            cell(k, r).push_back({kind, box.lower_px, box.upper_px, down.first});
 }
 
 void LabelLayout::avoid_line(std::span<const glm::dvec2> points) {
@@ -85,38 +121,46 @@ void LabelLayout::avoid_line(std::span<const glm::dvec2> points) {
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
         if (const auto part = render::clip_segment(picture, points[i], points[i + 1])) {
             const glm::dvec2 leg = points[i + 1] - points[i];
-            add({Kind::line, points[i] + part->first * leg, points[i] + part->last * leg});
+            add_line(points[i] + part->first * leg, points[i] + part->last * leg);
         }
 }
 
 void LabelLayout::avoid_symbol(glm::dvec2 center, double radius_px) {
     const render::PixelBox picture{{}, size_px_};
-    if (picture.contains(center)) add({Kind::symbol, center - glm::dvec2(radius_px), center + glm::dvec2(radius_px)});
+    if (picture.contains(center))
+        add_block(Kind::symbol, {center - glm::dvec2(radius_px), center + glm::dvec2(radius_px)});
 }
 
 void LabelLayout::avoid_box(const render::PixelBox& box) {
-    add({Kind::box, box.lower_px, box.upper_px});
+    add_block(Kind::box, box);
 }
 
-double LabelLayout::cost(const render::PixelBox& box, double limit) const {
+double LabelLayout::cost_of(const Obstacle& obstacle, const render::PixelBox& box) {
+    if (obstacle.kind == Kind::line) {
+        const auto [top, bottom] = std::minmax(obstacle.a.y, obstacle.b.y);
+        const bool is_near = box.lower_px.x <= obstacle.b.x && obstacle.a.x <= box.upper_px.x &&
+                             box.lower_px.y <= bottom && top <= box.upper_px.y;
+        return is_near && render::clip_segment(box, obstacle.a, obstacle.b) ? line_cost : 0.0;
+    }
+    if (!box.overlaps({obstacle.a, obstacle.b})) return 0.0;
+    return obstacle.kind == Kind::box ? impossible : symbol_cost;
+}
+
+double LabelLayout::cost(const render::PixelBox& box, double limit) {
     const render::PixelBox picture{{}, size_px_};
     const glm::dvec2 beyond = glm::dvec2(width_error, script_share) * (box.upper_px - box.lower_px);
     if (!picture.contains(box.lower_px - beyond) || !picture.contains(box.upper_px + beyond)) return impossible;
+    const Cells across = columns(box.lower_px.x, box.upper_px.x);
+    const Cells down = rows(box.lower_px.y, box.upper_px.y);
     double sum = 0.0;
-    for (std::size_t k = column(box.lower_px.x); k <= column(box.upper_px.x); ++k)
-        for (const Obstacle& obstacle : columns_[k]) {
-            if (sum >= limit) return sum;
-            if (obstacle.kind == Kind::line) {
-                const glm::dvec2 lower{std::min(obstacle.a.x, obstacle.b.x), std::min(obstacle.a.y, obstacle.b.y)};
-                const glm::dvec2 upper{std::max(obstacle.a.x, obstacle.b.x), std::max(obstacle.a.y, obstacle.b.y)};
-                const bool is_near = box.lower_px.x <= upper.x && lower.x <= box.upper_px.x &&
-                                     box.lower_px.y <= upper.y && lower.y <= box.upper_px.y;
-                if (is_near && render::clip_segment(box, obstacle.a, obstacle.b)) sum += line_cost;
-            } else if (box.overlaps({obstacle.a, obstacle.b})) {
-                if (obstacle.kind == Kind::box) return impossible;
-                sum += symbol_cost;
+    for (std::size_t k = across.first; k <= across.last; ++k)
+        for (std::size_t r = down.first; r <= down.last; ++r)
+            for (const Obstacle& obstacle : cells_[k * row_count_ + r]) {
+                if (sum >= limit) return sum;
+                ++look_count_;
+                // What is in several of the rows counts once for each column.
+                if (r == std::max(obstacle.first_row, down.first)) sum += cost_of(obstacle, box);
             }
-        }
     return sum;
 }
 

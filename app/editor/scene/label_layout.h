@@ -29,7 +29,7 @@ struct LabelPlace {
 
 /// Greedy: every label takes the first of eight places around its point that is free, in a fixed order, so that labels
 /// stay where they are while nothing comes in their way; else the one that covers least. Labels never cover labels and
-/// never leave the picture.
+/// never leave the picture. Cost of a place: what stands near it, by cells of the picture.
 class LabelLayout {
   public:
     explicit LabelLayout(glm::dvec2 size_px);
@@ -45,21 +45,39 @@ class LabelLayout {
     std::optional<LabelPlace> place(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide first,
                                     Crowding crowding);
 
+    /// How many lines, symbols, boxes and labels were looked at for all places so far.
+    std::size_t look_count() const { return look_count_; }
+
   private:
     enum class Kind : std::uint8_t { line, symbol, box };
     struct Obstacle {
         Kind kind = Kind::line;
         glm::dvec2 a{};
         glm::dvec2 b{};
+        std::size_t first_row = 0;  ///< of the cells in its column that it is in
     };
 
-    std::size_t column(double x) const;
-    void add(const Obstacle& obstacle);
+    /// The cells from the first to the last one that a range of coordinates touches.
+    struct Cells {
+        std::size_t first = 0;
+        std::size_t last = 0;
+    };
+
+    Cells columns(double left, double right) const;
+    Cells rows(double top, double bottom) const;
+    std::vector<Obstacle>& cell(std::size_t column, std::size_t row) { return cells_[column * row_count_ + row]; }
+    void add_line(glm::dvec2 a, glm::dvec2 b);
+    void add_block(Kind kind, const render::PixelBox& box);
+    /// What `obstacle` adds to the cost of `box`.
+    static double cost_of(const Obstacle& obstacle, const render::PixelBox& box);
     /// What the box would cover; no more is counted once that reaches `limit`.
-    double cost(const render::PixelBox& box, double limit) const;
+    double cost(const render::PixelBox& box, double limit);
 
     glm::dvec2 size_px_;
-    std::vector<std::vector<Obstacle>> columns_;  ///< obstacles by the vertical strips of the picture that they touch
+    std::size_t column_count_;
+    std::size_t row_count_;
+    std::vector<std::vector<Obstacle>> cells_;  ///< obstacles by the cells of the picture that they touch
+    std::size_t look_count_ = 0;
 };
 
 }  // namespace batten::editor
