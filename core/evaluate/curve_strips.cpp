@@ -1,0 +1,271 @@
+#include "core/evaluate/curve_strips.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "core/curve/detail/bspline.h"
+#include "core/evaluate/detail/subdivide.h"
+#include "core/evaluate/evaluate.h"
+
+namespace batten::core {
+
+namespace {
+
+// What is kept of stretches looked at closely, beyond those of the last picture.
+constexpr std::size_t most_open_stretches = 1024;
+
+// The control points of the curve over the spans `first`..`last`, both not empty, as a curve of its own with clamped
+// ends, which the stretch stays in the hull of. By de Boor's algorithm at both ends.
+std::vector<HomogeneousPoint> clamped_points(const Curve& curve, std::size_t first, std::size_t last) {
+    const auto p = static_cast<std::size_t>(curve.degree());
+    const std::span<const double> values = curve.knots().values();
+    std::vector<double> knots(values.begin() + static_cast<std::ptrdiff_t>(first - p),
+                              values.begin() + static_cast<std::ptrdiff_t>(last + p + 2));
+    std::vector<HomogeneousPoint> points;
+    points.reserve(last - first + p + 1);
+    for (std::size_t i = first - p; i <= last; ++i) points.push_back(curve.homogeneous_point(i));
+    const double a = knots[p];
+    for (std::size_t r = 1; r <= p; ++r)
+        for (std::size_t i = r; i <= p; ++i)
+            points[i - r] = blend_between(points[i - r], points[i - r + 1], knots[i], knots[i + p - r + 1], a);
+    std::fill(knots.begin(), knots.begin() + static_cast<std::ptrdiff_t>(p), a);
+    const std::size_t e = points.size() - 1;
+    const double b = knots[e + 1];
+    for (std::size_t r = 1; r <= p; ++r)
+        for (std::size_t i = e; i >= e - p + r; --i)
+            points[i] = blend_between(points[i - 1], points[i], knots[i], knots[i + p - r + 1], b);
+    return points;
+}
+
+// Adds the spans first..last as far as there are any in the domain.
+void add_spans(std::vector<std::size_t>& spans, std::size_t first, std::size_t last, const Curve& curve) {
+    const auto p = static_cast<std::size_t>(curve.degree());
+    for (std::size_t s = std::max(first, p); s <= last && s + p + 1 < curve.knots().size(); ++s) spans.push_back(s);
+}
+
+// The size of what may be thin or long, for a strip whose numbers overflow.
+Strip boundless(Point first, Point last) {
+    constexpr double infinity = Box::infinity;
+    return {first, last, {{-infinity, -infinity}, {infinity, infinity}}, infinity, true};
+}
+
+}  // namespace
+
+// Goes down to what is seen, halving as far as needed.
+class CurveStrips::Search {
+  public:
+    Search(CurveStrips& strips, const StripRequest& request, double tolerance, std::size_t first, std::size_t last)
+        : strips_(strips),
+          request_(request),
+          tolerance_(tolerance),
+          first_(first),
+          last_(last),
+          runs_(request.most_places) {}
+
+    RunCollector search() {
+        constexpr std::size_t count = spans_per_stretch;
+        const std::size_t base = strips_.first_span();
+        strips_.stretches_.visit(
+            [&](const Strip& strip, std::size_t first, std::size_t last) {
+                return is_to_enter(strip, base + first * count, base + last * count + count - 1);
+            },
+            [&](std::size_t stretch) { search_stretch(stretch); });
+        return std::move(runs_);
+    }
+
+  private:
+    bool is_to_enter(const Strip& strip, std::size_t first, std::size_t last) {
+        if (runs_.is_full() || last < first_ || last_ < first || !strip.box.intersects(request_.view)) return false;
+        const bool is_inside = first_ <= first && last <= last_;
+        if (!is_inside || !is_small_beside(strip.box, request_.view, tolerance_)) return true;
+        return !add_if_simple(strip, tolerance_, runs_);
+    }
+
+    void search_stretch(std::size_t stretch) {
+        OpenStretch& open = strips_.opened(stretch);
+        const std::size_t base = strips_.first_span() + stretch * spans_per_stretch;
+        open.spans.visit([&](const Strip& strip, std::size_t first,
+                             std::size_t last) { return is_to_enter(strip, base + first, base + last); },
+                         [&](std::size_t k) {
+                             const Strip& span = open.parts[k].front().strip;
+                             noise_ = rounding_of_halving(span.box);
+                             search_part(open.parts[k], 0, 0);
+                         });
+    }
+
+    void search_part(SpanParts& parts, std::size_t i, int depth) {
+        const Strip strip = parts[i].strip;
+        const double tolerance = std::max(tolerance_, noise_);
+        if (runs_.is_full() || !strip.box.intersects(request_.view)) return;
+        const bool is_fine = is_small_beside(strip.box, request_.view, tolerance) && strip.deviation <= tolerance;
+        if (is_fine || depth == most_chord_halvings || !is_divisible(parts[i].interval, strip.box))
+            return runs_.add(strip.first, strip.last);
+        if (parts[i].parts == 0) strips_.halve(parts, i);
+        const std::size_t first_half = parts[i].parts;
+        search_part(parts, first_half, depth + 1);
+        search_part(parts, first_half + 1, depth + 1);
+    }
+
+    CurveStrips& strips_;
+    const StripRequest& request_;
+    double tolerance_;
+    std::size_t first_;
+    std::size_t last_;
+    double noise_ = 0.0;
+    RunCollector runs_;
+};
+
+CurveStrips::CurveStrips(std::shared_ptr<const Curve> curve) : curve_(std::move(curve)) {
+    const std::size_t count = (span_end() - first_span() + spans_per_stretch - 1) / spans_per_stretch;
+    std::vector<Strip> stretches;
+    stretches.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) stretches.push_back(strip_of_stretch(i));
+    stretches_ = StripTree(std::move(stretches));
+    open_.resize(count);
+}
+
+PointRuns CurveStrips::runs(const StripRequest& request, Interval range) {
+    ++use_;
+    assert(request.tolerance > 0.0);
+    const KnotVector& knots = curve_->knots();
+    const Interval domain = curve_->domain();
+    constexpr std::size_t end = std::numeric_limits<std::size_t>::max();
+    const std::size_t first = range.lower <= domain.lower ? 0 : knots.span_at(range.lower);
+    const std::size_t last = range.upper >= domain.upper ? end : knots.span_at(range.upper, Side::left);
+    PointRuns runs = runs_within(
+        request.tolerance, [&](double tolerance) { return Search(*this, request, tolerance, first, last).search(); });
+    drop_unused();
+    return runs;
+}
+
+bool CurveStrips::is_torn_at(std::size_t span) const {
+    return curve_->knots()[span - first_span()] == curve_->knots()[span];
+}
+
+// Where a span begins the one before ends, bit by bit, unless the curve may come apart there.
+Point CurveStrips::start_of(std::size_t span) const {
+    const double u = curve_->knots()[span];
+    const bool is_start = u == curve_->domain().lower;
+    return point_at(*curve_, u, is_start || is_torn_at(span) ? Side::right : Side::left);
+}
+
+Strip CurveStrips::strip_of_piece(const BezierPiece& piece, Point first) const {
+    Strip strip{.first = first, .last = point_at(*curve_, piece.interval.upper, Side::left), .box = control_box(piece)};
+    if (!is_finite(strip.box.lower) || !is_finite(strip.box.upper)) return boundless(strip.first, strip.last);
+    strip.box.include(strip.first);
+    strip.box.include(strip.last);
+    // Where products of weights and coordinates overflow there is no bound, and no finer.
+    const double bound = chord_deviation_bound(piece);
+    strip.deviation = std::isnan(bound) ? 0.0 : bound;
+    return strip;
+}
+
+Strip CurveStrips::strip_of_stretch(std::size_t stretch) {
+    ++stretch_count_;
+    const KnotVector& knots = curve_->knots();
+    std::size_t first = first_span() + stretch * spans_per_stretch;
+    std::size_t last = std::min(first + spans_per_stretch, span_end()) - 1;
+    while (first <= last && knots[first] == knots[first + 1]) ++first;
+    while (first <= last && knots[last] == knots[last + 1]) --last;
+    if (first > last) return {};
+    std::vector<Point> hull{start_of(first)};
+    for (const HomogeneousPoint& point : clamped_points(*curve_, first, last)) hull.push_back(project(point));
+    hull.push_back(point_at(*curve_, knots[last + 1], Side::left));
+    if (!std::all_of(hull.begin(), hull.end(), [](Point point) { return is_finite(point); }))
+        return boundless(hull.front(), hull.back());
+    Strip strip = strip_of(hull);
+    for (std::size_t s = first + 1; s <= last; ++s)
+        if (knots[s] < knots[s + 1] && is_torn_at(s)) strip.is_whole = false;
+    if (!strip.is_whole) strip.deviation = length(strip.box.size());
+    return strip;
+}
+
+CurveStrips::SpanParts CurveStrips::parts_of_span(std::size_t span) {
+    if (curve_->knots()[span] == curve_->knots()[span + 1]) return {Part{}};
+    ++span_count_;
+    BezierPiece piece = bezier_piece(*curve_, span);
+    return {Part{strip_of_piece(piece, start_of(span)), piece.interval, 0, std::move(piece.points)}};
+}
+
+CurveStrips::OpenStretch& CurveStrips::opened(std::size_t stretch) {
+    std::unique_ptr<OpenStretch>& open = open_[stretch];
+    if (!open) {
+        open = std::make_unique<OpenStretch>();
+        ++open_count_;
+        const std::size_t first = first_span() + stretch * spans_per_stretch;
+        std::vector<Strip> spans;
+        for (std::size_t s = first; s < std::min(first + spans_per_stretch, span_end()); ++s) {
+            open->parts.push_back(parts_of_span(s));
+            spans.push_back(open->parts.back().front().strip);
+        }
+        open->spans = StripTree(std::move(spans));
+    }
+    open->last_use = use_;
+    return *open;
+}
+
+void CurveStrips::halve(SpanParts& parts, std::size_t part) const {
+    const BezierPiece piece{parts[part].interval, 0, std::move(parts[part].points)};
+    auto [left, right] = cut_piece(piece, middle(piece.interval));
+    const Strip left_strip = strip_of_piece(left, parts[part].strip.first);
+    const Strip right_strip = strip_of_piece(right, left_strip.last);
+    parts[part].points = {};
+    parts[part].parts = parts.size();
+    parts.push_back({left_strip, left.interval, 0, std::move(left.points)});
+    parts.push_back({right_strip, right.interval, 0, std::move(right.points)});
+}
+
+// Stretches that this picture does not look at closely are closed again where there are too many.
+void CurveStrips::drop_unused() {
+    if (open_count_ <= most_open_stretches) return;
+    for (std::unique_ptr<OpenStretch>& open : open_) {
+        if (!open || open->last_use == use_) continue;
+        open.reset();
+        --open_count_;
+    }
+}
+
+// The spans on which the other curve, of the same degree and number of knots, differs, ascending.
+std::vector<std::size_t> CurveStrips::changed_spans(const Curve& other) const {
+    const auto p = static_cast<std::size_t>(curve_->degree());
+    const std::size_t n = curve_->control_points().size();
+    std::vector<std::size_t> spans;
+    const std::span<const double> knots = curve_->knots().values();
+    if (knots.data() != other.knots().values().data())
+        for (std::size_t k = 0; k < knots.size(); ++k)
+            if (knots[k] != other.knots()[k]) add_spans(spans, k < p ? 0 : k - p, k + p, *curve_);
+    for (std::size_t i = 0; i < n; ++i)
+        if (curve_->control_points()[i] != other.control_points()[i] || curve_->weights()[i] != other.weights()[i])
+            for (std::size_t j = i; j < span_end(); j += n) add_spans(spans, j, j + p, *curve_);
+    std::sort(spans.begin(), spans.end());
+    spans.erase(std::unique(spans.begin(), spans.end()), spans.end());
+    return spans;
+}
+
+void CurveStrips::follow(std::shared_ptr<const Curve> curve) {
+    if (curve == curve_) return;
+    const bool is_alike = curve->degree() == curve_->degree() && curve->is_periodic() == curve_->is_periodic() &&
+                          curve->knots().size() == curve_->knots().size();
+    if (!is_alike) {
+        CurveStrips anew(std::move(curve));
+        anew.span_count_ += span_count_;
+        anew.stretch_count_ += stretch_count_;
+        *this = std::move(anew);
+        return;
+    }
+    const std::vector<std::size_t> spans = changed_spans(*curve);
+    curve_ = std::move(curve);
+    for (std::size_t k = 0; k < spans.size(); ++k) {
+        const std::size_t stretch = (spans[k] - first_span()) / spans_per_stretch;
+        const bool is_first = k == 0 || (spans[k - 1] - first_span()) / spans_per_stretch != stretch;
+        if (is_first) stretches_.replace(stretch, strip_of_stretch(stretch));
+        if (!open_[stretch]) continue;
+        const std::size_t i = (spans[k] - first_span()) % spans_per_stretch;
+        open_[stretch]->parts[i] = parts_of_span(spans[k]);
+        open_[stretch]->spans.replace(i, open_[stretch]->parts[i].front().strip);
+    }
+}
+
+}  // namespace batten::core

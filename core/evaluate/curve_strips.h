@@ -1,0 +1,86 @@
+/// A curve as polylines of any fineness, at a cost that depends on what is seen and not on the curve.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/evaluate/bezier_pieces.h"
+#include "core/evaluate/strip_tree.h"
+
+namespace batten::core {
+
+/// Keeps what is found out about one curve: strips of every sixteen spans and joined strips above them; for stretches
+/// that were looked at closely, strips of the spans and of the parts into which these were halved. Following the curve
+/// to another value keeps all of it where knots, points and weights stay the same.
+class CurveStrips {
+  public:
+    /// Cost O(n p), with a few points of the curve for every sixteen spans.
+    explicit CurveStrips(std::shared_ptr<const Curve> curve);
+
+    const std::shared_ptr<const Curve>& curve() const { return curve_; }
+
+    /// From now on these are the strips of `curve`. Cost: comparing knots, points and weights, and the changed spans
+    /// and their stretches anew; all of it anew where degree or number of knots are others.
+    void follow(std::shared_ptr<const Curve> curve);
+
+    /// The visible part of the curve over `range`, which should begin and end at knots: the spans that have more than
+    /// an end in common with it. The distance from what is seen of the curve to the polylines is bounded by the
+    /// tolerance, > 0 (convex hulls), never only sampled; below the rounding of the coordinates there is no finer. The
+    /// tolerance grows as far as needed for no more than most_places. Places are points of the curve as point_at gives
+    /// them, but for the ends of thin boxes. No chord is much longer than 64 views. Cost: that of the places, and of
+    /// what is looked at closely for the first time.
+    PointRuns runs(const StripRequest& request, Interval range);
+
+    /// The strips of every sixteen spans, from the first span of the domain on, empty ones included.
+    const StripTree& stretches() const { return stretches_; }
+    static constexpr std::size_t spans_per_stretch = 16;
+
+    /// How many spans were made Bézier pieces so far.
+    std::size_t span_count() const { return span_count_; }
+
+    /// How many stretches got a strip so far.
+    std::size_t stretch_count() const { return stretch_count_; }
+
+  private:
+    /// A part of a span: halved (its parts stand at `parts` and after it), or with the Bézier piece to be halved.
+    struct Part {
+        Strip strip;
+        Interval interval;
+        std::size_t parts = 0;
+        std::vector<HomogeneousPoint> points{};
+    };
+
+    /// A span and what it was halved into.
+    using SpanParts = std::vector<Part>;
+
+    /// A stretch that was looked at closely.
+    struct OpenStretch {
+        StripTree spans;
+        std::vector<SpanParts> parts;
+        std::uint64_t last_use = 0;
+    };
+
+    class Search;
+
+    std::size_t first_span() const { return static_cast<std::size_t>(curve_->degree()); }
+    std::size_t span_end() const { return curve_->knots().size() - first_span() - 1; }
+    bool is_torn_at(std::size_t span) const;
+    Point start_of(std::size_t span) const;
+    Strip strip_of_piece(const BezierPiece& piece, Point first) const;
+    Strip strip_of_stretch(std::size_t stretch);
+    SpanParts parts_of_span(std::size_t span);
+    OpenStretch& opened(std::size_t stretch);
+    void halve(SpanParts& parts, std::size_t part) const;
+    void drop_unused();
+    std::vector<std::size_t> changed_spans(const Curve& other) const;
+
+    std::shared_ptr<const Curve> curve_;
+    StripTree stretches_;
+    std::vector<std::unique_ptr<OpenStretch>> open_;
+    std::size_t open_count_ = 0;
+    std::uint64_t use_ = 0;
+    std::size_t span_count_ = 0;
+    std::size_t stretch_count_ = 0;
+};
+
+}  // namespace batten::core

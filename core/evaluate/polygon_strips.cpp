@@ -1,0 +1,76 @@
+#include "core/evaluate/polygon_strips.h"
+
+#include <cassert>
+
+namespace batten::core {
+
+PolygonStrips::PolygonStrips(std::shared_ptr<const Curve> curve) : curve_(std::move(curve)) {
+    std::vector<Strip> stretches;
+    const std::size_t legs = corner_count() - 1;
+    for (std::size_t i = 0; i * legs_per_stretch < legs; ++i) stretches.push_back(strip_of_stretch(i));
+    tree_ = StripTree(std::move(stretches));
+}
+
+std::vector<Point> PolygonStrips::corners_of(std::size_t stretch) const {
+    const std::size_t first = stretch * legs_per_stretch;
+    const std::size_t last = std::min(first + legs_per_stretch, corner_count() - 1);
+    std::vector<Point> corners;
+    corners.reserve(last - first + 1);
+    for (std::size_t i = first; i <= last; ++i) corners.push_back(corner(i));
+    return corners;
+}
+
+Strip PolygonStrips::strip_of_stretch(std::size_t stretch) {
+    ++stretch_count_;
+    return strip_of(corners_of(stretch));
+}
+
+RunCollector PolygonStrips::search(const StripRequest& request, double tolerance) const {
+    RunCollector runs(request.most_places);
+    tree_.visit(
+        [&](const Strip& strip, std::size_t, std::size_t) {
+            if (runs.is_full() || !strip.box.intersects(request.view)) return false;
+            return !add_if_simple(strip, tolerance, runs);
+        },
+        [&](std::size_t stretch) {
+            const std::vector<Point> corners = corners_of(stretch);
+            for (std::size_t i = 0; i + 1 < corners.size(); ++i) runs.add(corners[i], corners[i + 1]);
+        });
+    return runs;
+}
+
+PointRuns PolygonStrips::runs(const StripRequest& request) const {
+    assert(request.tolerance > 0.0);
+    constexpr double nothing_left_out = -1.0;
+    RunCollector runs = search(request, nothing_left_out);
+    if (!runs.is_full()) return runs.take();
+    return runs_within(request.tolerance, [&](double tolerance) { return search(request, tolerance); });
+}
+
+void PolygonStrips::follow(std::shared_ptr<const Curve> curve) {
+    if (curve == curve_) return;
+    const auto points = curve_->control_points();
+    const auto others = curve->control_points();
+    const bool is_alike = points.size() == others.size() && curve->is_periodic() == curve_->is_periodic();
+    if (!is_alike) {
+        const std::size_t count = stretch_count_;
+        *this = PolygonStrips(std::move(curve));
+        stretch_count_ += count;
+        return;
+    }
+    std::vector<std::size_t> changed;
+    const auto note = [&](std::size_t leg) {
+        const std::size_t stretch = leg / legs_per_stretch;
+        if (changed.empty() || changed.back() != stretch) changed.push_back(stretch);
+    };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i] == others[i]) continue;
+        if (i > 0) note(i - 1);
+        if (i + 1 < corner_count()) note(i);
+        if (i == 0 && curve_->is_periodic()) note(corner_count() - 2);
+    }
+    curve_ = std::move(curve);
+    for (const std::size_t stretch : changed) tree_.replace(stretch, strip_of_stretch(stretch));
+}
+
+}  // namespace batten::core

@@ -1,0 +1,111 @@
+#include "core/evaluate/strip_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/evaluate/detail/subdivide.h"
+
+namespace batten::core {
+
+namespace {
+
+double diagonal(const Box& box) {
+    return length(box.size());
+}
+
+// Where squares of coordinates overflow nothing is near.
+double far_or_distance(Point point, Point a, Point b) {
+    const double measured = distance_to_segment(point, a, b);
+    return std::isnan(measured) ? Box::infinity : measured;
+}
+
+// The farthest corner of the box from the segment a..b.
+double box_deviation(const Box& box, Point a, Point b) {
+    double largest = 0.0;
+    for (const Point corner : {box.lower, Point(box.upper.x, box.lower.y), box.upper, Point(box.lower.x, box.upper.y)})
+        largest = std::max(largest, far_or_distance(corner, a, b));
+    return largest;
+}
+
+}  // namespace
+
+Strip joined(const Strip& a, const Strip& b) {
+    if (a.box.is_empty()) return b;
+    if (b.box.is_empty()) return a;
+    Strip both = a;
+    both.last = b.last;
+    both.box.include(b.box.lower);
+    both.box.include(b.box.upper);
+    both.is_whole = a.is_whole && b.is_whole && a.last == b.first;
+    if (!both.is_whole) {
+        both.deviation = diagonal(both.box);
+        return both;
+    }
+    // The chords of both parts stay as near to the new one as their common end.
+    const double of_parts = std::max(a.deviation, b.deviation) + far_or_distance(a.last, both.first, both.last);
+    both.deviation = std::min(of_parts, box_deviation(both.box, both.first, both.last));
+    return both;
+}
+
+Strip strip_of(const std::vector<Point>& points) {
+    Strip strip;
+    strip.first = points.front();
+    strip.last = points.back();
+    for (const Point point : points) {
+        strip.box.include(point);
+        strip.deviation = std::max(strip.deviation, far_or_distance(point, strip.first, strip.last));
+    }
+    return strip;
+}
+
+void RunCollector::add(Point a, Point b) {
+    if (runs_.empty() || runs_.back().back() != a) {
+        runs_.push_back({a});
+        ++count_;
+    }
+    runs_.back().push_back(b);
+    ++count_;
+}
+
+void RunCollector::add_extent(const Strip& strip) {
+    const Point middle = strip.box.center();
+    const Vector size = strip.box.size();
+    std::array ends{Point(strip.box.lower.x, middle.y), Point(strip.box.upper.x, middle.y)};
+    if (size.x < size.y) ends = {Point(middle.x, strip.box.lower.y), Point(middle.x, strip.box.upper.y)};
+    if (distance(strip.first, ends[1]) < distance(strip.first, ends[0])) std::swap(ends[0], ends[1]);
+    add(strip.first, ends[0]);
+    add(ends[0], ends[1]);
+    add(ends[1], strip.last);
+}
+
+bool add_if_simple(const Strip& strip, double tolerance, RunCollector& runs) {
+    if (strip.deviation <= tolerance) {
+        runs.add(strip.first, strip.last);
+        return true;
+    }
+    const Vector size = strip.box.size();
+    if (!strip.is_whole || !(std::min(size.x, size.y) <= tolerance)) return false;
+    runs.add_extent(strip);
+    return true;
+}
+
+StripTree::StripTree(std::vector<Strip> stretches) {
+    levels_.push_back(std::move(stretches));
+    while (levels_.back().size() > 1) {
+        levels_.emplace_back((levels_.back().size() + 1) / 2);
+        for (std::size_t i = 0; i < levels_.back().size(); ++i) join(levels_.size() - 1, i);
+    }
+}
+
+void StripTree::join(std::size_t level, std::size_t i) {
+    const std::vector<Strip>& parts = levels_[level - 1];
+    levels_[level][i] = 2 * i + 1 < parts.size() ? joined(parts[2 * i], parts[2 * i + 1]) : parts[2 * i];
+}
+
+void StripTree::replace(std::size_t i, const Strip& strip) {
+    levels_.front()[i] = strip;
+    for (std::size_t level = 1; level < levels_.size(); ++level) join(level, i >> level);
+}
+
+}  // namespace batten::core

@@ -1,0 +1,267 @@
+#include "core/evaluate/curve_strips.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/curve/knot_kinds.h"
+#include "core/evaluate/detail/subdivide.h"
+#include "core/evaluate/evaluate.h"
+#include "core/evaluate/polygon_strips.h"
+#include "tests/core/random_curves.h"
+
+namespace batten::core {
+namespace {
+
+constexpr std::size_t plenty = 1000000;
+const Box everything{{-1e6, -1e6}, {1e6, 1e6}};
+
+std::shared_ptr<const Curve> shared(Curve curve) {
+    return std::make_shared<const Curve>(std::move(curve));
+}
+
+// A spiral of twenty turns around (0, 0), out to radius 4.
+std::vector<Point> spiral_points(std::size_t count) {
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double share = std::sqrt(static_cast<double>(i) / static_cast<double>(count - 1));
+        const double angle = 40.0 * std::numbers::pi * share;
+        points.emplace_back(4.0 * share * std::cos(angle), 4.0 * share * std::sin(angle));
+    }
+    return points;
+}
+
+std::shared_ptr<const Curve> cubic_through(std::vector<Point> points) {
+    const std::size_t count = points.size();
+    return shared(Curve::make(make_knots(KnotKind::clamped_uniform, 3, count).value(), std::move(points), {}).value());
+}
+
+double distance_to(const PointRuns& runs, Point point) {
+    double least = Box::infinity;
+    for (const auto& run : runs)
+        for (std::size_t i = 0; i + 1 < run.size(); ++i)
+            least = std::min(least, distance_to_segment(point, run[i], run[i + 1]));
+    return least;
+}
+
+std::size_t place_count(const PointRuns& runs) {
+    std::size_t count = 0;
+    for (const auto& run : runs) count += run.size();
+    return count;
+}
+
+// The farthest that places of the curve are from the polylines, by `samples` in each span.
+double farthest(const Curve& curve, const PointRuns& runs, int samples) {
+    double largest = 0.0;
+    const KnotVector& knots = curve.knots();
+    const auto p = static_cast<std::size_t>(curve.degree());
+    for (std::size_t s = p; s + p + 1 < knots.size(); ++s)
+        for (int k = 0; k <= samples && knots[s] < knots[s + 1]; ++k) {
+            const double u = k == samples ? knots[s + 1] : knots[s] + (knots[s + 1] - knots[s]) * k / samples;
+            const Side side = k == samples ? Side::left : Side::right;
+            largest = std::max(largest, distance_to(runs, point_at(curve, u, side)));
+        }
+    return largest;
+}
+
+TEST(CurveStrips, are_true_to_the_tolerance) {
+    RandomCurves random(91);
+    for (int k = 0; k < 150; ++k) {
+        const auto curve = shared(random.curve());
+        CurveStrips strips(curve);
+        for (const double tolerance : {1.0, 0.1, 1e-3}) {
+            const PointRuns runs = strips.runs({tolerance, everything, plenty}, curve->domain());
+            EXPECT_LE(farthest(*curve, runs, 9), tolerance * (1.0 + 1e-9)) << k;
+        }
+    }
+}
+
+TEST(CurveStrips, draw_many_spans_that_are_nearly_straight_with_few_places) {
+    const auto curve = cubic_through(spiral_points(5000));
+    CurveStrips strips(curve);
+    const PointRuns runs = strips.runs({0.002, everything, plenty}, curve->domain());
+    EXPECT_EQ(runs.size(), 1U);
+    EXPECT_LE(farthest(*curve, runs, 1), 0.002);
+    // Chords of arcs of radius r are sqrt(8 r 0.002) long: some 1600 for the whole spiral.
+    EXPECT_LT(place_count(runs), 4000U);
+}
+
+TEST(CurveStrips, take_no_more_places_than_asked_for) {
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < 5000; ++i)
+        points.emplace_back(std::fmod(static_cast<double>(i * i) * 0.618, 1.0),
+                            std::fmod(static_cast<double>(i) * 0.414, 1.0));
+    const auto curve = cubic_through(points);
+    CurveStrips strips(curve);
+    EXPECT_GT(place_count(strips.runs({1e-3, everything, plenty}, curve->domain())), 5000U);
+    const PointRuns few = strips.runs({1e-3, everything, 200}, curve->domain());
+    EXPECT_LE(place_count(few), 200U);
+    EXPECT_GT(place_count(few), 100U);
+}
+
+TEST(CurveStrips, show_the_extent_of_what_is_narrower_than_the_tolerance) {
+    // A hundred thousand swings up and down on a width of 1.
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < 100000; ++i)
+        points.emplace_back(static_cast<double>(i) * 1e-5, i % 2 == 0 ? 0.0 : 1.0 + static_cast<double>(i % 7));
+    const auto curve =
+        shared(Curve::make(make_knots(KnotKind::clamped_uniform, 1, points.size()).value(), points, {}).value());
+    CurveStrips strips(curve);
+    const PointRuns runs = strips.runs({0.01, everything, 2000}, curve->domain());
+    EXPECT_LE(place_count(runs), 2000U);
+    for (std::size_t i = 0; i < points.size(); i += 997) EXPECT_LE(distance_to(runs, points[i]), 0.01) << i;
+}
+
+TEST(CurveStrips, move_with_one_point_by_taking_apart_only_its_spans) {
+    std::vector<Point> points = spiral_points(1000);
+    const auto curve = cubic_through(points);
+    CurveStrips strips(curve);
+    strips.runs({1e-6, everything, plenty}, curve->domain());
+    const std::size_t spans = strips.span_count();
+    const std::size_t stretches = strips.stretch_count();
+    EXPECT_EQ(spans, 997U);
+    points[500] += Vector(0.5, 0.25);
+    const auto moved = cubic_through(points);
+    strips.follow(moved);
+    const PointRuns runs = strips.runs({1e-6, everything, plenty}, curve->domain());
+    EXPECT_EQ(strips.span_count(), spans + 4);
+    EXPECT_LE(strips.stretch_count(), stretches + 2);
+    EXPECT_EQ(runs, CurveStrips(moved).runs({1e-6, everything, plenty}, curve->domain()));
+}
+
+TEST(CurveStrips, follow_random_changes_as_if_made_anew) {
+    RandomCurves random(17);
+    for (int k = 0; k < 300; ++k) {
+        const Curve first = random.curve();
+        CurveStrips strips(shared(first));
+        strips.runs({1e-3, everything, plenty}, first.domain());
+        CurveDefinition definition = first.definition();
+        const auto i = static_cast<std::size_t>(random.whole(0, static_cast<int>(definition.points.size()) - 1));
+        if (k % 3 == 0) definition.points[i].x += 0.5;
+        if (k % 3 == 1) definition.weights[i] *= 2.0;
+        if (k % 3 == 2)
+            for (double& knot : definition.knots)
+                if (knot > first.domain().lower && knot < first.domain().upper)
+                    knot += 1e-3 * (first.domain().upper - knot);
+        auto changed = Curve::make(definition);
+        if (!changed) continue;
+        const auto other = shared(std::move(*changed));
+        strips.follow(other);
+        const PointRuns runs = strips.runs({1e-3, everything, plenty}, other->domain());
+        EXPECT_LE(farthest(*other, runs, 7), 1e-3 * (1.0 + 1e-9)) << k;
+        EXPECT_EQ(runs.size(), CurveStrips(other).runs({1e-3, everything, plenty}, other->domain()).size()) << k;
+    }
+}
+
+TEST(CurveStrips, compute_nothing_again_while_the_view_moves) {
+    const auto curve = cubic_through(spiral_points(1000));
+    CurveStrips strips(curve);
+    Box view{{0.0, 0.0}, {2.0, 2.0}};
+    strips.runs({1e-4, view, plenty}, curve->domain());
+    const std::size_t seen = strips.span_count();
+    EXPECT_LT(seen, 600U);
+    // Back to where it was, and inwards.
+    strips.runs({1e-4, {{0.5, 0.5}, {1.5, 1.5}}, plenty}, curve->domain());
+    strips.runs({1e-4, view, plenty}, curve->domain());
+    strips.runs({1e-3, view, plenty}, curve->domain());
+    EXPECT_EQ(strips.span_count(), seen);
+    for (int k = 1; k <= 100; ++k) {
+        view = {{0.01 * k, 0.0}, {2.0 + 0.01 * k, 2.0}};
+        strips.runs({1e-4, view, plenty}, curve->domain());
+    }
+    // Each span came into view at most once, with those of its stretch.
+    EXPECT_LE(strips.span_count(), 997U);
+}
+
+TEST(CurveStrips, cost_what_is_seen_of_a_long_curve) {
+    const auto curve = cubic_through(spiral_points(100000));
+    CurveStrips strips(curve);
+    EXPECT_EQ(strips.span_count(), 0U);
+    const Box view{{1.0, 0.0}, {1.02, 0.02}};
+    const PointRuns runs = strips.runs({1e-5, view, plenty}, curve->domain());
+    EXPECT_GE(runs.size(), 1U);
+    EXPECT_LT(strips.span_count(), 200U);
+}
+
+TEST(CurveStrips, keep_what_comes_apart_apart) {
+    const auto curve = shared(Curve::make({.degree = 1,
+                                           .knots = {0, 0, 1, 1, 2, 2},
+                                           .points = {{0, 0}, {1, 0}, {2, 0}, {3, 0}},
+                                           .tears = Tears::allow})
+                                  .value());
+    CurveStrips strips(curve);
+    const PointRuns runs = strips.runs({0.1, everything, plenty}, curve->domain());
+    ASSERT_EQ(runs.size(), 2U);
+    EXPECT_EQ(runs[0], (std::vector<Point>{{0, 0}, {1, 0}}));
+    EXPECT_EQ(runs[1], (std::vector<Point>{{2, 0}, {3, 0}}));
+}
+
+TEST(CurveStrips, give_the_spans_of_a_range_only) {
+    const auto curve = cubic_through(spiral_points(200));
+    const KnotVector& knots = curve->knots();
+    CurveStrips strips(curve);
+    const Interval range{knots[50], knots[54]};
+    const PointRuns runs = strips.runs({1e-6, everything, plenty}, range);
+    ASSERT_EQ(runs.size(), 1U);
+    EXPECT_EQ(runs[0].front(), point_at(*curve, range.lower));
+    EXPECT_EQ(runs[0].back(), point_at(*curve, range.upper));
+}
+
+TEST(CurveStrips, survive_numbers_of_any_size) {
+    for (const double size : {1e-300, 1e15, 1e150, 1e300}) {
+        std::vector<Point> points = spiral_points(100);
+        for (Point& point : points) point = tip_of(size * vector_to(point));
+        points[50].x = 4.0 * size;
+        const auto curve = cubic_through(points);
+        CurveStrips strips(curve);
+        const Box view{{-5.0 * size, -5.0 * size}, {5.0 * size, 5.0 * size}};
+        EXPECT_LE(place_count(strips.runs({1e-3 * size, view, 2000}, curve->domain())), 2000U) << size;
+        EXPECT_LE(place_count(strips.runs({0.25, {{-10, -10}, {10, 10}}, 2000}, curve->domain())), 2000U) << size;
+    }
+    const auto one_place = cubic_through(std::vector<Point>(1000, Point(1, 2)));
+    CurveStrips strips(one_place);
+    EXPECT_EQ(place_count(strips.runs({1e-9, everything, plenty}, one_place->domain())), 2U);
+}
+
+TEST(PolygonStrips, give_every_leg_while_they_are_few) {
+    for (const bool periodic : {false, true}) {
+        RandomCurves random(3);
+        const auto curve = shared(periodic ? random.periodic_curve() : random.open_curve());
+        const auto points = curve->control_points();
+        std::vector<Point> corners(points.begin(), points.end());
+        if (periodic) corners.push_back(corners.front());
+        const PointRuns runs = PolygonStrips(curve).runs({1e6, everything, plenty});
+        ASSERT_EQ(runs.size(), 1U);
+        EXPECT_EQ(runs[0], corners);
+    }
+}
+
+TEST(PolygonStrips, thin_out_many_legs_and_follow_a_point) {
+    std::vector<Point> points = spiral_points(50000);
+    PolygonStrips strips(cubic_through(points));
+    const std::size_t stretches = strips.stretch_count();
+    points[20000] += Vector(3.0, 1.0);
+    strips.follow(cubic_through(points));
+    EXPECT_LE(strips.stretch_count(), stretches + 2);
+    const PointRuns runs = strips.runs({0.002, everything, 4000});
+    EXPECT_LE(place_count(runs), 4000U);
+    EXPECT_GT(place_count(runs), 500U);
+    EXPECT_LE(distance_to(runs, points[20000]), 0.01);
+    for (std::size_t i = 0; i < points.size(); i += 499) EXPECT_LE(distance_to(runs, points[i]), 0.01) << i;
+}
+
+TEST(PolygonStrips, visit_every_point_in_view_once) {
+    const std::vector<Point> points = spiral_points(16 * 20 + 1);
+    const PolygonStrips strips(cubic_through(points));
+    const Box view{{-1.0, -1.0}, {3.0, 4.0}};
+    std::vector<std::size_t> expected;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (view.contains(points[i])) expected.push_back(i);
+    std::vector<std::size_t> visited;
+    strips.visit_points(view, 0.0, [&](std::size_t i, Point) { visited.push_back(i); });
+    EXPECT_EQ(visited, expected);
+}
+
+}  // namespace
+}  // namespace batten::core
