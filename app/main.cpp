@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 
 #include "app/cli/command_line.h"
 #include "app/cli/standard_streams.h"
@@ -18,6 +19,15 @@ std::filesystem::path assets_folder() {
     return !error && std::filesystem::exists(installed / "examples", error) ? installed : BATTEN_ASSETS;
 }
 
+int profile(const batten::cli::ProfileOptions& options) {
+    std::ostringstream results;
+    const int status = batten::platform::profile(
+        {.file = options.file, .gesture = options.gesture, .frame_count = options.frame_count}, options.as_json,
+        results);
+    const bool is_written = batten::cli::write_results(results.str(), {std::cout, std::cerr});
+    return is_written ? status : static_cast<int>(batten::cli::ExitStatus::wrong_input);
+}
+
 }  // namespace
 #endif
 
@@ -27,6 +37,7 @@ int main(int argc, char** argv) {
     batten::cli::WindowOptions window;
     window.assets = assets_folder();
     if (const auto status = batten::cli::run_command_line(argc, argv, &window, {std::cout, std::cerr})) return *status;
+    if (window.profile) return profile(*window.profile);
     return batten::platform::run({.files = std::move(window.files),
                                   .example = std::move(window.example),
                                   .assets = std::move(window.assets),

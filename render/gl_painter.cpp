@@ -101,10 +101,13 @@ struct GlPainter::Resources {
     PictureMesh picture{};
     int strokes_once = 0;  // painted in this frame
 
-    void begin(glm::ivec2 size_px) {
+    void upload() {
         fills.upload(picture.fills);
         strokes.upload(picture.strokes);
         markers.upload(picture.markers);
+    }
+
+    void begin(glm::ivec2 size_px) {
         for (const Pen* pen : {&fill, &stroke, &stroke_once, &marker}) {
             glUseProgram(pen->program.id());
             glUniform2f(pen->viewport_px, static_cast<float>(size_px.x), static_cast<float>(size_px.y));
@@ -165,13 +168,29 @@ tl::expected<GlPainter, std::string> GlPainter::make() {
 }
 
 void GlPainter::paint(const DrawList& list, const Viewport& viewport, Color background, float scale) {
-    if (viewport.size_px.x <= 0 || viewport.size_px.y <= 0) return;
+    upload(list, viewport, scale);
+    draw(viewport, background);
+}
+
+void GlPainter::upload(const DrawList& list, const Viewport& viewport, float scale) {
     build_picture(resources_->picture, list, viewport.size_px, scale);
+    resources_->upload();
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void GlPainter::draw(const Viewport& viewport, Color background) {
+    if (viewport.size_px.x <= 0 || viewport.size_px.y <= 0) return;
     set_state(viewport);
     clear(background);
     resources_->begin(viewport.size_px);
     for (const Run& run : resources_->picture.runs) resources_->draw(run);
     reset_state(viewport);
+}
+
+std::size_t GlPainter::vertex_count() const {
+    const PictureMesh& picture = resources_->picture;
+    return picture.fills.vertices.size() + picture.strokes.vertices.size() + picture.markers.vertices.size();
 }
 
 }  // namespace batten::render

@@ -1,6 +1,7 @@
 /// Paints draw lists with OpenGL 3.3.
 #pragma once
 
+#include <cstddef>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <string>
@@ -34,6 +35,14 @@ class GlPainter {
     /// cross themselves; only then is it cleared. Cost: one upload for each kind of command, one draw call for each run
     /// of commands of one kind, and two for each such translucent line.
     void paint(const DrawList& list, const Viewport& viewport, Color background, float scale);
+
+    /// The two halves of paint(): upload() makes the triangles of `list` and hands them to OpenGL, draw() paints what
+    /// was uploaded last, into a viewport of the same size.
+    void upload(const DrawList& list, const Viewport& viewport, float scale);
+    void draw(const Viewport& viewport, Color background);
+
+    /// The vertices that were uploaded last.
+    std::size_t vertex_count() const;
 
   private:
     struct Resources;

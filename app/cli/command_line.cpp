@@ -23,6 +23,7 @@ namespace {
 constexpr const char* file_meaning = "A curve file in Batten's own format; - is standard input";
 constexpr const char* result_meaning = "Where the result is written; - is standard output";
 constexpr int most_derivatives = 25;
+constexpr std::size_t most_frames = 100000;
 
 CLI::App* add_command(CLI::App& program, const char* name, const char* description) {
     CLI::App* command = program.add_subcommand(name, description);
@@ -235,6 +236,55 @@ void add_window_options(CLI::App& program, WindowOptions& options) {
         ->type_name("FILE");
 }
 
+// The subcommand that opens the window itself.
+class ProfileSubcommand {
+  public:
+    explicit ProfileSubcommand(CLI::App& program);
+
+    bool is_given() const { return command_->parsed(); }
+
+    // What was asked for; none after saying what is wrong with it.
+    std::optional<ProfileOptions> options(Output output) const;
+
+  private:
+    ProfileOptions options_;
+    std::vector<editor::ScriptedGesture> gestures_;
+    const CLI::App* command_ = nullptr;
+};
+
+ProfileSubcommand::ProfileSubcommand(CLI::App& program) {
+    CLI::App* command =
+        add_command(program, "profile", "Make a gesture in the window, and print what its frames cost the processor");
+    command->add_option("file", options_.file, "A curve file in Batten's own format")
+        ->required()
+        ->check(CLI::Validator(CLI::ExistingFile).description(""))
+        ->type_name("FILE");
+    for (const auto& entry : core::Names<editor::ScriptedGesture>::table)
+        command->add_flag_callback(
+            core::sentence("--{gesture}", {{"gesture", entry.name}}),
+            [this, gesture = entry.value] { gestures_.push_back(gesture); }, entry.title);
+    command->add_option("--frames", options_.frame_count, "How many frames to measure, at most 100000 (default: 240)")
+        ->check(CLI::Validator(CLI::Range(std::size_t{1}, most_frames)).description(""))
+        ->type_name("N");
+    add_json(*command, options_.as_json);
+    command_ = command;
+}
+
+std::optional<ProfileOptions> ProfileSubcommand::options(Output output) const {
+    if (gestures_.size() != 1) {
+        std::vector<std::string> names;
+        for (const auto& entry : core::Names<editor::ScriptedGesture>::table)
+            names.push_back(core::sentence("--{gesture}", {{"gesture", entry.name}}));
+        output.errors << core::sentence("batten profile: one gesture is needed: {gestures}",
+                                        {{"gestures", core::listed_as_alternatives(names)}})
+                      << '\n';
+        return std::nullopt;
+    }
+    ProfileOptions result = options_;
+    result.gesture = gestures_.front();
+    return result;
+}
+
 // What the process ends with; none where the window is to be opened.
 std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, WindowOptions* window, Output output) {
     CLI::App program("Batten: an interactive editor for B-spline and NURBS curves", "batten");
@@ -246,7 +296,11 @@ std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, W
         "Exit status:\n  0 if everything was done, 1 if the input is wrong or the results cannot be written, 2 if the "
         "command line is wrong.");
     Subcommands subcommands(program);
-    if (window != nullptr) add_window_options(program, *window);
+    std::optional<ProfileSubcommand> profile;
+    if (window != nullptr) {
+        profile.emplace(program);
+        add_window_options(program, *window);
+    }
     try {
         subcommands.parse(program, words);
     } catch (const CLI::ParseError& error) {
@@ -254,7 +308,11 @@ std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, W
         return is_done ? ExitStatus::done : ExitStatus::wrong_usage;
     }
     if (const auto status = subcommands.run(output)) return status;
-    if (window != nullptr) return std::nullopt;
+    if (window != nullptr) {
+        if (!profile->is_given()) return std::nullopt;
+        window->profile = profile->options(output);
+        return window->profile ? std::nullopt : std::optional(ExitStatus::wrong_usage);
+    }
     return say_wrong_usage(output,
                            "batten: this build has no window; the subcommands are info, eval, apply, new and check");
 }

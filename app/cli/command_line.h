@@ -18,6 +18,7 @@ struct WindowOptions {
     std::optional<double> display_scale;
     std::optional<std::filesystem::path> state_report;
     std::optional<std::filesystem::path> session_log;
+    std::optional<ProfileOptions> profile;  ///< a gesture to be measured, instead of a user's work
 };
 
 /// Reads the command line and runs the subcommand that it names, if any. Returns what the process ends with; none where

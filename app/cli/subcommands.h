@@ -1,4 +1,4 @@
-/// The headless subcommands: info, eval, apply, new and check.
+/// The subcommands: info, eval, apply, new and check, which need no window, and what profile is asked for.
 #pragma once
 
 #include <filesystem>
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/gesture_script.h"
 #include "core/curve/knot_vector.h"
 
 namespace batten::cli {
@@ -62,5 +63,13 @@ struct CheckOptions {
 
 /// Says of each file whether it is valid, and what is wrong where it is not.
 ExitStatus check(const CheckOptions& options, Output output);
+
+/// What `profile` is asked for. It needs the window, so that whoever has one runs it.
+struct ProfileOptions {
+    std::filesystem::path file;
+    editor::ScriptedGesture gesture = editor::ScriptedGesture::drag;
+    std::size_t frame_count = 240;
+    bool as_json = false;
+};
 
 }  // namespace batten::cli

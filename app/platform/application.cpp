@@ -4,7 +4,9 @@
 #include <fmt/core.h>
 
 #include <fstream>
+#include <functional>
 #include <iostream>
+#include <utility>
 
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
@@ -21,11 +23,20 @@
 #include "app/platform/window.h"
 #include "app/ui/interface.h"
 #include "app/ui/style.h"
+#include "core/base/sentence.h"
 #include "render/gl_painter.h"
 
 namespace batten::platform {
 
 namespace {
+
+constexpr double frames_per_second = 60.0;   ///< of a gesture that is measured
+constexpr std::size_t settling_frames = 12;  ///< not measured: in which a gesture begins, and the drivers get ready
+
+int say_failure(const std::string& sentence) {
+    std::cerr << "batten: " << sentence << '\n';
+    return 1;
+}
 
 editor::Desktop desktop_of(Window& window, const Options& options) {
     editor::Desktop desktop;
@@ -50,6 +61,10 @@ class Application {
     }
 
     int run();
+
+    /// The error is one sentence.
+    tl::expected<Profile, std::string> profile(const ProfileOptions& options);
+
     editor::Settings settings() const;
 
   private:
@@ -59,7 +74,9 @@ class Application {
     void follow_scale();
     void follow_theme();
     void deliver_keys();
-    void draw_frame();
+    void draw_frame(ui::FrameInput input, double now);
+    void draw_scripted(editor::ScriptedFrame frame);
+    tl::expected<std::vector<FrameCost>, std::string> measure(const ProfileOptions& options);
     void run_requests();
     void show(const ui::FrameLayout& layout);
     void paint(const render::DrawList& picture, const ui::Rectangle& place, render::Color background);
@@ -80,6 +97,8 @@ class Application {
     const Options& options_;
     std::ofstream session_log_;
     std::size_t logged_ = 0;
+    FrameMeter meter_;
+    ui::FrameLayout layout_;  ///< of the last frame
 };
 
 void Application::open_start_document() {
@@ -131,7 +150,11 @@ void Application::paint(const render::DrawList& picture, const ui::Rectangle& pl
     const glm::ivec2 framebuffer = window_.framebuffer_px();
     const render::Viewport viewport = picture_viewport(place, window, framebuffer);
     if (viewport.size_px.x <= 0 || viewport.size_px.y <= 0) return;
-    painter_.paint(picture, viewport, background, static_cast<float>(framebuffer_density(window, framebuffer)));
+    meter_.enter(FramePart::upload);
+    painter_.upload(picture, viewport, static_cast<float>(framebuffer_density(window, framebuffer)));
+    meter_.add_vertices(painter_.vertex_count());
+    meter_.enter(FramePart::draw);
+    painter_.draw(viewport, background);
 }
 
 void Application::deliver_keys() {
@@ -142,46 +165,46 @@ void Application::deliver_keys() {
     if (dialog == editor::Dialog::none || dialog_age_ >= 2) window_.input().deliver_keys();
 }
 
-void Application::draw_frame() {
-    const double elapsed = clock_.begin_frame(glfwGetTime());
+void Application::draw_frame(ui::FrameInput input, double now) {
+    const double elapsed = clock_.begin_frame(now);
+    input.frames_per_second = clock_.frames_per_second();
     const editor::EditorState& state = editor_.state();
     if (state.view.playback.is_playing && elapsed > 0.0) editor_.change(editor::Advance{elapsed});
-    editor_.change(editor::TellTime{glfwGetTime()});
+    editor_.change(editor::TellTime{now});
     take_window_requests();
     follow_scale();
     follow_theme();
-    deliver_keys();
     imgui_.begin_frame();
-    const ui::FrameInput input = [this] {
-        ui::FrameInput portion = window_.input().take();
-        portion.frames_per_second = clock_.frames_per_second();
-        return portion;
-    }();
     interface_.take_pointer(state, input, fonts_, queue_);
     run_requests();
+    meter_.enter(FramePart::scene);
     editor_.change(editor::PlaceLegend{});
+    meter_.enter(FramePart::panels);
     // What the panels ask for is run once the frame is shown: all of it shows one state.
-    const ui::FrameLayout layout = interface_.draw(state, input, fonts_, queue_);
-    show(layout);
+    layout_ = interface_.draw(state, input, fonts_, queue_);
+    show(layout_);
     run_requests();
 }
 
 void Application::run_requests() {
+    meter_.enter(FramePart::commands);
     if (!queue_.is_empty()) clock_.note_activity();
     editor_.perform(queue_);
 }
 
 void Application::show(const ui::FrameLayout& layout) {
     const editor::EditorState& state = editor_.state();
+    meter_.enter(FramePart::scene);
     const render::DrawList canvas = editor::canvas_scene(state, interface_.canvas_mode());
     const render::DrawList plot = editor::plot_scene(state, interface_.plot_mode(), layout.plot.size_px);
+    meter_.enter(FramePart::draw);
     ui::draw_labels(canvas, layout.canvas, fonts_);
     ui::draw_labels(plot, layout.plot, fonts_);
     const editor::Theme theme = editor::theme_of(state.view.theme);
     cursors_.show(window_.handle(), layout.cursor);
     paint(canvas, layout.canvas, theme.canvas);
     paint(plot, layout.plot, theme.panel);
-    imgui_.paint_frame();
+    meter_.add_vertices(imgui_.paint_frame());
     window_.set_title(fmt::format("{}{} — Batten", state.file_name(), state.is_modified() ? " •" : ""));
     window_.show_frame();
     if (state.view.playback.is_playing || interface_.is_animating()) clock_.note_animation();
@@ -203,15 +226,50 @@ int Application::run() {
         if (!window_.input().is_pending()) Window::wait(clock_.seconds_to_wait(glfwGetTime()));
         if (window_.input().take_activity() || window_.input().is_pending()) clock_.note_activity();
         if (clock_.seconds_to_wait(glfwGetTime()).value_or(1.0) > 0.0) continue;
-        draw_frame();
+        deliver_keys();
+        draw_frame(window_.input().take(), glfwGetTime());
+        meter_.take();
         write_log();
         const std::string error = render::pending_gl_error();
-        if (!error.empty()) {
-            std::cerr << "batten: OpenGL reports " << error << '\n';
-            return 1;
-        }
+        if (!error.empty()) return say_failure(core::sentence("OpenGL reports {error}", {{"error", error}}));
     }
     return 0;
+}
+
+void Application::draw_scripted(editor::ScriptedFrame frame) {
+    Window::wait(0.0);
+    for (editor::Command& command : frame.commands) queue_.run(std::move(command));
+    // The clock runs as evenly as that of a display that never waits for a frame.
+    draw_frame({std::move(frame.pointer_events), {}}, static_cast<double>(clock_.frame_count()) / frames_per_second);
+}
+
+tl::expected<std::vector<FrameCost>, std::string> Application::measure(const ProfileOptions& options) {
+    const editor::EditorState& state = editor_.state();
+    for (std::size_t i = 0; i < settling_frames; ++i) draw_scripted({});
+    const glm::dvec2 start_px =
+        start_of(options.gesture, state, {layout_.canvas.origin_px, layout_.plot.origin_px, layout_.plot.size_px});
+    std::vector<FrameCost> costs;
+    for (std::size_t i = 0; i < settling_frames + options.frame_count && !state.wants_quit; ++i) {
+        draw_scripted(scripted_frame(options.gesture, i, start_px, state));
+        const FrameCost cost = meter_.take();
+        if (i >= settling_frames) costs.push_back(cost);
+    }
+    if (state.wants_quit) return tl::unexpected(std::string("the window was closed before all frames were drawn"));
+    if (state.active_curve() != nullptr && !is_under_way(options.gesture, state))
+        return tl::unexpected(core::sentence("the gesture '{gesture}' does nothing to the active curve",
+                                             {{"gesture", core::name_of(options.gesture)}}));
+    draw_scripted(last_frame(options.gesture, start_px));
+    return costs;
+}
+
+tl::expected<Profile, std::string> Application::profile(const ProfileOptions& options) {
+    imgui_.ignore_pointer();
+    auto empty = measure(options);
+    if (!empty) return tl::unexpected(empty.error());
+    if (!editor_.run(editor::Open{.path = options.file})) return tl::unexpected(editor_.state().message.text);
+    return measure(options).map([&](std::vector<FrameCost> frames) {
+        return Profile{options, std::move(frames), *std::move(empty)};
+    });
 }
 
 editor::Settings Application::settings() const {
@@ -220,30 +278,43 @@ editor::Settings Application::settings() const {
     return settings;
 }
 
+/// Says why the window cannot be opened, or gives it with its painter to `use`, whose exit status it returns.
+int with_window(const std::optional<editor::WindowGeometry>& geometry,
+                const std::function<int(Window&, render::GlPainter)>& use) {
+    const auto window = Window::open(geometry);
+    if (!window) return say_failure(window.error());
+    const auto loaded = render::load_gl(glfwGetProcAddress);
+    if (!loaded) return say_failure(loaded.error());
+    auto painter = render::GlPainter::make();
+    if (!painter) return say_failure(painter.error());
+    return use(**window, std::move(*painter));
+}
+
 }  // namespace
 
 int run(const Options& options) {
     const std::filesystem::path settings_path = editor::settings_path();
     const editor::Settings settings = editor::load_settings(settings_path);
-    const auto window = Window::open(settings.window);
-    if (!window) {
-        std::cerr << "batten: " << window.error() << '\n';
-        return 1;
-    }
-    const auto loaded = render::load_gl(glfwGetProcAddress);
-    if (!loaded) {
-        std::cerr << "batten: " << loaded.error() << '\n';
-        return 1;
-    }
-    auto painter = render::GlPainter::make();
-    if (!painter) {
-        std::cerr << "batten: " << painter.error() << '\n';
-        return 1;
-    }
-    Application application(**window, std::move(*painter), settings, options);
-    const int status = application.run();
-    editor::save_settings(application.settings(), settings_path);
-    return status;
+    return with_window(settings.window, [&](Window& window, render::GlPainter painter) {
+        Application application(window, std::move(painter), settings, options);
+        const int status = application.run();
+        editor::save_settings(application.settings(), settings_path);
+        return status;
+    });
+}
+
+int profile(const ProfileOptions& options, bool as_json, std::ostream& results) {
+    return with_window(std::nullopt, [&](Window& window, render::GlPainter painter) {
+        const Options no_options;
+        Application application(window, std::move(painter), {}, no_options);
+        const auto found = application.profile(options);
+        if (!found) return say_failure(found.error());
+        if (as_json)
+            print_json(results, *found);
+        else
+            print_text(results, *found);
+        return 0;
+    });
 }
 
 }  // namespace batten::platform

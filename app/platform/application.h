@@ -2,9 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "app/platform/profile.h"
 
 namespace batten::platform {
 
@@ -19,5 +22,9 @@ struct Options {
 
 /// Runs until the user quits. Returns the exit status; a failure to start is said in one sentence on standard error.
 int run(const Options& options);
+
+/// Makes a gesture in a window of default settings, first without a curve, then on the file, and writes what its frames
+/// cost to `results`. Returns the exit status; what is wrong is said in one sentence on standard error.
+int profile(const ProfileOptions& options, bool as_json, std::ostream& results);
 
 }  // namespace batten::platform

@@ -65,15 +65,20 @@ void ImguiLayer::renew_font_texture() {
 #endif
 }
 
+void ImguiLayer::ignore_pointer() {
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NoMouse;
+}
+
 void ImguiLayer::begin_frame() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
 }
 
-void ImguiLayer::paint_frame() {
+std::size_t ImguiLayer::paint_frame() {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    return static_cast<std::size_t>(ImGui::GetDrawData()->TotalVtxCount);
 }
 
 }  // namespace batten::platform

@@ -1,6 +1,8 @@
 /// Dear ImGui over the window: its context and its GLFW and OpenGL backends.
 #pragma once
 
+#include <cstddef>
+
 #include "app/platform/window.h"
 
 namespace batten::platform {
@@ -17,8 +19,13 @@ class ImguiLayer {
     /// Hands the font atlas to OpenGL again after it was filled anew.
     void renew_font_texture();
 
+    /// The pointer is nowhere for it from now on.
+    void ignore_pointer();
+
     void begin_frame();
-    void paint_frame();
+
+    /// Returns how many vertices it took.
+    std::size_t paint_frame();
 };
 
 }  // namespace batten::platform
