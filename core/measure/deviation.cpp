@@ -37,9 +37,8 @@ struct BoundedPiece {
 class DeviationSearch {
   public:
     DeviationSearch(const Curve& a, const Curve& b) : a_(a), b_(b) {
-        for (const CommonSpan& common : common_spans(a, b))
-            if (!is_written_alike(a, b, common))
-                add({boundless, difference_piece(a, b, common, Precision::plain), common});
+        for (const CommonSpan& common : differing_spans(a, b))
+            add({boundless, difference_piece(a, b, common, Precision::plain), common});
         most_halvings_ = least_halvings + halvings_of_span * queue_.size();
     }
 

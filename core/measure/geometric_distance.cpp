@@ -132,14 +132,14 @@ class PassingTogether {
     double found_ = 0.0;
 };
 
-std::vector<std::vector<CommonSpan>> differing_runs(const Curve& a, const Curve& b) {
+// The differing parts that follow each other without another between.
+std::vector<std::vector<CommonSpan>> runs_of(const std::vector<CommonSpan>& parts) {
     std::vector<std::vector<CommonSpan>> runs;
-    bool continues = false;
-    for (const CommonSpan& common : common_spans(a, b)) {
-        const bool differs = !is_written_alike(a, b, common);
-        if (differs && !continues) runs.emplace_back();
-        if (differs) runs.back().push_back(common);
-        continues = differs;
+    for (const CommonSpan& part : parts) {
+        const bool continues = !runs.empty() && runs.back().back().part_of_a.upper == part.part_of_a.lower &&
+                               runs.back().back().part_of_b.upper == part.part_of_b.lower;
+        if (!continues) runs.emplace_back();
+        runs.back().push_back(part);
     }
     return runs;
 }
@@ -148,12 +148,10 @@ std::vector<std::vector<CommonSpan>> differing_runs(const Curve& a, const Curve&
 
 double geometric_distance(const Curve& a, const Curve& b) {
     const double deviation = largest_deviation(a, b);
-    std::size_t count = 0;
-    const auto runs = differing_runs(a, b);
-    for (const auto& run : runs) count += run.size();
-    if (count > most_differing_spans || !std::isfinite(deviation)) return deviation;
+    const std::vector<CommonSpan> parts = differing_spans(a, b);
+    if (parts.size() > most_differing_spans || !std::isfinite(deviation)) return deviation;
     PassingTogether passing(a, b);
-    for (const auto& run : runs) passing.add_run(run);
+    for (const auto& run : runs_of(parts)) passing.add_run(run);
     return std::min(deviation, passing.run(negligible_part * deviation));
 }
 

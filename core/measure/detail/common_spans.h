@@ -15,11 +15,10 @@ struct CommonSpan {
     Interval part_of_b;
 };
 
-/// All parts in order. Knots of different domains that differ by no more than rounding are one, so that a tear which
-/// both curves have is no distance between them. Cost O(n).
-std::vector<CommonSpan> common_spans(const Curve& a, const Curve& b);
-
-/// Whether both curves are the same there because they are written the same: no computation can tell them apart.
-bool is_written_alike(const Curve& a, const Curve& b, const CommonSpan& common);
+/// The parts in which the curves are not written the same, in order; in the others no computation can tell them apart.
+/// Knots of different domains that differ by no more than rounding are one, so that a tear which both curves have is no
+/// distance between them. Cost: a comparison of the numbers of both curves that are not shared, and more only from the
+/// first to the last of the parts.
+std::vector<CommonSpan> differing_spans(const Curve& a, const Curve& b);
 
 }  // namespace batten::core
