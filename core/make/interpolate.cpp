@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/curve/detail/trusted.h"
+#include "core/make/detail/collocation.h"
 #include "core/make/detail/end_conditions.h"
 
 namespace batten::core {
@@ -31,36 +33,93 @@ std::vector<double> knots_at_parameters(std::span<const double> parameters, std:
     return knots;
 }
 
+// Distances of knots that have products of six without over- or underflow.
+constexpr Interval moderate_distances{1e-45, 1e45};
+
+bool are_moderately_apart(std::span<const double> knots) {
+    if (!(knots.back() - knots.front() < moderate_distances.upper)) return false;
+    std::size_t apart = 1;
+    for (std::size_t i = 1; i < knots.size(); ++i)
+        apart += knots[i] - knots[i - 1] > moderate_distances.lower ? 1U : 0U;
+    return apart == knots.size();
+}
+
+// The knots inside of clamped ones and both ends.
+std::span<const double> breaks_of(std::span<const double> knots, std::size_t p) {
+    return knots.subspan(p, knots.size() - 2 * p);
+}
+
 Result<Curve> solved(const SplineSystem& system) {
     auto points = system.solve();
     if (!points) return refuse({.code = CurveErrorCode::equations_singular});
     return Curve::make(system.knots(), *std::move(points), {});
 }
 
+// Open curves in the making.
+struct OpenInterpolation {
+    std::span<const Point> points;
+    const std::vector<double>& parameters;
+    const Ends& ends;
+    EndNeeds needs;
+
+    std::vector<double> knots(std::size_t p) const {
+        const bool is_natural = std::holds_alternative<NaturalEnds>(ends);
+        if (is_natural && p == 3) return knots_at_parameters(parameters, p);
+        return needs.count() == 0 ? averaged_knots(parameters, p) : averaged_knots(sites_of(parameters, needs), p);
+    }
+
+    Result<Curve> by_system(KnotVector knots) const {
+        const EndPoints fixed = end_points(points.front(), points.back(), ends, knots);
+        SplineSystem system(std::move(knots), points.front(), fixed);
+        for (std::size_t k = 1; k + 1 < points.size(); ++k) system.require_point(parameters[k], points[k]);
+        return solved(system).and_then([&](const Curve& curve) {
+            std::vector<Point> exact(curve.control_points().begin(), curve.control_points().end());
+            exact.front() = points.front();
+            exact.back() = points.back();
+            return Curve::make(curve.knots(), std::move(exact), {});
+        });
+    }
+
+    // Of a cubic whose knots are apart.
+    std::optional<Curve> by_collocation(const KnotVector& knots) const {
+        const EndPoints fixed = end_points(points.front(), points.back(), ends, knots);
+        auto found = needs.count() == 0
+                         ? collocated({knots.values(), parameters, points, fixed})
+                         : collocated({knots.values(), sites_of(parameters, needs), points_beside(fixed), fixed});
+        if (!found) return std::nullopt;
+        std::vector<double> weights(found->size(), 1.0);
+        return Trusted::curve(knots, *std::move(found), std::move(weights), false);
+    }
+
+    // The points, and beside the ends one for each condition there.
+    std::vector<Point> points_beside(const EndPoints& fixed) const {
+        std::vector<Point> all(needs.at_start, points.front());
+        all.insert(all.end(), points.begin(), points.end());
+        all.insert(all.end(), needs.at_end, points.back());
+        for (const KnownPoint& known : fixed.known) all[known.index] = known.point;
+        return all;
+    }
+};
+
 Result<Interpolation> interpolate_open(std::span<const Point> points, const InterpolationRequest& request,
                                        std::vector<double> parameters) {
     const auto p = static_cast<std::size_t>(request.degree);
-    const EndNeeds needs = needs_of(request.ends);
-    const std::size_t count = points.size() + needs.count();
-    if (count < p + 1)
+    const OpenInterpolation open{points, parameters, request.ends, needs_of(request.ends)};
+    if (points.size() + open.needs.count() < p + 1)
         return refuse({.code = CurveErrorCode::data_points_too_few,
                        .value = static_cast<double>(points.size()),
-                       .lower = static_cast<double>(p + 1 - needs.count())});
+                       .lower = static_cast<double>(p + 1 - open.needs.count())});
     if (const auto check = check_tangents(request.ends); !check) return refuse(check.error());
-    const bool is_natural = std::holds_alternative<NaturalEnds>(request.ends);
-    auto knots =
-        KnotVector::make(request.degree, is_natural && p == 3 ? knots_at_parameters(parameters, p)
-                                                              : averaged_knots(sites_of(parameters, needs), p));
+    std::vector<double> values = open.knots(p);
+    const bool are_apart = are_moderately_apart(breaks_of(values, p));
+    auto knots = are_apart ? Trusted::knots(request.degree, false, KnotKind::custom, std::move(values))
+                           : KnotVector::make(request.degree, std::move(values));
     if (!knots) return refuse(knots.error());
-
-    const EndPoints ends = end_points(points.front(), points.back(), request.ends, *knots);
-    SplineSystem system(*std::move(knots), points.front(), ends);
-    for (std::size_t k = 1; k + 1 < points.size(); ++k) system.require_point(parameters[k], points[k]);
-    return solved(system).map([&](const Curve& curve) {
-        CurveDefinition definition = curve.definition();
-        definition.points.front() = points.front();
-        definition.points.back() = points.back();
-        return Interpolation{Curve::make(std::move(definition)).value(), std::move(parameters)};
+    std::optional<Curve> curve;
+    if (p == 3 && are_apart) curve = open.by_collocation(*knots);
+    if (curve) return Interpolation{*std::move(curve), std::move(parameters)};
+    return open.by_system(*std::move(knots)).map([&](Curve solution) {
+        return Interpolation{std::move(solution), std::move(parameters)};
     });
 }
 

@@ -4,11 +4,23 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/base/detail/double_double.h"
+#include "core/make/detail/site_means.h"
 
 namespace batten::core {
 
 namespace {
+
+// Both count through all of them, because without a way out several are looked at in one step.
+bool are_finite(std::span<const Point> points) {
+    const auto count = std::ranges::count_if(points, [](Point point) { return is_finite(point); });
+    return static_cast<std::size_t>(count) == points.size();
+}
+
+bool are_ascending(std::span<const double> parameters) {
+    std::size_t steps = 0;
+    for (std::size_t k = 1; k < parameters.size(); ++k) steps += parameters[k - 1] < parameters[k] ? 1U : 0U;
+    return steps + 1 == parameters.size() && std::isfinite(parameters.front()) && std::isfinite(parameters.back());
+}
 
 Result<void> check_points(std::span<const Point> points, bool is_closed) {
     const std::size_t least = is_closed ? 3 : 2;
@@ -16,9 +28,10 @@ Result<void> check_points(std::span<const Point> points, bool is_closed) {
         return refuse({.code = CurveErrorCode::data_points_too_few,
                        .value = static_cast<double>(points.size()),
                        .lower = static_cast<double>(least)});
-    for (std::size_t k = 0; k < points.size(); ++k)
-        if (!is_finite(points[k])) return refuse({.code = CurveErrorCode::data_point_not_finite, .index = k});
-    return {};
+    if (are_finite(points)) return {};
+    const auto undefined = std::ranges::find_if(points, [](Point point) { return !is_finite(point); });
+    return refuse(
+        {.code = CurveErrorCode::data_point_not_finite, .index = static_cast<std::size_t>(undefined - points.begin())});
 }
 
 // In more digits, because rounding it would be seen in the parameters, and that of a long sum in its last ones.
@@ -58,6 +71,7 @@ Result<void> check_parameters(std::span<const Point> points, std::span<const dou
         return refuse({.code = CurveErrorCode::parameter_count_mismatch,
                        .value = static_cast<double>(parameters.size()),
                        .lower = static_cast<double>(expected)});
+    if (are_ascending(parameters)) return {};
     for (std::size_t k = 0; k < parameters.size(); ++k)
         if (!std::isfinite(parameters[k]) || (k > 0 && !(parameters[k] > parameters[k - 1])))
             return refuse({.code = CurveErrorCode::parameters_not_increasing, .index = k});
@@ -66,16 +80,10 @@ Result<void> check_parameters(std::span<const Point> points, std::span<const dou
 
 std::vector<double> averaged_knots(std::span<const double> sites, std::size_t p) {
     assert(p >= 1 && sites.size() >= p + 1 && std::is_sorted(sites.begin(), sites.end()));
-    std::vector<double> knots(p + 1, sites.front());
-    knots.reserve(sites.size() + p + 1);
-    for (std::size_t j = 1; j + p < sites.size(); ++j) {
-        // Seen from the first of them, so that the mean never leaves them, however close they are.
-        DoubleDouble sum;
-        for (std::size_t i = j; i < j + p; ++i) sum = sum + exact_sum(sites[i], -sites[j]);
-        const double mean = (sites[j] + sum / static_cast<double>(p)).rounded();
-        knots.push_back(std::clamp(mean, sites[j], sites[j + p - 1]));
-    }
-    knots.insert(knots.end(), p + 1, sites.back());
+    std::vector<double> knots(sites.size() + p + 1, sites.front());
+    const auto inner = std::span(knots).subspan(p + 1, sites.size() - p - 1);
+    mean_of_sites(sites.subspan(1), p, inner);
+    std::fill(knots.end() - static_cast<std::ptrdiff_t>(p) - 1, knots.end(), sites.back());
     return knots;
 }
 

@@ -20,15 +20,19 @@ struct DoubleDouble {
 
 /// a + b without error.
 inline DoubleDouble exact_sum(double a, double b) {
-    const double sum = a + b;
-    const double part_of_b = sum - a;
-    return {sum, (a - (sum - part_of_b)) + (b - part_of_b)};
+    DoubleDouble sum;
+    sum.high = a + b;
+    const double part_of_b = sum.high - a;
+    sum.low = (a - (sum.high - part_of_b)) + (b - part_of_b);
+    return sum;
 }
 
 /// a b without error.
 inline DoubleDouble exact_product(double a, double b) {
-    const double product = a * b;
-    return {product, std::fma(a, b, -product)};
+    DoubleDouble product;
+    product.high = a * b;
+    product.low = std::fma(a, b, -product.high);
+    return product;
 }
 
 inline DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
