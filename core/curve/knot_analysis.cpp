@@ -10,12 +10,13 @@ std::size_t degree_of(const KnotVector& knots) {
     return static_cast<std::size_t>(knots.degree());
 }
 
-// The different values within the domain, both ends included.
-std::vector<double> breakpoints(const KnotVector& knots) {
-    const auto domain = knots.values().subspan(degree_of(knots), knots.size() - 2 * degree_of(knots));
-    std::vector<double> values(domain.begin(), domain.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-    return values;
+// The knots of the domain; of the runs at its ends the innermost one alone.
+std::span<const double> interior_with_ends(const KnotVector& knots) {
+    const auto [lower, upper] = knots.domain();
+    auto domain = knots.values().subspan(degree_of(knots), knots.size() - 2 * degree_of(knots));
+    while (domain[1] == lower) domain = domain.subspan(1);
+    while (domain[domain.size() - 2] == upper) domain = domain.first(domain.size() - 1);
+    return domain;
 }
 
 // Whether ascending values are spaced equally, but for a few roundings of values of this size.
@@ -30,21 +31,20 @@ bool are_equally_spaced(std::span<const double> values) {
     return true;
 }
 
-// Counting comes first: it settles most cases at once.
-bool have_interior_multiplicity(const KnotVector& knots, int multiplicity) {
-    const std::size_t interior = knots.size() - 2 * degree_of(knots) - 2;
-    const std::size_t joints = segment_count(knots) - 1;
-    if (!knots.is_periodic() && interior != joints * static_cast<std::size_t>(multiplicity) && is_clamped(knots))
-        return false;
-    const auto distinct = distinct_knots(knots);
-    return std::all_of(distinct.begin(), distinct.end(), [&](const DistinctKnot& knot) {
-        return !knot.is_interior || knot.multiplicity == multiplicity;
-    });
+bool are_all_different(std::span<const double> ascending) {
+    return std::adjacent_find(ascending.begin(), ascending.end()) == ascending.end();
 }
 
-bool are_all_simple(const KnotVector& knots) {
-    const auto values = knots.values();
-    return std::adjacent_find(values.begin(), values.end()) == values.end();
+// Of an open vector.
+bool has_interior_multiplicity(const KnotVector& knots, std::size_t multiplicity) {
+    const auto around = interior_with_ends(knots);
+    const auto interior = around.subspan(1, around.size() - 2);
+    if (interior.size() % multiplicity != 0) return false;
+    for (std::size_t first = 0; first < interior.size(); first += multiplicity) {
+        const double last = interior[first + multiplicity - 1];
+        if (interior[first] != last || around[first + multiplicity + 1] == last) return false;
+    }
+    return true;
 }
 
 }  // namespace
@@ -53,11 +53,13 @@ std::vector<DistinctKnot> distinct_knots(const KnotVector& knots) {
     const auto stored = knots.stored();
     const Interval domain = knots.domain();
     std::vector<DistinctKnot> distinct;
-    for (std::size_t i = 0; i < stored.size(); ++i) {
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < stored.size(); i = end) {
         const double u = stored[i];
-        if (i > 0 && u == stored[i - 1]) continue;
         if (knots.is_periodic() && u == domain.upper) break;
-        const int multiplicity = knots.multiplicity(u);
+        while (end < stored.size() && stored[end] == u) ++end;
+        const bool is_seam = knots.is_periodic() && u == domain.lower;
+        const int multiplicity = is_seam ? knots.multiplicity(u) : static_cast<int>(end - i);
         distinct.push_back({.value = u,
                             .first = knots.stored_offset() + i,
                             .multiplicity = multiplicity,
@@ -69,7 +71,10 @@ std::vector<DistinctKnot> distinct_knots(const KnotVector& knots) {
 }
 
 std::size_t segment_count(const KnotVector& knots) {
-    return breakpoints(knots).size() - 1;
+    const auto around = interior_with_ends(knots);
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < around.size(); ++i) count += around[i] != around[i - 1] ? 1U : 0U;
+    return count;
 }
 
 bool is_clamped(const KnotVector& knots) {
@@ -80,7 +85,9 @@ bool is_clamped(const KnotVector& knots) {
 }
 
 bool is_uniform(const KnotVector& knots) {
-    return are_equally_spaced(breakpoints(knots)) && have_interior_multiplicity(knots, 1);
+    const auto around = interior_with_ends(knots);
+    const bool is_seam_simple = around.size() == knots.size() - 2 * degree_of(knots);
+    return (is_seam_simple || !knots.is_periodic()) && are_equally_spaced(around) && are_all_different(around);
 }
 
 std::optional<int> least_continuity(const KnotVector& knots) {
@@ -107,13 +114,13 @@ std::vector<double> greville_abscissae(const KnotVector& knots) {
 bool is_of_kind(const KnotVector& knots, KnotKind kind) {
     switch (kind) {
         case KnotKind::uniform:
-            return !knots.is_periodic() && are_all_simple(knots) && are_equally_spaced(knots.values());
+            return !knots.is_periodic() && are_equally_spaced(knots.values()) && are_all_different(knots.values());
         case KnotKind::clamped_uniform:
             return is_clamped(knots) && is_uniform(knots);
         case KnotKind::bezier:
-            return is_clamped(knots) && segment_count(knots) == 1;
+            return is_clamped(knots) && interior_with_ends(knots).size() == 2;
         case KnotKind::piecewise_bezier:
-            return is_clamped(knots) && have_interior_multiplicity(knots, knots.degree());
+            return is_clamped(knots) && has_interior_multiplicity(knots, degree_of(knots));
         case KnotKind::periodic:
             return knots.is_periodic() && is_uniform(knots);
         case KnotKind::custom:
