@@ -96,8 +96,8 @@ Result<void> check_degree(int degree) {
 KnotVector::KnotVector(int degree, bool is_periodic, KnotKind kind, SharedArray<double> values)
     : degree_(degree), is_periodic_(is_periodic), kind_(kind), values_(std::move(values)) {}
 
-KnotVector KnotVector::of_kind_or_custom(int degree, bool is_periodic, KnotKind kind, std::vector<double> values) {
-    KnotVector knots(degree, is_periodic, kind, SharedArray(std::move(values)));
+KnotVector KnotVector::of_kind_or_custom(int degree, bool is_periodic, KnotKind kind, SharedArray<double> values) {
+    KnotVector knots(degree, is_periodic, kind, std::move(values));
     if (!is_of_kind(knots, kind)) knots.kind_ = KnotKind::custom;
     return knots;
 }
@@ -113,7 +113,7 @@ Result<KnotVector> KnotVector::make(int degree, std::vector<double> knots, KnotK
                             .and_then([&] { return check_domain(domain()); })
                             .and_then([&] { return check_multiplicities(knots, p, domain(), tears); });
     if (!check) return refuse(check.error());
-    return of_kind_or_custom(degree, false, kind, std::move(knots));
+    return of_kind_or_custom(degree, false, kind, SharedArray(std::move(knots)));
 }
 
 Result<KnotVector> KnotVector::make_periodic(int degree, std::vector<double> period, KnotKind kind) {
@@ -129,7 +129,7 @@ Result<KnotVector> KnotVector::make_periodic(int degree, std::vector<double> per
     if (!check) return refuse(check.error());
     std::vector<double> values = unroll_period(period, p, p);
     if (auto extent = check_extent(values, period); !extent) return refuse(extent.error());
-    return of_kind_or_custom(degree, true, kind, std::move(values));
+    return of_kind_or_custom(degree, true, kind, SharedArray(std::move(values)));
 }
 
 std::size_t KnotVector::control_point_count() const {

@@ -114,7 +114,7 @@ class KnotVector {
     friend struct Trusted;
 
     KnotVector(int degree, bool is_periodic, KnotKind kind, SharedArray<double> values);
-    static KnotVector of_kind_or_custom(int degree, bool is_periodic, KnotKind kind, std::vector<double> values);
+    static KnotVector of_kind_or_custom(int degree, bool is_periodic, KnotKind kind, SharedArray<double> values);
 
     int degree_ = 0;
     bool is_periodic_ = false;

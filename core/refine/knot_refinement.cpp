@@ -1,10 +1,12 @@
 #include "core/refine/knot_refinement.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "core/curve/detail/edit_checks.h"
-#include "core/refine/detail/carried_point.h"
+#include "core/curve/detail/boehm.h"
+#include "core/curve/detail/trusted.h"
+#include "core/refine/detail/curve_arrays.h"
 
 namespace batten::core {
 
@@ -44,55 +46,123 @@ Result<void> check_added(const KnotVector& knots, std::span<const double> added,
     return {};
 }
 
+// Whether a value inside comes to a multiplicity above p, which only tears may have. `knots` are the new ones.
+bool is_any_above_degree(std::size_t p, std::span<const double> knots, IndexRange changed) {
+    std::size_t above = 0;
+    const std::size_t end = std::min(changed.end, knots.size() - 2 * p - 1);
+    for (std::size_t i = std::max(changed.first, p + 1); i < end; ++i) above += knots[i] == knots[i + p] ? 1U : 0U;
+    return above > 0;
+}
+
+// And no value is not a number.
+bool is_ascending(std::span<const double> values) {
+    std::size_t others = std::isfinite(values.front()) && std::isfinite(values.back()) ? 0 : 1;
+    for (std::size_t i = 1; i < values.size(); ++i) others += values[i - 1] <= values[i] ? 0U : 1U;
+    return others == 0;
+}
+
+// The arrays with `values`, which are `added` and, in a strip, its repetitions. Looks at what is new alone.
+Result<NewCurveArrays> checked(const Curve& curve, const CurveArrays& arrays, std::span<const double> values,
+                               std::span<const double> added, Tears tears) {
+    NewCurveArrays result = refined(arrays, values);
+    const bool is_at_end = added.front() == curve.domain().lower || added.back() == curve.domain().upper;
+    if (is_at_end || is_any_above_degree(arrays.p, result.knots.values(), result.changed))
+        if (const auto check = check_added(curve.knots(), added, tears); !check) return refuse(check.error());
+    const auto [first, end] = result.changed;
+    if (!are_finite(result.points.values().subspan(first, end - first)))
+        return refuse({.code = CurveErrorCode::not_computable});
+    return result;
+}
+
+// The curve of refined arrays, which is as valid as the one before.
+Curve refined_curve(const Curve& from, SharedArray<double> knots, NewArray<Point> points, NewArray<double> weights) {
+    const bool is_rational = from.is_rational() && !are_equal(weights.values());
+    return Trusted::curve(
+        Trusted::knots_of_kind_or_custom(from.degree(), from.is_periodic(), from.knots().kind(), std::move(knots)),
+        SharedArray(std::move(points)), SharedArray(std::move(weights)), is_rational);
+}
+
 Result<Curve> refine_open(const Curve& curve, std::span<const double> added, Tears tears) {
-    CarriedSpline spline = carried(curve);
-    insert_ascending(spline, added);
-    return settled(curve, std::move(spline), curve.knots().kind(), tears);
+    auto arrays = checked(curve, arrays_of(curve), added, added, tears);
+    if (!arrays) return refuse(arrays.error());
+    return refined_curve(curve, SharedArray(std::move(arrays->knots)), std::move(arrays->points),
+                         std::move(arrays->weights));
 }
 
-// The values and their repetitions in so many periods before and after, ascending; computed as unroll_period does, so
-// that a repetition of a value equals the repetition of the knot that it equals.
-std::vector<double> repetitions(std::span<const double> values, Interval period, std::size_t periods) {
-    std::vector<double> all(values.begin(), values.end());
-    std::vector<double> below = all;
-    std::vector<double> above = all;
-    for (std::size_t k = 0; k < periods; ++k) {
-        for (double& u : below) u = period.lower + (u - period.upper);
-        for (double& u : above) u = period.upper + (u - period.lower);
-        all.insert(all.end(), below.begin(), below.end());
-        all.insert(all.end(), above.begin(), above.end());
-    }
-    std::sort(all.begin(), all.end());
-    return all;
-}
+// As many knots before and after a period as its refinement depends on, and the points of all these.
+struct Strip {
+    std::size_t margin;
+    std::vector<double> knots;
+    std::vector<Point> points;
+    std::vector<double> weights;
+};
 
-// All repetitions come in, as in the endless spline. So many periods are laid out that everything on which the middle
-// one depends lies inside the strip, also where a period has fewer points than the degree.
-Result<Curve> refine_periodic(const Curve& curve, std::span<const double> added) {
+Strip strip_of(const Curve& curve) {
     const auto p = static_cast<std::size_t>(curve.degree());
     const std::size_t n = curve.control_points().size();
-    const std::size_t periods = p / n + 1;
-    CarriedSpline spline = carried(curve, periods);
-    insert_ascending(spline, repetitions(added, curve.domain(), periods));
-    const std::size_t count = n + added.size();
-    const std::size_t first_knot = p + periods * count;
-    const auto period = std::span(spline.knots).subspan(first_knot, count + 1);
-    return settled(curve,
-                   {.degree = curve.degree(),
-                    .knots = {period.begin(), period.end()},
-                    .is_periodic = true,
-                    .kind = curve.knots().kind()},
-                   std::span(spline.points).subspan(first_knot - p, count));
+    const std::size_t margin = 3 * p + 2;
+    Strip strip{margin, unroll_period(curve.knots().stored(), margin, margin), {}, {}};
+    const std::size_t first = n * margin - (margin - p);
+    for (std::size_t i = 0; i + p + 1 < strip.knots.size(); ++i) {
+        strip.points.push_back(curve.control_points()[(first + i) % n]);
+        strip.weights.push_back(curve.weights()[(first + i) % n]);
+    }
+    return strip;
+}
+
+// The values and their repetitions before and after the period, strictly inside the strip; computed as unroll_period
+// does, so that a repetition of a value equals the repetition of the knot that it equals.
+struct Repetitions {
+    std::vector<double> values;   // ascending
+    std::size_t count_below = 0;  // those before the period
+};
+
+Repetitions repetitions(std::span<const double> added, Interval period, Interval strip) {
+    std::vector<double> below;
+    std::vector<double> above;
+    for (const double u : added) {
+        for (double v = period.lower + (u - period.upper); v > strip.lower; v = period.lower + (v - period.upper))
+            below.push_back(v);
+        for (double v = period.upper + (u - period.lower); v < strip.upper; v = period.upper + (v - period.lower))
+            above.push_back(v);
+    }
+    std::sort(below.begin(), below.end());
+    std::sort(above.begin(), above.end());
+    Repetitions result{below, below.size()};
+    result.values.insert(result.values.end(), added.begin(), added.end());
+    result.values.insert(result.values.end(), above.begin(), above.end());
+    return result;
+}
+
+// All repetitions come in, as in the endless spline.
+Result<Curve> refine_periodic(const Curve& curve, std::span<const double> added) {
+    const auto p = static_cast<std::size_t>(curve.degree());
+    const Strip strip = strip_of(curve);
+    const CurveArrays arrays{p, strip.knots, strip.points, strip.weights, curve.is_rational()};
+    const Repetitions repeated = repetitions(added, curve.domain(), arrays.domain());
+    auto strip_refined = checked(curve, arrays, repeated.values, added, Tears::refuse);
+    if (!strip_refined) return refuse(strip_refined.error());
+    const std::size_t count = curve.control_points().size() + added.size();
+    const std::size_t first_knot = strip.margin + repeated.count_below;
+    NewArray<Point> points(count);
+    NewArray<double> weights(count);
+    std::copy_n(&strip_refined->points.data()[first_knot - p], count, points.data());
+    std::copy_n(&strip_refined->weights.data()[first_knot - p], count, weights.data());
+    const auto period = strip_refined->knots.values().subspan(first_knot, count + 1);
+    return refined_curve(curve, SharedArray(unroll_period(period, p, p)), std::move(points), std::move(weights));
 }
 
 }  // namespace
 
 Result<Curve> refine_knots(const Curve& curve, std::vector<double> added, Tears tears) {
-    for (const double u : added)
-        if (const auto check = check_parameter_finite(u); !check) return refuse(check.error());
-    std::sort(added.begin(), added.end());
-    if (const auto check = check_added(curve.knots(), added, tears); !check) return refuse(check.error());
     if (added.empty()) return curve;
+    if (!is_ascending(added)) {
+        if (!std::ranges::all_of(added, [](double u) { return std::isfinite(u); }))
+            return refuse({.code = CurveErrorCode::parameter_not_finite});
+        std::sort(added.begin(), added.end());
+    }
+    if (!curve.domain().contains(added.front()) || !curve.domain().contains(added.back()))
+        return refuse(check_added(curve.knots(), added, tears).error());
     return curve.is_periodic() ? refine_periodic(curve, added) : refine_open(curve, added, tears);
 }
 

@@ -1,5 +1,4 @@
-/// Open splines on their way through an operation, and the one way in which knots come in: Boehm's, for every point
-/// type.
+/// Open splines of any point type on their way through an operation.
 #pragma once
 
 #include <cassert>
@@ -8,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/curve/detail/boehm.h"
 #include "core/curve/detail/bspline.h"
 
 namespace batten::core {
@@ -38,47 +38,32 @@ struct Spline {
     }
 };
 
-/// Inserts one knot into arrays that are being filled from the right: the knots from `place` + 1 on and the points from
-/// `place` - p on are final, old knots are still in place up to `last_old`. Blends at most p points, and only those
-/// whose knots do not equal `u`: Q_i = (1 - alpha_i) P_{i-1} + alpha_i P_i, alpha_i = (u - u_i) / (u_{i+p} - u_i).
+/// The points of a spline on their way into a longer array, as insert_ascending() fills it.
 template <class P>
-void insert_at_place(Spline<P>& spline, std::size_t place, std::size_t last_old, double u) {
-    auto& [p, knots, points] = spline;
-    points[place - p - 1] = points[place - p];
-    for (std::size_t j = 1; j <= p; ++j) {
-        const std::size_t i = place - p + j;
-        const double lower = knots[last_old - p + j];
-        const double upper = knots[place + j];
-        if (upper == u)
-            points[i - 1] = points[i];
-        else if (lower < u)
-            points[i - 1] = blend_between(points[i - 1], points[i], lower, upper, u);
-    }
-    knots[place] = u;
-}
+struct PointsOfSpline {
+    std::span<const P> from;
+    std::span<P> to;
 
-/// The same spline with the knots `added`, which are ascending, lie in the domain and leave every multiplicity at most
-/// p, or p+1 at the ends of the domain. Every new point is a convex combination of old ones. Cost: at most p blends for
-/// each knot, and one copy of everything. Source: Boehm 1980; Boehm and Prautzsch 1985; The NURBS Book, A5.4.
+    void copy(std::size_t first, std::size_t end, std::size_t place) const {
+        copy_run(from.data(), first, end, to.data(), place);
+    }
+    void repeat(std::size_t i) const { to[i - 1] = to[i]; }
+    void blend(std::size_t i, std::size_t count, const double* lower, const double* upper, double u) const {
+        for (std::size_t j = 0; j < count; ++j)
+            to[i - 1 + j] = blend_between(to[i - 1 + j], to[i + j], lower[j], upper[j], u);
+    }
+};
+
+/// The same spline with the knots `added`, under the conditions of boehm.h.
 template <class P>
 void insert_ascending(Spline<P>& spline, std::span<const double> added) {
-    auto& [p, knots, points] = spline;
     assert(std::is_sorted(added.begin(), added.end()));
     assert(added.empty() || (spline.domain().contains(added.front()) && spline.domain().contains(added.back())));
-    const double end = spline.domain().upper;
-    std::size_t old_count = knots.size();
-    std::size_t place = knots.size() + added.size();
-    knots.resize(place);
-    points.resize(points.size() + added.size());
-    for (std::size_t r = added.size(); r-- > 0;) {
-        const double u = added[r];
-        // A knot comes in behind its equals, at the domain's end before them: so there always is a span on its left.
-        while (u < knots[old_count - 1] || (u == end && knots[old_count - 1] == end)) {
-            knots[--place] = knots[--old_count];
-            if (old_count > p) points[place - p - 1] = points[old_count - p - 1];
-        }
-        insert_at_place(spline, --place, old_count - 1, u);
-    }
+    std::vector<double> knots(spline.knots.size() + added.size());
+    std::vector<P> points(spline.points.size() + added.size());
+    insert_ascending(spline.p, spline.knots, added, knots.data(), PointsOfSpline<P>{spline.points, points});
+    spline.knots = std::move(knots);
+    spline.points = std::move(points);
 }
 
 /// What must be added to `present` (ascending) so that it becomes `wanted` (ascending), which contains it.

@@ -25,8 +25,18 @@ KnotVector Trusted::knots(int degree, bool is_periodic, KnotKind kind, std::vect
     return knots;
 }
 
+KnotVector Trusted::knots_of_kind_or_custom(int degree, bool is_periodic, KnotKind kind, SharedArray<double> values) {
+    KnotVector knots = KnotVector::of_kind_or_custom(degree, is_periodic, kind, std::move(values));
+    assert(is_what_make_makes(knots));
+    return knots;
+}
+
 Curve Trusted::curve(KnotVector knots, std::vector<Point> points, std::vector<double> weights, bool is_rational) {
-    Curve curve(std::move(knots), SharedArray(std::move(points)), SharedArray(std::move(weights)), is_rational);
+    return curve(std::move(knots), SharedArray(std::move(points)), SharedArray(std::move(weights)), is_rational);
+}
+
+Curve Trusted::curve(KnotVector knots, SharedArray<Point> points, SharedArray<double> weights, bool is_rational) {
+    Curve curve(std::move(knots), std::move(points), std::move(weights), is_rational);
     assert(is_what_make_makes(curve));
     return curve;
 }
