@@ -15,10 +15,10 @@ namespace {
 
 // The joints twice, as pieces have them.
 struct PiecePoints {
-    Numbers operator()(const std::vector<core::BezierPiece>& pieces) const {
+    Numbers operator()(const core::BezierPieces& pieces) const {
         Numbers numbers;
-        for (const core::BezierPiece& piece : pieces)
-            for (const core::HomogeneousPoint& point : piece.points) {
+        for (std::size_t k = 0; k < pieces.size(); ++k)
+            for (const core::HomogeneousPoint& point : pieces.points(k)) {
                 const core::Point shadow = core::project(point);
                 numbers.insert(numbers.end(), {shadow.x, shadow.y});
             }

@@ -1,10 +1,10 @@
 #include "core/evaluate/bezier_pieces.h"
 
-#include <algorithm>
 #include <cassert>
 
-#include "core/curve/detail/spline.h"
+#include "core/curve/detail/constant_degree.h"
 #include "core/evaluate/blossom.h"
+#include "core/evaluate/detail/decomposition.h"
 
 namespace batten::core {
 
@@ -23,21 +23,44 @@ BezierPiece bezier_piece(const Curve& curve, std::size_t span) {
     return piece;
 }
 
-std::vector<BezierPiece> bezier_pieces(const Curve& curve) {
+namespace {
+
+// Fills `points` with what `lifted` makes of those of the pieces.
+template <class P, class Load, class Lifted>
+void fill_pieces(const KnotVector& knots, std::span<const std::size_t> spans, std::span<HomogeneousPoint> points,
+                 Load load, Lifted lifted) {
+    with_constant_degree(static_cast<std::size_t>(knots.degree()), [&](auto p) {
+        Decomposition<P, decltype(p), Load> pieces(p, knots.values(), spans.back(), load);
+        for (std::size_t k = spans.size(); k-- > 0;)
+            pieces.emit(k == 0, [&, place = &points[k * (p + 1)]](const auto& piece, std::size_t) {
+                for (std::size_t j = 0; j <= p; ++j) place[j] = lifted(piece[j]);
+            });
+    });
+}
+
+}  // namespace
+
+BezierPieces bezier_pieces(const Curve& curve) {
     const KnotVector& knots = curve.knots();
     const auto p = static_cast<std::size_t>(knots.degree());
-    Spline<HomogeneousPoint> spline{.p = p, .knots = {knots.values().begin(), knots.values().end()}};
-    for (std::size_t i = 0; i + p + 1 < knots.size(); ++i) spline.points.push_back(curve.homogeneous_point(i));
-    insert_ascending<HomogeneousPoint>(spline, knots_missing_for_pieces(spline));
-    std::vector<BezierPiece> pieces;
-    std::size_t last = spline.last_of_run(spline.domain().lower);
-    for (std::size_t s = p; s + p + 1 < knots.size(); ++s) {
-        if (knots[s] == knots[s + 1]) continue;
-        while (spline.knots[last + 1] <= knots[s]) ++last;
-        const auto points = std::span(spline.points).subspan(last - p, p + 1);
-        pieces.push_back({{knots[s], knots[s + 1]}, s, {points.begin(), points.end()}});
+    std::vector<std::size_t> spans;
+    spans.reserve(knots.size() - 2 * p - 1);
+    for (std::size_t s = p; s + p + 1 < knots.size(); ++s)
+        if (knots[s] < knots[s + 1]) spans.push_back(s);
+    NewArray<HomogeneousPoint> points(spans.size() * (p + 1));
+    const auto control = curve.control_points();
+    const std::size_t n = control.size();
+    const auto index = [n](std::size_t i) { return i < n ? i : i % n; };
+    if (curve.is_rational()) {
+        const auto load = [&](std::size_t i) { return WeightedPoint{control[index(i)], curve.weights()[index(i)]}; };
+        const auto lifted = [](const WeightedPoint& point) { return lift(point.point, point.weight); };
+        fill_pieces<WeightedPoint>(knots, spans, points.values(), load, lifted);
+    } else {
+        const auto load = [&](std::size_t i) { return control[index(i)]; };
+        const auto lifted = [weight = curve.weights().front()](Point point) { return lift(point, weight); };
+        fill_pieces<Point>(knots, spans, points.values(), load, lifted);
     }
-    return pieces;
+    return {knots, std::move(spans), SharedArray(std::move(points))};
 }
 
 }  // namespace batten::core

@@ -1,6 +1,7 @@
 /// The Bézier pieces of a curve, one for each non-empty span.
 #pragma once
 
+#include <iterator>
 #include <vector>
 
 #include "core/curve/curve.h"
@@ -14,10 +15,64 @@ struct BezierPiece {
     std::vector<HomogeneousPoint> points;  ///< p+1 control points
 };
 
+/// The pieces of a curve in order, their points one after the other in one array: points(k) costs nothing, while a
+/// BezierPiece has a copy of its own.
+class BezierPieces {
+  public:
+    std::size_t size() const { return spans_.size(); }
+    bool empty() const { return spans_.empty(); }
+
+    /// The index of piece k's span in the curve's knots, k < size().
+    std::size_t span(std::size_t k) const { return spans_[k]; }
+    Interval interval(std::size_t k) const { return {knots_[span(k)], knots_[span(k) + 1]}; }
+    std::span<const HomogeneousPoint> points(std::size_t k) const {
+        const std::size_t count = static_cast<std::size_t>(knots_.degree()) + 1;
+        return points_.values().subspan(k * count, count);
+    }
+
+    BezierPiece operator[](std::size_t k) const { return {interval(k), span(k), {points(k).begin(), points(k).end()}}; }
+    BezierPiece front() const { return (*this)[0]; }
+    BezierPiece back() const { return (*this)[size() - 1]; }
+
+    class Iterator {
+      public:
+        using iterator_category = std::input_iterator_tag;
+        using value_type = BezierPiece;
+        using difference_type = std::ptrdiff_t;
+        using pointer = void;
+        using reference = BezierPiece;
+
+        Iterator(const BezierPieces& pieces, std::size_t k) : pieces_(&pieces), k_(k) {}
+        BezierPiece operator*() const { return (*pieces_)[k_]; }
+        Iterator& operator++() {
+            ++k_;
+            return *this;
+        }
+        Iterator operator++(int) { return {*pieces_, k_++}; }
+        bool operator==(const Iterator&) const = default;
+
+      private:
+        const BezierPieces* pieces_;
+        std::size_t k_;
+    };
+    Iterator begin() const { return {*this, 0}; }
+    Iterator end() const { return {*this, size()}; }
+
+  private:
+    friend BezierPieces bezier_pieces(const Curve& curve);
+
+    BezierPieces(KnotVector knots, std::vector<std::size_t> spans, SharedArray<HomogeneousPoint> points)
+        : knots_(std::move(knots)), spans_(std::move(spans)), points_(std::move(points)) {}
+
+    KnotVector knots_;
+    std::vector<std::size_t> spans_;
+    SharedArray<HomogeneousPoint> points_;
+};
+
 /// The piece over span `span` (non-empty, in the domain). Cost O(p^3). Source: blossoms, b(a, ..., a, b, ..., b).
 BezierPiece bezier_piece(const Curve& curve, std::size_t span);
 
-/// All pieces in order. Cost O(p^2) for each, which has p+1 points. Source: Boehm and Prautzsch 1985.
-std::vector<BezierPiece> bezier_pieces(const Curve& curve);
+/// All pieces in order. Cost O(p^2) for each, which has p+1 points. Source: The NURBS Book, A5.6.
+BezierPieces bezier_pieces(const Curve& curve);
 
 }  // namespace batten::core

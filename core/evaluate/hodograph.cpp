@@ -185,12 +185,12 @@ Result<Curve> rational_hodograph(const Curve& curve) {
     const std::size_t degree = 2 * static_cast<std::size_t>(curve.degree());
     if (degree > static_cast<std::size_t>(max_degree))
         return refuse({.code = CurveErrorCode::degree_out_of_range, .value = static_cast<double>(degree)});
-    const std::vector<BezierPiece> pieces = bezier_pieces(near_origin(curve));
+    const BezierPieces pieces = bezier_pieces(near_origin(curve));
     const bool is_periodic = stays_periodic(curve);
     JoinedPieces joined;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         const bool is_last = k + 1 == pieces.size();
-        const bool has_own_end = is_last ? !is_periodic : jumps_at(curve, pieces[k].interval.upper);
+        const bool has_own_end = is_last ? !is_periodic : jumps_at(curve, pieces.interval(k).upper);
         joined.append(pieces[k], degree + (has_own_end ? 1 : 0));
     }
     std::vector<double> knots = knots_of_pieces(curve, spans_of(curve), degree);

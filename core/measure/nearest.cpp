@@ -137,7 +137,7 @@ class NearestSearch {
 
     const Curve& curve_;
     Point query_;
-    std::vector<BezierPiece> pieces_;
+    BezierPieces pieces_;
     double tolerance_ = 0.0;
     CurveSample best_;
     double best_distance_ = 0.0;

@@ -7,6 +7,7 @@
 #include "core/curve/detail/spline.h"
 #include "core/curve/knot_kinds.h"
 #include "core/evaluate/basis.h"
+#include "core/evaluate/detail/decomposition.h"
 #include "core/make/parametrization.h"
 #include "core/refine/detail/spline_elevation.h"
 #include "core/refine/detail/spline_removal.h"
@@ -142,6 +143,22 @@ TEST(Complexity, decomposition_costs_less_than_p_blends_for_each_point_of_the_pi
             });
             EXPECT_LE(products, p * points);
             EXPECT_EQ(points, (count - p) * p + 1);
+        }
+}
+
+TEST(Complexity, pieces_one_after_the_other_cost_half_of_p_squared_each) {
+    for (const std::size_t p : {1U, 3U, 10U, 25U})
+        for (const std::size_t count : {few, many}) {
+            std::size_t pieces = 0;
+            const std::size_t products = cost(p, count, [&](CountedSpline& spline) {
+                const auto load = [&](std::size_t i) { return spline.points[i]; };
+                Decomposition<CountedPoint, std::size_t, decltype(load)> decomposition(p, spline.knots, count - 1,
+                                                                                       load);
+                pieces = count - p;
+                for (std::size_t k = pieces; k-- > 0;) decomposition.emit(k == 0, [](const auto&, std::size_t) {});
+            });
+            // The ends are clamped: there nothing is left to do for the first piece.
+            EXPECT_EQ(products, (pieces - 1) * (p * (p - 1) / 2));
         }
 }
 

@@ -144,7 +144,7 @@ TEST(Examples, conic_says_which_weight_draws_what) {
                                             {1.01, ConicType::hyperbola},         {5.0, ConicType::hyperbola}};
     for (const auto& [weight, type] : types) {
         const Curve curve = set_weight(curve_in("conic-weight"), 1, weight).value();
-        EXPECT_EQ(conic_form(bezier_pieces(curve).at(0)).value().type, type) << weight;
+        EXPECT_EQ(conic_form(bezier_pieces(curve)[0]).value().type, type) << weight;
     }
     EXPECT_TRUE(says("conic-weight",
                      "√½ draws a circular arc, other weights below 1 an ellipse, 1 a parabola, more than 1 a "

@@ -34,7 +34,7 @@ Motion PieceMotion::at(Ratio ratio) const {
 
 std::vector<PieceMotion> motions_of(const Curve& curve, Point origin) {
     std::vector<PieceMotion> motions;
-    for (BezierPiece& piece : bezier_pieces(seen_from(curve, origin))) motions.emplace_back(std::move(piece));
+    for (BezierPiece piece : bezier_pieces(seen_from(curve, origin))) motions.emplace_back(std::move(piece));
     return motions;
 }
 

@@ -29,7 +29,8 @@ void append_cut(std::vector<BezierPiece>& pieces, BezierPiece piece, const Piece
 }  // namespace
 
 std::vector<BezierPiece> onward_pieces(const Curve& curve, Point origin) {
-    std::vector<BezierPiece> whole = bezier_pieces(seen_from(curve, origin));
+    const BezierPieces found = bezier_pieces(seen_from(curve, origin));
+    std::vector<BezierPiece> whole(found.begin(), found.end());
     if (std::none_of(whole.begin(), whole.end(), may_turn_back)) return whole;
     const std::vector<PieceForms> forms = piece_forms(curve, 1);
     std::vector<BezierPiece> pieces;

@@ -56,6 +56,26 @@ TEST(BezierPieces, cover_the_domain_without_gaps) {
     }
 }
 
+TEST(BezierPieces, are_the_blossoms_of_the_ends_of_each_span) {
+    RandomCurves random(42);
+    for (int k = 0; k < 500; ++k) {
+        const Curve curve = random.curve();
+        const BezierPieces pieces = bezier_pieces(curve);
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            const BezierPiece expected = bezier_piece(curve, pieces.span(i));
+            EXPECT_EQ(pieces.interval(i), expected.interval);
+            EXPECT_EQ(pieces[i].span, expected.span);
+            ASSERT_EQ(pieces.points(i).size(), expected.points.size());
+            for (std::size_t j = 0; j < expected.points.size(); ++j) {
+                const HomogeneousPoint found = pieces.points(i)[j];
+                EXPECT_LE(distance(project(found), project(expected.points[j])), 1e-13);
+                EXPECT_NEAR(found.z, expected.points[j].z, 1e-14);
+                EXPECT_EQ(found, pieces[i].points[j]);
+            }
+        }
+    }
+}
+
 TEST(BezierPieces, of_a_bezier_curve_is_itself) {
     const Curve curve = Curve::make({.degree = 3,
                                      .knots = {0, 0, 0, 0, 1, 1, 1, 1},
