@@ -3,6 +3,7 @@
 
 #include "core/refine/degree.h"
 #include "core/refine/detail/carried_point.h"
+#include "core/refine/detail/low_elevation.h"
 #include "core/refine/detail/spline_elevation.h"
 
 namespace batten::core {
@@ -60,7 +61,9 @@ Result<Curve> elevate_degree(const Curve& curve, int by) {
         return refuse({.code = CurveErrorCode::degree_out_of_range,
                        .value = static_cast<double>(curve.degree()) + static_cast<double>(by)});
     if (curve.is_periodic()) return elevate_periodic(curve, by);
-    return settled(curve, elevated_often(carried(curve), by), curve.knots().kind());
+    if (!has_low_elevation(curve)) return settled(curve, elevated_often(carried(curve), by), curve.knots().kind());
+    const auto next = low_elevation(curve);
+    return next && by > 1 ? elevate_degree(*next, by - 1) : next;
 }
 
 }  // namespace batten::core

@@ -12,6 +12,11 @@
 #include "core/make/conics.h"
 #include "core/measure/continuity.h"
 #include "core/measure/deviation.h"
+#include "core/refine/clamping.h"
+#include "core/refine/detail/carried_point.h"
+#include "core/refine/detail/low_elevation.h"
+#include "core/refine/detail/spline_elevation.h"
+#include "core/refine/knot_refinement.h"
 #include "core/refine/periodic.h"
 #include "core/refine/reverse.h"
 #include "tests/core/golden.h"
@@ -28,6 +33,48 @@ constexpr double size = 8.0;  // of the random curves
 
 double largest_weight(const Curve& curve) {
     return *std::max_element(curve.weights().begin(), curve.weights().end());
+}
+
+Curve make_polynomial(const Curve& curve) {
+    CurveDefinition definition = curve.definition();
+    definition.weights.clear();
+    return Curve::make(std::move(definition)).value();
+}
+
+// With one more knot inside as often as it may be there.
+Curve with_a_tear(const Curve& curve, RandomCurves& random) {
+    const double u = random.number(curve.domain().lower, curve.domain().upper);
+    const auto times = static_cast<std::size_t>(curve.degree() + 1 - curve.knots().multiplicity(u));
+    return refine_knots(curve, std::vector(times, u), Tears::allow).value_or(curve);
+}
+
+// The way that knows every degree and all ends, in homogeneous coordinates.
+Curve elevated_by_refinements(const Curve& curve) {
+    return settled(curve, elevated(carried(curve), CarriedPoint{}), curve.knots().kind()).value();
+}
+
+TEST(Elevation, of_low_degrees_from_pieces_is_that_by_refinements) {
+    RandomCurves random(231);
+    int compared = 0;
+    for (int k = 0; k < 3000; ++k) {
+        Curve curve = random.open_curve();
+        if (curve.degree() > 3) continue;
+        curve = clamp_ends(curve).value();
+        if (k % 2 == 0) curve = make_polynomial(curve);
+        if (k % 3 == 0) curve = with_a_tear(curve, random);
+        ASSERT_TRUE(has_low_elevation(curve));
+        const Curve expected = elevated_by_refinements(curve);
+        const Curve found = low_elevation(curve).value();
+        ASSERT_EQ(found.knots(), expected.knots());
+        EXPECT_EQ(found.control_points().front(), curve.control_points().front());
+        EXPECT_EQ(found.control_points().back(), curve.control_points().back());
+        for (std::size_t i = 0; i < found.control_points().size(); ++i) {
+            EXPECT_LE(distance(found.control_points()[i], expected.control_points()[i]), 4e-15 * size);
+            EXPECT_NEAR(found.weights()[i], expected.weights()[i], 2e-15 * largest_weight(curve));
+        }
+        ++compared;
+    }
+    EXPECT_GE(compared, 1000);
 }
 
 TEST(Golden, degree_elevation) {
