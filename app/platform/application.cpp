@@ -87,6 +87,7 @@ class Application {
     render::GlPainter painter_;
     editor::Editor editor_;
     ui::Interface interface_;
+    editor::SceneCache scene_cache_;
     ui::Fonts fonts_;
     std::optional<editor::ThemeName> styled_theme_;
     editor::CommandQueue queue_;
@@ -195,7 +196,7 @@ void Application::run_requests() {
 void Application::show(const ui::FrameLayout& layout) {
     const editor::EditorState& state = editor_.state();
     meter_.enter(FramePart::scene);
-    const render::DrawList canvas = editor::canvas_scene(state, interface_.canvas_mode());
+    const render::DrawList canvas = editor::canvas_scene(state, interface_.canvas_mode(), scene_cache_);
     const render::DrawList plot = editor::plot_scene(state, interface_.plot_mode(), layout.plot.size_px);
     meter_.enter(FramePart::draw);
     ui::draw_labels(canvas, layout.canvas, fonts_);

@@ -13,8 +13,10 @@ namespace batten::core {
 
 namespace {
 
-// What is kept of stretches looked at closely, beyond those of the last picture.
+// So many stretches looked at closely are kept in any case, others while they are used again and again: a picture asks
+// for runs and knots several times.
 constexpr std::size_t most_open_stretches = 1024;
+constexpr std::size_t most_uses_between = 32;
 
 // The control points of the curve over the spans `first`..`last`, both not empty, as a curve of its own with clamped
 // ends, which the stretch stays in the hull of. By de Boor's algorithm at both ends.
@@ -217,11 +219,11 @@ void CurveStrips::halve(SpanParts& parts, std::size_t part) const {
     parts.push_back({right_strip, right.interval, 0, std::move(right.points)});
 }
 
-// Stretches that this picture does not look at closely are closed again where there are too many.
+// Stretches that have not been looked at for some time are closed again where there are too many.
 void CurveStrips::drop_unused() {
     if (open_count_ <= most_open_stretches) return;
     for (std::unique_ptr<OpenStretch>& open : open_) {
-        if (!open || open->last_use == use_) continue;
+        if (!open || open->last_use + most_uses_between > use_) continue;
         open.reset();
         --open_count_;
     }

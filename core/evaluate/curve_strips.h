@@ -31,6 +31,29 @@ class CurveStrips {
     /// what is looked at closely for the first time.
     PointRuns runs(const StripRequest& request, Interval range);
 
+    /// Calls `take(span, point, count)` for the non-empty spans that may be seen, ascending, with the point where the
+    /// span begins and a count of 1; of neighboring spans in a box of no more than `size` only for the first, with
+    /// their number, empty ones included. Cost: that of what is visited, and of what is for the first time.
+    template <class Take>
+    void visit_spans(const Box& view, double size, Take take) {
+        ++use_;
+        const auto taker = [&](std::size_t base, std::size_t length) {
+            return [&, base, length](const Strip& strip, std::size_t first, std::size_t last) {
+                if (!strip.box.intersects(view)) return false;
+                const Vector extent = strip.box.size();
+                if (!(std::max(extent.x, extent.y) <= size)) return true;
+                take(non_empty(base + first * length), strip.first, (last + 1 - first) * length);
+                return false;
+            };
+        };
+        stretches_.visit(taker(first_span(), spans_per_stretch), [&](std::size_t stretch) {
+            const OpenStretch& open = opened(stretch);
+            const std::size_t base = first_span() + stretch * spans_per_stretch;
+            open.spans.visit(taker(base, 1), [&](std::size_t k) { take(base + k, open.spans.stretch(k).first, 1); });
+        });
+        drop_unused();
+    }
+
     /// The strips of every sixteen spans, from the first span of the domain on, empty ones included.
     const StripTree& stretches() const { return stretches_; }
     static constexpr std::size_t spans_per_stretch = 16;
@@ -63,6 +86,11 @@ class CurveStrips {
     class Search;
 
     std::size_t first_span() const { return static_cast<std::size_t>(curve_->degree()); }
+    /// The first span from `span` on that is not empty.
+    std::size_t non_empty(std::size_t span) const {
+        while (curve_->knots()[span] == curve_->knots()[span + 1]) ++span;
+        return span;
+    }
     std::size_t span_end() const { return curve_->knots().size() - first_span() - 1; }
     bool is_torn_at(std::size_t span) const;
     Point start_of(std::size_t span) const;

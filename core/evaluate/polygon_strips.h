@@ -24,24 +24,25 @@ class PolygonStrips {
     /// most_places allows, whatever the tolerance; else within the tolerance, > 0, which grows as far as needed.
     PointRuns runs(const StripRequest& request) const;
 
-    /// Calls `take(index, point)` for the control points in `view`, ascending; of a stretch smaller than `size` only
-    /// for its first point.
+    /// Calls `take(index, point, count)` for the control points in `view`, ascending: for each with a count of 1, but
+    /// for a stretch of no more than `size` only for its first point, with the number of its points.
     template <class Take>
     void visit_points(const Box& view, double size, Take take) const {
         const auto points = curve_->control_points();
         tree_.visit(
-            [&](const Strip& strip, std::size_t first, std::size_t) {
+            [&](const Strip& strip, std::size_t first, std::size_t last) {
                 if (!strip.box.intersects(view)) return false;
                 const Vector extent = strip.box.size();
                 if (!(std::max(extent.x, extent.y) <= size)) return true;
-                take(first * legs_per_stretch, points[first * legs_per_stretch]);
+                const std::size_t end = last + 1 < tree_.size() ? (last + 1) * legs_per_stretch : points.size();
+                take(first * legs_per_stretch, points[first * legs_per_stretch], end - first * legs_per_stretch);
                 return false;
             },
             [&](std::size_t stretch) {
                 const std::size_t first = stretch * legs_per_stretch;
                 const std::size_t end = stretch + 1 < tree_.size() ? first + legs_per_stretch : points.size();
                 for (std::size_t i = first; i < end; ++i)
-                    if (view.contains(points[i])) take(i, points[i]);
+                    if (view.contains(points[i])) take(i, points[i], 1);
             });
     }
 

@@ -21,7 +21,7 @@ using render::Polyline;
 using test::all_of;
 
 render::DrawList scene_of(const EditorState& state) {
-    return canvas_scene(state, CanvasIdle{});
+    return test::canvas_picture(state, CanvasIdle{});
 }
 
 glm::dvec2 screen(const EditorState& state, core::Point world) {
@@ -412,7 +412,7 @@ TEST(CanvasScene, hovered_point_lights_its_part_of_the_curve) {
 
 TEST(CanvasScene, box_selection_is_drawn_as_dragged) {
     const EditorState state = test::sample_state();
-    const render::DrawList list = canvas_scene(state, BoxSelecting{{300, 200}, {100, 50}, {}});
+    const render::DrawList list = test::canvas_picture(state, BoxSelecting{{300, 200}, {100, 50}, {}});
     const auto frames = test::lines_of(list, dark().accent, 1.0F);
     ASSERT_EQ(frames.size(), 1U);
     ASSERT_EQ(frames[0].points.size(), 5U);
@@ -426,14 +426,15 @@ TEST(CanvasScene, curve_being_drawn_begins_and_ends_in_its_points) {
     DrawingCurve drawing;
     drawing.points = {{-3, 0}, {-2, 2}, {0, 3}};
     drawing.next = {3, 1};
-    const auto lines = test::lines_of(canvas_scene(state, drawing), dark().accent, 3.0F);
+    const auto lines = test::lines_of(test::canvas_picture(state, drawing), dark().accent, 3.0F);
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_LT(distance(lines[0].points.front(), screen(state, {-3, 0})), 1e-3);
     EXPECT_LT(distance(lines[0].points.back(), screen(state, {3, 1})), 1e-3);
     drawing.points.clear();
-    EXPECT_TRUE(test::lines_of(canvas_scene(state, drawing), dark().accent, 3.0F).empty());
+    EXPECT_TRUE(test::lines_of(test::canvas_picture(state, drawing), dark().accent, 3.0F).empty());
     drawing.points = {{1, 1}};
-    EXPECT_EQ(test::lines_of(canvas_scene(state, drawing), dark().accent, 3.0F).size(), 1U) << "a straight line";
+    EXPECT_EQ(test::lines_of(test::canvas_picture(state, drawing), dark().accent, 3.0F).size(), 1U)
+        << "a straight line";
 }
 
 TEST(CanvasScene, comb_points_away_from_the_center_of_curvature) {

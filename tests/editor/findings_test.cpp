@@ -6,7 +6,6 @@
 #include "app/editor/commands/measuring_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
-#include "app/editor/scene/canvas_scene.h"
 #include "sample_editor.h"
 #include "scene_sample.h"
 
@@ -23,7 +22,7 @@ class FindingsTest : public ::testing::Test {
         ASSERT_TRUE(state().findings.has_value());
     }
     const EditorState& state() const { return editor_.state(); }
-    render::DrawList picture() const { return canvas_scene(state(), {}); }
+    render::DrawList picture() const { return test::canvas_picture(state(), {}); }
     static std::vector<render::Marker> marks(const render::DrawList& list) {
         return test::markers_of(list, render::MarkerShape::square, 5.0F);
     }

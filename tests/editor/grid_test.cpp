@@ -18,7 +18,8 @@ struct Grid {
 
 Grid grid_of(const EditorState& state) {
     render::DrawList list;
-    CanvasFrame frame(state, list);
+    SceneCache cache;
+    CanvasFrame frame(state, cache, list);
     draw_grid(frame);
     Grid grid;
     grid.lines = test::all_of<render::Polyline>(list);
@@ -83,7 +84,8 @@ TEST(Grid, numbers_keep_clear_of_what_is_covered) {
     const render::PixelBox covered{{0.0, 400.0}, {300.0, 566.0}};
     const EditorState state = state_at(66.0, {0.0, 0.0});
     render::DrawList list;
-    CanvasFrame frame(state, list);
+    SceneCache cache;
+    CanvasFrame frame(state, cache, list);
     const auto numbers = draw_grid_numbers(frame, covered);
     EXPECT_FALSE(numbers.empty());
     for (const render::PixelBox& box : numbers) EXPECT_FALSE(box.overlaps(covered));

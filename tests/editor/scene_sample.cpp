@@ -90,6 +90,11 @@ EditorState sample_state() {
     return state;
 }
 
+render::DrawList canvas_picture(const EditorState& state, const CanvasMode& mode) {
+    SceneCache cache;
+    return canvas_scene(state, mode, cache);
+}
+
 EditorState doubled(EditorState state) {
     state.view.interface_scale *= 2.0;
     state.view.camera.scale *= 2.0;

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/editor/scene/canvas_scene.h"
 #include "app/editor/state.h"
 #include "render/draw_list.h"
 #include "render/pixel_box.h"
@@ -16,6 +17,9 @@ EditorState sample_state();
 
 /// A state that shows `definition`, which must be valid, in the same picture.
 EditorState scene_state(core::CurveDefinition definition);
+
+/// The picture of the canvas, with nothing kept from another one.
+render::DrawList canvas_picture(const EditorState& state, const CanvasMode& mode);
 
 /// The same state on a screen of twice the density.
 EditorState doubled(EditorState state);

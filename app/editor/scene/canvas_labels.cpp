@@ -33,14 +33,16 @@ struct Word {
 /// Puts labels into free places.
 class LabelWriter {
   public:
-    LabelWriter(CanvasFrame& frame, const std::vector<render::PixelBox>& covered)
+    LabelWriter(CanvasFrame& frame, const CanvasMarks& marks, const std::vector<render::PixelBox>& covered)
         : frame_(frame), layout_(frame.pen.size_px()) {
         for (const render::PixelBox& box : covered) layout_.avoid_box(box);
         for (const auto& run : frame.curve_runs) layout_.avoid_line(run);
-        if (!frame.shows(Overlay::polygon)) return;
-        layout_.avoid_line(polygon_places(frame));
-        for (const core::Point point : frame.curve->control_points())
-            layout_.avoid_symbol(frame.screen(point), frame.pen.px(control_point_reach));
+        for (const auto& run : marks.polygon) layout_.avoid_line(run);
+        for (const MarkPlace& point : marks.points.large)
+            layout_.avoid_symbol(point.place, frame.pen.px(control_point_reach));
+        if (!is_dense(marks.points)) return;
+        for (const MarkPlace& point : marks.points.crowd.shown)
+            layout_.avoid_symbol(point.place, frame.pen.px(marks.points.crowd.radius));
     }
 
     LabelLayout& layout() { return layout_; }
@@ -112,19 +114,15 @@ void avoid_construction(LabelWriter& writer, const CanvasFrame& frame) {
 }
 
 /// The name of C(u) covers no control point, whatever else it has to cover.
-void spare_control_points(LabelWriter& writer, const CanvasFrame& frame) {
-    if (!frame.shows(Overlay::polygon)) return;
+void spare_control_points(LabelWriter& writer, const CanvasFrame& frame, const ShownPoints& points) {
     const glm::dvec2 reach(frame.pen.px(control_point_reach));
-    for (const core::Point point : frame.curve->control_points()) {
-        const glm::dvec2 place = frame.screen(point);
-        writer.layout().avoid_box({place - reach, place + reach});
-    }
+    for (const MarkPlace& point : points.large) writer.layout().avoid_box({point.place - reach, point.place + reach});
 }
 
 /// Beside C(u), or farther away when it is crowded there, before it covers a mark; the dock tells the parameter, too.
-void write_curve_point(LabelWriter& writer, CanvasFrame& frame) {
+void write_curve_point(LabelWriter& writer, CanvasFrame& frame, const ShownPoints& points) {
     avoid_construction(writer, frame);
-    spare_control_points(writer, frame);
+    spare_control_points(writer, frame, points);
     const glm::dvec2 place = frame.screen(frame.triangle->point());
     const std::string text = fmt::format("C({})", parameter_text(*frame.curve, frame.triangle->u));
     const TextStyle style{.color = frame.theme.parameter, .size = name_size, .font = render::LabelFont::bold};
@@ -135,17 +133,14 @@ void write_curve_point(LabelWriter& writer, CanvasFrame& frame) {
 
 }  // namespace
 
-void draw_canvas_labels(CanvasFrame& frame, const std::vector<CurveKnot>& knots,
-                        const std::vector<render::PixelBox>& covered) {
-    LabelWriter writer(frame, covered);
-    for (const CurveKnot& knot : knots)
+void draw_canvas_labels(CanvasFrame& frame, const CanvasMarks& marks, const std::vector<render::PixelBox>& covered) {
+    LabelWriter writer(frame, marks, covered);
+    for (const CurveKnot& knot : marks.knots.knots)
         for (const glm::dvec2 place : knot.places) writer.layout().avoid_symbol(place, frame.pen.px(5.0));
     const NumberColumn weights = weight_column(*frame.curve);
-    if (frame.shows(Overlay::polygon))
-        for (std::size_t i = 0; i < frame.curve->control_points().size(); ++i)
-            write_point_name(writer, frame, weights, i);
-    for (const CurveKnot& knot : knots) write_knot(writer, frame, knot);
-    write_curve_point(writer, frame);
+    for (const MarkPlace& point : marks.points.large) write_point_name(writer, frame, weights, point.index);
+    for (const CurveKnot& knot : marks.knots.knots) write_knot(writer, frame, knot);
+    write_curve_point(writer, frame, marks.points);
 }
 
 }  // namespace batten::editor

@@ -1,14 +1,19 @@
 /// The names beside control points, knots and C(u).
 #pragma once
 
-#include "app/editor/scene/canvas_frame.h"
 #include "app/editor/scene/curve_knots.h"
 
 namespace batten::editor {
 
+/// What labels stand beside, and keep off.
+struct CanvasMarks {
+    ShownPoints points;
+    ShownKnots knots;
+    std::vector<std::vector<glm::dvec2>> polygon;  ///< as far as it is drawn
+};
+
 /// "P_{2} · w 2" beside control points, "×2 C^{1}" beside multiple knots, "C(0.400)" beside the point at the parameter,
 /// kept apart from one another, from points, polygon, curve and `covered` boxes. The frame must have a curve.
-void draw_canvas_labels(CanvasFrame& frame, const std::vector<CurveKnot>& knots,
-                        const std::vector<render::PixelBox>& covered);
+void draw_canvas_labels(CanvasFrame& frame, const CanvasMarks& marks, const std::vector<render::PixelBox>& covered);
 
 }  // namespace batten::editor

@@ -5,6 +5,7 @@
 #include "app/editor/scene/construction.h"
 #include "app/editor/scene/control_points.h"
 #include "app/editor/scene/control_polygon.h"
+#include "app/editor/scene/crowd_note.h"
 #include "app/editor/scene/curvature_comb.h"
 #include "app/editor/scene/curve_knots.h"
 #include "app/editor/scene/curve_strokes.h"
@@ -35,34 +36,44 @@ std::vector<render::PixelBox> draw_background(CanvasFrame& frame) {
     return covered;
 }
 
-void draw_lines_of_active_curve(CanvasFrame& frame) {
+CanvasMarks marks_of(const CanvasFrame& frame) {
+    CanvasMarks marks;
+    marks.points = shown_points(frame);
+    marks.knots = shown_knots(frame, marks.points);
+    if (frame.shows(Overlay::polygon)) marks.polygon = polygon_runs(frame);
+    return marks;
+}
+
+void draw_lines_of_active_curve(CanvasFrame& frame, const CanvasMarks& marks) {
     draw_hull(frame);
-    if (frame.shows(Overlay::polygon)) draw_control_polygon(frame);
+    draw_control_polygon(frame, marks.polygon);
+    draw_dense_points(frame, marks.points);
     if (frame.shows(Overlay::bezier_pieces)) draw_bezier_polygons(frame);
     if (frame.shows(Overlay::curvature_comb)) draw_curvature_comb(frame);
     draw_lit_parts(frame);
     draw_active_curve(frame);
 }
 
-void draw_marks_of_active_curve(CanvasFrame& frame, const std::vector<render::PixelBox>& covered) {
-    const std::vector<CurveKnot> knots = frame.shows(Overlay::knots) ? curve_knots(frame) : std::vector<CurveKnot>{};
-    draw_curve_knots(frame, knots);
+void draw_marks_of_active_curve(CanvasFrame& frame, const CanvasMarks& marks, std::vector<render::PixelBox> covered) {
+    draw_curve_knots(frame, marks.knots);
     draw_hovered_place(frame);
     if (frame.shows(Overlay::construction)) draw_construction(frame);
-    if (frame.shows(Overlay::polygon)) draw_control_points(frame);
+    draw_control_points(frame, marks.points);
     draw_curve_point(frame);
-    if (frame.shows(Overlay::labels)) draw_canvas_labels(frame, knots, covered);
+    if (const auto box = draw_crowd_note(frame, marks)) covered.push_back(*box);
+    if (frame.shows(Overlay::labels)) draw_canvas_labels(frame, marks, covered);
 }
 
 }  // namespace
 
-render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode) {
+render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, SceneCache& cache) {
     render::DrawList list;
-    CanvasFrame frame(state, list);
+    CanvasFrame frame(state, cache, list);
     const std::vector<render::PixelBox> covered = draw_background(frame);
     if (frame.curve != nullptr) {
-        draw_lines_of_active_curve(frame);
-        draw_marks_of_active_curve(frame, covered);
+        const CanvasMarks marks = marks_of(frame);
+        draw_lines_of_active_curve(frame, marks);
+        draw_marks_of_active_curve(frame, marks, covered);
     }
     draw_finding_marks(frame);
     draw_gesture_marks(frame, mode);

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "app/editor/canvas_mode.h"
+#include "app/editor/scene/scene_cache.h"
 #include "app/editor/state.h"
 #include "render/draw_list.h"
 
 namespace batten::editor {
 
 /// The document as seen through the view's camera: grid, ghost, curves, polygon, hull, knots, construction, points,
-/// labels, box selection. Sizes follow the view's interface scale.
-render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode);
+/// labels, box selection. Sizes follow the view's interface scale. However much there is to show, its cost is that of
+/// what a picture can hold, and of what changed since the last one with the same `cache`.
+render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, SceneCache& cache);
 
 }  // namespace batten::editor

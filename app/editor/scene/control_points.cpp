@@ -53,11 +53,18 @@ void draw_control_point(CanvasFrame& frame, glm::dvec2 place, std::size_t i) {
 
 }  // namespace
 
-void draw_control_points(CanvasFrame& frame) {
-    const auto points = frame.curve->control_points();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const glm::dvec2 place = frame.screen(points[i]);
-        if (!frame.pen.reach().contains(place)) continue;
+void draw_dense_points(CanvasFrame& frame, const ShownPoints& points) {
+    if (!is_dense(points)) return;
+    for (const auto& [i, place] : points.crowd.shown) {
+        const bool is_selected = frame.state.selection.contains_point(i);
+        frame.pen.symbol(place, {.radius = points.crowd.radius,
+                                 .fill = is_selected ? frame.theme.accent : frame.theme.point(i),
+                                 .outline = no_color});
+    }
+}
+
+void draw_control_points(CanvasFrame& frame, const ShownPoints& points) {
+    for (const auto& [i, place] : points.large) {
         if (i == 0) draw_first_box(frame, place);
         draw_weight_ring(frame, place, i);
         draw_control_point(frame, place, i);

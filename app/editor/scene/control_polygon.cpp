@@ -9,6 +9,7 @@ namespace {
 
 constexpr double hull_opacity = 0.075;
 constexpr double lit_hull_opacity = 0.16;
+constexpr double places_of_polygon = 2.0;  // for each pixel of the picture's width
 
 std::vector<core::Point> lit_points(const CanvasFrame& frame) {
     std::vector<core::Point> points;
@@ -43,18 +44,19 @@ void draw_bezier_polygon(CanvasFrame& frame, const core::BezierPiece& piece) {
 
 }  // namespace
 
-std::vector<glm::dvec2> polygon_places(const CanvasFrame& frame) {
-    std::vector<glm::dvec2> places = frame.screen(frame.curve->control_points());
-    if (frame.curve->is_periodic()) places.push_back(places.front());
-    return places;
+std::vector<std::vector<glm::dvec2>> polygon_runs(const CanvasFrame& frame) {
+    return screen_runs(frame, frame.kept->polygon().runs(seen_request(frame, places_of_polygon)));
 }
 
-void draw_control_polygon(CanvasFrame& frame) {
-    const std::vector<glm::dvec2> places = polygon_places(frame);
-    frame.pen.line(places, {.color = frame.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0});
+void draw_control_polygon(CanvasFrame& frame, const std::vector<std::vector<glm::dvec2>>& runs) {
+    for (const auto& run : runs)
+        frame.pen.line(run, {.color = frame.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0});
+    const auto points = frame.curve->control_points();
     const auto* leg = std::get_if<HoveredLeg>(&frame.state.hover);
-    if (leg != nullptr && leg->index + 1 < places.size())
-        frame.pen.segment(places[leg->index], places[leg->index + 1], {.color = frame.theme.accent, .width = 2.0});
+    const std::size_t leg_count = points.size() - (frame.curve->is_periodic() ? 0U : 1U);
+    if (leg != nullptr && leg->index < leg_count)
+        frame.pen.segment(frame.screen(points[leg->index]), frame.screen(points[(leg->index + 1) % points.size()]),
+                          {.color = frame.theme.accent, .width = 2.0});
 }
 
 void draw_hull(CanvasFrame& frame) {

@@ -5,11 +5,11 @@
 
 namespace batten::editor {
 
-/// The control points in pixels; of a periodic curve the first once more at the end.
-std::vector<glm::dvec2> polygon_places(const CanvasFrame& frame);
+/// The polygon as far as it is seen, in pixels; thinned where it has more legs than the picture can hold.
+std::vector<std::vector<glm::dvec2>> polygon_runs(const CanvasFrame& frame);
 
 /// The dashed legs, a hovered one solid.
-void draw_control_polygon(CanvasFrame& frame);
+void draw_control_polygon(CanvasFrame& frame, const std::vector<std::vector<glm::dvec2>>& runs);
 
 /// The convex hull of the points that act on the active span, or of what is lit, which shows its hull even where the
 /// overlay is off.

@@ -1,6 +1,7 @@
 #include "app/editor/scene/curve_knots.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -11,8 +12,12 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double knot_radius = 5.0;
+constexpr std::array radii{5.0, 3.5, 2.5};
+constexpr double gap_when_thinned = 7.0;
+constexpr double merged_px = 1.5;    // what is closer than this is seen as one
+constexpr double most_per_px = 0.5;  // diamonds for each pixel of the picture's width
 constexpr double stack_distance = 8.5;
+constexpr std::size_t few_hidden = 12;  // where knots of a small curve meet
 constexpr double least_distance = 4.0;
 constexpr double covered_distance = 8.0;
 constexpr double beside_point = 15.0;
@@ -46,60 +51,132 @@ glm::dvec2 across(const CanvasFrame& frame, double u) {
     return normal.y > 0.0 ? -normal : normal;
 }
 
-bool is_under_control_point(const CanvasFrame& frame, glm::dvec2 place) {
-    if (!frame.shows(Overlay::polygon)) return false;
-    const auto points = frame.curve->control_points();
-    return std::any_of(points.begin(), points.end(), [&](core::Point point) {
-        return glm::distance(frame.screen(point), place) < frame.pen.px(covered_distance);
-    });
-}
-
-/// One diamond is on the curve; several are spread across it. Where a control point would cover them they stand beside
-/// it.
-std::vector<glm::dvec2> stack(const CanvasFrame& frame, const core::DistinctKnot& knot) {
-    const glm::dvec2 middle = frame.screen(core::point_at(*frame.curve, knot.value));
+/// One diamond is on the curve, at `middle`; several are spread across it. Where a control point would cover them they
+/// stand beside it.
+std::vector<glm::dvec2> stack(const CanvasFrame& frame, const ShownPoints& points, const core::DistinctKnot& knot,
+                              glm::dvec2 middle) {
     if (knot.multiplicity == 1) return {middle};
     const glm::dvec2 direction = across(frame, knot.value);
     const double step = frame.pen.px(stack_distance);
-    const double first =
-        is_under_control_point(frame, middle) ? frame.pen.px(beside_point) : -0.5 * (knot.multiplicity - 1) * step;
+    const bool is_covered = has_point_near(frame, points, middle, frame.pen.px(covered_distance));
+    const double first = is_covered ? frame.pen.px(beside_point) : -0.5 * (knot.multiplicity - 1) * step;
     std::vector<glm::dvec2> places;
     for (int k = 0; k < knot.multiplicity; ++k) places.push_back(middle + (first + k * step) * direction);
     return places;
 }
 
+/// A knot that may be drawn.
+struct Candidate {
+    double value = 0.0;
+    core::Point point{};
+    std::size_t count = 1;  ///< of knots that are seen as this one
+};
+
+/// The knots that are seen, of those that fall together the first, and all that are lit or chosen; ascending.
+std::vector<Candidate> candidates(const CanvasFrame& frame) {
+    const core::KnotVector& knots = frame.curve->knots();
+    std::vector<Candidate> found;
+    const auto add = [&](double u) { found.push_back({u, core::point_at(*frame.curve, u)}); };
+    const double margin = frame.pen.size_px().x - frame.pen.reach().upper_px.x;
+    frame.kept->strips().visit_spans(frame.seen(-margin), merged_px / frame.state.view.camera.scale,
+                                     [&](std::size_t span, core::Point point, std::size_t count) {
+                                         found.push_back({knots[span], point, count});
+                                     });
+    std::vector<std::size_t> special = frame.lit.knots;
+    if (const auto* hovered = std::get_if<HoveredKnot>(&frame.state.hover)) special.push_back(hovered->index);
+    if (frame.state.selection.knot) special.push_back(*frame.state.selection.knot);
+    for (const std::size_t index : special)
+        if (index < knots.stored().size() && knots.domain().contains(knots.stored()[index]))
+            add(knots.stored()[index] == knots.domain().upper && knots.is_periodic() ? knots.domain().lower
+                                                                                     : knots.stored()[index]);
+    if (!knots.is_periodic()) add(knots.domain().upper);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.value < b.value; });
+    found.erase(std::unique(found.begin(), found.end(),
+                            [](const Candidate& a, const Candidate& b) { return a.value == b.value; }),
+                found.end());
+    return found;
+}
+
+core::DistinctKnot distinct_knot(const core::KnotVector& knots, double value) {
+    const core::Interval domain = knots.domain();
+    core::DistinctKnot knot{.value = value, .multiplicity = knots.multiplicity(value), .in_domain = true};
+    knot.continuity = knots.degree() - knot.multiplicity;
+    knot.is_interior = knots.is_periodic() || (domain.lower < value && value < domain.upper);
+    return knot;
+}
+
+/// The mark of a knot where it is seen; none for the ends of a clamped curve unless they are lit.
+std::optional<CurveKnot> mark_of(const CanvasFrame& frame, const ShownPoints& points, const Candidate& candidate) {
+    const core::DistinctKnot knot = distinct_knot(frame.curve->knots(), candidate.value);
+    const bool chosen = is_chosen(frame, knot);
+    const bool lit = chosen || is_lit(frame, knot);
+    const bool is_clamped_end = !knot.is_interior && knot.multiplicity > frame.curve->degree();
+    if (is_clamped_end && !lit) return std::nullopt;
+    CurveKnot mark{.value = knot.value,
+                   .multiplicity = knot.multiplicity,
+                   .continuity = knot.continuity,
+                   .is_interior = knot.is_interior,
+                   .is_lit = lit,
+                   .is_chosen = chosen,
+                   .places = stack(frame, points, knot, frame.screen(candidate.point))};
+    const bool is_seen = std::any_of(mark.places.begin(), mark.places.end(),
+                                     [&](glm::dvec2 place) { return frame.pen.reach().contains(place); });
+    if (!is_seen) return std::nullopt;
+    return mark;
+}
+
+/// Makes marks smaller or fewer where they are too many; lit ones stay.
+void settle_knots(const CanvasFrame& frame, ShownKnots& shown) {
+    std::vector<MarkPlace> places;
+    for (std::size_t k = 0; k < shown.knots.size(); ++k)
+        if (frame.pen.reach().contains(shown.knots[k].places.front()))
+            places.push_back({k, shown.knots[k].places.front()});
+    const auto most = static_cast<std::size_t>(most_per_px * frame.pen.size_px().x);
+    const Crowd crowd = settle(frame, std::move(places), {radii, gap_when_thinned, most});
+    shown.radius = crowd.radius;
+    if (!crowd.is_thinned) return;
+    std::vector<bool> is_kept(shown.knots.size(), false);
+    for (const MarkPlace& place : crowd.shown) is_kept[place.index] = true;
+    std::vector<CurveKnot> kept;
+    for (std::size_t k = 0; k < shown.knots.size(); ++k)
+        if (is_kept[k] || shown.knots[k].is_lit) kept.push_back(std::move(shown.knots[k]));
+    shown.knots = std::move(kept);
+}
+
 }  // namespace
 
-std::vector<CurveKnot> curve_knots(const CanvasFrame& frame) {
-    std::vector<CurveKnot> shown;
+ShownKnots shown_knots(const CanvasFrame& frame, const ShownPoints& points) {
+    ShownKnots shown;
+    if (!frame.shows(Overlay::knots)) return shown;
     glm::dvec2 last{-1e9};
-    for (const core::DistinctKnot& knot : core::distinct_knots(frame.curve->knots())) {
-        if (!knot.in_domain) continue;
-        const bool chosen = is_chosen(frame, knot);
-        const bool lit = chosen || is_lit(frame, knot);
-        const bool is_clamped_end = !knot.is_interior && knot.multiplicity > frame.curve->degree();
-        if (is_clamped_end && !lit) continue;
-        CurveKnot mark{.value = knot.value,
-                       .multiplicity = knot.multiplicity,
-                       .continuity = knot.continuity,
-                       .is_interior = knot.is_interior,
-                       .is_lit = lit,
-                       .is_chosen = chosen,
-                       .places = stack(frame, knot)};
-        const bool is_seen = std::any_of(mark.places.begin(), mark.places.end(),
-                                         [&](glm::dvec2 place) { return frame.pen.reach().contains(place); });
-        if (!is_seen || (!lit && glm::distance(mark.places.front(), last) < frame.pen.px(least_distance))) continue;
-        last = mark.places.front();
-        shown.push_back(std::move(mark));
+    for (const Candidate& candidate : candidates(frame)) {
+        auto mark = mark_of(frame, points, candidate);
+        if (!mark) continue;
+        shown.seen += std::max(candidate.count, static_cast<std::size_t>(mark->multiplicity));
+        if (!mark->is_lit && glm::distance(mark->places.front(), last) < frame.pen.px(least_distance)) continue;
+        last = mark->places.front();
+        shown.knots.push_back(std::move(*mark));
     }
+    settle_knots(frame, shown);
+    const std::size_t hidden = shown.seen - std::min(shown.seen, knot_count(shown));
+    shown.is_thinned = hidden > few_hidden && hidden > shown.seen / 4;
     return shown;
 }
 
-void draw_curve_knots(CanvasFrame& frame, const std::vector<CurveKnot>& knots) {
-    for (const CurveKnot& knot : knots)
+std::size_t knot_count(const ShownKnots& shown) {
+    std::size_t count = 0;
+    for (const CurveKnot& knot : shown.knots) count += static_cast<std::size_t>(knot.multiplicity);
+    return count;
+}
+
+void draw_curve_knots(CanvasFrame& frame, const ShownKnots& shown) {
+    for (const CurveKnot& knot : shown.knots)
         for (const glm::dvec2 place : knot.places)
             frame.pen.symbol(place, {.shape = render::MarkerShape::diamond,
-                                     .radius = knot.is_chosen ? knot_radius + 1.5 : knot_radius,
+                                     .radius = knot.is_chosen ? radii.front() + 1.5
+                                               : knot.is_lit  ? radii.front()
+                                                              : shown.radius,
                                      .fill = frame.theme.canvas,
                                      .outline = knot.is_lit ? frame.theme.accent : frame.theme.curve,
                                      .outline_width = knot.is_lit ? 2.0 : 1.5});

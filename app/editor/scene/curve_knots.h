@@ -1,7 +1,7 @@
 /// The knots of the active curve as diamonds on it.
 #pragma once
 
-#include "app/editor/scene/canvas_frame.h"
+#include "app/editor/scene/shown_points.h"
 
 namespace batten::editor {
 
@@ -16,10 +16,22 @@ struct CurveKnot {
     std::vector<glm::dvec2> places;  ///< one for each diamond, across the curve
 };
 
-/// What is drawn: knots inside the domain, ends of an unclamped curve, other ends only while they are lit or chosen.
-/// Where knots fall on one another only the first is kept, unless lit. The frame must have a curve.
-std::vector<CurveKnot> curve_knots(const CanvasFrame& frame);
+/// The knots in the picture.
+struct ShownKnots {
+    std::vector<CurveKnot> knots;
+    double radius = 0.0;      ///< of the diamonds, in design pixels; small ones have no fill
+    bool is_thinned = false;  ///< there are clearly fewer than in the picture
+    std::size_t seen = 0;     ///< how many there are in the picture, drawn or not
+};
 
-void draw_curve_knots(CanvasFrame& frame, const std::vector<CurveKnot>& knots);
+/// What is drawn: knots inside the domain, ends of an unclamped curve, other ends only while they are lit or chosen.
+/// Where knots fall on one another only the first is kept, unless lit, and no more than the picture can hold. None
+/// without their overlay. The frame must have a curve.
+ShownKnots shown_knots(const CanvasFrame& frame, const ShownPoints& points);
+
+/// How many knots are drawn, multiple ones as often as they occur.
+std::size_t knot_count(const ShownKnots& shown);
+
+void draw_curve_knots(CanvasFrame& frame, const ShownKnots& shown);
 
 }  // namespace batten::editor

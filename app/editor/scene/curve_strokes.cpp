@@ -55,13 +55,14 @@ void draw_direction(CanvasFrame& frame, render::Color color) {
 
 void draw_ghost(CanvasFrame& frame) {
     if (!frame.state.ghost) return;
-    const core::Curve& ghost = *frame.state.ghost->curve;
     const render::Color color = render::blended(frame.theme.curve, ghost_share, frame.theme.canvas);
-    stroke_runs(frame, seen_runs(frame, ghost, ghost.domain()), {.color = color, .width = other_width});
+    core::CurveStrips& strips = frame.cache.ghost(frame.state.ghost->curve).strips();
+    stroke_runs(frame, seen_runs(frame, strips), {.color = color, .width = other_width});
 }
 
 void draw_other_curves(CanvasFrame& frame) {
     const core::Document& document = frame.state.shown();
+    frame.cache.forget_beyond(document.curves.size());
     const auto* hovered = std::get_if<HoveredOtherCurve>(&frame.state.hover);
     for (std::size_t i = 0; i < document.curves.size(); ++i) {
         const core::DocumentCurve& item = document.curves[i];
@@ -70,13 +71,13 @@ void draw_other_curves(CanvasFrame& frame) {
         const render::Color color = color_of(item, frame.theme);
         const Stroke stroke{.color = is_hovered ? color : render::blended(color, other_share, frame.theme.canvas),
                             .width = is_hovered ? curve_width : other_width};
-        stroke_runs(frame, seen_runs(frame, *item.curve, item.curve->domain()), stroke);
+        stroke_runs(frame, seen_runs(frame, frame.cache.curve(i, item.curve).strips()), stroke);
     }
 }
 
 void draw_lit_parts(CanvasFrame& frame) {
     const Stroke glow{.color = glow_color(frame), .width = glow_width};
-    for (const core::Interval& part : frame.lit.parts) stroke_runs(frame, seen_runs(frame, *frame.curve, part), glow);
+    for (const core::Interval& part : frame.lit.parts) stroke_runs(frame, seen_part(frame, part), glow);
 }
 
 void draw_active_curve(CanvasFrame& frame) {
@@ -84,7 +85,7 @@ void draw_active_curve(CanvasFrame& frame) {
     stroke_runs(frame, frame.curve_runs, {.color = color, .width = curve_width});
     draw_direction(frame, color);
     const Stroke accent{.color = frame.theme.accent, .width = span_width};
-    stroke_runs(frame, seen_runs(frame, *frame.curve, active_span(frame)), accent);
+    stroke_runs(frame, seen_part(frame, active_span(frame)), accent);
 }
 
 void draw_hovered_place(CanvasFrame& frame) {

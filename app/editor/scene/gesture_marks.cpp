@@ -33,9 +33,7 @@ struct MarksOf {
         const std::vector<glm::dvec2> places = frame.screen(points);
         frame.pen.line(places, {.color = frame.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0});
         if (points.size() > 1)
-            if (const auto curve = drawn_curve(points))
-                for (const auto& run : seen_runs(frame, *curve, curve->domain()))
-                    frame.pen.line(run, {.color = frame.theme.accent, .width = 3.0});
+            if (const auto curve = drawn_curve(points)) draw_shape(*curve);
         for (std::size_t i = 0; i < places.size(); ++i) {
             const bool is_next = i + 1 == places.size();
             frame.pen.symbol(places[i], {.radius = 6.5,
@@ -43,6 +41,12 @@ struct MarksOf {
                                          .outline = is_next ? frame.theme.point(i) : frame.theme.canvas,
                                          .outline_width = 2.0});
         }
+    }
+
+    void draw_shape(const core::Curve& curve) const {
+        core::CurveStrips strips(std::make_shared<const core::Curve>(curve));
+        for (const auto& run : seen_runs(frame, strips))
+            frame.pen.line(run, {.color = frame.theme.accent, .width = 3.0});
     }
 
     template <class Other>

@@ -259,7 +259,7 @@ TEST(PolygonStrips, visit_every_point_in_view_once) {
     for (std::size_t i = 0; i < points.size(); ++i)
         if (view.contains(points[i])) expected.push_back(i);
     std::vector<std::size_t> visited;
-    strips.visit_points(view, 0.0, [&](std::size_t i, Point) { visited.push_back(i); });
+    strips.visit_points(view, 0.0, [&](std::size_t i, Point, std::size_t) { visited.push_back(i); });
     EXPECT_EQ(visited, expected);
 }
 

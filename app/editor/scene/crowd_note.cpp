@@ -1,0 +1,48 @@
+#include "app/editor/scene/crowd_note.h"
+
+#include "app/editor/scene/legend.h"
+#include "app/editor/scene/text_size.h"
+#include "core/base/sentence.h"
+
+namespace batten::editor {
+
+namespace {
+
+constexpr double side_margin = 14.0;
+constexpr double bottom_margin = 43.0;  // in the middle of the row of the legend
+constexpr double note_size = 12.5;
+
+std::string note_text(const CanvasMarks& marks) {
+    const std::size_t points = marks.points.crowd.shown.size();
+    const std::size_t knots = knot_count(marks.knots);
+    const bool has_all_points = !marks.points.crowd.is_thinned;
+    if (has_all_points && !marks.knots.is_thinned) return "";
+    if (!marks.knots.is_thinned)
+        return core::sentence("Showing {shown} of {count} points", {{"shown", points}, {"count", marks.points.seen}});
+    if (has_all_points)
+        return core::sentence("Showing {shown} of {count} knots", {{"shown", knots}, {"count", marks.knots.seen}});
+    return core::sentence(
+        "Showing {shown} of {count} points and {knots} of {knot_count} knots",
+        {{"shown", points}, {"count", marks.points.seen}, {"knots", knots}, {"knot_count", marks.knots.seen}});
+}
+
+}  // namespace
+
+std::optional<render::PixelBox> draw_crowd_note(CanvasFrame& frame, const CanvasMarks& marks) {
+    const std::string note = note_text(marks);
+    if (note.empty()) return std::nullopt;
+    const bool is_left = has_legend(frame.state) && frame.state.view.legend_corner == Corner::lower_right;
+    const glm::dvec2 size = text_size(note, frame.pen.px(note_size));
+    const double left =
+        is_left ? frame.pen.px(side_margin) : frame.pen.size_px().x - frame.pen.px(side_margin) - size.x;
+    const double y = frame.pen.size_px().y - frame.pen.px(bottom_margin);
+    const render::PixelBox box{{left, y - 0.5 * size.y}, {left + size.x, y + 0.5 * size.y}};
+    const double x = is_left ? box.lower_px.x : box.upper_px.x;
+    frame.pen.text({x, y}, note,
+                   {.color = frame.theme.dim,
+                    .size = note_size,
+                    .anchor = is_left ? render::Anchor::left : render::Anchor::right});
+    return box;
+}
+
+}  // namespace batten::editor

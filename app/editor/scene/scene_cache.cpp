@@ -1,0 +1,34 @@
+#include "app/editor/scene/scene_cache.h"
+
+namespace batten::editor {
+
+namespace {
+
+KeptCurve& followed(std::unique_ptr<KeptCurve>& kept, const std::shared_ptr<const core::Curve>& curve) {
+    if (kept == nullptr) kept = std::make_unique<KeptCurve>(curve);
+    kept->follow(curve);
+    return *kept;
+}
+
+}  // namespace
+
+core::PolygonStrips& KeptCurve::polygon() {
+    if (!polygon_) polygon_.emplace(strips_.curve());
+    polygon_->follow(strips_.curve());
+    return *polygon_;
+}
+
+KeptCurve& SceneCache::curve(std::size_t index, const std::shared_ptr<const core::Curve>& curve) {
+    if (index >= curves_.size()) curves_.resize(index + 1);
+    return followed(curves_[index], curve);
+}
+
+KeptCurve& SceneCache::ghost(const std::shared_ptr<const core::Curve>& curve) {
+    return followed(ghost_, curve);
+}
+
+void SceneCache::forget_beyond(std::size_t count) {
+    if (curves_.size() > count) curves_.resize(count);
+}
+
+}  // namespace batten::editor

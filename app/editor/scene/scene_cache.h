@@ -1,0 +1,49 @@
+/// What pictures keep from one to the next: computed once for a curve, and followed where it changes.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/document/document.h"
+#include "core/evaluate/curve_strips.h"
+#include "core/evaluate/polygon_strips.h"
+
+namespace batten::editor {
+
+/// What is kept of one curve that is drawn.
+class KeptCurve {
+  public:
+    explicit KeptCurve(std::shared_ptr<const core::Curve> curve) : strips_(std::move(curve)) {}
+
+    void follow(const std::shared_ptr<const core::Curve>& curve) { strips_.follow(curve); }
+
+    core::CurveStrips& strips() { return strips_; }
+
+    /// The strips of the control polygon, made when they are asked for.
+    core::PolygonStrips& polygon();
+
+  private:
+    core::CurveStrips strips_;
+    std::optional<core::PolygonStrips> polygon_;
+};
+
+/// Belongs to whoever shows pictures of one editor; what it keeps is a function of what is shown, so a new one gives
+/// the same pictures.
+class SceneCache {
+  public:
+    /// What is kept of curve `index` of the shown document, which now is `curve`.
+    KeptCurve& curve(std::size_t index, const std::shared_ptr<const core::Curve>& curve);
+
+    /// What is kept of the ghost.
+    KeptCurve& ghost(const std::shared_ptr<const core::Curve>& curve);
+
+    /// Forgets curves beyond the first `count`.
+    void forget_beyond(std::size_t count);
+
+  private:
+    std::vector<std::unique_ptr<KeptCurve>> curves_;
+    std::unique_ptr<KeptCurve> ghost_;
+};
+
+}  // namespace batten::editor

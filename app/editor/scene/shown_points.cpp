@@ -1,0 +1,68 @@
+#include "app/editor/scene/shown_points.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <set>
+
+namespace batten::editor {
+
+namespace {
+
+constexpr std::array radii{6.5, 4.5, 3.0};
+constexpr double gap_when_thinned = 2.0;
+constexpr double merged_px = 1.5;             // what is closer than this is seen as one
+constexpr double most_per_px = 1.0;           // points for each pixel of the picture's width
+constexpr std::size_t most_pointed_at = 200;  // more are drawn like all others
+
+/// What the user points at, as far as it is in the picture.
+std::vector<MarkPlace> pointed_at(const CanvasFrame& frame) {
+    const auto points = frame.curve->control_points();
+    std::set<std::size_t> indices(frame.lit.points.begin(), frame.lit.points.end());
+    indices.insert({0, points.size() - 1});
+    const std::vector<std::size_t>& selected = frame.state.selection.points;
+    if (selected.size() <= most_pointed_at) indices.insert(selected.begin(), selected.end());
+    std::vector<MarkPlace> places;
+    for (const std::size_t i : indices) {
+        if (i >= points.size()) continue;
+        const glm::dvec2 place = frame.screen(points[i]);
+        if (frame.pen.reach().contains(place)) places.push_back({i, place});
+    }
+    return places;
+}
+
+}  // namespace
+
+ShownPoints shown_points(const CanvasFrame& frame) {
+    ShownPoints shown;
+    if (!frame.shows(Overlay::polygon)) return shown;
+    std::vector<MarkPlace> places;
+    const auto take = [&](std::size_t i, core::Point point, std::size_t count) {
+        const glm::dvec2 place = frame.screen(point);
+        if (!frame.pen.reach().contains(place)) return;
+        places.push_back({i, place});
+        shown.seen += count;
+    };
+    const double scale = frame.state.view.camera.scale;
+    const double margin = frame.pen.size_px().x - frame.pen.reach().upper_px.x;
+    frame.kept->polygon().visit_points(frame.seen(-margin), merged_px / scale, take);
+    const auto most = static_cast<std::size_t>(most_per_px * frame.pen.size_px().x);
+    shown.crowd = settle(frame, std::move(places), {radii, gap_when_thinned, most});
+    if (shown.seen > shown.crowd.shown.size()) shown.crowd.is_thinned = true;
+    shown.large = is_dense(shown) ? pointed_at(frame) : shown.crowd.shown;
+    return shown;
+}
+
+bool has_point_near(const CanvasFrame& frame, const ShownPoints& points, glm::dvec2 place, double distance_px) {
+    if (is_dense(points) || !frame.shows(Overlay::polygon)) return false;
+    core::Box box;
+    for (const double side : {-distance_px, distance_px})
+        box.include(core::Point(render::world_from_screen(frame.state.view.camera, place + glm::dvec2(side))));
+    bool is_near = false;
+    frame.kept->polygon().visit_points(box, 0.0, [&](std::size_t, core::Point point, std::size_t) {
+        is_near = is_near || glm::distance(frame.screen(point), place) < distance_px;
+    });
+    return is_near;
+}
+
+}  // namespace batten::editor
