@@ -31,18 +31,17 @@ Heights heights_for(double height) {
             between(least_heights.below_strip, usual_heights.below_strip)};
 }
 
-/// How many diamonds stand on those of smaller index.
-std::size_t height_in_stack(std::span<const double> knots, std::size_t index) {
-    std::size_t first = index;
-    while (first > 0 && knots[first - 1] == knots[index]) --first;
-    return index - first;
-}
-
+/// How many diamonds stand on others in the highest stack. Cost: as far as the first stack that can be no higher, which
+/// a clamped curve begins with.
 std::size_t steps_of_highest_stack(const core::Curve* curve) {
     std::size_t most = 0;
     if (curve == nullptr) return most;
     const std::span<const double> knots = curve->knots().stored();
-    for (std::size_t i = 0; i < knots.size(); ++i) most = std::max(most, height_in_stack(knots, i));
+    std::size_t steps = 0;
+    for (std::size_t i = 1; i < knots.size() && most < static_cast<std::size_t>(curve->degree()); ++i) {
+        steps = knots[i] == knots[i - 1] ? steps + 1 : 0;
+        most = std::max(most, steps);
+    }
     return most;
 }
 
@@ -87,15 +86,21 @@ double y_from_value(const PlotLayout& layout, double value) {
 }
 
 std::vector<KnotMark> knot_marks(const EditorState& state, const PlotLayout& layout) {
+    return knot_marks(state, layout, {layout.left_px - layout.diamond_px, layout.right_px + layout.diamond_px});
+}
+
+std::vector<KnotMark> knot_marks(const EditorState& state, const PlotLayout& layout, core::Interval x_px) {
     std::vector<KnotMark> marks;
     const core::Curve* curve = state.active_curve();
     if (curve == nullptr) return marks;
     const std::span<const double> knots = curve->knots().stored();
-    for (std::size_t i = 0; i < knots.size(); ++i) {
-        const double x = x_from_parameter(layout, knots[i]);
-        if (x < layout.left_px - layout.diamond_px || x > layout.right_px + layout.diamond_px) continue;
-        const double rise = static_cast<double>(height_in_stack(knots, i)) * layout.stack_px;
-        marks.push_back({i, {x, layout.strip_px - rise}});
+    const auto is_left = [&](double u, double x) { return x_from_parameter(layout, u) < x; };
+    const auto begin = std::lower_bound(knots.begin(), knots.end(), x_px.lower, is_left);
+    double rise = 0.0;
+    for (auto knot = begin; knot != knots.end() && x_from_parameter(layout, *knot) <= x_px.upper; ++knot) {
+        rise = knot != begin && *knot == *std::prev(knot) ? rise + layout.stack_px : 0.0;
+        const auto index = static_cast<std::size_t>(knot - knots.begin());
+        marks.push_back({index, {x_from_parameter(layout, *knot), layout.strip_px - rise}});
     }
     return marks;
 }

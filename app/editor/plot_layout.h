@@ -44,4 +44,7 @@ struct KnotMark {
 /// that only nearly agree stand beside each other, each at its own x.
 std::vector<KnotMark> knot_marks(const EditorState& state, const PlotLayout& layout);
 
+/// The same between two places of the axis.
+std::vector<KnotMark> knot_marks(const EditorState& state, const PlotLayout& layout, core::Interval x_px);
+
 }  // namespace batten::editor

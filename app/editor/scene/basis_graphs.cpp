@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
 #include <string>
 
 #include "app/editor/scene/text_row.h"
@@ -15,6 +16,11 @@ namespace batten::editor {
 namespace {
 
 constexpr double sample_spacing_px = 3.0;
+constexpr double least_steps = 4.0;         // in a span
+constexpr double least_steps_of_one = 2.0;  // where functions are too many
+constexpr double most_steps = 1000.0;
+constexpr double most_per_px = 0.25;  // functions for each pixel of the plot's width
+constexpr double cell_width = 10.0;   // for each of which a narrow function is shown, if they are too many
 constexpr double simplification_px = 0.15;
 constexpr double index_size = 12.0;
 constexpr double number_distance = 10.0;
@@ -69,36 +75,70 @@ std::vector<double> values_by_function(const PlotFrame& frame, std::vector<doubl
     return values;
 }
 
-/// Samples all functions of one span after the other.
+/// The spans that the plot shows.
+struct SpanRange {
+    std::size_t first = 0;
+    std::size_t last = 0;
+};
+
+SpanRange shown_spans(const PlotFrame& frame) {
+    const core::KnotVector& knots = frame.curve.knots();
+    return {knots.span_at(std::max(frame.layout.range.lower, knots.domain().lower)),
+            knots.span_at(std::min(frame.layout.range.upper, knots.domain().upper), core::Side::left)};
+}
+
+/// Samples functions span by span.
 class GraphTracer {
   public:
-    explicit GraphTracer(const PlotFrame& frame) : frame_(frame), graphs_(frame.curve.control_points().size()) {}
+    explicit GraphTracer(const PlotFrame& frame) : frame_(frame) {}
 
-    std::vector<BasisGraph> trace() {
-        const core::KnotVector& knots = frame_.curve.knots();
-        const auto p = static_cast<std::size_t>(frame_.curve.degree());
-        for (std::size_t s = p; s + p + 1 < knots.size(); ++s) {
-            const double lower = std::max(knots[s], frame_.layout.range.lower);
-            const double upper = std::min(knots[s + 1], frame_.layout.range.upper);
-            if (lower < upper) trace_span(s, {lower, upper});
+    /// All functions of the spans.
+    std::vector<BasisGraph> trace(SpanRange spans) {
+        const std::size_t functions = spans.last - spans.first + degree() + 1;
+        std::vector<BasisGraph> graphs(std::min(functions, frame_.curve.control_points().size()));
+        const std::size_t first = spans.first - degree();
+        for (std::size_t k = 0; k < graphs.size(); ++k) graphs[k].index = frame_.function_of(spans.first, k);
+        for (std::size_t s = spans.first; s <= spans.last; ++s) {
+            const auto samples = samples_of(s, least_steps);
+            for (std::size_t j = 0; j < samples.size(); ++j)
+                append(graphs[(s - degree() + j - first) % graphs.size()], samples[j]);
         }
-        return std::move(graphs_);
+        std::sort(graphs.begin(), graphs.end(),
+                  [](const BasisGraph& a, const BasisGraph& b) { return a.index < b.index; });
+        return graphs;
+    }
+
+    /// One function, as far as it is in the spans. There must be more functions than a span has.
+    BasisGraph trace(SpanRange spans, std::size_t index) {
+        BasisGraph graph{.index = index, .runs = {}};
+        const std::size_t n = frame_.curve.control_points().size();
+        for (std::size_t i = index; i <= spans.last; i += n)
+            for (std::size_t s = std::max(i, spans.first); s <= std::min(i + degree(), spans.last); ++s) {
+                const auto samples = samples_of(s, least_steps_of_one);
+                if (!samples.empty()) append(graph, samples[i + degree() - s]);
+            }
+        return graph;
     }
 
   private:
-    void trace_span(std::size_t s, core::Interval shown) {
-        const auto p = static_cast<std::size_t>(frame_.curve.degree());
+    std::size_t degree() const { return static_cast<std::size_t>(frame_.curve.degree()); }
+
+    /// The functions of one span in the shown range, sampled at its ends and between.
+    std::vector<std::vector<glm::dvec2>> samples_of(std::size_t s, double least) const {
+        const core::KnotVector& knots = frame_.curve.knots();
+        const core::Interval shown{std::max(knots[s], frame_.layout.range.lower),
+                                   std::min(knots[s + 1], frame_.layout.range.upper)};
+        if (!(shown.lower < shown.upper)) return {};
         const double width = frame_.x(shown.upper) - frame_.x(shown.lower);
-        const int steps = p == 1 ? 1 : static_cast<int>(std::clamp(width / sample_spacing_px, 4.0, 1000.0));
-        std::vector<std::vector<glm::dvec2>> samples(p + 1);
+        const int steps =
+            degree() == 1 ? 1 : static_cast<int>(std::clamp(width / sample_spacing_px, least, most_steps));
+        std::vector<std::vector<glm::dvec2>> samples(std::min(degree() + 1, frame_.curve.control_points().size()));
         for (int k = 0; k <= steps; ++k) {
             const double u = k == steps ? shown.upper : shown.lower + shown.length() * k / steps;
-            const core::Side side = u < frame_.curve.knots()[s + 1] ? core::Side::right : core::Side::left;
-            const std::vector<double> values = core::basis_functions(frame_.curve.knots(), u, 0, side).derivatives[0];
-            add_sample(samples, u, values);
+            const core::Side side = u < knots[s + 1] ? core::Side::right : core::Side::left;
+            add_sample(samples, u, core::basis_functions(knots, u, 0, side).derivatives[0]);
         }
-        for (std::size_t j = 0; j <= p; ++j)
-            if (!samples[j].empty()) append(graphs_[frame_.function_of(s, j)], samples[j]);
+        return samples;
     }
 
     void add_sample(std::vector<std::vector<glm::dvec2>>& samples, double u, const std::vector<double>& values) const {
@@ -120,8 +160,28 @@ class GraphTracer {
     }
 
     const PlotFrame& frame_;
-    std::vector<BasisGraph> graphs_;
 };
+
+/// The functions to show where they are too many: ascending.
+std::vector<std::size_t> chosen_functions(const PlotFrame& frame, SpanRange spans) {
+    const core::KnotVector& knots = frame.curve.knots();
+    const auto p = static_cast<std::size_t>(frame.curve.degree());
+    const std::size_t n = frame.curve.control_points().size();
+    std::vector<std::size_t> chosen = frame.lit.basis;
+    for (std::size_t j = 0; j <= p; ++j) chosen.push_back(frame.function_of(frame.span, j));
+    const double cell =
+        frame.pen.px(cell_width) * frame.layout.range.length() / (frame.layout.right_px - frame.layout.left_px);
+    // Cells lie still while the plot moves.
+    const double start = std::floor(frame.layout.range.lower / cell) * cell;
+    for (double k = 0.0; start + k * cell <= frame.layout.range.upper; k += 1.0)
+        if (frame.layout.range.contains(start + k * cell) && knots.domain().contains(start + k * cell))
+            chosen.push_back(frame.function_of(knots.span_at(start + k * cell), p / 2));
+    for (std::size_t i = spans.first - p; i <= spans.last; ++i)
+        if (knots[i + p + 1] - knots[i] >= static_cast<double>(p + 1) * cell) chosen.push_back(i % n);
+    std::sort(chosen.begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    return chosen;
+}
 
 bool is_active(const PlotFrame& frame, std::size_t i) {
     for (std::size_t j = 0; j <= static_cast<std::size_t>(frame.curve.degree()); ++j)
@@ -145,11 +205,13 @@ int rank_of(const PlotFrame& frame, std::size_t i) {
     return is_lit(frame, i) ? 2 : is_active(frame, i) ? 1 : 0;
 }
 
-std::vector<std::size_t> by_rank(const PlotFrame& frame, std::size_t count) {
-    std::vector<std::size_t> order;
-    for (const int rank : {0, 1, 2})
-        for (std::size_t i = 0; i < count; ++i)
-            if (rank_of(frame, i) == rank) order.push_back(i);
+/// The places of the graphs in the order in which they are drawn.
+std::vector<std::size_t> by_rank(const PlotFrame& frame, const std::vector<BasisGraph>& graphs) {
+    std::vector<std::size_t> order(graphs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return rank_of(frame, graphs[a].index) < rank_of(frame, graphs[b].index);
+    });
     return order;
 }
 
@@ -167,30 +229,45 @@ double number_x(const PlotFrame& frame, double peak_x, double width_px) {
 
 }  // namespace
 
-std::vector<BasisGraph> basis_graphs(const PlotFrame& frame) {
-    return GraphTracer(frame).trace();
+ShownBasis basis_graphs(const PlotFrame& frame) {
+    const core::Interval domain = frame.curve.domain();
+    ShownBasis shown;
+    if (!(domain.lower < frame.layout.range.upper && frame.layout.range.lower < domain.upper)) return shown;
+    const SpanRange spans = shown_spans(frame);
+    const auto p = static_cast<std::size_t>(frame.curve.degree());
+    shown.count = std::min(spans.last - spans.first + p + 1, frame.curve.control_points().size());
+    GraphTracer tracer(frame);
+    if (static_cast<double>(shown.count) <= most_per_px * frame.pen.size_px().x || shown.count <= 2 * (p + 1)) {
+        shown.graphs = tracer.trace(spans);
+        return shown;
+    }
+    for (const std::size_t i : chosen_functions(frame, spans)) {
+        shown.graphs.push_back(tracer.trace(spans, i));
+        if (shown.graphs.back().runs.empty()) shown.graphs.pop_back();
+    }
+    return shown;
 }
 
 void draw_basis_graphs(PlotFrame& frame, const std::vector<BasisGraph>& graphs) {
-    for (const std::size_t i : by_rank(frame, graphs.size()))
-        for (const auto& run : graphs[i].runs) frame.pen.line(run, stroke_of(frame, i));
+    for (const std::size_t k : by_rank(frame, graphs))
+        for (const auto& run : graphs[k].runs) frame.pen.line(run, stroke_of(frame, graphs[k].index));
 }
 
 void draw_basis_numbers(PlotFrame& frame, const std::vector<BasisGraph>& graphs) {
     TextRow row;
-    std::vector<std::size_t> order = by_rank(frame, graphs.size());
+    std::vector<std::size_t> order = by_rank(frame, graphs);
     std::reverse(order.begin(), order.end());
-    for (const std::size_t i : order) {
-        if (graphs[i].runs.empty()) continue;
-        const std::string number = std::to_string(i);
-        const TextStyle style{.color = frame.theme.point_text(i),
+    for (const std::size_t k : order) {
+        const BasisGraph& graph = graphs[k];
+        if (graph.runs.empty()) continue;
+        const std::string number = std::to_string(graph.index);
+        const TextStyle style{.color = frame.theme.point_text(graph.index),
                               .size = index_size,
                               .anchor = render::Anchor::center,
                               .font = render::LabelFont::bold};
         const double width = text_size(number, frame.pen.px(index_size), style.font).x;
-        row.write(frame.pen,
-                  {number_x(frame, graphs[i].peak.x, width), graphs[i].peak.y - frame.pen.px(number_distance)}, number,
-                  style);
+        row.write(frame.pen, {number_x(frame, graph.peak.x, width), graph.peak.y - frame.pen.px(number_distance)},
+                  number, style);
     }
 }
 

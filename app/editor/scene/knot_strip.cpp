@@ -14,41 +14,85 @@ namespace batten::editor {
 
 namespace {
 
+constexpr double most_per_px = 0.25;  // knots for each pixel of the strip's width
+constexpr double cell_width = 5.0;    // for each of which a stack is shown, if they are too many
 constexpr double value_size = 12.0;
 constexpr double multiplicity_size = 10.5;
 
-/// The diamonds of equal knots.
-struct Stack {
-    double value = 0.0;
-    int multiplicity = 1;
-    bool is_interior = false;  ///< strictly inside the domain, or the seam of a periodic curve
-    bool is_lit = false;
-    bool is_chosen = false;
-    std::vector<glm::dvec2> places;  ///< from the axis upwards
-};
-
-Stack stack_of(const PlotFrame& frame, const KnotMark& mark) {
+/// Of the run of equal knots that begins at stored knot `first`.
+KnotStack stack_of(const PlotFrame& frame, std::size_t first) {
     const core::KnotVector& knots = frame.curve.knots();
-    const double value = knots.stored()[mark.index];
-    Stack stack;
+    const std::span<const double> stored = knots.stored();
+    const double value = stored[first];
+    KnotStack stack;
     stack.value = value;
     stack.multiplicity = knots.multiplicity(value);
     stack.is_interior = knots.is_periodic() || (knots.domain().lower < value && value < knots.domain().upper);
-    stack.is_chosen = frame.is_chosen(mark.index);
+    stack.is_chosen = frame.is_chosen(first);
+    for (std::size_t i = first; i < stored.size() && stored[i] == value; ++i) {
+        const double rise = static_cast<double>(i - first) * frame.layout.stack_px;
+        stack.places.push_back({frame.x(value), frame.layout.strip_px - rise});
+        stack.is_lit = stack.is_lit || std::binary_search(frame.lit.knots.begin(), frame.lit.knots.end(), i);
+    }
     return stack;
 }
 
-std::vector<Stack> stacks(const PlotFrame& frame) {
-    std::vector<Stack> all;
-    const auto stored = frame.curve.knots().stored();
-    for (const KnotMark& mark : knot_marks(frame.state, frame.layout)) {
-        if (all.empty() || all.back().value != stored[mark.index]) all.push_back(stack_of(frame, mark));
-        Stack& stack = all.back();
-        stack.places.push_back(mark.center_px);
-        stack.is_lit = stack.is_lit || std::binary_search(frame.lit.knots.begin(), frame.lit.knots.end(), mark.index);
+/// Collects the stacks to be shown by the stored index of their first knot.
+class StackPicker {
+  public:
+    explicit StackPicker(const PlotFrame& frame) : frame_(frame), stored_(frame.curve.knots().stored()) {
+        const double margin = parameter_length(frame.layout.diamond_px);
+        range_ = {frame.layout.range.lower - margin, frame.layout.range.upper + margin};
     }
-    return all;
-}
+
+    std::size_t count() const { return index_of_first(next_above(range_.upper)) - index_of_first(range_.lower); }
+
+    void pick_all() {
+        for (std::size_t i = index_of_first(range_.lower); i < stored_.size() && stored_[i] <= range_.upper;
+             i = index_of_first(next_above(stored_[i])))
+            firsts_.push_back(i);
+    }
+
+    /// One for each cell of a grid that lies still while the plot moves, and what matters.
+    void pick_some() {
+        const double cell = parameter_length(frame_.pen.px(cell_width));
+        const double start = std::floor(range_.lower / cell) * cell;
+        for (double k = 0.0; start + k * cell <= range_.upper; k += 1.0)
+            pick_in(start + k * cell, start + (k + 1.0) * cell);
+        for (const std::size_t i : frame_.lit.knots) pick(i);
+        for (const std::size_t i : frame_.chosen_knots) pick(i);
+        const core::Interval domain = frame_.curve.domain();
+        for (const double end : {domain.lower, domain.upper}) pick(index_of_first(end));
+    }
+
+    std::vector<std::size_t> take() {
+        std::sort(firsts_.begin(), firsts_.end());
+        firsts_.erase(std::unique(firsts_.begin(), firsts_.end()), firsts_.end());
+        return std::move(firsts_);
+    }
+
+  private:
+    double parameter_length(double px) const {
+        return px * frame_.layout.range.length() / (frame_.layout.right_px - frame_.layout.left_px);
+    }
+    static double next_above(double value) { return std::nextafter(value, core::Box::infinity); }
+    std::size_t index_of_first(double value) const {
+        return static_cast<std::size_t>(std::lower_bound(stored_.begin(), stored_.end(), value) - stored_.begin());
+    }
+    void pick(std::size_t index) {
+        if (index >= stored_.size() || !range_.contains(stored_[index])) return;
+        firsts_.push_back(index_of_first(stored_[index]));
+    }
+    void pick_in(double lower, double upper) {
+        const std::size_t i = index_of_first(std::max(lower, range_.lower));
+        if (i < stored_.size() && stored_[i] < upper) pick(i);
+    }
+
+    const PlotFrame& frame_;
+    std::span<const double> stored_;
+    core::Interval range_;
+    std::vector<std::size_t> firsts_;
+};
 
 /// Small enough that evenly spread stacks do not touch.
 double diamond_radius_px(const PlotFrame& frame, std::size_t stack_count) {
@@ -57,7 +101,7 @@ double diamond_radius_px(const PlotFrame& frame, std::size_t stack_count) {
     return std::clamp(0.42 * room, std::min(frame.pen.px(2.0), frame.layout.diamond_px), frame.layout.diamond_px);
 }
 
-Symbol diamond(const PlotFrame& frame, const Stack& stack, double radius) {
+Symbol diamond(const PlotFrame& frame, const KnotStack& stack, double radius) {
     const Theme& theme = frame.theme;
     const bool is_outside = !frame.curve.domain().contains(stack.value);
     Symbol symbol{.shape = render::MarkerShape::diamond,
@@ -95,7 +139,7 @@ std::string value_text(const PlotFrame& frame, double value) {
     return number_text(value, static_cast<int>(std::clamp(decades + 4.0, 4.0, 17.0)));
 }
 
-std::string detail_text(const PlotFrame& frame, const Stack& stack) {
+std::string detail_text(const PlotFrame& frame, const KnotStack& stack) {
     const int times = stack.multiplicity;
     if (stack.is_interior) {
         const std::string continuity = continuity_text(frame.curve.degree() - times);
@@ -107,7 +151,7 @@ std::string detail_text(const PlotFrame& frame, const Stack& stack) {
 }
 
 /// Chosen knots first, then the domain's ends, then multiple knots.
-int importance(const PlotFrame& frame, const Stack& stack) {
+int importance(const PlotFrame& frame, const KnotStack& stack) {
     if (stack.is_chosen) return 3;
     const core::Interval domain = frame.curve.domain();
     if (stack.value == domain.lower || stack.value == domain.upper) return 2;
@@ -116,25 +160,35 @@ int importance(const PlotFrame& frame, const Stack& stack) {
 
 }  // namespace
 
-void draw_knot_strip(PlotFrame& frame) {
+ShownStacks knot_stacks(const PlotFrame& frame) {
+    StackPicker picker(frame);
+    ShownStacks shown{.stacks = {}, .count = picker.count()};
+    if (static_cast<double>(shown.count) <= most_per_px * frame.pen.size_px().x)
+        picker.pick_all();
+    else
+        picker.pick_some();
+    for (const std::size_t first : picker.take()) shown.stacks.push_back(stack_of(frame, first));
+    return shown;
+}
+
+void draw_knot_strip(PlotFrame& frame, const std::vector<KnotStack>& stacks) {
     draw_axis(frame);
-    const std::vector<Stack> all = stacks(frame);
-    const double radius = diamond_radius_px(frame, all.size()) / frame.pen.px(1.0);
+    const double radius = diamond_radius_px(frame, stacks.size()) / frame.pen.px(1.0);
     for (const bool chosen : {false, true})
-        for (const Stack& stack : all)
+        for (const KnotStack& stack : stacks)
             if (stack.is_chosen == chosen)
                 for (const glm::dvec2 place : stack.places)
                     frame.pen.symbol(place, diamond(frame, stack, chosen ? std::max(radius, 6.0) : radius));
 }
 
-void draw_knot_labels(PlotFrame& frame) {
-    std::vector<Stack> all = stacks(frame);
-    std::stable_sort(all.begin(), all.end(),
-                     [&](const Stack& a, const Stack& b) { return importance(frame, a) > importance(frame, b); });
+void draw_knot_labels(PlotFrame& frame, std::vector<KnotStack> stacks) {
+    std::stable_sort(stacks.begin(), stacks.end(), [&](const KnotStack& a, const KnotStack& b) {
+        return importance(frame, a) > importance(frame, b);
+    });
     const double room = frame.pen.size_px().y - frame.layout.strip_px;
     TextRow values;
     TextRow details;
-    for (const Stack& stack : all) {
+    for (const KnotStack& stack : stacks) {
         const double x = stack.places.front().x;
         const TextStyle value{.color = stack.is_chosen ? frame.theme.accent : frame.theme.text,
                               .size = value_size,
@@ -151,8 +205,8 @@ void draw_knot_labels(PlotFrame& frame) {
     }
 }
 
-void draw_knot_guides(PlotFrame& frame) {
-    for (const Stack& stack : stacks(frame)) {
+void draw_knot_guides(PlotFrame& frame, const std::vector<KnotStack>& stacks) {
+    for (const KnotStack& stack : stacks) {
         const double x = stack.places.front().x;
         if (!stack.is_chosen || x < frame.layout.left_px || x > frame.layout.right_px) continue;
         frame.pen.segment({x, frame.layout.top_px}, {x, frame.layout.strip_px},

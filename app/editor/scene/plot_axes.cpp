@@ -56,14 +56,20 @@ void draw_plot_axes(PlotFrame& frame) {
     for (const double value : {0.0, 0.5, 1.0}) draw_level(frame, value);
 }
 
-void draw_plot_title(PlotFrame& frame) {
+void draw_plot_title(PlotFrame& frame, const std::string& note) {
     const double y = 0.4 * frame.layout.top_px;
     const double margin = frame.pen.px(16.0);
     const TextStyle style{
         .color = frame.theme.parameter, .anchor = render::Anchor::right, .font = render::LabelFont::bold};
     const std::string u = readout_text(frame);
     const double room = frame.pen.size_px().x - 3.0 * margin - text_size(u, frame.pen.px(style.size), style.font).x;
-    frame.pen.text({margin, y}, title_text(frame, room), {.color = frame.theme.text, .font = render::LabelFont::bold});
+    const TextStyle title_style{.color = frame.theme.text, .font = render::LabelFont::bold};
+    const std::string title = title_text(frame, room);
+    const double title_width = text_size(title, frame.pen.px(title_style.size), title_style.font).x;
+    frame.pen.text({margin, y}, title, title_style);
+    const TextStyle note_style{.color = frame.theme.dim};
+    if (!note.empty() && text_size(note, frame.pen.px(note_style.size)).x <= room - title_width)
+        frame.pen.text({2.0 * margin + title_width, y}, note, note_style);
     frame.pen.text({frame.pen.size_px().x - margin, y}, u, style);
 }
 
