@@ -32,17 +32,21 @@ class CurveStrips {
     PointRuns runs(const StripRequest& request, Interval range);
 
     /// Calls `take(span, point, count)` for the non-empty spans that may be seen, ascending, with the point where the
-    /// span begins and a count of 1; of neighboring spans in a box of no more than `size` only for the first, with
-    /// their number, empty ones included. Cost: that of what is visited, and of what is for the first time.
+    /// span begins and a count of 1; for a stretch of no more than `size_of_stretch`, and for neighboring spans of no
+    /// more than a sixteenth of that, only for the first span, with their number, empty ones included. Cost: that of
+    /// what is visited, and of what is for the first time.
     template <class Take>
-    void visit_spans(const Box& view, double size, Take take) {
+    void visit_spans(const Box& view, double size_of_stretch, Take take) {
         ++use_;
         const auto taker = [&](std::size_t base, std::size_t length) {
-            return [&, base, length](const Strip& strip, std::size_t first, std::size_t last) {
+            const double size = size_of_stretch * static_cast<double>(length) / spans_per_stretch;
+            return [&, base, length, size](const Strip& strip, std::size_t first, std::size_t last) {
                 if (!strip.box.intersects(view)) return false;
                 const Vector extent = strip.box.size();
                 if (!(std::max(extent.x, extent.y) <= size)) return true;
-                take(non_empty(base + first * length), strip.first, (last + 1 - first) * length);
+                const std::size_t begin = base + first * length;
+                const std::size_t end = std::min(base + (last + 1) * length, span_end());
+                take(non_empty(begin), strip.first, end - begin);
                 return false;
             };
         };

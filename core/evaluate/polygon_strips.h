@@ -25,24 +25,23 @@ class PolygonStrips {
     PointRuns runs(const StripRequest& request) const;
 
     /// Calls `take(index, point, count)` for the control points in `view`, ascending: for each with a count of 1, but
-    /// for a stretch of no more than `size` only for its first point, with the number of its points.
+    /// for a stretch of no more than `size` only for one point, with the number of its points; of one of no more than
+    /// four times that for points that are `size` apart, each with the number of those that follow.
     template <class Take>
     void visit_points(const Box& view, double size, Take take) const {
-        const auto points = curve_->control_points();
         tree_.visit(
             [&](const Strip& strip, std::size_t first, std::size_t last) {
                 if (!strip.box.intersects(view)) return false;
-                const Vector extent = strip.box.size();
-                if (!(std::max(extent.x, extent.y) <= size)) return true;
-                const std::size_t end = last + 1 < tree_.size() ? (last + 1) * legs_per_stretch : points.size();
-                take(first * legs_per_stretch, points[first * legs_per_stretch], end - first * legs_per_stretch);
+                if (extent(strip) > size) return true;
+                const std::size_t begin = first * legs_per_stretch;
+                // Each time another one of sixteen, so that what is shown is not all of one kind.
+                const std::size_t i = std::min(begin + first % legs_per_stretch, point_end(last) - 1);
+                take(i, curve_->control_points()[i], point_end(last) - begin);
                 return false;
             },
             [&](std::size_t stretch) {
-                const std::size_t first = stretch * legs_per_stretch;
-                const std::size_t end = stretch + 1 < tree_.size() ? first + legs_per_stretch : points.size();
-                for (std::size_t i = first; i < end; ++i)
-                    if (view.contains(points[i])) take(i, points[i], 1);
+                const bool is_dense = extent(tree_.stretch(stretch)) <= 4.0 * size;
+                visit_stretch(stretch, view, is_dense ? size : 0.0, take);
             });
     }
 
@@ -55,6 +54,27 @@ class PolygonStrips {
     /// The corners of the polygon; of a closed one the first counts once more.
     std::size_t corner_count() const { return curve_->control_points().size() + (curve_->is_periodic() ? 1U : 0U); }
     Point corner(std::size_t i) const { return curve_->control_points()[i % curve_->control_points().size()]; }
+
+    /// The end of the points of a stretch, those where its legs begin; of the last one with the end of the polygon.
+    std::size_t point_end(std::size_t stretch) const {
+        return stretch + 1 < tree_.size() ? (stretch + 1) * legs_per_stretch : curve_->control_points().size();
+    }
+
+    static double extent(const Strip& strip) {
+        const Vector size = strip.box.size();
+        return std::max(size.x, size.y);
+    }
+
+    template <class Take>
+    void visit_stretch(std::size_t stretch, const Box& view, double apart, Take& take) const {
+        const auto points = curve_->control_points();
+        for (std::size_t i = stretch * legs_per_stretch; i < point_end(stretch);) {
+            std::size_t next = i + 1;
+            while (next < point_end(stretch) && distance(points[next], points[i]) < apart) ++next;
+            if (view.contains(points[i])) take(i, points[i], next - i);
+            i = next;
+        }
+    }
 
     /// The corners of a stretch, with the one where the next begins.
     std::vector<Point> corners_of(std::size_t stretch) const;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array radii{5.0, 3.5, 2.5};
 constexpr double gap_when_thinned = 7.0;
-constexpr double merged_px = 1.5;    // what is closer than this is seen as one
+constexpr double merged = 24.0;      // sixteen spans that are shorter together are seen as one
 constexpr double most_per_px = 0.5;  // diamonds for each pixel of the picture's width
 constexpr double stack_distance = 8.5;
 constexpr std::size_t few_hidden = 12;  // where knots of a small curve meet
@@ -78,7 +78,7 @@ std::vector<Candidate> candidates(const CanvasFrame& frame) {
     std::vector<Candidate> found;
     const auto add = [&](double u) { found.push_back({u, core::point_at(*frame.curve, u)}); };
     const double margin = frame.pen.size_px().x - frame.pen.reach().upper_px.x;
-    frame.kept->strips().visit_spans(frame.seen(-margin), merged_px / frame.state.view.camera.scale,
+    frame.kept->strips().visit_spans(frame.seen(-margin), frame.pen.px(merged) / frame.state.view.camera.scale,
                                      [&](std::size_t span, core::Point point, std::size_t count) {
                                          found.push_back({knots[span], point, count});
                                      });
@@ -152,6 +152,7 @@ ShownKnots shown_knots(const CanvasFrame& frame, const ShownPoints& points) {
     glm::dvec2 last{-1e9};
     for (const Candidate& candidate : candidates(frame)) {
         auto mark = mark_of(frame, points, candidate);
+        if (!mark && candidate.count > 1) shown.seen += candidate.count;
         if (!mark) continue;
         shown.seen += std::max(candidate.count, static_cast<std::size_t>(mark->multiplicity));
         if (!mark->is_lit && glm::distance(mark->places.front(), last) < frame.pen.px(least_distance)) continue;

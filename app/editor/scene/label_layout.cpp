@@ -11,7 +11,8 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double cell_px = 48.0;
+constexpr double column_px = 48.0;
+constexpr double row_px = 16.0;        // labels are wide and low
 constexpr double most_cells = 1000.0;  // across
 constexpr double impossible = std::numeric_limits<double>::infinity();
 constexpr double line_cost = 1.0;
@@ -46,12 +47,12 @@ glm::dvec2 direction_of(LabelSide side) {
     return {1.0, -1.0};
 }
 
-std::size_t cells_across(double length_px) {
+std::size_t cells_across(double length_px, double cell_px) {
     return static_cast<std::size_t>(std::clamp(length_px / cell_px, 0.0, most_cells)) + 1;
 }
 
 /// Which of `count` cells a coordinate is in; the first or last one outside of the picture.
-std::size_t cell_at(double coordinate, std::size_t count) {
+std::size_t cell_at(double coordinate, double cell_px, std::size_t count) {
     return static_cast<std::size_t>(std::clamp(coordinate / cell_px, 0.0, static_cast<double>(count - 1)));
 }
 
@@ -80,16 +81,16 @@ LabelPlace place_at(glm::dvec2 point, glm::dvec2 text_px, double offset_px, Labe
 
 LabelLayout::LabelLayout(glm::dvec2 size_px)
     : size_px_(size_px),
-      column_count_(cells_across(size_px.x)),
-      row_count_(cells_across(size_px.y)),
+      column_count_(cells_across(size_px.x, column_px)),
+      row_count_(cells_across(size_px.y, row_px)),
       cells_(column_count_ * row_count_) {}
 
 LabelLayout::Cells LabelLayout::columns(double left, double right) const {
-    return {cell_at(left, column_count_), cell_at(right, column_count_)};
+    return {cell_at(left, column_px, column_count_), cell_at(right, column_px, column_count_)};
 }
 
 LabelLayout::Cells LabelLayout::rows(double top, double bottom) const {
-    return {cell_at(top, row_count_), cell_at(bottom, row_count_)};
+    return {cell_at(top, row_px, row_count_), cell_at(bottom, row_px, row_count_)};
 }
 
 /// Into the cells that the line passes, not all those of its box.
@@ -98,9 +99,9 @@ void LabelLayout::add_line(glm::dvec2 a, glm::dvec2 b) {
     const Cells across = columns(a.x, b.x);
     const double rise = b.x > a.x ? (b.y - a.y) / (b.x - a.x) : 0.0;
     for (std::size_t k = across.first; k <= across.last; ++k) {
-        const double left = static_cast<double>(k) * cell_px;
+        const double left = static_cast<double>(k) * column_px;
         const double y_in = k == across.first ? a.y : a.y + rise * (left - a.x);
-        const double y_out = k == across.last ? b.y : a.y + rise * (left + cell_px - a.x);
+        const double y_out = k == across.last ? b.y : a.y + rise * (left + column_px - a.x);
         const auto [top, bottom] = std::minmax(y_in, y_out);
         // A pixel more, since where the line enters a column is rounded.
         const Cells down = rows(top - 1.0, bottom + 1.0);
