@@ -90,11 +90,14 @@ class KnotVector {
     std::size_t stored_offset() const { return is_periodic_ ? static_cast<std::size_t>(degree_) : 0; }
 
     /// [u_p, u_{m-p}]; never empty.
-    Interval domain() const;
+    Interval domain() const {
+        const auto p = static_cast<std::size_t>(degree_);
+        return {values_[p], values_[values_.size() - p - 1]};
+    }
 
     /// The index s with u_s <= u < u_{s+1} (Side::right) or u_s < u <= u_{s+1} (Side::left), always a non-empty span
-    /// of the domain: at and beyond the domain's ends the first or last one, for what is not a number the first. Cost:
-    /// one binary search.
+    /// of the domain: at and beyond the domain's ends the first or last one, for what is not a number the first. Cost
+    /// O(log n).
     std::size_t span_at(double u, Side side = Side::right) const;
 
     /// How often exactly `u`, a number, occurs; across the seam when periodic.

@@ -3,16 +3,16 @@
 
 #include <cassert>
 #include <optional>
-#include <vector>
 
+#include "core/base/detail/short_list.h"
 #include "core/curve/curve.h"
 
 namespace batten::core {
 
 /// A point of a curve and how the curve goes on there.
 struct Jet {
-    Point point{};                      ///< C(u)
-    std::vector<Vector> derivatives{};  ///< C'(u), C''(u), ...
+    Point point{};                       ///< C(u)
+    ShortList<Vector, 3> derivatives{};  ///< C'(u), C''(u), ...
 
     /// C^(k)(u), k >= 1.
     const Vector& operator[](std::size_t k) const {
@@ -24,11 +24,12 @@ struct Jet {
 };
 
 /// C(u); u is clamped to the domain (wrapped when periodic). At the ends of a clamped curve bit-equal to the end point.
-/// Cost O(p^2) and one binary search; no allocation. Source: de Boor 1972.
+/// Cost O(p^2 + log n); no allocation. Source: de Boor 1972.
 Point point_at(const Curve& curve, double u, Side side = Side::right);
 
 /// C(u) and C'(u), ..., C^(order)(u) of the rational curve, order >= 0, seen from `side` at a knot. Where `u` is an end
-/// of the domain of an open curve the side is the one inside. Cost O(min(order, p) p^2 + order^2). Source: The NURBS
+/// of the domain of an open curve the side is the one inside. Cost O(min(order, p) p^2 + order^2 + log n); no
+/// allocation up to order 3. Source: The NURBS
 /// Book, equations 3.8 (derivatives of control points) and 4.8 (A4.2).
 Jet derivatives_at(const Curve& curve, double u, int order, Side side = Side::right);
 

@@ -79,7 +79,8 @@ struct Location {
 
 /// Where `u` belongs, seen from `side` at a knot.
 inline Location located(const KnotVector& knots, double u, Side side) {
-    const double inside = knots.into_domain(u, side);
+    const auto [lower, upper] = knots.domain();
+    const double inside = lower < u && u < upper ? u : knots.into_domain(u, side);
     return {inside, SpanKnots(knots, knots.span_at(inside, side))};
 }
 
@@ -103,28 +104,23 @@ inline double divided_by_power(double weight, int order) {
 
 /// The power of two of the largest weight in reach where it is so far from 1 that products of weights and coordinates
 /// might overflow or vanish; else 0.
-inline int extreme_order_of_weights(const Curve& curve, const SpanKnots& at) {
+inline int extreme_order(double largest) {
     constexpr double moderate = 1e100;
-    const std::size_t n = curve.control_points().size();
-    double largest = 0.0;
-    std::size_t i = (at.s - at.p) % n;
-    for (std::size_t j = 0; j <= at.p; ++j) {
-        largest = std::max(largest, curve.weights()[i]);
-        if (++i == n) i = 0;
-    }
     return 1.0 / moderate < largest && largest < moderate ? 0 : std::ilogb(largest);
 }
 
 /// Local points for the same shadow: where weights are extreme all are divided by one power of two.
 inline LocalPoints<HomogeneousPoint> local_shadow_points(const Curve& curve, const SpanKnots& at, Point origin = {}) {
-    const int order = extreme_order_of_weights(curve, at);
+    LocalPoints<double> weights;
+    const std::size_t n = curve.control_points().size();
+    for (std::size_t j = 0; j <= at.p; ++j) weights[j] = curve.weights()[(at.s - at.p + j) % n];
+    const int order =
+        extreme_order(*std::max_element(weights.begin(), weights.begin() + static_cast<std::ptrdiff_t>(at.p) + 1));
     if (order == 0) return local_points(curve, at, origin);
     LocalPoints<HomogeneousPoint> points;
-    const std::size_t n = curve.control_points().size();
-    for (std::size_t j = 0; j <= at.p; ++j) {
-        const std::size_t i = (at.s - at.p + j) % n;
-        points[j] = lift(seen_from(curve.control_points()[i], origin), divided_by_power(curve.weights()[i], order));
-    }
+    for (std::size_t j = 0; j <= at.p; ++j)
+        points[j] =
+            lift(seen_from(curve.control_points()[(at.s - at.p + j) % n], origin), divided_by_power(weights[j], order));
     return points;
 }
 
