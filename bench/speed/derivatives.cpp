@@ -5,6 +5,7 @@
 #include "bench/peers/occt_curve.h"
 #include "bench/peers/sisl_curve.h"
 #include "core/evaluate/evaluate.h"
+#include "core/evaluate/evaluator.h"
 #include "eigen_curve.h"
 #include "inputs.h"
 #include "works.h"
@@ -30,6 +31,11 @@ auto each(Write write) {
     };
 }
 
+void write(double* out, const core::Jet& jet) {
+    const double numbers[] = {jet.point.x, jet.point.y, jet[1].x, jet[1].y, jet[2].x, jet[2].y};
+    std::copy(std::begin(numbers), std::end(numbers), out);
+}
+
 void write_occt(double* out, const gp_Pnt2d& point, const gp_Vec2d& first, const gp_Vec2d& second) {
     const double numbers[] = {point.X(), point.Y(), first.X(), first.Y(), second.X(), second.Y()};
     std::copy(std::begin(numbers), std::end(numbers), out);
@@ -40,10 +46,9 @@ void add_jets_of(Contests& contests, std::size_t n) {
     Contest contest("derivatives/n:" + std::to_string(n), parameter_count, 1e-12);
     contest.share(curve);
     contest.share("parameters", random_parameters(parameter_count));
-    contest.enter("Batten", each([curve](double u, double* out) {
-                      const core::Jet jet = core::derivatives_at(curve, u, 2);
-                      const double numbers[] = {jet.point.x, jet.point.y, jet[1].x, jet[1].y, jet[2].x, jet[2].y};
-                      std::copy(std::begin(numbers), std::end(numbers), out);
+    contest.enter("Batten", each([curve](double u, double* out) { write(out, core::derivatives_at(curve, u, 2)); }));
+    contest.enter("Batten_prepared", each([evaluator = core::Evaluator(curve)](double u, double* out) {
+                      write(out, evaluator.derivatives_at(u, 2));
                   }));
     contest.enter("SISL", each([sisl = std::make_shared<SislCurve>(sisl_curve(curve))](double u, double* out) {
                       int left = 0;

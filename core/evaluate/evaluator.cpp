@@ -4,13 +4,15 @@
 #include <cassert>
 #include <limits>
 
+#include "core/evaluate/detail/homogeneous_jet.h"
+#include "core/evaluate/detail/known_degree.h"
 #include "core/evaluate/detail/taylor_samples.h"
 
 namespace batten::core {
 
 namespace {
 
-// By Horner's rule. A degree known to the compiler unrolls the loop.
+// By Horner's rule.
 template <class Degree>
 Point polynomial_point(const TaylorPiece& piece, Degree p, double t) {
     const double* c = piece.point() + 2 * p;
@@ -36,30 +38,91 @@ Point rational_point(const TaylorPiece& piece, Degree p, double t) {
     return Point(piece.point()[0], piece.point()[1]) + share * sum;
 }
 
-template <class Degree>
-Point point_of_degree(const TaylorPiece& piece, Degree p, double u) {
-    const double t = (u - piece.middle()) * piece.scale();
-    return piece.is_rational ? rational_point(piece, p, t) : polynomial_point(piece, p, t);
+Point point_on_piece(const TaylorPiece& piece, double u) {
+    const double t = piece.at(u);
+    return with_known_degree(piece.p, [&](auto p) {
+        return piece.is_rational ? rational_point(piece, p, t) : polynomial_point(piece, p, t);
+    });
 }
 
-template <std::size_t P>
-using Known = std::integral_constant<std::size_t, P>;
+// A value of w C and of w.
+struct WeightedVector {
+    Vector vector{};
+    double weight = 0.0;
+};
 
-Point point_on_piece(const TaylorPiece& piece, double u) {
-    switch (piece.p) {
-        case 1:
-            return point_of_degree(piece, Known<1>(), u);
-        case 2:
-            return point_of_degree(piece, Known<2>(), u);
-        case 3:
-            return point_of_degree(piece, Known<3>(), u);
-        case 4:
-            return point_of_degree(piece, Known<4>(), u);
-        case 5:
-            return point_of_degree(piece, Known<5>(), u);
-        default:
-            return point_of_degree(piece, piece.p, u);
+WeightedVector operator*(double factor, const WeightedVector& v) {
+    return {factor * v.vector, factor * v.weight};
+}
+
+WeightedVector operator+(const WeightedVector& a, const WeightedVector& b) {
+    return {a.vector + b.vector, a.weight + b.weight};
+}
+
+// Term k of a piece: of C or of w C, seen from c_0, and of w.
+void read_term(const TaylorPiece& piece, std::size_t k, Vector& term) {
+    const double* c = piece.point() + 2 * k;
+    term = k == 0 ? Vector(0.0, 0.0) : Vector(c[0], c[1]);
+}
+
+void read_term(const TaylorPiece& piece, std::size_t k, WeightedVector& term) {
+    const double* c = piece.terms() + 3 * (k - 1);
+    term = k == 0 ? WeightedVector{{0.0, 0.0}, 1.0} : WeightedVector{{c[0], c[1]}, c[2]};
+}
+
+// The sum of all terms and its derivatives by t, each divided by the factorial of its order: Horner's rule again and
+// again, as the sums that it goes through are the coefficients of a quotient by t less this t.
+template <class Term, std::size_t Count, class Degree>
+std::array<Term, Count> sums_at(const TaylorPiece& piece, Degree p, double t, std::size_t count) {
+    std::array<Term, Count> sums{};
+    for (std::size_t k = p + 1; k-- > 0;) {
+        for (std::size_t i = count - 1; i > 0; --i) sums[i] = t * sums[i] + sums[i - 1];
+        Term term;
+        read_term(piece, k, term);
+        sums[0] = t * sums[0] + term;
     }
+    return sums;
+}
+
+template <std::size_t Count, class Degree>
+Jet polynomial_jet(const TaylorPiece& piece, Degree p, double t, std::size_t order) {
+    const std::size_t last = std::min<std::size_t>(order, p);
+    const auto sums = sums_at<Vector, Count>(piece, p, t, std::min(Count, std::max<std::size_t>(last + 1, 3)));
+    Jet jet{.point = Point(piece.point()[0], piece.point()[1]) + sums[0]};
+    double factor = 1.0;
+    for (std::size_t k = 1; k <= last; ++k) {
+        factor *= static_cast<double>(k) * piece.scale();
+        jet.derivatives.push_back(factor * sums[k]);
+    }
+    while (jet.derivatives.size() < order) jet.derivatives.push_back(Vector(0.0, 0.0));
+    return jet;
+}
+
+template <std::size_t Count, class Degree>
+Jet rational_jet_of_piece(const TaylorPiece& piece, Degree p, double t, std::size_t order) {
+    const std::size_t last = std::min<std::size_t>(order, p);
+    const auto sums = sums_at<WeightedVector, Count>(piece, p, t, std::min(Count, std::max<std::size_t>(last + 1, 3)));
+    HomogeneousJet seen{.point = sums[0].vector, .weight = sums[0].weight};
+    double factor = 1.0;
+    for (std::size_t k = 1; k <= last; ++k) {
+        factor *= static_cast<double>(k) * piece.scale();
+        seen.derivatives.push_back(factor * sums[k].vector);
+        seen.weights.push_back(factor * sums[k].weight);
+    }
+    return {Point(piece.point()[0], piece.point()[1]) + seen.point / seen.weight, shadow_derivatives(seen, order)};
+}
+
+template <std::size_t Count>
+Jet jet_on_piece(const TaylorPiece& piece, double u, std::size_t order) {
+    const double t = piece.at(u);
+    return with_known_degree(piece.p, [&](auto p) {
+        return piece.is_rational ? rational_jet_of_piece<Count>(piece, p, t, order)
+                                 : polynomial_jet<Count>(piece, p, t, order);
+    });
+}
+
+Jet jet_on_piece(const TaylorPiece& piece, double u, std::size_t order) {
+    return order <= 2 ? jet_on_piece<3>(piece, u, order) : jet_on_piece<max_degree + 1>(piece, u, order);
 }
 
 }  // namespace
@@ -87,12 +150,16 @@ std::size_t Evaluator::piece_at(double u, Side side) const {
     const std::vector<double>& joints = pieces_.joints;
     const std::size_t part = part_at(u);
     std::size_t piece = last_pieces_[part];
-    std::size_t end = last_pieces_[part + 1] + 1;
-    while (end - piece > 8) {
-        const std::size_t middle = piece + (end - piece) / 2;
-        (joints[middle] <= u ? piece : end) = middle;
+    const std::size_t last = last_pieces_[part + 1];
+    // Mostly there is no more than two steps to go. Which of them are needed a processor could not guess.
+    if (last - piece > 2) {
+        const auto first = joints.begin() + static_cast<std::ptrdiff_t>(piece) + 1;
+        piece += static_cast<std::size_t>(
+            std::upper_bound(first, first + static_cast<std::ptrdiff_t>(last - piece), u) - first);
+    } else {
+        piece += static_cast<std::size_t>(joints[piece + 1] <= u);
+        piece += static_cast<std::size_t>(joints[piece + 1] <= u);
     }
-    while (piece + 1 < end && joints[piece + 1] <= u) ++piece;
     return side == Side::left && joints[piece] == u && piece > 0 ? piece - 1 : piece;
 }
 
@@ -104,6 +171,15 @@ Point Evaluator::point_at(double u, Side side) const {
     }
     const TaylorPiece piece = pieces_[piece_at(u, side)];
     return piece.is_sharp() ? point_on_piece(piece, u) : core::point_at(curve_, u, side);
+}
+
+Jet Evaluator::derivatives_at(double u, int order, Side side) const {
+    assert(order >= 0);
+    const double inside = is_inside(u) ? u : curve_.knots().into_domain(u, side);
+    if (!is_inside(inside)) return core::derivatives_at(curve_, u, order, side);
+    const TaylorPiece piece = pieces_[piece_at(inside, side)];
+    return piece.is_sharp() ? jet_on_piece(piece, inside, static_cast<std::size_t>(order))
+                            : core::derivatives_at(curve_, inside, order, side);
 }
 
 // How many of the first `parameters` lie on the piece, of which the first is known to.

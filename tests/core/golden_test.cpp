@@ -67,6 +67,17 @@ std::vector<double> derivative_scales(const json& at) {
     return scales;
 }
 
+// Of the point and of each derivative, in units of its scale.
+std::vector<double> errors_of(const Jet& jet, const std::vector<Point>& expected, const std::vector<double>& scales) {
+    std::vector<Point> found{jet.point};
+    for (const Vector& derivative : jet.derivatives) found.push_back(tip_of(derivative));
+    std::vector<double> errors;
+    for (std::size_t r = 0; r < expected.size(); ++r)
+        errors.push_back(
+            relative(largest_difference(std::span(found).subspan(r, 1), std::span(expected).subspan(r, 1)), scales[r]));
+    return errors;
+}
+
 }  // namespace
 
 TEST(Golden, evaluate) {
@@ -81,19 +92,17 @@ TEST(Golden, evaluate) {
         for (const json& place : item.at("at")) {
             const double u = place.at("u");
             const auto expected = points_of(place.at("derivatives"));
-            const Vector error_of_prepared = prepared.point_at(u) - expected[0];
-            tally.add("points of a prepared curve",
-                      relative(std::max(std::abs(error_of_prepared.x), std::abs(error_of_prepared.y)), scales[0]),
-                      1e-15, name);
             const Jet jet = derivatives_at(curve, u, static_cast<int>(expected.size()) - 1);
             EXPECT_EQ(point_at(curve, u), jet.point);
-            std::vector<Point> found{jet.point};
-            for (const Vector& derivative : jet.derivatives) found.push_back(tip_of(derivative));
+            const auto error_of_point = errors_of({prepared.point_at(u), {}}, {expected[0]}, scales);
+            tally.add("points alone, prepared", error_of_point[0], 1e-15, name);
+            const auto errors = errors_of(jet, expected, scales);
+            const auto prepared_errors =
+                errors_of(prepared.derivatives_at(u, static_cast<int>(expected.size()) - 1), expected, scales);
             for (std::size_t r = 0; r < expected.size(); ++r) {
-                const double error =
-                    largest_difference(std::span(found).subspan(r, 1), std::span(expected).subspan(r, 1));
                 const std::string quantity = r == 0 ? "points" : "derivative " + std::to_string(r);
-                add_for(tally, curve, quantity, relative(error, scales[r]), allowed_for_derivative(r), name);
+                add_for(tally, curve, quantity, errors[r], allowed_for_derivative(r), name);
+                add_for(tally, curve, quantity + ", prepared", prepared_errors[r], allowed_for_derivative(r), name);
             }
         }
     }

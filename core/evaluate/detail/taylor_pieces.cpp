@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/curve/detail/bspline.h"
+#include "core/evaluate/detail/span_curve.h"
 
 namespace batten::core {
 
@@ -13,65 +13,63 @@ constexpr int most_halvings = 5;
 // Up to these sums of terms the last digit or two of their sum are lost at most, which is what weights and degrees up
 // to 25 leave anyway.
 constexpr double largest_sum = 4.0;
-constexpr double largest_sum_of_weights = 0.625;
 
-double largest_part(Vector v) {
-    return std::max(std::abs(v.x), std::abs(v.y));
+// So does a sum of weights that is nowhere much smaller than its terms.
+constexpr double largest_sum_of_weights = 1.25;
+constexpr double least_part_of_weight = 0.5;
+constexpr double small_sum_of_weights = 0.625;
+
+// The least power of two that is no less than half of the length.
+double unit_of(Interval interval) {
+    int exponent = 0;
+    const double fraction = std::frexp(0.5 * interval.length(), &exponent);
+    return std::ldexp(1.0, fraction == 0.5 ? exponent - 1 : exponent);
 }
 
-double weight_part(Vector) {
-    return 0.0;
-}
-
-double largest_part(const HomogeneousPoint& point) {
-    return largest_part(plane_part(point));
-}
-
-double weight_part(const HomogeneousPoint& point) {
-    return std::abs(point.z);
-}
-
-LocalPoints<Vector> local_vectors(const Curve& curve, const SpanKnots& at, Point origin) {
-    LocalPoints<Vector> points;
-    const std::size_t n = curve.control_points().size();
-    for (std::size_t j = 0; j <= at.p; ++j) points[j] = curve.control_points()[(at.s - at.p + j) % n] - origin;
-    return points;
-}
-
-double largest_of(const LocalPoints<Vector>& points, std::size_t p) {
+template <class Pairs>
+double largest_from(const Pairs& points, std::size_t first, std::size_t p) {
     double largest = 0.0;
-    for (std::size_t j = 0; j <= p; ++j) largest = std::max(largest, largest_part(points[j]));
+    for (std::size_t j = first; j <= p; ++j) largest = std::max(largest, larger_part(points[j]));
     return largest;
 }
 
-// The terms of one span about a middle: terms[k] t^k, where t = (u - middle) / unit.
-template <class P>
-struct Terms {
-    LocalPoints<P> terms;
-    // No less than the sum of the terms behind the first, anywhere in the span, and of all that they were computed
-    // from.
-    double size = 0.0;
-    double weight_size = 0.0;
-};
+bool are_finite(std::span<const double> numbers) {
+    bool are = true;
+    for (const double number : numbers) are &= std::isfinite(number);
+    return are;
+}
 
-template <class P>
-Terms<P> terms_about(LocalPoints<P> points, const SpanKnots& at, double middle, double unit) {
-    Terms<P> result;
-    result.terms[0] = de_boor(points, at, middle);
-    for (std::size_t k = 1; k <= at.p; ++k) {
-        differentiate_level(points, at, k);
-        double largest = 0.0;
-        double largest_weight = 0.0;
-        for (std::size_t j = k; j <= at.p; ++j) {
-            points[j] = (unit / static_cast<double>(k)) * points[j];
-            largest = std::max(largest, largest_part(points[j]));
-            largest_weight = std::max(largest_weight, weight_part(points[j]));
-        }
-        result.terms[k] = de_boor(points, at, middle, k);
-        result.size += largest;
-        result.weight_size += largest_weight;
-    }
-    return result;
+double* write(double* out, Vector v) {
+    *out++ = v.x;
+    *out++ = v.y;
+    return out;
+}
+
+// Writes the point and the terms about `middle`, where t = (u - middle) / unit. Whether their sum keeps its digits: it
+// cannot be larger than the points over which the terms are splines.
+template <class Degree>
+[[gnu::flatten]] bool write_terms(const Curve& curve, const SpanKnots& at, Degree p, double middle, double unit,
+                                  bool has_weights, double* out) {
+    const SpanCurve span(curve, at, p, middle);
+    const Point origin = span.point();
+    const Vector rest = span.weighted(origin) / span.weight();
+    double sum = 0.0;
+    double sum_of_weights = 0.0;
+    double factor = 1.0 / span.weight();
+    out = write(out, vector_to(origin) + rest);
+    const double most = largest_sum * span.size_seen_from(origin);
+    const bool is_even = span.least_weight() >= least_part_of_weight * span.weight();
+    const double most_of_weights = is_even ? largest_sum_of_weights : small_sum_of_weights;
+    const auto add_term = [&](auto k, Vector derivative, double weight, const auto& points, const auto& weights) {
+        factor /= static_cast<double>(static_cast<std::size_t>(k));
+        out = write(out, factor * derivative - factor * weight * rest);
+        if (has_weights) *out++ = factor * weight;
+        sum += factor * largest_from(points, k, p);
+        if (span.is_rational()) sum_of_weights += factor * largest_from(weights, k, p);
+        return sum <= most && sum_of_weights <= most_of_weights;
+    };
+    span.while_derivative(origin, p, add_term, unit);
+    return sum <= most && sum_of_weights <= most_of_weights;
 }
 
 class Expander {
@@ -79,6 +77,8 @@ class Expander {
     explicit Expander(const Curve& curve) : curve_(curve) {
         pieces_.p = static_cast<std::size_t>(curve.degree());
         pieces_.is_rational = curve.is_rational();
+        pieces_.joints.reserve(curve.knots().size());
+        pieces_.numbers.reserve(curve.knots().size() * pieces_.stride());
     }
 
     TaylorPieces expanded() {
@@ -93,67 +93,26 @@ class Expander {
     void add(const SpanKnots& at, Interval interval, int halvings) {
         const double middle = interval.lower + 0.5 * interval.length();
         const std::size_t before = pieces_.numbers.size();
-        const bool is_sharp = add_numbers(at, middle, unit_of(interval));
+        pieces_.numbers.resize(before + pieces_.stride());
+        const std::span<double> numbers = std::span(pieces_.numbers).subspan(before);
+        const bool is_sharp = write_piece(at, middle, unit_of(interval), numbers);
         if (!is_sharp && halvings > 0 && interval.lower < middle && middle < interval.upper) {
             pieces_.numbers.resize(before);
             add(at, {interval.lower, middle}, halvings - 1);
             add(at, {middle, interval.upper}, halvings - 1);
             return;
         }
-        if (!is_sharp) pieces_.numbers[before + 1] = 0.0;
+        if (!is_sharp) numbers[1] = 0.0;
         pieces_.joints.push_back(interval.upper);
     }
 
-    // The least power of two that is no less than half of the length.
-    static double unit_of(Interval interval) {
-        int exponent = 0;
-        const double fraction = std::frexp(0.5 * interval.length(), &exponent);
-        return std::ldexp(1.0, fraction == 0.5 ? exponent - 1 : exponent);
-    }
-
-    bool add_numbers(const SpanKnots& at, double middle, double unit) {
-        const std::size_t before = pieces_.numbers.size();
-        pieces_.numbers.push_back(middle);
-        pieces_.numbers.push_back(1.0 / unit);
-        const bool is_sharp = pieces_.is_rational ? add_rational(at, middle, unit) : add_polynomial(at, middle, unit);
-        return is_sharp && std::all_of(pieces_.numbers.begin() + static_cast<std::ptrdiff_t>(before),
-                                       pieces_.numbers.end(), [](double number) { return std::isfinite(number); });
-    }
-
-    // Twice, as point_at does it: the second time seen from the point itself, where the coordinates are small.
-    bool add_polynomial(const SpanKnots& at, double middle, double unit) {
-        const Point near = near_point(at);
-        const Point origin = near + de_boor(local_vectors(curve_, at, near), at, middle);
-        const LocalPoints<Vector> points = local_vectors(curve_, at, origin);
-        const Terms<Vector> found = terms_about(points, at, middle, unit);
-        add_vector(vector_to(origin) + found.terms[0]);
-        for (std::size_t k = 1; k <= at.p; ++k) add_vector(found.terms[k]);
-        return found.size <= largest_sum * largest_of(points, at.p);
-    }
-
-    bool add_rational(const SpanKnots& at, double middle, double unit) {
-        const Point near = near_point(at);
-        const Point origin = near + vector_to(project(de_boor(local_shadow_points(curve_, at, near), at, middle)));
-        const auto found = terms_about(local_shadow_points(curve_, at, origin), at, middle, unit);
-        const double weight = found.terms[0].z;
-        const Vector rest = plane_part(found.terms[0]) / weight;
-        add_vector(vector_to(origin) + rest);
-        for (std::size_t k = 1; k <= at.p; ++k) {
-            const double w = found.terms[k].z / weight;
-            add_vector(plane_part(found.terms[k]) / weight - w * rest);
-            pieces_.numbers.push_back(w);
-        }
-        const double size = largest_of(local_vectors(curve_, at, origin), at.p);
-        return found.size <= largest_sum * size * weight && found.weight_size <= largest_sum_of_weights * weight;
-    }
-
-    Point near_point(const SpanKnots& at) const {
-        return curve_.control_points()[(at.s - at.p / 2) % curve_.control_points().size()];
-    }
-
-    void add_vector(Vector v) {
-        pieces_.numbers.push_back(v.x);
-        pieces_.numbers.push_back(v.y);
+    bool write_piece(const SpanKnots& at, double middle, double unit, std::span<double> numbers) {
+        numbers[0] = middle;
+        numbers[1] = 1.0 / unit;
+        const bool is_sharp = with_known_degree(at.p, [&](auto p) {
+            return write_terms(curve_, at, p, middle, unit, pieces_.is_rational, numbers.data() + 2);
+        });
+        return is_sharp && are_finite(numbers);
     }
 
     const Curve& curve_;

@@ -19,6 +19,8 @@ struct TaylorPiece {
     double middle() const { return numbers[0]; }
     double scale() const { return numbers[1]; }
     bool is_sharp() const { return scale() != 0.0; }
+    /// The t of u.
+    double at(double u) const { return scale() * (u - middle()); }
     /// c_0.
     const double* point() const { return numbers + 2; }
     /// c_1, and w_1 where rational, and so on.
