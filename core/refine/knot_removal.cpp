@@ -8,6 +8,7 @@
 #include "core/curve/detail/edit_checks.h"
 #include "core/measure/deviation.h"
 #include "core/refine/detail/removable_knot.h"
+#include "core/refine/detail/removal_reach.h"
 
 namespace batten::core {
 
@@ -49,6 +50,23 @@ std::optional<Curve> without_knot(const Curve& curve, double u) {
     knot->from_upper_end = is_upper_end && stored[stored.size() - 2] == u;
     const auto result = without_knots(curve, spline, std::span(&*knot, 1));
     return result ? std::optional(*result) : std::nullopt;
+}
+
+// Removes the knot `u` so many times at most.
+KnotRemoval removed_often(const Curve& curve, double u, int times, double tolerance) {
+    KnotRemoval result{.curve = curve};
+    while (result.count < times) {
+        auto next = without_knot(result.curve, u);
+        const double error = next ? largest_deviation(curve, *next) : infinity;
+        if (!(error <= tolerance)) {
+            result.refused = error;
+            break;
+        }
+        result.curve = *std::move(next);
+        result.error = error;
+        ++result.count;
+    }
+    return result;
 }
 
 // Removes what can be spared, round by round, and keeps account of what each span has had to bear.
@@ -127,12 +145,14 @@ class Thinning {
             for (std::size_t i = knot.first; i < knot.first + knot.replaced + spline.p; ++i)
                 spent_[stored_span(i)] = total;
         }
-        for (std::size_t k = removed.size(); k-- > 0;) {
-            const std::size_t span = stored_span(removed[k].index);
+        constexpr double gone = -1.0;
+        for (const RemovableKnot& knot : removed) {
+            const std::size_t span = stored_span(knot.index);
             // A seam's only knot at the lower end stays, and one at the upper end goes.
             const bool is_at_upper_end = curve_.is_periodic() && span == 0;
-            spent_.erase(is_at_upper_end ? spent_.end() - 1 : spent_.begin() + static_cast<std::ptrdiff_t>(span));
+            (is_at_upper_end ? spent_.back() : spent_[span]) = gone;
         }
+        std::erase(spent_, gone);
     }
 
     bool remove_apart() {
@@ -176,18 +196,10 @@ Result<KnotRemoval> remove_knot(const Curve& curve, double u, int times, double 
     if (const auto check = check_tolerance(tolerance); !check) return refuse(check.error());
     const auto most = removable_count(curve, u);
     if (!most) return refuse(most.error());
-    KnotRemoval result{.curve = curve};
-    while (result.count < std::min(times, *most)) {
-        auto next = without_knot(result.curve, u);
-        const double error = next ? largest_deviation(curve, *next) : infinity;
-        if (!(error <= tolerance)) {
-            result.refused = error;
-            break;
-        }
-        result.curve = *std::move(next);
-        result.error = error;
-        ++result.count;
-    }
+    const auto reach = curve_in_reach(curve, u);
+    if (!reach) return removed_often(curve, u, std::min(times, *most), tolerance);
+    KnotRemoval result = removed_often(reach->curve, u, std::min(times, *most), tolerance);
+    result.curve = result.count > 0 ? with_part_exchanged(curve, *reach, result.curve, u) : curve;
     return result;
 }
 

@@ -27,8 +27,8 @@ struct KnotRemoval {
 ///
 /// Errors: tolerance_not_positive; parameter_not_finite; knot_not_found where `u` is no knot strictly inside the domain
 /// (for a periodic curve: no knot); knot_not_removable for a seam of multiplicity 1, which is where the period begins,
-/// or when only 2 points of a period are left. Cost O(times p) and measuring. Source: The NURBS Book, A5.8; Lyche and
-/// Morken 1987.
+/// or when only 2 points of a period are left. Cost: what the removal reaches, some 3p spans measured
+/// `times` times, and one copy of everything. Source: The NURBS Book, A5.8; Lyche and Morken 1987.
 [[nodiscard]] Result<KnotRemoval> remove_knot(const Curve& curve, double u, int times, double tolerance);
 
 /// The curve without all knots inside the domain that can be spared, those that matter least first. For every span the

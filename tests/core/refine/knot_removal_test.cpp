@@ -7,6 +7,7 @@
 
 #include "core/evaluate/evaluate.h"
 #include "core/measure/deviation.h"
+#include "core/refine/detail/removal_reach.h"
 #include "core/refine/knot_insertion.h"
 #include "core/refine/knot_refinement.h"
 #include "tests/core/shape_check.h"
@@ -160,6 +161,31 @@ TEST(KnotRemoval, leaves_points_out_of_reach_alone) {
     // Points 12, 13, 14 become two.
     for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(removed.curve.control_points()[i], curve.control_points()[i]);
     for (std::size_t i = 15; i < 33; ++i) EXPECT_EQ(removed.curve.control_points()[i - 1], curve.control_points()[i]);
+}
+
+// Of the points that a long curve is made of, only those near the knot are carried and measured: what comes out is, bit
+// by bit, what comes out of the part around it alone.
+TEST(KnotRemoval, of_a_long_curve_is_that_of_the_part_around_the_knot) {
+    RandomCurves random(67);
+    int removed = 0;
+    for (int k = 0; k < 300; ++k) {
+        const Curve curve = insert_midpoint_knots(insert_midpoint_knots(random.curve()).value()).value();
+        const auto stored = curve.knots().stored();
+        const double u = stored[static_cast<std::size_t>(random.whole(0, static_cast<int>(stored.size()) - 1))];
+        const auto reach = curve_in_reach(curve, u);
+        if (!reach) continue;
+        const auto whole = remove_knot(curve, u, 2, 4.0).value();
+        const auto part = remove_knot(reach->curve, u, 2, 4.0).value();
+        EXPECT_EQ(whole.count, part.count);
+        EXPECT_EQ(whole.error, part.error);
+        EXPECT_EQ(whole.error, largest_deviation(curve, whole.curve));
+        const std::size_t n = whole.curve.control_points().size();
+        const auto points = part.curve.control_points();
+        for (std::size_t i = 0; i < points.size(); ++i)
+            EXPECT_EQ(whole.curve.control_points()[(reach->first_point + i) % n], points[i]);
+        removed += whole.count;
+    }
+    EXPECT_GE(removed, 100);
 }
 
 TEST(KnotRemoval, of_many_knots_finds_all_that_were_inserted) {
