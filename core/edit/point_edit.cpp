@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <functional>
 #include <optional>
 
 #include "core/curve/detail/edit_checks.h"
@@ -92,15 +91,74 @@ double weight_on_leg(const Curve& curve, std::size_t index, Point position) {
     return weights[before] * (1.0 - share) + weights[after] * share;
 }
 
-// The inner knot (of the period, or of the domain) nearest to the Greville abscissa of control point `index`.
-std::size_t knot_with_point(const KnotVector& knots, std::size_t index) {
-    const auto p = static_cast<std::size_t>(knots.degree());
-    const double greville = greville_abscissa(knots, index);
-    std::size_t nearest = p + 1;
-    for (std::size_t k = p + 2; k + p + 1 < knots.size(); ++k)
-        if (std::abs(knots[k] - greville) < std::abs(knots[nearest] - greville)) nearest = k;
-    return nearest - knots.stored_offset();
-}
+// The stored knots, of which some are taken out near one another: those behind the last one lie in reverse order.
+class KnotsToTakeOut {
+  public:
+    explicit KnotsToTakeOut(const KnotVector& knots)
+        : is_periodic_(knots.is_periodic()),
+          p_(static_cast<std::size_t>(knots.degree())),
+          before_(knots.stored().begin(), knots.stored().end()),
+          period_(knots.domain()) {}
+
+    // The inner knot (of the period, or of the domain) nearest to the Greville abscissa of control point `index`.
+    void take_out_with_point(std::size_t index) {
+        const double greville = greville_abscissa(index);
+        const std::size_t first_inner = is_periodic_ ? 1 : p_ + 1;
+        const std::size_t end_inner = size() - first_inner;
+        std::size_t low = first_inner;
+        for (std::size_t high = end_inner; low < high;) {
+            const std::size_t half = low + (high - low) / 2;
+            if (stored(half) < greville)
+                low = half + 1;
+            else
+                high = half;
+        }
+        const bool is_lower_nearest =
+            low > first_inner && (low == end_inner || greville - stored(low - 1) <= stored(low) - greville);
+        take_out(is_lower_nearest ? low - 1 : low);
+    }
+
+    std::vector<double> rest() {
+        open_gap_at(size());
+        return std::move(before_);
+    }
+
+  private:
+    std::size_t size() const { return before_.size() + behind_.size(); }
+    double stored(std::size_t i) const {
+        return i < before_.size() ? before_[i] : behind_[behind_.size() - 1 - (i - before_.size())];
+    }
+
+    // Of the unrolled curve, not brought into the domain.
+    double greville_abscissa(std::size_t index) const {
+        double sum = 0.0;
+        for (std::size_t k = index + 1; k <= index + p_; ++k) sum += unrolled(k);
+        return sum / static_cast<double>(p_);
+    }
+    double unrolled(std::size_t k) const {
+        if (!is_periodic_) return stored(k);
+        double turns_back = 0.0;
+        std::size_t i = k;
+        for (; i < p_; i += size() - 1) turns_back += 1.0;
+        return turns_back == 0.0 ? stored(i - p_) : stored(i - p_) - turns_back * period_.length();
+    }
+
+    void take_out(std::size_t i) {
+        open_gap_at(i + 1);
+        before_.pop_back();
+    }
+
+    void open_gap_at(std::size_t i) {
+        for (; before_.size() > i; before_.pop_back()) behind_.push_back(before_.back());
+        for (; before_.size() < i; behind_.pop_back()) before_.push_back(behind_.back());
+    }
+
+    bool is_periodic_;
+    std::size_t p_;
+    std::vector<double> before_;
+    std::vector<double> behind_;
+    Interval period_;
+};
 
 template <class T>
 auto at(std::vector<T>& list, std::size_t index) {
@@ -163,31 +221,58 @@ Result<Curve> add_control_point(const Curve& curve, std::size_t index, Point pos
     return Curve::make(std::move(definition));
 }
 
-Result<Curve> delete_control_point(const Curve& curve, std::size_t index) {
-    const std::size_t count = curve.control_points().size();
-    if (auto check = check_point_index(index, count - 1); !check) return tl::unexpected(check.error());
+namespace {
+
+// The fewest points that deleting leaves.
+std::size_t least_points(const Curve& curve) {
     const bool may_have_two = curve.is_periodic() || curve.knots().kind() == KnotKind::bezier;
-    const std::size_t least = may_have_two ? 2 : static_cast<std::size_t>(curve.degree()) + 1;
-    if (count <= least)
-        return tl::unexpected(CurveError{.code = CurveErrorCode::too_few_points,
-                                         .value = static_cast<double>(count - 1),
-                                         .lower = static_cast<double>(least)});
-    CurveDefinition definition = curve.definition();
-    definition.points.erase(at(definition.points, index));
-    definition.weights.erase(at(definition.weights, index));
-    if (auto knots = regenerated_knots(curve, count - 1)) return over(*std::move(knots), std::move(definition));
-    definition.knots.erase(at(definition.knots, knot_with_point(curve.knots(), index)));
-    return Curve::make(std::move(definition));
+    return may_have_two ? 2 : static_cast<std::size_t>(curve.degree()) + 1;
+}
+
+// The rest of the values, `gone` ascending.
+template <class T>
+std::vector<T> without(std::span<const T> values, std::span<const std::size_t> gone) {
+    std::vector<T> rest;
+    rest.reserve(values.size() - gone.size());
+    std::size_t first = 0;
+    for (const std::size_t index : gone) {
+        rest.insert(rest.end(), values.begin() + static_cast<std::ptrdiff_t>(first),
+                    values.begin() + static_cast<std::ptrdiff_t>(index));
+        first = index + 1;
+    }
+    rest.insert(rest.end(), values.begin() + static_cast<std::ptrdiff_t>(first), values.end());
+    return rest;
+}
+
+}  // namespace
+
+Result<Curve> delete_control_point(const Curve& curve, std::size_t index) {
+    return delete_control_points(curve, std::span(&index, 1));
 }
 
 Result<Curve> delete_control_points(const Curve& curve, std::span<const std::size_t> indices) {
-    std::vector<std::size_t> from_last(indices.begin(), indices.end());
-    std::sort(from_last.begin(), from_last.end(), std::greater<>());
-    assert(std::adjacent_find(from_last.begin(), from_last.end()) == from_last.end());
-    Result<Curve> rest = curve;
-    for (const std::size_t index : from_last)
-        rest = rest.and_then([&](const Curve& c) { return delete_control_point(c, index); });
-    return rest;
+    if (indices.empty()) return curve;
+    const std::size_t count = curve.control_points().size();
+    std::vector<std::size_t> gone(indices.begin(), indices.end());
+    std::sort(gone.begin(), gone.end());
+    assert(std::adjacent_find(gone.begin(), gone.end()) == gone.end());
+    if (auto check = check_point_index(gone.back(), count - 1); !check) return tl::unexpected(check.error());
+    const std::size_t least = least_points(curve);
+    if (count < least + gone.size())
+        return tl::unexpected(CurveError{.code = CurveErrorCode::too_few_points,
+                                         .value = static_cast<double>(least - 1),
+                                         .lower = static_cast<double>(least)});
+    CurveDefinition definition = curve.definition();
+    definition.points = without(curve.control_points(), gone);
+    definition.weights = without(curve.weights(), gone);
+    // A kind that knows no number between is given up at the first point.
+    if (regenerated_knots(curve, count - 1))
+        if (auto knots = regenerated_knots(curve, count - gone.size()))
+            return over(*std::move(knots), std::move(definition));
+    KnotsToTakeOut knots(curve.knots());
+    for (std::size_t k = gone.size(); k-- > 0;) knots.take_out_with_point(gone[k]);
+    definition.knots = knots.rest();
+    return Curve::make(std::move(definition));
 }
 
 }  // namespace batten::core

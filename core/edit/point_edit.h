@@ -31,8 +31,8 @@ namespace batten::core {
 /// Errors: point_index_out_of_range; too_few_points.
 [[nodiscard]] Result<Curve> delete_control_point(const Curve& curve, std::size_t index);
 
-/// The curve without the points `indices` (distinct, any order), deleted one by one from the last. Errors as
-/// delete_control_point.
+/// The curve without the points `indices` (distinct, any order), as if they were deleted one by one from the last.
+/// Errors as delete_control_point. Cost O(p) for each point deleted, and one copy of everything.
 [[nodiscard]] Result<Curve> delete_control_points(const Curve& curve, std::span<const std::size_t> indices);
 
 }  // namespace batten::core

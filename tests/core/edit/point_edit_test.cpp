@@ -9,6 +9,7 @@
 #include "core/curve/knot_analysis.h"
 #include "core/curve/knot_kinds.h"
 #include "core/evaluate/evaluate.h"
+#include "core/refine/knot_insertion.h"
 #include "tests/core/random_curves.h"
 
 namespace batten::core {
@@ -263,6 +264,31 @@ TEST(DeleteControlPoint, works_on_any_curve_with_enough_points) {
         if (!result) continue;
         EXPECT_EQ(result->domain(), curve.domain());
         EXPECT_TRUE(std::ranges::includes(stored(curve), stored(*result)));
+    }
+}
+
+TEST(DeleteControlPoints, of_many_points_is_deleting_one_after_the_other) {
+    RandomCurves random(94);
+    for (int k = 0; k < 600; ++k) {
+        Curve curve = insert_midpoint_knots(random.curve()).value();
+        if (k % 3 == 0) curve = of_kind(KnotKind::clamped_uniform, 1 + k % 5, 12);
+        if (k % 3 == 1) curve = insert_midpoint_knots(curve).value();
+        std::vector<std::size_t> gone;
+        for (std::size_t i = 0; i < curve.control_points().size(); ++i)
+            if (random.whole(0, 2) == 0) gone.push_back(i);
+        Result<Curve> expected = curve;
+        for (std::size_t i = gone.size(); i-- > 0;)
+            expected = expected.and_then([&](const Curve& c) { return delete_control_point(c, gone[i]); });
+        const Result<Curve> found = delete_control_points(curve, gone);
+        ASSERT_EQ(found.has_value(), expected.has_value());
+        if (!found) {
+            EXPECT_EQ(found.error(), expected.error());
+            continue;
+        }
+        EXPECT_EQ(points(*found), points(*expected));
+        ASSERT_EQ(stored(*found).size(), stored(*expected).size());
+        for (std::size_t i = 0; i < stored(*found).size(); ++i)
+            EXPECT_NEAR(stored(*found)[i], stored(*expected)[i], 1e-14 * curve.domain().length());
     }
 }
 
