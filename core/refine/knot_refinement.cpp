@@ -47,11 +47,13 @@ Result<void> check_added(const KnotVector& knots, std::span<const double> added,
 }
 
 // Whether a value inside comes to a multiplicity above p, which only tears may have. `knots` are the new ones.
-bool is_any_above_degree(std::size_t p, std::span<const double> knots, IndexRange changed) {
-    std::size_t above = 0;
+bool is_any_above_degree(std::size_t p, std::span<const double> knots, const InsertedRange& changed) {
+    if (!changed.has_equal_knots) return false;
+    const std::size_t first = std::max(changed.first, p + 1);
     const std::size_t end = std::min(changed.end, knots.size() - 2 * p - 1);
-    for (std::size_t i = std::max(changed.first, p + 1); i < end; ++i) above += knots[i] == knots[i + p] ? 1U : 0U;
-    return above > 0;
+    for (std::size_t i = first; i < end; ++i)
+        if (knots[i] == knots[i + p]) return true;
+    return false;
 }
 
 // And no value is not a number.
@@ -68,8 +70,8 @@ Result<NewCurveArrays> checked(const Curve& curve, const CurveArrays& arrays, st
     const bool is_at_end = added.front() == curve.domain().lower || added.back() == curve.domain().upper;
     if (is_at_end || is_any_above_degree(arrays.p, result.knots.values(), result.changed))
         if (const auto check = check_added(curve.knots(), added, tears); !check) return refuse(check.error());
-    const auto [first, end] = result.changed;
-    if (!are_finite(result.points.values().subspan(first, end - first)))
+    const std::size_t first = result.changed.first;
+    if (!are_finite(result.points.values().subspan(first, result.changed.end - first)))
         return refuse({.code = CurveErrorCode::not_computable});
     return result;
 }

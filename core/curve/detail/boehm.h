@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -29,7 +28,7 @@ inline std::size_t count_not_far_above(std::span<const double> ascending, double
 }
 
 /// The same, made for values among the last ones.
-inline std::size_t count_not_above(std::span<const double> ascending, double u) {
+[[gnu::always_inline]] inline std::size_t count_not_above(std::span<const double> ascending, double u) {
     const std::size_t count = ascending.size();
     if (count < handled_at_once) return count_not_far_above(ascending, u);
     std::size_t above = 0;
@@ -39,20 +38,19 @@ inline std::size_t count_not_above(std::span<const double> ascending, double u) 
 
 /// Copies values from[first..end) to where to[place) ends; may write some values before them, too.
 template <class T>
-void copy_run(const T* from, std::size_t first, std::size_t end, T* to, std::size_t place) {
-    if (end - first <= handled_at_once && end >= handled_at_once) {
-        std::array<T, handled_at_once> run;
-        std::copy_n(from + (end - handled_at_once), handled_at_once, run.begin());
-        std::copy_n(run.begin(), handled_at_once, to + (place - handled_at_once));
-    } else {
+[[gnu::always_inline]] inline void copy_run(const T* from, std::size_t first, std::size_t end, T* to,
+                                            std::size_t place) {
+    if (end - first <= handled_at_once && end >= handled_at_once)
+        for (std::size_t k = 1; k <= handled_at_once; ++k) to[place - k] = from[end - k];
+    else
         std::copy(from + first, from + end, to + (place - (end - first)));
-    }
 }
 
-/// Indices from `first` to `end` - 1.
-struct IndexRange {
-    std::size_t first = 0;
-    std::size_t end = 0;
+/// Where knots came in.
+struct InsertedRange {
+    std::size_t first = 0;         ///< the first new point that is not an old one
+    std::size_t end = 0;           ///< and the one behind the last
+    bool has_equal_knots = false;  ///< an added knot equals another one
 };
 
 /// Fills `knots`, which has room for both, with the `old_knots` of a spline of degree p and `added`, which are
@@ -68,15 +66,15 @@ struct IndexRange {
 /// only what an added knot reaches is computed. Cost: at most p blends for each knot, and one copy of everything.
 /// Source: Boehm 1980; Boehm and Prautzsch 1985; The NURBS Book, A5.4.
 template <class Degree, class Points>
-IndexRange insert_ascending(Degree p, std::span<const double> old_knots, std::span<const double> added, double* knots,
-                            const Points& points) {
+InsertedRange insert_ascending(Degree p, std::span<const double> old_knots, std::span<const double> added,
+                               double* knots, const Points& points) {
     // Knot i+p+1 and point i move together.
     const std::span<const double> upper_knots = old_knots.subspan(p + 1);
     double* new_upper_knots = knots + p + 1;
     std::size_t old_count = upper_knots.size();
     std::size_t place = old_count + added.size();
     const double end = upper_knots[old_count - p - 1];
-    IndexRange changed{0, 0};
+    InsertedRange changed;
     const double before_end = std::nextafter(end, -std::numeric_limits<double>::infinity());
     for (std::size_t r = added.size(); r-- > 0;) {
         const double u = added[r];
@@ -96,6 +94,7 @@ IndexRange insert_ascending(Degree p, std::span<const double> old_knots, std::sp
         if (lower[p - 1] < u && u < upper[0]) {
             points.blend(place + 1, p, lower, upper, u);
         } else {
+            changed.has_equal_knots = true;
             for (std::size_t j = 0; j < p; ++j) {
                 if (upper[j] == u)
                     points.repeat(place + 1 + j);

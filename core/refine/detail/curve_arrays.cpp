@@ -26,7 +26,9 @@ struct PlanePoints {
     const Point* from;
     Point* to;
 
-    void copy(std::size_t first, std::size_t end, std::size_t place) const { copy_run(from, first, end, to, place); }
+    [[gnu::always_inline]] void copy(std::size_t first, std::size_t end, std::size_t place) const {
+        copy_run(from, first, end, to, place);
+    }
     void repeat(std::size_t i) const { to[i - 1] = to[i]; }
     template <class Count>
     void blend(std::size_t i, Count count, const double* lower, const double* upper, double u) const {

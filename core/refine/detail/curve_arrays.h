@@ -25,7 +25,7 @@ struct NewCurveArrays {
     NewArray<double> knots;
     NewArray<Point> points;
     NewArray<double> weights;
-    IndexRange changed{};  ///< the points outside of it are those of the curve before
+    InsertedRange changed{};  ///< the points outside of it are those of the curve before
 };
 
 /// The same spline with the knots `added`, under the conditions of boehm.h. Points that no new knot reaches keep every
