@@ -45,8 +45,8 @@ FileResult<Document> load_document(int descriptor, const std::string& name) {
     return read_file(file, {});
 }
 
-FileResult<void> save_document(const Document& document, const fs::path& path) {
-    return replace_text(path, format_document(document));
+FileResult<void> save_document(const Document& document, const fs::path& path, const Progress& progress) {
+    return replace_text(path, format_document(document, progress));
 }
 
 }  // namespace batten::core

@@ -24,7 +24,8 @@ namespace batten::core {
 [[nodiscard]] FileResult<Document> parse_document(std::string_view text);
 
 /// The text that parse_document reads back to an equal document; numbers as the shortest text of the same double.
-std::string format_document(const Document& document);
+/// `progress` is told how many of them are written, and at last that all are.
+std::string format_document(const Document& document, const Progress& progress = {});
 
 /// parse_document of the file's content, which is never held whole: besides the document itself the numbers of its
 /// curves take at most twice their memory. `progress` is told how much is read, where the size of the file is known.
@@ -34,7 +35,8 @@ std::string format_document(const Document& document);
 /// The same for what the open file `descriptor` still has; `name` stands for it in errors.
 [[nodiscard]] FileResult<Document> load_document(int descriptor, const std::string& name);
 
-/// Saves format_document by replace_text, so that the old file stays whole on any error.
-[[nodiscard]] FileResult<void> save_document(const Document& document, const std::filesystem::path& path);
+/// Saves format_document by replace_text, so that the old file stays whole on any error, and where `progress` stops it.
+[[nodiscard]] FileResult<void> save_document(const Document& document, const std::filesystem::path& path,
+                                             const Progress& progress = {});
 
 }  // namespace batten::core

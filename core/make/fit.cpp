@@ -77,8 +77,9 @@ struct Fit {
 
 class Fitter {
   public:
-    Fitter(DirectedData data, std::vector<double> parameters)
-        : points_(std::move(data.points)),
+    Fitter(DirectedData data, std::vector<double> parameters, Progress progress)
+        : progress_(std::move(progress)),
+          points_(std::move(data.points)),
           request_(data.request),
           parameters_(std::move(parameters)),
           p_(static_cast<std::size_t>(request_.degree)),
@@ -113,10 +114,12 @@ class Fitter {
     }
 
     Result<Approximation> within(double tolerance) {
+        round_.length = 0.5;
         std::vector<double> breaks = even_breaks(first_count());
         Result<Fit> best = over(breaks);
         // Breaks where they are needed may be more than the points determine; evenly there may be as many as points.
         while (best && best->error() > tolerance && refine(breaks, best->errors, tolerance)) {
+            round_ = {round_.begin + round_.length, 0.5 * round_.length};
             Result<Fit> finer = over(breaks);
             if (!finer) break;
             best = std::move(finer);
@@ -210,8 +213,10 @@ class Fitter {
 
     void require_points(SplineSystem& system, double shift) const {
         const std::size_t first = is_closed_ ? 0 : 1;
-        for (std::size_t k = first; k + first < points_.size(); ++k)
+        for (std::size_t k = first; k + first < points_.size(); ++k) {
             system.require_point(parameters_[k] + shift, points_[k]);
+            tell_point(0.0, k);
+        }
     }
 
     void require_smoothness(SplineSystem& system) const {
@@ -245,8 +250,17 @@ class Fitter {
         for (std::size_t k = 0; k < points_.size(); ++k) {
             errors.push_back(error_at(*curve, k, shift_of(breaks)));
             if (!std::isfinite(errors.back())) return refuse({.code = CurveErrorCode::not_computable});
+            tell_point(0.5, k);
         }
         return Fit{*std::move(curve), std::move(errors)};
+    }
+
+    // Tells that point k is dealt with in that half of the round which begins at `half`.
+    void tell_point(double half, std::size_t k) const {
+        constexpr std::size_t points_between = 4096;
+        if (!progress_ || k % points_between != 0) return;
+        const double part = half + 0.5 * static_cast<double>(k) / static_cast<double>(points_.size());
+        progress_(round_.begin + round_.length * part);
     }
 
     // Rounded up, and before that in twice the precision: of a curve through the points rounding is all there is.
@@ -330,6 +344,15 @@ class Fitter {
         return {is_reversed_ ? reversed(found.curve) : std::move(found.curve), error};
     }
 
+    // The share of the whole that the present round is. How many there will be is not known: each is half of what is
+    // left.
+    struct Round {
+        double begin = 0.0;
+        double length = 1.0;
+    };
+
+    Progress progress_;
+    Round round_{};
     std::vector<Point> points_;
     FitRequest request_;
     std::vector<double> parameters_;
@@ -339,7 +362,7 @@ class Fitter {
     bool is_reversed_;
 };
 
-Result<Fitter> make_fitter(std::span<const Point> points, FitRequest request) {
+Result<Fitter> make_fitter(std::span<const Point> points, FitRequest request, const Progress& progress) {
     assert(request.penalized_derivative == 2 || request.penalized_derivative == 3);
     if (const auto check = check_degree(request.degree); !check) return refuse(check.error());
     if (const auto check = check_degree_of_ends(request.ends, request.degree); !check) return refuse(check.error());
@@ -352,19 +375,21 @@ Result<Fitter> make_fitter(std::span<const Point> points, FitRequest request) {
     DirectedData data = directed(points, request);
     auto parameters = parametrize(data.points, request.parametrization, is_closed(request.ends));
     if (!parameters) return refuse(parameters.error());
-    Fitter fitter(std::move(data), *std::move(parameters));
+    Fitter fitter(std::move(data), *std::move(parameters), progress);
     if (auto enough = fitter.check_point_count(); !enough) return refuse(enough.error());
     return fitter;
 }
 
 }  // namespace
 
-Result<Approximation> fit(std::span<const Point> points, std::size_t count, const FitRequest& request) {
-    return make_fitter(points, request).and_then([&](Fitter fitter) { return fitter.with_count(count); });
+Result<Approximation> fit(std::span<const Point> points, std::size_t count, const FitRequest& request,
+                          const Progress& progress) {
+    return make_fitter(points, request, progress).and_then([&](Fitter fitter) { return fitter.with_count(count); });
 }
 
-Result<Approximation> fit_within(std::span<const Point> points, double tolerance, const FitRequest& request) {
-    return make_fitter(points, request).and_then([&](Fitter fitter) -> Result<Approximation> {
+Result<Approximation> fit_within(std::span<const Point> points, double tolerance, const FitRequest& request,
+                                 const Progress& progress) {
+    return make_fitter(points, request, progress).and_then([&](Fitter fitter) -> Result<Approximation> {
         if (const auto check = check_tolerance(tolerance); !check) return refuse(check.error());
         return fitter.within(tolerance);
     });

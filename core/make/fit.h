@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "core/base/progress.h"
 #include "core/curve/approximation.h"
 #include "core/make/ends.h"
 #include "core/make/parametrization.h"
@@ -30,7 +31,7 @@ struct FitRequest {
 /// (as many as points, and one more for each condition at an end); equations_singular; not_computable. Cost O(m p^2)
 /// for m points. Source: The NURBS Book, 9.4.1, with knots that do not depend on the direction.
 [[nodiscard]] Result<Approximation> fit(std::span<const Point> points, std::size_t count,
-                                        const FitRequest& request = {});
+                                        const FitRequest& request = {}, const Progress& progress = {});
 
 /// Such a curve with a largest distance of at most `tolerance`, with knots where they are needed: it begins as one
 /// piece (closed: three), and a span with larger errors is halved, by the number of points in it, until there is none.
@@ -38,6 +39,6 @@ struct FitRequest {
 /// tolerance_not_reached, which smoothing or a tolerance below the rounding of coordinates brings about. Cost O(m p^2)
 /// for each of about log2(m) rounds.
 [[nodiscard]] Result<Approximation> fit_within(std::span<const Point> points, double tolerance,
-                                               const FitRequest& request = {});
+                                               const FitRequest& request = {}, const Progress& progress = {});
 
 }  // namespace batten::core

@@ -292,7 +292,7 @@ FoundContact first_way_first(FoundContact found, const Parameters& parameters) {
 
 }  // namespace
 
-CurveContacts intersect_curves(const Curve& first, const Curve& second) {
+CurveContacts intersect_curves(const Curve& first, const Curve& second, const Progress& progress) {
     const Box box = control_box(first);
     const Box other = control_box(second);
     Box both = box;
@@ -304,8 +304,11 @@ CurveContacts intersect_curves(const Curve& first, const Curve& second) {
     const double tolerance = tolerance_within(both);
     ContactSearch search(a, b, std::min(size_of(box), size_of(other)), tolerance);
     const BoxTree against(boxes_of(b.pieces));
-    for (const ContactPiece& piece : a.pieces)
+    for (std::size_t i = 0; i < a.pieces.size(); ++i) {
+        tell(progress, i, a.pieces.size());
+        const ContactPiece& piece = a.pieces[i];
         against.each_near(piece.box, tolerance, 0, [&](std::size_t j) { search.add_pair(piece, b.pieces[j]); });
+    }
     const Parameters on_first(first, a);
     const Parameters on_second(second, b);
     ContactList list(first, on_first, second, on_second);
@@ -313,7 +316,7 @@ CurveContacts intersect_curves(const Curve& first, const Curve& second) {
     return {list.finish(), search.is_complete()};
 }
 
-CurveContacts self_intersections(const Curve& curve) {
+CurveContacts self_intersections(const Curve& curve, const Progress& progress) {
     const Box box = control_box(curve);
     const ContactPieces all = contact_pieces(curve, middle_of(curve));
     const auto pieces = enough_pieces(all.pieces);
@@ -322,6 +325,7 @@ CurveContacts self_intersections(const Curve& curve) {
     ContactSearch search(all, all, size_of(box), tolerance);
     const BoxTree against(boxes_of(pieces));
     for (std::size_t i = 0; i < pieces.size(); ++i) {
+        tell(progress, i, pieces.size());
         search.add_alone(pieces[i]);
         against.each_near(pieces[i].box, tolerance, i + 1, [&](std::size_t j) {
             if (j == i + 1)

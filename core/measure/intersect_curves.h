@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/curve/curve.h"
 
 namespace batten::core {
@@ -35,11 +36,11 @@ struct CurveContacts {
 /// on an interval no further contacts are sought; a double point of curves that coincide is a crossing of other pieces.
 /// Cost: O(log n) comparisons of boxes for each piece and for each pair of pieces that are near, and a few dozen
 /// halvings for each contact; the number of halvings is bounded.
-CurveContacts intersect_curves(const Curve& first, const Curve& second);
+CurveContacts intersect_curves(const Curve& first, const Curve& second, const Progress& progress = {});
 
 /// The places where the curve passes through a point a second time, on_first before second_begin, in the same way.
 /// Where the ends meet they are no self-intersection, and neither is a cusp; loops smaller than 2^-22 of the curve are
 /// not seen. A point passed three times makes three contacts.
-CurveContacts self_intersections(const Curve& curve);
+CurveContacts self_intersections(const Curve& curve, const Progress& progress = {});
 
 }  // namespace batten::core

@@ -86,95 +86,117 @@ bool is_on_one_line(const Json& value) {
            std::none_of(value.begin(), value.end(), [](const Json& item) { return item.is_structured(); });
 }
 
-void write_value(std::string& text, const Json& value, std::size_t indent);
-
-void write_on_one_line(std::string& text, const Json& list) {
-    text += '[';
-    const char* separator = "";
-    for (const Json& item : list) {
-        text += separator + text_of_scalar(item);
-        separator = ", ";
-    }
-    text += ']';
-}
-
 // The end of a line and the indent of the next.
 std::string line_of(std::size_t indent) {
     return fmt::format("\n{:{}}", "", indent);
 }
 
-// Objects and lists of lists: one item a line, so that a changed item is one changed line.
-void write_on_lines(std::string& text, const Json& value, std::size_t indent) {
-    const std::string line = line_of(indent + 2);
-    text += value.is_object() ? '{' : '[';
-    const char* separator = "";
-    for (const auto& [name, item] : value.items()) {
-        text += separator + line;
-        if (value.is_object()) text += fmt::format("{}: ", text_of_scalar(name));
-        write_value(text, item, indent + 2);
-        separator = ",";
+// Writes a tree as text, and tells how many of the numbers of curves are written.
+class TreeWriter {
+  public:
+    TreeWriter(std::size_t number_count, const Progress& progress) : number_count_(number_count), progress_(progress) {
+        constexpr std::size_t usual_length = 20;
+        text_.reserve(usual_length * number_count);
     }
-    if (!value.empty()) text += line_of(indent);
-    text += value.is_object() ? '}' : ']';
-}
 
-void write_numbers(std::string& text, const Json& list) {
-    const std::size_t count = packed_count<double>(list);
-    text += '[';
-    for (std::size_t i = 0; i < count; ++i) {
-        text += i > 0 ? ", " : "";
-        append_json_text(text, packed_at<double>(list, i));
+    std::string written(const Json& tree) {
+        write_value(tree, 0);
+        text_ += '\n';
+        tell(progress_, 1, 1);
+        return std::move(text_);
     }
-    text += ']';
-}
 
-// One pair a line.
-void write_pairs(std::string& text, const Json& list, std::size_t indent) {
-    const std::size_t count = packed_count<Point>(list);
-    const std::string line = line_of(indent + 2);
-    text += '[';
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto pair = packed_at<Point>(list, i);
-        if (i > 0) text += ',';
-        text += line;
-        text += '[';
-        append_json_text(text, pair.x);
-        text += ',';
-        text += ' ';
-        append_json_text(text, pair.y);
-        text += ']';
+  private:
+    void write_value(const Json& value, std::size_t indent) {
+        if (value.is_binary() && packed_item(value) == ListItem::pair)
+            write_pairs(value, indent);
+        else if (value.is_binary())
+            write_numbers(value);
+        else if (is_on_one_line(value))
+            write_on_one_line(value);
+        else if (value.is_structured())
+            write_on_lines(value, indent);
+        else
+            text_ += text_of_scalar(value);
     }
-    text += line_of(indent);
-    text += ']';
-}
 
-void write_value(std::string& text, const Json& value, std::size_t indent) {
-    if (value.is_binary() && packed_item(value) == ListItem::pair)
-        write_pairs(text, value, indent);
-    else if (value.is_binary())
-        write_numbers(text, value);
-    else if (is_on_one_line(value))
-        write_on_one_line(text, value);
-    else if (value.is_structured())
-        write_on_lines(text, value, indent);
-    else
-        text += text_of_scalar(value);
-}
+    void write_on_one_line(const Json& list) {
+        text_ += '[';
+        const char* separator = "";
+        for (const Json& item : list) {
+            text_ += separator + text_of_scalar(item);
+            separator = ", ";
+        }
+        text_ += ']';
+    }
+
+    // Objects and lists of lists: one item a line, so that a changed item is one changed line.
+    void write_on_lines(const Json& value, std::size_t indent) {
+        const std::string line = line_of(indent + 2);
+        text_ += value.is_object() ? '{' : '[';
+        const char* separator = "";
+        for (const auto& [name, item] : value.items()) {
+            text_ += separator + line;
+            if (value.is_object()) text_ += fmt::format("{}: ", text_of_scalar(name));
+            write_value(item, indent + 2);
+            separator = ",";
+        }
+        if (!value.empty()) text_ += line_of(indent);
+        text_ += value.is_object() ? '}' : ']';
+    }
+
+    void write_numbers(const Json& list) {
+        const std::size_t count = packed_count<double>(list);
+        text_ += '[';
+        for (std::size_t i = 0; i < count; ++i) {
+            text_ += i > 0 ? ", " : "";
+            write_number(packed_at<double>(list, i));
+        }
+        text_ += ']';
+    }
+
+    // One pair a line.
+    void write_pairs(const Json& list, std::size_t indent) {
+        const std::size_t count = packed_count<Point>(list);
+        const std::string line = line_of(indent + 2);
+        text_ += '[';
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto pair = packed_at<Point>(list, i);
+            if (i > 0) text_ += ',';
+            text_ += line;
+            text_ += '[';
+            write_number(pair.x);
+            text_ += ',';
+            text_ += ' ';
+            write_number(pair.y);
+            text_ += ']';
+        }
+        text_ += line_of(indent);
+        text_ += ']';
+    }
+
+    void write_number(double number) {
+        constexpr std::size_t numbers_between = 65536;
+        append_json_text(text_, number);
+        if (++numbers_written_ % numbers_between == 0) tell(progress_, numbers_written_, number_count_ + 1);
+    }
+
+    std::string text_;
+    std::size_t number_count_;
+    std::size_t numbers_written_ = 0;
+    const Progress& progress_;
+};
 
 }  // namespace
 
-std::string format_document(const Document& document) {
-    constexpr std::size_t usual_length = 20;
+std::string format_document(const Document& document, const Progress& progress) {
     std::size_t numbers = 0;
     for (const DocumentCurve& entry : document.curves) {
         assert(entry.curve != nullptr);
-        numbers += 4 * entry.curve->control_points().size();
+        const Curve& curve = *entry.curve;
+        numbers += curve.knots().stored().size() + 3 * curve.control_points().size();
     }
-    std::string text;
-    text.reserve(usual_length * numbers);
-    write_value(text, json_of(document), 0);
-    text += '\n';
-    return text;
+    return TreeWriter(numbers, progress).written(json_of(document));
 }
 
 }  // namespace batten::core

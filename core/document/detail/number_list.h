@@ -19,10 +19,10 @@ enum class ListItem {
     pair  ///< a list of two numbers
 };
 
-/// Takes the items at the front of `text`, which stands behind the opening bracket of a list, as long as each is of the
-/// kind `item` and nothing strange follows: what is left is the rest of the list, to be read by a parser that has seen
+/// Takes the items at the front of `text`, which stands behind the opening bracket of a list, as long as each is of
+/// this kind and nothing strange follows: what is left is the rest of the list, to be read by a parser that has seen
 /// the bracket alone. Returns the items packed.
-Json take_numbers(TextStream& text, ListItem item);
+Json take_numbers(TextStream& text, ListItem kind);
 
 /// Whether items of this type can stand packed in a tree.
 template <class T>
@@ -33,7 +33,7 @@ template <class T>
 requires can_be_packed<T> Json packed(std::span<const T> items) {
     std::vector<std::uint8_t> bytes(items.size_bytes());
     if (!bytes.empty()) std::memcpy(bytes.data(), items.data(), bytes.size());
-    return Json::binary(std::move(bytes), static_cast<std::uint8_t>(sizeof(T) / sizeof(double)));
+    return Json::binary(std::move(bytes), std::is_same_v<T, Point> ? 2 : 1);
 }
 
 /// Of what kind the items of a packed list are.

@@ -45,6 +45,22 @@ double largest_distance(const Curve& curve, std::span<const Point> points) {
     return largest;
 }
 
+// The shares that `run` tells, which must not become less, and that it can be stopped.
+template <class Run>
+void expect_progress(const Run& run) {
+    std::vector<double> shares;
+    run([&](double share) { shares.push_back(share); });
+    EXPECT_GT(shares.size(), 3U);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_GE(shares.front(), 0.0);
+    EXPECT_LT(shares.back(), 1.0);
+    struct Stopped {};
+    EXPECT_THROW(run([](double share) {
+                     if (share > 0.4) throw Stopped{};
+                 }),
+                 Stopped);
+}
+
 }  // namespace
 
 TEST(GaussRule, integrates_polynomials_of_twice_its_degree) {
@@ -55,6 +71,12 @@ TEST(GaussRule, integrates_polynomials_of_twice_its_degree) {
                 sum += node.weight * std::pow(node.position, static_cast<double>(power));
             EXPECT_NEAR(sum, power % 2 == 1 ? 0.0 : 2.0 / static_cast<double>(power + 1), 2e-14);
         }
+}
+
+TEST(Fit, progress_is_told_and_may_stop_it) {
+    const std::vector<Point> points = wave(20'000);
+    expect_progress([&](const Progress& progress) { EXPECT_TRUE(fit(points, 50, {}, progress)); });
+    expect_progress([&](const Progress& progress) { EXPECT_TRUE(fit_within(points, 1e-4, {}, progress)); });
 }
 
 // The least squares line through (0,0), (1,1), (2,-1), (3,0) with its ends fixed is a straight leg; with one inner

@@ -83,6 +83,20 @@ std::vector<Point> samples_of(const Curve& curve, int count) {
     return points;
 }
 
+TEST(Intersect, progress_is_told_and_may_stop_it) {
+    RandomCurves random(205);
+    const Curve a = random.curve();
+    const Curve b = random.curve();
+    struct Stopped {};
+    const auto stop = [](double) { throw Stopped{}; };
+    EXPECT_THROW(static_cast<void>(intersect_curves(a, b, stop)), Stopped);
+    EXPECT_THROW(static_cast<void>(self_intersections(a, stop)), Stopped);
+    std::vector<double> shares;
+    static_cast<void>(intersect_curves(a, b, [&](double share) { shares.push_back(share); }));
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_EQ(shares.front(), 0.0);
+}
+
 TEST(IntersectLine, circle_crossed_touched_and_missed) {
     for (const Vector offset : {Vector(0, 0), Vector(1e6, -3e6)}) {
         const Curve circle = moved(ellipse(1, 1), offset);
