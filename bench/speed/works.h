@@ -18,5 +18,6 @@ void add_elevate(Contests& contests);
 void add_nearest(Contests& contests);
 void add_interpolate(Contests& contests);
 void add_arc_length(Contests& contests);
+void add_text(Contests& contests);
 
 }  // namespace batten::bench
