@@ -10,6 +10,7 @@ find_package(hwy REQUIRED)
 include(${CMAKE_CURRENT_LIST_DIR}/glm_target.cmake)
 if(BATTEN_PROGRAM)
   find_package(CLI11 REQUIRED)
+  find_package(Threads REQUIRED)
 endif()
 
 if(BATTEN_TESTS)

@@ -59,7 +59,10 @@ struct CommandRequest {
 /// Drops the preview.
 struct CancelPreview {};
 
-using Request = std::variant<CommandRequest, CancelPreview, ViewChange>;
+/// Stops the command that works beside the interface.
+struct CancelWork {};
+
+using Request = std::variant<CommandRequest, CancelPreview, CancelWork, ViewChange>;
 
 /// What the interface asks for during a frame; the editor runs it afterward, in order.
 class CommandQueue {
@@ -67,6 +70,7 @@ class CommandQueue {
     void run(Command command) { requests_.emplace_back(CommandRequest{std::move(command)}); }
     void preview(Command command) { requests_.emplace_back(CommandRequest{std::move(command), Phase::preview}); }
     void cancel_preview() { requests_.emplace_back(CancelPreview{}); }
+    void cancel_work() { requests_.emplace_back(CancelWork{}); }
     void change(ViewChange change) { requests_.emplace_back(std::move(change)); }
 
     bool is_empty() const { return requests_.empty(); }

@@ -81,6 +81,10 @@ struct CommandSpec {
 
     CommandBody run{};
 
+    /// What is said while the command takes long, "Opening {path}"; it then works beside the interface. Null for what
+    /// never takes long.
+    const char* at_work = nullptr;
+
     /// The step's name in the history, "Insert knot {u}", where that is not the title, and what is said when it is
     /// done, "Inserted knot {u}". The places are the names of fields. Edits have them, or `texts` in their place, given
     /// the state before and the edit. Numbers are written in full (core::shortest_text): reading_text shortens them.

@@ -15,6 +15,7 @@
 #include "app/editor/selection.h"
 #include "app/editor/view.h"
 #include "core/base/names.h"
+#include "core/base/progress.h"
 #include "core/document/document.h"
 
 namespace batten::editor {
@@ -29,7 +30,8 @@ enum class Dialog {
     command_palette,
     command_form,
     key_sheet,
-    about
+    about,
+    at_work  ///< a command that takes long, and can be canceled
 };
 
 /// A sentence for the status bar; errors also stay as a notice on the canvas until dismissed or followed by another
@@ -46,10 +48,20 @@ struct Ghost {
     double deviation = 0.0;
 };
 
+/// What is told of a command that works beside the interface.
+struct AtWork {
+    std::string text;             ///< "Opening wave.json"
+    std::optional<double> share;  ///< how much is done, from 0 to 1; none where that is not known
+    bool is_canceled = false;     ///< it will stop as soon as it can
+};
+
 /// What the editor asks of the desktop; replaced in tests.
 struct Desktop {
     std::function<std::string()> read_clipboard;
     std::function<void(const std::string&)> write_clipboard;
+    /// Has Editor::follow_work called soon; is called from other threads. Without it no command works beside the
+    /// interface.
+    std::function<void()> wake;
     std::filesystem::path examples;  ///< the folder of the example files
 };
 
@@ -71,6 +83,8 @@ struct EditorState {
     Dialog dialog = Dialog::none;
     const CommandSpec* form = nullptr;  ///< whose fields Dialog::command_form asks for
     std::optional<Pending> pending;     ///< waits until unsaved changes are saved or given up
+    std::optional<AtWork> at_work;      ///< what Dialog::at_work tells
+    core::Progress progress;            ///< is told how far a long command is; may stop it
     Message message;
     std::filesystem::path path;  ///< empty for a document without a file
     std::vector<std::filesystem::path> recent_files;
@@ -120,7 +134,8 @@ struct Names<editor::Dialog> {
                                       Named{command_palette, "command-palette", "Commands"},
                                       Named{command_form, "command-form", "Command"},
                                       Named{key_sheet, "key-sheet", "Keys and gestures"},
-                                      Named{about, "about", "About Batten"}};
+                                      Named{about, "about", "About Batten"},
+                                      Named{at_work, "at-work", "At work"}};
 };
 
 }  // namespace batten::core

@@ -42,6 +42,7 @@ editor::Desktop desktop_of(Window& window, const Options& options) {
     editor::Desktop desktop;
     desktop.read_clipboard = [&window] { return window.read_clipboard(); };
     desktop.write_clipboard = [&window](const std::string& text) { window.write_clipboard(text); };
+    desktop.wake = &Window::wake;
     desktop.examples = options.assets / "examples";
     return desktop;
 }
@@ -225,6 +226,7 @@ int Application::run() {
     open_start_document();
     while (!editor_.state().wants_quit) {
         if (!window_.input().is_pending()) Window::wait(clock_.seconds_to_wait(glfwGetTime()));
+        if (editor_.follow_work()) clock_.note_activity();
         if (window_.input().take_activity() || window_.input().is_pending()) clock_.note_activity();
         if (clock_.seconds_to_wait(glfwGetTime()).value_or(1.0) > 0.0) continue;
         deliver_keys();

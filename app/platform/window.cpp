@@ -168,4 +168,8 @@ void Window::wait(std::optional<double> seconds) {
     }
 }
 
+void Window::wake() {
+    glfwPostEmptyEvent();
+}
+
 }  // namespace batten::platform

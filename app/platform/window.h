@@ -50,6 +50,9 @@ class Window {
     /// Sleeps until something happens, at most `seconds`; without a limit until it does.
     static void wait(std::optional<double> seconds);
 
+    /// Ends the sleep; may be called from other threads.
+    static void wake();
+
   private:
     explicit Window(GLFWwindow* handle);
 

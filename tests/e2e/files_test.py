@@ -169,6 +169,40 @@ class FilesTest(WindowTest):
         editor.key("Escape")
         editor.wait(lambda state: not state["message_is_error"], "the notice gone")
 
+    def slow_file(self):
+        """A file that takes many seconds: a member is found by comparing with all before it in its object."""
+        members = ",".join(f'"m{i}":0' for i in range(4000))
+        path = self.folder / "slow.json"
+        path.write_text(json.dumps(CUBIC)[:-1] + ',"others":[' + ",".join(["{" + members + "}"] * 400) + "]}")
+        return path
+
+    def test_reading_a_long_file_shows_how_far_it_is_and_can_be_canceled(self):
+        editor = self.open_editor()
+        self.open_file(editor, self.slow_file())
+        state = editor.wait(lambda state: "% done" in state["widgets"].get("work", {"value": ""})["value"], "the first per cent")
+        self.assertEqual((state["dialog"], state["at_work"]), ("at-work", "Opening slow.json"))
+        self.assertEqual(state["path"], str(self.path))
+        editor.screenshot("at work")
+        editor.key("Escape")
+        state = editor.wait(lambda state: state["at_work"] is None and state["is_settled"], "the end of the work")
+        self.assertEqual((state["message"], state["message_is_error"]), ("Opening slow.json: canceled; nothing has changed", False))
+        self.assertEqual((state["path"], state["curve_count"], state["dialog"]), (str(self.path), 1, "open-file"))
+
+    def test_a_long_file_can_be_canceled_at_the_start(self):
+        editor = self.open_editor(self.slow_file())
+        editor.wait(lambda state: state["dialog"] == "at-work", "the work")
+        editor.click_widget("dialog cancel")
+        state = editor.wait(lambda state: state["at_work"] is None and state["is_settled"], "the end of the work")
+        self.assertEqual((state["path"], state["curve_count"], state["dialog"]), ("", 0, "none"))
+
+    def test_a_large_file_is_shown_once_it_is_read(self):
+        path = self.folder / "large.json"
+        path.write_text(json.dumps({**CUBIC, "ballast": "x" * 8000000}))
+        editor = self.open_editor()
+        self.open_file(editor, path)
+        state = editor.wait(lambda state: state["path"] == str(path) and state["is_settled"], "the large file")
+        self.assertEqual((state["dialog"], state["message"], state["curve_count"]), ("none", "Opened large.json", 1))
+
     def test_unsaved_changes_are_asked_about(self):
         editor = self.open_editor()
         x, y = editor.point(1)

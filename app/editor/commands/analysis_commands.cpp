@@ -176,7 +176,7 @@ constexpr core::PluralPattern some_self_intersections{
 
 Outcome<void> find_self_intersections(EditorState& state, const FindSelfIntersections&) {
     std::vector<Finding> rows;
-    const core::CurveContacts found = core::self_intersections(active_curve(state));
+    const core::CurveContacts found = core::self_intersections(active_curve(state), state.progress);
     for (const core::CurveContact& contact : found.contacts) {
         Finding row{.label = contact.is_overlap() ? "passed twice" : "double point",
                     .parameter = contact.u,
@@ -287,7 +287,8 @@ const CommandSpec& FindSelfIntersections::spec() {
                                   .group = CommandGroup::analyze,
                                   .submenu = "Shape",
                                   .refusal = no_curve,
-                                  .run = body_of<find_self_intersections>};
+                                  .run = body_of<find_self_intersections>,
+                                  .at_work = "Seeking self-intersections"};
     return spec;
 }
 

@@ -127,6 +127,7 @@ const CommandSpec& Reduce::spec() {
                        .absent_as("0")},
         .refusal = no_lower_degree,
         .run = body_of<reduce>,
+        .at_work = "Lowering the degree",
         .texts = texts_of<texts_of_reduction>,
         .tells_smoothness = true};
     return spec;

@@ -31,13 +31,15 @@ Refusal file_refusal(const fs::path& path, const core::FileError& error) {
 }
 
 // Only ordinary files: a pipe would keep the window waiting.
-Outcome<core::Document> load(const fs::path& path) {
+Outcome<core::Document> load(const fs::path& path, const core::Progress& progress) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
         return tl::unexpected(
             file_refusal(path, {path.string(), "this is not an ordinary file, so it cannot be opened"}));
-    return core::load_document(path).map_error([&](const core::FileError& found) { return file_refusal(path, found); });
+    return core::load_document(path, progress).map_error([&](const core::FileError& found) {
+        return file_refusal(path, found);
+    });
 }
 
 void take_view(View& view, const core::Document& document) {
@@ -56,7 +58,7 @@ void take_view(View& view, const core::Document& document) {
 }
 
 Outcome<void> open_file(EditorState& state, const fs::path& path) {
-    Outcome<core::Document> document = load(path);
+    Outcome<core::Document> document = load(path, state.progress);
     if (!document) return tl::unexpected(document.error());
     show_document(state, *std::move(document), path);
     remember(state.recent_files, path);
@@ -70,7 +72,7 @@ Outcome<void> show_example(EditorState& state, const std::string& name) {
     std::error_code error;
     if (name.empty() || fs::path(name).has_parent_path() || !fs::is_regular_file(path, error))
         return tl::unexpected(sentence("there is no example called '{name}'", {{"name", name}}));
-    Outcome<core::Document> document = load(path);
+    Outcome<core::Document> document = load(path, state.progress);
     if (!document) return tl::unexpected(document.error());
     show_document(state, *std::move(document), {});
     state.message = {sentence("Opened example {name}", {{"name", name}}), false};
@@ -143,7 +145,7 @@ Outcome<void> proceed(EditorState& state, const Pending& command) {
 }
 
 Outcome<Edit> with_curves_of(const EditorState& state, const fs::path& path) {
-    const Outcome<core::Document> added = load(path);
+    const Outcome<core::Document> added = load(path, state.progress);
     if (!added) return tl::unexpected(added.error());
     if (added->curves.empty())
         return tl::unexpected(sentence("{file}: the file has no curves", {{"file", path.filename().string()}}));
@@ -154,7 +156,7 @@ Outcome<void> save_document_to(EditorState& state, const fs::path& path) {
     core::Document document = state.history.present();
     document.view.parameter = state.parameter();
     document.view.overlays = overlay_names(state);
-    const core::FileResult<void> saved = core::save_document(document, path);
+    const core::FileResult<void> saved = core::save_document(document, path, state.progress);
     if (!saved) return tl::unexpected(file_refusal(path, saved.error()));
     state.path = path;
     state.history.mark_saved();

@@ -120,7 +120,8 @@ const CommandSpec& Open::spec() {
         .offered = in_the_window,
         .shortcut = {Key::o, with_ctrl},
         .fields = {field::file<&Open::path>("path", "the file; left out: asks for one").absent_as("").unasked()},
-        .run = body_of<open>};
+        .run = body_of<open>,
+        .at_work = "Opening {path}"};
     return spec;
 }
 
@@ -133,6 +134,7 @@ const CommandSpec& AddFile::spec() {
                                   .offered = in_the_window,
                                   .fields = {field::file<&AddFile::path>("path", "the file")},
                                   .run = body_of<add_file>,
+                                  .at_work = "Adding {path}",
                                   .step = "Add file {path}",
                                   .done = "Added file {path}"};
     return spec;
@@ -159,7 +161,8 @@ const CommandSpec& Save::spec() {
                                   .group = CommandGroup::file,
                                   .offered = in_the_window,
                                   .shortcut = {Key::s, with_ctrl},
-                                  .run = body_of<save>};
+                                  .run = body_of<save>,
+                                  .at_work = "Saving the document"};
     return spec;
 }
 
@@ -173,7 +176,8 @@ const CommandSpec& SaveAs::spec() {
         .offered = in_the_window,
         .shortcut = {Key::s, with_ctrl_shift},
         .fields = {field::file<&SaveAs::path>("path", "the file; left out: asks for one").absent_as("").unasked()},
-        .run = body_of<save_as>};
+        .run = body_of<save_as>,
+        .at_work = "Saving {path}"};
     return spec;
 }
 
@@ -186,7 +190,8 @@ const CommandSpec& AnswerUnsaved::spec() {
         .offered = nowhere,
         .fields = {field::choice<&AnswerUnsaved::answer>("answer", "what becomes of the changes")},
         .refusal = no_question,
-        .run = body_of<answer_unsaved>};
+        .run = body_of<answer_unsaved>,
+        .at_work = "Going on"};
     return spec;
 }
 

@@ -76,13 +76,13 @@ Outcome<Edit> with_fitted(const EditorState& state, core::Result<core::Approxima
 Outcome<Edit> fit_points(const EditorState& state, const FitPoints& command) {
     const auto request = request_of(command);
     if (!request) return tl::unexpected(request.error());
-    return with_fitted(state, core::fit(command.points, command.count, *request));
+    return with_fitted(state, core::fit(command.points, command.count, *request, state.progress));
 }
 
 Outcome<Edit> fit_points_within(const EditorState& state, const FitPointsWithin& command) {
     const auto request = request_of(command);
     if (!request) return tl::unexpected(request.error());
-    return with_fitted(state, core::fit_within(command.points, command.tolerance, *request));
+    return with_fitted(state, core::fit_within(command.points, command.tolerance, *request, state.progress));
 }
 
 StepTexts texts_of_fit(const EditorState&, const FitPoints& command) {
@@ -164,6 +164,7 @@ const CommandSpec& Interpolate::spec() {
         .fields = {points_field<Interpolate>(), degree_field<Interpolate>("lowered where there are too few points"),
                    parametrization_field<Interpolate>()},
         .run = body_of<interpolate>,
+        .at_work = "Interpolating points",
         .done = "Interpolated points"};
     return spec;
 }
@@ -179,6 +180,7 @@ const CommandSpec& InterpolateClosed::spec() {
         .fields = {points_field<InterpolateClosed>(), degree_field<InterpolateClosed>("from 1 to 25"),
                    parametrization_field<InterpolateClosed>()},
         .run = body_of<interpolate_closed>,
+        .at_work = "Interpolating points",
         .step = "Interpolate closed curve",
         .done = "Interpolated closed curve"};
     return spec;
@@ -195,6 +197,7 @@ const CommandSpec& InterpolateNatural::spec() {
         .fields = {points_field<InterpolateNatural>(), degree_field<InterpolateNatural>("from 3 to 25"),
                    parametrization_field<InterpolateNatural>()},
         .run = body_of<interpolate_natural>,
+        .at_work = "Interpolating points",
         .done = "Interpolated with natural ends"};
     return spec;
 }
@@ -212,6 +215,7 @@ const CommandSpec& InterpolateTangents::spec() {
                    points_field<InterpolateTangents>(), degree_field<InterpolateTangents>("from 2 to 25"),
                    parametrization_field<InterpolateTangents>()},
         .run = body_of<interpolate_tangents>,
+        .at_work = "Interpolating points",
         .done = "Interpolated with end tangents"};
     return spec;
 }
@@ -227,6 +231,7 @@ const CommandSpec& FitPoints::spec() {
         .fields = fit_fields<FitPoints>(
             field::count<&FitPoints::count>("count", "how many control points").suggesting<half_the_points>()),
         .run = body_of<fit_points>,
+        .at_work = "Fitting a curve to points",
         .texts = texts_of<texts_of_fit>};
     return spec;
 }
@@ -243,6 +248,7 @@ const CommandSpec& FitPointsWithin::spec() {
             field::length<&FitPointsWithin::tolerance>("tolerance", "the largest distance, above 0")
                 .suggesting<suggest::thousandth_of_size>()),
         .run = body_of<fit_points_within>,
+        .at_work = "Fitting a curve to points",
         .texts = texts_of<texts_of_fit_within>};
     return spec;
 }

@@ -171,7 +171,7 @@ Outcome<void> intersect_curve(EditorState& state, const IntersectCurve& command)
             sentence("'{name}' is the active curve itself; name another one, or use self-intersections",
                      {{"name", other.name}}));
     std::vector<Finding> rows;
-    const core::CurveContacts found = core::intersect_curves(active_curve(state), *other.curve);
+    const core::CurveContacts found = core::intersect_curves(active_curve(state), *other.curve, state.progress);
     for (const core::CurveContact& contact : found.contacts) rows.push_back(contact_row(contact));
     const char* pattern = found.is_complete ? "{name} meets {other} {times}"
                                             : "{name} meets {other} at least {times}; parts of them run too close to "
@@ -335,7 +335,8 @@ const CommandSpec& IntersectCurve::spec() {
         .fields = {field::curve_name<&IntersectCurve::other>("other", "name of the other curve")
                        .suggesting<suggest::next_curve_name>()},
         .refusal = no_curve,
-        .run = body_of<intersect_curve>};
+        .run = body_of<intersect_curve>,
+        .at_work = "Seeking intersections"};
     return spec;
 }
 

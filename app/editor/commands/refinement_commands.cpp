@@ -223,6 +223,7 @@ const CommandSpec& RemoveKnots::spec() {
         .fields = {field::length<&RemoveKnots::tolerance>("tolerance", how_far).suggesting<suggest::tiny_length>()},
         .refusal = no_editable_curve,
         .run = body_of<remove_knots>,
+        .at_work = "Removing spare knots",
         .texts = texts_of<texts_of_sparing>,
         .tells_smoothness = true};
     return spec;

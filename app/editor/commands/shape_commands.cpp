@@ -140,6 +140,7 @@ const CommandSpec& Fair::spec() {
                        .suggesting<suggest::hundredth_of_size>()},
         .refusal = no_editable_curve,
         .run = body_of<fair>,
+        .at_work = "Fairing the curve",
         .done = "Faired curve",
         .tells_smoothness = true};
     return spec;
@@ -158,6 +159,7 @@ const CommandSpec& Offset::spec() {
                        .suggesting<suggest::millionth_of_size>()},
         .refusal = no_curve,
         .run = body_of<offset>,
+        .at_work = "Offsetting the curve",
         .step = "Add offset by {distance}",
         .done = "Added offset by {distance}"};
     return spec;

@@ -1,0 +1,320 @@
+#include "app/editor/work.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+
+#include "app/editor/commands/analysis_commands.h"
+#include "app/editor/commands/fitting_commands.h"
+#include "app/editor/commands/making_commands.h"
+#include "app/editor/commands/view_commands.h"
+#include "sample_editor.h"
+
+namespace batten::editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A gate in which a thread stands until it is opened.
+class Gate {
+  public:
+    void pass() {
+        std::unique_lock lock(mutex_);
+        ++waiting_;
+        changed_.notify_all();
+        changed_.wait(lock, [&] { return is_open_; });
+        --waiting_;
+    }
+    void open() {
+        const std::lock_guard lock(mutex_);
+        is_open_ = true;
+        changed_.notify_all();
+    }
+    void await_someone() {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return waiting_ > 0 || is_open_; });
+    }
+
+  private:
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    bool is_open_ = false;
+    int waiting_ = 0;
+};
+
+void await(const Work& work) {
+    while (!work.wait_for(std::chrono::seconds(1))) continue;
+}
+
+TEST(Work, is_done_on_a_copy_of_the_state) {
+    EditorState state;
+    state.message.text = "before";
+    Work work(
+        state,
+        [](EditorState& copy) {
+            copy.message.text += " and after";
+            copy.progress(0.25);
+            return true;
+        },
+        [] {});
+    await(work);
+    EXPECT_EQ(work.share(), 0.25);
+    EXPECT_EQ(state.message.text, "before");
+    const Outcome<WorkResult> result = work.take();
+    ASSERT_TRUE(result);
+    EXPECT_TRUE(result->is_done);
+    EXPECT_EQ(result->state.message.text, "before and after");
+    EXPECT_FALSE(result->state.progress);
+}
+
+TEST(Work, wakes_where_a_percentage_changes_and_at_the_end) {
+    std::atomic<int> wakes = 0;
+    Work work(
+        EditorState(),
+        [](EditorState& copy) {
+            for (int i = 1; i <= 1000; ++i) copy.progress(0.0001 * i);
+            return true;
+        },
+        [&] { ++wakes; });
+    await(work);
+    static_cast<void>(work.take());
+    EXPECT_GE(wakes, 11);
+    EXPECT_LE(wakes, 12) << "0 to 10 percent, and the end, which may be just now";
+}
+
+TEST(Work, stops_where_it_tells_how_far_it_is) {
+    Gate gate;
+    bool went_on = false;
+    Work work(
+        EditorState(),
+        [&](EditorState& copy) {
+            gate.pass();
+            copy.progress(0.5);
+            went_on = true;
+            return true;
+        },
+        [] {});
+    EXPECT_FALSE(work.is_finished());
+    EXPECT_EQ(work.share(), std::nullopt);
+    work.cancel();
+    gate.open();
+    await(work);
+    EXPECT_EQ(work.take().error(), "canceled; nothing has changed");
+    EXPECT_FALSE(went_on);
+}
+
+TEST(Work, has_no_result_where_it_was_canceled_without_noticing) {
+    Gate gate;
+    Work work(
+        EditorState(), [&](EditorState&) { return gate.pass(), true; }, [] {});
+    work.cancel();
+    gate.open();
+    await(work);
+    EXPECT_FALSE(work.take());
+}
+
+TEST(Work, goes_on_to_its_end_once_it_has_told_that_all_is_done) {
+    Gate gate;
+    Work work(
+        EditorState(),
+        [&](EditorState& copy) {
+            copy.progress(1.0);
+            gate.pass();
+            copy.progress(1.0);
+            return true;
+        },
+        [] {});
+    gate.await_someone();
+    work.cancel();
+    gate.open();
+    await(work);
+    EXPECT_TRUE(work.take());
+}
+
+TEST(Work, that_lacks_memory_says_so) {
+    Work work(
+        EditorState(), [](EditorState&) -> bool { throw std::bad_alloc(); }, [] {});
+    await(work);
+    EXPECT_EQ(work.take().error(), "there is not enough memory; nothing has changed");
+}
+
+TEST(Work, that_nobody_waits_for_is_stopped) {
+    std::atomic<bool> has_begun = false;
+    const auto run = [&](EditorState& copy) {
+        for (;;) {
+            has_begun = true;
+            copy.progress(0.0);
+        }
+        return true;
+    };
+    const Work work(EditorState(), run, [] {});
+    while (!has_begun) std::this_thread::yield();
+}
+
+// An editor whose desktop can be woken; what is at work stands before its gate as soon as it tells how far it is.
+class BesideTheInterface : public ::testing::Test {
+  protected:
+    BesideTheInterface() {
+        Desktop desktop;
+        desktop.wake = [this] { gate_.pass(); };
+        editor_ = std::make_unique<Editor>(std::move(desktop));
+    }
+    ~BesideTheInterface() override {
+        gate_.open();
+        editor_.reset();
+    }
+
+    // A file that is read in many blocks, with one curve called `name`.
+    fs::path large_file(const std::string& file, const std::string& name) const {
+        std::string text =
+            R"({"format":"batten","version":1,"ballast":")" + std::string(2'000'000, 'x') + R"(","curves":[{"name":")";
+        text.append(name).append(R"(","degree":1,"knots":[0,0,1,1],"points":[[0,0],[1,1]]}]})");
+        return folder_.write(file, text);
+    }
+
+    const EditorState& state() const { return editor_->state(); }
+
+    // Lets what is at work go on to its end.
+    void finish() {
+        gate_.open();
+        while (state().at_work) {
+            editor_->follow_work();
+            std::this_thread::yield();
+        }
+    }
+
+    TemporaryFolder folder_;
+    Gate gate_;
+    std::unique_ptr<Editor> editor_;
+};
+
+TEST_F(BesideTheInterface, a_large_file_is_opened) {
+    const fs::path path = large_file("large.json", "long");
+    EXPECT_FALSE(editor_->run(Open{.path = path})) << "not yet";
+    EXPECT_EQ(state().dialog, Dialog::at_work);
+    EXPECT_EQ(state().at_work->text, "Opening large.json");
+    EXPECT_TRUE(document(*editor_).curves.empty());
+    EXPECT_TRUE(editor_->log().empty());
+    gate_.await_someone();
+    EXPECT_TRUE(editor_->follow_work());
+    EXPECT_NEAR(state().at_work->share.value(), 0.13, 0.01) << "one block of 256 KiB";
+    EXPECT_FALSE(editor_->follow_work()) << "nothing has changed";
+    finish();
+    EXPECT_EQ(document(*editor_).curves.at(0).name, "long");
+    EXPECT_EQ(state().path, path);
+    EXPECT_EQ(state().dialog, Dialog::none);
+    EXPECT_EQ(state().message, (Message{"Opened large.json", false}));
+    EXPECT_EQ(editor_->log().size(), 1U);
+}
+
+TEST_F(BesideTheInterface, canceling_leaves_everything_as_it_was) {
+    open_text(*editor_, bezier_text);
+    const fs::path before = state().path;
+    editor_->run(Open{.path = large_file("large.json", "long")});
+    CommandQueue queue;
+    queue.cancel_work();
+    editor_->perform(queue);
+    EXPECT_TRUE(state().at_work->is_canceled);
+    finish();
+    EXPECT_EQ(document(*editor_).curves.at(0).name, "arch");
+    EXPECT_EQ(state().path, before);
+    EXPECT_EQ(state().dialog, Dialog::none);
+    EXPECT_EQ(state().message, (Message{"Opening large.json: canceled; nothing has changed", false}));
+    EXPECT_EQ(editor_->log().size(), 1U);
+}
+
+TEST_F(BesideTheInterface, a_broken_file_is_refused_and_leaves_the_document) {
+    open_text(*editor_, bezier_text);
+    const fs::path path = large_file("large.json", R"(", "x": [)");
+    editor_->run(Open{.path = path});
+    EXPECT_TRUE(state().at_work);
+    finish();
+    EXPECT_EQ(document(*editor_).curves.at(0).name, "arch");
+    EXPECT_TRUE(state().message.is_error);
+    EXPECT_EQ(state().message.text.find("large.json: line 1, column"), 0U) << state().message.text;
+}
+
+TEST_F(BesideTheInterface, the_view_follows_meanwhile) {
+    editor_->run(Open{.path = large_file("large.json", "long")});
+    editor_->change(ResizeCanvas{{640.0, 480.0}});
+    editor_->change(SetInterfaceScale{2.0});
+    EXPECT_EQ(state().view.camera.size_px, glm::dvec2(640.0, 480.0));
+    finish();
+    EXPECT_EQ(state().view.camera.size_px, glm::dvec2(640.0, 480.0));
+    EXPECT_EQ(state().view.interface_scale, 2.0);
+}
+
+TEST_F(BesideTheInterface, commands_wait_for_its_end_in_order) {
+    editor_->run(Open{.path = large_file("large.json", "long")});
+    EXPECT_FALSE(editor_->run(AddFile{.path = folder_.write("arch.json", bezier_text)}));
+    EXPECT_FALSE(editor_->run(ToggleTheme{}));
+    EXPECT_TRUE(document(*editor_).curves.empty());
+    finish();
+    EXPECT_EQ(document(*editor_).curves.at(1).name, "arch");
+    EXPECT_EQ(state().view.theme, ThemeName::light);
+    EXPECT_EQ(editor_->log().size(), 3U);
+}
+
+TEST_F(BesideTheInterface, leaving_stops_it) {
+    editor_->run(Open{.path = large_file("large.json", "long")});
+    editor_->run(Quit{});
+    finish();
+    EXPECT_TRUE(state().wants_quit);
+    EXPECT_TRUE(document(*editor_).curves.empty());
+}
+
+TEST_F(BesideTheInterface, what_is_small_is_done_at_once) {
+    EXPECT_TRUE(editor_->run(Open{.path = folder_.write("arch.json", bezier_text)}));
+    EXPECT_TRUE(editor_->run(FindSelfIntersections{}));
+    EXPECT_EQ(editor_->log().size(), 2U);
+}
+
+std::vector<core::Point> spiral(std::size_t count) {
+    std::vector<core::Point> points;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double t = 0.01 * static_cast<double>(i);
+        points.emplace_back(t * std::cos(t), t * std::sin(t));
+    }
+    return points;
+}
+
+TEST_F(BesideTheInterface, a_save_that_is_canceled_leaves_the_old_file_alone) {
+    const fs::path path = folder_.write("long.json", "old");
+    ASSERT_TRUE(editor_->run(AddPolyline{.points = spiral(40'000), .closed = false})) << "which is not at work beside";
+    EXPECT_FALSE(editor_->run(SaveAs{.path = path}));
+    EXPECT_EQ(state().at_work->text, "Saving long.json");
+    gate_.await_someone();
+    editor_->cancel_work();
+    finish();
+    EXPECT_EQ(core::read_text(path), "old");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
+    EXPECT_TRUE(state().is_modified());
+    EXPECT_TRUE(state().path.empty());
+    EXPECT_TRUE(editor_->run(SaveAs{.path = path}) || (finish(), true));
+    EXPECT_EQ(core::load_document(path)->curves.at(0).curve->control_points().size(), 40'000U);
+    EXPECT_FALSE(state().is_modified());
+}
+
+TEST_F(BesideTheInterface, it_comes_to_the_same_as_without) {
+    const FitPoints fit{.count = 300,
+                        .points = spiral(20'000),
+                        .degree = 3,
+                        .closed = false,
+                        .smoothing = 0.0,
+                        .start = std::nullopt,
+                        .end = std::nullopt,
+                        .natural = false};
+    Editor other;
+    EXPECT_TRUE(other.run(fit));
+    editor_->run(fit);
+    finish();
+    EXPECT_EQ(curve(*editor_), curve(other));
+    EXPECT_EQ(state().message, other.state().message);
+    EXPECT_EQ(state().history.undo_label(), "Fit curve to points");
+}
+
+}  // namespace
+}  // namespace batten::editor
