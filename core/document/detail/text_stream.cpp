@@ -18,8 +18,11 @@ std::size_t distance(const char* from, const char* to) {
     return static_cast<std::size_t>(to - from);
 }
 
+// Ends of lines. They are few among the bytes, and found faster than counted.
 std::size_t count_of_lines(std::string_view text) {
-    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    std::size_t count = 0;
+    for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1)) ++count;
+    return count;
 }
 
 }  // namespace
