@@ -18,8 +18,12 @@ std::string knot_value(const core::Curve& curve, std::size_t stored_index) {
     return stored_index < stored.size() ? number_text(stored[stored_index], 6) : "";
 }
 
-std::string weight_text(const core::Curve& curve, std::size_t i) {
-    return weight_text(curve.weights()[i], weight_column(curve));
+std::string weight_in(const EditorState& state, const core::Curve& curve, std::size_t i) {
+    return weight_text(curve.weights()[i], state.derived.of(curve)->weights);
+}
+
+std::string place_in(const EditorState& state, const core::Curve& curve, core::Point place) {
+    return place_text(state.derived.of(curve)->size, place);
 }
 
 bool has_point(const core::Curve& curve, std::size_t i) {
@@ -41,7 +45,7 @@ struct SelectHint {
     std::string operator()(const HoveredWeightRing& h) const {
         if (!has_point(curve, h.index)) return {};
         return sentence("Drag up or right to raise the weight of {point}, now {weight}, down or left to lower it",
-                        {{"point", point_text(h.index)}, {"weight", weight_text(curve, h.index)}});
+                        {{"point", point_text(h.index)}, {"weight", weight_in(state, curve, h.index)}});
     }
     std::string operator()(const HoveredKnot& h) const {
         return sentence(
@@ -122,12 +126,12 @@ struct ModeHint {
         if (curve == nullptr || !has_point(*curve, mode.grabbed)) return {};
         return sentence("{point} at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
                         {{"point", point_text(mode.grabbed)},
-                         {"place", place_text(*curve, curve->control_points()[mode.grabbed])}});
+                         {"place", place_in(state, *curve, curve->control_points()[mode.grabbed])}});
     }
     std::string operator()(const DraggingWeight& mode) const {
         if (curve == nullptr || !has_point(*curve, mode.index)) return {};
         return sentence("Weight of {point}: {weight} · up or right raises it, down or left lowers it · Escape restores",
-                        {{"point", point_text(mode.index)}, {"weight", weight_text(*curve, mode.index)}});
+                        {{"point", point_text(mode.index)}, {"weight", weight_in(state, *curve, mode.index)}});
     }
     std::string operator()(const BoxSelecting&) const { return "Release to select the points in the box"; }
     std::string operator()(const Panning&) const { return "Panning"; }
@@ -138,9 +142,9 @@ struct ModeHint {
     }
     std::string operator()(const DraggingCurvePoint& mode) const {
         if (curve == nullptr) return {};
-        return sentence(
-            "C({u}) at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
-            {{"u", parameter_text(*curve, mode.u)}, {"place", place_text(*curve, core::point_at(*curve, mode.u))}});
+        return sentence("C({u}) at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
+                        {{"u", parameter_text(*curve, mode.u)},
+                         {"place", place_in(state, *curve, core::point_at(*curve, mode.u))}});
     }
     std::string operator()(const DrawingCurve& mode) const {
         if (mode.points.size() < 2) return "Click to set the next point · Escape gives up";

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "app/editor/formula.h"
-#include "core/curve/control_box.h"
 
 namespace batten::editor {
 
@@ -73,9 +72,8 @@ std::string parameter_text(const core::Curve& curve, double u) {
     return fixed_text(u, decimals_for(curve.domain().length()));
 }
 
-std::string place_text(const core::Curve& curve, core::Point place) {
-    const core::Vector size = core::control_box(curve).size();
-    const int decimals = decimals_for(std::max(size.x, size.y));
+std::string place_text(double size, core::Point place) {
+    const int decimals = decimals_for(size);
     return fmt::format("({}, {})", fixed_text(place.x, decimals), fixed_text(place.y, decimals));
 }
 

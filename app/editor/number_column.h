@@ -28,9 +28,10 @@ std::string lone_text(double value, NumberColumn column);
 /// Decimals that tell positions apart in something of extent `size` (> 0): three to four significant digits of it.
 int decimals_for(double size);
 
-/// A parameter of `curve`, and a position on or beside it, with the decimals that they have everywhere on screen.
+/// A parameter of `curve`, and a position on or beside a curve whose control points fill a box with a longer side of
+/// `size`, with the decimals that they have everywhere on screen.
 std::string parameter_text(const core::Curve& curve, double u);
-std::string place_text(const core::Curve& curve, core::Point place);
+std::string place_text(double size, core::Point place);
 
 /// Weights from here on are written by themselves.
 inline constexpr double great_weight = 1000.0;

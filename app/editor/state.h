@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/editor/commands/file_commands.h"
+#include "app/editor/derived.h"
 #include "app/editor/findings.h"
 #include "app/editor/history.h"
 #include "app/editor/nudge_burst.h"
@@ -72,6 +73,7 @@ struct EditorState {
     History history;                        ///< its present is the committed document
     std::optional<core::Document> preview;  ///< what the gesture under way would make
     std::optional<Ghost> ghost;
+    Derived derived;                   ///< of the curves that are shown
     std::optional<Findings> findings;  ///< of the committed document
     Selection selection;               ///< of the committed document, even while a preview is shown
     std::optional<NudgeBurst> burst;   ///< the last step, where it is nudges and nothing was done since

@@ -13,7 +13,6 @@
 #include "app/ui/style.h"
 #include "app/ui/triangle_view.h"
 #include "core/base/sentence.h"
-#include "core/curve/knot_analysis.h"
 
 namespace batten::ui {
 namespace {
@@ -37,11 +36,13 @@ struct Construction {
         return level ? std::min(static_cast<std::size_t>(std::max(*level, 0)), degree()) : degree();
     }
 
-    std::string point_text(core::Point point) const { return editor::place_text(curve, point); }
+    std::string point_text(core::Point point) const {
+        return editor::place_text(context.state.derived.of(curve)->size, point);
+    }
 };
 
 std::string title_text(const Construction& shown) {
-    const bool is_bezier = core::is_of_kind(shown.curve.knots(), core::KnotKind::bezier);
+    const bool is_bezier = shown.context.state.derived.of(shown.curve.knots())->is_bezier;
     return core::sentence(is_bezier ? "De Casteljau at u = {u}" : "De Boor at u = {u}",
                           {{"u", editor::parameter_text(shown.curve, shown.triangle.u)}});
 }

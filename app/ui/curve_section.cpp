@@ -22,19 +22,16 @@ namespace {
 
 using core::KnotKind;
 
-std::string family_text(const core::Curve& curve) {
-    const bool is_bezier = core::is_of_kind(curve.knots(), KnotKind::bezier);
-    if (is_bezier) return curve.is_rational() ? "rational Bézier" : "Bézier";
+std::string family_text(const core::Curve& curve, const editor::KnotFacts& facts) {
+    if (facts.is_bezier) return curve.is_rational() ? "rational Bézier" : "Bézier";
     return curve.is_rational() ? "NURBS" : "B-spline";
 }
 
 /// "NURBS · clamped · C^{2}"
-std::string info_text(const core::Curve& curve) {
-    const core::KnotVector& knots = curve.knots();
-    const char* ends = curve.is_periodic() ? "periodic" : core::is_clamped(knots) ? "clamped" : "unclamped";
-    const std::optional<int> continuity = core::least_continuity(knots);
-    return fmt::format("{} · {} · {}", family_text(curve), ends,
-                       continuity ? editor::continuity_text(*continuity) : "C^{∞}");
+std::string info_text(const core::Curve& curve, const editor::KnotFacts& facts) {
+    const char* ends = curve.is_periodic() ? "periodic" : core::is_clamped(curve.knots()) ? "clamped" : "unclamped";
+    return fmt::format("{} · {} · {}", family_text(curve, facts), ends,
+                       facts.least_continuity ? editor::continuity_text(*facts.least_continuity) : "C^{∞}");
 }
 
 void draw_degree_number(const PanelContext& context, const core::Curve& curve, float width_px) {
@@ -90,7 +87,7 @@ void draw_choice(const PanelContext& context, const core::Curve& curve, KnotKind
     Button button{fmt::format("knots {}", core::name_of(kind)), core::title_of(kind), Icon::none, width_px};
     button.has_frame = false;
     button.anchor = render::Anchor::left;
-    const KnotKind present = core::kind_by_values(curve.knots());
+    const KnotKind present = context.state.derived.of(curve.knots())->kind;
     button.is_active = kind == present;
     button.is_enabled = result && (kind != KnotKind::custom || kind == present);
     if (kind == KnotKind::custom) button.tooltip = "Any other spacing: move a knot, or type the knots.";
@@ -120,7 +117,7 @@ void draw_kind_row(const PanelContext& context, const core::Curve& curve) {
     const ImVec2 size(field_width(context), context.px(24));
     const bool is_clicked = ImGui::InvisibleButton("knot kind", size) && is_editable(context.state);
     if (is_clicked) ImGui::OpenPopup("kinds");
-    const std::string text = core::title_of(core::kind_by_values(curve.knots()));
+    const std::string text = core::title_of(context.state.derived.of(curve.knots())->kind);
     report_item(context, "knot kind", text);
     show_tooltip(context, locked_sentence(context.state));
     draw_field_frame(context, origin, size, ImGui::IsItemHovered());
@@ -139,7 +136,9 @@ void draw_kind_row(const PanelContext& context, const core::Curve& curve) {
 constexpr double least_tears_width = 96.0;
 
 void draw_tears_box(const PanelContext& context, float width_px) {
-    const bool is_allowed = core::tears_of(*context.state.shown().active_curve()) == core::Tears::allow;
+    const core::DocumentCurve& active = *context.state.shown().active_curve();
+    const bool is_allowed =
+        active.tears == core::Tears::allow || context.state.derived.of(active.curve->knots())->is_torn();
     const editor::CommandSpec& spec = is_allowed ? editor::ForbidTears::spec() : editor::AllowTears::spec();
     Button box{"tears", "may tear", Icon::none, width_px};
     box.is_active = is_allowed;
@@ -154,7 +153,8 @@ void draw_closed_row(const PanelContext& context, const core::Curve& curve) {
                std::min(0.4F * field_width(context), field_width(context) - context.px(least_tears_width))};
     box.is_active = curve.is_periodic();
     // A closed curve opens only with enough points for its degree; anything can be closed.
-    const bool is_possible = !curve.is_periodic() || core::set_periodic(curve, false).has_value();
+    const bool is_possible =
+        !curve.is_periodic() || curve.control_points().size() > static_cast<std::size_t>(curve.degree());
     box.is_enabled = is_possible && is_editable(context.state);
     box.tooltip = is_possible ? locked_sentence(context.state)
                               : core::sentence("Not possible: {reason}.",
@@ -168,7 +168,7 @@ void draw_closed_row(const PanelContext& context, const core::Curve& curve) {
 
 void draw_curve_section(const PanelContext& context) {
     const core::Curve& curve = *context.state.active_curve();
-    if (draw_section_heading(context, {"curve", "Curve", info_text(curve)})) {
+    if (draw_section_heading(context, {"curve", "Curve", info_text(curve, *context.state.derived.of(curve.knots()))})) {
         draw_degree_row(context, curve);
         draw_kind_row(context, curve);
         draw_closed_row(context, curve);

@@ -45,7 +45,7 @@ struct Stack {
 struct KnotTable {
     const PanelContext& context;
     const core::Curve& curve;
-    std::vector<core::DistinctKnot> knots;
+    const std::vector<core::DistinctKnot>& knots;
     int decimals = 3;
     float row_width = 0.0F;
     float value_width = 0.0F;
@@ -220,14 +220,15 @@ void follow_selection(const KnotTable& table) {
 }
 
 /// Enough for the domain and to tell neighboring knots apart.
-int decimals_of(const core::Curve& curve) {
+int decimals_of(const core::Curve& curve, const editor::KnotFacts& facts) {
     const double length = curve.domain().length();
-    const double span = length / static_cast<double>(core::segment_count(curve.knots()));
+    const double span = length / static_cast<double>(facts.segment_count);
     return std::max(editor::decimals_for(length), editor::decimals_for(span) - 1);
 }
 
 void draw_knot_table(const PanelContext& context, const core::Curve& curve) {
-    KnotTable table{context, curve, core::distinct_knots(curve.knots()), decimals_of(curve)};
+    const auto facts = context.state.derived.of(curve.knots());
+    KnotTable table{context, curve, facts->distinct, decimals_of(curve, *facts)};
     const std::size_t count = table.knots.size();
     const float width = content_width(context) + 2.0F * context.px(knot_overhang);
     table.row_width = width - (count > most_knot_rows ? context.px(6) : 0.0F);
@@ -315,7 +316,7 @@ void draw_vector_row(const PanelContext& context, const core::Curve& curve) {
 
 void draw_knots_section(const PanelContext& context) {
     const core::Curve& curve = *context.state.active_curve();
-    const std::size_t segments = core::segment_count(curve.knots());
+    const std::size_t segments = context.state.derived.of(curve.knots())->segment_count;
     const std::string info = core::sentence({.one = "{knots} · 1 segment", .many = "{knots} · {count} segments"},
                                             segments, {{"knots", curve.knots().stored().size()}});
     if (draw_section_heading(context, {"knots", "Knots", info, false})) {

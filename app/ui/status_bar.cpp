@@ -15,7 +15,6 @@
 #include "app/ui/style.h"
 #include "app/ui/text_lines.h"
 #include "core/base/sentence.h"
-#include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
 #include "render/camera.h"
 
@@ -84,8 +83,7 @@ std::string curvature_text(const editor::EditorState& state) {
     if (curve == nullptr) return "–";
     const std::optional<double> curvature = core::curvature_at(*curve, state.parameter());
     if (!curvature) return "–";
-    const core::Vector size = core::control_box(*curve).size();
-    const bool is_noise = std::abs(*curvature) * std::max(size.x, size.y) < straight;
+    const bool is_noise = std::abs(*curvature) * state.derived.of(*curve)->size < straight;
     return editor::number_text(is_noise ? 0.0 : *curvature, 3);
 }
 

@@ -44,7 +44,8 @@ bool forbids_tears(const EditorState& state) {
 std::optional<Refusal> cannot_forbid(const EditorState& state) {
     if (std::optional<Refusal> refusal = no_editable_curve(state)) return refusal;
     if (tears_of_active(state) == core::Tears::refuse) return "tears are not allowed as it is";
-    if (active_curve(state).is_torn()) return "the curve is torn; take a knot away where it is, or undo";
+    if (state.derived.of(active_curve(state).knots())->is_torn())
+        return "the curve is torn; take a knot away where it is, or undo";
     return std::nullopt;
 }
 
@@ -72,7 +73,8 @@ std::string refusal_of(const core::CurveError& error) {
 }  // namespace
 
 core::Tears tears_of_active(const EditorState& state) {
-    return core::tears_of(*state.history.present().active_curve());
+    const core::DocumentCurve& active = *state.history.present().active_curve();
+    return state.derived.of(active.curve->knots())->is_torn() ? core::Tears::allow : active.tears;
 }
 
 Outcome<Edit> edit_or_tear(const EditorState& state, core::Result<core::Curve> curve,

@@ -1,0 +1,52 @@
+#include "app/editor/derived.h"
+
+#include <algorithm>
+
+#include "core/curve/control_box.h"
+
+namespace batten::editor {
+
+namespace {
+
+KnotFacts facts_of_knots(const core::KnotVector& knots) {
+    KnotFacts facts;
+    facts.distinct = core::distinct_knots(knots);
+    facts.segment_count = core::segment_count(knots);
+    for (const core::DistinctKnot& knot : facts.distinct)
+        if (knot.is_interior)
+            facts.least_continuity = std::min(knot.continuity, facts.least_continuity.value_or(knot.continuity));
+    facts.kind = core::kind_by_values(knots);
+    facts.is_bezier = facts.segment_count == 1 && core::is_clamped(knots);
+    return facts;
+}
+
+CurveFacts facts_of_curve(const core::Curve& curve) {
+    const core::Box box = core::control_box(curve);
+    const auto weights = curve.weights();
+    return {.control_box = box,
+            .size = std::max(box.size().x, box.size().y),
+            .weights = weight_column(curve),
+            .heaviest = curve.is_rational() ? std::ranges::max(weights) : weights.front()};
+}
+
+}  // namespace
+
+bool share_arrays(const core::KnotVector& a, const core::KnotVector& b) {
+    return a.values().data() == b.values().data() && a.degree() == b.degree() && a.is_periodic() == b.is_periodic() &&
+           a.kind() == b.kind();
+}
+
+bool share_arrays(const core::Curve& a, const core::Curve& b) {
+    return a.control_points().data() == b.control_points().data() && a.weights().data() == b.weights().data() &&
+           share_arrays(a.knots(), b.knots());
+}
+
+std::shared_ptr<const KnotFacts> Derived::of(const core::KnotVector& knots) const {
+    return of_knots_.of(knots, facts_of_knots);
+}
+
+std::shared_ptr<const CurveFacts> Derived::of(const core::Curve& curve) const {
+    return of_curves_.of(curve, facts_of_curve);
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,48 @@
+/// What is derived from a curve for showing it, and kept beside it: a frame in which nothing changed computes nothing.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/editor/kept.h"
+#include "app/editor/number_column.h"
+#include "core/curve/curve.h"
+#include "core/curve/knot_analysis.h"
+
+namespace batten::editor {
+
+/// Whether both have the same arrays, not only equal ones.
+bool share_arrays(const core::KnotVector& a, const core::KnotVector& b);
+bool share_arrays(const core::Curve& a, const core::Curve& b);
+
+struct KnotFacts {
+    std::vector<core::DistinctKnot> distinct;
+    std::size_t segment_count = 0;
+    std::optional<int> least_continuity;  ///< at an interior knot; none when the curve is one polynomial piece
+    core::KnotKind kind{};                ///< as the values say
+    bool is_bezier = false;
+
+    bool is_torn() const { return least_continuity && *least_continuity < 0; }
+};
+
+struct CurveFacts {
+    core::Box control_box;
+    double size = 0.0;  ///< the longer side of the box
+    NumberColumn weights;
+    double heaviest = 1.0;  ///< the greatest weight
+};
+
+/// Curves whose control points are dragged share their knots, and so the facts about these.
+class Derived {
+  public:
+    /// Cost O(n) when first asked for.
+    std::shared_ptr<const KnotFacts> of(const core::KnotVector& knots) const;
+    std::shared_ptr<const CurveFacts> of(const core::Curve& curve) const;
+
+  private:
+    Kept<core::KnotVector, KnotFacts, share_arrays> of_knots_;
+    Kept<core::Curve, CurveFacts, share_arrays> of_curves_;
+};
+
+}  // namespace batten::editor
