@@ -1,6 +1,5 @@
 #include "app/editor/canvas_cover.h"
 
-#include "core/evaluate/tessellate.h"
 #include "render/clip.h"
 
 namespace batten::editor {
@@ -14,6 +13,8 @@ using render::PixelBox;
 constexpr double point_reach = 16.0;  // of the box around the first point
 constexpr double line_reach = 4.0;
 constexpr double tolerance = 1.0;
+
+constexpr std::size_t most_places = 2000;  // of lines in a box; of more the cost is not told exactly
 
 constexpr int point_cost = 4;
 constexpr int curve_cost = 2;
@@ -29,43 +30,49 @@ core::Box world_box(const Camera& camera, const PixelBox& box) {
     return world;
 }
 
-bool is_crossed(const Camera& camera, const PixelBox& box, core::Point a, core::Point b) {
-    return render::clip_segment(box, render::screen_from_world(camera, a), render::screen_from_world(camera, b))
-        .has_value();
-}
-
-bool passes(const core::Curve& curve, const Camera& camera, const PixelBox& box, double tolerance_px) {
-    const core::TessellationRequest request{tolerance_px / camera.scale, world_box(camera, box), curve.domain()};
-    for (const auto& run : core::tessellate(curve, request))
-        for (std::size_t i = 0; i + 1 < run.size(); ++i)
-            if (is_crossed(camera, box, run[i].point, run[i + 1].point)) return true;
-    return false;
-}
-
-int covered_polygon(const core::Curve& curve, const Camera& camera, const PixelBox& around_points,
-                    const PixelBox& around_legs) {
+/// How many pieces of the polylines cross the box.
+int crossings(const Camera& camera, const PixelBox& box, const core::PointRuns& runs) {
     int sum = 0;
-    const auto points = curve.control_points();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (around_points.contains(render::screen_from_world(camera, points[i]))) sum += point_cost;
-        const bool has_leg = i + 1 < points.size() || curve.is_periodic();
-        if (has_leg && is_crossed(camera, around_legs, points[i], points[(i + 1) % points.size()])) ++sum;
-    }
+    for (const auto& run : runs)
+        for (std::size_t i = 0; i + 1 < run.size(); ++i)
+            if (render::clip_segment(box, render::screen_from_world(camera, run[i]),
+                                     render::screen_from_world(camera, run[i + 1])))
+                ++sum;
+    return sum;
+}
+
+core::StripRequest request_in(const Camera& camera, const PixelBox& box, double tolerance_px) {
+    return {tolerance_px / camera.scale, world_box(camera, box), most_places};
+}
+
+bool passes(core::CurveStrips& strips, const Camera& camera, const PixelBox& box, double tolerance_px) {
+    const core::StripRequest request = request_in(camera, box, tolerance_px);
+    return crossings(camera, box, strips.runs(request, strips.curve()->domain())) > 0;
+}
+
+int covered_polygon(const core::PolygonStrips& polygon, const Camera& camera, const PixelBox& around_points,
+                    const PixelBox& around_legs, double tolerance_px) {
+    int sum = crossings(camera, around_legs, polygon.runs(request_in(camera, around_legs, tolerance_px)).runs);
+    polygon.visit_points(world_box(camera, around_points), 0.0,
+                         [&](std::size_t, core::Point, std::size_t) { sum += point_cost; });
     return sum;
 }
 
 }  // namespace
 
-int covered(const EditorState& state, const Camera& camera, const PixelBox& box) {
+int covered(const EditorState& state, const Camera& camera, const PixelBox& box, SceneCache& cache) {
     const double scale = state.view.interface_scale;
     const PixelBox around_lines = grown(box, line_reach * scale);
     const core::DocumentCurve* active = state.shown().active_curve();
     int sum = 0;
-    for (const core::DocumentCurve& item : state.shown().curves) {
-        if (!item.visible) continue;
-        if (passes(*item.curve, camera, around_lines, tolerance * scale)) sum += curve_cost;
-        if (&item == active && state.view.overlays.is_shown(Overlay::polygon))
-            sum += covered_polygon(*item.curve, camera, grown(box, point_reach * scale), around_lines);
+    const std::vector<core::DocumentCurve>& curves = state.shown().curves;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        if (!curves[i].visible) continue;
+        KeptCurve& kept = cache.curve(i, curves[i].curve);
+        if (passes(kept.strips(), camera, around_lines, tolerance * scale)) sum += curve_cost;
+        if (&curves[i] == active && state.view.overlays.is_shown(Overlay::polygon))
+            sum += covered_polygon(kept.polygon(), camera, grown(box, point_reach * scale), around_lines,
+                                   tolerance * scale);
     }
     return sum;
 }

@@ -76,14 +76,15 @@ Camera fitted_into(const View& view, const core::Box& box, const PixelBox& area)
     return render::panned(camera, 0.5 * (area.lower_px + area.upper_px - camera.size_px));
 }
 
-bool is_clear(const EditorState& state, const Camera& camera, const std::vector<PixelBox>& panels) {
+bool is_clear(const EditorState& state, const Camera& camera, const std::vector<PixelBox>& panels, SceneCache& cache) {
     return std::all_of(panels.begin(), panels.end(),
-                       [&](const PixelBox& panel) { return covered(state, camera, panel) == 0; });
+                       [&](const PixelBox& panel) { return covered(state, camera, panel, cache) == 0; });
 }
 
 /// Tries all corners and ways around what lies over the canvas; the largest picture that is clear of it wins.
 void fit_box(EditorState& state, const core::Box& box) {
     View& view = state.view;
+    SceneCache cache;
     const PixelBox picture{{}, view.camera.size_px};
     Camera best = fitted_into(view, box, picture);
     Corner corner = all_corners.front();
@@ -93,7 +94,7 @@ void fit_box(EditorState& state, const core::Box& box) {
         const std::vector<PixelBox> panels = panels_of(state, tried);
         for (const PixelBox& area : areas_beside(picture, panels)) {
             const Camera camera = fitted_into(view, box, area);
-            if (camera.scale <= scale || !is_clear(state, camera, panels)) continue;
+            if (camera.scale <= scale || !is_clear(state, camera, panels, cache)) continue;
             best = camera;
             corner = tried;
             scale = camera.scale;

@@ -84,9 +84,7 @@ struct Apply {
     void operator()(const ResizeCanvas& change) const {
         resize(state, {std::max(change.size_px.x, least_picture_px), std::max(change.size_px.y, least_picture_px)});
     }
-    void operator()(const PlaceLegend&) const {
-        if (has_legend(state)) state.view.legend_corner = free_corner(state);
-    }
+    void operator()(const PlaceLegend& legend) const { state.view.legend_corner = legend.corner; }
     void operator()(const SetInterfaceScale& change) const {
         state.view.interface_scale = interface_scales.clamp(change.scale);
     }

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "app/editor/selection.h"
+#include "app/editor/view.h"
 #include "core/base/geometry.h"
 
 namespace batten::editor {
@@ -34,8 +35,10 @@ struct ResizeCanvas {
     glm::dvec2 size_px;
 };
 
-/// The legend leaves its corner where it covers more there than in another one.
-struct PlaceLegend {};
+/// The legend stands in this corner; which one is best, free_corner() tells.
+struct PlaceLegend {
+    Corner corner;
+};
 
 /// So many pixels of the window make a design pixel.
 struct SetInterfaceScale {

@@ -12,6 +12,7 @@
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/editor.h"
 #include "app/editor/scene/canvas_scene.h"
+#include "app/editor/scene/legend.h"
 #include "app/editor/scene/plot_scene.h"
 #include "app/editor/session.h"
 #include "app/editor/settings.h"
@@ -180,7 +181,7 @@ void Application::draw_frame(ui::FrameInput input, double now) {
     interface_.take_pointer(state, input, fonts_, queue_);
     run_requests();
     meter_.enter(FramePart::scene);
-    editor_.change(editor::PlaceLegend{});
+    editor_.change(editor::PlaceLegend{editor::free_corner(state, scene_cache_)});
     meter_.enter(FramePart::panels);
     // What the panels ask for is run once the frame is shown: all of it shows one state.
     layout_ = interface_.draw(state, input, fonts_, queue_);

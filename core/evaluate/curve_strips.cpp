@@ -136,10 +136,10 @@ PointRuns CurveStrips::runs(const StripRequest& request, Interval range) {
     constexpr std::size_t end = std::numeric_limits<std::size_t>::max();
     const std::size_t first = range.lower <= domain.lower ? 0 : knots.span_at(range.lower);
     const std::size_t last = range.upper >= domain.upper ? end : knots.span_at(range.upper, Side::left);
-    PointRuns runs = runs_within(
+    RunCollector runs = runs_within(
         request.tolerance, [&](double tolerance) { return Search(*this, request, tolerance, first, last).search(); });
     drop_unused();
-    return runs;
+    return runs.take();
 }
 
 bool CurveStrips::is_torn_at(std::size_t span) const {

@@ -27,24 +27,31 @@ Strip PolygonStrips::strip_of_stretch(std::size_t stretch) {
 
 RunCollector PolygonStrips::search(const StripRequest& request, double tolerance) const {
     RunCollector runs(request.most_places);
+    double along = 0.0;
     tree_.visit(
         [&](const Strip& strip, std::size_t, std::size_t) {
-            if (runs.is_full() || !strip.box.intersects(request.view)) return false;
-            return !add_if_simple(strip, tolerance, runs);
+            if (runs.is_full()) return false;
+            if (strip.box.intersects(request.view) && !add_if_simple(strip, tolerance, runs, along)) return true;
+            along += strip.length;
+            return false;
         },
         [&](std::size_t stretch) {
             const std::vector<Point> corners = corners_of(stretch);
-            for (std::size_t i = 0; i + 1 < corners.size(); ++i) runs.add(corners[i], corners[i + 1]);
+            for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+                runs.add(corners[i], corners[i + 1], along);
+                along += distance(corners[i], corners[i + 1]);
+            }
         });
     return runs;
 }
 
-PointRuns PolygonStrips::runs(const StripRequest& request) const {
+PolygonRuns PolygonStrips::runs(const StripRequest& request) const {
     assert(request.tolerance > 0.0);
     constexpr double nothing_left_out = -1.0;
     RunCollector runs = search(request, nothing_left_out);
-    if (!runs.is_full()) return runs.take();
-    return runs_within(request.tolerance, [&](double tolerance) { return search(request, tolerance); });
+    if (runs.is_full())
+        runs = runs_within(request.tolerance, [&](double tolerance) { return search(request, tolerance); });
+    return {runs.take(), runs.take_starts()};
 }
 
 void PolygonStrips::follow(std::shared_ptr<const Curve> curve) {

@@ -8,6 +8,12 @@
 
 namespace batten::core {
 
+/// Polylines, and how far along the polygon each begins.
+struct PolygonRuns {
+    PointRuns runs;
+    std::vector<double> starts;
+};
+
 /// Keeps strips of every sixteen legs of the control polygon of one curve, and joined strips above them.
 class PolygonStrips {
   public:
@@ -22,7 +28,7 @@ class PolygonStrips {
 
     /// The visible part of the polygon, closed when the curve is periodic. All its legs when they are no more than
     /// most_places allows, whatever the tolerance; else within the tolerance, > 0, which grows as far as needed.
-    PointRuns runs(const StripRequest& request) const;
+    PolygonRuns runs(const StripRequest& request) const;
 
     /// Calls `take(index, point, count)` for the control points in `view`, ascending: for each with a count of 1, but
     /// for a stretch of no more than `size` only for one point, with the number of its points; of one of no more than

@@ -35,6 +35,7 @@ Strip joined(const Strip& a, const Strip& b) {
     if (b.box.is_empty()) return a;
     Strip both = a;
     both.last = b.last;
+    both.length = a.length + b.length;
     both.box.include(b.box.lower);
     both.box.include(b.box.upper);
     both.is_whole = a.is_whole && b.is_whole && a.last == b.first;
@@ -52,41 +53,43 @@ Strip strip_of(const std::vector<Point>& points) {
     Strip strip;
     strip.first = points.front();
     strip.last = points.back();
-    for (const Point point : points) {
-        strip.box.include(point);
-        strip.deviation = std::max(strip.deviation, far_or_distance(point, strip.first, strip.last));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        strip.box.include(points[i]);
+        strip.deviation = std::max(strip.deviation, far_or_distance(points[i], strip.first, strip.last));
+        if (i > 0) strip.length += distance(points[i - 1], points[i]);
     }
     return strip;
 }
 
-void RunCollector::add(Point a, Point b) {
+void RunCollector::add(Point a, Point b, double along) {
     if (runs_.empty() || runs_.back().back() != a) {
         runs_.push_back({a});
+        starts_.push_back(along);
         ++count_;
     }
     runs_.back().push_back(b);
     ++count_;
 }
 
-void RunCollector::add_extent(const Strip& strip) {
+void RunCollector::add_extent(const Strip& strip, double along) {
     const Point middle = strip.box.center();
     const Vector size = strip.box.size();
     std::array ends{Point(strip.box.lower.x, middle.y), Point(strip.box.upper.x, middle.y)};
     if (size.x < size.y) ends = {Point(middle.x, strip.box.lower.y), Point(middle.x, strip.box.upper.y)};
     if (distance(strip.first, ends[1]) < distance(strip.first, ends[0])) std::swap(ends[0], ends[1]);
-    add(strip.first, ends[0]);
+    add(strip.first, ends[0], along);
     add(ends[0], ends[1]);
     add(ends[1], strip.last);
 }
 
-bool add_if_simple(const Strip& strip, double tolerance, RunCollector& runs) {
+bool add_if_simple(const Strip& strip, double tolerance, RunCollector& runs, double along) {
     if (strip.deviation <= tolerance) {
-        runs.add(strip.first, strip.last);
+        runs.add(strip.first, strip.last, along);
         return true;
     }
     const Vector size = strip.box.size();
     if (!strip.is_whole || !(std::min(size.x, size.y) <= tolerance)) return false;
-    runs.add_extent(strip);
+    runs.add_extent(strip, along);
     return true;
 }
 

@@ -16,6 +16,7 @@ struct Strip {
     Box box;                 ///< contains the stretch
     double deviation = 0.0;  ///< no place of the stretch is farther than this from the segment first..last
     bool is_whole = true;    ///< it does not come apart between its ends
+    double length = 0.0;     ///< of the stretch, if it is one of a polygon
 };
 
 /// The strip of `a` followed by `b`. Its deviation is a bound: what the parts deviate and what their common end does,
@@ -40,27 +41,32 @@ class RunCollector {
   public:
     explicit RunCollector(std::size_t most_places) : most_places_(most_places) {}
 
-    void add(Point a, Point b);
+    /// The chord from a to b; a polyline that begins with it begins at `along`.
+    void add(Point a, Point b, double along = 0.0);
 
     /// The place of a stretch whose box is thin, as the box's extent between its ends.
-    void add_extent(const Strip& strip);
+    void add_extent(const Strip& strip, double along);
 
     bool is_full() const { return count_ > most_places_; }
     PointRuns take() { return std::move(runs_); }
+
+    /// Where each polyline begins along the line.
+    std::vector<double> take_starts() { return std::move(starts_); }
 
   private:
     std::size_t most_places_;
     std::size_t count_ = 0;
     PointRuns runs_;
+    std::vector<double> starts_;
 };
 
 /// Whether a chord or the extent of a thin box shows `strip` within `tolerance`; if so it is added.
-bool add_if_simple(const Strip& strip, double tolerance, RunCollector& runs);
+bool add_if_simple(const Strip& strip, double tolerance, RunCollector& runs, double along = 0.0);
 
-/// The runs that `search(tolerance)`, which gives a RunCollector, finds within `tolerance`, or within nearly the least
-/// one above it for which the collector is not full. Cost: about a dozen searches.
+/// What `search(tolerance)`, which gives a RunCollector, finds within `tolerance`, or within nearly the least one above
+/// it for which the collector is not full. Cost: about a dozen searches.
 template <class Search>
-PointRuns runs_within(double tolerance, Search search) {
+RunCollector runs_within(double tolerance, Search search) {
     RunCollector runs = search(tolerance);
     double too_fine = tolerance;
     double coarse = tolerance;
@@ -76,7 +82,7 @@ PointRuns runs_within(double tolerance, Search search) {
         (finer.is_full() ? too_fine : coarse) = between;
         if (!finer.is_full()) runs = std::move(finer);
     }
-    return runs.take();
+    return runs;
 }
 
 /// Strips of neighboring stretches and, above them, of every two, four, eight... Source: Ballard 1981, Strip trees.

@@ -142,16 +142,17 @@ class Legend : public testing::Test {
   protected:
     Legend() {
         editor_.change(ResizeCanvas{{632, 366}});
-        editor_.change(PlaceLegend{});
+        editor_.change(PlaceLegend{free_corner(editor_.state(), cache_)});
     }
     Corner corner() const { return editor_.state().view.legend_corner; }
     void drag_to(glm::dvec2 place_px) {
         const core::Point world(render::world_from_screen(editor_.state().view.camera, place_px));
         editor_.run(SetPoint{.index = 0, .position = world}, Phase::preview);
-        editor_.change(PlaceLegend{});
+        editor_.change(PlaceLegend{free_corner(editor_.state(), cache_)});
     }
 
     Editor editor_ = test::zigzag_editor();
+    SceneCache cache_;
 };
 
 TEST_F(Legend, gives_way_to_a_point_that_is_dragged_under_it) {
@@ -186,7 +187,7 @@ TEST_F(Legend, does_not_lie_over_the_inset_in_a_narrow_canvas) {
     editor_.change(ResizeCanvas{{440, 366}});
     for (int k = 0; k < 20; ++k) {
         editor_.change(PanCamera{{0.0, 10.0}});
-        editor_.change(PlaceLegend{});
+        editor_.change(PlaceLegend{free_corner(editor_.state(), cache_)});
         EXPECT_FALSE(legend_box(editor_.state(), corner()).overlaps(hodograph_box(editor_.state().view))) << k;
     }
 }

@@ -19,8 +19,8 @@ constexpr double sample_spacing_px = 3.0;
 constexpr double least_steps = 4.0;         // in a span
 constexpr double least_steps_of_one = 2.0;  // where functions are too many
 constexpr double most_steps = 1000.0;
-constexpr double most_per_px = 0.25;  // functions for each pixel of the plot's width
-constexpr double cell_width = 10.0;   // for each of which a narrow function is shown, if they are too many
+constexpr double most_functions_per_px = 0.25;  // functions for each pixel of the plot's width
+constexpr double function_cell = 10.0;          // for each of which a narrow function is shown, if they are too many
 constexpr double simplification_px = 0.15;
 constexpr double index_size = 12.0;
 constexpr double number_distance = 10.0;
@@ -170,7 +170,7 @@ std::vector<std::size_t> chosen_functions(const PlotFrame& frame, SpanRange span
     std::vector<std::size_t> chosen = frame.lit.basis;
     for (std::size_t j = 0; j <= p; ++j) chosen.push_back(frame.function_of(frame.span, j));
     const double cell =
-        frame.pen.px(cell_width) * frame.layout.range.length() / (frame.layout.right_px - frame.layout.left_px);
+        frame.pen.px(function_cell) * frame.layout.range.length() / (frame.layout.right_px - frame.layout.left_px);
     // Cells lie still while the plot moves.
     const double start = std::floor(frame.layout.range.lower / cell) * cell;
     for (double k = 0.0; start + k * cell <= frame.layout.range.upper; k += 1.0)
@@ -237,7 +237,8 @@ ShownBasis basis_graphs(const PlotFrame& frame) {
     const auto p = static_cast<std::size_t>(frame.curve.degree());
     shown.count = std::min(spans.last - spans.first + p + 1, frame.curve.control_points().size());
     GraphTracer tracer(frame);
-    if (static_cast<double>(shown.count) <= most_per_px * frame.pen.size_px().x || shown.count <= 2 * (p + 1)) {
+    if (static_cast<double>(shown.count) <= most_functions_per_px * frame.pen.size_px().x ||
+        shown.count <= 2 * (p + 1)) {
         shown.graphs = tracer.trace(spans);
         return shown;
     }

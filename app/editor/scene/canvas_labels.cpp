@@ -37,7 +37,7 @@ class LabelWriter {
         : frame_(frame), layout_(frame.pen.size_px()) {
         for (const render::PixelBox& box : covered) layout_.avoid_box(box);
         for (const auto& run : frame.curve_runs) layout_.avoid_line(run);
-        for (const auto& run : marks.polygon) layout_.avoid_line(run);
+        for (const auto& run : marks.polygon.runs) layout_.avoid_line(run);
         for (const MarkPlace& point : marks.points.large)
             layout_.avoid_symbol(point.place, frame.pen.px(control_point_reach));
         if (!is_dense(marks.points)) return;

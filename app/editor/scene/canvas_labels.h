@@ -1,6 +1,7 @@
 /// The names beside control points, knots and C(u).
 #pragma once
 
+#include "app/editor/scene/control_polygon.h"
 #include "app/editor/scene/curve_knots.h"
 
 namespace batten::editor {
@@ -9,7 +10,7 @@ namespace batten::editor {
 struct CanvasMarks {
     ShownPoints points;
     ShownKnots knots;
-    std::vector<std::vector<glm::dvec2>> polygon;  ///< as far as it is drawn
+    PolygonLines polygon;
 };
 
 /// "P_{2} · w 2" beside control points, "×2 C^{1}" beside multiple knots, "C(0.400)" beside the point at the parameter,

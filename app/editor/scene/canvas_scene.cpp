@@ -40,7 +40,7 @@ CanvasMarks marks_of(const CanvasFrame& frame) {
     CanvasMarks marks;
     marks.points = shown_points(frame);
     marks.knots = shown_knots(frame, marks.points);
-    if (frame.shows(Overlay::polygon)) marks.polygon = polygon_runs(frame);
+    if (frame.shows(Overlay::polygon)) marks.polygon = polygon_lines(frame);
     return marks;
 }
 

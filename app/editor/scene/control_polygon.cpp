@@ -1,5 +1,8 @@
 #include "app/editor/scene/control_polygon.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/evaluate/bezier_pieces.h"
 #include "core/measure/bounds.h"
 
@@ -9,7 +12,9 @@ namespace {
 
 constexpr double hull_opacity = 0.075;
 constexpr double lit_hull_opacity = 0.16;
-constexpr double places_of_polygon = 2.0;  // for each pixel of the picture's width
+constexpr double merged_pieces = 24.0;      // of sixteen spans that are shorter together the first is drawn
+constexpr double most_bezier_points = 1.0;  // for each pixel of the picture's width
+constexpr double places_of_polygon = 2.0;   // for each pixel of the picture's width
 
 std::vector<core::Point> lit_points(const CanvasFrame& frame) {
     std::vector<core::Point> points;
@@ -44,13 +49,17 @@ void draw_bezier_polygon(CanvasFrame& frame, const core::BezierPiece& piece) {
 
 }  // namespace
 
-std::vector<std::vector<glm::dvec2>> polygon_runs(const CanvasFrame& frame) {
-    return screen_runs(frame, frame.kept->polygon().runs(seen_request(frame, places_of_polygon)));
+PolygonLines polygon_lines(const CanvasFrame& frame) {
+    const core::PolygonRuns seen = frame.kept->polygon().runs(seen_request(frame, places_of_polygon));
+    PolygonLines lines{screen_runs(frame, seen.runs), seen.starts};
+    for (double& start : lines.starts) start *= frame.state.view.camera.scale;
+    return lines;
 }
 
-void draw_control_polygon(CanvasFrame& frame, const std::vector<std::vector<glm::dvec2>>& runs) {
-    for (const auto& run : runs)
-        frame.pen.line(run, {.color = frame.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0});
+void draw_control_polygon(CanvasFrame& frame, const PolygonLines& lines) {
+    for (std::size_t k = 0; k < lines.runs.size(); ++k)
+        frame.pen.line(lines.runs[k], {.color = frame.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0},
+                       lines.starts[k]);
     const auto points = frame.curve->control_points();
     const auto* leg = std::get_if<HoveredLeg>(&frame.state.hover);
     const std::size_t leg_count = points.size() - (frame.curve->is_periodic() ? 0U : 1U);
@@ -67,7 +76,14 @@ void draw_hull(CanvasFrame& frame) {
 }
 
 void draw_bezier_polygons(CanvasFrame& frame) {
-    for (const core::BezierPiece& piece : core::bezier_pieces(*frame.curve)) draw_bezier_polygon(frame, piece);
+    std::vector<std::size_t> spans;
+    frame.kept->strips().visit_spans(frame.seen(frame.pen.px(8.0)),
+                                     frame.pen.px(merged_pieces) / frame.state.view.camera.scale,
+                                     [&](std::size_t span, core::Point, std::size_t) { spans.push_back(span); });
+    const double points = static_cast<double>(spans.size()) * (frame.curve->degree() + 1);
+    const double stride = std::ceil(points / std::max(1.0, most_bezier_points * frame.pen.size_px().x));
+    for (std::size_t k = 0; k < spans.size(); k += static_cast<std::size_t>(std::max(1.0, stride)))
+        draw_bezier_polygon(frame, core::bezier_piece(*frame.curve, spans[k]));
 }
 
 }  // namespace batten::editor

@@ -7,7 +7,7 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double gap = 2.0;                    // between marks
+constexpr double mark_gap = 2.0;               // between marks
 constexpr std::size_t accepted_meetings = 12;  // in a small curve points may meet
 constexpr std::size_t accepted_share = 4;      // one in so many places
 
@@ -63,7 +63,7 @@ Crowd settle(const CanvasFrame& frame, std::vector<MarkPlace> places, const Mark
     if (places.size() <= accepted_meetings) return {largest, false, false, std::move(places)};
     for (const double radius : sizes.radii) {
         if (places.size() > sizes.most) break;
-        const double cell = frame.pen.px(2.0 * radius + gap);
+        const double cell = frame.pen.px(2.0 * radius + mark_gap);
         const std::size_t hidden = places.size() - one_for_each_cell(frame, places, cell).size();
         if (hidden <= accepted_meetings || hidden <= places.size() / accepted_share)
             return {radius, radius != largest, false, std::move(places)};

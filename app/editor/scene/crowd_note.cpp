@@ -8,8 +8,8 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double side_margin = 14.0;
-constexpr double bottom_margin = 43.0;  // in the middle of the row of the legend
+constexpr double note_side = 14.0;
+constexpr double note_bottom = 43.0;  // in the middle of the row of the legend
 constexpr double note_size = 12.5;
 
 std::string note_text(const CanvasMarks& marks) {
@@ -33,9 +33,8 @@ std::optional<render::PixelBox> draw_crowd_note(CanvasFrame& frame, const Canvas
     if (note.empty()) return std::nullopt;
     const bool is_left = has_legend(frame.state) && frame.state.view.legend_corner == Corner::lower_right;
     const glm::dvec2 size = text_size(note, frame.pen.px(note_size));
-    const double left =
-        is_left ? frame.pen.px(side_margin) : frame.pen.size_px().x - frame.pen.px(side_margin) - size.x;
-    const double y = frame.pen.size_px().y - frame.pen.px(bottom_margin);
+    const double left = is_left ? frame.pen.px(note_side) : frame.pen.size_px().x - frame.pen.px(note_side) - size.x;
+    const double y = frame.pen.size_px().y - frame.pen.px(note_bottom);
     const render::PixelBox box{{left, y - 0.5 * size.y}, {left + size.x, y + 0.5 * size.y}};
     const double x = is_left ? box.lower_px.x : box.upper_px.x;
     frame.pen.text({x, y}, note,

@@ -15,28 +15,26 @@ constexpr double tooth_length = 60.0;    // of the large curvature
 constexpr double longest_tooth = 180.0;  // near cusps
 constexpr double tooth_spacing = 9.0;
 constexpr double most_teeth = 400.0;  // in one run
-
-/// The non-empty spans of the domain.
-std::vector<core::Interval> spans_of(const core::Curve& curve) {
-    std::vector<core::Interval> spans;
-    const core::KnotVector& knots = curve.knots();
-    const auto p = static_cast<std::size_t>(curve.degree());
-    for (std::size_t s = p; s + p + 1 < knots.size(); ++s)
-        if (knots[s] < knots[s + 1]) spans.push_back({knots[s], knots[s + 1]});
-    return spans;
-}
+constexpr std::size_t least_teeth_of_span = 5;
+constexpr double most_teeth_per_px = 1.0;  // teeth for each pixel of the picture's width, where spans are many
+constexpr double merged_teeth = 24.0;      // sixteen spans that are shorter together have one tooth
+constexpr std::size_t most_measured_spans = 1000;
 
 core::Side side_in(const core::Interval& span, double u) {
     return u < span.upper ? core::Side::right : core::Side::left;
 }
 
-/// The curvature that nine tenths of the curve stay below; 0 for a straight line.
-double large_curvature(const core::Curve& curve, const std::vector<core::Interval>& spans) {
-    const int samples = std::clamp(256 / static_cast<int>(spans.size()), 3, 24);
+/// The curvature that nine tenths of the curve stay below; 0 for a straight line. Of very many spans some are measured.
+double large_curvature(const core::Curve& curve) {
+    const core::KnotVector& knots = curve.knots();
+    const auto p = static_cast<std::size_t>(curve.degree());
+    const std::size_t spans = knots.size() - 2 * p - 1;
+    const int samples = std::clamp(256 / static_cast<int>(spans), 3, 24);
+    const std::size_t stride = spans / most_measured_spans + 1;
     std::vector<double> values;
-    for (const core::Interval& span : spans)
-        for (int k = 0; k < samples; ++k) {
-            const double u = span.lower + (k + 0.5) / samples * span.length();
+    for (std::size_t s = p; s + p + 1 < knots.size(); s += stride)
+        for (int k = 0; k < samples && knots[s] < knots[s + 1]; ++k) {
+            const double u = knots[s] + (k + 0.5) / samples * (knots[s + 1] - knots[s]);
             if (const auto value = core::curvature_at(curve, u)) values.push_back(std::abs(*value));
         }
     if (values.empty()) return 0.0;
@@ -61,28 +59,29 @@ double tooth_step(const CanvasFrame& frame, const core::Interval& span) {
     return std::ldexp(span.length(), -static_cast<int>(std::min(halvings, 50.0)));
 }
 
-/// The comb over one span.
-class SpanComb {
+/// Draws teeth side by side.
+class Comb {
   public:
-    SpanComb(CanvasFrame& frame, const core::Interval& span, double px_per_curvature)
+    Comb(CanvasFrame& frame, double px_per_curvature)
         : frame_(frame),
-          span_(span),
           px_per_curvature_(px_per_curvature),
           line_{.color = frame.theme.resting_comb()},
           tips_line_{.color = frame.theme.comb, .width = 1.5} {}
 
-    void draw(const core::Interval& seen) {
-        double step = tooth_step(frame_, span_);
+    /// The teeth of a span from both one-sided values at its ends, as far as it is seen.
+    void draw_span(const core::Interval& span, const core::Interval& seen) {
+        double step = tooth_step(frame_, span);
         while (seen.length() / step > most_teeth) step *= 2.0;
-        const double first = std::floor((seen.lower - span_.lower) / step);
-        const double last = std::ceil((seen.upper - span_.lower) / step);
-        for (double k = first; k <= last; k += 1.0) add_tooth(span_.clamp(span_.lower + k * step));
+        const double first = std::floor((seen.lower - span.lower) / step);
+        const double last = std::ceil((seen.upper - span.lower) / step);
+        for (double k = first; k <= last; k += 1.0) {
+            const double u = span.clamp(span.lower + k * step);
+            add_tooth(u, side_in(span, u));
+        }
         end_tips();
     }
 
-  private:
-    void add_tooth(double u) {
-        const core::Side side = side_in(span_, u);
+    void add_tooth(double u, core::Side side) {
         const auto curvature = core::curvature_at(*frame_.curve, u, side);
         if (!curvature || !std::isfinite(*curvature)) {
             end_tips();
@@ -104,29 +103,68 @@ class SpanComb {
         tips_.clear();
     }
 
+  private:
     CanvasFrame& frame_;
-    const core::Interval& span_;
     double px_per_curvature_;
     Stroke line_;
     Stroke tips_line_;
     std::vector<glm::dvec2> tips_;
 };
 
+/// A span that may be seen, standing for itself and those after it.
+struct SeenSpan {
+    std::size_t span = 0;
+    std::size_t count = 1;
+};
+
+std::vector<SeenSpan> seen_spans(const CanvasFrame& frame) {
+    std::vector<SeenSpan> spans;
+    frame.kept->strips().visit_spans(frame.seen(frame.pen.px(longest_tooth)),
+                                     frame.pen.px(merged_teeth) / frame.state.view.camera.scale,
+                                     [&](std::size_t span, core::Point, std::size_t count) {
+                                         spans.push_back({span, count});
+                                     });
+    return spans;
+}
+
+/// Each span by itself.
+void draw_spans(CanvasFrame& frame, Comb& comb, const std::vector<SeenSpan>& spans) {
+    const core::KnotVector& knots = frame.curve->knots();
+    core::TessellationRequest seen{1.0 / frame.state.view.camera.scale, frame.seen(frame.pen.px(longest_tooth)), {}};
+    for (const SeenSpan& at : spans) {
+        seen.range = {knots[at.span], knots[at.span + 1]};
+        for (const auto& run : core::tessellate(*frame.curve, seen))
+            comb.draw_span(seen.range, {run.front().u, run.back().u});
+    }
+}
+
+/// One tooth at the beginning of as many spans as there is room for.
+void draw_starts(CanvasFrame& frame, Comb& comb, const std::vector<SeenSpan>& spans, std::size_t most) {
+    const core::KnotVector& knots = frame.curve->knots();
+    const std::size_t stride = spans.size() / most + 1;
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < spans.size(); k += stride) {
+        if (spans[k].span > next && k > 0) comb.end_tips();
+        comb.add_tooth(knots[spans[k].span], core::Side::right);
+        const SeenSpan& last = spans[std::min(k + stride, spans.size()) - 1];
+        next = last.span + last.count;
+    }
+    comb.end_tips();
+}
+
 }  // namespace
 
 void draw_curvature_comb(CanvasFrame& frame) {
-    const std::vector<core::Interval> spans = spans_of(*frame.curve);
-    const double large = large_curvature(*frame.curve, spans);
+    const double large = large_curvature(*frame.curve);
     if (!(large > 0.0) || !std::isfinite(large)) return;
-    const double px_per_curvature = frame.pen.px(tooth_length) / large;
-    const core::TessellationRequest request{
-        1.0 / frame.state.view.camera.scale, frame.seen(frame.pen.px(longest_tooth)), {}};
-    for (const core::Interval& span : spans) {
-        core::TessellationRequest seen = request;
-        seen.range = span;
-        SpanComb comb(frame, span, px_per_curvature);
-        for (const auto& run : core::tessellate(*frame.curve, seen)) comb.draw({run.front().u, run.back().u});
-    }
+    Comb comb(frame, frame.pen.px(tooth_length) / large);
+    const std::vector<SeenSpan> spans = seen_spans(frame);
+    const auto most = static_cast<std::size_t>(most_teeth_per_px * frame.pen.size_px().x) + 1;
+    const bool are_single = std::all_of(spans.begin(), spans.end(), [](const SeenSpan& at) { return at.count == 1; });
+    if (are_single && least_teeth_of_span * spans.size() <= most)
+        draw_spans(frame, comb, spans);
+    else
+        draw_starts(frame, comb, spans, most);
 }
 
 }  // namespace batten::editor

@@ -12,10 +12,10 @@ namespace batten::editor {
 
 namespace {
 
-constexpr std::array radii{5.0, 3.5, 2.5};
-constexpr double gap_when_thinned = 7.0;
-constexpr double merged = 24.0;      // sixteen spans that are shorter together are seen as one
-constexpr double most_per_px = 0.5;  // diamonds for each pixel of the picture's width
+constexpr std::array knot_radii{5.0, 3.5, 2.5};
+constexpr double knot_gap = 7.0;
+constexpr double merged_knots = 24.0;      // sixteen spans that are shorter together are seen as one
+constexpr double most_knots_per_px = 0.5;  // diamonds for each pixel of the picture's width
 constexpr double stack_distance = 8.5;
 constexpr std::size_t few_hidden = 12;  // where knots of a small curve meet
 constexpr double least_distance = 4.0;
@@ -78,7 +78,7 @@ std::vector<Candidate> candidates(const CanvasFrame& frame) {
     std::vector<Candidate> found;
     const auto add = [&](double u) { found.push_back({u, core::point_at(*frame.curve, u)}); };
     const double margin = frame.pen.size_px().x - frame.pen.reach().upper_px.x;
-    frame.kept->strips().visit_spans(frame.seen(-margin), frame.pen.px(merged) / frame.state.view.camera.scale,
+    frame.kept->strips().visit_spans(frame.seen(-margin), frame.pen.px(merged_knots) / frame.state.view.camera.scale,
                                      [&](std::size_t span, core::Point point, std::size_t count) {
                                          found.push_back({knots[span], point, count});
                                      });
@@ -132,8 +132,8 @@ void settle_knots(const CanvasFrame& frame, ShownKnots& shown) {
     for (std::size_t k = 0; k < shown.knots.size(); ++k)
         if (frame.pen.reach().contains(shown.knots[k].places.front()))
             places.push_back({k, shown.knots[k].places.front()});
-    const auto most = static_cast<std::size_t>(most_per_px * frame.pen.size_px().x);
-    const Crowd crowd = settle(frame, std::move(places), {radii, gap_when_thinned, most});
+    const auto most = static_cast<std::size_t>(most_knots_per_px * frame.pen.size_px().x);
+    const Crowd crowd = settle(frame, std::move(places), {knot_radii, knot_gap, most});
     shown.radius = crowd.radius;
     if (!crowd.is_thinned) return;
     std::vector<bool> is_kept(shown.knots.size(), false);
@@ -175,8 +175,8 @@ void draw_curve_knots(CanvasFrame& frame, const ShownKnots& shown) {
     for (const CurveKnot& knot : shown.knots)
         for (const glm::dvec2 place : knot.places)
             frame.pen.symbol(place, {.shape = render::MarkerShape::diamond,
-                                     .radius = knot.is_chosen ? radii.front() + 1.5
-                                               : knot.is_lit  ? radii.front()
+                                     .radius = knot.is_chosen ? knot_radii.front() + 1.5
+                                               : knot.is_lit  ? knot_radii.front()
                                                               : shown.radius,
                                      .fill = frame.theme.canvas,
                                      .outline = knot.is_lit ? frame.theme.accent : frame.theme.curve,

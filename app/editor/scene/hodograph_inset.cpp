@@ -16,13 +16,29 @@ constexpr double inset_height = 150.0;
 constexpr double inset_margin = 14.0;
 constexpr double inset_padding = 14.0;
 constexpr double title_height = 20.0;
+constexpr std::size_t most_hodograph_spans = 2000;
 
 using Run = std::vector<core::Vector>;
 
-/// The derivative over each non-empty span, from its one-sided value at the start to that at the end.
+/// The derivative at the start of every so many spans.
+std::vector<Run> sparse_hodograph(const core::Curve& curve, std::size_t stride) {
+    const core::KnotVector& knots = curve.knots();
+    const auto p = static_cast<std::size_t>(curve.degree());
+    Run run;
+    for (std::size_t s = p; s + p + 1 < knots.size(); s += stride) {
+        const core::Vector v = core::derivatives_at(curve, knots[s], 1)[1];
+        if (core::is_finite(v)) run.push_back(v);
+    }
+    return {run};
+}
+
+/// The derivative over each non-empty span, from its one-sided value at the start to that at the end; of very many
+/// spans as many values as the inset can show.
 std::vector<Run> hodograph_runs(const core::Curve& curve) {
     const core::KnotVector& knots = curve.knots();
     const auto p = static_cast<std::size_t>(curve.degree());
+    const std::size_t stride = (knots.size() - 2 * p) / most_hodograph_spans + 1;
+    if (stride > 1) return sparse_hodograph(curve, stride);
     const int steps = std::clamp(320 / static_cast<int>(knots.size() - 2 * p), 4, 40);
     std::vector<Run> runs;
     for (std::size_t s = p; s + p + 1 < knots.size(); ++s) {

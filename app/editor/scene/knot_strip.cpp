@@ -14,8 +14,8 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double most_per_px = 0.25;  // knots for each pixel of the strip's width
-constexpr double cell_width = 5.0;    // for each of which a stack is shown, if they are too many
+constexpr double most_stacks_per_px = 0.25;  // knots for each pixel of the strip's width
+constexpr double stack_cell = 5.0;           // for each of which a stack is shown, if they are too many
 constexpr double value_size = 12.0;
 constexpr double multiplicity_size = 10.5;
 
@@ -55,7 +55,7 @@ class StackPicker {
 
     /// One for each cell of a grid that lies still while the plot moves, and what matters.
     void pick_some() {
-        const double cell = parameter_length(frame_.pen.px(cell_width));
+        const double cell = parameter_length(frame_.pen.px(stack_cell));
         const double start = std::floor(range_.lower / cell) * cell;
         for (double k = 0.0; start + k * cell <= range_.upper; k += 1.0)
             pick_in(start + k * cell, start + (k + 1.0) * cell);
@@ -163,7 +163,7 @@ int importance(const PlotFrame& frame, const KnotStack& stack) {
 ShownStacks knot_stacks(const PlotFrame& frame) {
     StackPicker picker(frame);
     ShownStacks shown{.stacks = {}, .count = picker.count()};
-    if (static_cast<double>(shown.count) <= most_per_px * frame.pen.size_px().x)
+    if (static_cast<double>(shown.count) <= most_stacks_per_px * frame.pen.size_px().x)
         picker.pick_all();
     else
         picker.pick_some();

@@ -98,9 +98,10 @@ bool meets_inset(const EditorState& state, Corner corner) {
     return has_inset(state) && legend_box(state, corner).overlaps(hodograph_box(state.view));
 }
 
-Corner free_corner(const EditorState& state) {
-    const auto cost = [&state](Corner corner) {
-        return covered(state, state.view.camera, legend_box(state, corner)) +
+Corner free_corner(const EditorState& state, SceneCache& cache) {
+    if (!has_legend(state)) return state.view.legend_corner;
+    const auto cost = [&](Corner corner) {
+        return covered(state, state.view.camera, legend_box(state, corner), cache) +
                (meets_inset(state, corner) ? inset_cost : 0);
     };
     Corner best = state.view.legend_corner;

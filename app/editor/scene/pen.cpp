@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -33,8 +34,13 @@ glm::dvec2 between(glm::dvec2 a, glm::dvec2 b, double t) {
 /// The pieces of a line that lie in `reach`, each as one command like `style`.
 class LineCutter {
   public:
-    LineCutter(render::DrawList& list, const render::PixelBox& reach, render::Polyline style)
-        : list_(list), reach_(reach), style_(std::move(style)), period_(style_.dash_px + style_.gap_px) {}
+    LineCutter(render::DrawList& list, const render::PixelBox& reach, render::Polyline style, double along_px)
+        : list_(list),
+          reach_(reach),
+          style_(std::move(style)),
+          period_(style_.dash_px + style_.gap_px),
+          along_(along_px),
+          least_t_(along_px > 0.0 ? -std::numeric_limits<double>::infinity() : 0.0) {}
 
     void add(glm::dvec2 a, glm::dvec2 b) {
         const double length = glm::distance(a, b);
@@ -61,7 +67,8 @@ class LineCutter {
         // A whole number of periods from the line's first point, so that dashes keep their places while the view moves.
         const double along = along_ + t * length;
         if (period_ > 0.0 && length > 0.0 && along < longest_phase_px)
-            t = std::max(0.0, t - std::fmod(along, period_) / length);
+            t = std::max(least_t_, t - std::fmod(along, period_) / length);
+        least_t_ = 0.0;
         // Between ends that are very far away the place is known only roughly.
         const glm::dvec2 place = between(a, b, t);
         run_.push_back(pixel(glm::clamp(place, reach_.lower_px - period_, reach_.upper_px + period_)));
@@ -71,7 +78,8 @@ class LineCutter {
     const render::PixelBox& reach_;
     render::Polyline style_;
     double period_;
-    double along_ = 0.0;
+    double along_;
+    double least_t_;  // a line that goes on from before its first point may begin there
     std::vector<render::Pixel> run_;
 };
 
@@ -83,14 +91,14 @@ Pen::Pen(render::DrawList& list, glm::dvec2 size_px, double scale)
       scale_(scale),
       reach_{glm::dvec2(-margin_px * scale), size_px + glm::dvec2(margin_px * scale)} {}
 
-void Pen::line(std::span<const glm::dvec2> points, const Stroke& stroke) {
+void Pen::line(std::span<const glm::dvec2> points, const Stroke& stroke, double along_px) {
     render::Polyline style{.points = {},
                            .color = stroke.color,
                            .width_px = narrowed(px(stroke.width)),
                            .dash_px = narrowed(px(stroke.dash)),
                            .gap_px = narrowed(px(stroke.gap)),
                            .is_closed = false};
-    LineCutter cutter(list_, reach_, std::move(style));
+    LineCutter cutter(list_, reach_, std::move(style), along_px);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) cutter.add(points[i], points[i + 1]);
     cutter.end();
 }

@@ -9,10 +9,10 @@ namespace batten::editor {
 
 namespace {
 
-constexpr std::array radii{6.5, 4.5, 3.0};
-constexpr double gap_when_thinned = 2.0;
-constexpr double merged = 4.0;                // sixteen points that are closer together are seen as one
-constexpr double most_per_px = 1.5;           // points for each pixel of the picture's width
+constexpr std::array point_radii{6.5, 4.5, 3.0};
+constexpr double point_gap = 2.0;
+constexpr double merged_points = 4.0;         // sixteen points that are closer together are seen as one
+constexpr double most_points_per_px = 1.5;    // points for each pixel of the picture's width
 constexpr std::size_t most_pointed_at = 200;  // more are drawn like all others
 
 /// What the user points at, as far as it is in the picture.
@@ -45,9 +45,9 @@ ShownPoints shown_points(const CanvasFrame& frame) {
     };
     const double scale = frame.state.view.camera.scale;
     const double margin = frame.pen.size_px().x - frame.pen.reach().upper_px.x;
-    frame.kept->polygon().visit_points(frame.seen(-margin), frame.pen.px(merged) / scale, take);
-    const auto most = static_cast<std::size_t>(most_per_px * frame.pen.size_px().x);
-    shown.crowd = settle(frame, std::move(places), {radii, gap_when_thinned, most});
+    frame.kept->polygon().visit_points(frame.seen(-margin), frame.pen.px(merged_points) / scale, take);
+    const auto most = static_cast<std::size_t>(most_points_per_px * frame.pen.size_px().x);
+    shown.crowd = settle(frame, std::move(places), {point_radii, point_gap, most});
     if (shown.seen > shown.crowd.shown.size()) shown.crowd.is_thinned = true;
     shown.large = is_dense(shown) ? pointed_at(frame) : shown.crowd.shown;
     return shown;

@@ -231,7 +231,7 @@ TEST(PolygonStrips, give_every_leg_while_they_are_few) {
         const auto points = curve->control_points();
         std::vector<Point> corners(points.begin(), points.end());
         if (periodic) corners.push_back(corners.front());
-        const PointRuns runs = PolygonStrips(curve).runs({1e6, everything, plenty});
+        const PointRuns runs = PolygonStrips(curve).runs({1e6, everything, plenty}).runs;
         ASSERT_EQ(runs.size(), 1U);
         EXPECT_EQ(runs[0], corners);
     }
@@ -244,11 +244,23 @@ TEST(PolygonStrips, thin_out_many_legs_and_follow_a_point) {
     points[20000] += Vector(3.0, 1.0);
     strips.follow(cubic_through(points));
     EXPECT_LE(strips.stretch_count(), stretches + 2);
-    const PointRuns runs = strips.runs({0.002, everything, 4000});
+    const PointRuns runs = strips.runs({0.002, everything, 4000}).runs;
     EXPECT_LE(place_count(runs), 4000U);
     EXPECT_GT(place_count(runs), 500U);
     EXPECT_LE(distance_to(runs, points[20000]), 0.01);
     for (std::size_t i = 0; i < points.size(); i += 499) EXPECT_LE(distance_to(runs, points[i]), 0.01) << i;
+}
+
+TEST(PolygonStrips, tell_how_far_along_what_is_seen_begins) {
+    std::vector<Point> points;
+    for (int i = 0; i < 100; ++i) points.emplace_back(3.0 * i, i % 2 == 0 ? 0.0 : 4.0);
+    const PolygonStrips strips(cubic_through(points));
+    const PolygonRuns seen = strips.runs({0.1, {{150.0, 0.0}, {160.0, 4.0}}, plenty});
+    ASSERT_EQ(seen.starts.size(), 1U);
+    // Every leg has length 5.
+    EXPECT_DOUBLE_EQ(seen.starts[0], 5.0 * seen.runs[0][0].x / 3.0);
+    EXPECT_LE(seen.runs[0].front().x, 150.0);
+    EXPECT_GE(seen.runs[0].front().x, 90.0);
 }
 
 TEST(PolygonStrips, visit_every_point_in_view_once) {

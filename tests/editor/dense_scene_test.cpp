@@ -1,0 +1,187 @@
+/// Pictures of curves with more points than a screen has room for.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/editor.h"
+#include "app/editor/fit_view.h"
+#include "app/editor/scene/canvas_scene.h"
+#include "app/editor/scene/plot_scene.h"
+#include "core/curve/knot_kinds.h"
+#include "tests/editor/scene_sample.h"
+
+namespace batten::editor {
+namespace {
+
+using render::Label;
+using render::Marker;
+using render::Polyline;
+using test::all_of;
+
+constexpr glm::dvec2 dock{1048.0, 260.0};
+constexpr double least_wide = 1048.0;
+
+std::vector<core::Point> spiral(std::size_t count) {
+    std::vector<core::Point> points;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double share = std::sqrt(static_cast<double>(i) / static_cast<double>(count - 1));
+        const double angle = 40.0 * std::numbers::pi * share;
+        points.emplace_back(6.0 * share * std::cos(angle), 4.0 * share * std::sin(angle));
+    }
+    return points;
+}
+
+std::vector<core::Point> scattered(std::size_t count) {
+    std::vector<core::Point> points;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double k = static_cast<double>(i);
+        points.emplace_back(12.0 * std::fmod(k * 0.6180339887, 1.0) - 6.0,
+                            7.0 * std::fmod(k * k * 0.4142135623, 1.0) - 3.5);
+    }
+    return points;
+}
+
+core::CurveDefinition definition_through(std::vector<core::Point> points) {
+    const int degree = std::min(3, static_cast<int>(points.size()) - 1);
+    const auto knots = core::make_knots(core::KnotKind::clamped_uniform, degree, points.size()).value();
+    return core::Curve::make(knots, std::move(points), {}).value().definition();
+}
+
+EditorState state_of(std::vector<core::Point> points) {
+    return test::scene_state(definition_through(std::move(points)));
+}
+
+std::size_t places_of(const std::vector<Polyline>& lines) {
+    std::size_t count = 0;
+    for (const Polyline& line : lines) count += line.points.size();
+    return count;
+}
+
+TEST(DenseScene, takes_no_more_than_eight_vertices_for_each_pixel_of_width) {
+    for (const auto& points : {spiral(3), spiral(3000), spiral(100000), scattered(3000), scattered(100000)}) {
+        const EditorState state = state_of(points);
+        const render::DrawList canvas = test::canvas_picture(state, CanvasIdle{});
+        const Theme theme = theme_of(state.view.theme);
+        // A place of a stroke takes up to four vertices, a marker four.
+        const std::size_t most = static_cast<std::size_t>(8.0 * least_wide / 4.0);
+        EXPECT_LE(places_of(test::lines_of(canvas, theme.curve, 3.0F)), most) << points.size();
+        EXPECT_LE(places_of(test::lines_of(canvas, theme.polygon, 1.5F)), most) << points.size();
+        EXPECT_LE(all_of<Marker>(canvas).size(), most) << points.size();
+        EXPECT_LE(all_of<Label>(canvas).size(), 400U) << points.size();
+        const render::DrawList plot = plot_scene(state, PlotIdle{}, dock);
+        EXPECT_LE(places_of(all_of<Polyline>(plot)), 2 * most) << points.size();
+        EXPECT_LE(all_of<Marker>(plot).size(), most) << points.size();
+        EXPECT_LE(all_of<Label>(plot).size(), 400U) << points.size();
+    }
+}
+
+TEST(DenseScene, tells_how_many_of_how_many_it_shows) {
+    const EditorState few = state_of(spiral(20));
+    for (const std::string& text : test::texts_of(test::canvas_picture(few, CanvasIdle{})))
+        EXPECT_FALSE(text.starts_with("Showing")) << text;
+    const EditorState many = state_of(spiral(100000));
+    const auto has_note = [](const render::DrawList& list, const std::string& end) {
+        const auto texts = test::texts_of(list);
+        return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
+            return text.starts_with("Showing ") && text.find(end) != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(has_note(test::canvas_picture(many, CanvasIdle{}), " of 100000 points and "));
+    EXPECT_TRUE(has_note(plot_scene(many, PlotIdle{}, dock), " of 100000 functions and "));
+    EXPECT_TRUE(has_note(plot_scene(many, PlotIdle{}, dock), " of 100004 knots"));
+}
+
+TEST(DenseScene, leaves_the_curve_uncovered) {
+    const EditorState state = state_of(spiral(3000));
+    const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
+    const Theme theme = theme_of(state.view.theme);
+    bool is_above_curve = false;
+    std::size_t above = 0;
+    for (const render::DrawCommand& command : list.commands) {
+        if (const auto* line = std::get_if<Polyline>(&command); line != nullptr && line->color == theme.curve)
+            is_above_curve = true;
+        const auto* marker = std::get_if<Marker>(&command);
+        if (marker == nullptr || marker->shape != render::MarkerShape::disc) continue;
+        if (is_above_curve)
+            ++above;
+        else
+            EXPECT_EQ(marker->outline.alpha, 0);
+    }
+    // The first and the last point, five of the construction, C(u) and three of the legend.
+    EXPECT_EQ(above, 11U);
+}
+
+TEST(DenseScene, shows_what_is_selected_in_full_size) {
+    EditorState state = state_of(spiral(3000));
+    state.selection.points = {700, 1500};
+    const auto rings = test::markers_of(test::canvas_picture(state, CanvasIdle{}), render::MarkerShape::disc, 7.5F);
+    EXPECT_EQ(rings.size(), 2U);
+    EXPECT_TRUE(test::has_text(test::canvas_picture(state, CanvasIdle{}), "P_{1500}"));
+}
+
+TEST(DenseScene, is_the_same_from_a_cache_that_has_seen_other_curves) {
+    SceneCache cache;
+    std::vector<core::Point> points = spiral(2000);
+    for (int k = 0; k < 12; ++k) {
+        if (k == 4) points.resize(1500);
+        if (k == 8) points = scattered(700);
+        points[static_cast<std::size_t>(50 * k)] += core::Vector(0.1 * k, 0.2);
+        EditorState state = state_of(points);
+        state.view.camera.scale *= 1.0 + 0.3 * (k % 3);
+        const auto kept = canvas_scene(state, CanvasIdle{}, cache);
+        const auto anew = test::canvas_picture(state, CanvasIdle{});
+        ASSERT_EQ(all_of<Polyline>(kept).size(), all_of<Polyline>(anew).size()) << k;
+        EXPECT_EQ(places_of(all_of<Polyline>(kept)), places_of(all_of<Polyline>(anew))) << k;
+        EXPECT_EQ(all_of<Marker>(kept).size(), all_of<Marker>(anew).size()) << k;
+        EXPECT_EQ(test::texts_of(kept), test::texts_of(anew)) << k;
+    }
+}
+
+TEST(DenseScene, takes_apart_only_the_spans_of_the_point_that_is_dragged) {
+    core::DocumentCurve spiral_curve;
+    spiral_curve.name = "spiral";
+    spiral_curve.curve =
+        std::make_shared<const core::Curve>(core::Curve::make(definition_through(spiral(1000))).value());
+    core::Document document;
+    document.curves.push_back(spiral_curve);
+    SceneCache cache;
+    Editor shown(document);
+    shown.change(ResizeCanvas{{least_wide, 566.0}});
+    canvas_scene(shown.state(), CanvasIdle{}, cache);
+    const auto spans = [&] {
+        const core::DocumentCurve& item = *shown.state().shown().active_curve();
+        return cache.curve(0, item.curve).strips().span_count();
+    };
+    std::size_t before = spans();
+    EXPECT_GT(before, 500U);
+    for (int k = 1; k <= 5; ++k) {
+        shown.run(MovePoints{.points = {500}, .offset = {0.1 * k, 0.05}}, Phase::preview);
+        canvas_scene(shown.state(), CanvasIdle{}, cache);
+        EXPECT_EQ(spans(), before + 4) << k;
+        before = spans();
+    }
+    for (int k = 0; k < 20; ++k) {
+        shown.change(PanCamera{{5.0, -3.0}});
+        canvas_scene(shown.state(), CanvasIdle{}, cache);
+    }
+    EXPECT_EQ(spans(), before) << "all was in view";
+}
+
+TEST(DenseScene, keeps_functions_that_are_wide_among_narrow_ones) {
+    // A thousand knots in a hundredth of the axis, and a few over the rest.
+    std::vector<double> knots(4, 0.0);
+    for (int k = 1; k <= 1000; ++k) knots.push_back(1e-5 * k);
+    for (const double u : {0.2, 0.4, 0.6, 0.8, 1.0, 1.0, 1.0, 1.0}) knots.push_back(u);
+    const std::size_t count = knots.size() - 4;
+    const EditorState state = test::scene_state({.degree = 3, .knots = knots, .points = spiral(count)});
+    const render::DrawList plot = plot_scene(state, PlotIdle{}, dock);
+    const auto texts = test::texts_of(plot);
+    // The last eight functions reach over the wide spans.
+    for (std::size_t i = count - 5; i < count; ++i)
+        EXPECT_TRUE(std::count(texts.begin(), texts.end(), std::to_string(i))) << i;
+}
+
+}  // namespace
+}  // namespace batten::editor
