@@ -32,6 +32,9 @@ void add_queries_to(Contests& contests, std::size_t n) {
     const core::Curve curve = spiral(n);
     Contest contest("nearest/n:" + std::to_string(n), query_count, 1e-6);
     contest.enter("Batten", each([curve](core::Point query) { return core::nearest_point(curve, query).point; }));
+    contest.enter("Batten_prepared", each([finder = std::make_shared<core::NearestFinder>(curve)](core::Point query) {
+                      return finder->nearest(query).point;
+                  }));
     contest.enter("SISL", each([sisl = std::make_shared<SislCurve>(sisl_curve(curve))](core::Point query) {
                       double* parameters = nullptr;
                       SISLIntcurve** runs = nullptr;
@@ -61,7 +64,7 @@ void add_queries_to(Contests& contests, std::size_t n) {
 }  // namespace
 
 void add_nearest(Contests& contests) {
-    for (const std::size_t n : {10UL, 100UL, 1000UL}) add_queries_to(contests, n);
+    for (const std::size_t n : {10UL, 100UL, 1000UL, 10'000UL}) add_queries_to(contests, n);
 }
 
 }  // namespace batten::bench
