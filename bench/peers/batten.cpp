@@ -33,7 +33,8 @@ class Batten : public SplineLibrary {
     }
 
     Answer<Rows> basis(const core::KnotVector& knots, double u, int order) const override {
-        return core::basis_functions(knots, u, order).derivatives;
+        const auto derivatives = core::basis_functions(knots, u, order).derivatives;
+        return Rows(derivatives.begin(), derivatives.end());
     }
 
     Answer<CurveDefinition> insert(const Curve& curve, std::span<const double> knots) const override {

@@ -1,11 +1,10 @@
 // The basis functions that do not vanish at a random parameter.
-#include "core/evaluate/basis.h"
-
 #include <gsl/gsl_bspline.h>
 
 #include <memory>
 
 #include "bench/peers/sisl_curve.h"
+#include "core/evaluate/basis_evaluator.h"
 #include "eigen_curve.h"
 #include "inputs.h"
 #include "works.h"
@@ -46,6 +45,10 @@ void add_basis(Contests& contests) {
     contest.share("parameters", random_parameters(parameter_count));
     contest.enter("Batten", each([knots = curve.knots()](double u, double* out) {
                       const core::BasisValues basis = core::basis_functions(knots, u);
+                      std::copy(basis.derivatives[0].begin(), basis.derivatives[0].end(), out);
+                  }));
+    contest.enter("Batten_prepared", each([prepared = core::BasisEvaluator(curve.knots())](double u, double* out) {
+                      const core::BasisValues basis = prepared.values_at(u);
                       std::copy(basis.derivatives[0].begin(), basis.derivatives[0].end(), out);
                   }));
     contest.enter("SISL", each([knots = Numbers(curve.knots().values().begin(), curve.knots().values().end()), n](

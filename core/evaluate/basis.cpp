@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "core/curve/detail/bspline.h"
+#include "core/evaluate/detail/known_degree.h"
 
 namespace batten::core {
 
@@ -10,17 +11,13 @@ namespace {
 
 // How much each local point has in the result. The triangle is read from its apex, where one point has all, back to its
 // base, where the shares of the control points are the basis functions. Entries r..p count above level r.
-using Shares = LocalPoints<double>;
-
-Shares shares_at_apex(const SpanKnots& at) {
-    Shares shares{};
-    shares[at.p] = 1.0;
-    return shares;
-}
+template <class Degree>
+using Shares = std::array<double, most_local_points<Degree>>;
 
 // blend_level read backwards: what a point is given on level r is owed to the two points it is blended from.
-void return_blend_level(Shares& shares, const SpanKnots& at, std::size_t r, double u) {
-    for (std::size_t j = r; j <= at.p; ++j) {
+template <class Degree>
+void return_blend_level(Shares<Degree>& shares, const SpanKnots& at, Degree p, std::size_t r, double u) {
+    for (std::size_t j = r; j <= p; ++j) {
         const Ratio ratio = at.ratio(j, r, u);
         shares[j - 1] += ratio.lower_share * shares[j];
         shares[j] *= ratio.upper_share;
@@ -28,16 +25,36 @@ void return_blend_level(Shares& shares, const SpanKnots& at, std::size_t r, doub
 }
 
 // differentiate_level read backwards.
-void return_differentiate_level(Shares& shares, const SpanKnots& at, std::size_t r) {
-    for (std::size_t j = r; j <= at.p; ++j) {
-        shares[j] *= static_cast<double>(at.p - r + 1) / (at.upper(j, r) - at.lower(j));
+template <class Degree>
+void return_differentiate_level(Shares<Degree>& shares, const SpanKnots& at, Degree p, std::size_t r) {
+    for (std::size_t j = r; j <= p; ++j) {
+        shares[j] *= static_cast<double>(p - r + 1) / (at.upper(j, r) - at.lower(j));
         shares[j - 1] -= shares[j];
     }
 }
 
-std::vector<double> differentiated(Shares shares, const SpanKnots& at, std::size_t times) {
-    for (std::size_t r = times; r >= 1; --r) return_differentiate_level(shares, at, r);
-    return {shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(at.p) + 1};
+template <class Degree>
+BasisRow differentiated(Shares<Degree> shares, const SpanKnots& at, Degree p, std::size_t times) {
+    for (std::size_t r = times; r >= 1; --r) return_differentiate_level(shares, at, p, r);
+    return BasisRow(std::span<const double>(shares).first(p + 1));
+}
+
+// The k-th derivative differentiates on levels 1..k and blends on those above, which the lower derivatives share.
+template <class Degree>
+[[gnu::flatten]] BasisValues basis_of_degree(const SpanKnots& at, Degree p, double u, std::size_t count) {
+    Shares<Degree> shares{};
+    shares[p] = 1.0;
+    BasisValues result{.span = at.s, .derivatives{}};
+    for (std::size_t k = 0; k <= count; ++k) result.derivatives.push_back(BasisRow());
+    for_each_level(p, p, [&](auto level) {
+        const std::size_t k = p + 1 - level;
+        if (k <= count) result.derivatives[k] = differentiated(shares, at, p, k);
+        return_blend_level(shares, at, p, k, u);
+    });
+    result.derivatives[0] = differentiated(shares, at, p, 0);
+    const Shares<Degree> none{};
+    for (std::size_t k = p + 1; k <= count; ++k) result.derivatives[k] = differentiated(none, at, p, 0);
+    return result;
 }
 
 }  // namespace
@@ -45,15 +62,9 @@ std::vector<double> differentiated(Shares shares, const SpanKnots& at, std::size
 BasisValues basis_functions(const KnotVector& knots, double u, int derivative_count, Side side) {
     assert(derivative_count >= 0);
     const auto [inside, at] = located(knots, u, side);
-    const auto count = static_cast<std::size_t>(derivative_count);
-    BasisValues result{.span = at.s, .derivatives = std::vector(count + 1, std::vector<double>(at.p + 1, 0.0))};
-    // The k-th derivative differentiates on levels 1..k and blends on those above, which the lower derivatives share.
-    Shares shares = shares_at_apex(at);
-    for (std::size_t k = at.p;; --k) {
-        if (k <= count) result.derivatives[k] = differentiated(shares, at, k);
-        if (k == 0) return result;
-        return_blend_level(shares, at, k, inside);
-    }
+    return with_known_degree(at.p, [u = inside, &at = at, derivative_count](auto p) {
+        return basis_of_degree(at, p, u, static_cast<std::size_t>(derivative_count));
+    });
 }
 
 double basis_function(const KnotVector& knots, std::size_t i, double u) {

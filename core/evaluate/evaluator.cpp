@@ -127,65 +127,35 @@ Jet jet_on_piece(const TaylorPiece& piece, double u, std::size_t order) {
 
 }  // namespace
 
-Evaluator::Evaluator(Curve curve) : curve_(std::move(curve)), pieces_(taylor_pieces(curve_)) {
+Evaluator::Evaluator(Curve curve)
+    : curve_(std::move(curve)), pieces_(taylor_pieces(curve_)), finder_(std::move(pieces_.joints)) {
     const Interval domain = curve_.domain();
     start_ = core::point_at(curve_, domain.lower, Side::right);
     end_ = core::point_at(curve_, domain.upper, Side::left);
-    const std::size_t parts = 2 * pieces_.count();
-    parts_per_unit_ = std::min(static_cast<double>(parts) / domain.length(), std::numeric_limits<double>::max());
-    last_pieces_.resize(part_at(domain.upper) + 2);
-    std::size_t piece = 0;
-    for (std::size_t part = 0; part < last_pieces_.size(); ++part) {
-        while (piece + 1 < pieces_.count() && part_at(pieces_.joints[piece + 1]) < part) ++piece;
-        last_pieces_[part] = static_cast<std::uint32_t>(piece);
-    }
-}
-
-// Rounded as it may be, it never falls where u rises; so what begins in an earlier part begins before u.
-std::size_t Evaluator::part_at(double u) const {
-    return static_cast<std::size_t>((u - pieces_.joints.front()) * parts_per_unit_);
-}
-
-std::size_t Evaluator::piece_at(double u, Side side) const {
-    const std::vector<double>& joints = pieces_.joints;
-    const std::size_t part = part_at(u);
-    std::size_t piece = last_pieces_[part];
-    const std::size_t last = last_pieces_[part + 1];
-    // Mostly there is no more than two steps to go. Which of them are needed a processor could not guess.
-    if (last - piece > 2) {
-        const auto first = joints.begin() + static_cast<std::ptrdiff_t>(piece) + 1;
-        piece += static_cast<std::size_t>(
-            std::upper_bound(first, first + static_cast<std::ptrdiff_t>(last - piece), u) - first);
-    } else {
-        piece += static_cast<std::size_t>(joints[piece + 1] <= u);
-        piece += static_cast<std::size_t>(joints[piece + 1] <= u);
-    }
-    return side == Side::left && joints[piece] == u && piece > 0 ? piece - 1 : piece;
 }
 
 Point Evaluator::point_at(double u, Side side) const {
-    if (!is_inside(u)) {
+    if (!finder_.has_inside(u)) {
         const double inside = curve_.knots().into_domain(u, side);
-        if (!is_inside(inside)) return inside == pieces_.joints.front() ? start_ : end_;
+        if (!finder_.has_inside(inside)) return inside == curve_.domain().lower ? start_ : end_;
         u = inside;
     }
-    const TaylorPiece piece = pieces_[piece_at(u, side)];
+    const TaylorPiece piece = pieces_[finder_.interval_at(u, side)];
     return piece.is_sharp() ? point_on_piece(piece, u) : core::point_at(curve_, u, side);
 }
 
 Jet Evaluator::derivatives_at(double u, int order, Side side) const {
     assert(order >= 0);
-    const double inside = is_inside(u) ? u : curve_.knots().into_domain(u, side);
-    if (!is_inside(inside)) return core::derivatives_at(curve_, u, order, side);
-    const TaylorPiece piece = pieces_[piece_at(inside, side)];
+    const double inside = finder_.has_inside(u) ? u : curve_.knots().into_domain(u, side);
+    if (!finder_.has_inside(inside)) return core::derivatives_at(curve_, u, order, side);
+    const TaylorPiece piece = pieces_[finder_.interval_at(inside, side)];
     return piece.is_sharp() ? jet_on_piece(piece, inside, static_cast<std::size_t>(order))
                             : core::derivatives_at(curve_, inside, order, side);
 }
 
 // How many of the first `parameters` lie on the piece, of which the first is known to.
 std::size_t Evaluator::end_of_run(std::span<const double> parameters, std::size_t piece) const {
-    const double lower = pieces_.joints[piece];
-    const double upper = pieces_.joints[piece + 1];
+    const auto [lower, upper] = finder_[piece];
     std::size_t end = 1;
     while (end < parameters.size() && lower < parameters[end] && parameters[end] < upper) ++end;
     return end;
@@ -194,9 +164,10 @@ std::size_t Evaluator::end_of_run(std::span<const double> parameters, std::size_
 void Evaluator::points_at(std::span<const double> parameters, std::span<Point> points) const {
     assert(parameters.size() == points.size());
     while (!parameters.empty()) {
-        const std::size_t piece = is_inside(parameters[0]) ? piece_at(parameters[0], Side::right) : pieces_.count();
+        const std::size_t piece =
+            finder_.has_inside(parameters[0]) ? finder_.interval_at(parameters[0], Side::right) : finder_.count();
         std::size_t end = 1;
-        if (piece < pieces_.count() && pieces_[piece].is_sharp()) {
+        if (piece < finder_.count() && pieces_[piece].is_sharp()) {
             end = end_of_run(parameters, piece);
             sample_piece(pieces_[piece], parameters.first(end), points.data());
         } else {

@@ -1,10 +1,9 @@
 /// A curve prepared for many points.
 #pragma once
 
-#include <cstdint>
 #include <span>
-#include <vector>
 
+#include "core/evaluate/detail/interval_finder.h"
 #include "core/evaluate/detail/taylor_pieces.h"
 #include "core/evaluate/evaluate.h"
 
@@ -32,18 +31,13 @@ class Evaluator {
     void points_at(std::span<const double> parameters, std::span<Point> points) const;
 
   private:
-    bool is_inside(double u) const { return pieces_.joints.front() < u && u < pieces_.joints.back(); }
-    std::size_t part_at(double u) const;
-    std::size_t piece_at(double u, Side side) const;
     std::size_t end_of_run(std::span<const double> parameters, std::size_t piece) const;
 
     Curve curve_;
     Point start_{};
     Point end_{};
     TaylorPieces pieces_;
-    // The domain in equal parts, some two for each piece. Entry k: the last piece that begins before part k.
-    double parts_per_unit_ = 0.0;
-    std::vector<std::uint32_t> last_pieces_;
+    IntervalFinder finder_;
 };
 
 }  // namespace batten::core

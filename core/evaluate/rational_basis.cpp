@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/base/detail/binomial.h"
-#include "core/evaluate/basis.h"
 
 namespace batten::core {
 
@@ -12,9 +11,9 @@ namespace {
 
 // By Leibniz's rule for w R_j = N_j w_j, where w is the sum of all N_j w_j:
 //     R_j^(k) = (N_j^(k) w_j - sum_{i=1..k} binomial(k, i) w^(i) R_j^(k-i)) / w
-void make_rational(std::vector<std::vector<double>>& derivatives, const std::vector<double>& weights) {
+void make_rational(ShortList<BasisRow, 1>& derivatives, const std::vector<double>& weights) {
     std::vector<double> sums;
-    for (auto& row : derivatives) {
+    for (BasisRow& row : derivatives) {
         double sum = 0.0;
         for (std::size_t j = 0; j < row.size(); ++j) {
             row[j] *= weights[j];

@@ -1,9 +1,8 @@
 /// The rational basis functions R_i = N_i w_i / sum N_k w_k, on which a NURBS curve depends linearly by its points.
 #pragma once
 
-#include <vector>
-
 #include "core/curve/curve.h"
+#include "core/evaluate/basis.h"
 
 namespace batten::core {
 
@@ -11,7 +10,7 @@ namespace batten::core {
 struct RationalBasis {
     std::size_t first = 0;  ///< value j belongs to control point first + j of the unrolled curve
     /// derivatives[r][j] = d^r R_{first+j} / du^r; C^(r)(u) = sum of derivatives[r][j] P_{first+j}.
-    std::vector<std::vector<double>> derivatives;
+    ShortList<BasisRow, 1> derivatives;
 };
 
 /// The functions at `u` (brought into the domain) and their derivatives up to `order` (>= 0), seen from `side` at a

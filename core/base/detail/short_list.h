@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <initializer_list>
+#include <span>
 #include <vector>
 
 namespace batten::core {
@@ -14,9 +15,13 @@ template <class T, std::size_t Few>
 class ShortList {
   public:
     ShortList() = default;
-    ShortList(std::initializer_list<T> items) {
-        for (const T& item : items) push_back(item);
+    explicit ShortList(std::span<const T> items) : size_(items.size()) {
+        if (size_ <= Few)
+            std::copy(items.begin(), items.end(), few_.begin());
+        else
+            many_.assign(items.begin(), items.end());
     }
+    ShortList(std::initializer_list<T> items) : ShortList(std::span<const T>(items.begin(), items.size())) {}
 
     void push_back(const T& item) {
         if (size_ < Few)
@@ -42,6 +47,8 @@ class ShortList {
         return begin()[i];
     }
     const T& back() const { return (*this)[size_ - 1]; }
+
+    operator std::vector<T>() const { return {begin(), end()}; }
 
     bool operator==(const ShortList& other) const { return std::equal(begin(), end(), other.begin(), other.end()); }
 

@@ -33,7 +33,6 @@ struct TaylorPieces {
     std::vector<double> joints{};  ///< ascending; piece i lies between joints[i] and joints[i + 1]
     std::vector<double> numbers{};
 
-    std::size_t count() const { return joints.size() - 1; }
     std::size_t stride() const { return 4 + (is_rational ? 3 : 2) * p; }
     TaylorPiece operator[](std::size_t i) const { return {numbers.data() + i * stride(), p, is_rational}; }
 };

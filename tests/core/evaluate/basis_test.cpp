@@ -40,9 +40,9 @@ TEST(Basis, derivatives_above_the_degree_are_zero) {
     const auto knots = KnotVector::make(1, {0, 0, 1, 1}).value();
     const BasisValues basis = basis_functions(knots, 0.5, 3);
     ASSERT_EQ(basis.derivatives.size(), 4u);
-    EXPECT_EQ(basis.derivatives[1], (std::vector<double>{-1, 1}));
-    EXPECT_EQ(basis.derivatives[2], (std::vector<double>{0, 0}));
-    EXPECT_EQ(basis.derivatives[3], (std::vector<double>{0, 0}));
+    EXPECT_EQ(basis.derivatives[1], (BasisRow{-1, 1}));
+    EXPECT_EQ(basis.derivatives[2], (BasisRow{0, 0}));
+    EXPECT_EQ(basis.derivatives[3], (BasisRow{0, 0}));
 }
 
 TEST(Basis, is_positive_and_sums_to_one_and_its_derivatives_to_zero) {
