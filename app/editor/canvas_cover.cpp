@@ -53,7 +53,7 @@ bool passes(core::CurveStrips& strips, const Camera& camera, const PixelBox& box
 int covered_polygon(const core::PolygonStrips& polygon, const Camera& camera, const PixelBox& around_points,
                     const PixelBox& around_legs, double tolerance_px) {
     int sum = crossings(camera, around_legs, polygon.runs(request_in(camera, around_legs, tolerance_px)).runs);
-    polygon.visit_points(world_box(camera, around_points), 0.0,
+    polygon.visit_points(world_box(camera, around_points), 0.0, most_places,
                          [&](std::size_t, core::Point, std::size_t) { sum += point_cost; });
     return sum;
 }

@@ -58,13 +58,16 @@ Strip boundless(Point first, Point last) {
 // Goes down to what is seen, halving as far as needed.
 class CurveStrips::Search {
   public:
-    Search(CurveStrips& strips, const StripRequest& request, double tolerance, std::size_t first, std::size_t last)
-        : strips_(strips),
-          request_(request),
-          tolerance_(tolerance),
-          first_(first),
-          last_(last),
-          runs_(request.most_places) {}
+    /// What is looked for: how near, and from which span to which.
+    struct Aim {
+        double tolerance = 0.0;
+        bool is_crowded = false;
+        std::size_t first = 0;
+        std::size_t last = 0;
+    };
+
+    Search(CurveStrips& strips, const StripRequest& request, const Aim& aim)
+        : strips_(strips), request_(request), aim_(aim), runs_(request.most_places) {}
 
     RunCollector search() {
         constexpr std::size_t count = spans_per_stretch;
@@ -79,10 +82,12 @@ class CurveStrips::Search {
 
   private:
     bool is_to_enter(const Strip& strip, std::size_t first, std::size_t last) {
-        if (runs_.is_full() || last < first_ || last_ < first || !strip.box.intersects(request_.view)) return false;
-        const bool is_inside = first_ <= first && last <= last_;
-        if (!is_inside || !is_small_beside(strip.box, request_.view, tolerance_)) return true;
-        return !add_if_simple(strip, tolerance_, runs_);
+        if (runs_.is_full() || last < aim_.first || aim_.last < first || !strip.box.intersects(request_.view))
+            return false;
+        const bool is_inside = aim_.first <= first && last <= aim_.last;
+        if (!is_inside || !is_small_beside(strip.box, request_.view, aim_.tolerance)) return true;
+        const std::size_t stretches = std::max<std::size_t>(1, (last + 1 - first) / spans_per_stretch);
+        return !add_if_simple(strip, tolerance_of(aim_.tolerance, stretches, aim_.is_crowded), runs_);
     }
 
     void search_stretch(std::size_t stretch) {
@@ -99,7 +104,7 @@ class CurveStrips::Search {
 
     void search_part(SpanParts& parts, std::size_t i, int depth) {
         const Strip strip = parts[i].strip;
-        const double tolerance = std::max(tolerance_, noise_);
+        const double tolerance = std::max(aim_.tolerance, noise_);
         if (runs_.is_full() || !strip.box.intersects(request_.view)) return;
         const bool is_fine = is_small_beside(strip.box, request_.view, tolerance) && strip.deviation <= tolerance;
         if (is_fine || depth == most_chord_halvings || !is_divisible(parts[i].interval, strip.box))
@@ -112,9 +117,7 @@ class CurveStrips::Search {
 
     CurveStrips& strips_;
     const StripRequest& request_;
-    double tolerance_;
-    std::size_t first_;
-    std::size_t last_;
+    Aim aim_;
     double noise_ = 0.0;
     RunCollector runs_;
 };
@@ -136,8 +139,9 @@ PointRuns CurveStrips::runs(const StripRequest& request, Interval range) {
     constexpr std::size_t end = std::numeric_limits<std::size_t>::max();
     const std::size_t first = range.lower <= domain.lower ? 0 : knots.span_at(range.lower);
     const std::size_t last = range.upper >= domain.upper ? end : knots.span_at(range.upper, Side::left);
-    RunCollector runs = runs_within(
-        request.tolerance, [&](double tolerance) { return Search(*this, request, tolerance, first, last).search(); });
+    RunCollector runs = runs_within(request.tolerance, [&](double tolerance, bool is_crowded) {
+        return Search(*this, request, {tolerance, is_crowded, first, last}).search();
+    });
     drop_unused();
     return runs.take();
 }

@@ -33,27 +33,25 @@ class CurveStrips {
 
     /// Calls `take(span, point, count)` for the non-empty spans that may be seen, ascending, with the point where the
     /// span begins and a count of 1; for a stretch of no more than `size_of_stretch`, and for neighboring spans of no
-    /// more than a sixteenth of that, only for the first span, with their number, empty ones included. Cost: that of
-    /// what is visited, and of what is for the first time.
+    /// more than a sixteenth of that, only for the first span, with their number, empty ones included; so for every
+    /// stretch where more than about `most` are left. Cost: that of what is visited, and of what is for the first time.
     template <class Take>
-    void visit_spans(const Box& view, double size_of_stretch, Take take) {
+    void visit_spans(const Box& view, double size_of_stretch, std::size_t most, Take take) {
         ++use_;
-        const auto taker = [&](std::size_t base, std::size_t length) {
-            const double size = size_of_stretch * static_cast<double>(length) / spans_per_stretch;
-            return [&, base, length, size](const Strip& strip, std::size_t first, std::size_t last) {
-                if (!strip.box.intersects(view)) return false;
-                const Vector extent = strip.box.size();
-                if (!(std::max(extent.x, extent.y) <= size)) return true;
-                const std::size_t begin = base + first * length;
-                const std::size_t end = std::min(base + (last + 1) * length, span_end());
-                take(non_empty(begin), strip.first, end - begin);
-                return false;
-            };
+        std::size_t seen = 0;
+        visit_strips(
+            stretches_, view, size_of_stretch, [](std::size_t, std::size_t, Point) {},
+            [&](std::size_t) { seen += spans_per_stretch; });
+        const auto take_stretches = [&](std::size_t first, std::size_t last, Point point) {
+            const std::size_t begin = first_span() + first * spans_per_stretch;
+            const std::size_t end = std::min(first_span() + (last + 1) * spans_per_stretch, span_end());
+            take(non_empty(begin), point, end - begin);
         };
-        stretches_.visit(taker(first_span(), spans_per_stretch), [&](std::size_t stretch) {
-            const OpenStretch& open = opened(stretch);
-            const std::size_t base = first_span() + stretch * spans_per_stretch;
-            open.spans.visit(taker(base, 1), [&](std::size_t k) { take(base + k, open.spans.stretch(k).first, 1); });
+        visit_strips(stretches_, view, size_of_stretch, take_stretches, [&](std::size_t stretch) {
+            if (seen > most)
+                take_stretches(stretch, stretch, stretches_.stretch(stretch).first);
+            else
+                visit_stretch(stretch, view, size_of_stretch / spans_per_stretch, take);
         });
         drop_unused();
     }
@@ -88,6 +86,33 @@ class CurveStrips {
     };
 
     class Search;
+
+    /// Calls `merge(first, last, start)` for strips in view that together are no more than `size`, `open` for single
+    /// others.
+    template <class Merge, class Open>
+    static void visit_strips(const StripTree& tree, const Box& view, double size, Merge merge, Open open) {
+        tree.visit(
+            [&](const Strip& strip, std::size_t first, std::size_t last) {
+                if (!strip.box.intersects(view)) return false;
+                const Vector extent = strip.box.size();
+                if (!(std::max(extent.x, extent.y) <= size)) return true;
+                merge(first, last, strip.first);
+                return false;
+            },
+            open);
+    }
+
+    template <class Take>
+    void visit_stretch(std::size_t stretch, const Box& view, double size, Take& take) {
+        const StripTree& spans = opened(stretch).spans;
+        const std::size_t base = first_span() + stretch * spans_per_stretch;
+        visit_strips(
+            spans, view, size,
+            [&](std::size_t first, std::size_t last, Point point) {
+                take(non_empty(base + first), point, last + 1 - first);
+            },
+            [&](std::size_t k) { take(base + k, spans.stretch(k).first, 1); });
+    }
 
     std::size_t first_span() const { return static_cast<std::size_t>(curve_->degree()); }
     /// The first span from `span` on that is not empty.

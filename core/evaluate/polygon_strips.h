@@ -32,22 +32,25 @@ class PolygonStrips {
 
     /// Calls `take(index, point, count)` for the control points in `view`, ascending: for each with a count of 1, but
     /// for a stretch of no more than `size` only for one point, with the number of its points; of one of no more than
-    /// four times that for points that are `size` apart, each with the number of those that follow.
+    /// four times that for points that are `size` apart, each with the number of those that follow. Where more than
+    /// about `most` are left, every so manieth.
     template <class Take>
-    void visit_points(const Box& view, double size, Take take) const {
-        tree_.visit(
-            [&](const Strip& strip, std::size_t first, std::size_t last) {
-                if (!strip.box.intersects(view)) return false;
-                if (extent(strip) > size) return true;
+    void visit_points(const Box& view, double size, std::size_t most, Take take) const {
+        std::size_t seen = 0;
+        visit(
+            view, size, [](std::size_t, std::size_t) {}, [&](std::size_t) { seen += legs_per_stretch; });
+        const std::size_t stride = std::min(seen / most + 1, legs_per_stretch);
+        visit(
+            view, size,
+            [&](std::size_t first, std::size_t last) {
                 const std::size_t begin = first * legs_per_stretch;
                 // Each time another one of sixteen, so that what is shown is not all of one kind.
                 const std::size_t i = std::min(begin + first % legs_per_stretch, point_end(last) - 1);
                 take(i, curve_->control_points()[i], point_end(last) - begin);
-                return false;
             },
             [&](std::size_t stretch) {
                 const bool is_dense = extent(tree_.stretch(stretch)) <= 4.0 * size;
-                visit_stretch(stretch, view, is_dense ? size : 0.0, take);
+                visit_stretch(stretch, view, is_dense ? size : 0.0, stride, take);
             });
     }
 
@@ -71,12 +74,27 @@ class PolygonStrips {
         return std::max(size.x, size.y);
     }
 
+    /// Calls `merge(first, last)` for stretches in view that together are no more than `size`, `open` for single
+    /// others.
+    template <class Merge, class Open>
+    void visit(const Box& view, double size, Merge merge, Open open) const {
+        tree_.visit(
+            [&](const Strip& strip, std::size_t first, std::size_t last) {
+                if (!strip.box.intersects(view)) return false;
+                if (extent(strip) > size) return true;
+                merge(first, last);
+                return false;
+            },
+            open);
+    }
+
     template <class Take>
-    void visit_stretch(std::size_t stretch, const Box& view, double apart, Take& take) const {
+    void visit_stretch(std::size_t stretch, const Box& view, double apart, std::size_t stride, Take& take) const {
         const auto points = curve_->control_points();
-        for (std::size_t i = stretch * legs_per_stretch; i < point_end(stretch);) {
-            std::size_t next = i + 1;
-            while (next < point_end(stretch) && distance(points[next], points[i]) < apart) ++next;
+        const std::size_t end = point_end(stretch);
+        for (std::size_t i = stretch * legs_per_stretch; i < end;) {
+            std::size_t next = std::min(i + stride, end);
+            while (next < end && distance(points[next], points[i]) < apart) ++next;
             if (view.contains(points[i])) take(i, points[i], next - i);
             i = next;
         }
@@ -85,7 +103,7 @@ class PolygonStrips {
     /// The corners of a stretch, with the one where the next begins.
     std::vector<Point> corners_of(std::size_t stretch) const;
     Strip strip_of_stretch(std::size_t stretch);
-    RunCollector search(const StripRequest& request, double tolerance) const;
+    RunCollector search(const StripRequest& request, double tolerance, bool is_crowded) const;
 
     std::shared_ptr<const Curve> curve_;
     StripTree tree_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -63,22 +64,28 @@ class RunCollector {
 /// Whether a chord or the extent of a thin box shows `strip` within `tolerance`; if so it is added.
 bool add_if_simple(const Strip& strip, double tolerance, RunCollector& runs, double along = 0.0);
 
-/// What `search(tolerance)`, which gives a RunCollector, finds within `tolerance`, or within nearly the least one above
-/// it for which the collector is not full. Cost: about a dozen searches.
+/// How near the strip of `stretches` stretches must be where there are more places than wanted: the longer the nearer,
+/// so that also of a line that swings to and fro everywhere all parts are shown alike.
+inline double tolerance_of(double tolerance, std::size_t stretches, bool is_crowded) {
+    return is_crowded ? tolerance / std::cbrt(static_cast<double>(stretches)) : tolerance;
+}
+
+/// What `search(tolerance, is_crowded)`, which gives a RunCollector, finds within `tolerance`, or within nearly the
+/// least one above it for which the collector is not full. Cost: some twenty searches.
 template <class Search>
 RunCollector runs_within(double tolerance, Search search) {
-    RunCollector runs = search(tolerance);
+    RunCollector runs = search(tolerance, false);
     double too_fine = tolerance;
     double coarse = tolerance;
     // Faster and faster, so that coordinates of any size are reached soon.
     for (double growth = 1.5; runs.is_full(); growth *= 1.25) {
         too_fine = coarse;
         coarse *= growth;
-        runs = search(coarse);
+        runs = search(coarse, true);
     }
-    for (int k = 0; k < 6 && too_fine < coarse; ++k) {
+    for (int k = 0; k < 12 && 1.02 * too_fine < coarse; ++k) {
         const double between = 0.5 * too_fine + 0.5 * coarse;
-        RunCollector finer = search(between);
+        RunCollector finer = search(between, true);
         (finer.is_full() ? too_fine : coarse) = between;
         if (!finer.is_full()) runs = std::move(finer);
     }

@@ -12,6 +12,7 @@ constexpr double farthest_px = 1e30;
 // A place of a stroke takes up to four vertices: with those of its parts a curve has at most eight for each pixel.
 constexpr double places_of_curve = 1.5;
 constexpr double places_of_part = 0.25;
+constexpr double candidates_per_px = 8.0;
 constexpr double least_width_px = 100.0;
 
 }  // namespace
@@ -48,6 +49,10 @@ core::Box CanvasFrame::seen(double margin_px) const {
     box.include(core::Point(render::world_from_screen(camera, glm::dvec2(-margin_px))));
     box.include(core::Point(render::world_from_screen(camera, camera.size_px + glm::dvec2(margin_px))));
     return box;
+}
+
+std::size_t most_candidates(const CanvasFrame& frame) {
+    return static_cast<std::size_t>(candidates_per_px * std::max(frame.state.view.camera.size_px.x, least_width_px));
 }
 
 core::StripRequest seen_request(const CanvasFrame& frame, double places_per_px) {

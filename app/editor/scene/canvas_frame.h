@@ -37,6 +37,9 @@ struct CanvasFrame {
     core::Box seen(double margin_px) const;
 };
 
+/// How many marks are looked at one by one, to be thinned to what the picture can hold.
+std::size_t most_candidates(const CanvasFrame& frame);
+
 /// A request for what is seen, true to a quarter of a pixel, with at most `places_per_px` places for each pixel of the
 /// picture's width.
 core::StripRequest seen_request(const CanvasFrame& frame, double places_per_px);

@@ -77,9 +77,9 @@ void draw_hull(CanvasFrame& frame) {
 
 void draw_bezier_polygons(CanvasFrame& frame) {
     std::vector<std::size_t> spans;
-    frame.kept->strips().visit_spans(frame.seen(frame.pen.px(8.0)),
-                                     frame.pen.px(merged_pieces) / frame.state.view.camera.scale,
-                                     [&](std::size_t span, core::Point, std::size_t) { spans.push_back(span); });
+    frame.kept->strips().visit_spans(
+        frame.seen(frame.pen.px(8.0)), frame.pen.px(merged_pieces) / frame.state.view.camera.scale,
+        most_candidates(frame), [&](std::size_t span, core::Point, std::size_t) { spans.push_back(span); });
     const double points = static_cast<double>(spans.size()) * (frame.curve->degree() + 1);
     const double stride = std::ceil(points / std::max(1.0, most_bezier_points * frame.pen.size_px().x));
     for (std::size_t k = 0; k < spans.size(); k += static_cast<std::size_t>(std::max(1.0, stride)))

@@ -120,7 +120,7 @@ struct SeenSpan {
 std::vector<SeenSpan> seen_spans(const CanvasFrame& frame) {
     std::vector<SeenSpan> spans;
     frame.kept->strips().visit_spans(frame.seen(frame.pen.px(longest_tooth)),
-                                     frame.pen.px(merged_teeth) / frame.state.view.camera.scale,
+                                     frame.pen.px(merged_teeth) / frame.state.view.camera.scale, most_candidates(frame),
                                      [&](std::size_t span, core::Point, std::size_t count) {
                                          spans.push_back({span, count});
                                      });

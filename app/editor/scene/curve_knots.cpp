@@ -79,6 +79,7 @@ std::vector<Candidate> candidates(const CanvasFrame& frame) {
     const auto add = [&](double u) { found.push_back({u, core::point_at(*frame.curve, u)}); };
     const double margin = frame.pen.size_px().x - frame.pen.reach().upper_px.x;
     frame.kept->strips().visit_spans(frame.seen(-margin), frame.pen.px(merged_knots) / frame.state.view.camera.scale,
+                                     most_candidates(frame),
                                      [&](std::size_t span, core::Point point, std::size_t count) {
                                          found.push_back({knots[span], point, count});
                                      });

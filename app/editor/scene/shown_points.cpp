@@ -45,7 +45,8 @@ ShownPoints shown_points(const CanvasFrame& frame) {
     };
     const double scale = frame.state.view.camera.scale;
     const double margin = frame.pen.size_px().x - frame.pen.reach().upper_px.x;
-    frame.kept->polygon().visit_points(frame.seen(-margin), frame.pen.px(merged_points) / scale, take);
+    frame.kept->polygon().visit_points(frame.seen(-margin), frame.pen.px(merged_points) / scale, most_candidates(frame),
+                                       take);
     const auto most = static_cast<std::size_t>(most_points_per_px * frame.pen.size_px().x);
     shown.crowd = settle(frame, std::move(places), {point_radii, point_gap, most});
     if (shown.seen > shown.crowd.shown.size()) shown.crowd.is_thinned = true;
@@ -59,9 +60,10 @@ bool has_point_near(const CanvasFrame& frame, const ShownPoints& points, glm::dv
     for (const double side : {-distance_px, distance_px})
         box.include(core::Point(render::world_from_screen(frame.state.view.camera, place + glm::dvec2(side))));
     bool is_near = false;
-    frame.kept->polygon().visit_points(box, 0.0, [&](std::size_t, core::Point point, std::size_t) {
-        is_near = is_near || glm::distance(frame.screen(point), place) < distance_px;
-    });
+    frame.kept->polygon().visit_points(box, 0.0, most_candidates(frame),
+                                       [&](std::size_t, core::Point point, std::size_t) {
+                                           is_near = is_near || glm::distance(frame.screen(point), place) < distance_px;
+                                       });
     return is_near;
 }
 

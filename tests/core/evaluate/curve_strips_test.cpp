@@ -100,6 +100,21 @@ TEST(CurveStrips, take_no_more_places_than_asked_for) {
     EXPECT_GT(place_count(few), 100U);
 }
 
+TEST(CurveStrips, spend_their_places_evenly_on_a_line_that_swings_everywhere) {
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < 20000; ++i)
+        points.emplace_back(std::fmod(static_cast<double>(i * i) * 0.618, 1.0),
+                            std::fmod(static_cast<double>(i) * 0.414, 1.0));
+    const auto curve = cubic_through(points);
+    CurveStrips strips(curve);
+    const std::size_t places = place_count(strips.runs({1e-3, everything, 1500}, curve->domain()));
+    EXPECT_LE(places, 1500U);
+    EXPECT_GT(places, 500U);
+    const std::size_t corners = place_count(PolygonStrips(curve).runs({1e-3, everything, 1500}).runs);
+    EXPECT_LE(corners, 1500U);
+    EXPECT_GT(corners, 500U);
+}
+
 TEST(CurveStrips, show_the_extent_of_what_is_narrower_than_the_tolerance) {
     // A hundred thousand swings up and down on a width of 1.
     std::vector<Point> points;
@@ -271,7 +286,7 @@ TEST(PolygonStrips, visit_every_point_in_view_once) {
     for (std::size_t i = 0; i < points.size(); ++i)
         if (view.contains(points[i])) expected.push_back(i);
     std::vector<std::size_t> visited;
-    strips.visit_points(view, 0.0, [&](std::size_t i, Point, std::size_t) { visited.push_back(i); });
+    strips.visit_points(view, 0.0, plenty, [&](std::size_t i, Point, std::size_t) { visited.push_back(i); });
     EXPECT_EQ(visited, expected);
 }
 
