@@ -1,6 +1,7 @@
 #include "core/refine/detail/removable_knot.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -131,20 +132,23 @@ std::optional<RemovableKnot> removable_knot(const CarriedSpline& spline, std::si
     const std::size_t p = spline.p;
     assert(p < index && index < spline.points.size() && spline.knots[index] < spline.knots[index + 1]);
     const double u = spline.knots[index];
-    const std::size_t multiplicity = index + 1 - spline.first_of_run(u);
+    std::size_t multiplicity = 1;
+    while (multiplicity <= p && spline.knots[index - multiplicity] == u) ++multiplicity;
     RemovableKnot knot{.index = index, .first = index - p, .replaced = p + 1 - multiplicity, .points = {}};
     if (multiplicity > p) {
         knot.bound = close_tear(spline, knot);
     } else {
-        std::vector<Ratio> ratios;
-        std::vector<double> weights;
-        for (std::size_t i = knot.first; i < knot.first + knot.replaced; ++i) {
-            ratios.push_back(ratio_between(spline.knots[i], spline.knots[i + p + 1], u));
-            weights.push_back(spline.points[i].point.z);
+        std::array<Ratio, max_degree> ratios;
+        std::array<double, max_degree> weights;
+        for (std::size_t j = 0; j < knot.replaced; ++j) {
+            const std::size_t i = knot.first + j;
+            ratios[j] = ratio_between(spline.knots[i], spline.knots[i + p + 1], u);
+            weights[j] = spline.points[i].point.z;
         }
         // Moved in proportion to their weights, all points move by much the same in the plane.
         auto found =
-            removal<CarriedPoint>(ratios, weights, std::span(spline.points).subspan(knot.first - 1, knot.replaced + 2));
+            removal<CarriedPoint>(std::span(ratios).first(knot.replaced), std::span(weights).first(knot.replaced),
+                                  std::span(spline.points).subspan(knot.first - 1, knot.replaced + 2));
         knot.points = std::move(found.points);
         knot.bound = bound_of(spline, knot, found.error.point);
     }

@@ -1,6 +1,7 @@
 /// One knot taken out of a spline, the inverse of inserting it, for every point type.
 #pragma once
 
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -27,12 +28,13 @@ struct SplineRemoval {
 template <class P>
 SplineRemoval<P> removal(std::span<const Ratio> ratios, std::span<const double> shares, std::span<const P> points) {
     const std::size_t count = ratios.size();
-    assert(count >= 1 && shares.size() == count && points.size() == count + 2);
+    assert(1 <= count && count <= max_degree && shares.size() == count && points.size() == count + 2);
     // The equations have one relation: sum z_i P_i = 0 with z_{i+1} / z_i = -alpha_i / (1 - alpha_{i+1}). |z| is
     // largest where alpha passes 1/2; computed from there it falls to both sides.
     std::size_t middle = 0;
     while (middle + 1 < count && ratios[middle].upper_share >= ratios[middle + 1].lower_share) ++middle;
-    std::vector<double> z(count, 1.0);
+    std::array<double, max_degree> z;
+    z[middle] = 1.0;
     for (std::size_t i = middle; i + 1 < count; ++i)
         z[i + 1] = -z[i] * (ratios[i].upper_share / ratios[i + 1].lower_share);
     for (std::size_t i = middle; i > 0; --i) z[i - 1] = -z[i] * (ratios[i].lower_share / ratios[i - 1].upper_share);
