@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "core/base/detail/double_double.h"
 #include "core/base/detail/unit_interval.h"
 #include "core/curve/control_box.h"
 #include "core/measure/detail/piece_integral.h"
@@ -25,37 +26,70 @@ constexpr int most_length_steps = 60;
 double error_of(const RulePair<double>& rules) {
     const double size = std::abs(rules.kronrod);
     if (size == 0.0) return 0.0;
-    return size * std::min(1.0, std::pow(200.0 * std::abs(rules.kronrod - rules.gauss) / size, 1.5));
+    const double share = 200.0 * std::abs(rules.kronrod - rules.gauss) / size;
+    return size * std::min(1.0, share * std::sqrt(share));
 }
 
-using Pieces = std::span<const PieceMotion>;
+// Pieces, and the plain ones of them as powers.
+struct Pieces {
+    std::span<const PieceMotion> motions;
+    std::span<const SpeedForm> forms;
 
-double speed_at(Pieces pieces, HalfPlace place) {
-    return robust_length(motion_at(pieces, place).velocity);
+    const PieceMotion* begin() const { return motions.data(); }
+    const PieceMotion* end() const { return motions.data() + motions.size(); }
+};
+
+std::vector<SpeedForm> forms_of(std::span<const PieceMotion> motions) {
+    return {motions.begin(), motions.end()};
+}
+
+// Of a plain piece: from its middle.
+double from_middle(HalfPlace place) {
+    return place.is_second() ? 0.5 + place.offset : place.offset - 0.5;
+}
+
+Vector velocity_at(const Pieces& pieces, HalfPlace place) {
+    const SpeedForm& form = pieces.forms[place.piece()];
+    return form.is_plain() ? form.velocity(from_middle(place)) : motion_at(pieces.motions, place).velocity;
+}
+
+// |v|, mostly without the cost of any size.
+double length_of(Vector v) {
+    const double square = dot(v, v);
+    return square > 1e-280 && square < 1e280 ? std::sqrt(square) : robust_length(v);
+}
+
+double speed_at(const Pieces& pieces, HalfPlace place) {
+    return length_of(velocity_at(pieces, place));
+}
+
+RulePair<double> rules_of(const Pieces& pieces, std::size_t half, Interval offsets) {
+    const SpeedForm& form = pieces.forms[half / 2];
+    if (!form.is_plain())
+        return integrate_once<double>([&](double at) { return speed_at(pieces, {half, at}); }, offsets);
+    RulePair<double> rules = form.rules({from_middle({half, offsets.lower}), from_middle({half, offsets.upper})});
+    rules.interval = offsets;
+    return rules;
 }
 
 // The speed has a corner where the curve comes to a stop and turns back. Where that is nearer to an end of a part than
 // the rules look, they do not see it; the direction at the end does.
-double unseen_error(Pieces pieces, std::size_t half, Interval interval) {
+double unseen_error(const Pieces& pieces, std::size_t half, Interval interval) {
     const double reach = unseen_length(interval);
     double error = 0.0;
     for (const auto& [end, inside] :
          {std::pair(interval.lower, interval.lower + reach), std::pair(interval.upper, interval.upper - reach)}) {
-        const Vector at_end = motion_at(pieces, {half, end}).velocity;
-        const Vector at_node = motion_at(pieces, {half, inside}).velocity;
-        if (dot(at_end / robust_length(at_end), at_node) < 0.0)
-            error += reach * (robust_length(at_end) + robust_length(at_node));
+        const Vector at_end = velocity_at(pieces, {half, end});
+        const Vector at_node = velocity_at(pieces, {half, inside});
+        if (dot(at_end / length_of(at_end), at_node) < 0.0) error += reach * (length_of(at_end) + length_of(at_node));
     }
     return error;
 }
 
 // The parts of the ranges, on which the rules are as accurate as they should be, or as can be.
-std::vector<IntegratedPart<double>> parts_of(Pieces pieces, std::span<const PieceRange> ranges) {
-    return integrate_adaptively<double>(
-        ranges,
-        [&](std::size_t half, double offset) {
-            return speed_at(pieces, {half, offset});
-        },
+std::vector<IntegratedPart<double>> parts_of(const Pieces& pieces, std::span<const PieceRange> ranges) {
+    return integrate_by_rules<double>(
+        ranges, [&](std::size_t half, Interval offsets) { return rules_of(pieces, half, offsets); },
         [&](std::size_t half, const RulePair<double>& rules) {
             return error_of(rules) + unseen_error(pieces, half, rules.interval);
         },
@@ -64,24 +98,28 @@ std::vector<IntegratedPart<double>> parts_of(Pieces pieces, std::span<const Piec
 
 Integral sum_of(std::span<const IntegratedPart<double>> parts) {
     Integral total;
+    DoubleDouble sum;
     for (const IntegratedPart<double>& part : parts) {
-        total.value += part.rules.kronrod;
+        sum = sum + part.rules.kronrod;
         total.error += part.error;
     }
+    total.value = sum.rounded();
     total.error += length_rounding * total.value;
     return total;
 }
 
 // The length between two parameters is at least that of the pieces' chords and at most that of their control polygons.
-Interval bounds_of_length(Pieces pieces, Interval wanted) {
+Interval bounds_of_length(const Pieces& pieces, Interval wanted) {
     Interval bounds{0.0, 0.0};
     for (const PieceMotion& piece : pieces) {
         const Interval interval = piece.interval();
         if (interval.upper <= wanted.lower || interval.lower >= wanted.upper) continue;
-        bounds.lower += robust_length(piece.at(to_unit(interval, wanted.upper)).position -
-                                      piece.at(to_unit(interval, wanted.lower)).position);
+        const bool is_whole = wanted.lower <= interval.lower && interval.upper <= wanted.upper;
+        bounds.lower += is_whole ? length_of(project(piece.points().back()) - project(piece.points().front()))
+                                 : length_of(piece.at(to_unit(interval, wanted.upper)).position -
+                                             piece.at(to_unit(interval, wanted.lower)).position);
         for (std::size_t i = 1; i < piece.points().size(); ++i)
-            bounds.upper += robust_length(project(piece.points()[i]) - project(piece.points()[i - 1]));
+            bounds.upper += length_of(project(piece.points()[i]) - project(piece.points()[i - 1]));
     }
     return bounds;
 }
@@ -95,26 +133,26 @@ Integral within(Interval bounds, Integral found) {
 
 // What rounding of Bézier points, which are seen from one origin, may make of the length: of each leg twice the
 // rounding of a point, and p legs of a piece.
-double rounding_of(Pieces pieces, Interval wanted) {
+double rounding_of(const Pieces& pieces, Interval wanted) {
     double sum = 0.0;
     for (const PieceMotion& piece : pieces) {
         if (piece.interval().upper <= wanted.lower || piece.interval().lower >= wanted.upper) continue;
         double farthest = 0.0;
         for (const HomogeneousPoint& point : piece.points())
-            farthest = std::max(farthest, robust_length(vector_to(project(point))));
+            farthest = std::max(farthest, length_of(vector_to(project(point))));
         sum += 2.0 * static_cast<double>(piece.points().size() - 1) * farthest;
     }
     return std::numeric_limits<double>::epsilon() * sum;
 }
 
-Integral sum_over(Pieces pieces, Interval wanted, std::span<const IntegratedPart<double>> parts) {
+Integral sum_over(const Pieces& pieces, Interval wanted, std::span<const IntegratedPart<double>> parts) {
     Integral found = sum_of(parts);
     found.error += rounding_of(pieces, wanted);
     return within(bounds_of_length(pieces, wanted), found);
 }
 
-Integral integrate(Pieces pieces, Interval wanted) {
-    return sum_over(pieces, wanted, parts_of(pieces, ranges_between(pieces, wanted)));
+Integral integrate(const Pieces& pieces, Interval wanted) {
+    return sum_over(pieces, wanted, parts_of(pieces, ranges_between(pieces.motions, wanted)));
 }
 
 // How often the period goes into the way from the domain's beginning to `u`, and what is left.
@@ -123,7 +161,7 @@ std::pair<double, double> whole_periods(Interval domain, double u) {
     return {count, domain.clamp(u - count * domain.length())};
 }
 
-Integral around(Pieces pieces, Interval domain, double from, double to) {
+Integral around(const Pieces& pieces, Interval domain, double from, double to) {
     const auto [first_period, first] = whole_periods(domain, from);
     const auto [last_period, last] = whole_periods(domain, to);
     if (first_period == last_period) return integrate(pieces, {first, last});
@@ -150,7 +188,9 @@ Integral arc_length(const Curve& curve, double from, double to) {
         const Integral reverse = arc_length(curve, to, from);
         return {-reverse.value, reverse.error};
     }
-    const auto pieces = motions_of(curve, middle_of(curve));
+    const auto motions = motions_of(curve, middle_of(curve));
+    const auto forms = forms_of(motions);
+    const Pieces pieces{motions, forms};
     const Interval domain = curve.domain();
     const bool is_inside = domain.contains(from) && domain.contains(to);
     if (curve.is_periodic() && !is_inside && std::isfinite(to - from)) return around(pieces, domain, from, to);
@@ -158,9 +198,10 @@ Integral arc_length(const Curve& curve, double from, double to) {
 }
 
 ArcLengthTable::ArcLengthTable(const Curve& curve)
-    : knots_(curve.knots()), pieces_(motions_of(curve, middle_of(curve))) {
-    const auto parts = parts_of(pieces_, ranges_between(pieces_, curve.domain()));
-    total_ = sum_over(pieces_, curve.domain(), parts);
+    : knots_(curve.knots()), pieces_(motions_of(curve, middle_of(curve))), forms_(forms_of(pieces_)) {
+    const Pieces pieces{pieces_, forms_};
+    const auto parts = parts_of(pieces, ranges_between(pieces_, curve.domain()));
+    total_ = sum_over(pieces, curve.domain(), parts);
     double before = 0.0;
     for (const IntegratedPart<double>& part : parts) {
         parts_.push_back({part.piece, part.rules.interval, part.rules.kronrod, before});
@@ -183,12 +224,7 @@ double ArcLengthTable::length_at(double u) const {
 }
 
 double ArcLengthTable::length_within(const Part& part, double offset) const {
-    return integrate_once<double>(
-               [&](double at) {
-                   return speed_at(pieces_, {part.half, at});
-               },
-               {part.offsets.lower, offset})
-        .kronrod;
+    return rules_of({pieces_, forms_}, part.half, {part.offsets.lower, offset}).kronrod;
 }
 
 double ArcLengthTable::parameter_at(double s) const {
@@ -210,9 +246,11 @@ double ArcLengthTable::offset_at(const Part& part, double length) const {
     for (int i = 0; i < most_length_steps; ++i) {
         const double excess = length_within(part, at) - length;
         (excess < 0.0 ? bracket.lower : bracket.upper) = at;
-        double next = at - excess / speed_at(pieces_, {part.half, at});
+        double next = at - excess / speed_at({pieces_, forms_}, {part.half, at});
         if (!(bracket.lower <= next && next <= bracket.upper)) next = bracket.lower + 0.5 * bracket.length();
-        const bool is_done = std::abs(next - at) <= 0.5 * std::numeric_limits<double>::epsilon() * std::abs(at);
+        // The length up to here is known no better than to the rounding of that of the part.
+        const bool is_done = std::abs(excess) <= 0.5 * std::numeric_limits<double>::epsilon() * part.length ||
+                             std::abs(next - at) <= 0.5 * std::numeric_limits<double>::epsilon() * std::abs(at);
         at = next;
         if (is_done) break;
     }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/evaluate/detail/piece_motion.h"
+#include "core/measure/detail/speed_form.h"
 
 namespace batten::core {
 
@@ -55,6 +55,7 @@ class ArcLengthTable {
 
     KnotVector knots_;
     std::vector<PieceMotion> pieces_;
+    std::vector<SpeedForm> forms_;  // of the pieces
     std::vector<Part> parts_;
     Integral total_;
 };

@@ -83,25 +83,34 @@ constexpr std::size_t most_divisions(std::size_t ranges) {
     return 1000 + 8 * ranges;
 }
 
-/// Integrates `function(piece, t)` over the ranges: halves the part with the largest error until `is_enough(error,
-/// sum)` of it, or most_divisions are done; parts between whose ends no double lies stay whole. `error_of(piece,
-/// rules)` gives the error of a part. Returns the parts in order. Source: Piessens et al. 1983, QUADPACK, QAG.
-template <class Value, class Function, class ErrorOf, class IsEnough>
-std::vector<IntegratedPart<Value>> integrate_adaptively(std::span<const PieceRange> ranges, const Function& function,
-                                                        const ErrorOf& error_of, const IsEnough& is_enough) {
+/// Integrates over the ranges by `rules_of(piece, interval)`: halves the part with the largest error until
+/// `is_enough(error, sum)` of it, or most_divisions are done; parts between whose ends no double lies stay whole.
+/// `error_of(piece, rules)` gives the error of a part. Returns the parts in order. Source: Piessens et al. 1983,
+/// QUADPACK, QAG.
+template <class Value, class RulesOf, class ErrorOf, class IsEnough>
+std::vector<IntegratedPart<Value>> integrate_by_rules(std::span<const PieceRange> ranges, const RulesOf& rules_of,
+                                                      const ErrorOf& error_of, const IsEnough& is_enough) {
     using Part = IntegratedPart<Value>;
     const auto has_less_error = [](const Part& a, const Part& b) { return a.error < b.error; };
-    Value sum{};
-    std::vector<Part> open;
-    const auto add = [&](std::size_t piece, Interval interval) {
-        const auto rules = integrate_once<Value>([&](double t) { return function(piece, t); }, interval);
+    const auto part_of = [&](std::size_t piece, Interval interval) {
+        const auto rules = rules_of(piece, interval);
         const double error = error_of(piece, rules);
-        open.push_back({piece, rules, std::isnan(error) ? std::numeric_limits<double>::infinity() : error});
-        sum += rules.kronrod;
+        return Part{piece, rules, std::isnan(error) ? std::numeric_limits<double>::infinity() : error};
     };
-    for (const PieceRange& range : ranges) add(range.piece, range.interval);
-    std::make_heap(open.begin(), open.end(), has_less_error);
+    Value sum{};
     std::vector<Part> done;
+    done.reserve(ranges.size());
+    for (const PieceRange& range : ranges) {
+        done.push_back(part_of(range.piece, range.interval));
+        sum += done.back().rules.kronrod;
+    }
+    // What is open at all; mostly nothing.
+    const auto first_open =
+        std::stable_partition(done.begin(), done.end(), [&](const Part& part) { return is_enough(part.error, sum); });
+    std::vector<Part> open(first_open, done.end());
+    done.erase(first_open, done.end());
+    if (open.empty()) return done;
+    std::make_heap(open.begin(), open.end(), has_less_error);
     for (std::size_t i = 0; i < most_divisions(ranges.size()) && !open.empty(); ++i) {
         if (is_enough(open.front().error, sum)) break;
         std::pop_heap(open.begin(), open.end(), has_less_error);
@@ -115,7 +124,8 @@ std::vector<IntegratedPart<Value>> integrate_adaptively(std::span<const PieceRan
         }
         sum -= part.rules.kronrod;
         for (const Interval half : {Interval{whole.lower, middle}, Interval{middle, whole.upper}}) {
-            add(part.piece, half);
+            open.push_back(part_of(part.piece, half));
+            sum += open.back().rules.kronrod;
             std::push_heap(open.begin(), open.end(), has_less_error);
         }
     }
@@ -124,6 +134,16 @@ std::vector<IntegratedPart<Value>> integrate_adaptively(std::span<const PieceRan
         return std::pair(a.piece, a.rules.interval.lower) < std::pair(b.piece, b.rules.interval.lower);
     });
     return done;
+}
+
+/// The same with integrate_once of `function(piece, t)`.
+template <class Value, class Function, class ErrorOf, class IsEnough>
+std::vector<IntegratedPart<Value>> integrate_adaptively(std::span<const PieceRange> ranges, const Function& function,
+                                                        const ErrorOf& error_of, const IsEnough& is_enough) {
+    const auto rules_of = [&](std::size_t piece, Interval interval) {
+        return integrate_once<Value>([&](double t) { return function(piece, t); }, interval);
+    };
+    return integrate_by_rules<Value>(ranges, rules_of, error_of, is_enough);
 }
 
 }  // namespace batten::core

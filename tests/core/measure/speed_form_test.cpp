@@ -1,0 +1,61 @@
+#include "core/measure/detail/speed_form.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/core/random_curves.h"
+
+namespace batten::core {
+
+namespace {
+
+PieceMotion piece_of(RandomCurves& random, int degree, double weight_at_end = 1.0) {
+    BezierPiece piece{.interval = {0.0, 1.0}, .points = {}};
+    for (int i = 0; i <= degree; ++i) {
+        const double x = random.number(-8.0, 8.0);
+        piece.points.emplace_back(x, random.number(-8.0, 8.0), 1.0);
+    }
+    piece.points.back() *= weight_at_end;
+    return PieceMotion(std::move(piece));
+}
+
+}  // namespace
+
+TEST(SpeedForm, has_the_velocities_of_the_piece) {
+    RandomCurves random(91);
+    for (int degree = 1; degree <= 8; ++degree) {
+        const PieceMotion piece = piece_of(random, degree);
+        const SpeedForm form(piece);
+        ASSERT_TRUE(form.is_plain());
+        for (const double t : {0.0, 0.1, 0.5, 0.7, 1.0}) {
+            const Vector expected = piece.at(t).velocity;
+            EXPECT_NEAR(form.velocity(t - 0.5).x, expected.x, 1e-13) << degree << ' ' << t;
+            EXPECT_NEAR(form.velocity(t - 0.5).y, expected.y, 1e-13) << degree << ' ' << t;
+        }
+    }
+}
+
+TEST(SpeedForm, has_the_rules_of_integrate_once) {
+    RandomCurves random(92);
+    for (int degree = 1; degree <= 8; ++degree) {
+        const PieceMotion piece = piece_of(random, degree);
+        const Interval part{-0.4, 0.3};
+        const auto found = SpeedForm(piece).rules(part);
+        const auto expected =
+            integrate_once<double>([&](double s) { return length(piece.at(s + 0.5).velocity); }, part);
+        EXPECT_NEAR(found.kronrod, expected.kronrod, 1e-13 * expected.kronrod);
+        EXPECT_NEAR(found.gauss, expected.gauss, 1e-13 * expected.gauss);
+        EXPECT_EQ(found.interval, part);
+    }
+}
+
+TEST(SpeedForm, is_not_for_high_degrees_weights_and_huge_numbers) {
+    RandomCurves random(93);
+    EXPECT_FALSE(SpeedForm(piece_of(random, 9)).is_plain());
+    EXPECT_FALSE(SpeedForm(piece_of(random, 3, 2.0)).is_plain());
+    EXPECT_FALSE(SpeedForm(PieceMotion({{0.0, 1.0}, 0, {{0, 0, 1}, {1e200, 0, 1}}})).is_plain());
+    EXPECT_FALSE(SpeedForm(PieceMotion({{0.0, 1.0}, 0, {{0, 0, 1}, {1e-200, 0, 1}}})).is_plain());
+}
+
+}  // namespace batten::core
