@@ -11,9 +11,9 @@ int main(int argc, char** argv) {
     const std::optional<std::filesystem::path> folder = argc == 2 ? std::optional(argv[1]) : std::nullopt;
     if (!folder && benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     Contests contests;
-    for (const auto add :
-         {add_sorted_samples, add_random_point, add_derivatives, add_basis, add_insert_knot, add_refine,
-          add_bezier_pieces, add_elevate, add_nearest, add_interpolate, add_arc_length, add_text})
+    for (const auto add : {add_sorted_samples, add_random_point, add_derivatives, add_basis, add_insert_knot,
+                           add_refine, add_bezier_pieces, add_elevate, add_nearest, add_interpolate, add_arc_length,
+                           add_intersect, add_offset, add_fit, add_text})
         add(contests);
     try {
         for (const Contest& contest : contests) {

@@ -19,5 +19,8 @@ void add_nearest(Contests& contests);
 void add_interpolate(Contests& contests);
 void add_arc_length(Contests& contests);
 void add_text(Contests& contests);
+void add_intersect(Contests& contests);
+void add_offset(Contests& contests);
+void add_fit(Contests& contests);
 
 }  // namespace batten::bench
