@@ -3,7 +3,7 @@
 #include <cassert>
 
 #include "core/curve/detail/bspline.h"
-#include "core/evaluate/detail/known_degree.h"
+#include "core/curve/detail/known_degree.h"
 
 namespace batten::core {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/evaluate/detail/known_degree.h"
+#include "core/curve/detail/known_degree.h"
 
 namespace batten::core {
 

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "core/curve/detail/constant_degree.h"
+#include "core/curve/detail/known_degree.h"
 #include "core/evaluate/blossom.h"
 #include "core/evaluate/detail/decomposition.h"
 
@@ -29,7 +29,7 @@ namespace {
 template <class P, class Load, class Lifted>
 void fill_pieces(const KnotVector& knots, std::span<const std::size_t> spans, std::span<HomogeneousPoint> points,
                  Load load, Lifted lifted) {
-    with_constant_degree(static_cast<std::size_t>(knots.degree()), [&](auto p) {
+    with_known_degree(static_cast<std::size_t>(knots.degree()), [&](auto p) {
         Decomposition<P, decltype(p), Load> pieces(p, knots.values(), spans.back(), load);
         for (std::size_t k = spans.size(); k-- > 0;)
             pieces.emit(k == 0, [&, place = &points[k * (p + 1)]](const auto& piece, std::size_t) {

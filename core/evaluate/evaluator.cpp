@@ -4,8 +4,8 @@
 #include <cassert>
 #include <limits>
 
+#include "core/curve/detail/known_degree.h"
 #include "core/evaluate/detail/homogeneous_jet.h"
-#include "core/evaluate/detail/known_degree.h"
 #include "core/evaluate/detail/taylor_samples.h"
 
 namespace batten::core {

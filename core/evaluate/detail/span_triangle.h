@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/curve/detail/bspline.h"
-#include "core/evaluate/detail/known_degree.h"
+#include "core/curve/detail/known_degree.h"
 
 namespace batten::core {
 

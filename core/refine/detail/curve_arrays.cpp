@@ -6,7 +6,7 @@
 #include <functional>
 #include <numeric>
 
-#include "core/curve/detail/constant_degree.h"
+#include "core/curve/detail/known_degree.h"
 #include "core/curve/detail/near_share.h"
 
 namespace batten::core {
@@ -81,7 +81,7 @@ NewCurveArrays refined(const CurveArrays& from, std::span<const double> added) {
     NewCurveArrays to{NewArray<double>(from.knots.size() + added.size()),
                       NewArray<Point>(from.points.size() + added.size()),
                       NewArray<double>(from.points.size() + added.size())};
-    to.changed = with_constant_degree(from.p, [&](auto p) {
+    to.changed = with_known_degree(from.p, [&](auto p) {
         if (from.is_rational)
             return insert_ascending(
                 p, from.knots, added, to.knots.data(),
