@@ -34,9 +34,9 @@ void return_differentiate_level(Shares<Degree>& shares, const SpanKnots& at, Deg
 }
 
 template <class Degree>
-BasisRow differentiated(Shares<Degree> shares, const SpanKnots& at, Degree p, std::size_t times) {
+void differentiate(BasisRow& row, Shares<Degree> shares, const SpanKnots& at, Degree p, std::size_t times) {
     for (std::size_t r = times; r >= 1; --r) return_differentiate_level(shares, at, p, r);
-    return BasisRow(std::span<const double>(shares).first(p + 1));
+    row.assign(std::span<const double>(shares).first(p + 1));
 }
 
 // The k-th derivative differentiates on levels 1..k and blends on those above, which the lower derivatives share.
@@ -44,16 +44,14 @@ template <class Degree>
 [[gnu::flatten]] BasisValues basis_of_degree(const SpanKnots& at, Degree p, double u, std::size_t count) {
     Shares<Degree> shares{};
     shares[p] = 1.0;
-    BasisValues result{.span = at.s, .derivatives{}};
-    for (std::size_t k = 0; k <= count; ++k) result.derivatives.push_back(BasisRow());
+    BasisValues result{.span = at.s, .derivatives = ShortList<BasisRow, 1>(count + 1)};
     for_each_level(p, p, [&](auto level) {
         const std::size_t k = p + 1 - level;
-        if (k <= count) result.derivatives[k] = differentiated(shares, at, p, k);
+        if (k <= count) differentiate(result.derivatives[k], shares, at, p, k);
         return_blend_level(shares, at, p, k, u);
     });
-    result.derivatives[0] = differentiated(shares, at, p, 0);
-    const Shares<Degree> none{};
-    for (std::size_t k = p + 1; k <= count; ++k) result.derivatives[k] = differentiated(none, at, p, 0);
+    differentiate(result.derivatives[0], shares, at, p, 0);
+    for (std::size_t k = p + 1; k <= count; ++k) differentiate(result.derivatives[k], Shares<Degree>{}, at, p, 0);
     return result;
 }
 

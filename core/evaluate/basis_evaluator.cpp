@@ -25,11 +25,11 @@ std::vector<double> joints_of(const KnotVector& knots) {
 }
 
 template <class Degree>
-BasisRow row_at(const double* factors, Degree p, double t) {
+void set_row(BasisRow& row, const double* factors, Degree p, double t) {
     std::array<double, most_local_points<Degree>> sums{};
     for (std::size_t k = p + 1; k-- > 0;)
         for (std::size_t j = 0; j <= p; ++j) sums[j] = sums[j] * t + factors[k * (p + 1) + j];
-    return BasisRow(std::span<const double>(sums).first(p + 1));
+    row.assign(std::span<const double>(sums).first(p + 1));
 }
 
 }  // namespace
@@ -73,9 +73,9 @@ BasisValues BasisEvaluator::values_at(double u, Side side) const {
     const double middle = numbers[0];
     const double scale = numbers[1];
     if (scale == 0.0) return basis_functions(knots_, inside, 0, side);
-    BasisValues values{.span = indices_[i], .derivatives{}};
-    values.derivatives.push_back(
-        with_known_degree(degree, [&](auto p) { return row_at(numbers + 2, p, scale * (inside - middle)); }));
+    BasisValues values{.span = indices_[i], .derivatives = ShortList<BasisRow, 1>(1)};
+    with_known_degree(degree,
+                      [&](auto p) { set_row(values.derivatives[0], numbers + 2, p, scale * (inside - middle)); });
     return values;
 }
 

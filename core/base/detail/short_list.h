@@ -15,13 +15,20 @@ template <class T, std::size_t Few>
 class ShortList {
   public:
     ShortList() = default;
-    explicit ShortList(std::span<const T> items) : size_(items.size()) {
+    /// As many items as their default constructor leaves them: numbers are not set.
+    explicit ShortList(std::size_t count) : size_(count) {
+        if (count > Few) many_.resize(count);
+    }
+    explicit ShortList(std::span<const T> items) { assign(items); }
+    ShortList(std::initializer_list<T> items) : ShortList(std::span<const T>(items.begin(), items.size())) {}
+
+    void assign(std::span<const T> items) {
+        size_ = items.size();
         if (size_ <= Few)
             std::copy(items.begin(), items.end(), few_.begin());
         else
             many_.assign(items.begin(), items.end());
     }
-    ShortList(std::initializer_list<T> items) : ShortList(std::span<const T>(items.begin(), items.size())) {}
 
     void push_back(const T& item) {
         if (size_ < Few)
@@ -60,8 +67,8 @@ class ShortList {
     }
 
     std::size_t size_ = 0;
-    std::array<T, Few> few_{};
-    std::vector<T> many_{};  // all of them, where they are too many
+    std::array<T, Few> few_;  // those behind `size_` are not set: setting them would take longer than the rest
+    std::vector<T> many_{};   // all of them, where they are too many
 };
 
 }  // namespace batten::core
