@@ -103,6 +103,7 @@ Result<Curve> make_curve(CurveDefinition definition, std::optional<KnotKind> kin
     if (found == KnotKind::custom) return curve;
     definition = curve->definition();
     definition.kind = found;
+    curve = refuse({});  // a large one is not held twice
     return Curve::make(std::move(definition));
 }
 
