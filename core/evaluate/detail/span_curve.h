@@ -53,7 +53,8 @@ class SpanCurve {
     template <class Use>
     void while_derivative(Point origin, std::size_t order, Use use, double unit = 1.0) const {
         Local points = is_rational_ ? seen_from(origin) : points_;
-        Local weights = weights_;
+        Local weights;
+        if (is_rational_) weights = weights_;
         while_level(p_, order, [&](auto k) {
             differentiate(points, k, unit);
             if (is_rational_) differentiate(weights, k, unit);
@@ -65,14 +66,21 @@ class SpanCurve {
   private:
     void read(const Curve& curve) {
         const std::span<const Point> points = curve.control_points();
-        const std::span<const double> weights = curve.weights();
+        std::size_t i = at_.s - p_;
+        for (std::size_t j = 0; j <= p_; ++j) {
+            points_[j] = std::bit_cast<Pair>(points[i]);
+            if (++i == points.size()) i = 0;
+        }
+        if (curve.is_rational()) read_weights(curve.weights());
+    }
+
+    void read_weights(std::span<const double> weights) {
         std::size_t i = at_.s - p_;
         const double first_weight = weights[i];
         for (std::size_t j = 0; j <= p_; ++j) {
-            points_[j] = std::bit_cast<Pair>(points[i]);
             weights_[j] = Pair{weights[i], weights[i]};
             is_rational_ |= weights[i] != first_weight;
-            if (++i == points.size()) i = 0;
+            if (++i == weights.size()) i = 0;
         }
         if (is_rational_) make_moderate();
     }
