@@ -75,21 +75,21 @@ CurveArrays arrays_of(const Curve& curve) {
             curve.is_rational()};
 }
 
-NewCurveArrays refined(const CurveArrays& from, std::span<const double> added) {
+NewCurveArrays refined(const CurveArrays& arrays, std::span<const double> added) {
     assert(std::is_sorted(added.begin(), added.end()));
-    assert(added.empty() || (from.domain().contains(added.front()) && from.domain().contains(added.back())));
-    NewCurveArrays to{NewArray<double>(from.knots.size() + added.size()),
-                      NewArray<Point>(from.points.size() + added.size()),
-                      NewArray<double>(from.points.size() + added.size())};
-    to.changed = with_known_degree(from.p, [&](auto p) {
-        if (from.is_rational)
+    assert(added.empty() || (arrays.domain().contains(added.front()) && arrays.domain().contains(added.back())));
+    NewCurveArrays to{NewArray<double>(arrays.knots.size() + added.size()),
+                      NewArray<Point>(arrays.points.size() + added.size()),
+                      NewArray<double>(arrays.points.size() + added.size())};
+    to.changed = with_known_degree(arrays.p, [&](auto p) {
+        if (arrays.is_rational)
             return insert_ascending(
-                p, from.knots, added, to.knots.data(),
-                WeightedPoints{from.points.data(), from.weights.data(), to.points.data(), to.weights.data()});
-        return insert_ascending(p, from.knots, added, to.knots.data(),
-                                PlanePoints{from.points.data(), to.points.data()});
+                p, arrays.knots, added, to.knots.data(),
+                WeightedPoints{arrays.points.data(), arrays.weights.data(), to.points.data(), to.weights.data()});
+        return insert_ascending(p, arrays.knots, added, to.knots.data(),
+                                PlanePoints{arrays.points.data(), to.points.data()});
     });
-    if (!from.is_rational) std::fill_n(to.weights.data(), to.weights.size(), from.weights.front());
+    if (!arrays.is_rational) std::fill_n(to.weights.data(), to.weights.size(), arrays.weights.front());
     return to;
 }
 
