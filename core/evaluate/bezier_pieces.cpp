@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "core/curve/detail/known_degree.h"
+#include "core/curve/knot_analysis.h"
 #include "core/evaluate/blossom.h"
 #include "core/evaluate/detail/decomposition.h"
 
@@ -25,16 +26,18 @@ BezierPiece bezier_piece(const Curve& curve, std::size_t span) {
 
 namespace {
 
-// Fills `points` with what `lifted` makes of those of the pieces.
+// Fills `points` with what `lifted` makes of those of the pieces, from the last piece to the first.
 template <class P, class Load, class Lifted>
-void fill_pieces(const KnotVector& knots, std::span<const std::size_t> spans, std::span<HomogeneousPoint> points,
-                 Load load, Lifted lifted) {
+void fill_pieces(const KnotVector& knots, std::span<std::size_t> spans, std::span<HomogeneousPoint> points, Load load,
+                 Lifted lifted) {
     with_known_degree(static_cast<std::size_t>(knots.degree()), [&](auto p) {
-        Decomposition<P, decltype(p), Load> pieces(p, knots.values(), spans.back(), load);
-        for (std::size_t k = spans.size(); k-- > 0;)
+        Decomposition<P, decltype(p), Load> pieces(p, knots.values(), knots.span_at(knots.domain().upper), load);
+        for (std::size_t k = spans.size(); k-- > 0;) {
+            spans[k] = pieces.span();
             pieces.emit(k == 0, [&, place = &points[k * (p + 1)]](const auto& piece, std::size_t) {
                 for (std::size_t j = 0; j <= p; ++j) place[j] = lifted(piece[j]);
             });
+        }
     });
 }
 
@@ -43,10 +46,7 @@ void fill_pieces(const KnotVector& knots, std::span<const std::size_t> spans, st
 BezierPieces bezier_pieces(const Curve& curve) {
     const KnotVector& knots = curve.knots();
     const auto p = static_cast<std::size_t>(knots.degree());
-    std::vector<std::size_t> spans;
-    spans.reserve(knots.size() - 2 * p - 1);
-    for (std::size_t s = p; s + p + 1 < knots.size(); ++s)
-        if (knots[s] < knots[s + 1]) spans.push_back(s);
+    NewArray<std::size_t> spans(segment_count(knots));
     NewArray<HomogeneousPoint> points(spans.size() * (p + 1));
     const auto control = curve.control_points();
     const std::size_t n = control.size();
@@ -54,13 +54,13 @@ BezierPieces bezier_pieces(const Curve& curve) {
     if (curve.is_rational()) {
         const auto load = [&](std::size_t i) { return WeightedPoint{control[index(i)], curve.weights()[index(i)]}; };
         const auto lifted = [](const WeightedPoint& point) { return lift(point.point, point.weight); };
-        fill_pieces<WeightedPoint>(knots, spans, points.values(), load, lifted);
+        fill_pieces<WeightedPoint>(knots, spans.values(), points.values(), load, lifted);
     } else {
         const auto load = [&](std::size_t i) { return control[index(i)]; };
         const auto lifted = [weight = curve.weights().front()](Point point) { return lift(point, weight); };
-        fill_pieces<Point>(knots, spans, points.values(), load, lifted);
+        fill_pieces<Point>(knots, spans.values(), points.values(), load, lifted);
     }
-    return {knots, std::move(spans), SharedArray(std::move(points))};
+    return {knots, SharedArray(std::move(spans)), SharedArray(std::move(points))};
 }
 
 }  // namespace batten::core

@@ -20,7 +20,6 @@ struct BezierPiece {
 class BezierPieces {
   public:
     std::size_t size() const { return spans_.size(); }
-    bool empty() const { return spans_.empty(); }
 
     /// The index of piece k's span in the curve's knots, k < size().
     std::size_t span(std::size_t k) const { return spans_[k]; }
@@ -61,11 +60,11 @@ class BezierPieces {
   private:
     friend BezierPieces bezier_pieces(const Curve& curve);
 
-    BezierPieces(KnotVector knots, std::vector<std::size_t> spans, SharedArray<HomogeneousPoint> points)
+    BezierPieces(KnotVector knots, SharedArray<std::size_t> spans, SharedArray<HomogeneousPoint> points)
         : knots_(std::move(knots)), spans_(std::move(spans)), points_(std::move(points)) {}
 
     KnotVector knots_;
-    std::vector<std::size_t> spans_;
+    SharedArray<std::size_t> spans_;
     SharedArray<HomogeneousPoint> points_;
 };
 

@@ -32,6 +32,9 @@ class Decomposition {
         raise_right_end();
     }
 
+    /// The index of the next piece's span.
+    std::size_t span() const { return s_; }
+
     /// Hands the points of the next piece and the multiplicity of the knot at its left end to `emit_piece`.
     template <class Emit>
     void emit(bool is_first, Emit emit_piece) {
