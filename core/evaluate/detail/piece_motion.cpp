@@ -20,6 +20,21 @@ P bernstein_sum(LocalPoints<P>& points, std::size_t count, Ratio ratio) {
 }  // namespace
 
 Motion PieceMotion::at(Ratio ratio) const {
+    return is_polynomial_ ? polynomial_at(ratio) : rational_at(ratio);
+}
+
+Motion PieceMotion::polynomial_at(Ratio ratio) const {
+    const std::size_t p = piece_.points.size() - 1;
+    const double weight = piece_.points.front().z;
+    LocalPoints<Vector> points;
+    LocalPoints<Vector> legs;
+    for (std::size_t i = 0; i <= p; ++i) points[i] = plane_part(piece_.points[i]);
+    for (std::size_t i = 0; i < p; ++i) legs[i] = points[i + 1] - points[i];
+    return {tip_of(bernstein_sum(points, p + 1, ratio) / weight),
+            static_cast<double>(p) * (bernstein_sum(legs, p, ratio) / weight)};
+}
+
+Motion PieceMotion::rational_at(Ratio ratio) const {
     const std::size_t p = piece_.points.size() - 1;
     LocalPoints<HomogeneousPoint> points;
     std::copy(piece_.points.begin(), piece_.points.end(), points.begin());

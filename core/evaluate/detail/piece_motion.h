@@ -23,6 +23,8 @@ class PieceMotion {
     /// `piece` has 2 to max_degree + 1 points.
     explicit PieceMotion(BezierPiece piece) : piece_(std::move(piece)) {
         assert(2 <= piece_.points.size() && piece_.points.size() <= max_degree + 1);
+        for (const HomogeneousPoint& point : piece_.points)
+            is_polynomial_ = is_polynomial_ && point.z == piece_.points.front().z;
     }
 
     Interval interval() const { return piece_.interval; }
@@ -33,11 +35,18 @@ class PieceMotion {
     /// At the share `ratio.upper_share`, which says as well how near the end is: the smaller share counts.
     Motion at(Ratio ratio) const;
 
+    /// Whether all weights are equal.
+    bool is_polynomial() const { return is_polynomial_; }
+
     /// The Bézier points, seen from the origin of the motion.
     std::span<const HomogeneousPoint> points() const { return piece_.points; }
 
   private:
+    Motion polynomial_at(Ratio ratio) const;
+    Motion rational_at(Ratio ratio) const;
+
     BezierPiece piece_;
+    bool is_polynomial_ = true;
 };
 
 /// All pieces of `curve`, seen from `origin`.

@@ -35,10 +35,6 @@ BATTEN_VECTORIZED void fill_speeds(const Vector* powers, std::size_t count, cons
     for (std::size_t i = 0; i < node_count; ++i) speeds[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
 }
 
-bool is_polynomial(std::span<const HomogeneousPoint> points) {
-    return std::ranges::all_of(points, [&](const HomogeneousPoint& point) { return point.z == points.front().z; });
-}
-
 bool has_squares(std::span<const Vector> vectors) {
     double largest = 0.0;
     for (const Vector& v : vectors) largest = std::max({largest, std::abs(v.x), std::abs(v.y)});
@@ -51,7 +47,7 @@ bool has_squares(std::span<const Vector> vectors) {
 SpeedForm::SpeedForm(const PieceMotion& piece) {
     const std::span<const HomogeneousPoint> points = piece.points();
     const std::size_t p = points.size() - 1;
-    if (p > highest_degree || !is_polynomial(points)) return;
+    if (p > highest_degree || !piece.is_polynomial()) return;
     std::array<Vector, highest_degree> legs{};
     for (std::size_t i = 0; i < p; ++i)
         legs[i] = static_cast<double>(p) / points[i].z * plane_part(points[i + 1] - points[i]);
