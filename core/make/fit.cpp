@@ -8,8 +8,8 @@
 
 #include "core/base/detail/gauss_rule.h"
 #include "core/curve/detail/edit_checks.h"
-#include "core/evaluate/detail/precise_jet.h"
 #include "core/make/detail/end_conditions.h"
+#include "core/make/detail/fit_errors.h"
 
 namespace batten::core {
 
@@ -215,7 +215,7 @@ class Fitter {
         const std::size_t first = is_closed_ ? 0 : 1;
         for (std::size_t k = first; k + first < points_.size(); ++k) {
             system.require_point(parameters_[k] + shift, points_[k]);
-            tell_point(0.0, k);
+            tell_point(k);
         }
     }
 
@@ -246,29 +246,18 @@ class Fitter {
         }
         auto curve = Curve::make(*std::move(knots), *std::move(points), {});
         if (!curve) return refuse(curve.error());
-        std::vector<double> errors;
-        for (std::size_t k = 0; k < points_.size(); ++k) {
-            errors.push_back(error_at(*curve, k, shift_of(breaks)));
-            if (!std::isfinite(errors.back())) return refuse({.code = CurveErrorCode::not_computable});
-            tell_point(0.5, k);
-        }
+        std::vector<double> errors = fit_errors(*curve, points_, parameters_, shift_of(breaks));
+        if (!std::ranges::all_of(errors, [](double error) { return std::isfinite(error); }))
+            return refuse({.code = CurveErrorCode::not_computable});
         return Fit{*std::move(curve), std::move(errors)};
     }
 
-    // Tells that point k is dealt with in that half of the round which begins at `half`.
-    void tell_point(double half, std::size_t k) const {
+    // Tells that point k of the round is dealt with.
+    void tell_point(std::size_t k) const {
         constexpr std::size_t points_between = 4096;
         if (!progress_ || k % points_between != 0) return;
-        const double part = half + 0.5 * static_cast<double>(k) / static_cast<double>(points_.size());
+        const double part = static_cast<double>(k) / static_cast<double>(points_.size());
         progress_(round_.begin + round_.length * part);
-    }
-
-    // Rounded up, and before that in twice the precision: of a curve through the points rounding is all there is.
-    double error_at(const Curve& curve, std::size_t k, double shift) const {
-        constexpr double rounding_up = 1.0 + 4.0 * std::numeric_limits<double>::epsilon();
-        const Location place = located(curve.knots(), parameters_[k] + shift, Side::right);
-        const PreciseHomogeneousPoint found = precise_point(curve, place.at, place.u, points_[k]);
-        return rounding_up * std::hypot(found.x.rounded(), found.y.rounded());
     }
 
     // Which spans contain a point with a larger error than allowed; a point at a break is in both of its spans.
