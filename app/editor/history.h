@@ -10,10 +10,15 @@
 
 namespace batten::editor {
 
-/// The documents before and after each step, and where we stand. Curves are shared, so a step costs a few pointers.
+/// What undo may keep: 512 MB, some thirty steps that move all of a million control points.
+inline constexpr std::size_t most_history_bytes = std::size_t{512} << 20U;
+
+/// The documents before and after each step, and where we stand. Curves and their arrays are shared, so a step costs
+/// what it changed. The oldest steps are forgotten where all of them hold more than `most_bytes`, but never the last
+/// one.
 class History {
   public:
-    explicit History(core::Document start = {});
+    explicit History(core::Document start = {}, std::size_t most_bytes = most_history_bytes);
 
     const core::Document& present() const { return steps_[position_].document; }
     /// The document that undo would bring back; there must be one.
@@ -35,24 +40,38 @@ class History {
     void redo();
 
     /// Changes what is not undone (active curve) in the present document.
-    void amend(core::Document document) { steps_[position_].document = std::move(document); }
+    void amend(core::Document document);
 
-    void mark_saved() { saved_ = present(); }
+    void mark_saved();
 
     /// Whether the present document is the one that was saved last, or that the history began with, or is like it.
-    bool is_saved() const { return has_same_content(saved_, present()); }
+    bool is_saved() const { return is_saved_; }
 
     std::size_t undo_count() const { return position_; }
     std::size_t redo_count() const { return steps_.size() - 1 - position_; }
+
+    /// What all documents hold together in curves: each array once for the first of consecutive documents that share
+    /// it.
+    std::size_t byte_count() const { return byte_count_; }
 
   private:
     struct Step {
         std::string label;
         core::Document document;
+        std::size_t byte_count = 0;  ///< of what the document before does not hold
     };
+
+    const core::Document* document_before(std::size_t step) const;
+    void count_bytes(std::size_t step);
+    void forget_oldest();
+    void go_to(std::size_t position);
+
     std::vector<Step> steps_;
     std::size_t position_ = 0;
     core::Document saved_;
+    bool is_saved_ = true;
+    std::size_t byte_count_ = 0;
+    std::size_t most_bytes_;
 };
 
 }  // namespace batten::editor

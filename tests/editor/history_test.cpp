@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "core/edit/point_edit.h"
+
 namespace batten::editor {
 namespace {
 
@@ -84,6 +88,83 @@ TEST(History, never_takes_another_document_for_the_saved_one) {
     history.push("other", titled("other"));
     EXPECT_FALSE(history.is_saved());
     history.undo();
+    EXPECT_FALSE(history.is_saved());
+}
+
+// A cubic with 1000 control points holds 1004 knots, and as many points and weights as that.
+constexpr std::size_t point_bytes = 1000 * 2 * sizeof(double);
+constexpr std::size_t curve_bytes = 1004 * sizeof(double) + point_bytes + 1000 * sizeof(double);
+constexpr std::size_t entry_bytes = sizeof(core::DocumentCurve) + 4;  // with its name
+
+core::Document long_curve() {
+    core::CurveDefinition definition{.degree = 3, .points = std::vector<core::Point>(1000)};
+    for (int i = 0; i < 1004; ++i) definition.knots.push_back(i);
+    core::DocumentCurve item;
+    item.name = "long";
+    item.curve = std::make_shared<const core::Curve>(core::Curve::make(definition).value());
+    core::Document document;
+    document.curves.push_back(item);
+    return document;
+}
+
+core::Document with_point(core::Document document, double x) {
+    std::shared_ptr<const core::Curve>& curve = document.curves.front().curve;
+    curve = std::make_shared<const core::Curve>(core::set_control_point(*curve, 500, {x, 0.0}).value());
+    return document;
+}
+
+TEST(History, counts_what_documents_do_not_share) {
+    History history(long_curve());
+    EXPECT_EQ(history.byte_count(), curve_bytes + entry_bytes);
+    history.push("renamed", history.present());
+    EXPECT_EQ(history.byte_count(), curve_bytes + 2 * entry_bytes);
+    history.push("moved", with_point(history.present(), 1.0));
+    EXPECT_EQ(history.byte_count(), curve_bytes + point_bytes + 3 * entry_bytes);
+    core::Document twice = history.present();
+    twice.curves.push_back(twice.curves.front());
+    history.push("copied", twice);
+    EXPECT_EQ(history.byte_count(), curve_bytes + point_bytes + 5 * entry_bytes);
+    history.undo();
+    history.undo();
+    EXPECT_EQ(history.byte_count(), curve_bytes + point_bytes + 5 * entry_bytes);
+    history.push("moved elsewhere", with_point(history.present(), 2.0));
+    EXPECT_EQ(history.byte_count(), curve_bytes + point_bytes + 3 * entry_bytes);
+}
+
+TEST(History, forgets_the_oldest_steps_where_they_hold_more_than_is_kept) {
+    const std::size_t step_bytes = point_bytes + entry_bytes;
+    const std::size_t most_bytes = curve_bytes + entry_bytes + 3 * step_bytes;
+    History history(long_curve(), most_bytes);
+    for (int i = 1; i <= 50; ++i) {
+        history.push("move", with_point(history.present(), i));
+        EXPECT_EQ(history.undo_count(), static_cast<std::size_t>(std::min(i, 3)));
+        EXPECT_LE(history.byte_count(), most_bytes);
+    }
+    for (int i = 0; i < 3; ++i) history.undo();
+    EXPECT_FALSE(history.can_undo());
+    EXPECT_EQ(history.present().curves.front().curve->control_points()[500].x, 47.0);
+    EXPECT_EQ(history.redo_count(), 3U);
+    EXPECT_FALSE(history.is_saved());
+}
+
+TEST(History, never_forgets_the_last_step) {
+    History history(long_curve(), 1);
+    for (int i = 1; i <= 3; ++i) history.push("move", with_point(history.present(), i));
+    EXPECT_EQ(history.undo_count(), 1U);
+    history.undo();
+    EXPECT_EQ(history.present().curves.front().curve->control_points()[500].x, 2.0);
+}
+
+TEST(History, counts_what_is_changed_without_a_step) {
+    History history(long_curve());
+    history.push("moved", with_point(history.present(), 1.0));
+    history.undo();
+    history.amend(with_point(history.present(), 2.0));
+    EXPECT_EQ(history.byte_count(), curve_bytes + point_bytes + 2 * entry_bytes);
+    EXPECT_FALSE(history.is_saved());
+    history.mark_saved();
+    EXPECT_TRUE(history.is_saved());
+    history.redo();
     EXPECT_FALSE(history.is_saved());
 }
 
