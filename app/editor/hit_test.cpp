@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "app/editor/weight_ring.h"
 #include "core/curve/control_box.h"
@@ -77,55 +78,113 @@ struct CanvasPointer {
     }
 };
 
+/// The active curve on the canvas, with its control points in pixels.
+class ActiveCurve {
+  public:
+    ActiveCurve(const CanvasPointer& pointer, const core::Curve& curve) : pointer_(pointer), curve_(curve) {
+        points_px_.reserve(curve.control_points().size());
+        for (const core::Point& point : curve.control_points())
+            points_px_.push_back(render::screen_from_world(pointer.camera(), point));
+    }
+
+    std::optional<Hover> hit() const;
+
+  private:
+    std::optional<Hover> hit_parameter_or_points() const;
+    std::optional<Hover> hit_rings() const;
+    std::optional<Hover> hit_knots() const;
+    std::optional<Hover> hit_curve() const;
+    std::optional<Hover> hit_legs() const;
+
+    double distance_to(std::size_t point) const { return glm::distance(pointer_.position_px, points_px_[point]); }
+    bool may_reach(std::size_t span, double design_px) const;
+    bool may_reach_any_span(double design_px) const;
+    std::size_t last_span() const { return curve_.knots().size() - static_cast<std::size_t>(curve_.degree()) - 2; }
+
+    const CanvasPointer& pointer_;
+    const core::Curve& curve_;
+    std::vector<glm::dvec2> points_px_;
+};
+
+/// Whether the curve over a span, which lies among the control points that it depends on, may be so near.
+bool ActiveCurve::may_reach(std::size_t span, double design_px) const {
+    constexpr double rounding_px = 1.0;
+    const double reach = pointer_.px(design_px) + rounding_px;
+    bool is_right = true;
+    bool is_left = true;
+    bool is_below = true;
+    bool is_above = true;
+    for (std::size_t i = span - static_cast<std::size_t>(curve_.degree()); i <= span; ++i) {
+        const glm::dvec2 away = points_px_[i % points_px_.size()] - pointer_.position_px;
+        is_right = is_right && away.x > reach;
+        is_left = is_left && away.x < -reach;
+        is_below = is_below && away.y > reach;
+        is_above = is_above && away.y < -reach;
+    }
+    return !(is_right || is_left || is_below || is_above);
+}
+
+bool ActiveCurve::may_reach_any_span(double design_px) const {
+    for (auto span = static_cast<std::size_t>(curve_.degree()); span <= last_span(); ++span)
+        if (may_reach(span, design_px)) return true;
+    return false;
+}
+
 /// C(u) or a control point, whichever is nearer; the point where they coincide, because at the end of a clamped curve
 /// it could not be grabbed otherwise.
-std::optional<Hover> hit_parameter_or_points(const CanvasPointer& pointer, const core::Curve& curve) {
-    Nearest nearest(pointer.px(reach::point));
-    const std::size_t point_count = pointer.shows(Overlay::polygon) ? curve.control_points().size() : 0;
-    for (std::size_t i = 0; i < point_count; ++i)
-        nearest.offer(HoveredPoint{i}, pointer.distance_to(curve.control_points()[i]));
-    nearest.offer(HoveredParameter{}, pointer.distance_to(core::point_at(curve, pointer.state.parameter())));
+std::optional<Hover> ActiveCurve::hit_parameter_or_points() const {
+    Nearest nearest(pointer_.px(reach::point));
+    const std::size_t point_count = pointer_.shows(Overlay::polygon) ? points_px_.size() : 0;
+    for (std::size_t i = 0; i < point_count; ++i) nearest.offer(HoveredPoint{i}, distance_to(i));
+    nearest.offer(HoveredParameter{}, pointer_.distance_to(core::point_at(curve_, pointer_.state.parameter())));
     return nearest.found();
 }
 
-std::optional<Hover> hit_rings(const CanvasPointer& pointer, const core::Curve& curve) {
-    Nearest nearest(pointer.px(reach::ring));
-    for (std::size_t i = 0; i < curve.control_points().size(); ++i)
-        if (const auto radius = weight_ring_radius_px(pointer.state, i))
-            nearest.offer(HoveredWeightRing{i}, std::abs(pointer.distance_to(curve.control_points()[i]) - *radius));
+std::optional<Hover> ActiveCurve::hit_rings() const {
+    Nearest nearest(pointer_.px(reach::ring));
+    for (std::size_t i = 0; i < points_px_.size(); ++i)
+        if (const auto radius = weight_ring_radius_px(pointer_.state, i))
+            nearest.offer(HoveredWeightRing{i}, std::abs(distance_to(i) - *radius));
     return nearest.found();
 }
 
-std::optional<Hover> hit_knots(const CanvasPointer& pointer, const core::Curve& curve) {
-    Nearest nearest(pointer.px(reach::knot));
-    const std::span<const double> stored = curve.knots().stored();
+std::optional<Hover> ActiveCurve::hit_knots() const {
+    Nearest nearest(pointer_.px(reach::knot));
+    const std::span<const double> stored = curve_.knots().stored();
+    const std::size_t offset = curve_.knots().stored_offset();
     for (std::size_t i = 0; i < stored.size(); ++i) {
         const bool is_topmost = i + 1 == stored.size() || stored[i + 1] != stored[i];
-        if (!is_topmost || !curve.domain().contains(stored[i])) continue;
-        nearest.offer(HoveredKnot{i}, pointer.distance_to(core::point_at(curve, stored[i])));
+        if (!is_topmost || !curve_.domain().contains(stored[i])) continue;
+        // The topmost of a stack begins a span, but at the end of the domain.
+        if (offset + i <= last_span() && !may_reach(offset + i, reach::knot)) continue;
+        nearest.offer(HoveredKnot{i}, pointer_.distance_to(core::point_at(curve_, stored[i])));
     }
     return nearest.found();
 }
 
-std::optional<Hover> hit_legs(const CanvasPointer& pointer, const core::Curve& curve) {
-    Nearest nearest(pointer.px(reach::leg));
-    const std::span<const core::Point> points = curve.control_points();
-    const std::size_t count = curve.is_periodic() ? points.size() : points.size() - 1;
+std::optional<Hover> ActiveCurve::hit_curve() const {
+    if (!may_reach_any_span(reach::curve)) return std::nullopt;
+    const auto sample = pointer_.on_curve(curve_);
+    return sample ? std::optional<Hover>(HoveredCurve{sample->u}) : std::nullopt;
+}
+
+std::optional<Hover> ActiveCurve::hit_legs() const {
+    Nearest nearest(pointer_.px(reach::leg));
+    const std::size_t count = curve_.is_periodic() ? points_px_.size() : points_px_.size() - 1;
     for (std::size_t i = 0; i < count; ++i)
-        nearest.offer(HoveredLeg{i}, distance_to_segment(
-                                         pointer.position_px, render::screen_from_world(pointer.camera(), points[i]),
-                                         render::screen_from_world(pointer.camera(), points[(i + 1) % points.size()])));
+        nearest.offer(HoveredLeg{i}, distance_to_segment(pointer_.position_px, points_px_[i],
+                                                         points_px_[(i + 1) % points_px_.size()]));
     return nearest.found();
 }
 
-std::optional<Hover> hit_active_curve(const CanvasPointer& pointer, const core::Curve& curve) {
-    if (const auto hit = hit_parameter_or_points(pointer, curve)) return hit;
-    if (pointer.shows(Overlay::polygon))
-        if (const auto hit = hit_rings(pointer, curve)) return hit;
-    if (pointer.shows(Overlay::knots))
-        if (const auto hit = hit_knots(pointer, curve)) return hit;
-    if (const auto sample = pointer.on_curve(curve)) return HoveredCurve{sample->u};
-    if (pointer.shows(Overlay::polygon)) return hit_legs(pointer, curve);
+std::optional<Hover> ActiveCurve::hit() const {
+    if (const auto found = hit_parameter_or_points()) return found;
+    if (pointer_.shows(Overlay::polygon))
+        if (const auto found = hit_rings()) return found;
+    if (pointer_.shows(Overlay::knots))
+        if (const auto found = hit_knots()) return found;
+    if (const auto found = hit_curve()) return found;
+    if (pointer_.shows(Overlay::polygon)) return hit_legs();
     return std::nullopt;
 }
 
@@ -146,7 +205,7 @@ Hover hit_canvas(const EditorState& state, glm::dvec2 position_px) {
     const CanvasPointer pointer{state, position_px};
     const core::DocumentCurve* active = state.shown().active_curve();
     if (active != nullptr && active->visible)
-        if (const auto hit = hit_active_curve(pointer, *active->curve)) return *hit;
+        if (const auto hit = ActiveCurve(pointer, *active->curve).hit()) return *hit;
     return hit_other_curves(pointer);
 }
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
 
 #include "app/editor/weight_ring.h"
 #include "core/evaluate/evaluate.h"
@@ -64,6 +66,45 @@ TEST(HitCanvas, finds_a_knot_by_the_topmost_of_its_stack) {
     EXPECT_EQ(hit_canvas(state, px(-4, -2)), Hover{HoveredKnot{2}});
     hide(state, Overlay::knots);
     EXPECT_TRUE(std::holds_alternative<HoveredCurve>(hit_canvas(state, px(-1, 0))));
+}
+
+/// The topmost knot of the domain whose place is nearest, within eight pixels, looked at one by one.
+std::optional<std::size_t> knot_one_by_one(const EditorState& state, glm::dvec2 pointer_px) {
+    const core::Curve& curve = *state.active_curve();
+    const auto stored = curve.knots().stored();
+    std::optional<std::size_t> found;
+    double least = 8.0;
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+        if ((i + 1 < stored.size() && stored[i] == stored[i + 1]) || !curve.domain().contains(stored[i])) continue;
+        const core::Point place = core::point_at(curve, stored[i]);
+        const double distance = glm::distance(pointer_px, render::screen_from_world(state.view.camera, place));
+        if (distance > least || (found && distance == least)) continue;
+        least = distance;
+        found = i;
+    }
+    return found;
+}
+
+TEST(HitCanvas, finds_the_same_knots_as_looking_at_all_of_them) {
+    core::CurveDefinition torn{.degree = 2, .tears = core::Tears::allow};
+    torn.knots = {0, 0, 1, 1, 2, 2, 2, 3, 4, 5};
+    torn.points = {{-4, -2}, {-3, 2}, {-2, -2}, {-1, 2}, {1, -2}, {3, 2}, {4, 1}};
+    for (const core::CurveDefinition& definition : {torn, test::closed_cubic()}) {
+        EditorState state = test::state_with(definition);
+        hide(state, Overlay::polygon);
+        state.view.parameter = state.active_curve()->domain().lower;
+        int found = 0;
+        for (double x = -5.0; x < 5.0; x += 0.05)
+            for (double y = -3.0; y < 3.0; y += 0.05) {
+                const Hover hit = hit_canvas(state, px(x, y));
+                if (hit == Hover{HoveredParameter{}}) continue;
+                const auto* knot = std::get_if<HoveredKnot>(&hit);
+                const auto expected = knot_one_by_one(state, px(x, y));
+                ASSERT_EQ(knot == nullptr ? std::nullopt : std::optional(knot->index), expected) << x << " " << y;
+                found += expected ? 1 : 0;
+            }
+        EXPECT_GT(found, 30);
+    }
 }
 
 TEST(HitCanvas, finds_the_curve_and_the_parameter_there) {
