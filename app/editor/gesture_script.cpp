@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t frames_around = 48;    // the circle of a drag
 constexpr std::size_t notches_one_way = 12;  // then the wheel turns back
 constexpr double drag_radius_px = 24.0;
-constexpr double pan_radius_px = 120.0;
+constexpr double wide_radius_px = 120.0;
 
 glm::dvec2 point_start(const EditorState& state, const PicturePlaces& places) {
     const auto points = state.active_curve()->control_points();
@@ -69,8 +69,9 @@ ScriptedFrame next_frame(ScriptedGesture gesture, std::size_t step, glm::dvec2 s
         case ScriptedGesture::drag:
         case ScriptedGesture::drag_knot:
             return {{event_at(on_circle(start_px, drag_radius_px, step), PointerAction::move)}, {}};
+        case ScriptedGesture::hover:
         case ScriptedGesture::pan:
-            return {{event_at(on_circle(start_px, pan_radius_px, step), PointerAction::move)}, {}};
+            return {{event_at(on_circle(start_px, wide_radius_px, step), PointerAction::move)}, {}};
         case ScriptedGesture::zoom:
             return turned_wheel(start_px, step);
         case ScriptedGesture::insert_knot:
@@ -116,6 +117,7 @@ bool is_under_way(ScriptedGesture gesture, const EditorState& state) {
             return state.history.can_undo() || state.history.can_redo();
         case ScriptedGesture::play:
             return state.view.playback.is_playing;
+        case ScriptedGesture::hover:
         case ScriptedGesture::pan:
         case ScriptedGesture::zoom:
             return true;

@@ -17,6 +17,7 @@ enum class ScriptedGesture {
     drag,         ///< the control point in the middle of the active curve follows the pointer on a small circle
     drag_knot,    ///< the knot in the middle of the strip does
     insert_knot,  ///< a knot is inserted in one frame and undone in the next
+    hover,        ///< the pointer goes in circles over the canvas
     pan,          ///< the canvas follows the pointer on a circle
     zoom,         ///< the wheel turns in and out again over the middle of the canvas
     play          ///< the parameter runs
@@ -60,6 +61,7 @@ struct Names<editor::ScriptedGesture> {
     static constexpr std::array table{Named{drag, "drag", "Drag a control point"},
                                       Named{drag_knot, "drag-knot", "Drag a knot"},
                                       Named{insert_knot, "insert-knot", "Insert a knot and undo it, in turns"},
+                                      Named{hover, "hover", "Move the pointer over the canvas"},
                                       Named{pan, "pan", "Pan the canvas"},
                                       Named{zoom, "zoom", "Zoom in and out"},
                                       Named{play, "play", "Play the parameter"}};

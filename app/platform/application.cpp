@@ -268,11 +268,13 @@ tl::expected<std::vector<FrameCost>, std::string> Application::measure(const Pro
 
 tl::expected<Profile, std::string> Application::profile(const ProfileOptions& options) {
     imgui_.ignore_pointer();
+    draw_scripted({});
+    const double start_ms = processor_ms();
     auto empty = measure(options);
     if (!empty) return tl::unexpected(empty.error());
     if (!editor_.run(editor::Open{.path = options.file})) return tl::unexpected(editor_.state().message.text);
     return measure(options).map([&](std::vector<FrameCost> frames) {
-        return Profile{options, std::move(frames), *std::move(empty)};
+        return Profile{options, std::move(frames), *std::move(empty), start_ms};
     });
 }
 

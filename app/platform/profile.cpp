@@ -82,6 +82,9 @@ void print_text(std::ostream& out, const Profile& profile) {
     print_row(out, "vertices", vertices_of(profile.frames), vertices_of(profile.empty_frames), 0);
     out << core::sentence("A frame costs {ratio} times that of an empty canvas",
                           {{"ratio", fmt::format("{:.2f}", ratio_of(profile))}})
+        << '\n'
+        << core::sentence("The first frame was shown after {start}",
+                          {{"start", fmt::format("{:.3f}", profile.start_ms)}})
         << '\n';
 }
 
@@ -97,7 +100,8 @@ void print_json(std::ostream& out, const Profile& profile) {
                      {{"frame_ms", json_of(total_of(profile.empty_frames))},
                       {"parts_ms", parts_json(profile.empty_frames)},
                       {"vertices", json_of(vertices_of(profile.empty_frames))}}},
-                    {"ratio", ratio_of(profile)}};
+                    {"ratio", ratio_of(profile)},
+                    {"start_ms", profile.start_ms}};
     out << json.dump(indent, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 

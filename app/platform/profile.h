@@ -22,6 +22,7 @@ struct Profile {
     ProfileOptions options;
     std::vector<FrameCost> frames;
     std::vector<FrameCost> empty_frames;
+    double start_ms = 0.0;  ///< processor time from the start of the process to the end of its first frame
 };
 
 /// The frame whose cost stands at the middle of all, and the one that 99 of 100 do not exceed.

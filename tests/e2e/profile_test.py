@@ -26,7 +26,7 @@ class ProfileTest(WindowTest):
         self.assertGreaterEqual(spread["median"], 0)
 
     def test_every_gesture_is_measured(self):
-        for gesture in ("drag", "drag-knot", "insert-knot", "pan", "zoom", "play"):
+        for gesture in ("drag", "drag-knot", "insert-knot", "hover", "pan", "zoom", "play"):
             with self.subTest(gesture):
                 found = self.measured(self.path, f"--{gesture}", "--frames", 3)
                 self.assertEqual((found["file"], found["gesture"], found["frames"]), (str(self.path), gesture, 3))
@@ -36,6 +36,7 @@ class ProfileTest(WindowTest):
                     self.assertEqual(list(canvas["parts_ms"]), PARTS)
                     for spread in (canvas["frame_ms"], canvas["vertices"], *canvas["parts_ms"].values()):
                         self.assert_is_spread(spread)
+                self.assertGreater(found["start_ms"], 0)
                 self.assertGreater(found["vertices"]["median"], found["empty"]["vertices"]["median"])
                 self.assertAlmostEqual(found["ratio"], found["frame_ms"]["median"] / found["empty"]["frame_ms"]["median"])
 
@@ -63,7 +64,7 @@ class ProfileTest(WindowTest):
     def test_one_gesture_is_needed(self):
         for gestures in ([], ["--drag", "--pan"]):
             self.assertEqual(self.refused(self.path, *gestures),
-                             (2, "batten profile: one gesture is needed: --drag, --drag-knot, --insert-knot, --pan, --zoom or --play\n"))
+                             (2, "batten profile: one gesture is needed: --drag, --drag-knot, --insert-knot, --hover, --pan, --zoom or --play\n"))
         for wrong in (["--drag", "--frames", 0], ["--drag", "--frames", "x"], ["--spin"]):
             self.assertEqual(self.refused(self.path, *wrong)[0], 2)
 

@@ -23,7 +23,8 @@ FrameCost cost_of(double input_ms, double draw_ms, std::size_t vertices) {
 Profile sample() {
     return {{.file = "wave.json", .gesture = editor::ScriptedGesture::drag_knot, .frame_count = 3},
             {cost_of(1.0, 5.0, 30), cost_of(2.0, 1.0, 10), cost_of(3.0, 6.0, 20)},
-            {cost_of(0.5, 1.0, 4), cost_of(0.25, 1.25, 4), cost_of(0.5, 1.5, 4)}};
+            {cost_of(0.5, 1.0, 4), cost_of(0.25, 1.25, 4), cost_of(0.5, 1.5, 4)},
+            120.5};
 }
 
 TEST(Profile, spreads_are_values_by_their_rank) {
@@ -52,6 +53,7 @@ TEST(Profile, as_json_has_all_parts_beside_the_empty_canvas) {
     EXPECT_EQ(json["vertices"], (Json{{"median", 20.0}, {"p99", 30.0}}));
     EXPECT_EQ(json["empty"]["frame_ms"], (Json{{"median", 1.5}, {"p99", 2.0}}));
     EXPECT_EQ(json["ratio"], 4.0);
+    EXPECT_EQ(json["start_ms"], 120.5);
 }
 
 TEST(Profile, as_text_says_the_same) {
@@ -68,7 +70,8 @@ TEST(Profile, as_text_says_the_same) {
               "  upload           0.000       0.000          0.000       0.000\n"
               "  draw             5.000       6.000          1.250       1.500\n"
               "  vertices            20          30              4           4\n"
-              "A frame costs 4.00 times that of an empty canvas\n");
+              "A frame costs 4.00 times that of an empty canvas\n"
+              "The first frame was shown after 120.500\n");
 }
 
 }  // namespace
