@@ -60,8 +60,7 @@ class CurveStrips::Search {
   public:
     /// What is looked for: how near, and from which span to which.
     struct Aim {
-        double tolerance = 0.0;
-        bool is_crowded = false;
+        StripTolerance tolerance;
         std::size_t first = 0;
         std::size_t last = 0;
     };
@@ -85,9 +84,9 @@ class CurveStrips::Search {
         if (runs_.is_full() || last < aim_.first || aim_.last < first || !strip.box.intersects(request_.view))
             return false;
         const bool is_inside = aim_.first <= first && last <= aim_.last;
-        if (!is_inside || !is_small_beside(strip.box, request_.view, aim_.tolerance)) return true;
+        if (!is_inside || !is_small_beside(strip.box, request_.view, aim_.tolerance.of_single())) return true;
         const std::size_t stretches = std::max<std::size_t>(1, (last + 1 - first) / spans_per_stretch);
-        return !add_if_simple(strip, tolerance_of(aim_.tolerance, stretches, aim_.is_crowded), runs_);
+        return !add_if_simple(strip, aim_.tolerance.of(stretches), runs_);
     }
 
     void search_stretch(std::size_t stretch) {
@@ -104,7 +103,7 @@ class CurveStrips::Search {
 
     void search_part(SpanParts& parts, std::size_t i, int depth) {
         const Strip strip = parts[i].strip;
-        const double tolerance = std::max(aim_.tolerance, noise_);
+        const double tolerance = std::max(aim_.tolerance.of_single(), noise_);
         if (runs_.is_full() || !strip.box.intersects(request_.view)) return;
         const bool is_fine = is_small_beside(strip.box, request_.view, tolerance) && strip.deviation <= tolerance;
         if (is_fine || depth == most_chord_halvings || !is_divisible(parts[i].interval, strip.box))
@@ -139,8 +138,8 @@ PointRuns CurveStrips::runs(const StripRequest& request, Interval range) {
     constexpr std::size_t end = std::numeric_limits<std::size_t>::max();
     const std::size_t first = range.lower <= domain.lower ? 0 : knots.span_at(range.lower);
     const std::size_t last = range.upper >= domain.upper ? end : knots.span_at(range.upper, Side::left);
-    RunCollector runs = runs_within(request.tolerance, [&](double tolerance, bool is_crowded) {
-        return Search(*this, request, {tolerance, is_crowded, first, last}).search();
+    RunCollector runs = runs_within(request.tolerance, [&](const StripTolerance& tolerance) {
+        return Search(*this, request, {tolerance, first, last}).search();
     });
     drop_unused();
     return runs.take();

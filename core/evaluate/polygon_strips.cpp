@@ -25,13 +25,13 @@ Strip PolygonStrips::strip_of_stretch(std::size_t stretch) {
     return strip_of(corners_of(stretch));
 }
 
-RunCollector PolygonStrips::search(const StripRequest& request, double tolerance, bool is_crowded) const {
+RunCollector PolygonStrips::search(const StripRequest& request, const StripTolerance& tolerance) const {
     RunCollector runs(request.most_places);
     double along = 0.0;
     tree_.visit(
         [&](const Strip& strip, std::size_t first, std::size_t last) {
             if (runs.is_full()) return false;
-            const double near = tolerance_of(tolerance, last + 1 - first, is_crowded);
+            const double near = tolerance.of(last + 1 - first);
             if (strip.box.intersects(request.view) && !add_if_simple(strip, near, runs, along)) return true;
             along += strip.length;
             return false;
@@ -49,10 +49,10 @@ RunCollector PolygonStrips::search(const StripRequest& request, double tolerance
 PolygonRuns PolygonStrips::runs(const StripRequest& request) const {
     assert(request.tolerance > 0.0);
     constexpr double nothing_left_out = -1.0;
-    RunCollector runs = search(request, nothing_left_out, false);
+    RunCollector runs = search(request, {nothing_left_out, false});
     if (runs.is_full())
-        runs = runs_within(request.tolerance,
-                           [&](double tolerance, bool is_crowded) { return search(request, tolerance, is_crowded); });
+        runs =
+            runs_within(request.tolerance, [&](const StripTolerance& tolerance) { return search(request, tolerance); });
     return {runs.take(), runs.take_starts()};
 }
 

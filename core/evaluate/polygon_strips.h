@@ -103,7 +103,7 @@ class PolygonStrips {
     /// The corners of a stretch, with the one where the next begins.
     std::vector<Point> corners_of(std::size_t stretch) const;
     Strip strip_of_stretch(std::size_t stretch);
-    RunCollector search(const StripRequest& request, double tolerance, bool is_crowded) const;
+    RunCollector search(const StripRequest& request, const StripTolerance& tolerance) const;
 
     std::shared_ptr<const Curve> curve_;
     StripTree tree_;

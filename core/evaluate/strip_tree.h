@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -49,6 +51,7 @@ class RunCollector {
     void add_extent(const Strip& strip, double along);
 
     bool is_full() const { return count_ > most_places_; }
+    bool is_nearly_full() const { return count_ > most_places_ - most_places_ / 5; }
     PointRuns take() { return std::move(runs_); }
 
     /// Where each polyline begins along the line.
@@ -64,28 +67,41 @@ class RunCollector {
 /// Whether a chord or the extent of a thin box shows `strip` within `tolerance`; if so it is added.
 bool add_if_simple(const Strip& strip, double tolerance, RunCollector& runs, double along = 0.0);
 
-/// How near the strip of `stretches` stretches must be where there are more places than wanted: the longer the nearer,
-/// so that also of a line that swings to and fro everywhere all parts are shown alike.
-inline double tolerance_of(double tolerance, std::size_t stretches, bool is_crowded) {
-    return is_crowded ? tolerance / std::cbrt(static_cast<double>(stretches)) : tolerance;
-}
+/// How near a strip must be to be drawn as its chord. Where there are more places than wanted the longer the nearer, so
+/// that also of a line that swings to and fro everywhere all parts are shown alike.
+class StripTolerance {
+  public:
+    StripTolerance(double tolerance, bool is_crowded) {
+        const double share = is_crowded ? std::cbrt(0.5) : 1.0;
+        for (double& of_level : levels_) {
+            of_level = tolerance;
+            tolerance *= share;
+        }
+    }
+
+    double of_single() const { return levels_.front(); }
+    double of(std::size_t stretches) const { return levels_[static_cast<std::size_t>(std::bit_width(stretches)) - 1]; }
+
+  private:
+    std::array<double, 64> levels_{};  ///< of 1, 2, 4... stretches
+};
 
 /// What `search(tolerance, is_crowded)`, which gives a RunCollector, finds within `tolerance`, or within nearly the
-/// least one above it for which the collector is not full. Cost: some twenty searches.
+/// least one above it for which the collector is not full. Cost: a dozen searches.
 template <class Search>
 RunCollector runs_within(double tolerance, Search search) {
-    RunCollector runs = search(tolerance, false);
+    RunCollector runs = search(StripTolerance(tolerance, false));
     double too_fine = tolerance;
     double coarse = tolerance;
     // Faster and faster, so that coordinates of any size are reached soon.
     for (double growth = 1.5; runs.is_full(); growth *= 1.25) {
         too_fine = coarse;
         coarse *= growth;
-        runs = search(coarse, true);
+        runs = search(StripTolerance(coarse, true));
     }
-    for (int k = 0; k < 12 && 1.02 * too_fine < coarse; ++k) {
+    for (int k = 0; k < 12 && 1.02 * too_fine < coarse && !runs.is_nearly_full(); ++k) {
         const double between = 0.5 * too_fine + 0.5 * coarse;
-        RunCollector finer = search(between, true);
+        RunCollector finer = search(StripTolerance(between, true));
         (finer.is_full() ? too_fine : coarse) = between;
         if (!finer.is_full()) runs = std::move(finer);
     }

@@ -60,9 +60,9 @@ std::vector<MarkPlace> one_for_each_cell(const CanvasFrame& frame, const std::ve
 Crowd settle(const CanvasFrame& frame, std::vector<MarkPlace> places, const MarkSizes& sizes) {
     const double largest = sizes.radii.front();
     const double smallest = sizes.radii.back();
-    if (places.size() <= accepted_meetings) return {largest, false, false, std::move(places)};
+    if (places.size() <= accepted_meetings && !sizes.is_thinned) return {largest, false, false, std::move(places)};
     for (const double radius : sizes.radii) {
-        if (places.size() > sizes.most) break;
+        if (places.size() > sizes.most || sizes.is_thinned) break;
         const double cell = frame.pen.px(2.0 * radius + mark_gap);
         const std::size_t hidden = places.size() - one_for_each_cell(frame, places, cell).size();
         if (hidden <= accepted_meetings || hidden <= places.size() / accepted_share)

@@ -29,6 +29,7 @@ struct MarkSizes {
     std::span<const double> radii;  ///< descending, in design pixels
     double gap_when_thinned = 2.0;  ///< between the marks that are left
     std::size_t most = 0;           ///< marks in one picture
+    bool is_thinned = false;        ///< the places are not all there are, so there are too many
 };
 
 /// All `places`, which are in the pen's reach, with the first radius where they cover one another little; else with a

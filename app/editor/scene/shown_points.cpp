@@ -10,7 +10,7 @@ namespace batten::editor {
 namespace {
 
 constexpr std::array point_radii{6.5, 4.5, 3.0};
-constexpr double point_gap = 2.0;
+constexpr double point_gap = 6.0;
 constexpr double merged_points = 4.0;         // sixteen points that are closer together are seen as one
 constexpr double most_points_per_px = 1.5;    // points for each pixel of the picture's width
 constexpr std::size_t most_pointed_at = 200;  // more are drawn like all others
@@ -48,8 +48,8 @@ ShownPoints shown_points(const CanvasFrame& frame) {
     frame.kept->polygon().visit_points(frame.seen(-margin), frame.pen.px(merged_points) / scale, most_candidates(frame),
                                        take);
     const auto most = static_cast<std::size_t>(most_points_per_px * frame.pen.size_px().x);
-    shown.crowd = settle(frame, std::move(places), {point_radii, point_gap, most});
-    if (shown.seen > shown.crowd.shown.size()) shown.crowd.is_thinned = true;
+    const bool is_thinned = shown.seen > places.size();
+    shown.crowd = settle(frame, std::move(places), {point_radii, point_gap, most, is_thinned});
     shown.large = is_dense(shown) ? pointed_at(frame) : shown.crowd.shown;
     return shown;
 }
