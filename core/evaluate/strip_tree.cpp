@@ -10,6 +10,9 @@ namespace batten::core {
 
 namespace {
 
+// How many times longer than broad a box is that is drawn as a line.
+constexpr double thinness = 4.0;
+
 double diagonal(const Box& box) {
     return length(box.size());
 }
@@ -88,7 +91,9 @@ bool add_if_simple(const Strip& strip, double tolerance, RunCollector& runs, dou
         return true;
     }
     const Vector size = strip.box.size();
-    if (!strip.is_whole || !(std::min(size.x, size.y) <= tolerance)) return false;
+    const double breadth = std::min(size.x, size.y);
+    const bool is_thin = breadth <= tolerance && thinness * breadth <= std::max(size.x, size.y);
+    if (!strip.is_whole || !is_thin) return false;
     runs.add_extent(strip, along);
     return true;
 }

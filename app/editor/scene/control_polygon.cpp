@@ -14,7 +14,7 @@ constexpr double hull_opacity = 0.075;
 constexpr double lit_hull_opacity = 0.16;
 constexpr double merged_pieces = 24.0;      // of sixteen spans that are shorter together the first is drawn
 constexpr double most_bezier_points = 1.0;  // for each pixel of the picture's width
-constexpr double places_of_polygon = 1.0;   // for each pixel of the picture's width
+constexpr double places_of_polygon = 2.0;   // for each pixel of the picture's width
 
 std::vector<core::Point> lit_points(const CanvasFrame& frame) {
     std::vector<core::Point> points;

@@ -28,7 +28,7 @@ struct Crowd {
 struct MarkSizes {
     std::span<const double> radii;  ///< descending, in design pixels
     double gap_when_thinned = 2.0;  ///< between the marks that are left
-    std::size_t most = 0;           ///< marks in one picture
+    std::size_t most = 0;           ///< marks in one picture, half as many once some are left out
     bool is_thinned = false;        ///< the places are not all there are, so there are too many
 };
 
