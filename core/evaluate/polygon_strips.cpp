@@ -4,6 +4,23 @@
 
 namespace batten::core {
 
+namespace {
+
+// Halves the polygon through `corners` as far as needed; `along` goes on by its length.
+void add_legs(const std::vector<Point>& corners, double tolerance, RunCollector& runs, double& along) {
+    const Strip strip = strip_of(corners);
+    if (corners.size() == 2) runs.add(strip.first, strip.last, along);
+    if (corners.size() == 2 || add_if_simple(strip, tolerance, runs, along)) {
+        along += strip.length;
+        return;
+    }
+    const auto half = corners.begin() + static_cast<std::ptrdiff_t>(corners.size() / 2);
+    add_legs({corners.begin(), half + 1}, tolerance, runs, along);
+    add_legs({half, corners.end()}, tolerance, runs, along);
+}
+
+}  // namespace
+
 PolygonStrips::PolygonStrips(std::shared_ptr<const Curve> curve) : curve_(std::move(curve)) {
     std::vector<Strip> stretches;
     const std::size_t legs = corner_count() - 1;
@@ -36,13 +53,7 @@ RunCollector PolygonStrips::search(const StripRequest& request, const StripToler
             along += strip.length;
             return false;
         },
-        [&](std::size_t stretch) {
-            const std::vector<Point> corners = corners_of(stretch);
-            for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-                runs.add(corners[i], corners[i + 1], along);
-                along += distance(corners[i], corners[i + 1]);
-            }
-        });
+        [&](std::size_t stretch) { add_legs(corners_of(stretch), tolerance.of_single(), runs, along); });
     return runs;
 }
 

@@ -266,6 +266,18 @@ TEST(PolygonStrips, thin_out_many_legs_and_follow_a_point) {
     for (std::size_t i = 0; i < points.size(); i += 499) EXPECT_LE(distance_to(runs, points[i]), 0.01) << i;
 }
 
+TEST(PolygonStrips, leave_out_corners_of_a_stretch_one_by_one) {
+    // Legs of some 6 units on circles of a radius of some 300: sixteen of them turn far from their chord, two do not.
+    std::vector<Point> points;
+    for (int i = 0; i < 3000; ++i) {
+        const double radius = 200.0 + 0.03 * i;
+        points.emplace_back(radius * std::cos(0.02 * i), radius * std::sin(0.02 * i));
+    }
+    const PointRuns runs = PolygonStrips(cubic_through(points)).runs({0.25, everything, 2000}).runs;
+    EXPECT_LE(place_count(runs), 2000U);
+    for (std::size_t i = 0; i < points.size(); i += 7) EXPECT_LE(distance_to(runs, points[i]), 0.3) << i;
+}
+
 TEST(PolygonStrips, tell_how_far_along_what_is_seen_begins) {
     std::vector<Point> points;
     for (int i = 0; i < 100; ++i) points.emplace_back(3.0 * i, i % 2 == 0 ? 0.0 : 4.0);
