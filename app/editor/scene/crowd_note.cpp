@@ -11,7 +11,7 @@ namespace {
 constexpr double note_side = 14.0;
 constexpr double note_bottom = 43.0;  // in the middle of the row of the legend
 constexpr double note_size = 12.5;
-constexpr double ground_opacity = 0.8;  // over what is drawn there
+constexpr double ground_opacity = 0.94;  // over what is drawn there
 
 std::string points_text(const ShownPoints& points) {
     return core::sentence("Showing {shown} of {count} points",

@@ -31,7 +31,7 @@ KnotStack stack_of(const PlotFrame& frame, std::size_t first) {
     stack.is_chosen = frame.is_chosen(first);
     for (std::size_t i = first; i < stored.size() && stored[i] == value; ++i) {
         const double rise = static_cast<double>(i - first) * frame.layout.stack_px;
-        stack.places.push_back({frame.x(value), frame.layout.strip_px - rise});
+        stack.places.emplace_back(frame.x(value), frame.layout.strip_px - rise);
         stack.is_lit = stack.is_lit || std::binary_search(frame.lit.knots.begin(), frame.lit.knots.end(), i);
     }
     return stack;
