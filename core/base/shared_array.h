@@ -24,6 +24,7 @@ class NewArray {
     T* data() { return first_.get(); }
     std::size_t size() const { return size_; }
     std::span<T> values() { return {first_.get(), size_}; }
+    std::span<const T> values() const { return {first_.get(), size_}; }
 
   private:
     template <class>

@@ -319,9 +319,10 @@ CurveSample NearestFinder::polished(CurveSample found, Side side, Point query) c
 
 CurveSample NearestFinder::nearest(Point query, std::size_t* looks) const {
     assert(is_finite(query));
-    std::size_t uncounted = 0;
+    std::size_t counted = 0;
     const Point seen = tip_of(scale_ * (query - origin_));
-    const auto [u, side] = NearestSearch(*this, seen, looks != nullptr ? *looks : uncounted).run();
+    const auto [u, side] = NearestSearch(*this, seen, counted).run();
+    if (looks != nullptr) *looks += counted;
     return polished({u, point_at(curve_, u, side)}, side, query);
 }
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <memory>
 
+#include "core/base/shared_array.h"
 #include "core/make/detail/cubic_rows.h"
 
 namespace batten::core {
@@ -165,10 +165,7 @@ struct Extremes {
 class CubicSolver {
   public:
     explicit CubicSolver(const CubicCollocation& given)
-        : given_(given),
-          n_(given.sites.size()),
-          half_(n_ / 2),
-          pairs_(std::make_unique_for_overwrite<SolvedRow<Pair>[]>(half_)) {
+        : given_(given), n_(given.sites.size()), half_(n_ / 2), pairs_(half_) {
         assert(n_ >= 2 * band);
     }
 
@@ -197,7 +194,7 @@ class CubicSolver {
             for (std::size_t j = 0; j <= 2 * band; ++j)
                 row.coefficients[j] = Pair{rows.coefficient(r, j), mirror.coefficient(q, 2 * band - j)};
             row.right = {Pair{rows.x(r), mirror.x(q)}, Pair{rows.y(r), mirror.y(q)}, reach};
-            pairs_[r] = eliminated(row, last);
+            pairs_.values()[r] = eliminated(row, last);
             reach = -reach;
         }
         front = last;
@@ -241,7 +238,7 @@ class CubicSolver {
         Sides<Pair> next = both(middle[band], middle[last - band]);
         Sides<Pair> after_next = both(middle[band + 1], middle[last - band - 1]);
         for (std::size_t r = half_; r-- > 0;) {
-            const Sides<Pair> unknown = substituted(pairs_[r], next, after_next);
+            const Sides<Pair> unknown = substituted(pairs_.values()[r], next, after_next);
             after_next = next;
             next = unknown;
             place(points, r, unknown, extremes);
@@ -266,7 +263,7 @@ class CubicSolver {
     const CubicCollocation& given_;
     std::size_t n_;
     std::size_t half_;
-    std::unique_ptr<SolvedRow<Pair>[]> pairs_;
+    NewArray<SolvedRow<Pair>> pairs_;
 };
 
 }  // namespace
