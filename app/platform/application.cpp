@@ -72,6 +72,7 @@ class Application {
   private:
     void open_start_document();
     void open_files(const std::vector<std::filesystem::path>& files);
+    bool open_whole(const std::filesystem::path& file);
     void take_window_requests();
     void follow_scale();
     void follow_theme();
@@ -266,13 +267,21 @@ tl::expected<std::vector<FrameCost>, std::string> Application::measure(const Pro
     return costs;
 }
 
+// Waits for a file that is read beside the frames.
+bool Application::open_whole(const std::filesystem::path& file) {
+    constexpr double seconds_between = 0.01;
+    editor_.run(editor::Open{.path = file});
+    for (; editor_.state().at_work; editor_.follow_work()) Window::wait(seconds_between);
+    return !editor_.state().message.is_error;
+}
+
 tl::expected<Profile, std::string> Application::profile(const ProfileOptions& options) {
     imgui_.ignore_pointer();
     draw_scripted({});
     const double start_ms = processor_ms();
     auto empty = measure(options);
     if (!empty) return tl::unexpected(empty.error());
-    if (!editor_.run(editor::Open{.path = options.file})) return tl::unexpected(editor_.state().message.text);
+    if (!open_whole(options.file)) return tl::unexpected(editor_.state().message.text);
     return measure(options).map([&](std::vector<FrameCost> frames) {
         return Profile{options, std::move(frames), *std::move(empty), start_ms};
     });

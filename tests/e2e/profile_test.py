@@ -25,6 +25,15 @@ class ProfileTest(WindowTest):
         self.assertGreaterEqual(spread["p99"], spread["median"])
         self.assertGreaterEqual(spread["median"], 0)
 
+    def test_a_file_that_takes_long_to_read_is_waited_for(self):
+        count = 300_000
+        knots = [0, 0, 0, *range(count - 2), *[count - 3] * 3]
+        curve = {"name": "long", "degree": 3, "knots": knots, "points": [[i, i % 7] for i in range(count)]}
+        path = self.folder / "long.json"
+        path.write_text(json.dumps({"format": "batten", "version": 1, "curves": [curve]}))
+        found = self.measured(path, "--drag", "--frames", 2)
+        self.assertGreater(found["vertices"]["median"], found["empty"]["vertices"]["median"])
+
     def test_every_gesture_is_measured(self):
         for gesture in ("drag", "drag-knot", "insert-knot", "hover", "pan", "zoom", "play"):
             with self.subTest(gesture):
