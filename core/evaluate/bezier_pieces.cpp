@@ -31,7 +31,7 @@ template <class P, class Load, class Lifted>
 void fill_pieces(const KnotVector& knots, std::span<std::size_t> spans, std::span<HomogeneousPoint> points, Load load,
                  Lifted lifted) {
     with_known_degree(static_cast<std::size_t>(knots.degree()), [&](auto p) {
-        Decomposition<P, decltype(p), Load> pieces(p, knots.values(), knots.span_at(knots.domain().upper), load);
+        Decomposition<P, decltype(p), Load> pieces(p, knots.values(), spans.back(), load);
         for (std::size_t k = spans.size(); k-- > 0;) {
             spans[k] = pieces.span();
             pieces.emit(k == 0, [&, place = &points[k * (p + 1)]](const auto& piece, std::size_t) {
@@ -43,11 +43,18 @@ void fill_pieces(const KnotVector& knots, std::span<std::size_t> spans, std::spa
 
 }  // namespace
 
-BezierPieces bezier_pieces(const Curve& curve) {
+BezierPieces bezier_pieces(const Curve& curve, std::size_t first, std::size_t last) {
     const KnotVector& knots = curve.knots();
     const auto p = static_cast<std::size_t>(knots.degree());
-    NewArray<std::size_t> spans(segment_count(knots));
-    NewArray<HomogeneousPoint> points(spans.size() * (p + 1));
+    assert(p <= first && last + p + 1 < knots.size());
+    std::size_t count = 0;
+    for (std::size_t s = first; s <= last; ++s)
+        if (knots[s] < knots[s + 1]) ++count;
+    NewArray<std::size_t> spans(count);
+    NewArray<HomogeneousPoint> points(count * (p + 1));
+    if (count == 0) return {knots, SharedArray(std::move(spans)), SharedArray(std::move(points))};
+    while (knots[last] == knots[last + 1]) --last;
+    spans.values().back() = last;
     const auto control = curve.control_points();
     const std::size_t n = control.size();
     const auto index = [n](std::size_t i) { return i < n ? i : i % n; };
@@ -61,6 +68,11 @@ BezierPieces bezier_pieces(const Curve& curve) {
         fill_pieces<Point>(knots, spans.values(), points.values(), load, lifted);
     }
     return {knots, SharedArray(std::move(spans)), SharedArray(std::move(points))};
+}
+
+BezierPieces bezier_pieces(const Curve& curve) {
+    const auto p = static_cast<std::size_t>(curve.degree());
+    return bezier_pieces(curve, p, curve.knots().size() - p - 2);
 }
 
 }  // namespace batten::core

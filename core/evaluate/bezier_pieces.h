@@ -58,7 +58,7 @@ class BezierPieces {
     Iterator end() const { return {*this, size()}; }
 
   private:
-    friend BezierPieces bezier_pieces(const Curve& curve);
+    friend BezierPieces bezier_pieces(const Curve& curve, std::size_t first, std::size_t last);
 
     BezierPieces(KnotVector knots, SharedArray<std::size_t> spans, SharedArray<HomogeneousPoint> points)
         : knots_(std::move(knots)), spans_(std::move(spans)), points_(std::move(points)) {}
@@ -70,6 +70,9 @@ class BezierPieces {
 
 /// The piece over span `span` (non-empty, in the domain). Cost O(p^3). Source: blossoms, b(a, ..., a, b, ..., b).
 BezierPiece bezier_piece(const Curve& curve, std::size_t span);
+
+/// The pieces over the non-empty spans among `first`..`last`, spans of the domain, in order. Cost and source as below.
+BezierPieces bezier_pieces(const Curve& curve, std::size_t first, std::size_t last);
 
 /// All pieces in order. Cost O(p^2) for each, which has p+1 points. Source: The NURBS Book, A5.6.
 BezierPieces bezier_pieces(const Curve& curve);

@@ -19,7 +19,7 @@ class Tessellator {
         BezierPiece piece = bezier_piece(curve_, span);
         if (piece.interval.lower < request_.range.lower) piece = cut_piece(piece, request_.range.lower).second;
         if (piece.interval.upper > request_.range.upper) piece = cut_piece(piece, request_.range.upper).first;
-        tolerance_ = std::max(request_.tolerance, rounding_of_halving(control_box(piece)));
+        tolerance_ = std::max(request_.tolerance, rounding_of_halving(control_box(piece.points)));
         may_connect_ = !is_torn_at(span);
         add_piece(piece, 0);
     }
@@ -40,10 +40,10 @@ class Tessellator {
     }
 
     void add_piece(const BezierPiece& piece, int depth) {
-        const Box box = control_box(piece);
+        const Box box = control_box(piece.points);
         if (!box.intersects(request_.view)) return;
         // Where products of weights and coordinates overflow there is no bound, and no finer.
-        const bool is_curved = chord_deviation_bound(piece) > tolerance_;
+        const bool is_curved = chord_deviation_bound(piece.points) > tolerance_;
         const bool is_fine = is_small_beside(box, request_.view, tolerance_) && !is_curved;
         if (is_fine || depth == most_chord_halvings || !is_divisible(piece.interval, box))
             return add_chord(piece.interval);

@@ -17,12 +17,11 @@ constexpr double largest_piece_in_views = 64.0;
 // The most that the inner control points count together at any point of the piece. For equal weights it is 1 - 2^(1-p),
 // reached in the middle; for others at most that of inner weights all as large, and end weights all as small, as the
 // extreme ones.
-double largest_inner_share(const BezierPiece& piece) {
-    const double share = 1.0 - std::exp2(2.0 - static_cast<double>(piece.points.size()));
+double largest_inner_share(std::span<const HomogeneousPoint> points) {
+    const double share = 1.0 - std::ldexp(1.0, 2 - static_cast<int>(points.size()));
     double largest_inner = 0.0;
-    for (std::size_t i = 1; i + 1 < piece.points.size(); ++i)
-        largest_inner = std::max(largest_inner, piece.points[i].z);
-    const double end_to_inner = std::min(piece.points.front().z, piece.points.back().z) / largest_inner;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) largest_inner = std::max(largest_inner, points[i].z);
+    const double end_to_inner = std::min(points.front().z, points.back().z) / largest_inner;
     return share / ((1.0 - share) * end_to_inner + share);
 }
 
@@ -52,9 +51,9 @@ double middle(Interval interval) {
     return interval.lower + 0.5 * interval.length();
 }
 
-Box control_box(const BezierPiece& piece) {
+Box control_box(std::span<const HomogeneousPoint> points) {
     Box box;
-    for (const HomogeneousPoint& point : piece.points) box.include(project(point));
+    for (const HomogeneousPoint& point : points) box.include(project(point));
     return box;
 }
 
@@ -65,13 +64,13 @@ double distance_to_segment(Point point, Point a, Point b) {
     return distance(point, a + std::clamp(dot(point - a, along) / length_squared, 0.0, 1.0) * along);
 }
 
-double chord_deviation_bound(const BezierPiece& piece) {
-    const Point a = project(piece.points.front());
-    const Point b = project(piece.points.back());
+double chord_deviation_bound(std::span<const HomogeneousPoint> points) {
+    const Point a = project(points.front());
+    const Point b = project(points.back());
     double largest = 0.0;
-    for (std::size_t i = 1; i + 1 < piece.points.size(); ++i)
-        largest = std::max(largest, distance_to_segment(project(piece.points[i]), a, b));
-    return largest == 0.0 ? 0.0 : largest * largest_inner_share(piece);
+    for (std::size_t i = 1; i + 1 < points.size(); ++i)
+        largest = std::max(largest, distance_to_segment(project(points[i]), a, b));
+    return largest == 0.0 ? 0.0 : largest * largest_inner_share(points);
 }
 
 double rounding_of_halving(const Box& box) {

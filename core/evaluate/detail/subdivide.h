@@ -13,15 +13,15 @@ std::pair<BezierPiece, BezierPiece> cut_piece(const BezierPiece& piece, double u
 /// The middle of an interval; equal to one of its ends when no double lies between them.
 double middle(Interval interval);
 
-/// The box of the projected control points, which contains the piece.
-Box control_box(const BezierPiece& piece);
+/// The box of the projected control points of a piece, which contains it.
+Box control_box(std::span<const HomogeneousPoint> points);
 
 /// The distance of `point` from the segment a..b.
 double distance_to_segment(Point point, Point a, Point b);
 
-/// A bound of the distance from the piece to its chord: C(u) is a mean of a point of the chord and one of the inner
-/// hull.
-double chord_deviation_bound(const BezierPiece& piece);
+/// A bound of the distance from the piece with these control points to its chord: C(u) is a mean of a point of the
+/// chord and one of the inner hull.
+double chord_deviation_bound(std::span<const HomogeneousPoint> points);
 
 /// More halvings than a double has digits find nothing new.
 inline constexpr int most_chord_halvings = 60;
