@@ -1,13 +1,15 @@
-/// A picture as data: polylines, fills, markers and labels in pixels, painted in order.
+/// A picture as data: polylines, fills, ink, markers and labels in pixels, painted in order.
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <memory>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "render/color.h"
+#include "render/coverage_map.h"
 
 namespace batten::render {
 
@@ -27,6 +29,12 @@ struct Polyline {
 /// A convex polygon, filled.
 struct Fill {
     std::vector<Pixel> points;
+    Color color;
+};
+
+/// Pixels of one color as far as they are covered: a line that is too long and dense to be painted as a line.
+struct Ink {
+    std::shared_ptr<const CoverageMap> map;  ///< not null
     Color color;
 };
 
@@ -60,7 +68,7 @@ struct Label {
     LabelFont font = LabelFont::text;
 };
 
-using DrawCommand = std::variant<Fill, Polyline, Marker, Label>;
+using DrawCommand = std::variant<Fill, Polyline, Ink, Marker, Label>;
 
 /// What to draw, in order; later commands cover earlier ones.
 struct DrawList {

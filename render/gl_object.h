@@ -36,6 +36,9 @@ inline void delete_gl_buffer(GLuint id) {
 inline void delete_gl_vertex_array(GLuint id) {
     glDeleteVertexArrays(1, &id);
 }
+inline void delete_gl_texture(GLuint id) {
+    glDeleteTextures(1, &id);
+}
 inline void delete_gl_shader(GLuint id) {
     glDeleteShader(id);
 }
@@ -45,6 +48,7 @@ inline void delete_gl_program(GLuint id) {
 
 using GlBuffer = GlObject<delete_gl_buffer>;
 using GlVertexArray = GlObject<delete_gl_vertex_array>;
+using GlTexture = GlObject<delete_gl_texture>;
 using GlShader = GlObject<delete_gl_shader>;
 using GlProgram = GlObject<delete_gl_program>;
 
@@ -58,6 +62,11 @@ inline GlVertexArray make_gl_vertex_array() {
     GLuint id = 0;
     glGenVertexArrays(1, &id);
     return GlVertexArray(id);
+}
+inline GlTexture make_gl_texture() {
+    GLuint id = 0;
+    glGenTextures(1, &id);
+    return GlTexture(id);
 }
 
 }  // namespace batten::render

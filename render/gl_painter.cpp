@@ -5,6 +5,7 @@
 
 #include "render/gl_program.h"
 #include "render/gl_stream.h"
+#include "render/gl_textures.h"
 #include "render/picture_mesh.h"
 #include "shaders/sources.h"
 
@@ -57,6 +58,7 @@ void reset_state(const Viewport& viewport) {
     glDisable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ZERO);
     glViewport(0, 0, viewport.framebuffer_px.x, viewport.framebuffer_px.y);
+    glBindTexture(GL_TEXTURE_2D, 0);
     glUseProgram(0);
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -79,6 +81,7 @@ struct GlPainter::Resources {
     Pen fill;
     Pen stroke;
     Pen stroke_once;
+    Pen ink;
     Pen marker;
     GLint first_level = glGetUniformLocation(stroke_once.program.id(), "first_level");
     GLint pass_shift = glGetUniformLocation(stroke_once.program.id(), "pass_shift");
@@ -92,6 +95,11 @@ struct GlPainter::Resources {
                       {Type::floats, 2, offsetof(StrokeVertex, first_px)},
                       {Type::floats, 3, offsetof(StrokeVertex, half_width_px)},
                       {Type::color, 4, offsetof(StrokeVertex, color)}}};
+    GlStream inks{sizeof(InkVertex),
+                  {{Type::floats, 2, offsetof(InkVertex, position_px)},
+                   {Type::floats, 2, offsetof(InkVertex, place)},
+                   {Type::color, 4, offsetof(InkVertex, color)}}};
+    GlTextures maps{};
     GlStream markers{sizeof(MarkerVertex),
                      {{Type::floats, 2, offsetof(MarkerVertex, position_px)},
                       {Type::floats, 2, offsetof(MarkerVertex, local_px)},
@@ -99,20 +107,25 @@ struct GlPainter::Resources {
                       {Type::color, 4, offsetof(MarkerVertex, fill)},
                       {Type::color, 4, offsetof(MarkerVertex, outline)}}};
     PictureMesh picture{};
-    int strokes_once = 0;  // painted in this frame
+    int strokes_once = 0;        // painted in this frame
+    std::size_t maps_shown = 0;  // painted in this frame
 
     void upload() {
         fills.upload(picture.fills);
         strokes.upload(picture.strokes);
+        inks.upload(picture.inks);
+        maps.clear();
+        for (const auto& map : picture.maps) maps.upload(map);
         markers.upload(picture.markers);
     }
 
     void begin(glm::ivec2 size_px) {
-        for (const Pen* pen : {&fill, &stroke, &stroke_once, &marker}) {
+        for (const Pen* pen : {&fill, &stroke, &stroke_once, &ink, &marker}) {
             glUseProgram(pen->program.id());
             glUniform2f(pen->viewport_px, static_cast<float>(size_px.x), static_cast<float>(size_px.y));
         }
         strokes_once = 0;
+        maps_shown = 0;
     }
 
     void draw(const Run& run) {
@@ -123,6 +136,9 @@ struct GlPainter::Resources {
                 return draw_with(stroke, strokes, run);
             case RunKind::stroke_once:
                 return draw_once(run);
+            case RunKind::ink:
+                maps.bind(maps_shown++);
+                return draw_with(ink, inks, run);
             case RunKind::marker:
                 return draw_with(marker, markers, run);
         }
@@ -161,10 +177,12 @@ tl::expected<GlPainter, std::string> GlPainter::make() {
     if (!stroke) return tl::unexpected(stroke.error());
     auto once = make_pen("stroke_once", shaders::stroke_vert, {shaders::stroke_coverage, shaders::stroke_once_frag});
     if (!once) return tl::unexpected(once.error());
+    auto ink = make_pen("ink", shaders::ink_vert, {shaders::ink_frag});
+    if (!ink) return tl::unexpected(ink.error());
     auto marker = make_pen("marker", shaders::marker_vert, {shaders::marker_frag});
     if (!marker) return tl::unexpected(marker.error());
     return GlPainter(std::make_unique<Resources>(
-        Resources{std::move(*fill), std::move(*stroke), std::move(*once), std::move(*marker)}));
+        Resources{std::move(*fill), std::move(*stroke), std::move(*once), std::move(*ink), std::move(*marker)}));
 }
 
 void GlPainter::paint(const DrawList& list, const Viewport& viewport, Color background, float scale) {
@@ -190,7 +208,8 @@ void GlPainter::draw(const Viewport& viewport, Color background) {
 
 std::size_t GlPainter::vertex_count() const {
     const PictureMesh& picture = resources_->picture;
-    return picture.fills.vertices.size() + picture.strokes.vertices.size() + picture.markers.vertices.size();
+    return picture.fills.vertices.size() + picture.strokes.vertices.size() + picture.inks.vertices.size() +
+           picture.markers.vertices.size();
 }
 
 }  // namespace batten::render

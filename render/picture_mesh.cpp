@@ -21,6 +21,15 @@ class PictureBuilder {
         add_run(kind, first, picture_.strokes.indices.size());
     }
 
+    void operator()(const Ink& ink) {
+        const std::size_t first_fill = picture_.fills.indices.size();
+        const std::size_t first = picture_.inks.indices.size();
+        append_ink(picture_.fills, picture_.inks, ink, scale_);
+        add_run(RunKind::fill, first_fill, picture_.fills.indices.size());
+        if (picture_.inks.indices.size() > first) picture_.maps.push_back(ink.map);
+        add_run(RunKind::ink, first, picture_.inks.indices.size());
+    }
+
     void operator()(const Marker& marker) {
         if (has_dashed_ring(marker)) {
             Marker disc = marker;
@@ -46,7 +55,8 @@ class PictureBuilder {
         if (first == end) return;
         const auto count = static_cast<std::uint32_t>(end - first);
         std::vector<Run>& runs = picture_.runs;
-        if (!runs.empty() && runs.back().kind == kind && kind != RunKind::stroke_once) {
+        const bool is_single = kind == RunKind::stroke_once || kind == RunKind::ink;
+        if (!runs.empty() && runs.back().kind == kind && !is_single) {
             runs.back().count += count;
         } else {
             runs.push_back({kind, static_cast<std::uint32_t>(first), count});
@@ -63,6 +73,8 @@ class PictureBuilder {
 void build_picture(PictureMesh& picture, const DrawList& list, glm::ivec2 size_px, double scale) {
     picture.fills.clear();
     picture.strokes.clear();
+    picture.inks.clear();
+    picture.maps.clear();
     picture.markers.clear();
     picture.runs.clear();
     const PixelBox visible{{0.0, 0.0}, glm::dvec2(size_px)};

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "render/draw_list.h"
 #include "render/fill_mesh.h"
+#include "render/ink_mesh.h"
 #include "render/marker_mesh.h"
 #include "render/mesh.h"
 #include "render/stroke_mesh.h"
@@ -16,6 +18,7 @@ enum class RunKind {
     fill,
     stroke,
     stroke_once,  ///< a single translucent line that may cover a pixel twice and must not darken there
+    ink,          ///< one map
     marker,
 };
 
@@ -29,6 +32,8 @@ struct Run {
 struct PictureMesh {
     Mesh<FillVertex> fills;
     Mesh<StrokeVertex> strokes;
+    Mesh<InkVertex> inks;
+    std::vector<std::shared_ptr<const CoverageMap>> maps;  ///< in the order of the runs that show them
     Mesh<MarkerVertex> markers;
     std::vector<Run> runs;  ///< in the order of painting
 };

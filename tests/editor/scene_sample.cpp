@@ -52,6 +52,10 @@ struct FaultFinder {
         if (fill.points.size() < 3) faults.emplace_back("fill of two points");
         for (const render::Pixel place : fill.points) check_place("fill", place);
     }
+    void operator()(const render::Ink& ink) {
+        if (!ink.map || ink.map->size_px() != glm::ivec2(glm::ceil(size_px)))
+            faults.emplace_back("ink of another size");
+    }
     void operator()(const render::Marker& marker) {
         check_place("marker", marker.center);
         check_size("radius", marker.radius_px, false);
