@@ -14,7 +14,7 @@ constexpr double point_reach = 16.0;  // of the box around the first point
 constexpr double line_reach = 4.0;
 constexpr double tolerance = 1.0;
 
-constexpr std::size_t most_places = 2000;  // of lines in a box; of more the cost is not told exactly
+constexpr std::size_t most_places = 2000;  // of lines in a box; more are not counted
 
 constexpr int point_cost = 4;
 constexpr int curve_cost = 2;
@@ -47,12 +47,14 @@ core::StripRequest request_in(const Camera& camera, const PixelBox& box, double 
 
 bool passes(core::CurveStrips& strips, const Camera& camera, const PixelBox& box, double tolerance_px) {
     const core::StripRequest request = request_in(camera, box, tolerance_px);
-    return crossings(camera, box, strips.runs(request, strips.curve()->domain())) > 0;
+    const auto runs = strips.runs(request, strips.curve()->domain());
+    return !runs || crossings(camera, box, *runs) > 0;
 }
 
 int covered_polygon(const core::PolygonStrips& polygon, const Camera& camera, const PixelBox& around_points,
                     const PixelBox& around_legs, double tolerance_px) {
-    int sum = crossings(camera, around_legs, polygon.runs(request_in(camera, around_legs, tolerance_px)).runs);
+    const auto legs = polygon.runs(request_in(camera, around_legs, tolerance_px));
+    int sum = legs ? crossings(camera, around_legs, legs->runs) : static_cast<int>(most_places);
     polygon.visit_points(world_box(camera, around_points), 0.0, most_places,
                          [&](std::size_t, core::Point, std::size_t) { sum += point_cost; });
     return sum;

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
+#include <numeric>
+#include <utility>
 
 #include "core/curve/detail/bspline.h"
 #include "core/evaluate/detail/subdivide.h"
@@ -47,6 +48,22 @@ void add_spans(std::vector<std::size_t>& spans, std::size_t first, std::size_t l
     for (std::size_t s = std::max(first, p); s <= last && s + p + 1 < curve.knots().size(); ++s) spans.push_back(s);
 }
 
+// The chords of a piece, halved as far as needed.
+void take_chords(Interval interval, std::span<const HomogeneousPoint> points, const ChordRequest& request,
+                 int depth = 0) {
+    Strip strip{.first = project(points.front()), .last = project(points.back()), .box = control_box(points)};
+    if (!strip.box.intersects(request.view)) return;
+    strip.deviation = chord_deviation_bound(points);
+    if (request.is_hidden(strip)) return;
+    const double tolerance = std::max(request.tolerance, rounding_of_halving(strip.box));
+    const bool is_fine = is_small_beside(strip.box, request.view, tolerance) && !(strip.deviation > tolerance);
+    if (is_fine || depth == most_chord_halvings || !is_divisible(interval, strip.box))
+        return request.take(strip.first, strip.last, 0.0);
+    const auto [left, right] = cut_piece({interval, 0, {points.begin(), points.end()}}, middle(interval));
+    take_chords(left.interval, left.points, request, depth + 1);
+    take_chords(right.interval, right.points, request, depth + 1);
+}
+
 // The size of what may be thin or long, for a strip whose numbers overflow.
 Strip boundless(Point first, Point last) {
     constexpr double infinity = Box::infinity;
@@ -58,52 +75,44 @@ Strip boundless(Point first, Point last) {
 // Goes down to what is seen, halving as far as needed.
 class CurveStrips::Search {
   public:
-    /// What is looked for: how near, and from which span to which.
-    struct Aim {
-        StripTolerance tolerance;
-        std::size_t first = 0;
-        std::size_t last = 0;
-    };
-
-    Search(CurveStrips& strips, const StripRequest& request, const Aim& aim)
-        : strips_(strips), request_(request), aim_(aim), runs_(request.most_places) {}
+    Search(CurveStrips& strips, const StripRequest& request, ItemRange range)
+        : strips_(strips), request_(request), range_(range), runs_(request.most_places) {}
 
     RunCollector search() {
-        constexpr std::size_t count = spans_per_stretch;
-        const std::size_t base = strips_.first_span();
         strips_.stretches_.visit(
             [&](const Strip& strip, std::size_t first, std::size_t last) {
-                return is_to_enter(strip, base + first * count, base + last * count + count - 1);
+                return is_to_enter(strip, strips_.stretch_spans_.items(first, last));
             },
             [&](std::size_t stretch) { search_stretch(stretch); });
         return std::move(runs_);
     }
 
   private:
-    bool is_to_enter(const Strip& strip, std::size_t first, std::size_t last) {
-        if (runs_.is_full() || last < aim_.first || aim_.last < first || !strip.box.intersects(request_.view))
-            return false;
-        const bool is_inside = aim_.first <= first && last <= aim_.last;
-        if (!is_inside || !is_small_beside(strip.box, request_.view, aim_.tolerance.of_single())) return true;
-        const std::size_t stretches = std::max<std::size_t>(1, (last + 1 - first) / spans_per_stretch);
-        return !add_if_simple(strip, aim_.tolerance.of(stretches), runs_);
+    bool is_to_enter(const Strip& strip, ItemRange spans) {
+        if (runs_.is_full() || spans.end <= range_.first || range_.end <= spans.first) return false;
+        if (!strip.box.intersects(request_.view)) return false;
+        const bool is_inside = range_.first <= spans.first && spans.end <= range_.end;
+        if (!is_inside || !is_small_beside(strip.box, request_.view, request_.tolerance)) return true;
+        return !add_if_simple(strip, request_.tolerance, runs_);
     }
 
     void search_stretch(std::size_t stretch) {
         OpenStretch& open = strips_.opened(stretch);
-        const std::size_t base = strips_.first_span() + stretch * spans_per_stretch;
-        open.spans.visit([&](const Strip& strip, std::size_t first,
-                             std::size_t last) { return is_to_enter(strip, base + first, base + last); },
-                         [&](std::size_t k) {
-                             const Strip& span = open.parts[k].front().strip;
-                             noise_ = rounding_of_halving(span.box);
-                             search_part(open.parts[k], 0, 0);
-                         });
+        const std::size_t base = strips_.stretch_spans_[stretch].first;
+        open.spans.visit(
+            [&](const Strip& strip, std::size_t first, std::size_t last) {
+                return is_to_enter(strip, {base + first, base + last + 1});
+            },
+            [&](std::size_t k) {
+                const Strip& span = open.parts[k].front().strip;
+                noise_ = rounding_of_halving(span.box);
+                search_part(open.parts[k], 0, 0);
+            });
     }
 
     void search_part(SpanParts& parts, std::size_t i, int depth) {
         const Strip strip = parts[i].strip;
-        const double tolerance = std::max(aim_.tolerance.of_single(), noise_);
+        const double tolerance = std::max(request_.tolerance, noise_);
         if (runs_.is_full() || !strip.box.intersects(request_.view)) return;
         const bool is_fine = is_small_beside(strip.box, request_.view, tolerance) && strip.deviation <= tolerance;
         if (is_fine || depth == most_chord_halvings || !is_divisible(parts[i].interval, strip.box))
@@ -116,33 +125,68 @@ class CurveStrips::Search {
 
     CurveStrips& strips_;
     const StripRequest& request_;
-    Aim aim_;
+    ItemRange range_;
     double noise_ = 0.0;
     RunCollector runs_;
 };
 
-CurveStrips::CurveStrips(std::shared_ptr<const Curve> curve) : curve_(std::move(curve)) {
-    const std::size_t count = (span_end() - first_span() + spans_per_stretch - 1) / spans_per_stretch;
+CurveStrips::CurveStrips(std::shared_ptr<const Curve> curve)
+    : curve_(std::move(curve)), stretch_spans_({first_span(), span_end()}) {
     std::vector<Strip> stretches;
-    stretches.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) stretches.push_back(strip_of_stretch(i));
+    stretches.reserve(stretch_spans_.size());
+    for (std::size_t i = 0; i < stretch_spans_.size(); ++i) stretches.push_back(strip_of_stretch(i));
     stretches_ = StripTree(std::move(stretches));
-    open_.resize(count);
+    open_.resize(stretch_spans_.size());
 }
 
-PointRuns CurveStrips::runs(const StripRequest& request, Interval range) {
-    ++use_;
-    assert(request.tolerance > 0.0);
+ItemRange CurveStrips::spans_over(Interval range) const {
     const KnotVector& knots = curve_->knots();
     const Interval domain = curve_->domain();
-    constexpr std::size_t end = std::numeric_limits<std::size_t>::max();
-    const std::size_t first = range.lower <= domain.lower ? 0 : knots.span_at(range.lower);
-    const std::size_t last = range.upper >= domain.upper ? end : knots.span_at(range.upper, Side::left);
-    RunCollector runs = runs_within(request.tolerance, [&](const StripTolerance& tolerance) {
-        return Search(*this, request, {tolerance, first, last}).search();
-    });
+    return {range.lower <= domain.lower ? first_span() : knots.span_at(range.lower),
+            range.upper >= domain.upper ? span_end() : knots.span_at(range.upper, Side::left) + 1};
+}
+
+std::optional<PointRuns> CurveStrips::runs(const StripRequest& request, Interval range) {
+    ++use_;
+    assert(request.tolerance > 0.0);
+    RunCollector runs = Search(*this, request, spans_over(range)).search();
     drop_unused();
+    if (runs.is_full()) return std::nullopt;
     return runs.take();
+}
+
+void CurveStrips::visit_chords(const ChordRequest& request, Interval range,
+                               std::span<const std::size_t> left_out) const {
+    assert(request.tolerance > 0.0);
+    const ItemRange wanted = spans_over(range);
+    stretches_.visit_scattered([](std::size_t) {},
+                               [&](const Strip& strip, std::size_t first, std::size_t last) {
+                                   const ItemRange spans = stretch_spans_.items(first, last);
+                                   if (spans.end <= wanted.first || wanted.end <= spans.first) return false;
+                                   if (!strip.box.intersects(request.view) || request.is_hidden(strip)) return false;
+                                   const bool is_inside = wanted.first <= spans.first && spans.end <= wanted.end;
+                                   const bool is_simple = strip.deviation <= request.tolerance;
+                                   if (!is_inside || !is_simple || has_any(left_out, spans.first, spans.end - 1) ||
+                                       !is_small_beside(strip.box, request.view, request.tolerance))
+                                       return true;
+                                   request.take(strip.first, strip.last, 0.0);
+                                   return false;
+                               },
+                               [&](std::size_t stretch) {
+                                   const ItemRange spans = stretch_spans_[stretch];
+                                   const BezierPieces pieces =
+                                       bezier_pieces(*curve_, std::max(spans.first, wanted.first),
+                                                     std::min(spans.end, wanted.end) - 1);
+                                   for (std::size_t k = 0; k < pieces.size(); ++k)
+                                       if (!has_any(left_out, pieces.span(k), pieces.span(k)))
+                                           take_chords(pieces.interval(k), pieces.points(k), request);
+                               });
+}
+
+void CurveStrips::visit_span_chords(const ChordRequest& request, std::size_t span) const {
+    if (curve_->knots()[span] == curve_->knots()[span + 1]) return;
+    const BezierPiece piece = bezier_piece(*curve_, span);
+    take_chords(piece.interval, piece.points, request);
 }
 
 bool CurveStrips::is_torn_at(std::size_t span) const {
@@ -157,12 +201,13 @@ Point CurveStrips::start_of(std::size_t span) const {
 }
 
 Strip CurveStrips::strip_of_piece(const BezierPiece& piece, Point first) const {
-    Strip strip{.first = first, .last = point_at(*curve_, piece.interval.upper, Side::left), .box = control_box(piece)};
+    Strip strip{
+        .first = first, .last = point_at(*curve_, piece.interval.upper, Side::left), .box = control_box(piece.points)};
     if (!is_finite(strip.box.lower) || !is_finite(strip.box.upper)) return boundless(strip.first, strip.last);
     strip.box.include(strip.first);
     strip.box.include(strip.last);
     // Where products of weights and coordinates overflow there is no bound, and no finer.
-    const double bound = chord_deviation_bound(piece);
+    const double bound = chord_deviation_bound(piece.points);
     strip.deviation = std::isnan(bound) ? 0.0 : bound;
     return strip;
 }
@@ -170,8 +215,8 @@ Strip CurveStrips::strip_of_piece(const BezierPiece& piece, Point first) const {
 Strip CurveStrips::strip_of_stretch(std::size_t stretch) {
     ++stretch_count_;
     const KnotVector& knots = curve_->knots();
-    std::size_t first = first_span() + stretch * spans_per_stretch;
-    std::size_t last = std::min(first + spans_per_stretch, span_end()) - 1;
+    std::size_t first = stretch_spans_[stretch].first;
+    std::size_t last = stretch_spans_[stretch].end - 1;
     while (first <= last && knots[first] == knots[first + 1]) ++first;
     while (first <= last && knots[last] == knots[last + 1]) --last;
     if (first > last) return {};
@@ -199,9 +244,9 @@ CurveStrips::OpenStretch& CurveStrips::opened(std::size_t stretch) {
     if (!open) {
         open = std::make_unique<OpenStretch>();
         ++open_count_;
-        const std::size_t first = first_span() + stretch * spans_per_stretch;
+        const ItemRange range = stretch_spans_[stretch];
         std::vector<Strip> spans;
-        for (std::size_t s = first; s < std::min(first + spans_per_stretch, span_end()); ++s) {
+        for (std::size_t s = range.first; s < range.end; ++s) {
             open->parts.push_back(parts_of_span(s));
             spans.push_back(open->parts.back().front().strip);
         }
@@ -249,28 +294,81 @@ std::vector<std::size_t> CurveStrips::changed_spans(const Curve& other) const {
     return spans;
 }
 
+// Contains the curve over these spans: their control points.
+Box CurveStrips::box_of(std::span<const std::size_t> spans) const {
+    const auto points = curve_->control_points();
+    const auto p = static_cast<std::size_t>(curve_->degree());
+    Box box;
+    for (const std::size_t s : spans)
+        for (std::size_t i = s - p; i <= s; ++i) box.include(points[i % points.size()]);
+    return box;
+}
+
 void CurveStrips::follow(std::shared_ptr<const Curve> curve) {
     if (curve == curve_) return;
-    const bool is_alike = curve->degree() == curve_->degree() && curve->is_periodic() == curve_->is_periodic() &&
-                          curve->knots().size() == curve_->knots().size();
-    if (!is_alike) {
-        CurveStrips anew(std::move(curve));
-        anew.span_count_ += span_count_;
-        anew.stretch_count_ += stretch_count_;
-        *this = std::move(anew);
-        return;
-    }
-    const std::vector<std::size_t> spans = changed_spans(*curve);
+    const bool is_alike = curve->degree() == curve_->degree() && curve->is_periodic() == curve_->is_periodic();
+    if (is_alike && curve->knots().size() == curve_->knots().size()) return follow_points(std::move(curve));
+    if (!is_alike || curve->is_periodic() || !follow_renumbered(curve)) make_anew(std::move(curve));
+}
+
+void CurveStrips::make_anew(std::shared_ptr<const Curve> curve) {
+    CurveStrips anew(std::move(curve));
+    anew.span_count_ += span_count_;
+    anew.stretch_count_ += stretch_count_;
+    anew.change_.number = change_.number + 1;
+    *this = std::move(anew);
+}
+
+void CurveStrips::follow_points(std::shared_ptr<const Curve> curve) {
+    std::vector<std::size_t> spans = changed_spans(*curve);
+    const Box before = box_of(spans);
     curve_ = std::move(curve);
-    for (std::size_t k = 0; k < spans.size(); ++k) {
-        const std::size_t stretch = (spans[k] - first_span()) / spans_per_stretch;
-        const bool is_first = k == 0 || (spans[k - 1] - first_span()) / spans_per_stretch != stretch;
+    std::size_t stretch = stretch_spans_.size();
+    for (const std::size_t s : spans) {
+        const bool is_first = stretch != std::exchange(stretch, stretch_spans_.stretch_of(s));
         if (is_first) stretches_.replace(stretch, strip_of_stretch(stretch));
         if (!open_[stretch]) continue;
-        const std::size_t i = (spans[k] - first_span()) % spans_per_stretch;
-        open_[stretch]->parts[i] = parts_of_span(spans[k]);
+        const std::size_t i = s - stretch_spans_[stretch].first;
+        open_[stretch]->parts[i] = parts_of_span(s);
         open_[stretch]->spans.replace(i, open_[stretch]->parts[i].front().strip);
     }
+    change_ = {change_.number + 1, false, false, std::move(spans), before};
+}
+
+// The spans that depend on what differs lie in one or a few stretches; those after it only get other numbers.
+bool CurveStrips::follow_renumbered(const std::shared_ptr<const Curve>& curve) {
+    const std::size_t p = first_span();
+    const std::size_t n = curve_->control_points().size();
+    const CommonEnds knots = common_ends(curve_->knots().values(), curve->knots().values());
+    CommonEnds points = common_ends(curve_->control_points(), curve->control_points());
+    const CommonEnds weights = common_ends(curve_->weights(), curve->weights());
+    points = {std::min(points.ahead, weights.ahead), std::min(points.behind, weights.behind)};
+    const Difference of_knots = difference(knots, curve_->knots().size(), curve->knots().size());
+    const Difference of_points = difference(points, n, curve->control_points().size());
+    const std::size_t first = std::max(p, std::min(of_knots.first - std::min(of_knots.first, p + 1), of_points.first));
+    const std::size_t end_of_old = std::min(std::max(of_knots.end_of_old, of_points.end_of_old) + p + 1, span_end());
+    const std::size_t end = end_of_old + curve->knots().size() - curve_->knots().size();
+    constexpr std::size_t most = 4 * Stretches::usual_size;
+    if (end <= first || end_of_old <= first || end - first > most || end_of_old - first > most) return false;
+    std::vector<std::size_t> spans(end_of_old - first);
+    std::iota(spans.begin(), spans.end(), first);
+    const Box before = box_of(spans);
+    const std::size_t stretch = stretch_spans_.stretch_of(first);
+    if (!stretch_spans_.resize(stretch, stretch_spans_[stretch].size() + end - end_of_old)) return false;
+    curve_ = curve;
+    for (std::size_t k = stretch; k <= stretch_spans_.stretch_of(end - 1); ++k) renew(k);
+    spans.resize(end - first);
+    std::iota(spans.begin(), spans.end(), first);
+    change_ = {change_.number + 1, false, true, std::move(spans), before};
+    return true;
+}
+
+// Puts the strip of the stretch in its place and closes it.
+void CurveStrips::renew(std::size_t stretch) {
+    stretches_.replace(stretch, strip_of_stretch(stretch));
+    if (!open_[stretch]) return;
+    open_[stretch].reset();
+    --open_count_;
 }
 
 }  // namespace batten::core

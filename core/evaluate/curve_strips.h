@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "core/evaluate/bezier_pieces.h"
+#include "core/evaluate/stretches.h"
 #include "core/evaluate/strip_tree.h"
 
 namespace batten::core {
@@ -20,16 +22,27 @@ class CurveStrips {
     const std::shared_ptr<const Curve>& curve() const { return curve_; }
 
     /// From now on these are the strips of `curve`. Cost: comparing knots, points and weights, and the changed spans
-    /// and their stretches anew; all of it anew where degree or number of knots are others.
+    /// and their stretches anew; all of it anew where the degree is another, or more than a few knots were inserted or
+    /// removed in one place.
     void follow(std::shared_ptr<const Curve> curve);
 
     /// The visible part of the curve over `range`, which should begin and end at knots: the spans that have more than
     /// an end in common with it. The distance from what is seen of the curve to the polylines is bounded by the
-    /// tolerance, > 0 (convex hulls), never only sampled; below the rounding of the coordinates there is no finer. The
-    /// tolerance grows as far as needed for no more than most_places. Places are points of the curve as point_at gives
-    /// them, but for the ends of thin boxes. No chord is much longer than 64 views. Cost: that of the places, and of
-    /// what is looked at closely for the first time.
-    PointRuns runs(const StripRequest& request, Interval range);
+    /// tolerance, > 0 (convex hulls), never only sampled; below the rounding of the coordinates there is no finer. None
+    /// where that takes more than most_places. Places are points of the curve as point_at gives them, but for the ends
+    /// of thin boxes. No chord is much longer than 64 views. Cost: that of the places, and of what is looked at closely
+    /// for the first time.
+    std::optional<PointRuns> runs(const StripRequest& request, Interval range);
+
+    /// Hands out chords of all that is seen and not hidden of the curve over `range`, as runs() would have them but for
+    /// thin boxes, in no order; `along` is 0. Leaves out the stretches `left_out` (ascending). Keeps nothing. Cost:
+    /// that of the spans that are neither in one chord with others nor hidden with them.
+    void visit_chords(const ChordRequest& request, Interval range, std::span<const std::size_t> left_out = {}) const;
+
+    /// Those of one span, none of an empty one.
+    void visit_span_chords(const ChordRequest& request, std::size_t span) const;
+
+    const StripChange& change() const { return change_; }
 
     /// Calls `take(span, point, count)` for the non-empty spans that may be seen, ascending, with the point where the
     /// span begins and a count of 1; for a stretch of no more than `size_of_stretch`, and for neighboring spans of no
@@ -41,24 +54,19 @@ class CurveStrips {
         std::size_t seen = 0;
         visit_strips(
             stretches_, view, size_of_stretch, [](std::size_t, std::size_t, Point) {},
-            [&](std::size_t) { seen += spans_per_stretch; });
+            [&](std::size_t stretch) { seen += stretch_spans_[stretch].size(); });
         const auto take_stretches = [&](std::size_t first, std::size_t last, Point point) {
-            const std::size_t begin = first_span() + first * spans_per_stretch;
-            const std::size_t end = std::min(first_span() + (last + 1) * spans_per_stretch, span_end());
-            take(non_empty(begin), point, end - begin);
+            const ItemRange spans = stretch_spans_.items(first, last);
+            take(non_empty(spans.first), point, spans.size());
         };
         visit_strips(stretches_, view, size_of_stretch, take_stretches, [&](std::size_t stretch) {
             if (seen > most)
                 take_stretches(stretch, stretch, stretches_.stretch(stretch).first);
             else
-                visit_stretch(stretch, view, size_of_stretch / spans_per_stretch, take);
+                visit_stretch(stretch, view, size_of_stretch / Stretches::usual_size, take);
         });
         drop_unused();
     }
-
-    /// The strips of every sixteen spans, from the first span of the domain on, empty ones included.
-    const StripTree& stretches() const { return stretches_; }
-    static constexpr std::size_t spans_per_stretch = 16;
 
     /// How many spans were made Bézier pieces so far.
     std::size_t span_count() const { return span_count_; }
@@ -105,7 +113,7 @@ class CurveStrips {
     template <class Take>
     void visit_stretch(std::size_t stretch, const Box& view, double size, Take& take) {
         const StripTree& spans = opened(stretch).spans;
-        const std::size_t base = first_span() + stretch * spans_per_stretch;
+        const std::size_t base = stretch_spans_[stretch].first;
         visit_strips(
             spans, view, size,
             [&](std::size_t first, std::size_t last, Point point) {
@@ -114,6 +122,8 @@ class CurveStrips {
             [&](std::size_t k) { take(base + k, spans.stretch(k).first, 1); });
     }
 
+    /// The spans that have more than an end in common with `range`.
+    ItemRange spans_over(Interval range) const;
     std::size_t first_span() const { return static_cast<std::size_t>(curve_->degree()); }
     /// The first span from `span` on that is not empty.
     std::size_t non_empty(std::size_t span) const {
@@ -130,14 +140,21 @@ class CurveStrips {
     void halve(SpanParts& parts, std::size_t part) const;
     void drop_unused();
     std::vector<std::size_t> changed_spans(const Curve& other) const;
+    Box box_of(std::span<const std::size_t> spans) const;
+    void make_anew(std::shared_ptr<const Curve> curve);
+    void follow_points(std::shared_ptr<const Curve> curve);
+    bool follow_renumbered(const std::shared_ptr<const Curve>& curve);
+    void renew(std::size_t stretch);
 
     std::shared_ptr<const Curve> curve_;
+    Stretches stretch_spans_;
     StripTree stretches_;
     std::vector<std::unique_ptr<OpenStretch>> open_;
     std::size_t open_count_ = 0;
     std::uint64_t use_ = 0;
     std::size_t span_count_ = 0;
     std::size_t stretch_count_ = 0;
+    StripChange change_;
 };
 
 }  // namespace batten::core

@@ -1,6 +1,9 @@
 #include "core/evaluate/polygon_strips.h"
 
+#include <algorithm>
 #include <cassert>
+#include <numeric>
+#include <utility>
 
 namespace batten::core {
 
@@ -21,19 +24,18 @@ void add_legs(const std::vector<Point>& corners, double tolerance, RunCollector&
 
 }  // namespace
 
-PolygonStrips::PolygonStrips(std::shared_ptr<const Curve> curve) : curve_(std::move(curve)) {
+PolygonStrips::PolygonStrips(std::shared_ptr<const Curve> curve)
+    : curve_(std::move(curve)), stretch_legs_({0, corner_count() - 1}) {
     std::vector<Strip> stretches;
-    const std::size_t legs = corner_count() - 1;
-    for (std::size_t i = 0; i * legs_per_stretch < legs; ++i) stretches.push_back(strip_of_stretch(i));
+    for (std::size_t i = 0; i < stretch_legs_.size(); ++i) stretches.push_back(strip_of_stretch(i));
     tree_ = StripTree(std::move(stretches));
 }
 
 std::vector<Point> PolygonStrips::corners_of(std::size_t stretch) const {
-    const std::size_t first = stretch * legs_per_stretch;
-    const std::size_t last = std::min(first + legs_per_stretch, corner_count() - 1);
+    const ItemRange legs = stretch_legs_[stretch];
     std::vector<Point> corners;
-    corners.reserve(last - first + 1);
-    for (std::size_t i = first; i <= last; ++i) corners.push_back(corner(i));
+    corners.reserve(legs.size() + 1);
+    for (std::size_t i = legs.first; i <= legs.end; ++i) corners.push_back(corner(i));
     return corners;
 }
 
@@ -42,55 +44,133 @@ Strip PolygonStrips::strip_of_stretch(std::size_t stretch) {
     return strip_of(corners_of(stretch));
 }
 
-RunCollector PolygonStrips::search(const StripRequest& request, const StripTolerance& tolerance) const {
+RunCollector PolygonStrips::search(const StripRequest& request, double tolerance) const {
     RunCollector runs(request.most_places);
     double along = 0.0;
     tree_.visit(
-        [&](const Strip& strip, std::size_t first, std::size_t last) {
+        [&](const Strip& strip, std::size_t, std::size_t) {
             if (runs.is_full()) return false;
-            const double near = tolerance.of(last + 1 - first);
-            if (strip.box.intersects(request.view) && !add_if_simple(strip, near, runs, along)) return true;
+            if (strip.box.intersects(request.view) && !add_if_simple(strip, tolerance, runs, along)) return true;
             along += strip.length;
             return false;
         },
-        [&](std::size_t stretch) { add_legs(corners_of(stretch), tolerance.of_single(), runs, along); });
+        [&](std::size_t stretch) { add_legs(corners_of(stretch), tolerance, runs, along); });
     return runs;
 }
 
-PolygonRuns PolygonStrips::runs(const StripRequest& request) const {
+std::optional<PolygonRuns> PolygonStrips::runs(const StripRequest& request) const {
     assert(request.tolerance > 0.0);
     constexpr double nothing_left_out = -1.0;
-    RunCollector runs = search(request, {nothing_left_out, false});
-    if (runs.is_full())
-        runs =
-            runs_within(request.tolerance, [&](const StripTolerance& tolerance) { return search(request, tolerance); });
-    return {runs.take(), runs.take_starts()};
+    RunCollector runs = search(request, nothing_left_out);
+    if (runs.is_full()) runs = search(request, request.tolerance);
+    if (runs.is_full()) return std::nullopt;
+    return PolygonRuns{runs.take(), runs.take_starts()};
+}
+
+void PolygonStrips::visit_chords(const ChordRequest& request, std::span<const std::size_t> left_out) const {
+    assert(request.tolerance > 0.0);
+    double along = 0.0;
+    const auto begin = [&](std::size_t stretch) { along = tree_.length_before(stretch); };
+    const auto enter = [&](const Strip& strip, std::size_t first, std::size_t last) {
+        const bool is_seen = strip.box.intersects(request.view) && !request.is_hidden(strip);
+        const ItemRange legs = stretch_legs_.items(first, last);
+        const bool is_whole = !has_any(left_out, legs.first, legs.end - 1);
+        if (is_seen && (!is_whole || strip.deviation > request.tolerance)) return true;
+        if (is_seen) request.take(strip.first, strip.last, along);
+        along += strip.length;
+        return false;
+    };
+    tree_.visit_scattered(begin, enter, [&](std::size_t stretch) {
+        const ItemRange legs = stretch_legs_[stretch];
+        double along_leg = along;
+        for (std::size_t leg = legs.first; leg < legs.end; ++leg) {
+            if (!has_any(left_out, leg, leg)) take_leg(request, leg, along_leg);
+            along_leg += distance(corner(leg), corner(leg + 1));
+        }
+        along += tree_.stretch(stretch).length;
+    });
+}
+
+void PolygonStrips::visit_leg_chord(const ChordRequest& request, std::size_t leg) const {
+    const std::size_t stretch = stretch_legs_.stretch_of(leg);
+    double along = tree_.length_before(stretch);
+    for (std::size_t i = stretch_legs_[stretch].first; i < leg; ++i) along += distance(corner(i), corner(i + 1));
+    take_leg(request, leg, along);
+}
+
+void PolygonStrips::take_leg(const ChordRequest& request, std::size_t leg, double along) const {
+    Strip strip{.first = corner(leg), .last = corner(leg + 1), .box = {}};
+    strip.box.include(strip.first);
+    strip.box.include(strip.last);
+    if (strip.box.intersects(request.view) && !request.is_hidden(strip)) request.take(strip.first, strip.last, along);
+}
+
+Box PolygonStrips::box_of(std::span<const std::size_t> legs) const {
+    Box box;
+    for (const std::size_t leg : legs) {
+        box.include(corner(leg));
+        box.include(corner(leg + 1));
+    }
+    return box;
 }
 
 void PolygonStrips::follow(std::shared_ptr<const Curve> curve) {
     if (curve == curve_) return;
+    const bool is_alike = curve->is_periodic() == curve_->is_periodic();
+    const bool is_as_long = curve->control_points().size() == curve_->control_points().size();
+    if (is_alike && is_as_long) return follow_points(std::move(curve));
+    if (!is_alike || curve->is_periodic() || !follow_renumbered(curve)) make_anew(std::move(curve));
+}
+
+void PolygonStrips::make_anew(std::shared_ptr<const Curve> curve) {
+    PolygonStrips anew(std::move(curve));
+    anew.stretch_count_ += stretch_count_;
+    anew.change_.number = change_.number + 1;
+    *this = std::move(anew);
+}
+
+void PolygonStrips::follow_points(std::shared_ptr<const Curve> curve) {
     const auto points = curve_->control_points();
     const auto others = curve->control_points();
-    const bool is_alike = points.size() == others.size() && curve->is_periodic() == curve_->is_periodic();
-    if (!is_alike) {
-        const std::size_t count = stretch_count_;
-        *this = PolygonStrips(std::move(curve));
-        stretch_count_ += count;
-        return;
-    }
-    std::vector<std::size_t> changed;
-    const auto note = [&](std::size_t leg) {
-        const std::size_t stretch = leg / legs_per_stretch;
-        if (changed.empty() || changed.back() != stretch) changed.push_back(stretch);
-    };
+    std::vector<std::size_t> legs;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i] == others[i]) continue;
-        if (i > 0) note(i - 1);
-        if (i + 1 < corner_count()) note(i);
-        if (i == 0 && curve_->is_periodic()) note(corner_count() - 2);
+        if (i > 0 && (legs.empty() || legs.back() != i - 1)) legs.push_back(i - 1);
+        if (i + 1 < corner_count()) legs.push_back(i);
     }
+    const bool is_seam_moved = curve->is_periodic() && points.front() != others.front();
+    if (is_seam_moved && legs.back() != corner_count() - 2) legs.push_back(corner_count() - 2);
+    const Box before = box_of(legs);
     curve_ = std::move(curve);
-    for (const std::size_t stretch : changed) tree_.replace(stretch, strip_of_stretch(stretch));
+    std::size_t stretch = stretch_legs_.size();
+    for (const std::size_t leg : legs)
+        if (stretch != std::exchange(stretch, stretch_legs_.stretch_of(leg)))
+            tree_.replace(stretch, strip_of_stretch(stretch));
+    change_ = {change_.number + 1, false, false, std::move(legs), before};
+}
+
+// The legs at the points that differ lie in one or a few stretches; those after them only get other numbers.
+bool PolygonStrips::follow_renumbered(const std::shared_ptr<const Curve>& curve) {
+    const auto before_points = curve_->control_points();
+    const auto after_points = curve->control_points();
+    const Difference points =
+        difference(common_ends(before_points, after_points), before_points.size(), after_points.size());
+    const std::size_t first = points.first - std::min<std::size_t>(points.first, 1);
+    const std::size_t end_of_old = std::min(points.end_of_old, before_points.size() - 1);
+    const std::size_t end = std::min(points.end_of_new, after_points.size() - 1);
+    constexpr std::size_t most = 4 * Stretches::usual_size;
+    if (end <= first || end_of_old <= first || end - first > most || end_of_old - first > most) return false;
+    std::vector<std::size_t> legs(end_of_old - first);
+    std::iota(legs.begin(), legs.end(), first);
+    const Box before = box_of(legs);
+    const std::size_t stretch = stretch_legs_.stretch_of(first);
+    if (!stretch_legs_.resize(stretch, stretch_legs_[stretch].size() + end - end_of_old)) return false;
+    curve_ = curve;
+    for (std::size_t k = stretch; k <= stretch_legs_.stretch_of(end - 1); ++k) tree_.replace(k, strip_of_stretch(k));
+    legs.resize(end - first);
+    std::iota(legs.begin(), legs.end(), first);
+    change_ = {change_.number + 1, false, true, std::move(legs), before};
+    return true;
 }
 
 }  // namespace batten::core

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/curve/curve.h"
+#include "core/evaluate/stretches.h"
 #include "core/evaluate/strip_tree.h"
 
 namespace batten::core {
@@ -27,8 +29,18 @@ class PolygonStrips {
     void follow(std::shared_ptr<const Curve> curve);
 
     /// The visible part of the polygon, closed when the curve is periodic. All its legs when they are no more than
-    /// most_places allows, whatever the tolerance; else within the tolerance, > 0, which grows as far as needed.
-    PolygonRuns runs(const StripRequest& request) const;
+    /// most_places allows, whatever the tolerance; else within the tolerance, > 0. None where that takes more places.
+    std::optional<PolygonRuns> runs(const StripRequest& request) const;
+
+    /// Hands out chords of all that is seen of the polygon and not hidden, in no order, with how far along the polygon
+    /// each begins. Leaves out the legs `left_out` (ascending). Cost: that of the legs that are neither in one
+    /// chord with others nor hidden with them.
+    void visit_chords(const ChordRequest& request, std::span<const std::size_t> left_out = {}) const;
+
+    /// The one of one leg.
+    void visit_leg_chord(const ChordRequest& request, std::size_t leg) const;
+
+    const StripChange& change() const { return change_; }
 
     /// Calls `take(index, point, count)` for the control points in `view`, ascending: for each with a count of 1, but
     /// for a stretch of no more than `size` only for one point, with the number of its points; of one of no more than
@@ -38,14 +50,15 @@ class PolygonStrips {
     void visit_points(const Box& view, double size, std::size_t most, Take take) const {
         std::size_t seen = 0;
         visit(
-            view, size, [](std::size_t, std::size_t) {}, [&](std::size_t) { seen += legs_per_stretch; });
-        const std::size_t stride = std::min(seen / most + 1, legs_per_stretch);
+            view, size, [](std::size_t, std::size_t) {},
+            [&](std::size_t stretch) { seen += stretch_legs_[stretch].size(); });
+        const std::size_t stride = std::min(seen / most + 1, Stretches::usual_size);
         visit(
             view, size,
             [&](std::size_t first, std::size_t last) {
-                const std::size_t begin = first * legs_per_stretch;
+                const std::size_t begin = stretch_legs_[first].first;
                 // Each time another one of sixteen, so that what is shown is not all of one kind.
-                const std::size_t i = std::min(begin + first % legs_per_stretch, point_end(last) - 1);
+                const std::size_t i = std::min(begin + first % Stretches::usual_size, point_end(last) - 1);
                 take(i, curve_->control_points()[i], point_end(last) - begin);
             },
             [&](std::size_t stretch) {
@@ -53,8 +66,6 @@ class PolygonStrips {
                 visit_stretch(stretch, view, is_dense ? size : 0.0, stride, take);
             });
     }
-
-    static constexpr std::size_t legs_per_stretch = 16;
 
     /// How many stretches got a strip so far.
     std::size_t stretch_count() const { return stretch_count_; }
@@ -66,7 +77,7 @@ class PolygonStrips {
 
     /// The end of the points of a stretch, those where its legs begin; of the last one with the end of the polygon.
     std::size_t point_end(std::size_t stretch) const {
-        return stretch + 1 < tree_.size() ? (stretch + 1) * legs_per_stretch : curve_->control_points().size();
+        return stretch + 1 < tree_.size() ? stretch_legs_[stretch].end : curve_->control_points().size();
     }
 
     static double extent(const Strip& strip) {
@@ -92,7 +103,7 @@ class PolygonStrips {
     void visit_stretch(std::size_t stretch, const Box& view, double apart, std::size_t stride, Take& take) const {
         const auto points = curve_->control_points();
         const std::size_t end = point_end(stretch);
-        for (std::size_t i = stretch * legs_per_stretch; i < end;) {
+        for (std::size_t i = stretch_legs_[stretch].first; i < end;) {
             std::size_t next = std::min(i + stride, end);
             while (next < end && distance(points[next], points[i]) < apart) ++next;
             if (view.contains(points[i])) take(i, points[i], next - i);
@@ -103,11 +114,18 @@ class PolygonStrips {
     /// The corners of a stretch, with the one where the next begins.
     std::vector<Point> corners_of(std::size_t stretch) const;
     Strip strip_of_stretch(std::size_t stretch);
-    RunCollector search(const StripRequest& request, const StripTolerance& tolerance) const;
+    void take_leg(const ChordRequest& request, std::size_t leg, double along) const;
+    void make_anew(std::shared_ptr<const Curve> curve);
+    void follow_points(std::shared_ptr<const Curve> curve);
+    bool follow_renumbered(const std::shared_ptr<const Curve>& curve);
+    Box box_of(std::span<const std::size_t> legs) const;
+    RunCollector search(const StripRequest& request, double tolerance) const;
 
     std::shared_ptr<const Curve> curve_;
+    Stretches stretch_legs_;
     StripTree tree_;
     std::size_t stretch_count_ = 0;
+    StripChange change_;
 };
 
 }  // namespace batten::core

@@ -98,6 +98,11 @@ bool add_if_simple(const Strip& strip, double tolerance, RunCollector& runs, dou
     return true;
 }
 
+bool has_any(std::span<const std::size_t> ascending, std::size_t first, std::size_t last) {
+    const auto found = std::lower_bound(ascending.begin(), ascending.end(), first);
+    return found != ascending.end() && *found <= last;
+}
+
 StripTree::StripTree(std::vector<Strip> stretches) {
     levels_.push_back(std::move(stretches));
     while (levels_.back().size() > 1) {
@@ -109,6 +114,13 @@ StripTree::StripTree(std::vector<Strip> stretches) {
 void StripTree::join(std::size_t level, std::size_t i) {
     const std::vector<Strip>& parts = levels_[level - 1];
     levels_[level][i] = 2 * i + 1 < parts.size() ? joined(parts[2 * i], parts[2 * i + 1]) : parts[2 * i];
+}
+
+double StripTree::length_before(std::size_t i) const {
+    double sum = 0.0;
+    for (std::size_t level = 0; level < levels_.size(); ++level, i >>= 1U)
+        if (i % 2 == 1) sum += levels_[level][i - 1].length;
+    return sum;
 }
 
 void StripTree::replace(std::size_t i, const Strip& strip) {

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -33,7 +34,24 @@ Strip strip_of(const std::vector<Point>& points);
 struct StripRequest {
     double tolerance = 0.0;       ///< > 0: what is left out is nearer than this to what is drawn
     Box view;                     ///< stretches whose box is outside are left out
-    std::size_t most_places = 0;  ///< of all polylines together; where they do not suffice the tolerance grows
+    std::size_t most_places = 0;  ///< of all polylines together
+};
+
+/// What is wanted of a line that is drawn with as many chords as it takes.
+struct ChordRequest {
+    double tolerance = 0.0;                       ///< > 0: what is left out is nearer than this to a chord
+    Box view;                                     ///< stretches whose box is outside are left out
+    std::function<bool(const Strip&)> is_hidden;  ///< whether what the strip contains would not be seen; is left out
+    std::function<void(Point a, Point b, double along)> take;  ///< gets the chords
+};
+
+/// What following a line to another value has changed.
+struct StripChange {
+    std::uint64_t number = 0;          ///< how many changes there were so far
+    bool is_all = true;                ///< the last one may have changed everything
+    bool is_renumbered = false;        ///< later parts have other numbers than before
+    std::vector<std::size_t> parts{};  ///< spans or legs that the last one changed or made, ascending
+    Box before{};                      ///< contains what it changed or took away
 };
 
 /// Polylines; one ends where the line leaves the view or comes apart.
@@ -51,7 +69,6 @@ class RunCollector {
     void add_extent(const Strip& strip, double along);
 
     bool is_full() const { return count_ > most_places_; }
-    bool is_nearly_full() const { return count_ > most_places_ - most_places_ / 5; }
     PointRuns take() { return std::move(runs_); }
 
     /// Where each polyline begins along the line.
@@ -67,46 +84,8 @@ class RunCollector {
 /// Whether a chord or the extent of a thin box shows `strip` within `tolerance`; if so it is added.
 bool add_if_simple(const Strip& strip, double tolerance, RunCollector& runs, double along = 0.0);
 
-/// How near a strip must be to be drawn as its chord. Where there are more places than wanted the longer the nearer, so
-/// that also of a line that swings to and fro everywhere all parts are shown alike.
-class StripTolerance {
-  public:
-    StripTolerance(double tolerance, bool is_crowded) {
-        const double share = is_crowded ? std::cbrt(0.5) : 1.0;
-        for (double& of_level : levels_) {
-            of_level = tolerance;
-            tolerance *= share;
-        }
-    }
-
-    double of_single() const { return levels_.front(); }
-    double of(std::size_t stretches) const { return levels_[static_cast<std::size_t>(std::bit_width(stretches)) - 1]; }
-
-  private:
-    std::array<double, 64> levels_{};  ///< of 1, 2, 4... stretches
-};
-
-/// What `search(tolerance, is_crowded)`, which gives a RunCollector, finds within `tolerance`, or within nearly the
-/// least one above it for which the collector is not full. Cost: a dozen searches.
-template <class Search>
-RunCollector runs_within(double tolerance, Search search) {
-    RunCollector runs = search(StripTolerance(tolerance, false));
-    double too_fine = tolerance;
-    double coarse = tolerance;
-    // Faster and faster, so that coordinates of any size are reached soon.
-    for (double growth = 1.5; runs.is_full(); growth *= 1.25) {
-        too_fine = coarse;
-        coarse *= growth;
-        runs = search(StripTolerance(coarse, true));
-    }
-    for (int k = 0; k < 12 && 1.02 * too_fine < coarse && !runs.is_nearly_full(); ++k) {
-        const double between = 0.5 * too_fine + 0.5 * coarse;
-        RunCollector finer = search(StripTolerance(between, true));
-        (finer.is_full() ? too_fine : coarse) = between;
-        if (!finer.is_full()) runs = std::move(finer);
-    }
-    return runs;
-}
+/// Whether one of `ascending` lies in first..last.
+bool has_any(std::span<const std::size_t> ascending, std::size_t first, std::size_t last);
 
 /// Strips of neighboring stretches and, above them, of every two, four, eight... Source: Ballard 1981, Strip trees.
 class StripTree {
@@ -120,6 +99,9 @@ class StripTree {
     const Strip& strip(std::size_t level, std::size_t i) const { return levels_[level][i]; }
     std::size_t level_count() const { return levels_.size(); }
 
+    /// The sum of the lengths of the stretches before stretch `i`. Cost logarithmic.
+    double length_before(std::size_t i) const;
+
     /// Puts another strip in the place of stretch `i`. Cost logarithmic.
     void replace(std::size_t i, const Strip& strip);
 
@@ -131,7 +113,33 @@ class StripTree {
         if (size() > 0) visit(levels_.size() - 1, 0, enter, open);
     }
 
+    /// The same, beginning not at the first stretch but with a few here and there, then with those between, so that
+    /// soon some of all that there is has been visited. `begin(first)` is called before visiting goes on at another
+    /// stretch than the next one.
+    template <class Begin, class Enter, class Open>
+    void visit_scattered(Begin begin, Enter enter, Open open) const {
+        if (size() == 0) return;
+        std::size_t level = 0;
+        while (levels_[level].size() > most_beginnings) ++level;
+        const std::size_t count = levels_[level].size();
+        const auto bits = static_cast<unsigned>(std::bit_width(count - 1));
+        for (std::size_t k = 0; k < std::size_t{1} << bits; ++k) {
+            const std::size_t i = reversed_bits(k, bits);
+            if (i >= count) continue;
+            begin(i << level);
+            visit(level, i, enter, open);
+        }
+    }
+
   private:
+    static constexpr std::size_t most_beginnings = 1024;
+
+    static std::size_t reversed_bits(std::size_t k, unsigned bits) {
+        std::size_t reversed = 0;
+        for (unsigned i = 0; i < bits; ++i) reversed = (reversed << 1U) | ((k >> i) & 1U);
+        return reversed;
+    }
+
     template <class Enter, class Open>
     void visit(std::size_t level, std::size_t i, Enter& enter, Open& open) const {
         const Strip& strip = levels_[level][i];

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <numbers>
 
 #include "app/editor/commands/point_commands.h"
@@ -10,6 +11,7 @@
 #include "app/editor/scene/canvas_scene.h"
 #include "app/editor/scene/plot_scene.h"
 #include "core/curve/knot_kinds.h"
+#include "core/evaluate/evaluate.h"
 #include "tests/editor/scene_sample.h"
 
 namespace batten::editor {
@@ -75,6 +77,69 @@ TEST(DenseScene, takes_no_more_than_eight_vertices_for_each_pixel_of_width) {
         EXPECT_LE(all_of<Marker>(plot).size(), most) << points.size();
         EXPECT_LE(all_of<Label>(plot).size(), 400U) << points.size();
     }
+}
+
+TEST(DenseScene, inks_what_would_take_too_many_places) {
+    for (const auto& points : {scattered(3000), spiral(100000)}) {
+        const EditorState state = state_of(points);
+        const core::Curve& curve = *state.shown().active_curve()->curve;
+        SceneCache cache;
+        const render::DrawList list = canvas_scene(state, CanvasIdle{}, cache);
+        const Theme theme = theme_of(state.view.theme);
+        std::shared_ptr<const render::CoverageMap> map;
+        for (const render::Ink& ink : all_of<render::Ink>(list))
+            if (ink.color == theme.curve) map = ink.map;
+        if (points.size() == 3000) {
+            ASSERT_NE(map, nullptr);
+        }
+        if (map == nullptr) continue;
+        // No place of the curve is without ink, wherever it goes.
+        const core::Interval domain = curve.domain();
+        for (int k = 0; k <= 20000; ++k) {
+            const core::Point point = core::point_at(curve, domain.lower + domain.length() * k / 20000.0);
+            const glm::dvec2 place = render::screen_from_world(state.view.camera, point);
+            const glm::ivec2 pixel(glm::floor(place));
+            if (pixel.x < 0 || pixel.y < 0 || pixel.x >= map->size_px().x || pixel.y >= map->size_px().y) continue;
+            ASSERT_GE(map->coverage(pixel), 200) << k;
+        }
+    }
+}
+
+TEST(DenseScene, inks_many_other_curves_and_keeps_the_ink) {
+    core::Document document;
+    for (int k = 0; k < 1500; ++k) {
+        std::vector<core::Point> points;
+        for (const core::Point& point : spiral(10))
+            points.push_back(point + core::Vector(14.0 * (k % 40), 10.0 * (k / 40)));
+        core::DocumentCurve curve;
+        curve.curve = std::make_shared<const core::Curve>(core::Curve::make(definition_through(points)).value());
+        if (k % 2 == 1) curve.color = core::DocumentColor{200, 40, 40};
+        document.curves.push_back(curve);
+    }
+    EditorState state = test::scene_state(document.curves.front().curve->definition());
+    state.preview = document;
+    state.view.camera.scale = 1.8;
+    state.view.camera.center = {280.0, 190.0};
+    SceneCache cache;
+    const auto inks = [&] { return all_of<render::Ink>(canvas_scene(state, CanvasIdle{}, cache)); };
+    const auto first = inks();
+    ASSERT_EQ(first.size(), 2U) << "one for each color";
+    EXPECT_NE(first[0].color, first[1].color);
+    // Every curve begins with ink of its color.
+    for (std::size_t i = 1; i < document.curves.size(); ++i) {
+        const core::Point start = document.curves[i].curve->control_points().front();
+        const glm::ivec2 pixel(glm::floor(render::screen_from_world(state.view.camera, start)));
+        if (pixel.x < 0 || pixel.y < 0 || pixel.x >= 1048 || pixel.y >= 566) continue;
+        EXPECT_GE(first[i % 2 == 1 ? 0 : 1].map->coverage(pixel), 100) << i;
+    }
+    const auto again = inks();
+    EXPECT_EQ(again[0].map, first[0].map) << "not painted again";
+    state.hover = HoveredOtherCurve{7};
+    const auto without_one = inks();
+    EXPECT_NE(without_one[0].map, first[0].map);
+    state.preview->curves.resize(20);
+    state.hover = {};
+    EXPECT_TRUE(inks().empty());
 }
 
 TEST(DenseScene, tells_how_many_of_how_many_it_shows) {

@@ -6,12 +6,7 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double tolerance_px = 0.25;
-constexpr double stroke_margin_px = 8.0;
 constexpr double farthest_px = 1e30;
-// A place of a stroke takes up to four vertices: with those of its parts a curve has at most eight for each pixel.
-constexpr double places_of_curve = 1.5;
-constexpr double places_of_part = 0.25;
 constexpr double candidates_per_px = 8.0;
 constexpr double least_width_px = 100.0;
 
@@ -28,7 +23,7 @@ CanvasFrame::CanvasFrame(const EditorState& shown_state, SceneCache& scene_cache
     triangle = core::de_boor_triangle(*curve, state.view.parameter);
     const core::Document& document = state.shown();
     kept = &cache.curve(document.active, document.active_curve()->curve);
-    curve_runs = seen_runs(*this, kept->strips());
+    curve_line = seen_curve(*this, *kept, {.color = theme.curve, .width = active_curve_width});
 }
 
 glm::dvec2 CanvasFrame::screen(core::Point world) const {
@@ -53,28 +48,6 @@ core::Box CanvasFrame::seen(double margin_px) const {
 
 std::size_t most_candidates(const CanvasFrame& frame) {
     return static_cast<std::size_t>(candidates_per_px * std::max(frame.state.view.camera.size_px.x, least_width_px));
-}
-
-core::StripRequest seen_request(const CanvasFrame& frame, double places_per_px) {
-    const render::Camera& camera = frame.state.view.camera;
-    const double width = std::max(camera.size_px.x, least_width_px);
-    return {tolerance_px / camera.scale, frame.seen(frame.pen.px(stroke_margin_px)),
-            static_cast<std::size_t>(places_per_px * width)};
-}
-
-std::vector<std::vector<glm::dvec2>> screen_runs(const CanvasFrame& frame, const core::PointRuns& runs) {
-    std::vector<std::vector<glm::dvec2>> places;
-    places.reserve(runs.size());
-    for (const auto& run : runs) places.push_back(frame.screen(run));
-    return places;
-}
-
-std::vector<std::vector<glm::dvec2>> seen_runs(const CanvasFrame& frame, core::CurveStrips& strips) {
-    return screen_runs(frame, strips.runs(seen_request(frame, places_of_curve), strips.curve()->domain()));
-}
-
-std::vector<std::vector<glm::dvec2>> seen_part(const CanvasFrame& frame, core::Interval range) {
-    return screen_runs(frame, frame.kept->strips().runs(seen_request(frame, places_of_part), range));
 }
 
 core::Interval active_span(const CanvasFrame& frame) {

@@ -8,6 +8,7 @@
 #include "app/editor/highlight.h"
 #include "app/editor/scene/pen.h"
 #include "app/editor/scene/scene_cache.h"
+#include "app/editor/scene/seen_line.h"
 #include "app/editor/state.h"
 #include "core/evaluate/de_boor.h"
 
@@ -24,8 +25,8 @@ struct CanvasFrame {
     const core::Curve* curve = nullptr;  ///< the active curve; null when there is none or it is hidden
     KeptCurve* kept = nullptr;           ///< of the active curve; null with it
     Highlight lit;
-    std::optional<core::DeBoorTriangle> triangle;     ///< at the view's parameter; there when the curve is
-    std::vector<std::vector<glm::dvec2>> curve_runs;  ///< the active curve as far as it is seen
+    std::optional<core::DeBoorTriangle> triangle;  ///< at the view's parameter; there when the curve is
+    SeenLine curve_line;                           ///< the active curve as far as it is seen
 
     bool shows(Overlay overlay) const { return state.view.overlays.is_shown(overlay); }
 
@@ -39,19 +40,6 @@ struct CanvasFrame {
 
 /// How many marks are looked at one by one, to be thinned to what the picture can hold.
 std::size_t most_candidates(const CanvasFrame& frame);
-
-/// A request for what is seen, true to a quarter of a pixel, with at most `places_per_px` places for each pixel of the
-/// picture's width.
-core::StripRequest seen_request(const CanvasFrame& frame, double places_per_px);
-
-/// The same runs in pixels of the picture.
-std::vector<std::vector<glm::dvec2>> screen_runs(const CanvasFrame& frame, const core::PointRuns& runs);
-
-/// The runs of a whole curve that are seen.
-std::vector<std::vector<glm::dvec2>> seen_runs(const CanvasFrame& frame, core::CurveStrips& strips);
-
-/// The runs that are seen of a part of the active curve, which should begin and end at knots.
-std::vector<std::vector<glm::dvec2>> seen_part(const CanvasFrame& frame, core::Interval range);
 
 /// The span of the view's parameter; the frame must have a curve.
 core::Interval active_span(const CanvasFrame& frame);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "app/editor/formula.h"
 #include "app/editor/number_column.h"
@@ -36,8 +37,12 @@ class LabelWriter {
     LabelWriter(CanvasFrame& frame, const CanvasMarks& marks, const std::vector<render::PixelBox>& covered)
         : frame_(frame), layout_(frame.pen.size_px()) {
         for (const render::PixelBox& box : covered) layout_.avoid_box(box);
-        for (const auto& run : frame.curve_runs) layout_.avoid_line(run);
-        for (const auto& run : marks.polygon.runs) layout_.avoid_line(run);
+        std::vector<const render::CoverageMap*> maps;
+        for (const SeenLine& line : {std::cref(frame.curve_line), std::cref(marks.polygon)}) {
+            for (const auto& run : line.runs) layout_.avoid_line(run);
+            if (line.ink) maps.push_back(line.ink.get());
+        }
+        layout_.avoid_ink(maps);
         for (const MarkPlace& point : marks.points.large)
             layout_.avoid_symbol(point.place, frame.pen.px(control_point_reach));
         if (!is_dense(marks.points)) return;

@@ -10,7 +10,7 @@ namespace batten::editor {
 struct CanvasMarks {
     ShownPoints points;
     ShownKnots knots;
-    PolygonLines polygon;
+    SeenLine polygon;
 };
 
 /// "P_{2} · w 2" beside control points, "×2 C^{1}" beside multiple knots, "C(0.400)" beside the point at the parameter,

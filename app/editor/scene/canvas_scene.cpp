@@ -14,6 +14,7 @@
 #include "app/editor/scene/grid.h"
 #include "app/editor/scene/hodograph_inset.h"
 #include "app/editor/scene/legend.h"
+#include "app/editor/scene/other_curves.h"
 
 namespace batten::editor {
 
@@ -40,7 +41,7 @@ CanvasMarks marks_of(const CanvasFrame& frame) {
     CanvasMarks marks;
     marks.points = shown_points(frame);
     marks.knots = shown_knots(frame, marks.points);
-    if (frame.shows(Overlay::polygon)) marks.polygon = polygon_lines(frame);
+    if (frame.shows(Overlay::polygon)) marks.polygon = polygon_line(frame);
     return marks;
 }
 

@@ -14,7 +14,10 @@ constexpr double hull_opacity = 0.075;
 constexpr double lit_hull_opacity = 0.16;
 constexpr double merged_pieces = 24.0;      // of sixteen spans that are shorter together the first is drawn
 constexpr double most_bezier_points = 1.0;  // for each pixel of the picture's width
-constexpr double places_of_polygon = 2.0;   // for each pixel of the picture's width
+
+Stroke stroke_of(const CanvasFrame& frame) {
+    return {.color = frame.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0};
+}
 
 std::vector<core::Point> lit_points(const CanvasFrame& frame) {
     std::vector<core::Point> points;
@@ -49,17 +52,12 @@ void draw_bezier_polygon(CanvasFrame& frame, const core::BezierPiece& piece) {
 
 }  // namespace
 
-PolygonLines polygon_lines(const CanvasFrame& frame) {
-    const core::PolygonRuns seen = frame.kept->polygon().runs(seen_request(frame, places_of_polygon));
-    PolygonLines lines{screen_runs(frame, seen.runs), seen.starts};
-    for (double& start : lines.starts) start *= frame.state.view.camera.scale;
-    return lines;
+SeenLine polygon_line(const CanvasFrame& frame) {
+    return seen_polygon(frame, *frame.kept, stroke_of(frame));
 }
 
-void draw_control_polygon(CanvasFrame& frame, const PolygonLines& lines) {
-    for (std::size_t k = 0; k < lines.runs.size(); ++k)
-        frame.pen.line(lines.runs[k], {.color = frame.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0},
-                       lines.starts[k]);
+void draw_control_polygon(CanvasFrame& frame, const SeenLine& line) {
+    draw_line(frame, line, stroke_of(frame));
     const auto points = frame.curve->control_points();
     const auto* leg = std::get_if<HoveredLeg>(&frame.state.hover);
     const std::size_t leg_count = points.size() - (frame.curve->is_periodic() ? 0U : 1U);

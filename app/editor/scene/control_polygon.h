@@ -5,17 +5,11 @@
 
 namespace batten::editor {
 
-/// The polygon as far as it is drawn, in pixels.
-struct PolygonLines {
-    std::vector<std::vector<glm::dvec2>> runs;
-    std::vector<double> starts;  ///< how far along the polygon each run begins
-};
-
-/// The polygon as far as it is seen, in pixels; thinned where it has more legs than the picture can hold.
-PolygonLines polygon_lines(const CanvasFrame& frame);
+/// The polygon as far as it is seen.
+SeenLine polygon_line(const CanvasFrame& frame);
 
 /// The dashed legs, a hovered one solid.
-void draw_control_polygon(CanvasFrame& frame, const PolygonLines& lines);
+void draw_control_polygon(CanvasFrame& frame, const SeenLine& line);
 
 /// The convex hull of the points that act on the active span, or of what is lit, which shows its hull even where the
 /// overlay is off.

@@ -10,20 +10,18 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double curve_width = 3.0;
-constexpr double other_width = 2.0;
 constexpr double span_width = 4.0;
+constexpr double places_of_part = 0.25;  // for each pixel of the picture's width
 constexpr double glow_width = 11.0;
 constexpr double ghost_share = 0.35;
-constexpr double other_share = 0.55;
 
-render::Color color_of(const core::DocumentCurve& item, const Theme& theme) {
-    if (!item.color) return theme.curve;
-    return {item.color->red, item.color->green, item.color->blue, 255};
+void draw_curve(CanvasFrame& frame, KeptCurve& kept, const Stroke& stroke) {
+    draw_line(frame, seen_curve(frame, kept, stroke), stroke);
 }
 
-void stroke_runs(CanvasFrame& frame, const std::vector<std::vector<glm::dvec2>>& runs, const Stroke& stroke) {
-    for (const auto& run : runs) frame.pen.line(run, stroke);
+/// A part of the active curve, which should begin and end at knots.
+void draw_part(CanvasFrame& frame, core::Interval range, const Stroke& stroke) {
+    draw_line(frame, seen_part(frame, frame.kept->strips(), range, places_of_part, stroke), stroke);
 }
 
 /// What lights up belongs to one point, and has its color, or to a knot or span.
@@ -53,39 +51,27 @@ void draw_direction(CanvasFrame& frame, render::Color color) {
 
 }  // namespace
 
+render::Color color_of(const core::DocumentCurve& item, const Theme& theme) {
+    if (!item.color) return theme.curve;
+    return {item.color->red, item.color->green, item.color->blue, 255};
+}
+
 void draw_ghost(CanvasFrame& frame) {
     if (!frame.state.ghost) return;
     const render::Color color = render::blended(frame.theme.curve, ghost_share, frame.theme.canvas);
-    core::CurveStrips& strips = frame.cache.ghost(frame.state.ghost->curve).strips();
-    stroke_runs(frame, seen_runs(frame, strips), {.color = color, .width = other_width});
-}
-
-void draw_other_curves(CanvasFrame& frame) {
-    const core::Document& document = frame.state.shown();
-    frame.cache.forget_beyond(document.curves.size());
-    const auto* hovered = std::get_if<HoveredOtherCurve>(&frame.state.hover);
-    for (std::size_t i = 0; i < document.curves.size(); ++i) {
-        const core::DocumentCurve& item = document.curves[i];
-        if (i == document.active || !item.visible) continue;
-        const bool is_hovered = hovered != nullptr && hovered->index == i;
-        const render::Color color = color_of(item, frame.theme);
-        const Stroke stroke{.color = is_hovered ? color : render::blended(color, other_share, frame.theme.canvas),
-                            .width = is_hovered ? curve_width : other_width};
-        stroke_runs(frame, seen_runs(frame, frame.cache.curve(i, item.curve).strips()), stroke);
-    }
+    draw_curve(frame, frame.cache.ghost(frame.state.ghost->curve), {.color = color, .width = other_curve_width});
 }
 
 void draw_lit_parts(CanvasFrame& frame) {
     const Stroke glow{.color = glow_color(frame), .width = glow_width};
-    for (const core::Interval& part : frame.lit.parts) stroke_runs(frame, seen_part(frame, part), glow);
+    for (const core::Interval& part : frame.lit.parts) draw_part(frame, part, glow);
 }
 
 void draw_active_curve(CanvasFrame& frame) {
     const render::Color color = color_of(*frame.state.shown().active_curve(), frame.theme);
-    stroke_runs(frame, frame.curve_runs, {.color = color, .width = curve_width});
+    draw_line(frame, frame.curve_line, {.color = color, .width = active_curve_width});
     draw_direction(frame, color);
-    const Stroke accent{.color = frame.theme.accent, .width = span_width};
-    stroke_runs(frame, seen_part(frame, active_span(frame)), accent);
+    draw_part(frame, active_span(frame), {.color = frame.theme.accent, .width = span_width});
 }
 
 void draw_hovered_place(CanvasFrame& frame) {

@@ -1,15 +1,15 @@
-/// The curves themselves: ghost, other curves, the active curve and its parts.
+/// The curve itself: ghost, the active curve and its parts.
 #pragma once
 
 #include "app/editor/scene/canvas_frame.h"
 
 namespace batten::editor {
 
+/// The color of a curve, its own or that of the theme.
+render::Color color_of(const core::DocumentCurve& item, const Theme& theme);
+
 /// The active curve before a shape-changing edit.
 void draw_ghost(CanvasFrame& frame);
-
-/// All visible curves but the active one, thinner and dimmer than that; a hovered one at full strength.
-void draw_other_curves(CanvasFrame& frame);
 
 /// A glow under the parts that belong to what is hovered; the frame must have a curve.
 void draw_lit_parts(CanvasFrame& frame);

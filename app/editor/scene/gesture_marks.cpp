@@ -44,9 +44,9 @@ struct MarksOf {
     }
 
     void draw_shape(const core::Curve& curve) const {
-        core::CurveStrips strips(std::make_shared<const core::Curve>(curve));
-        for (const auto& run : seen_runs(frame, strips))
-            frame.pen.line(run, {.color = frame.theme.accent, .width = 3.0});
+        KeptCurve kept(std::make_shared<const core::Curve>(curve));
+        const Stroke stroke{.color = frame.theme.accent, .width = 3.0};
+        draw_line(frame, seen_curve(frame, kept, stroke), stroke);
     }
 
     template <class Other>

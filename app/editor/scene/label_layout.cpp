@@ -126,6 +126,21 @@ void LabelLayout::avoid_line(std::span<const glm::dvec2> points) {
         }
 }
 
+void LabelLayout::avoid_ink(std::span<const render::CoverageMap* const> maps) {
+    if (maps.empty()) return;
+    constexpr int rows_px = 8;
+    const glm::ivec2 size = maps.front()->size_px();
+    const auto is_inked = [&](int x, int y) {
+        return std::any_of(maps.begin(), maps.end(), [&](const auto* map) { return map->coverage({x, y}) > 0; });
+    };
+    for (int y = rows_px / 2; y < size.y; y += rows_px)
+        for (int x = 0; x < size.x; ++x) {
+            const int first = x;
+            while (x < size.x && is_inked(x, y)) ++x;
+            if (x > first) add_line({first, y}, {x, y});
+        }
+}
+
 void LabelLayout::avoid_symbol(glm::dvec2 center, double radius_px) {
     const render::PixelBox picture{{}, size_px_};
     if (picture.contains(center))

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "render/coverage_map.h"
 #include "render/draw_list.h"
 #include "render/pixel_box.h"
 
@@ -34,10 +35,15 @@ class LabelLayout {
   public:
     explicit LabelLayout(glm::dvec2 size_px);
 
-    /// Makes labels stay off a line, a symbol, or (under all circumstances) a box.
+    /// Makes labels stay off a line, a symbol, or (under all
+    /// circumstances) a box.
     void avoid_line(std::span<const glm::dvec2> points);
     void avoid_symbol(glm::dvec2 center, double radius_px);
     void avoid_box(const render::PixelBox& box);
+
+    /// Makes labels stay off what is covered in any of `maps`, which are of one size, as off a line for each eight rows
+    /// of pixels.
+    void avoid_ink(std::span<const render::CoverageMap* const> maps);
 
     /// A place for a text of `text_px` that begins `offset_px` sideways of `point`, and about half as far above or
     /// below; `first` is tried first. None when every place would cover another label, leave

@@ -122,6 +122,10 @@ void Pen::fill(std::vector<glm::dvec2> polygon, render::Color color) {
     list_.add(std::move(fill));
 }
 
+void Pen::ink(std::shared_ptr<const render::CoverageMap> map, render::Color color) {
+    list_.add(render::Ink{std::move(map), color});
+}
+
 void Pen::symbol(glm::dvec2 center, const Symbol& symbol) {
     if (!reach_.contains(center)) return;
     list_.add(render::Marker{.center = pixel(center),

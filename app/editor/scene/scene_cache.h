@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/editor/scene/kept_ink.h"
+#include "app/editor/scene/other_curves.h"
 #include "core/document/document.h"
 #include "core/evaluate/curve_strips.h"
 #include "core/evaluate/polygon_strips.h"
@@ -23,9 +25,14 @@ class KeptCurve {
     /// The strips of the control polygon, made when they are asked for.
     core::PolygonStrips& polygon();
 
+    KeptInk& curve_ink() { return curve_ink_; }
+    KeptInk& polygon_ink() { return polygon_ink_; }
+
   private:
     core::CurveStrips strips_;
     std::optional<core::PolygonStrips> polygon_;
+    KeptInk curve_ink_;
+    KeptInk polygon_ink_;
 };
 
 /// Belongs to whoever shows pictures of one editor; what it keeps is a function of what is shown, so a new one gives
@@ -38,12 +45,15 @@ class SceneCache {
     /// What is kept of the ghost.
     KeptCurve& ghost(const std::shared_ptr<const core::Curve>& curve);
 
+    OtherInk& others() { return others_; }
+
     /// Forgets curves beyond the first `count`.
     void forget_beyond(std::size_t count);
 
   private:
     std::vector<std::unique_ptr<KeptCurve>> curves_;
     std::unique_ptr<KeptCurve> ghost_;
+    OtherInk others_;
 };
 
 }  // namespace batten::editor

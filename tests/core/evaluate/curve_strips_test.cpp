@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,6 +10,7 @@
 #include "core/evaluate/detail/subdivide.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/polygon_strips.h"
+#include "core/refine/knot_insertion.h"
 #include "tests/core/random_curves.h"
 
 namespace batten::core {
@@ -30,6 +32,23 @@ std::vector<Point> spiral_points(std::size_t count) {
         points.emplace_back(4.0 * share * std::cos(angle), 4.0 * share * std::sin(angle));
     }
     return points;
+}
+
+// All over the unit square.
+std::vector<Point> scattered_points(std::size_t count) {
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < count; ++i)
+        points.emplace_back(std::fmod(static_cast<double>(i * i) * 0.618, 1.0),
+                            std::fmod(static_cast<double>(i) * 0.414, 1.0));
+    return points;
+}
+
+// Puts all chords into `chords`.
+ChordRequest collecting(PointRuns& chords, double tolerance) {
+    return {tolerance, everything, [](const Strip&) { return false; },
+            [&chords](Point a, Point b, double) {
+                chords.push_back({a, b});
+            }};
 }
 
 std::shared_ptr<const Curve> cubic_through(std::vector<Point> points) {
@@ -71,7 +90,7 @@ TEST(CurveStrips, are_true_to_the_tolerance) {
         const auto curve = shared(random.curve());
         CurveStrips strips(curve);
         for (const double tolerance : {1.0, 0.1, 1e-3}) {
-            const PointRuns runs = strips.runs({tolerance, everything, plenty}, curve->domain());
+            const PointRuns runs = strips.runs({tolerance, everything, plenty}, curve->domain()).value();
             EXPECT_LE(farthest(*curve, runs, 9), tolerance * (1.0 + 1e-9)) << k;
         }
     }
@@ -80,39 +99,109 @@ TEST(CurveStrips, are_true_to_the_tolerance) {
 TEST(CurveStrips, draw_many_spans_that_are_nearly_straight_with_few_places) {
     const auto curve = cubic_through(spiral_points(5000));
     CurveStrips strips(curve);
-    const PointRuns runs = strips.runs({0.002, everything, plenty}, curve->domain());
+    const PointRuns runs = strips.runs({0.002, everything, plenty}, curve->domain()).value();
     EXPECT_EQ(runs.size(), 1U);
     EXPECT_LE(farthest(*curve, runs, 1), 0.002);
     // Chords of arcs of radius r are sqrt(8 r 0.002) long: some 1600 for the whole spiral.
     EXPECT_LT(place_count(runs), 4000U);
 }
 
-TEST(CurveStrips, take_no_more_places_than_asked_for) {
-    std::vector<Point> points;
-    for (std::size_t i = 0; i < 5000; ++i)
-        points.emplace_back(std::fmod(static_cast<double>(i * i) * 0.618, 1.0),
-                            std::fmod(static_cast<double>(i) * 0.414, 1.0));
-    const auto curve = cubic_through(points);
+TEST(CurveStrips, give_nothing_where_it_takes_more_places_than_asked_for) {
+    const auto curve = cubic_through(scattered_points(5000));
     CurveStrips strips(curve);
-    EXPECT_GT(place_count(strips.runs({1e-3, everything, plenty}, curve->domain())), 5000U);
-    const PointRuns few = strips.runs({1e-3, everything, 200}, curve->domain());
-    EXPECT_LE(place_count(few), 200U);
-    EXPECT_GT(place_count(few), 100U);
+    const std::size_t count = place_count(strips.runs({1e-3, everything, plenty}, curve->domain()).value());
+    EXPECT_GT(count, 5000U);
+    EXPECT_TRUE(strips.runs({1e-3, everything, count}, curve->domain()));
+    EXPECT_FALSE(strips.runs({1e-3, everything, count - 1}, curve->domain()));
+    EXPECT_FALSE(PolygonStrips(curve).runs({1e-3, everything, 4999}));
+    EXPECT_TRUE(PolygonStrips(curve).runs({1e-3, everything, 5000}));
 }
 
-TEST(CurveStrips, spend_their_places_evenly_on_a_line_that_swings_everywhere) {
-    std::vector<Point> points;
-    for (std::size_t i = 0; i < 20000; ++i)
-        points.emplace_back(std::fmod(static_cast<double>(i * i) * 0.618, 1.0),
-                            std::fmod(static_cast<double>(i) * 0.414, 1.0));
-    const auto curve = cubic_through(points);
+TEST(CurveStrips, hand_out_chords_of_the_whole_curve) {
+    RandomCurves random(31);
+    for (int k = 0; k < 150; ++k) {
+        const auto curve = shared(random.curve());
+        const CurveStrips strips(curve);
+        PointRuns chords;
+        strips.visit_chords(collecting(chords, 1e-3), curve->domain());
+        EXPECT_LE(farthest(*curve, chords, 9), 1e-3 * (1.0 + 1e-9)) << k;
+    }
+}
+
+TEST(CurveStrips, hand_out_what_is_not_hidden_or_left_out) {
+    const auto curve = cubic_through(scattered_points(100));
+    const CurveStrips strips(curve);
+    PointRuns chords;
+    ChordRequest request = collecting(chords, 1e-3);
+    request.is_hidden = [](const Strip& strip) { return strip.box.upper.x < 0.5; };
+    const std::vector<std::size_t> left_out{3, 40, 41, 90};
+    strips.visit_chords(request, curve->domain(), left_out);
+    for (const auto& chord : chords) EXPECT_TRUE(chord.front().x >= 0.5 || chord.back().x >= 0.5);
+    const KnotVector& knots = curve->knots();
+    std::size_t missing = 0;
+    for (std::size_t s = 3; s + 4 < knots.size(); ++s) {
+        const Point place = point_at(*curve, 0.5 * (knots[s] + knots[s + 1]));
+        if (place.x < 0.501 || std::binary_search(left_out.begin(), left_out.end(), s)) continue;
+        EXPECT_LE(distance_to(chords, place), 1e-3) << s;
+    }
+    for (const std::size_t s : left_out) {
+        PointRuns own;
+        strips.visit_span_chords(collecting(own, 1e-3), s);
+        const Point place = point_at(*curve, 0.5 * (knots[s] + knots[s + 1]));
+        EXPECT_LE(distance_to(own, place), 1e-3) << s;
+        if (distance_to(chords, place) > 1e-3) ++missing;
+    }
+    EXPECT_GE(missing, 2U) << "others may pass there";
+}
+
+TEST(CurveStrips, follow_knots_that_are_inserted_and_removed_as_if_made_anew) {
+    RandomCurves random(23);
+    for (int k = 0; k < 60; ++k) {
+        const Curve first = random.curve();
+        CurveStrips strips(shared(first));
+        PolygonStrips polygon(shared(first));
+        const Interval domain = first.domain();
+        for (const double share : {0.5, 0.1, 0.1, 0.97}) {
+            const auto inserted = insert_knot(*strips.curve(), domain.lower + share * domain.length());
+            if (!inserted) continue;
+            const auto before = strips.curve();
+            for (const auto& next : {shared(*inserted), before, shared(*inserted)}) {
+                strips.follow(next);
+                polygon.follow(next);
+                const StripRequest request{1e-3, everything, plenty};
+                EXPECT_EQ(strips.runs(request, domain), CurveStrips(next).runs(request, domain)) << k;
+                EXPECT_EQ(polygon.runs(request)->runs, PolygonStrips(next).runs(request)->runs) << k;
+            }
+        }
+    }
+}
+
+TEST(CurveStrips, take_apart_only_what_is_near_an_inserted_knot) {
+    const auto curve = cubic_through(spiral_points(5000));
     CurveStrips strips(curve);
-    const std::size_t places = place_count(strips.runs({1e-3, everything, 1500}, curve->domain()));
-    EXPECT_LE(places, 1500U);
-    EXPECT_GT(places, 500U);
-    const std::size_t corners = place_count(PolygonStrips(curve).runs({1e-3, everything, 1500}).runs);
-    EXPECT_LE(corners, 1500U);
-    EXPECT_GT(corners, 500U);
+    PolygonStrips polygon(curve);
+    const std::size_t stretches = strips.stretch_count();
+    const std::size_t of_polygon = polygon.stretch_count();
+    const double u = curve->domain().lower + 0.20007 * curve->domain().length();
+    const auto inserted = shared(insert_knot(*curve, u).value());
+    for (int k = 1; k <= 50; ++k) {
+        for (const auto& next : {inserted, curve}) {
+            const std::uint64_t number = strips.change().number;
+            strips.follow(next);
+            polygon.follow(next);
+            EXPECT_EQ(strips.change().number, number + 1);
+            EXPECT_TRUE(strips.change().is_renumbered);
+            EXPECT_FALSE(strips.change().is_all);
+        }
+        EXPECT_LE(strips.stretch_count(), stretches + 4 * static_cast<std::size_t>(k));
+        EXPECT_LE(polygon.stretch_count(), of_polygon + 4 * static_cast<std::size_t>(k));
+    }
+    // The spans that the three new points act on, and the one after them.
+    strips.follow(inserted);
+    const std::size_t span = inserted->knots().span_at(u);
+    EXPECT_TRUE(std::binary_search(strips.change().parts.begin(), strips.change().parts.end(), span));
+    EXPECT_TRUE(std::binary_search(strips.change().parts.begin(), strips.change().parts.end(), span - 3));
+    EXPECT_LE(strips.change().parts.size(), 10U);
 }
 
 TEST(CurveStrips, show_the_extent_of_what_is_narrower_than_the_tolerance) {
@@ -123,7 +212,7 @@ TEST(CurveStrips, show_the_extent_of_what_is_narrower_than_the_tolerance) {
     const auto curve =
         shared(Curve::make(make_knots(KnotKind::clamped_uniform, 1, points.size()).value(), points, {}).value());
     CurveStrips strips(curve);
-    const PointRuns runs = strips.runs({0.01, everything, 2000}, curve->domain());
+    const PointRuns runs = strips.runs({0.01, everything, 2000}, curve->domain()).value();
     EXPECT_LE(place_count(runs), 2000U);
     for (std::size_t i = 0; i < points.size(); i += 997) EXPECT_LE(distance_to(runs, points[i]), 0.01) << i;
 }
@@ -132,17 +221,17 @@ TEST(CurveStrips, move_with_one_point_by_taking_apart_only_its_spans) {
     std::vector<Point> points = spiral_points(1000);
     const auto curve = cubic_through(points);
     CurveStrips strips(curve);
-    strips.runs({1e-6, everything, plenty}, curve->domain());
+    strips.runs({1e-6, everything, plenty}, curve->domain()).value();
     const std::size_t spans = strips.span_count();
     const std::size_t stretches = strips.stretch_count();
     EXPECT_EQ(spans, 997U);
     points[500] += Vector(0.5, 0.25);
     const auto moved = cubic_through(points);
     strips.follow(moved);
-    const PointRuns runs = strips.runs({1e-6, everything, plenty}, curve->domain());
+    const PointRuns runs = strips.runs({1e-6, everything, plenty}, curve->domain()).value();
     EXPECT_EQ(strips.span_count(), spans + 4);
     EXPECT_LE(strips.stretch_count(), stretches + 2);
-    EXPECT_EQ(runs, CurveStrips(moved).runs({1e-6, everything, plenty}, curve->domain()));
+    EXPECT_EQ(runs, CurveStrips(moved).runs({1e-6, everything, plenty}, curve->domain()).value());
 }
 
 TEST(CurveStrips, follow_random_changes_as_if_made_anew) {
@@ -150,7 +239,7 @@ TEST(CurveStrips, follow_random_changes_as_if_made_anew) {
     for (int k = 0; k < 300; ++k) {
         const Curve first = random.curve();
         CurveStrips strips(shared(first));
-        strips.runs({1e-3, everything, plenty}, first.domain());
+        strips.runs({1e-3, everything, plenty}, first.domain()).value();
         CurveDefinition definition = first.definition();
         const auto i = static_cast<std::size_t>(random.whole(0, static_cast<int>(definition.points.size()) - 1));
         if (k % 3 == 0) definition.points[i].x += 0.5;
@@ -163,9 +252,10 @@ TEST(CurveStrips, follow_random_changes_as_if_made_anew) {
         if (!changed) continue;
         const auto other = shared(std::move(*changed));
         strips.follow(other);
-        const PointRuns runs = strips.runs({1e-3, everything, plenty}, other->domain());
+        const PointRuns runs = strips.runs({1e-3, everything, plenty}, other->domain()).value();
         EXPECT_LE(farthest(*other, runs, 7), 1e-3 * (1.0 + 1e-9)) << k;
-        EXPECT_EQ(runs.size(), CurveStrips(other).runs({1e-3, everything, plenty}, other->domain()).size()) << k;
+        EXPECT_EQ(runs.size(), CurveStrips(other).runs({1e-3, everything, plenty}, other->domain()).value().size())
+            << k;
     }
 }
 
@@ -173,17 +263,17 @@ TEST(CurveStrips, compute_nothing_again_while_the_view_moves) {
     const auto curve = cubic_through(spiral_points(1000));
     CurveStrips strips(curve);
     Box view{{0.0, 0.0}, {2.0, 2.0}};
-    strips.runs({1e-4, view, plenty}, curve->domain());
+    strips.runs({1e-4, view, plenty}, curve->domain()).value();
     const std::size_t seen = strips.span_count();
     EXPECT_LT(seen, 600U);
     // Back to where it was, and inwards.
-    strips.runs({1e-4, {{0.5, 0.5}, {1.5, 1.5}}, plenty}, curve->domain());
-    strips.runs({1e-4, view, plenty}, curve->domain());
-    strips.runs({1e-3, view, plenty}, curve->domain());
+    strips.runs({1e-4, {{0.5, 0.5}, {1.5, 1.5}}, plenty}, curve->domain()).value();
+    strips.runs({1e-4, view, plenty}, curve->domain()).value();
+    strips.runs({1e-3, view, plenty}, curve->domain()).value();
     EXPECT_EQ(strips.span_count(), seen);
     for (int k = 1; k <= 100; ++k) {
         view = {{0.01 * k, 0.0}, {2.0 + 0.01 * k, 2.0}};
-        strips.runs({1e-4, view, plenty}, curve->domain());
+        strips.runs({1e-4, view, plenty}, curve->domain()).value();
     }
     // Each span came into view at most once, with those of its stretch.
     EXPECT_LE(strips.span_count(), 997U);
@@ -194,7 +284,7 @@ TEST(CurveStrips, cost_what_is_seen_of_a_long_curve) {
     CurveStrips strips(curve);
     EXPECT_EQ(strips.span_count(), 0U);
     const Box view{{1.0, 0.0}, {1.02, 0.02}};
-    const PointRuns runs = strips.runs({1e-5, view, plenty}, curve->domain());
+    const PointRuns runs = strips.runs({1e-5, view, plenty}, curve->domain()).value();
     EXPECT_GE(runs.size(), 1U);
     EXPECT_LT(strips.span_count(), 200U);
 }
@@ -206,7 +296,7 @@ TEST(CurveStrips, keep_what_comes_apart_apart) {
                                            .tears = Tears::allow})
                                   .value());
     CurveStrips strips(curve);
-    const PointRuns runs = strips.runs({0.1, everything, plenty}, curve->domain());
+    const PointRuns runs = strips.runs({0.1, everything, plenty}, curve->domain()).value();
     ASSERT_EQ(runs.size(), 2U);
     EXPECT_EQ(runs[0], (std::vector<Point>{{0, 0}, {1, 0}}));
     EXPECT_EQ(runs[1], (std::vector<Point>{{2, 0}, {3, 0}}));
@@ -217,7 +307,7 @@ TEST(CurveStrips, give_the_spans_of_a_range_only) {
     const KnotVector& knots = curve->knots();
     CurveStrips strips(curve);
     const Interval range{knots[50], knots[54]};
-    const PointRuns runs = strips.runs({1e-6, everything, plenty}, range);
+    const PointRuns runs = strips.runs({1e-6, everything, plenty}, range).value();
     ASSERT_EQ(runs.size(), 1U);
     EXPECT_EQ(runs[0].front(), point_at(*curve, range.lower));
     EXPECT_EQ(runs[0].back(), point_at(*curve, range.upper));
@@ -230,13 +320,22 @@ TEST(CurveStrips, survive_numbers_of_any_size) {
         points[50].x = 4.0 * size;
         const auto curve = cubic_through(points);
         CurveStrips strips(curve);
-        const Box view{{-5.0 * size, -5.0 * size}, {5.0 * size, 5.0 * size}};
-        EXPECT_LE(place_count(strips.runs({1e-3 * size, view, 2000}, curve->domain())), 2000U) << size;
-        EXPECT_LE(place_count(strips.runs({0.25, {{-10, -10}, {10, 10}}, 2000}, curve->domain())), 2000U) << size;
+        const Box whole{{-5.0 * size, -5.0 * size}, {5.0 * size, 5.0 * size}};
+        const Box part{{-10, -10}, {10, 10}};
+        for (const auto& [tolerance, view] : {std::pair(1e-3 * size, whole), std::pair(0.25, part)}) {
+            const auto runs = strips.runs({tolerance, view, 2000}, curve->domain());
+            EXPECT_LE(runs ? place_count(*runs) : 0, 2000U) << size;
+            PointRuns chords;
+            ChordRequest all = collecting(chords, tolerance);
+            all.view = view;
+            strips.visit_chords(all, curve->domain());
+            PolygonStrips(curve).visit_chords(all);
+            EXPECT_LT(chords.size(), 20000U) << size;
+        }
     }
     const auto one_place = cubic_through(std::vector<Point>(1000, Point(1, 2)));
     CurveStrips strips(one_place);
-    EXPECT_EQ(place_count(strips.runs({1e-9, everything, plenty}, one_place->domain())), 2U);
+    EXPECT_EQ(place_count(strips.runs({1e-9, everything, plenty}, one_place->domain()).value()), 2U);
 }
 
 TEST(PolygonStrips, give_every_leg_while_they_are_few) {
@@ -246,7 +345,7 @@ TEST(PolygonStrips, give_every_leg_while_they_are_few) {
         const auto points = curve->control_points();
         std::vector<Point> corners(points.begin(), points.end());
         if (periodic) corners.push_back(corners.front());
-        const PointRuns runs = PolygonStrips(curve).runs({1e6, everything, plenty}).runs;
+        const PointRuns runs = PolygonStrips(curve).runs({1e6, everything, plenty}).value().runs;
         ASSERT_EQ(runs.size(), 1U);
         EXPECT_EQ(runs[0], corners);
     }
@@ -259,7 +358,7 @@ TEST(PolygonStrips, thin_out_many_legs_and_follow_a_point) {
     points[20000] += Vector(3.0, 1.0);
     strips.follow(cubic_through(points));
     EXPECT_LE(strips.stretch_count(), stretches + 2);
-    const PointRuns runs = strips.runs({0.002, everything, 4000}).runs;
+    const PointRuns runs = strips.runs({0.002, everything, 4000}).value().runs;
     EXPECT_LE(place_count(runs), 4000U);
     EXPECT_GT(place_count(runs), 500U);
     EXPECT_LE(distance_to(runs, points[20000]), 0.01);
@@ -273,7 +372,7 @@ TEST(PolygonStrips, leave_out_corners_of_a_stretch_one_by_one) {
         const double radius = 200.0 + 0.03 * i;
         points.emplace_back(radius * std::cos(0.02 * i), radius * std::sin(0.02 * i));
     }
-    const PointRuns runs = PolygonStrips(cubic_through(points)).runs({0.25, everything, 2000}).runs;
+    const PointRuns runs = PolygonStrips(cubic_through(points)).runs({0.25, everything, 2000}).value().runs;
     EXPECT_LE(place_count(runs), 2000U);
     for (std::size_t i = 0; i < points.size(); i += 7) EXPECT_LE(distance_to(runs, points[i]), 0.3) << i;
 }
@@ -282,12 +381,34 @@ TEST(PolygonStrips, tell_how_far_along_what_is_seen_begins) {
     std::vector<Point> points;
     for (int i = 0; i < 100; ++i) points.emplace_back(3.0 * i, i % 2 == 0 ? 0.0 : 4.0);
     const PolygonStrips strips(cubic_through(points));
-    const PolygonRuns seen = strips.runs({0.1, {{150.0, 0.0}, {160.0, 4.0}}, plenty});
+    const PolygonRuns seen = strips.runs({0.1, {{150.0, 0.0}, {160.0, 4.0}}, plenty}).value();
     ASSERT_EQ(seen.starts.size(), 1U);
     // Every leg has length 5.
     EXPECT_DOUBLE_EQ(seen.starts[0], 5.0 * seen.runs[0][0].x / 3.0);
     EXPECT_LE(seen.runs[0].front().x, 150.0);
     EXPECT_GE(seen.runs[0].front().x, 90.0);
+}
+
+TEST(PolygonStrips, tell_how_far_along_every_chord_begins) {
+    // So many that they are visited here and there. Every leg has length 5.
+    std::vector<Point> points;
+    for (int i = 0; i < 40000; ++i) points.emplace_back(3.0 * i, i % 2 == 0 ? 0.0 : 4.0);
+    const PolygonStrips strips(cubic_through(points));
+    std::vector<bool> is_seen(points.size() - 1);
+    const std::vector<std::size_t> left_out{17, 30000};
+    ChordRequest request{0.1, everything, [](const Strip&) { return false; },
+                         [&](Point a, Point b, double along) {
+                             const auto leg = static_cast<std::size_t>(a.x / 3.0);
+                             EXPECT_EQ(a, points[leg]);
+                             EXPECT_EQ(b, points[leg + 1]);
+                             EXPECT_NEAR(along, 5.0 * static_cast<double>(leg), 1e-6);
+                             EXPECT_FALSE(is_seen[leg]) << leg;
+                             is_seen[leg] = true;
+                         }};
+    strips.visit_chords(request, left_out);
+    for (std::size_t leg = 0; leg < is_seen.size(); ++leg) EXPECT_EQ(is_seen[leg], leg != 17 && leg != 30000) << leg;
+    for (const std::size_t leg : left_out) strips.visit_leg_chord(request, leg);
+    EXPECT_TRUE(is_seen[17] && is_seen[30000]);
 }
 
 TEST(PolygonStrips, visit_every_point_in_view_once) {

@@ -1,0 +1,97 @@
+#include "app/editor/scene/other_curves.h"
+
+#include <algorithm>
+
+#include "app/editor/scene/canvas_frame.h"
+#include "app/editor/scene/curve_strokes.h"
+
+namespace batten::editor {
+
+namespace {
+
+constexpr double other_share = 0.55;
+constexpr double most_places = 4.0;  // of all lines, for each pixel of the picture's width
+
+/// A visible curve that is not hovered, by its place in the document.
+struct Other {
+    std::size_t index = 0;
+    OtherInk::Item item;
+};
+
+std::vector<Other> others(const CanvasFrame& frame, std::size_t hovered) {
+    const core::Document& document = frame.state.shown();
+    std::vector<Other> found;
+    for (std::size_t i = 0; i < document.curves.size(); ++i) {
+        const core::DocumentCurve& item = document.curves[i];
+        if (i == document.active || i == hovered || !item.visible) continue;
+        const render::Color color = render::blended(color_of(item, frame.theme), other_share, frame.theme.canvas);
+        found.push_back({i, {item.curve, color}});
+    }
+    return found;
+}
+
+bool is_kept(const OtherInk& kept, const InkPlace& place, const std::vector<Other>& curves) {
+    return !kept.inks.empty() && kept.place == place &&
+           std::equal(kept.items.begin(), kept.items.end(), curves.begin(), curves.end(),
+                      [](const OtherInk::Item& item, const Other& other) { return item == other.item; });
+}
+
+OtherInk inked(CanvasFrame& frame, const InkPlace& place, const std::vector<Other>& curves) {
+    OtherInk kept{place, {}, {}};
+    std::vector<std::shared_ptr<render::CoverageMap>> maps;
+    for (const Other& other : curves) {
+        kept.items.push_back(other.item);
+        const auto of_color = std::find_if(kept.inks.begin(), kept.inks.end(),
+                                           [&](const render::Ink& ink) { return ink.color == other.item.color; });
+        const auto k = static_cast<std::size_t>(of_color - kept.inks.begin());
+        if (of_color == kept.inks.end()) {
+            maps.push_back(std::make_shared<render::CoverageMap>(place.size_px));
+            kept.inks.push_back({maps.back(), other.item.color});
+        }
+        paint_curve(frame, frame.cache.curve(other.index, other.item.curve).strips(), place, *maps[k]);
+    }
+    return kept;
+}
+
+/// The lines of the curves; none where they have too many places.
+std::vector<SeenLine> lines_of(CanvasFrame& frame, const std::vector<Other>& curves) {
+    const double most = most_places * frame.pen.size_px().x;
+    double places = 0.0;
+    std::vector<SeenLine> lines;
+    for (const Other& other : curves) {
+        auto line = seen_polylines(frame, frame.cache.curve(other.index, other.item.curve).strips());
+        if (!line) return {};
+        for (const auto& run : line->runs) places += static_cast<double>(run.size());
+        if (places > most) return {};
+        lines.push_back(std::move(*line));
+    }
+    return lines;
+}
+
+}  // namespace
+
+void draw_other_curves(CanvasFrame& frame) {
+    const core::Document& document = frame.state.shown();
+    frame.cache.forget_beyond(document.curves.size());
+    const auto* hovered = std::get_if<HoveredOtherCurve>(&frame.state.hover);
+    const std::size_t none = document.curves.size();
+    const std::vector<Other> curves = others(frame, hovered == nullptr ? none : hovered->index);
+    Stroke stroke{.color = {}, .width = other_curve_width};
+    const InkPlace place = ink_place(frame, stroke);
+    OtherInk& kept = frame.cache.others();
+    if (!is_kept(kept, place, curves)) {
+        const std::vector<SeenLine> lines = lines_of(frame, curves);
+        for (std::size_t k = 0; k < lines.size(); ++k) {
+            stroke.color = curves[k].item.color;
+            draw_line(frame, lines[k], stroke);
+        }
+        kept = lines.size() == curves.size() ? OtherInk() : inked(frame, place, curves);
+    }
+    for (const render::Ink& ink : kept.inks) frame.pen.ink(ink.map, ink.color);
+    if (hovered == nullptr || hovered->index >= none || !document.curves[hovered->index].visible) return;
+    const core::DocumentCurve& item = document.curves[hovered->index];
+    const Stroke full{.color = color_of(item, frame.theme), .width = active_curve_width};
+    draw_line(frame, seen_curve(frame, frame.cache.curve(hovered->index, item.curve), full), full);
+}
+
+}  // namespace batten::editor

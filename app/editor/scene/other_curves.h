@@ -1,0 +1,33 @@
+/// The curves that are not the active one.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "app/editor/scene/kept_ink.h"
+#include "core/curve/curve.h"
+#include "render/draw_list.h"
+
+namespace batten::editor {
+
+struct CanvasFrame;
+
+/// Curves that together have more places than the picture should have, as one map for each color.
+struct OtherInk {
+    struct Item {
+        std::shared_ptr<const core::Curve> curve;
+        render::Color color;
+
+        bool operator==(const Item&) const = default;
+    };
+
+    InkPlace place;
+    std::vector<Item> items;
+    std::vector<render::Ink> inks;  ///< in the order of the first curves of their colors; none when lines show all
+};
+
+/// All visible curves but the active one, thinner and dimmer than that; a hovered one at full strength. Cost: where
+/// these are the same curves in the same view as the last time and in ink, that of finding so.
+void draw_other_curves(CanvasFrame& frame);
+
+}  // namespace batten::editor

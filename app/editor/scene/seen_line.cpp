@@ -1,0 +1,126 @@
+#include "app/editor/scene/seen_line.h"
+
+#include <algorithm>
+
+#include "app/editor/scene/canvas_frame.h"
+
+namespace batten::editor {
+
+namespace {
+
+constexpr double tolerance_px = 0.25;
+constexpr double stroke_margin_px = 8.0;
+// A place of a stroke takes up to four vertices: with those of its parts a curve has at most eight for each pixel.
+constexpr double places_of_curve = 1.5;
+constexpr double places_of_polygon = 2.0;
+constexpr double least_width_px = 100.0;
+
+core::StripRequest strip_request(const CanvasFrame& frame, double places_per_px) {
+    const render::Camera& camera = frame.state.view.camera;
+    const double width = std::max(camera.size_px.x, least_width_px);
+    return {tolerance_px / camera.scale, frame.seen(frame.pen.px(stroke_margin_px)),
+            static_cast<std::size_t>(places_per_px * width)};
+}
+
+std::vector<std::vector<glm::dvec2>> screen_runs(const CanvasFrame& frame, const core::PointRuns& runs) {
+    std::vector<std::vector<glm::dvec2>> places;
+    places.reserve(runs.size());
+    for (const auto& run : runs) places.push_back(frame.screen(run));
+    return places;
+}
+
+/// What is painted as chords with `style`, as far as it is in `view`, into `map`.
+core::ChordRequest chord_request(const CanvasFrame& frame, const render::InkStyle& style, const core::Box& view,
+                                 render::CoverageMap& map) {
+    const double scale = frame.state.view.camera.scale;
+    const double reach = 0.5 * style.width_px + 1.0;
+    const auto is_hidden = [&frame, &map, scale, reach](const core::Strip& strip) {
+        const auto box = render::PixelBox::between(frame.screen(strip.box.lower), frame.screen(strip.box.upper));
+        return map.is_full({box.lower_px - reach, box.upper_px + reach}) ||
+               map.is_full_about(frame.screen(strip.first), frame.screen(strip.last), strip.deviation * scale + reach);
+    };
+    const auto take = [&frame, &map, style, scale](core::Point a, core::Point b, double along) {
+        map.stroke(frame.screen(a), frame.screen(b), style, along * scale);
+    };
+    return {tolerance_px / scale, view, is_hidden, take};
+}
+
+/// The line as ink: visit(request, left_out) and visit_part(request, part) hand out its chords.
+template <class Visit, class VisitPart>
+SeenLine inked(const CanvasFrame& frame, KeptInk& kept, const core::StripChange& change, const Stroke& stroke,
+               Visit visit, VisitPart visit_part) {
+    const InkPlace place = ink_place(frame, stroke);
+    const KeptInk* above = frame.curve_line.ink ? &frame.kept->curve_ink() : nullptr;
+    const auto paint = [&](render::CoverageMap& map, const core::Box& view, std::span<const std::size_t> left_out) {
+        visit(chord_request(frame, place.style, view, map), left_out);
+    };
+    const auto paint_part = [&](render::CoverageMap& map, std::size_t part) {
+        visit_part(chord_request(frame, place.style, frame.seen(frame.pen.px(stroke_margin_px)), map), part);
+    };
+    kept.follow(change, place, above, {paint, paint_part});
+    return {{}, {}, kept.whole()};
+}
+
+}  // namespace
+
+InkPlace ink_place(const CanvasFrame& frame, const Stroke& stroke) {
+    return {frame.state.view.camera,
+            glm::ivec2(glm::ceil(frame.pen.size_px())),
+            {frame.pen.px(stroke.width), frame.pen.px(stroke.dash), frame.pen.px(stroke.gap)}};
+}
+
+void paint_curve(const CanvasFrame& frame, const core::CurveStrips& strips, const InkPlace& place,
+                 render::CoverageMap& map) {
+    const core::Box view = frame.seen(frame.pen.px(stroke_margin_px));
+    strips.visit_chords(chord_request(frame, place.style, view, map), strips.curve()->domain());
+}
+
+SeenLine seen_part(const CanvasFrame& frame, core::CurveStrips& strips, core::Interval range, double places_per_px,
+                   const Stroke& stroke) {
+    const core::StripRequest request = strip_request(frame, places_per_px);
+    if (const auto runs = strips.runs(request, range)) return {screen_runs(frame, *runs), {}, {}};
+    const InkPlace place = ink_place(frame, stroke);
+    auto map = std::make_shared<render::CoverageMap>(place.size_px);
+    strips.visit_chords(chord_request(frame, place.style, request.view, *map), range);
+    return {{}, {}, map};
+}
+
+std::optional<SeenLine> seen_polylines(const CanvasFrame& frame, core::CurveStrips& strips) {
+    const auto runs = strips.runs(strip_request(frame, places_of_curve), strips.curve()->domain());
+    if (!runs) return std::nullopt;
+    return SeenLine{screen_runs(frame, *runs), {}, {}};
+}
+
+SeenLine seen_curve(const CanvasFrame& frame, KeptCurve& kept, const Stroke& stroke) {
+    core::CurveStrips& strips = kept.strips();
+    if (auto line = seen_polylines(frame, strips)) return std::move(*line);
+    const core::Interval domain = strips.curve()->domain();
+    return inked(
+        frame, kept.curve_ink(), strips.change(), stroke,
+        [&](const core::ChordRequest& request, std::span<const std::size_t> left_out) {
+            strips.visit_chords(request, domain, left_out);
+        },
+        [&](const core::ChordRequest& request, std::size_t span) { strips.visit_span_chords(request, span); });
+}
+
+SeenLine seen_polygon(const CanvasFrame& frame, KeptCurve& kept, const Stroke& stroke) {
+    const core::PolygonStrips& polygon = kept.polygon();
+    if (auto seen = polygon.runs(strip_request(frame, places_of_polygon))) {
+        for (double& start : seen->starts) start *= frame.state.view.camera.scale;
+        return {screen_runs(frame, seen->runs), std::move(seen->starts), {}};
+    }
+    return inked(
+        frame, kept.polygon_ink(), polygon.change(), stroke,
+        [&](const core::ChordRequest& request, std::span<const std::size_t> left_out) {
+            polygon.visit_chords(request, left_out);
+        },
+        [&](const core::ChordRequest& request, std::size_t leg) { polygon.visit_leg_chord(request, leg); });
+}
+
+void draw_line(CanvasFrame& frame, const SeenLine& line, const Stroke& stroke) {
+    for (std::size_t k = 0; k < line.runs.size(); ++k)
+        frame.pen.line(line.runs[k], stroke, line.starts.empty() ? 0.0 : line.starts[k]);
+    if (line.ink) frame.pen.ink(line.ink, stroke.color);
+}
+
+}  // namespace batten::editor
