@@ -66,6 +66,30 @@ bool CoverageMap::is_full_about(glm::dvec2 a, glm::dvec2 b, double reach_px) con
     return true;
 }
 
+CoverageMap CoverageMap::shifted(glm::ivec2 by) const {
+    if (by == glm::ivec2(0)) return *this;
+    CoverageMap moved(size_);
+    const PixelRange kept{glm::clamp(by, glm::ivec2(0), size_), glm::clamp(size_ + by, glm::ivec2(0), size_)};
+    if (kept.is_empty()) return moved;
+    for (int y = kept.lower.y; y < kept.upper.y; ++y) {
+        const auto from = values_.begin() + static_cast<std::ptrdiff_t>(index_of(glm::ivec2(kept.lower.x, y) - by));
+        std::copy_n(from, kept.upper.x - kept.lower.x, &moved.values_[index_of({kept.lower.x, y})]);
+    }
+    moved.touched_ = {glm::clamp(touched_.lower + by, glm::ivec2(0), size_),
+                      glm::clamp(touched_.upper + by, glm::ivec2(0), size_)};
+    moved.count_open();
+    return moved;
+}
+
+void CoverageMap::count_open() {
+    for (int y = 0; y < size_.y; ++y) {
+        const std::uint8_t* value = &values_[index_of({0, y})];
+        std::uint8_t* open = &open_[block_of({0, y})];
+        for (int x = 0; x < size_.x; ++x)
+            if (value[x] == full) --open[x / block_px];
+    }
+}
+
 PixelRange CoverageMap::clear(const PixelBox& box) {
     const PixelRange pixels = pixels_of(box);
     if (pixels.is_empty()) return {};

@@ -55,6 +55,9 @@ class CoverageMap {
     /// The same for all within `reach_px` of the segment from a to b.
     [[nodiscard]] bool is_full_about(glm::dvec2 a, glm::dvec2 b, double reach_px) const;
 
+    /// The same moved to the right and downwards, with nothing in what comes into the picture, and nothing hidden.
+    [[nodiscard]] CoverageMap shifted(glm::ivec2 by) const;
+
     /// Clears blocks of 8 x 8 pixels so that all of the box is as at first, but for what hid it. Returns their pixels.
     PixelRange clear(const PixelBox& box);
 
@@ -78,6 +81,7 @@ class CoverageMap {
                static_cast<std::size_t>(pixel.x / block_px);
     }
     [[nodiscard]] PixelRange pixels_of(const PixelBox& box) const;
+    void count_open();
     [[nodiscard]] std::uint8_t block_size(glm::ivec2 block) const;
     void stroke_solid(glm::dvec2 a, glm::dvec2 b, double half_width);
     void paint(const Segment& segment, double from, double to);

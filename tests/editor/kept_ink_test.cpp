@@ -85,7 +85,7 @@ TEST(KeptInk, is_not_painted_again_while_nothing_changes) {
     kept.follow(curve);
     kept.follow(curve);
     EXPECT_EQ(kept.paintings, 1);
-    kept.place.camera.center.x += 10.0;
+    kept.place.camera.center.x += 10.3;
     kept.follow(curve);
     EXPECT_EQ(kept.paintings, 2) << "another view";
 }
@@ -122,6 +122,34 @@ TEST(KeptInk, follows_random_edits_as_if_painted_anew) {
         InkOfCurve anew = ink_of(curve, 3.0);
         EXPECT_LE(difference(kept.follow(curve), anew.follow(curve)), 1) << k;
     }
+}
+
+TEST(KeptInk, moves_with_the_view_and_paints_what_comes_into_it) {
+    const auto curve = curve_through(scattered(200));
+    std::vector<core::Point> thick;
+    for (int i = 0; i < 40; ++i) thick.emplace_back(10.0 * i - 195.0, 0.0);
+    const auto thick_curve = curve_through(thick);
+    InkOfCurve above = ink_of(thick_curve, 60.0);
+    InkOfCurve below = ink_of(curve, 3.0);
+    above.place.camera.scale = below.place.camera.scale = 1.7;
+    for (int k = 0; k < 40; ++k) {
+        const int before = below.paintings;
+        const glm::dvec2 step((k % 7 - 2) / 1.7, (4 - k % 5) / 1.7);
+        above.place.camera.center += step;
+        below.place.camera.center += step;
+        const render::CoverageMap& upper = above.follow(thick_curve);
+        InkOfCurve anew = ink_of(curve, 3.0);
+        anew.place = below.place;
+        EXPECT_LE(difference(below.follow(curve, &above.ink), anew.follow(curve), &upper), 1) << k;
+        if (k > 0) {
+            EXPECT_EQ(below.paintings - before, (k % 7 != 2 ? 1 : 0) + (k % 5 != 4 ? 1 : 0)) << "at each edge";
+        }
+    }
+    below.place.camera.center.x += 0.3;
+    below.follow(curve, &above.ink);
+    InkOfCurve anew = ink_of(curve, 3.0);
+    anew.place = below.place;
+    EXPECT_LE(difference(*below.ink.whole(), anew.follow(curve), above.ink.whole().get()), 1) << "a part of a pixel";
 }
 
 TEST(KeptInk, appears_where_what_was_above_it_moves_away) {

@@ -108,6 +108,28 @@ TEST(CoverageMap, clears_a_box_in_whole_blocks) {
     EXPECT_TRUE(map.clear({{-50.0, -50.0}, {-10.0, -10.0}}).is_empty());
 }
 
+TEST(CoverageMap, moves_by_whole_pixels) {
+    const auto painted = [](glm::dvec2 by) {
+        CoverageMap map(size);
+        map.stroke(glm::dvec2(30.0, 40.3) + by, glm::dvec2(90.0, 70.0) + by, {.width_px = 25.0});
+        return map;
+    };
+    const CoverageMap map = painted({0.0, 0.0});
+    for (const glm::ivec2 by : {glm::ivec2(0, 0), {20, -13}, {-61, 5}, {3, 40}}) {
+        const CoverageMap moved = map.shifted(by);
+        const CoverageMap anew = painted(by);
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const glm::ivec2 before = glm::ivec2(x, y) - by;
+                const bool was_seen = before.x >= 0 && before.y >= 0 && before.x < size.x && before.y < size.y;
+                EXPECT_EQ(moved.coverage({x, y}), was_seen ? map.coverage(before) : 0);
+                EXPECT_TRUE(!was_seen || !moved.is_full({{x, y}, {x, y}}) || anew.is_full({{x, y}, {x, y}}));
+            }
+    }
+    EXPECT_TRUE(map.shifted({20, -13}).is_full({{78.0, 41.0}, {82.0, 43.0}}));
+    EXPECT_TRUE(map.shifted({300, 0}).touched().is_empty());
+}
+
 TEST(CoverageMap, survives_places_of_any_size) {
     constexpr double huge = 1e30;
     constexpr double infinity = std::numeric_limits<double>::infinity();

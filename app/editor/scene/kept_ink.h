@@ -29,13 +29,14 @@ struct InkPainter {
 };
 
 /// While parts of a line change again and again they are painted over the rest, which lasts. What else changes is
-/// painted anew where it was.
+/// painted anew where it was. When the view moves by whole pixels, so does what was seen.
 class KeptInk {
   public:
     using Map = std::shared_ptr<const render::CoverageMap>;
 
     /// Brings the ink up to date. `above`, which may be null, will be painted over it. Cost: nothing where nothing
-    /// changed, a copy and the parts that changed where they did before, else painting what is near them, or all.
+    /// changed; a copy, and the parts that changed where they did before, what is near them, and what comes into view;
+    /// else all.
     void follow(const core::StripChange& change, const InkPlace& place, const KeptInk* above,
                 const InkPainter& painter);
 
@@ -45,14 +46,17 @@ class KeptInk {
     /// The line without the parts that keep changing.
     struct Lasting {
         Map map;
-        Map previous;      ///< what may have more ink than `map` only in `region`; null where all was painted
-        core::Box region;  ///< what was painted anew the last time
+        Map previous;        ///< what, moved by `shift`, may have more ink than `map` only in `region`; may be null
+        glm::ivec2 shift{};  ///< in pixels
+        core::Box region;
     };
 
-    /// Where something of `above` may be seen through what was covered; none where nobody knows.
-    std::optional<core::Box> uncovered(const KeptInk* above) const;
+    /// Where something may be seen through `above`, which has moved by `shift`, that was covered; none where nobody
+    /// knows.
+    std::optional<core::Box> uncovered(const KeptInk* above, glm::ivec2 shift) const;
     void paint_all(const KeptInk* above, const InkPainter& painter);
-    void paint_region(const Map& source, const core::Box& region, const KeptInk* above, const InkPainter& painter);
+    void repaint(const Map& source, glm::ivec2 shift, const core::Box& region, const KeptInk* above,
+                 const InkPainter& painter);
 
     InkPlace place_;
     std::uint64_t number_ = 0;        // of the change that is painted
