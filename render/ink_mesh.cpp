@@ -1,6 +1,7 @@
 #include "render/ink_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/common.hpp>
 
 namespace batten::render {
@@ -27,7 +28,7 @@ Cover cover_of(const CoverageMap& map, const PixelRange& range) {
 }
 
 /// The corners of a rectangle, as fractions of it.
-constexpr glm::dvec2 corners[] = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}};
+constexpr std::array corners{glm::dvec2(0.0, 0.0), glm::dvec2(1.0, 0.0), glm::dvec2(0.0, 1.0), glm::dvec2(1.0, 1.0)};
 
 template <class Vertex, class MakeVertex>
 void append_rectangle(Mesh<Vertex>& mesh, const PixelRange& range, MakeVertex make_vertex) {

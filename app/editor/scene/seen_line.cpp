@@ -1,6 +1,7 @@
 #include "app/editor/scene/seen_line.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "app/editor/scene/canvas_frame.h"
 
