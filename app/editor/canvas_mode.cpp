@@ -17,7 +17,6 @@
 #include "app/editor/hover_request.h"
 #include "app/editor/point_drag.h"
 #include "core/evaluate/evaluate.h"
-#include "core/measure/nearest.h"
 #include "render/pixel_box.h"
 
 namespace batten::editor {
@@ -148,7 +147,7 @@ double snap_distance_at(const Gesture& gesture, const core::Curve& curve, double
 void ask_to_move_knot(const DraggingCurveKnot& mode, const Gesture& gesture, Phase phase) {
     const core::Curve* curve = committed_curve(gesture.state);
     if (curve == nullptr) return;
-    const double u = core::nearest_point(*curve, world_at_pointer(gesture)).u;
+    const double u = nearest_to_pointer(gesture).u;
     const double snap_distance = std::min(snap_distance_at(gesture, *curve, u), curve->domain().length());
     request(gesture, phase, dragged_knot(gesture.state, mode.index, u, snap_distance));
     request_hover(HoveredKnot{moving_knot(gesture.state, mode.index)}, gesture.state, gesture.queue);
@@ -218,14 +217,13 @@ CanvasMode step(const Panning& mode, const Gesture& gesture) {
 }
 
 CanvasMode step(const DraggingParameter& mode, const Gesture& gesture) {
-    const core::Curve* curve = gesture.state.active_curve();
-    if (is_release(gesture) || curve == nullptr) return CanvasIdle{};
+    if (is_release(gesture) || committed_curve(gesture.state) == nullptr) return CanvasIdle{};
     if (is_escape(gesture)) {
         gesture.queue.run(SetParameter{.u = mode.start});
         return CanvasIdle{};
     }
     if (is_move(gesture)) {
-        const double u = core::nearest_point(*curve, world_at_pointer(gesture)).u;
+        const double u = nearest_to_pointer(gesture).u;
         if (u != gesture.state.parameter()) gesture.queue.run(SetParameter{.u = u});
     }
     return mode;

@@ -10,7 +10,6 @@
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/hit_test.h"
 #include "app/editor/point_drag.h"
-#include "core/measure/nearest.h"
 
 namespace batten::editor {
 namespace {
@@ -144,16 +143,15 @@ CanvasMode press_insert_knot(const Gesture& gesture, const Hover& hit) {
     }
     const render::Camera& camera = gesture.state.view.camera;
     const glm::dvec2 pointer = gesture.event.position_px;
-    const core::CurveSample sample = core::nearest_point(*curve, world_at_pointer(gesture));
+    const core::CurveSample sample = nearest_to_pointer(gesture);
     const double distance = glm::distance(pointer, render::screen_from_world(camera, sample.point));
     if (distance <= pixels(gesture.state, insertion_reach)) gesture.queue.run(InsertKnot{.u = sample.u});
     return CanvasIdle{};
 }
 
 CanvasMode press_parameter(const Gesture& gesture) {
-    const core::Curve* curve = gesture.state.active_curve();
-    if (curve == nullptr) return CanvasIdle{};
-    gesture.queue.run(SetParameter{.u = core::nearest_point(*curve, world_at_pointer(gesture)).u});
+    if (committed_curve(gesture.state) == nullptr) return CanvasIdle{};
+    gesture.queue.run(SetParameter{.u = nearest_to_pointer(gesture).u});
     return DraggingParameter{gesture.state.parameter()};
 }
 

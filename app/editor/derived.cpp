@@ -49,4 +49,8 @@ std::shared_ptr<const CurveFacts> Derived::of(const core::Curve& curve) const {
     return of_curves_.of(curve, facts_of_curve);
 }
 
+std::shared_ptr<const core::NearParts> Derived::near_parts(const std::shared_ptr<const core::Curve>& curve) const {
+    return near_parts_.of(curve, [](const core::Curve& of) { return core::NearParts(of); });
+}
+
 }  // namespace batten::editor

@@ -9,6 +9,7 @@
 #include "app/editor/number_column.h"
 #include "core/curve/curve.h"
 #include "core/curve/knot_analysis.h"
+#include "core/measure/near_parts.h"
 
 namespace batten::editor {
 
@@ -40,9 +41,13 @@ class Derived {
     std::shared_ptr<const KnotFacts> of(const core::KnotVector& knots) const;
     std::shared_ptr<const CurveFacts> of(const core::Curve& curve) const;
 
+    /// For what is under the pointer; of any number of curves.
+    std::shared_ptr<const core::NearParts> near_parts(const std::shared_ptr<const core::Curve>& curve) const;
+
   private:
     Kept<core::KnotVector, KnotFacts, share_arrays> of_knots_;
     Kept<core::Curve, CurveFacts, share_arrays> of_curves_;
+    KeptBeside<core::Curve, core::NearParts> near_parts_;
 };
 
 }  // namespace batten::editor

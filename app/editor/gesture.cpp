@@ -38,6 +38,12 @@ const core::Curve* committed_curve(const EditorState& state) {
     return item == nullptr ? nullptr : item->curve.get();
 }
 
+core::CurveSample nearest_to_pointer(const Gesture& gesture) {
+    const EditorState& state = gesture.state;
+    const auto& curve = state.history.present().active_curve()->curve;
+    return state.derived.near_parts(curve)->nearest(world_at_pointer(gesture)).value();
+}
+
 bool can_edit_curve(const EditorState& state) {
     const core::DocumentCurve* item = state.history.present().active_curve();
     return item != nullptr && item->visible && !item->locked;

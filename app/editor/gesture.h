@@ -40,6 +40,9 @@ std::optional<double> wheel_pan(const EditorState& state, const PointerEvent& ev
 /// The committed active curve, which gestures start from; null without one.
 const core::Curve* committed_curve(const EditorState& state);
 
+/// The point of the committed active curve, which must be there, that is nearest to the pointer.
+core::CurveSample nearest_to_pointer(const Gesture& gesture);
+
 /// Whether the active curve is there, visible and not locked, so that a drag may begin.
 bool can_edit_curve(const EditorState& state);
 

@@ -1,15 +1,12 @@
 #include "app/editor/hit_test.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <optional>
-#include <vector>
 
 #include "app/editor/weight_ring.h"
-#include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
-#include "core/measure/nearest.h"
 
 namespace batten::editor {
 namespace {
@@ -55,37 +52,29 @@ struct CanvasPointer {
     const render::Camera& camera() const { return state.view.camera; }
     double px(double design_px) const { return design_px * state.view.interface_scale; }
     bool shows(Overlay overlay) const { return state.view.overlays.is_shown(overlay); }
+    core::Point world() const { return core::Point(render::world_from_screen(camera(), position_px)); }
     double distance_to(core::Point world) const {
         return glm::distance(position_px, render::screen_from_world(camera(), world));
     }
 
-    /// The nearest point of `curve`, if it is within reach.
-    std::optional<core::CurveSample> on_curve(const core::Curve& curve) const {
-        if (!is_near_control_box(curve)) return std::nullopt;
-        const core::CurveSample sample =
-            core::nearest_point(curve, core::Point(render::world_from_screen(camera(), position_px)));
-        if (distance_to(sample.point) > px(reach::curve)) return std::nullopt;
-        return sample;
+    /// In the plane of the curves, with what may be lost by rounding; what is within it is measured in pixels then.
+    double world_reach(double design_px) const {
+        constexpr double rounding_px = 1.0;
+        return (px(design_px) + rounding_px) / camera().scale;
     }
 
-    bool is_near_control_box(const core::Curve& curve) const {
-        const core::Box box = core::control_box(curve);
-        const glm::dvec2 left_top = render::screen_from_world(camera(), {box.lower.x, box.upper.y});
-        const glm::dvec2 right_bottom = render::screen_from_world(camera(), {box.upper.x, box.lower.y});
-        const double margin = px(reach::curve);
-        return position_px.x >= left_top.x - margin && position_px.x <= right_bottom.x + margin &&
-               position_px.y >= left_top.y - margin && position_px.y <= right_bottom.y + margin;
+    /// The nearest point of a curve, if it is within reach.
+    std::optional<core::CurveSample> on_curve(const core::NearParts& parts) const {
+        const auto sample = parts.nearest(world(), world_reach(reach::curve));
+        return sample && distance_to(sample->point) <= px(reach::curve) ? sample : std::nullopt;
     }
 };
 
-/// The active curve on the canvas, with its control points in pixels.
+/// The active curve on the canvas.
 class ActiveCurve {
   public:
-    ActiveCurve(const CanvasPointer& pointer, const core::Curve& curve) : pointer_(pointer), curve_(curve) {
-        points_px_.reserve(curve.control_points().size());
-        for (const core::Point& point : curve.control_points())
-            points_px_.push_back(render::screen_from_world(pointer.camera(), point));
-    }
+    ActiveCurve(const CanvasPointer& pointer, const core::NearParts& parts)
+        : pointer_(pointer), parts_(parts), curve_(parts.curve()) {}
 
     std::optional<Hover> hit() const;
 
@@ -96,84 +85,73 @@ class ActiveCurve {
     std::optional<Hover> hit_curve() const;
     std::optional<Hover> hit_legs() const;
 
-    double distance_to(std::size_t point) const { return glm::distance(pointer_.position_px, points_px_[point]); }
-    bool may_reach(std::size_t span, double design_px) const;
-    bool may_reach_any_span(double design_px) const;
-    std::size_t last_span() const { return curve_.knots().size() - static_cast<std::size_t>(curve_.degree()) - 2; }
+    std::size_t point_count() const { return curve_.control_points().size(); }
+    double distance_to(std::size_t point) const { return pointer_.distance_to(curve_.control_points()[point]); }
+    glm::dvec2 place_of(std::size_t point) const {
+        return render::screen_from_world(pointer_.camera(), curve_.control_points()[point % point_count()]);
+    }
+
+    /// Calls `visit` for the first `count` control points of the unrolled curve as far as they, or what begins with
+    /// them, may be so near; ascending.
+    template <class Visit>
+    void visit_near(double design_px, std::size_t count, const Visit& visit) const {
+        parts_.visit_near(pointer_.world(), pointer_.world_reach(design_px), [&](std::size_t i) {
+            if (i < count) visit(i);
+        });
+    }
 
     const CanvasPointer& pointer_;
+    const core::NearParts& parts_;
     const core::Curve& curve_;
-    std::vector<glm::dvec2> points_px_;
 };
-
-/// Whether the curve over a span, which lies among the control points that it depends on, may be so near.
-bool ActiveCurve::may_reach(std::size_t span, double design_px) const {
-    constexpr double rounding_px = 1.0;
-    const double reach = pointer_.px(design_px) + rounding_px;
-    bool is_right = true;
-    bool is_left = true;
-    bool is_below = true;
-    bool is_above = true;
-    for (std::size_t i = span - static_cast<std::size_t>(curve_.degree()); i <= span; ++i) {
-        const glm::dvec2 away = points_px_[i % points_px_.size()] - pointer_.position_px;
-        is_right = is_right && away.x > reach;
-        is_left = is_left && away.x < -reach;
-        is_below = is_below && away.y > reach;
-        is_above = is_above && away.y < -reach;
-    }
-    return !(is_right || is_left || is_below || is_above);
-}
-
-bool ActiveCurve::may_reach_any_span(double design_px) const {
-    for (auto span = static_cast<std::size_t>(curve_.degree()); span <= last_span(); ++span)
-        if (may_reach(span, design_px)) return true;
-    return false;
-}
 
 /// C(u) or a control point, whichever is nearer; the point where they coincide, because at the end of a clamped curve
 /// it could not be grabbed otherwise.
 std::optional<Hover> ActiveCurve::hit_parameter_or_points() const {
     Nearest nearest(pointer_.px(reach::point));
-    const std::size_t point_count = pointer_.shows(Overlay::polygon) ? points_px_.size() : 0;
-    for (std::size_t i = 0; i < point_count; ++i) nearest.offer(HoveredPoint{i}, distance_to(i));
+    if (pointer_.shows(Overlay::polygon))
+        visit_near(reach::point, point_count(), [&](std::size_t i) { nearest.offer(HoveredPoint{i}, distance_to(i)); });
     nearest.offer(HoveredParameter{}, pointer_.distance_to(core::point_at(curve_, pointer_.state.parameter())));
     return nearest.found();
 }
 
 std::optional<Hover> ActiveCurve::hit_rings() const {
     Nearest nearest(pointer_.px(reach::ring));
-    for (std::size_t i = 0; i < points_px_.size(); ++i)
+    visit_near(greatest_ring_radius + reach::ring, point_count(), [&](std::size_t i) {
         if (const auto radius = weight_ring_radius_px(pointer_.state, i))
             nearest.offer(HoveredWeightRing{i}, std::abs(distance_to(i) - *radius));
+    });
     return nearest.found();
 }
 
+/// The topmost knot of each stack: it begins a span, but at the end of the domain.
 std::optional<Hover> ActiveCurve::hit_knots() const {
     Nearest nearest(pointer_.px(reach::knot));
-    const std::span<const double> stored = curve_.knots().stored();
-    const std::size_t offset = curve_.knots().stored_offset();
-    for (std::size_t i = 0; i < stored.size(); ++i) {
-        const bool is_topmost = i + 1 == stored.size() || stored[i + 1] != stored[i];
-        if (!is_topmost || !curve_.domain().contains(stored[i])) continue;
-        // The topmost of a stack begins a span, but at the end of the domain.
-        if (offset + i <= last_span() && !may_reach(offset + i, reach::knot)) continue;
-        nearest.offer(HoveredKnot{i}, pointer_.distance_to(core::point_at(curve_, stored[i])));
-    }
+    const core::KnotVector& knots = curve_.knots();
+    const auto p = static_cast<std::size_t>(curve_.degree());
+    const auto offer = [&](std::size_t index, double u) {
+        nearest.offer(HoveredKnot{index - knots.stored_offset()}, pointer_.distance_to(core::point_at(curve_, u)));
+    };
+    visit_near(reach::knot, knots.size() - 2 * p - 1, [&](std::size_t i) {
+        if (knots[i + p] < knots[i + p + 1]) offer(i + p, knots[i + p]);
+    });
+    const double end = knots.domain().upper;
+    const auto stored = knots.stored();
+    const auto after_end = std::upper_bound(stored.begin(), stored.end(), end);
+    offer(knots.stored_offset() + static_cast<std::size_t>(after_end - stored.begin()) - 1, end);
     return nearest.found();
 }
 
 std::optional<Hover> ActiveCurve::hit_curve() const {
-    if (!may_reach_any_span(reach::curve)) return std::nullopt;
-    const auto sample = pointer_.on_curve(curve_);
+    const auto sample = pointer_.on_curve(parts_);
     return sample ? std::optional<Hover>(HoveredCurve{sample->u}) : std::nullopt;
 }
 
 std::optional<Hover> ActiveCurve::hit_legs() const {
     Nearest nearest(pointer_.px(reach::leg));
-    const std::size_t count = curve_.is_periodic() ? points_px_.size() : points_px_.size() - 1;
-    for (std::size_t i = 0; i < count; ++i)
-        nearest.offer(HoveredLeg{i}, distance_to_segment(pointer_.position_px, points_px_[i],
-                                                         points_px_[(i + 1) % points_px_.size()]));
+    visit_near(reach::leg, curve_.is_periodic() ? point_count() : point_count() - 1, [&](std::size_t i) {
+        nearest.offer(HoveredLeg{i}, distance_to_segment(pointer_.position_px, place_of(i), place_of(i + 1)));
+    });
     return nearest.found();
 }
 
@@ -193,7 +171,7 @@ Hover hit_other_curves(const CanvasPointer& pointer) {
     const core::Document& document = pointer.state.shown();
     for (std::size_t i = 0; i < document.curves.size(); ++i) {
         if (i == document.active || !document.curves[i].visible) continue;
-        if (const auto sample = pointer.on_curve(*document.curves[i].curve))
+        if (const auto sample = pointer.on_curve(*pointer.state.derived.near_parts(document.curves[i].curve)))
             nearest.offer(HoveredOtherCurve{i}, pointer.distance_to(sample->point));
     }
     return nearest.found().value_or(HoveredNothing{});
@@ -205,7 +183,7 @@ Hover hit_canvas(const EditorState& state, glm::dvec2 position_px) {
     const CanvasPointer pointer{state, position_px};
     const core::DocumentCurve* active = state.shown().active_curve();
     if (active != nullptr && active->visible)
-        if (const auto hit = ActiveCurve(pointer, *active->curve).hit()) return *hit;
+        if (const auto hit = ActiveCurve(pointer, *state.derived.near_parts(active->curve)).hit()) return *hit;
     return hit_other_curves(pointer);
 }
 

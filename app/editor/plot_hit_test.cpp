@@ -19,7 +19,7 @@ constexpr double strip = 16.0;  ///< above and below its axis
 std::optional<Hover> hit_knot_marks(const EditorState& state, const PlotLayout& layout, glm::dvec2 position_px) {
     double least = plot_reach::knot * state.view.interface_scale;
     std::optional<std::size_t> nearest;
-    for (const KnotMark& mark : knot_marks(state, layout)) {
+    for (const KnotMark& mark : knot_marks(state, layout, {position_px.x - least, position_px.x + least})) {
         const double distance = glm::distance(position_px, mark.center_px);
         if (distance > least) continue;
         least = distance;

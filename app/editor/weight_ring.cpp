@@ -7,14 +7,13 @@ namespace batten::editor {
 namespace {
 
 constexpr double least_radius = 9.0;
-constexpr double greatest_radius = 22.0;
 constexpr double weight_of_greatest = 100.0;
 
 }  // namespace
 
 double ring_radius_px(double weight, double interface_scale) {
     const double share = std::min(1.0, std::log1p(weight) / std::log1p(weight_of_greatest));
-    return interface_scale * (least_radius + share * (greatest_radius - least_radius));
+    return interface_scale * (least_radius + share * (greatest_ring_radius - least_radius));
 }
 
 std::optional<double> weight_ring_radius_px(double weight, double interface_scale) {

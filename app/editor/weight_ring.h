@@ -8,6 +8,8 @@
 
 namespace batten::editor {
 
+inline constexpr double greatest_ring_radius = 22.0;  ///< design pixels
+
 /// The radius that stands for `weight` (> 0), in pixels: from 9 design pixels for a small weight, by the logarithm of 1
 /// + weight, to 22 for a weight of 100 or more.
 double ring_radius_px(double weight, double interface_scale);

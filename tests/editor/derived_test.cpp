@@ -74,6 +74,26 @@ TEST(Kept, lets_go_of_what_it_forgot) {
     EXPECT_TRUE(forgotten.expired());
 }
 
+TEST(KeptBeside, keeps_any_number_as_long_as_they_live) {
+    const KeptBeside<int, int> kept;
+    int computed = 0;
+    const auto twice = [&](int n) {
+        ++computed;
+        return 2 * n;
+    };
+    std::vector<std::shared_ptr<const int>> numbers;
+    for (int i = 0; i < 100; ++i) numbers.push_back(std::make_shared<const int>(i));
+    for (int round = 0; round < 3; ++round)
+        for (int i = 0; i < 100; ++i) EXPECT_EQ(*kept.of(numbers[static_cast<std::size_t>(i)], twice), 2 * i);
+    EXPECT_EQ(computed, 100);
+    EXPECT_EQ(kept.size(), 100U);
+    numbers.resize(1);
+    for (int i = 0; i < 1000; ++i) EXPECT_EQ(*kept.of(std::make_shared<const int>(i), twice), 2 * i);
+    EXPECT_LT(kept.size(), 250U);
+    EXPECT_EQ(*kept.of(numbers.front(), twice), 0);
+    EXPECT_EQ(computed, 1100);
+}
+
 class DerivedTest : public ::testing::Test {
   protected:
     void SetUp() override { open_text(editor_, sample_text); }
@@ -113,6 +133,16 @@ TEST_F(DerivedTest, says_what_the_curve_says) {
     EXPECT_EQ(wave->size, 12.2);
     EXPECT_EQ(wave->heaviest, 2.0);
     EXPECT_EQ(*derived_.of(curve(editor_).knots())->least_continuity, 2);
+}
+
+TEST_F(DerivedTest, keeps_what_is_near_beside_each_curve) {
+    const auto& curves = document(editor_).curves;
+    const auto first = derived_.near_parts(curves.front().curve);
+    for (const core::DocumentCurve& item : curves) {
+        EXPECT_EQ(derived_.near_parts(item.curve)->curve(), *item.curve);
+        EXPECT_EQ(derived_.near_parts(item.curve), derived_.near_parts(item.curve));
+    }
+    EXPECT_EQ(derived_.near_parts(curves.front().curve), first);
 }
 
 TEST_F(DerivedTest, sees_a_tear) {

@@ -2,12 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <random>
 
 #include "app/editor/weight_ring.h"
 #include "core/evaluate/evaluate.h"
+#include "core/measure/nearest.h"
 #include "tests/editor/pointer_driver.h"
 
 namespace batten::editor {
@@ -191,6 +195,59 @@ TEST(WeightRing, grows_with_the_weight_between_nine_and_twenty_two_pixels) {
     EXPECT_DOUBLE_EQ(last, 22.0);
     EXPECT_DOUBLE_EQ(weight_ring_radius_px(1e6, 1.0).value(), 22.0);
     EXPECT_DOUBLE_EQ(weight_ring_radius_px(100.0, 1.5).value(), 33.0);
+}
+
+/// What lies under the pointer by a look at everything; the knots hidden.
+Hover hit_by_looking_at_all(const EditorState& state, glm::dvec2 position) {
+    const core::Curve& curve = *state.active_curve();
+    const auto away = [&](core::Point point) {
+        return glm::distance(position, render::screen_from_world(state.view.camera, point));
+    };
+    const auto points = curve.control_points();
+    const auto nearest = std::ranges::min_element(points, {}, away);
+    const double to_parameter = away(core::point_at(curve, state.parameter()));
+    if (away(*nearest) <= std::min(9.0, to_parameter))
+        return HoveredPoint{static_cast<std::size_t>(nearest - points.begin())};
+    if (to_parameter <= 9.0) return HoveredParameter{};
+    const auto on_curve =
+        core::nearest_point(curve, core::Point(render::world_from_screen(state.view.camera, position)));
+    if (away(on_curve.point) <= 6.0) return HoveredCurve{on_curve.u};
+    return HoveredNothing{};
+}
+
+TEST(HitCanvas, finds_among_thousands_what_a_look_at_all_finds) {
+    std::mt19937 engine(9);
+    std::uniform_real_distribution<double> step(-0.6, 0.6);
+    core::CurveDefinition definition;
+    definition.knots.assign(4, 0.0);
+    core::Point at(0.0, 0.0);
+    for (int i = 0; i < 1000; ++i) {
+        const double x = step(engine);
+        definition.points.push_back(at = at + core::Vector(x, step(engine)));
+        if (i > 3) definition.knots.push_back(i - 3);
+    }
+    definition.knots.insert(definition.knots.end(), 4, 997.0);
+    EditorState state = test::state_with(definition);
+    hide(state, Overlay::knots);
+    std::uniform_real_distribution<double> x_of(0.0, 1280.0);
+    std::uniform_real_distribution<double> y_of(0.0, 720.0);
+    std::array<int, 3> found{};
+    for (int i = 0; i < 300; ++i) {
+        const double x = x_of(engine);
+        const glm::dvec2 position(x, y_of(engine));
+        const Hover hit = hit_canvas(state, position);
+        const Hover expected = hit_by_looking_at_all(state, position);
+        if (std::holds_alternative<HoveredLeg>(hit)) continue;
+        const auto* on_curve = std::get_if<HoveredCurve>(&expected);
+        ++found.at(on_curve != nullptr ? 0U : std::holds_alternative<HoveredPoint>(expected) ? 1U : 2U);
+        if (on_curve == nullptr) {
+            EXPECT_EQ(hit, expected);
+        } else {
+            ASSERT_TRUE(std::holds_alternative<HoveredCurve>(hit));
+            EXPECT_NEAR(std::get<HoveredCurve>(hit).u, on_curve->u, 1e-9);
+        }
+    }
+    for (const int count : found) EXPECT_GT(count, 5);
 }
 
 /// The dock of the cubic example: 1048 x 260, u = 0.4, one domain from x = 32 to 1016.

@@ -1,0 +1,123 @@
+#include "core/measure/near_parts.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "core/curve/detail/trusted.h"
+#include "core/measure/nearest.h"
+
+namespace batten::core {
+
+namespace {
+
+// Distances closer than this part of them are equal.
+constexpr double equal_distances = 1e-14;
+
+}  // namespace
+
+// Keeps the nearest point that was found so far.
+class NearParts::Search {
+  public:
+    Search(const NearParts& parts, Point query, double reach) : parts_(parts), query_(query), reach_(reach) {}
+
+    bool is_too_far(double squared, double width) const { return std::sqrt(squared) > reach_ + width; }
+
+    // The spans over points first..end-1 and the p after each of these.
+    void search_stretch(std::size_t first, std::size_t end) {
+        const KnotVector& knots = parts_.curve_.knots();
+        const std::size_t p = parts_.degree();
+        const std::size_t span_end = std::min(end + p, parts_.point_count());
+        for (std::size_t s = first + p; s < span_end; ++s) {
+            if (!is_near(s)) continue;
+            const std::size_t begin = s;
+            while (s + 1 < span_end && is_near(s + 1)) ++s;
+            if (knots[begin] < knots[s + 1]) offer(nearest_point(parts_.curve_over(begin, s), query_));
+        }
+    }
+
+    std::optional<CurveSample> found() const { return best_; }
+
+  private:
+    bool is_near(std::size_t span) const {
+        const KnotVector& knots = parts_.curve_.knots();
+        if (knots[span] == knots[span + 1]) return false;
+        const Chord chord = chord_of(parts_.points_of(span - parts_.degree(), span + 1));
+        return !is_too_far(squared_distance(chord, query_), chord.width);
+    }
+
+    void offer(const CurveSample& sample) {
+        const double away = distance(sample.point, query_);
+        if (away > reach_) return;
+        const bool is_nearer = !best_ || away < distance(best_->point, query_) * (1.0 - equal_distances);
+        if (is_nearer || sample.u < best_->u) best_ = sample;
+        reach_ = std::min(reach_, away * (1.0 + equal_distances));
+    }
+
+    const NearParts& parts_;
+    Point query_;
+    double reach_;  ///< what is farther away is not looked for
+    std::optional<CurveSample> best_;
+};
+
+NearParts::NearParts(Curve curve) : curve_(std::move(curve)), chords_(chords_of_stretches()) {}
+
+std::vector<Point> NearParts::points_of(std::size_t first, std::size_t end) const {
+    const auto all = curve_.control_points();
+    std::vector<Point> points;
+    points.reserve(end - first);
+    for (std::size_t i = first; i < end; ++i) points.push_back(all[i < all.size() ? i : i % all.size()]);
+    return points;
+}
+
+std::vector<Chord> NearParts::chords_of_stretches() const {
+    std::vector<Chord> chords;
+    chords.reserve(point_count() / points_per_stretch + 1);
+    for (std::size_t i = 0; i < point_count(); i += points_per_stretch)
+        chords.push_back(chord_of(points_of(i, std::min(i + points_per_stretch + degree(), point_count()))));
+    return chords;
+}
+
+std::vector<std::size_t> NearParts::stretches_near(Point place, double distance, std::size_t* looks) const {
+    std::vector<std::size_t> near;
+    std::size_t counted = 0;
+    chords_.visit_near(
+        place,
+        [&](double squared, double width, std::size_t) {
+            ++counted;
+            return std::sqrt(squared) > distance + width;
+        },
+        [&](std::size_t stretch) { near.push_back(stretch); });
+    if (looks != nullptr) *looks += counted;
+    std::sort(near.begin(), near.end());
+    return near;
+}
+
+// The same polynomials over the same knots.
+Curve NearParts::curve_over(std::size_t first_span, std::size_t last_span) const {
+    const std::size_t p = degree();
+    const auto values = curve_.knots().values().subspan(first_span - p, last_span - first_span + 2 * p + 2);
+    std::vector<double> weights;
+    for (std::size_t i = first_span - p; i <= last_span; ++i)
+        weights.push_back(curve_.weights()[i % curve_.weights().size()]);
+    const bool is_rational = std::ranges::any_of(weights, [&](double w) { return w != weights.front(); });
+    return Trusted::curve(
+        Trusted::knots(curve_.degree(), false, KnotKind::custom, std::vector<double>(values.begin(), values.end())),
+        points_of(first_span - p, last_span + 1), std::move(weights), is_rational);
+}
+
+std::optional<CurveSample> NearParts::nearest(Point query, double reach, std::size_t* looks) const {
+    assert(is_finite(query));
+    Search search(*this, query, reach);
+    std::size_t counted = 0;
+    chords_.visit_near(
+        query,
+        [&](double squared, double width, std::size_t) {
+            ++counted;
+            return search.is_too_far(squared, width);
+        },
+        [&](std::size_t stretch) { search.search_stretch(stretch * points_per_stretch, end_of(stretch)); });
+    if (looks != nullptr) *looks += counted;
+    return search.found();
+}
+
+}  // namespace batten::core
