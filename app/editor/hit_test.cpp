@@ -117,10 +117,16 @@ std::optional<Hover> ActiveCurve::hit_parameter_or_points() const {
 
 std::optional<Hover> ActiveCurve::hit_rings() const {
     Nearest nearest(pointer_.px(reach::ring));
-    visit_near(greatest_ring_radius + reach::ring, point_count(), [&](std::size_t i) {
+    const auto offer = [&](std::size_t i) {
         if (const auto radius = weight_ring_radius_px(pointer_.state, i))
             nearest.offer(HoveredWeightRing{i}, std::abs(distance_to(i) - *radius));
-    });
+    };
+    const bool all_may_have_rings =
+        curve_.is_rational() || curve_.weights().front() != 1.0 || pointer_.state.tool == Tool::weight;
+    if (all_may_have_rings)
+        visit_near(greatest_ring_radius + reach::ring, point_count(), offer);
+    else if (pointer_.state.selection.points.size() == 1)
+        offer(pointer_.state.selection.points.front());
     return nearest.found();
 }
 

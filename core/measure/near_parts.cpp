@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/curve/detail/trusted.h"
+#include "core/measure/detail/chord_tree.h"
 #include "core/measure/nearest.h"
 
 namespace batten::core {
@@ -20,7 +21,7 @@ class NearParts::Search {
   public:
     Search(const NearParts& parts, Point query, double reach) : parts_(parts), query_(query), reach_(reach) {}
 
-    bool is_too_far(double squared, double width) const { return std::sqrt(squared) > reach_ + width; }
+    bool is_too_far(double squared) const { return squared > reach_ * reach_; }
 
     // The spans over points first..end-1 and the p after each of these.
     void search_stretch(std::size_t first, std::size_t end) {
@@ -42,7 +43,8 @@ class NearParts::Search {
         const KnotVector& knots = parts_.curve_.knots();
         if (knots[span] == knots[span + 1]) return false;
         const Chord chord = chord_of(parts_.points_of(span - parts_.degree(), span + 1));
-        return !is_too_far(squared_distance(chord, query_), chord.width);
+        // In doubt, where numbers overflow, it may be near.
+        return !(std::sqrt(squared_distance(chord, query_)) > reach_ + chord.width);
     }
 
     void offer(const CurveSample& sample) {
@@ -59,7 +61,7 @@ class NearParts::Search {
     std::optional<CurveSample> best_;
 };
 
-NearParts::NearParts(Curve curve) : curve_(std::move(curve)), chords_(chords_of_stretches()) {}
+NearParts::NearParts(Curve curve) : curve_(std::move(curve)), boxes_(boxes_of_stretches()) {}
 
 std::vector<Point> NearParts::points_of(std::size_t first, std::size_t end) const {
     const auto all = curve_.control_points();
@@ -69,22 +71,25 @@ std::vector<Point> NearParts::points_of(std::size_t first, std::size_t end) cons
     return points;
 }
 
-std::vector<Chord> NearParts::chords_of_stretches() const {
-    std::vector<Chord> chords;
-    chords.reserve(point_count() / points_per_stretch + 1);
-    for (std::size_t i = 0; i < point_count(); i += points_per_stretch)
-        chords.push_back(chord_of(points_of(i, std::min(i + points_per_stretch + degree(), point_count()))));
-    return chords;
+std::vector<Box> NearParts::boxes_of_stretches() const {
+    std::vector<Box> boxes;
+    boxes.reserve(point_count() / points_per_stretch + 1);
+    for (std::size_t i = 0; i < point_count(); i += points_per_stretch) {
+        Box& box = boxes.emplace_back();
+        for (const Point& point : points_of(i, std::min(i + points_per_stretch + degree(), point_count())))
+            box.include(point);
+    }
+    return boxes;
 }
 
 std::vector<std::size_t> NearParts::stretches_near(Point place, double distance, std::size_t* looks) const {
     std::vector<std::size_t> near;
     std::size_t counted = 0;
-    chords_.visit_near(
+    boxes_.visit_near(
         place,
-        [&](double squared, double width, std::size_t) {
+        [&](double squared) {
             ++counted;
-            return std::sqrt(squared) > distance + width;
+            return squared > distance * distance;
         },
         [&](std::size_t stretch) { near.push_back(stretch); });
     if (looks != nullptr) *looks += counted;
@@ -109,11 +114,11 @@ std::optional<CurveSample> NearParts::nearest(Point query, double reach, std::si
     assert(is_finite(query));
     Search search(*this, query, reach);
     std::size_t counted = 0;
-    chords_.visit_near(
+    boxes_.visit_near(
         query,
-        [&](double squared, double width, std::size_t) {
+        [&](double squared) {
             ++counted;
-            return search.is_too_far(squared, width);
+            return search.is_too_far(squared);
         },
         [&](std::size_t stretch) { search.search_stretch(stretch * points_per_stretch, end_of(stretch)); });
     if (looks != nullptr) *looks += counted;

@@ -6,23 +6,23 @@
 #include <vector>
 
 #include "core/evaluate/tessellate.h"
-#include "core/measure/detail/chord_tree.h"
+#include "core/measure/detail/place_tree.h"
 
 namespace batten::core {
 
-/// Chords of every sixteen control points of one curve with what depends on them: small beside the curve, and quickly
+/// Boxes around every sixteen control points of one curve and what depends on them: small beside the curve, and quickly
 /// made. A NearestFinder answers in less time, but holds many times what the curve does.
 class NearParts {
   public:
-    /// Cost O(n p), and six bytes for each control point.
+    /// Cost O(n (p + log n)), and five bytes for each control point.
     explicit NearParts(Curve curve);
 
     const Curve& curve() const { return curve_; }
 
     /// Calls `visit(i)`, ascending, for control points (of a periodic curve those of the unrolled one), among them
     /// every one i for which the point itself, the leg from it to the next or the span over the points i..i+p comes
-    /// within `distance` of `place`. Cost O(log n) for sixteen of them; `looks`, where it is given, grows by the number
-    /// of chords that were looked at.
+    /// within `distance` of `place`. Cost O(log n) and what is visited; `looks`, where it is given, grows by the
+    /// number of boxes that were looked at.
     template <class Visit>
     void visit_near(Point place, double distance, Visit visit, std::size_t* looks = nullptr) const {
         for (const std::size_t stretch : stretches_near(place, distance, looks))
@@ -30,7 +30,7 @@ class NearParts {
     }
 
     /// What nearest_point says of `query`, which is finite; none where that is farther than `reach`. Cost O(log n)
-    /// chords and a few stretches of O(p^2) for a point, and where many are nearly as near, one more for each of these.
+    /// boxes and a few stretches of O(p^2) for a point, and where many are nearly as near, one more for each of these.
     std::optional<CurveSample> nearest(Point query, double reach = Box::infinity, std::size_t* looks = nullptr) const;
 
   private:
@@ -45,12 +45,12 @@ class NearParts {
         return std::min((stretch + 1) * points_per_stretch, point_count());
     }
     std::vector<Point> points_of(std::size_t first, std::size_t end) const;
-    std::vector<Chord> chords_of_stretches() const;
+    std::vector<Box> boxes_of_stretches() const;
     std::vector<std::size_t> stretches_near(Point place, double distance, std::size_t* looks) const;
     Curve curve_over(std::size_t first_span, std::size_t last_span) const;
 
     Curve curve_;
-    ChordTree chords_;
+    PlaceTree boxes_;
 };
 
 }  // namespace batten::core
