@@ -19,6 +19,8 @@ struct PlotLayout {
     double strip_px = 0.0;    ///< the axis of the knot strip, below the plot
     double diamond_px = 8.0;  ///< half the width of a knot's diamond
     double stack_px = 10.0;   ///< how far the diamonds of a stack are apart
+
+    bool operator==(const PlotLayout&) const = default;
 };
 
 /// The parameters from the first to the last knot of the active curve, one period when periodic; [0, 1] without a

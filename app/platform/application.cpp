@@ -200,7 +200,7 @@ void Application::show(const ui::FrameLayout& layout) {
     const editor::EditorState& state = editor_.state();
     meter_.enter(FramePart::scene);
     const render::DrawList canvas = editor::canvas_scene(state, interface_.canvas_mode(), scene_cache_);
-    const render::DrawList plot = editor::plot_scene(state, interface_.plot_mode(), layout.plot.size_px);
+    const render::DrawList plot = editor::plot_scene(state, interface_.plot_mode(), layout.plot.size_px, scene_cache_);
     meter_.enter(FramePart::draw);
     ui::draw_labels(canvas, layout.canvas, fonts_);
     ui::draw_labels(plot, layout.plot, fonts_);

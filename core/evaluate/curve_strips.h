@@ -21,6 +21,9 @@ class CurveStrips {
 
     const std::shared_ptr<const Curve>& curve() const { return curve_; }
 
+    /// Contains the curve.
+    const Box& box() const { return stretches_.strip(stretches_.level_count() - 1, 0).box; }
+
     /// From now on these are the strips of `curve`. Cost: comparing knots, points and weights, and the changed spans
     /// and their stretches anew; all of it anew where the degree is another, or more than a few knots were inserted or
     /// removed in one place.

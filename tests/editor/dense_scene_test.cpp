@@ -72,7 +72,7 @@ TEST(DenseScene, takes_no_more_than_eight_vertices_for_each_pixel_of_width) {
         EXPECT_LE(places_of(test::lines_of(canvas, theme.polygon, 1.5F)), most) << points.size();
         EXPECT_LE(all_of<Marker>(canvas).size(), most) << points.size();
         EXPECT_LE(all_of<Label>(canvas).size(), 400U) << points.size();
-        const render::DrawList plot = plot_scene(state, PlotIdle{}, dock);
+        const render::DrawList plot = test::plot_picture(state, PlotIdle{}, dock);
         EXPECT_LE(places_of(all_of<Polyline>(plot)), 2 * most) << points.size();
         EXPECT_LE(all_of<Marker>(plot).size(), most) << points.size();
         EXPECT_LE(all_of<Label>(plot).size(), 400U) << points.size();
@@ -154,8 +154,56 @@ TEST(DenseScene, tells_how_many_of_how_many_it_shows) {
         });
     };
     EXPECT_TRUE(has_note(test::canvas_picture(many, CanvasIdle{}), " of 100000 points and "));
-    EXPECT_TRUE(has_note(plot_scene(many, PlotIdle{}, dock), " of 100000 functions and "));
-    EXPECT_TRUE(has_note(plot_scene(many, PlotIdle{}, dock), " of 100004 knots"));
+    EXPECT_TRUE(has_note(test::plot_picture(many, PlotIdle{}, dock), " of 100000 functions and "));
+    EXPECT_TRUE(has_note(test::plot_picture(many, PlotIdle{}, dock), " of 100004 knots"));
+}
+
+TEST(DenseScene, misses_no_loop_of_the_hodograph) {
+    // Evenly along a line, but for one point: C' leaves (1, 0) once, for (1, 1) and (1, -1).
+    std::vector<core::Point> points;
+    for (int i = 0; i < 100000; ++i) points.emplace_back(i, i == 54321 ? 1.0 : 0.0);
+    core::CurveDefinition definition{.degree = 3, .knots = {}, .points = points, .kind = core::KnotKind::uniform};
+    for (std::size_t i = 0; i < points.size() + 4; ++i) definition.knots.push_back(static_cast<double>(i));
+    EditorState state = test::scene_state(definition);
+    state.view.overlays = {};
+    state.view.overlays.show(Overlay::hodograph, true);
+    const auto lines =
+        test::lines_of(test::canvas_picture(state, CanvasIdle{}), theme_of(state.view.theme).curve, 1.75F);
+    double lowest = -1e9;
+    double highest = 1e9;
+    for (const Polyline& line : lines)
+        for (const render::Pixel place : line.points) {
+            lowest = std::max(lowest, static_cast<double>(place.y));
+            highest = std::min(highest, static_cast<double>(place.y));
+        }
+    // The cubic takes 5/9 of what its control points differ by, and the inset has 120 pixels for twice that.
+    EXPECT_GT(lowest - highest, 100.0);
+}
+
+TEST(DenseScene, traces_functions_and_hodographs_once) {
+    EditorState state = state_of(spiral(100000));
+    state.view.overlays.show(Overlay::hodograph, true);
+    SceneCache cache;
+    const auto draw = [&] {
+        canvas_scene(state, CanvasIdle{}, cache);
+        plot_scene(state, PlotIdle{}, dock, cache);
+    };
+    draw();
+    const std::size_t traced = cache.basis().traced_count();
+    EXPECT_GT(traced, 50U);
+    state.hover = HoveredCurve{0.5};
+    for (int k = 0; k < 5; ++k) {
+        state.view.camera.center.x += 0.1;
+        draw();
+    }
+    EXPECT_EQ(cache.basis().traced_count(), traced);
+    state.view.parameter += 0.3;
+    draw();
+    EXPECT_LE(cache.basis().traced_count(), traced + 4) << "the four that act there";
+    EXPECT_EQ(cache.curve(0, state.shown().active_curve()->curve).hodograph_count(), 1U);
+    const EditorState few = state_of(spiral(20));
+    for (int k = 0; k < 5; ++k) plot_scene(few, PlotIdle{}, dock, cache);
+    EXPECT_LE(cache.basis().traced_count(), traced + 4 + 20);
 }
 
 TEST(DenseScene, leaves_the_curve_uncovered) {
@@ -241,7 +289,7 @@ TEST(DenseScene, keeps_functions_that_are_wide_among_narrow_ones) {
     for (const double u : {0.2, 0.4, 0.6, 0.8, 1.0, 1.0, 1.0, 1.0}) knots.push_back(u);
     const std::size_t count = knots.size() - 4;
     const EditorState state = test::scene_state({.degree = 3, .knots = knots, .points = spiral(count)});
-    const render::DrawList plot = plot_scene(state, PlotIdle{}, dock);
+    const render::DrawList plot = test::plot_picture(state, PlotIdle{}, dock);
     const auto texts = test::texts_of(plot);
     // The last eight functions reach over the wide spans.
     for (std::size_t i = count - 5; i < count; ++i)

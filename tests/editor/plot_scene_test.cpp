@@ -22,7 +22,7 @@ using test::all_of;
 constexpr glm::dvec2 size{1048.0, 260.0};
 
 render::DrawList scene_of(const EditorState& state) {
-    return plot_scene(state, PlotIdle{}, size);
+    return test::plot_picture(state, PlotIdle{}, size);
 }
 
 Theme dark() {
@@ -127,7 +127,7 @@ TEST(PlotScene, numbers_of_the_graphs_keep_clear_of_the_line_at_u) {
 TEST(PlotScene, texts_are_not_cut_by_the_edges) {
     EditorState state = test::sample_state();
     for (const glm::dvec2 picture : {size, glm::dvec2(400.0, 160.0), glm::dvec2(250.0, 140.0)})
-        for (const Label& label : all_of<Label>(plot_scene(state, PlotIdle{}, picture))) {
+        for (const Label& label : all_of<Label>(test::plot_picture(state, PlotIdle{}, picture))) {
             const render::PixelBox box = test::box_of(label);
             EXPECT_GE(box.lower_px.x, -0.01) << label.text;
             EXPECT_LE(box.upper_px.x, picture.x + 0.01) << label.text;
@@ -186,7 +186,7 @@ TEST(PlotScene, dragged_knot_shows_what_would_become_of_it) {
     moved.curves[0].curve = with_knots({0, 0, 0, 0, 0.25, 0.5, 0.5, 1, 1, 1, 1}).shown().curves[0].curve;
     EXPECT_FALSE(test::has_text(scene_of(state), "×2 C^{1}"));
     state.preview = moved;
-    const render::DrawList list = plot_scene(state, DraggingKnot{6, 0.0, 0.0, true}, size);
+    const render::DrawList list = test::plot_picture(state, DraggingKnot{6, 0.0, 0.0, true}, size);
     EXPECT_TRUE(test::has_text(list, "×2 C^{1}"));
     EXPECT_FALSE(test::has_text(list, "0.75"));
     int accented = 0;
@@ -276,7 +276,7 @@ TEST(PlotScene, near_knots_are_told_apart_when_zoomed) {
 
 TEST(PlotScene, sizes_follow_the_interface_scale) {
     const render::DrawList one = scene_of(test::sample_state());
-    const render::DrawList two = plot_scene(test::doubled(test::sample_state()), PlotIdle{}, 2.0 * size);
+    const render::DrawList two = test::plot_picture(test::doubled(test::sample_state()), PlotIdle{}, 2.0 * size);
     const auto small = all_of<Marker>(one);
     const auto large = all_of<Marker>(two);
     ASSERT_EQ(small.size(), large.size());

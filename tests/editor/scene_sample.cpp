@@ -99,6 +99,11 @@ render::DrawList canvas_picture(const EditorState& state, const CanvasMode& mode
     return canvas_scene(state, mode, cache);
 }
 
+render::DrawList plot_picture(const EditorState& state, const PlotMode& mode, glm::dvec2 size_px) {
+    SceneCache cache;
+    return plot_scene(state, mode, size_px, cache);
+}
+
 EditorState doubled(EditorState state) {
     state.view.interface_scale *= 2.0;
     state.view.camera.scale *= 2.0;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/editor/scene/canvas_scene.h"
+#include "app/editor/scene/plot_scene.h"
 #include "app/editor/state.h"
 #include "render/draw_list.h"
 #include "render/pixel_box.h"
@@ -20,6 +21,9 @@ EditorState scene_state(core::CurveDefinition definition);
 
 /// The picture of the canvas, with nothing kept from another one.
 render::DrawList canvas_picture(const EditorState& state, const CanvasMode& mode);
+
+/// The picture of the dock, with nothing kept from another one.
+render::DrawList plot_picture(const EditorState& state, const PlotMode& mode, glm::dvec2 size_px);
 
 /// The same state on a screen of twice the density.
 EditorState doubled(EditorState state);

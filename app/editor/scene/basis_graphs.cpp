@@ -162,13 +162,17 @@ class GraphTracer {
     const PlotFrame& frame_;
 };
 
-/// The functions to show where they are too many: ascending.
-std::vector<std::size_t> chosen_functions(const PlotFrame& frame, SpanRange spans) {
+void make_ascending(std::vector<std::size_t>& indices) {
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+}
+
+/// The functions to show where they are too many, whatever the parameter: ascending.
+std::vector<std::size_t> resting_functions(const PlotFrame& frame, SpanRange spans) {
     const core::KnotVector& knots = frame.curve.knots();
     const auto p = static_cast<std::size_t>(frame.curve.degree());
     const std::size_t n = frame.curve.control_points().size();
-    std::vector<std::size_t> chosen = frame.lit.basis;
-    for (std::size_t j = 0; j <= p; ++j) chosen.push_back(frame.function_of(frame.span, j));
+    std::vector<std::size_t> chosen;
     const double cell =
         frame.pen.px(function_cell) * frame.layout.range.length() / (frame.layout.right_px - frame.layout.left_px);
     // Cells lie still while the plot moves.
@@ -178,8 +182,17 @@ std::vector<std::size_t> chosen_functions(const PlotFrame& frame, SpanRange span
             chosen.push_back(frame.function_of(knots.span_at(start + k * cell), p / 2));
     for (std::size_t i = spans.first - p; i <= spans.last; ++i)
         if (knots[i + p + 1] - knots[i] >= static_cast<double>(p + 1) * cell) chosen.push_back(i % n);
-    std::sort(chosen.begin(), chosen.end());
-    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    make_ascending(chosen);
+    return chosen;
+}
+
+/// These, and those that act at the parameter or are lit.
+std::vector<std::size_t> chosen_functions(const PlotFrame& frame, SpanRange spans, BasisCache& cache) {
+    std::vector<std::size_t> chosen = cache.chosen([&] { return resting_functions(frame, spans); });
+    chosen.insert(chosen.end(), frame.lit.basis.begin(), frame.lit.basis.end());
+    for (std::size_t j = 0; j <= static_cast<std::size_t>(frame.curve.degree()); ++j)
+        chosen.push_back(frame.function_of(frame.span, j));
+    make_ascending(chosen);
     return chosen;
 }
 
@@ -206,11 +219,11 @@ int rank_of(const PlotFrame& frame, std::size_t i) {
 }
 
 /// The places of the graphs in the order in which they are drawn.
-std::vector<std::size_t> by_rank(const PlotFrame& frame, const std::vector<BasisGraph>& graphs) {
+std::vector<std::size_t> by_rank(const PlotFrame& frame, const std::vector<const BasisGraph*>& graphs) {
     std::vector<std::size_t> order(graphs.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return rank_of(frame, graphs[a].index) < rank_of(frame, graphs[b].index);
+        return rank_of(frame, graphs[a]->index) < rank_of(frame, graphs[b]->index);
     });
     return order;
 }
@@ -229,7 +242,8 @@ double number_x(const PlotFrame& frame, double peak_x, double width_px) {
 
 }  // namespace
 
-ShownBasis basis_graphs(const PlotFrame& frame) {
+ShownBasis basis_graphs(const PlotFrame& frame, BasisCache& cache) {
+    cache.follow(frame.curve.knots(), frame.layout);
     const core::Interval domain = frame.curve.domain();
     ShownBasis shown;
     if (!(domain.lower < frame.layout.range.upper && frame.layout.range.lower < domain.upper)) return shown;
@@ -239,27 +253,27 @@ ShownBasis basis_graphs(const PlotFrame& frame) {
     GraphTracer tracer(frame);
     if (static_cast<double>(shown.count) <= most_functions_per_px * frame.pen.size_px().x ||
         shown.count <= 2 * (p + 1)) {
-        shown.graphs = tracer.trace(spans);
+        for (const BasisGraph& graph : cache.all([&] { return tracer.trace(spans); })) shown.graphs.push_back(&graph);
         return shown;
     }
-    for (const std::size_t i : chosen_functions(frame, spans)) {
-        shown.graphs.push_back(tracer.trace(spans, i));
-        if (shown.graphs.back().runs.empty()) shown.graphs.pop_back();
+    for (const std::size_t i : chosen_functions(frame, spans, cache)) {
+        const BasisGraph& graph = cache.single(i, [&](std::size_t index) { return tracer.trace(spans, index); });
+        if (!graph.runs.empty()) shown.graphs.push_back(&graph);
     }
     return shown;
 }
 
-void draw_basis_graphs(PlotFrame& frame, const std::vector<BasisGraph>& graphs) {
+void draw_basis_graphs(PlotFrame& frame, const std::vector<const BasisGraph*>& graphs) {
     for (const std::size_t k : by_rank(frame, graphs))
-        for (const auto& run : graphs[k].runs) frame.pen.line(run, stroke_of(frame, graphs[k].index));
+        for (const auto& run : graphs[k]->runs) frame.pen.line(run, stroke_of(frame, graphs[k]->index));
 }
 
-void draw_basis_numbers(PlotFrame& frame, const std::vector<BasisGraph>& graphs) {
+void draw_basis_numbers(PlotFrame& frame, const std::vector<const BasisGraph*>& graphs) {
     TextRow row;
     std::vector<std::size_t> order = by_rank(frame, graphs);
     std::reverse(order.begin(), order.end());
     for (const std::size_t k : order) {
-        const BasisGraph& graph = graphs[k];
+        const BasisGraph& graph = *graphs[k];
         if (graph.runs.empty()) continue;
         const std::string number = std::to_string(graph.index);
         const TextStyle style{.color = frame.theme.point_text(graph.index),

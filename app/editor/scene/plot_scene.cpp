@@ -30,11 +30,11 @@ std::string plot_note(const ShownBasis& basis, const ShownStacks& knots) {
 
 }  // namespace
 
-render::DrawList plot_scene(const EditorState& state, const PlotMode& mode, glm::dvec2 size_px) {
+render::DrawList plot_scene(const EditorState& state, const PlotMode& mode, glm::dvec2 size_px, SceneCache& cache) {
     render::DrawList list;
     if (state.active_curve() == nullptr) return list;
     PlotFrame frame(state, mode, size_px, list);
-    const ShownBasis basis = basis_graphs(frame);
+    const ShownBasis basis = basis_graphs(frame, cache.basis());
     const ShownStacks knots = knot_stacks(frame);
     draw_plot_axes(frame);
     draw_knot_guides(frame, knots.stacks);

@@ -3,12 +3,13 @@
 
 #include "app/editor/plot_layout.h"
 #include "app/editor/plot_mode.h"
+#include "app/editor/scene/scene_cache.h"
 #include "app/editor/state.h"
 #include "render/draw_list.h"
 
 namespace batten::editor {
 
 /// The basis functions and knots of the shown active curve in a picture of `size_px`.
-render::DrawList plot_scene(const EditorState& state, const PlotMode& mode, glm::dvec2 size_px);
+render::DrawList plot_scene(const EditorState& state, const PlotMode& mode, glm::dvec2 size_px, SceneCache& cache);
 
 }  // namespace batten::editor

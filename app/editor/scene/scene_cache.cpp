@@ -1,5 +1,7 @@
 #include "app/editor/scene/scene_cache.h"
 
+#include "core/evaluate/hodograph.h"
+
 namespace batten::editor {
 
 namespace {
@@ -16,6 +18,21 @@ core::PolygonStrips& KeptCurve::polygon() {
     if (!polygon_) polygon_.emplace(strips_.curve());
     polygon_->follow(strips_.curve());
     return *polygon_;
+}
+
+core::CurveStrips* KeptCurve::hodograph() {
+    if (differentiated_ != strips_.curve()) {
+        differentiated_ = strips_.curve();
+        ++hodograph_count_;
+        core::Result<core::Curve> made = core::hodograph(*differentiated_);
+        if (!made)
+            hodograph_.reset();
+        else if (auto curve = std::make_shared<const core::Curve>(*std::move(made)); hodograph_)
+            hodograph_->follow(std::move(curve));
+        else
+            hodograph_.emplace(std::move(curve));
+    }
+    return hodograph_ ? &*hodograph_ : nullptr;
 }
 
 KeptCurve& SceneCache::curve(std::size_t index, const std::shared_ptr<const core::Curve>& curve) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/editor/scene/basis_cache.h"
 #include "app/editor/scene/kept_ink.h"
 #include "app/editor/scene/other_curves.h"
 #include "core/document/document.h"
@@ -28,11 +29,20 @@ class KeptCurve {
     KeptInk& curve_ink() { return curve_ink_; }
     KeptInk& polygon_ink() { return polygon_ink_; }
 
+    /// The strips of the hodograph, made when they are asked for; null where it is refused.
+    core::CurveStrips* hodograph();
+
+    /// How many hodographs were made so far.
+    std::size_t hodograph_count() const { return hodograph_count_; }
+
   private:
     core::CurveStrips strips_;
     std::optional<core::PolygonStrips> polygon_;
     KeptInk curve_ink_;
     KeptInk polygon_ink_;
+    std::shared_ptr<const core::Curve> differentiated_;  ///< the curve whose hodograph is there
+    std::optional<core::CurveStrips> hodograph_;
+    std::size_t hodograph_count_ = 0;
 };
 
 /// Belongs to whoever shows pictures of one editor; what it keeps is a function of what is shown, so a new one gives
@@ -47,6 +57,9 @@ class SceneCache {
 
     OtherInk& others() { return others_; }
 
+    /// The graphs of the dock.
+    BasisCache& basis() { return basis_; }
+
     /// Forgets curves beyond the first `count`.
     void forget_beyond(std::size_t count);
 
@@ -54,6 +67,7 @@ class SceneCache {
     std::vector<std::unique_ptr<KeptCurve>> curves_;
     std::unique_ptr<KeptCurve> ghost_;
     OtherInk others_;
+    BasisCache basis_;
 };
 
 }  // namespace batten::editor

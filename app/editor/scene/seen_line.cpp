@@ -30,20 +30,19 @@ std::vector<std::vector<glm::dvec2>> screen_runs(const CanvasFrame& frame, const
     return places;
 }
 
-/// What is painted as chords with `style`, as far as it is in `view`, into `map`.
-core::ChordRequest chord_request(const CanvasFrame& frame, const render::InkStyle& style, const core::Box& view,
-                                 render::CoverageMap& map) {
-    const double scale = frame.state.view.camera.scale;
-    const double reach = 0.5 * style.width_px + 1.0;
-    const auto is_hidden = [&frame, &map, scale, reach](const core::Strip& strip) {
-        const auto box = render::PixelBox::between(frame.screen(strip.box.lower), frame.screen(strip.box.upper));
-        return map.is_full({box.lower_px - reach, box.upper_px + reach}) ||
-               map.is_full_about(frame.screen(strip.first), frame.screen(strip.last), strip.deviation * scale + reach);
-    };
-    const auto take = [&frame, &map, style, scale](core::Point a, core::Point b, double along) {
-        map.stroke(frame.screen(a), frame.screen(b), style, along * scale);
-    };
-    return {tolerance_px / scale, view, is_hidden, take};
+/// Where points of the world are.
+struct OnCanvas {
+    const CanvasFrame& frame;
+
+    double scale() const { return frame.state.view.camera.scale; }
+    glm::dvec2 operator()(core::Point world) const { return frame.screen(world); }
+};
+
+/// What paints chords of a line of the canvas, as far as it is in `view`, into `map`.
+core::ChordRequest canvas_request(const CanvasFrame& frame, const InkPlace& place, const core::Box& view,
+                                  render::CoverageMap& map) {
+    const OnCanvas screen{frame};
+    return chord_request(place, {tolerance_px / screen.scale(), view}, screen, map);
 }
 
 /// The line as ink: visit(request, left_out) and visit_part(request, part) hand out its chords.
@@ -53,10 +52,10 @@ SeenLine inked(const CanvasFrame& frame, KeptInk& kept, const core::StripChange&
     const InkPlace place = ink_place(frame, stroke);
     const KeptInk* above = frame.curve_line.ink ? &frame.kept->curve_ink() : nullptr;
     const auto paint = [&](render::CoverageMap& map, const core::Box& view, std::span<const std::size_t> left_out) {
-        visit(chord_request(frame, place.style, view, map), left_out);
+        visit(canvas_request(frame, place, view, map), left_out);
     };
     const auto paint_part = [&](render::CoverageMap& map, std::size_t part) {
-        visit_part(chord_request(frame, place.style, frame.seen(frame.pen.px(stroke_margin_px)), map), part);
+        visit_part(canvas_request(frame, place, frame.seen(frame.pen.px(stroke_margin_px)), map), part);
     };
     kept.follow(change, place, above, {paint, paint_part});
     return {{}, {}, kept.whole()};
@@ -73,7 +72,7 @@ InkPlace ink_place(const CanvasFrame& frame, const Stroke& stroke) {
 void paint_curve(const CanvasFrame& frame, const core::CurveStrips& strips, const InkPlace& place,
                  render::CoverageMap& map) {
     const core::Box view = frame.seen(frame.pen.px(stroke_margin_px));
-    strips.visit_chords(chord_request(frame, place.style, view, map), strips.curve()->domain());
+    strips.visit_chords(canvas_request(frame, place, view, map), strips.curve()->domain());
 }
 
 SeenLine seen_part(const CanvasFrame& frame, core::CurveStrips& strips, core::Interval range, double places_per_px,
@@ -82,7 +81,7 @@ SeenLine seen_part(const CanvasFrame& frame, core::CurveStrips& strips, core::In
     if (const auto runs = strips.runs(request, range)) return {screen_runs(frame, *runs), {}, {}};
     const InkPlace place = ink_place(frame, stroke);
     auto map = std::make_shared<render::CoverageMap>(place.size_px);
-    strips.visit_chords(chord_request(frame, place.style, request.view, *map), range);
+    strips.visit_chords(canvas_request(frame, place, request.view, *map), range);
     return {{}, {}, map};
 }
 

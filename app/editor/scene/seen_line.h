@@ -44,6 +44,30 @@ std::optional<SeenLine> seen_polylines(const CanvasFrame& frame, core::CurveStri
 /// Where and how ink for `stroke` is painted.
 InkPlace ink_place(const CanvasFrame& frame, const Stroke& stroke);
 
+/// What of a line is painted.
+struct InkPart {
+    double tolerance = 0.0;  ///< of chords
+    core::Box view;
+};
+
+/// What paints chords into `map`, leaving out what would not be seen. `screen` tells where a point of the line is, by a
+/// similarity of `screen.scale()` pixels to a unit. Holds `map`.
+template <class Screen>
+core::ChordRequest chord_request(const InkPlace& place, const InkPart& part, const Screen& screen,
+                                 render::CoverageMap& map) {
+    const double scale = screen.scale();
+    const double reach = 0.5 * place.style.width_px + 1.0;
+    const auto is_hidden = [&map, screen, scale, reach](const core::Strip& strip) {
+        const auto box = render::PixelBox::between(screen(strip.box.lower), screen(strip.box.upper));
+        return map.is_full({box.lower_px - reach, box.upper_px + reach}) ||
+               map.is_full_about(screen(strip.first), screen(strip.last), strip.deviation * scale + reach);
+    };
+    const auto take = [&map, screen, style = place.style, scale](core::Point a, core::Point b, double along) {
+        map.stroke(screen(a), screen(b), style, along * scale);
+    };
+    return {part.tolerance, part.view, is_hidden, take};
+}
+
 /// Paints the whole line of a curve into `map`, the way seen_curve does.
 void paint_curve(const CanvasFrame& frame, const core::CurveStrips& strips, const InkPlace& place,
                  render::CoverageMap& map);
