@@ -1,8 +1,10 @@
 #include "app/editor/derived.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/curve/control_box.h"
+#include "core/evaluate/evaluate.h"
 
 namespace batten::editor {
 
@@ -29,6 +31,25 @@ CurveFacts facts_of_curve(const core::Curve& curve) {
             .heaviest = curve.is_rational() ? std::ranges::max(weights) : weights.front()};
 }
 
+double large_curvature_of(const core::Curve& curve) {
+    const core::KnotVector& knots = curve.knots();
+    const auto p = static_cast<std::size_t>(curve.degree());
+    const std::size_t spans = knots.size() - 2 * p - 1;
+    const int samples = std::clamp(256 / static_cast<int>(spans), 3, 24);
+    constexpr std::size_t most_measured_spans = 1000;
+    const std::size_t stride = spans / most_measured_spans + 1;
+    std::vector<double> values;
+    for (std::size_t s = p; s + p + 1 < knots.size(); s += stride)
+        for (int k = 0; k < samples && knots[s] < knots[s + 1]; ++k) {
+            const double u = knots[s] + (k + 0.5) / samples * (knots[s + 1] - knots[s]);
+            if (const auto value = core::curvature_at(curve, u)) values.push_back(std::abs(*value));
+        }
+    if (values.empty()) return 0.0;
+    const auto rank = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
+    std::nth_element(values.begin(), rank, values.end());
+    return *rank;
+}
+
 }  // namespace
 
 bool share_arrays(const core::KnotVector& a, const core::KnotVector& b) {
@@ -47,6 +68,10 @@ std::shared_ptr<const KnotFacts> Derived::of(const core::KnotVector& knots) cons
 
 std::shared_ptr<const CurveFacts> Derived::of(const core::Curve& curve) const {
     return of_curves_.of(curve, facts_of_curve);
+}
+
+double Derived::large_curvature(const core::Curve& curve) const {
+    return *large_curvatures_.of(curve, large_curvature_of);
 }
 
 std::shared_ptr<const core::NearParts> Derived::near_parts(const std::shared_ptr<const core::Curve>& curve) const {

@@ -41,12 +41,17 @@ class Derived {
     std::shared_ptr<const KnotFacts> of(const core::KnotVector& knots) const;
     std::shared_ptr<const CurveFacts> of(const core::Curve& curve) const;
 
+    /// The curvature that nine tenths of the curve stay below; 0 for a straight line. Of very many spans some are
+    /// measured.
+    double large_curvature(const core::Curve& curve) const;
+
     /// For what is under the pointer; of any number of curves.
     std::shared_ptr<const core::NearParts> near_parts(const std::shared_ptr<const core::Curve>& curve) const;
 
   private:
     Kept<core::KnotVector, KnotFacts, share_arrays> of_knots_;
     Kept<core::Curve, CurveFacts, share_arrays> of_curves_;
+    Kept<core::Curve, double, share_arrays> large_curvatures_;
     KeptBeside<core::Curve, core::NearParts> near_parts_;
 };
 

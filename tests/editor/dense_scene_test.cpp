@@ -158,6 +158,31 @@ TEST(DenseScene, tells_how_many_of_how_many_it_shows) {
     EXPECT_TRUE(has_note(test::plot_picture(many, PlotIdle{}, dock), " of 100004 knots"));
 }
 
+TEST(DenseScene, tells_how_many_polygons_of_pieces_and_teeth_it_shows) {
+    for (const std::size_t count : {20U, 3000U, 100000U}) {
+        EditorState state = state_of(spiral(count));
+        for (const Overlay overlay : {Overlay::polygon, Overlay::knots, Overlay::labels})
+            state.view.overlays.show(overlay, false);
+        state.view.overlays.show(Overlay::bezier_pieces, true);
+        state.view.overlays.show(Overlay::curvature_comb, true);
+        const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
+        std::vector<Label> notes;
+        for (const Label& label : all_of<Label>(list))
+            if (label.text.find(" of ") != std::string::npos) notes.push_back(label);
+        if (count == 20U) {
+            EXPECT_TRUE(notes.empty());
+            continue;
+        }
+        ASSERT_EQ(notes.size(), 2U) << count;
+        const std::string end = " of " + std::to_string(count - 3);
+        EXPECT_TRUE(notes[0].text.starts_with("Showing ")) << notes[0].text;
+        EXPECT_TRUE(notes[0].text.ends_with(end + " Bézier polygons")) << notes[0].text;
+        EXPECT_TRUE(notes[1].text.starts_with("The comb has teeth at ")) << notes[1].text;
+        EXPECT_TRUE(notes[1].text.ends_with(end + " spans")) << notes[1].text;
+        EXPECT_TRUE(test::overlapping_labels(list).empty());
+    }
+}
+
 TEST(DenseScene, misses_no_loop_of_the_hodograph) {
     // Evenly along a line, but for one point: C' leaves (1, 0) once, for (1, 1) and (1, -1).
     std::vector<core::Point> points;

@@ -11,6 +11,8 @@ struct CanvasMarks {
     ShownPoints points;
     ShownKnots knots;
     SeenLine polygon;
+    Thinned pieces;      ///< with Bézier polygons
+    Thinned comb_spans;  ///< with teeth of the comb
 };
 
 /// "P_{2} · w 2" beside control points, "×2 C^{1}" beside multiple knots, "C(0.400)" beside the point at the parameter,

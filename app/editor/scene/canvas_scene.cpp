@@ -1,5 +1,6 @@
 #include "app/editor/scene/canvas_scene.h"
 
+#include "app/editor/scene/bezier_polygons.h"
 #include "app/editor/scene/canvas_frame.h"
 #include "app/editor/scene/canvas_labels.h"
 #include "app/editor/scene/construction.h"
@@ -45,12 +46,12 @@ CanvasMarks marks_of(const CanvasFrame& frame) {
     return marks;
 }
 
-void draw_lines_of_active_curve(CanvasFrame& frame, const CanvasMarks& marks) {
+void draw_lines_of_active_curve(CanvasFrame& frame, CanvasMarks& marks) {
     draw_hull(frame);
     draw_control_polygon(frame, marks.polygon);
     draw_dense_points(frame, marks.points);
-    if (frame.shows(Overlay::bezier_pieces)) draw_bezier_polygons(frame);
-    if (frame.shows(Overlay::curvature_comb)) draw_curvature_comb(frame);
+    if (frame.shows(Overlay::bezier_pieces)) marks.pieces = draw_bezier_pieces(frame);
+    if (frame.shows(Overlay::curvature_comb)) marks.comb_spans = draw_curvature_comb(frame);
     draw_lit_parts(frame);
     draw_active_curve(frame);
 }
@@ -61,7 +62,7 @@ void draw_marks_of_active_curve(CanvasFrame& frame, const CanvasMarks& marks, st
     if (frame.shows(Overlay::construction)) draw_construction(frame);
     draw_control_points(frame, marks.points);
     draw_curve_point(frame);
-    if (const auto box = draw_crowd_note(frame, marks)) covered.push_back(*box);
+    if (const auto box = draw_crowd_notes(frame, marks)) covered.push_back(*box);
     if (frame.shows(Overlay::labels)) draw_canvas_labels(frame, marks, covered);
 }
 
@@ -72,7 +73,7 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, 
     CanvasFrame frame(state, cache, list);
     const std::vector<render::PixelBox> covered = draw_background(frame);
     if (frame.curve != nullptr) {
-        const CanvasMarks marks = marks_of(frame);
+        CanvasMarks marks = marks_of(frame);
         draw_lines_of_active_curve(frame, marks);
         draw_marks_of_active_curve(frame, marks, covered);
     }

@@ -24,6 +24,12 @@ struct Crowd {
     std::vector<MarkPlace> shown;  ///< in the order of the places
 };
 
+/// How much is shown of what there is.
+struct Thinned {
+    std::size_t shown = 0;
+    std::size_t seen = 0;
+};
+
 /// How marks may be drawn.
 struct MarkSizes {
     std::span<const double> radii;  ///< descending, in design pixels

@@ -1,5 +1,7 @@
 #include "app/editor/scene/crowd_note.h"
 
+#include <glm/common.hpp>
+
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/text_size.h"
 #include "core/base/sentence.h"
@@ -10,6 +12,7 @@ namespace {
 
 constexpr double note_side = 14.0;
 constexpr double note_bottom = 43.0;  // in the middle of the row of the legend
+constexpr double note_step = 20.0;    // from one to the next
 constexpr double note_size = 12.5;
 constexpr double ground_opacity = 0.94;  // over what is drawn there
 
@@ -19,7 +22,7 @@ std::string points_text(const ShownPoints& points) {
 }
 
 /// About points alone where there is no room for more.
-std::string note_text(const CanvasMarks& marks, double room) {
+std::string marks_text(const CanvasMarks& marks, double room) {
     const std::size_t knots = knot_count(marks.knots);
     const bool has_all_points = !marks.points.crowd.is_thinned;
     if (has_all_points && !marks.knots.is_thinned) return "";
@@ -34,25 +37,50 @@ std::string note_text(const CanvasMarks& marks, double room) {
     return text_size(both, note_size).x <= room ? both : points_text(marks.points);
 }
 
-}  // namespace
+std::string thinned_text(const char* pattern, const Thinned& thinned) {
+    if (thinned.shown >= thinned.seen) return "";
+    return core::sentence(pattern, {{"shown", thinned.shown}, {"count", thinned.seen}});
+}
 
-std::optional<render::PixelBox> draw_crowd_note(CanvasFrame& frame, const CanvasMarks& marks) {
-    const std::string note = note_text(marks, frame.pen.size_px().x / frame.pen.px(1.0) - 2.0 * note_side);
-    if (note.empty()) return std::nullopt;
+/// From below.
+std::vector<std::string> note_texts(const CanvasMarks& marks, double room) {
+    std::vector<std::string> texts{marks_text(marks, room),
+                                   thinned_text("Showing {shown} of {count} Bézier polygons", marks.pieces),
+                                   thinned_text("The comb has teeth at {shown} of {count} spans", marks.comb_spans)};
+    std::erase(texts, "");
+    return texts;
+}
+
+/// Writes a text about the height `y`; returns where.
+render::PixelBox draw_note(CanvasFrame& frame, std::string text, double y) {
     const bool is_left = has_legend(frame.state) && frame.state.view.legend_corner == Corner::lower_right;
-    const glm::dvec2 size = text_size(note, frame.pen.px(note_size));
+    const glm::dvec2 size = text_size(text, frame.pen.px(note_size));
     const double left = is_left ? frame.pen.px(note_side) : frame.pen.size_px().x - frame.pen.px(note_side) - size.x;
-    const double y = frame.pen.size_px().y - frame.pen.px(note_bottom);
     const render::PixelBox box{{left, y - 0.5 * size.y}, {left + size.x, y + 0.5 * size.y}};
     const glm::dvec2 around(frame.pen.px(4.0));
     frame.pen.fill(corners_of({box.lower_px - around, box.upper_px + around}),
                    render::faded(frame.theme.canvas, ground_opacity));
     const double x = is_left ? box.lower_px.x : box.upper_px.x;
-    frame.pen.text({x, y}, note,
+    frame.pen.text({x, y}, std::move(text),
                    {.color = frame.theme.dim,
                     .size = note_size,
                     .anchor = is_left ? render::Anchor::left : render::Anchor::right});
     return box;
+}
+
+}  // namespace
+
+std::optional<render::PixelBox> draw_crowd_notes(CanvasFrame& frame, const CanvasMarks& marks) {
+    std::optional<render::PixelBox> around;
+    double y = frame.pen.size_px().y - frame.pen.px(note_bottom);
+    for (std::string& text : note_texts(marks, frame.pen.size_px().x / frame.pen.px(1.0) - 2.0 * note_side)) {
+        const render::PixelBox box = draw_note(frame, std::move(text), y);
+        around = around ? render::PixelBox{glm::min(around->lower_px, box.lower_px),
+                                           glm::max(around->upper_px, box.upper_px)}
+                        : box;
+        y -= frame.pen.px(note_step);
+    }
+    return around;
 }
 
 }  // namespace batten::editor

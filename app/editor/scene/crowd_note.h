@@ -1,4 +1,4 @@
-/// The sentence that tells how many points and knots there are where not all of them are drawn.
+/// The sentences that tell how many points, knots, pieces and spans there are where not all of them are drawn.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace batten::editor {
 
-/// Writes it into a lower corner, if it is needed. Returns what labels must keep clear of.
-std::optional<render::PixelBox> draw_crowd_note(CanvasFrame& frame, const CanvasMarks& marks);
+/// Writes those that are needed into a lower corner, one above the other. Returns what labels must keep clear of.
+std::optional<render::PixelBox> draw_crowd_notes(CanvasFrame& frame, const CanvasMarks& marks);
 
 }  // namespace batten::editor

@@ -18,29 +18,9 @@ constexpr double most_teeth = 400.0;  // in one run
 constexpr std::size_t least_teeth_of_span = 5;
 constexpr double most_teeth_per_px = 1.0;  // teeth for each pixel of the picture's width, where spans are many
 constexpr double merged_teeth = 24.0;      // sixteen spans that are shorter together have one tooth
-constexpr std::size_t most_measured_spans = 1000;
 
 core::Side side_in(const core::Interval& span, double u) {
     return u < span.upper ? core::Side::right : core::Side::left;
-}
-
-/// The curvature that nine tenths of the curve stay below; 0 for a straight line. Of very many spans some are measured.
-double large_curvature(const core::Curve& curve) {
-    const core::KnotVector& knots = curve.knots();
-    const auto p = static_cast<std::size_t>(curve.degree());
-    const std::size_t spans = knots.size() - 2 * p - 1;
-    const int samples = std::clamp(256 / static_cast<int>(spans), 3, 24);
-    const std::size_t stride = spans / most_measured_spans + 1;
-    std::vector<double> values;
-    for (std::size_t s = p; s + p + 1 < knots.size(); s += stride)
-        for (int k = 0; k < samples && knots[s] < knots[s + 1]; ++k) {
-            const double u = knots[s] + (k + 0.5) / samples * (knots[s + 1] - knots[s]);
-            if (const auto value = core::curvature_at(curve, u)) values.push_back(std::abs(*value));
-        }
-    if (values.empty()) return 0.0;
-    const auto rank = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
-    std::nth_element(values.begin(), rank, values.end());
-    return *rank;
 }
 
 /// Parameters lower + k * step for whole k: a power of two of them in the span, so that teeth stay where they are while
@@ -138,33 +118,40 @@ void draw_spans(CanvasFrame& frame, Comb& comb, const std::vector<SeenSpan>& spa
     }
 }
 
-/// One tooth at the beginning of as many spans as there is room for.
-void draw_starts(CanvasFrame& frame, Comb& comb, const std::vector<SeenSpan>& spans, std::size_t most) {
+/// One tooth at the beginning of as many spans as there is room for; returns how many.
+std::size_t draw_starts(CanvasFrame& frame, Comb& comb, const std::vector<SeenSpan>& spans, std::size_t most) {
     const core::KnotVector& knots = frame.curve->knots();
     const std::size_t stride = spans.size() / most + 1;
     std::size_t next = 0;
+    std::size_t teeth = 0;
     for (std::size_t k = 0; k < spans.size(); k += stride) {
         if (spans[k].span > next && k > 0) comb.end_tips();
         comb.add_tooth(knots[spans[k].span], core::Side::right);
+        ++teeth;
         const SeenSpan& last = spans[std::min(k + stride, spans.size()) - 1];
         next = last.span + last.count;
     }
     comb.end_tips();
+    return teeth;
 }
 
 }  // namespace
 
-void draw_curvature_comb(CanvasFrame& frame) {
-    const double large = large_curvature(*frame.curve);
-    if (!(large > 0.0) || !std::isfinite(large)) return;
+Thinned draw_curvature_comb(CanvasFrame& frame) {
+    const double large = frame.state.derived.large_curvature(*frame.curve);
+    if (!(large > 0.0) || !std::isfinite(large)) return {};
     Comb comb(frame, frame.pen.px(tooth_length) / large);
     const std::vector<SeenSpan> spans = seen_spans(frame);
     const auto most = static_cast<std::size_t>(most_teeth_per_px * frame.pen.size_px().x) + 1;
     const bool are_single = std::all_of(spans.begin(), spans.end(), [](const SeenSpan& at) { return at.count == 1; });
+    Thinned thinned;
+    for (const SeenSpan& at : spans) thinned.seen += at.count;
+    thinned.shown = thinned.seen;
     if (are_single && least_teeth_of_span * spans.size() <= most)
         draw_spans(frame, comb, spans);
     else
-        draw_starts(frame, comb, spans, most);
+        thinned.shown = draw_starts(frame, comb, spans, most);
+    return thinned;
 }
 
 }  // namespace batten::editor
