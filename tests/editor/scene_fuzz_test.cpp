@@ -145,7 +145,8 @@ TEST(SceneFuzz, every_number_of_every_picture_is_finite_and_near_the_picture) {
         EXPECT_EQ(test::faults_of(test::canvas_picture(state, mode), state.view.camera.size_px, margin),
                   std::vector<std::string>{});
         const glm::dvec2 dock{maker.between(400.0, 2000.0), maker.between(160.0, 800.0)};
-        EXPECT_EQ(test::faults_of(test::plot_picture(state, PlotIdle{}, dock), dock, margin), std::vector<std::string>{});
+        EXPECT_EQ(test::faults_of(test::plot_picture(state, PlotIdle{}, dock), dock, margin),
+                  std::vector<std::string>{});
     }
 }
 
