@@ -183,6 +183,31 @@ TEST(DenseScene, tells_how_many_polygons_of_pieces_and_teeth_it_shows) {
     }
 }
 
+TEST(DenseScene, labels_have_a_ground_where_points_are_dense) {
+    const auto grounds_behind_names = [](std::size_t count) {
+        EditorState state = state_of(spiral(count));
+        state.hover = HoveredPoint{count / 2};
+        const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
+        const auto labels = all_of<Label>(list);
+        const auto name = std::find_if(labels.begin(), labels.end(), [&](const Label& label) {
+            return label.text == "P_{" + std::to_string(count / 2) + "}";
+        });
+        EXPECT_NE(name, labels.end()) << count;
+        std::size_t grounds = 0;
+        for (const render::Fill& fill : all_of<render::Fill>(list)) {
+            render::PixelBox box = render::PixelBox::between(fill.points.front(), fill.points.front());
+            for (const render::Pixel corner : fill.points)
+                box = {glm::min(box.lower_px, glm::dvec2(corner)), glm::max(box.upper_px, glm::dvec2(corner))};
+            if (name != labels.end() && fill.points.size() == 4 && box.contains(test::box_of(*name).lower_px) &&
+                box.contains(test::box_of(*name).upper_px))
+                ++grounds;
+        }
+        return grounds;
+    };
+    EXPECT_EQ(grounds_behind_names(20), 0U);
+    EXPECT_EQ(grounds_behind_names(3000), 1U);
+}
+
 TEST(DenseScene, misses_no_loop_of_the_hodograph) {
     // Evenly along a line, but for one point: C' leaves (1, 0) once, for (1, 1) and (1, -1).
     std::vector<core::Point> points;

@@ -24,6 +24,8 @@ constexpr double boxed_point_distance = 14.0;
 constexpr double control_point_reach = 7.5;
 constexpr double construction_reach = 5.0;
 constexpr double word_gap = 4.0;
+constexpr double ground_margin = 2.0;
+constexpr double label_ground_opacity = 0.85;
 
 /// A part of a label in a color of its own.
 struct Word {
@@ -35,7 +37,7 @@ struct Word {
 class LabelWriter {
   public:
     LabelWriter(CanvasFrame& frame, const CanvasMarks& marks, const std::vector<render::PixelBox>& covered)
-        : frame_(frame), layout_(frame.pen.size_px()) {
+        : frame_(frame), layout_(frame.pen.size_px()), has_grounds_(is_dense(marks.points)) {
         for (const render::PixelBox& box : covered) layout_.avoid_box(box);
         std::vector<const render::CoverageMap*> maps;
         for (const SeenLine& line : {std::cref(frame.curve_line), std::cref(marks.polygon)}) {
@@ -62,6 +64,7 @@ class LabelWriter {
             size = {size.x + gap + width_px(word), std::max(size.y, frame_.pen.px(1.25 * word.style.size))};
         const auto place = layout_.place(point, size, frame_.pen.px(distance), first, crowding);
         if (!place) return false;
+        if (has_grounds_) fill_ground(place->box);
         // Words are set from the end that is anchored, where the true widths of the fonts do no harm.
         const bool is_from_right = place->anchor == render::Anchor::right;
         if (is_from_right) std::reverse(words.begin(), words.end());
@@ -76,12 +79,20 @@ class LabelWriter {
     }
 
   private:
+    /// Keeps what is dense there from running through the words.
+    void fill_ground(const render::PixelBox& box) {
+        const glm::dvec2 around(frame_.pen.px(ground_margin));
+        frame_.pen.fill(corners_of({box.lower_px - around, box.upper_px + around}),
+                        render::faded(frame_.theme.canvas, label_ground_opacity));
+    }
+
     double width_px(const Word& word) const {
         return text_size(word.text, frame_.pen.px(word.style.size), word.style.font).x;
     }
 
     CanvasFrame& frame_;
     LabelLayout layout_;
+    bool has_grounds_;
 };
 
 void write_point_name(LabelWriter& writer, CanvasFrame& frame, NumberColumn weights, std::size_t i) {
