@@ -56,13 +56,13 @@ void draw_lines_of_active_curve(CanvasFrame& frame, CanvasMarks& marks) {
     draw_active_curve(frame);
 }
 
-void draw_marks_of_active_curve(CanvasFrame& frame, const CanvasMarks& marks, std::vector<render::PixelBox> covered) {
+void draw_marks_of_active_curve(CanvasFrame& frame, const CanvasMarks& marks,
+                                const std::vector<render::PixelBox>& covered) {
     draw_curve_knots(frame, marks.knots);
     draw_hovered_place(frame);
     if (frame.shows(Overlay::construction)) draw_construction(frame);
     draw_control_points(frame, marks.points);
     draw_curve_point(frame);
-    if (const auto box = draw_crowd_notes(frame, marks)) covered.push_back(*box);
     if (frame.shows(Overlay::labels)) draw_canvas_labels(frame, marks, covered);
 }
 
@@ -71,16 +71,20 @@ void draw_marks_of_active_curve(CanvasFrame& frame, const CanvasMarks& marks, st
 render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, SceneCache& cache) {
     render::DrawList list;
     CanvasFrame frame(state, cache, list);
-    const std::vector<render::PixelBox> covered = draw_background(frame);
+    std::vector<render::PixelBox> covered = draw_background(frame);
+    std::vector<CrowdNote> notes;
     if (frame.curve != nullptr) {
         CanvasMarks marks = marks_of(frame);
         draw_lines_of_active_curve(frame, marks);
+        notes = crowd_notes(frame, marks);
+        for (const CrowdNote& note : notes) covered.push_back(note.box);
         draw_marks_of_active_curve(frame, marks, covered);
     }
     draw_finding_marks(frame);
     draw_gesture_marks(frame, mode);
     if (has_inset(state)) draw_hodograph_inset(frame);
     if (has_legend(state)) draw_legend(frame);
+    draw_crowd_notes(frame, notes);
     return list;
 }
 

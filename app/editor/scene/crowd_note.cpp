@@ -1,7 +1,5 @@
 #include "app/editor/scene/crowd_note.h"
 
-#include <glm/common.hpp>
-
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/text_size.h"
 #include "core/base/sentence.h"
@@ -51,36 +49,42 @@ std::vector<std::string> note_texts(const CanvasMarks& marks, double room) {
     return texts;
 }
 
-/// Writes a text about the height `y`; returns where.
-render::PixelBox draw_note(CanvasFrame& frame, std::string text, double y) {
-    const bool is_left = has_legend(frame.state) && frame.state.view.legend_corner == Corner::lower_right;
+bool is_on_left(const CanvasFrame& frame) {
+    return has_legend(frame.state) && frame.state.view.legend_corner == Corner::lower_right;
+}
+
+/// About the height `y`.
+CrowdNote note_at(const CanvasFrame& frame, std::string text, double y) {
     const glm::dvec2 size = text_size(text, frame.pen.px(note_size));
-    const double left = is_left ? frame.pen.px(note_side) : frame.pen.size_px().x - frame.pen.px(note_side) - size.x;
-    const render::PixelBox box{{left, y - 0.5 * size.y}, {left + size.x, y + 0.5 * size.y}};
-    const glm::dvec2 around(frame.pen.px(4.0));
-    frame.pen.fill(corners_of({box.lower_px - around, box.upper_px + around}),
-                   render::faded(frame.theme.canvas, ground_opacity));
-    const double x = is_left ? box.lower_px.x : box.upper_px.x;
-    frame.pen.text({x, y}, std::move(text),
-                   {.color = frame.theme.dim,
-                    .size = note_size,
-                    .anchor = is_left ? render::Anchor::left : render::Anchor::right});
-    return box;
+    const double side = frame.pen.px(note_side);
+    const double left = is_on_left(frame) ? side : frame.pen.size_px().x - side - size.x;
+    return {std::move(text), {{left, y - 0.5 * size.y}, {left + size.x, y + 0.5 * size.y}}};
 }
 
 }  // namespace
 
-std::optional<render::PixelBox> draw_crowd_notes(CanvasFrame& frame, const CanvasMarks& marks) {
-    std::optional<render::PixelBox> around;
+std::vector<CrowdNote> crowd_notes(const CanvasFrame& frame, const CanvasMarks& marks) {
+    std::vector<CrowdNote> notes;
     double y = frame.pen.size_px().y - frame.pen.px(note_bottom);
     for (std::string& text : note_texts(marks, frame.pen.size_px().x / frame.pen.px(1.0) - 2.0 * note_side)) {
-        const render::PixelBox box = draw_note(frame, std::move(text), y);
-        around = around ? render::PixelBox{glm::min(around->lower_px, box.lower_px),
-                                           glm::max(around->upper_px, box.upper_px)}
-                        : box;
+        notes.push_back(note_at(frame, std::move(text), y));
         y -= frame.pen.px(note_step);
     }
-    return around;
+    return notes;
+}
+
+void draw_crowd_notes(CanvasFrame& frame, const std::vector<CrowdNote>& notes) {
+    const glm::dvec2 around(frame.pen.px(4.0));
+    const bool is_left = is_on_left(frame);
+    for (const auto& [text, box] : notes) {
+        frame.pen.fill(corners_of({box.lower_px - around, box.upper_px + around}),
+                       render::faded(frame.theme.canvas, ground_opacity));
+        const double y = 0.5 * (box.lower_px.y + box.upper_px.y);
+        frame.pen.text({is_left ? box.lower_px.x : box.upper_px.x, y}, text,
+                       {.color = frame.theme.dim,
+                        .size = note_size,
+                        .anchor = is_left ? render::Anchor::left : render::Anchor::right});
+    }
 }
 
 }  // namespace batten::editor

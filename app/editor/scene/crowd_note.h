@@ -1,13 +1,22 @@
 /// The sentences that tell how many points, knots, pieces and spans there are where not all of them are drawn.
 #pragma once
 
-#include <optional>
+#include <string>
+#include <vector>
 
 #include "app/editor/scene/canvas_labels.h"
 
 namespace batten::editor {
 
-/// Writes those that are needed into a lower corner, one above the other. Returns what labels must keep clear of.
-std::optional<render::PixelBox> draw_crowd_notes(CanvasFrame& frame, const CanvasMarks& marks);
+struct CrowdNote {
+    std::string text;
+    render::PixelBox box;
+};
+
+/// Those that are needed, in a lower corner, one above the other.
+std::vector<CrowdNote> crowd_notes(const CanvasFrame& frame, const CanvasMarks& marks);
+
+/// Over what is drawn there.
+void draw_crowd_notes(CanvasFrame& frame, const std::vector<CrowdNote>& notes);
 
 }  // namespace batten::editor
