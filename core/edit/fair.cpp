@@ -20,7 +20,7 @@ namespace {
 // The range in which the weight of the moves is sought, in powers of ten, relative to the largest coefficient.
 constexpr double least_exponent = -16.0;
 constexpr double greatest_exponent = 24.0;
-constexpr int halvings = 48;
+constexpr int trials = 17;  // the first, and halvings of that range to a thousandth
 
 // Rational functions are not integrated exactly by any rule; so many nodes more make it good enough for a measure.
 constexpr std::size_t more_nodes_for_rational = 4;
@@ -119,12 +119,13 @@ class Fairing {
 
     // The fairest curve for moves that count `weight`. What keeps the smoothness at knots is met exactly, by the method
     // of multipliers: each pass makes up for what the one before lacked.
-    std::optional<Curve> with_weight(double weight) const {
-        constexpr int passes = 3;
+    std::optional<Curve> with_weight(double weight, const Progress& progress) const {
+        const int passes = kept_.empty() ? 1 : 3;
         std::vector<Vector> lacking(kept_.size(), Vector{});
         std::optional<std::vector<Vector>> moves;
-        for (int pass = 0; pass < (kept_.empty() ? 1 : passes); ++pass) {
-            moves = moves_with(std::sqrt(weight), lacking);
+        for (int pass = 0; pass < passes; ++pass) {
+            moves = moves_with(std::sqrt(weight), lacking,
+                               part_of(progress, static_cast<double>(pass) / passes, (pass + 1.0) / passes));
             if (!moves) return std::nullopt;
             for (std::size_t k = 0; k < kept_.size(); ++k) lacking[k] += missed(kept_[k], *moves);
         }
@@ -134,7 +135,8 @@ class Fairing {
 
   private:
     // How far the best moves by `root` of the weight of each; the kept conditions outweigh all but the ends.
-    std::optional<std::vector<Vector>> moves_with(double root, const std::vector<Vector>& lacking) const {
+    std::optional<std::vector<Vector>> moves_with(double root, const std::vector<Vector>& lacking,
+                                                  const Progress& progress) const {
         const double largest = std::max(1.0, root);
         SplineSystem system(curve_.knots(), Point{}, fixed_);
         for (const MoveCondition& condition : conditions_)
@@ -143,7 +145,7 @@ class Fairing {
             system.require_sum(i, std::span(&root, 1), Vector{});
         for (std::size_t k = 0; k < kept_.size(); ++k) require_kept(system, kept_[k], lacking[k], largest);
         for (const double end : free_ends_) require_end(system, end, largest);
-        const auto points = system.solve();
+        const auto points = system.solve(progress);
         if (!points) return std::nullopt;
         std::vector<Vector> moves;
         for (const Point& point : *points) moves.push_back(vector_to(point));
@@ -187,14 +189,17 @@ class Fairing {
 
 }  // namespace
 
-Result<Approximation> fair(const Curve& curve, double distance) {
+Result<Approximation> fair(const Curve& curve, double distance, const Progress& progress) {
     if (!(distance > 0.0) || !std::isfinite(distance))
         return refuse({.code = CurveErrorCode::tolerance_not_positive, .value = distance});
     Approximation best{curve, 0.0};
     const Fairing fairing(curve);
     if (!fairing.is_needed()) return best;
+    int trial = 0;
     const auto takes = [&](double exponent) {
-        const auto faired = fairing.with_weight(std::pow(10.0, exponent));
+        const Progress part = part_of(progress, static_cast<double>(trial) / trials, (trial + 1.0) / trials);
+        ++trial;
+        const auto faired = fairing.with_weight(std::pow(10.0, exponent), part);
         if (!faired) return false;
         const double deviation = largest_deviation(curve, *faired);
         if (!(deviation <= distance)) return false;
@@ -204,7 +209,7 @@ Result<Approximation> fair(const Curve& curve, double distance) {
     double lower = least_exponent;
     double upper = greatest_exponent;
     if (takes(lower)) return best;
-    for (int k = 0; k < halvings && upper - lower > 1e-3; ++k) {
+    while (trial < trials) {
         const double middle = 0.5 * (lower + upper);
         (takes(middle) ? upper : lower) = middle;
     }

@@ -1,6 +1,7 @@
 /// Makes a curve fairer: its curvature varies less, and it stays near where it was (shape-changing).
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/curve/approximation.h"
 
 namespace batten::core {
@@ -11,8 +12,8 @@ namespace batten::core {
 /// squared jumps of the highest derivative stand for the integral. Where the curve is smoother at a knot than its
 /// multiplicity promises, it stays so: G1, and from degree 3 on G2. Ends that meet are such a joint. The error is a
 /// bound of the largest distance. A curve that cannot become fairer comes back as it is. Error: tolerance_not_positive.
-/// Cost O(n p^2) for each of about 50 trials. Source: Kjellander 1983 and Eck and Hadenfeld 1995, with all knots at
+/// Cost O(n p^2) for each of 17 trials. Source: Kjellander 1983 and Eck and Hadenfeld 1995, with all knots at
 /// once.
-[[nodiscard]] Result<Approximation> fair(const Curve& curve, double distance);
+[[nodiscard]] Result<Approximation> fair(const Curve& curve, double distance, const Progress& progress = {});
 
 }  // namespace batten::core

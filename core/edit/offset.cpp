@@ -46,8 +46,9 @@ double largest_coordinate(const Curve& curve) {
 
 class OffsetBuilder {
   public:
-    OffsetBuilder(const Curve& curve, double distance, double tolerance)
-        : curve_(curve),
+    OffsetBuilder(const Curve& curve, double distance, double tolerance, const Progress& progress)
+        : progress_(progress),
+          curve_(curve),
           distance_(distance),
           tolerance_(tolerance),
           noise_(offset_noise_in_ulps * std::numeric_limits<double>::epsilon() *
@@ -63,7 +64,8 @@ class OffsetBuilder {
         if (auto check = collect_breaks(); !check) return refuse(check.error());
         auto result = assembled();
         if (!result) return refuse(result.error());
-        if (const auto sampled = error_of(*result); !sampled) return refuse(sampled.error());
+        if (const auto sampled = error_of(*result, part_of(progress_, 0.6, 0.9)); !sampled)
+            return refuse(sampled.error());
         const double error = offset_error_bound(curve_, *result, distance_);
         if (!(error <= tolerance_))
             return refuse_computed(
@@ -116,11 +118,12 @@ class OffsetBuilder {
     }
 
     // The largest distance of `candidate` from the true offset over samples of its spans, or why there is no offset.
-    Result<double> error_of(const Curve& candidate) const {
+    Result<double> error_of(const Curve& candidate, const Progress& progress) const {
         const auto p = static_cast<std::size_t>(candidate.degree());
         const KnotVector& knots = candidate.knots();
         double largest = 0.0;
         for (std::size_t s = p; s + p + 1 < knots.size(); ++s) {
+            tell(progress, s - p, knots.size());
             if (knots[s] == knots[s + 1]) continue;
             for (int k = 0; k <= samples_in_span; ++k) {
                 const bool is_last = k == samples_in_span;
@@ -148,14 +151,16 @@ class OffsetBuilder {
         for (Point& point : definition.points) point += move - distance_ * *curvature * (point - origin);
         const auto candidate = Curve::make(std::move(definition));
         if (!candidate) return std::nullopt;
-        const auto error = error_of(*candidate);
+        const auto error = error_of(*candidate, part_of(progress_, 0.0, 0.3));
         if (!error || *error > std::min(noise_, tolerance_)) return std::nullopt;
         return Approximation{*candidate, *error};
     }
 
     Result<void> collect_breaks() {
         const auto ends = span_ends();
+        const Progress progress = part_of(progress_, 0.3, 0.6);
         for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+            tell(progress, k, ends.size());
             const auto start = true_offset(ends[k], Side::right);
             const auto end = true_offset(ends[k + 1], Side::left);
             if (!start || !end) return refuse(!start ? start.error() : end.error());
@@ -260,6 +265,7 @@ class OffsetBuilder {
         return Curve::make(std::move(definition));
     }
 
+    const Progress& progress_;
     const Curve& curve_;
     double distance_;
     double tolerance_;
@@ -270,12 +276,12 @@ class OffsetBuilder {
 
 }  // namespace
 
-Result<Approximation> offset(const Curve& curve, double distance, double tolerance) {
+Result<Approximation> offset(const Curve& curve, double distance, double tolerance, const Progress& progress) {
     if (!std::isfinite(distance)) return refuse({.code = CurveErrorCode::vector_not_finite});
     if (const auto check = check_tolerance(tolerance); !check) return refuse(check.error());
     if (distance == 0.0) return Approximation{curve, 0.0};
     if (curve.degree() == 1 && !curve.is_torn()) return offset_polygon(curve, distance);
-    return OffsetBuilder(curve, distance, tolerance).build();
+    return OffsetBuilder(curve, distance, tolerance, progress).build();
 }
 
 }  // namespace batten::core

@@ -1,6 +1,7 @@
 /// The curve at a constant distance beside another one.
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/curve/approximation.h"
 
 namespace batten::core {
@@ -18,6 +19,7 @@ namespace batten::core {
 /// offset_too_far where the distance reaches the radius of curvature on that side, so that the offset would have a
 /// cusp; leg_vanishes, likewise for a polygon; tolerance_not_reached; not_computable. Source: Hermite interpolation of
 /// the offset, whose derivative is C' (1 - distance * curvature).
-[[nodiscard]] Result<Approximation> offset(const Curve& curve, double distance, double tolerance);
+[[nodiscard]] Result<Approximation> offset(const Curve& curve, double distance, double tolerance,
+                                           const Progress& progress = {});
 
 }  // namespace batten::core

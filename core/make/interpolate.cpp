@@ -49,8 +49,8 @@ std::span<const double> breaks_of(std::span<const double> knots, std::size_t p) 
     return knots.subspan(p, knots.size() - 2 * p);
 }
 
-Result<Curve> solved(const SplineSystem& system) {
-    auto points = system.solve();
+Result<Curve> solved(const SplineSystem& system, const Progress& progress) {
+    auto points = system.solve(progress);
     if (!points) return refuse({.code = CurveErrorCode::equations_singular});
     return Curve::make(system.knots(), *std::move(points), {});
 }
@@ -61,6 +61,7 @@ struct OpenInterpolation {
     const std::vector<double>& parameters;
     const Ends& ends;
     EndNeeds needs;
+    const Progress& progress;
 
     std::vector<double> knots(std::size_t p) const {
         const bool is_natural = std::holds_alternative<NaturalEnds>(ends);
@@ -72,7 +73,7 @@ struct OpenInterpolation {
         const EndPoints fixed = end_points(points.front(), points.back(), ends, knots);
         SplineSystem system(std::move(knots), points.front(), fixed);
         for (std::size_t k = 1; k + 1 < points.size(); ++k) system.require_point(parameters[k], points[k]);
-        return solved(system).and_then([&](const Curve& curve) {
+        return solved(system, progress).and_then([&](const Curve& curve) {
             std::vector<Point> exact(curve.control_points().begin(), curve.control_points().end());
             exact.front() = points.front();
             exact.back() = points.back();
@@ -102,9 +103,9 @@ struct OpenInterpolation {
 };
 
 Result<Interpolation> interpolate_open(std::span<const Point> points, const InterpolationRequest& request,
-                                       std::vector<double> parameters) {
+                                       std::vector<double> parameters, const Progress& progress) {
     const auto p = static_cast<std::size_t>(request.degree);
-    const OpenInterpolation open{points, parameters, request.ends, needs_of(request.ends)};
+    const OpenInterpolation open{points, parameters, request.ends, needs_of(request.ends), progress};
     if (points.size() + open.needs.count() < p + 1)
         return refuse({.code = CurveErrorCode::data_points_too_few,
                        .value = static_cast<double>(points.size()),
@@ -138,25 +139,28 @@ std::vector<double> midway_period(std::vector<double>& parameters) {
 }
 
 Result<Interpolation> interpolate_closed(std::span<const Point> points, const InterpolationRequest& request,
-                                         std::vector<double> parameters) {
+                                         std::vector<double> parameters, const Progress& progress) {
     std::vector<double> period = request.degree % 2 == 1 ? parameters : midway_period(parameters);
     auto knots = KnotVector::make_periodic(request.degree, std::move(period), KnotKind::periodic);
     if (!knots) return refuse(knots.error());
     SplineSystem system(*std::move(knots), points.front());
     parameters.pop_back();
     for (std::size_t k = 0; k < points.size(); ++k) system.require_point(parameters[k], points[k]);
-    return solved(system).map([&](Curve curve) { return Interpolation{std::move(curve), std::move(parameters)}; });
+    return solved(system, progress).map([&](Curve curve) {
+        return Interpolation{std::move(curve), std::move(parameters)};
+    });
 }
 
 }  // namespace
 
-Result<Interpolation> interpolate(std::span<const Point> points, const InterpolationRequest& request) {
+Result<Interpolation> interpolate(std::span<const Point> points, const InterpolationRequest& request,
+                                  const Progress& progress) {
     if (const auto check = check_degree(request.degree); !check) return refuse(check.error());
     if (const auto check = check_degree_of_ends(request.ends, request.degree); !check) return refuse(check.error());
     auto parameters = parameters_for(points, request);
     if (!parameters) return refuse(parameters.error());
-    return is_closed(request.ends) ? interpolate_closed(points, request, *std::move(parameters))
-                                   : interpolate_open(points, request, *std::move(parameters));
+    return is_closed(request.ends) ? interpolate_closed(points, request, *std::move(parameters), progress)
+                                   : interpolate_open(points, request, *std::move(parameters), progress);
 }
 
 }  // namespace batten::core

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/curve/curve.h"
 #include "core/make/ends.h"
 #include "core/make/parametrization.h"
@@ -35,7 +36,7 @@ struct Interpolation {
 /// (points and prescribed end derivatives together p+1); vector_not_finite; equations_singular, which only very uneven
 /// parameters of closed curves bring about. Cost O(n p^2), of which O(n p) on points. Source: The NURBS Book, 9.2 and
 /// A9.1; de Boor 1978.
-[[nodiscard]] Result<Interpolation> interpolate(std::span<const Point> points,
-                                                const InterpolationRequest& request = {});
+[[nodiscard]] Result<Interpolation> interpolate(std::span<const Point> points, const InterpolationRequest& request = {},
+                                                const Progress& progress = {});
 
 }  // namespace batten::core

@@ -12,11 +12,16 @@ namespace batten::core {
 
 namespace {
 
-Result<Curve> changed_by_shape(const Curve& curve, int degree) {
-    if (degree > curve.degree()) return elevate_degree(curve, degree - curve.degree());
+Result<Curve> reduced_to(const Curve& curve, int degree, const Progress& progress) {
     Result<Curve> reduced = curve;
-    while (reduced && reduced->degree() > degree) reduced = reduce_degree(*reduced);
+    const double steps = curve.degree() - degree;
+    for (double step = 0.0; reduced && step < steps; step += 1.0)
+        reduced = reduce_degree(*reduced, part_of(progress, step / steps, (step + 1.0) / steps));
     return reduced;
+}
+
+Result<Curve> changed_by_shape(const Curve& curve, int degree) {
+    return degree > curve.degree() ? elevate_degree(curve, degree - curve.degree()) : reduced_to(curve, degree, {});
 }
 
 // Equal spans, or another spacing that has a name, can be made anew in any degree.
@@ -38,12 +43,12 @@ Result<KnotVector> made_anew(const Curve& curve, int degree) {
 
 }  // namespace
 
-Result<Approximation> reduce_degree(const Curve& curve, int by, double tolerance) {
+Result<Approximation> reduce_degree(const Curve& curve, int by, double tolerance, const Progress& progress) {
     if (const auto check = check_tolerance(tolerance); !check) return refuse(check.error());
     if (by < 1 || by > curve.degree() - min_degree)
         return refuse({.code = CurveErrorCode::degree_out_of_range,
                        .value = static_cast<double>(curve.degree()) - static_cast<double>(by)});
-    const auto reduced = changed_by_shape(curve, curve.degree() - by);
+    const auto reduced = reduced_to(curve, curve.degree() - by, part_of(progress, 0.0, 0.9));
     if (!reduced) return refuse(reduced.error());
     const double error = largest_deviation(curve, *reduced);
     if (!(error <= tolerance))

@@ -1,6 +1,7 @@
 /// Changes the degree of a curve, with or without keeping its shape.
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/curve/approximation.h"
 
 namespace batten::core {
@@ -18,12 +19,13 @@ namespace batten::core {
 /// are only met as well as that allows; so it does where ends meet, if that leaves p control points or more free.
 /// Multiplicities shrink by one, at least to one. Errors: degree_out_of_range; too_few_points (periodic: 2);
 /// weight_not_positive when weights differ too much to be met in the lower degree.
-[[nodiscard]] Result<Curve> reduce_degree(const Curve& curve);
+[[nodiscard]] Result<Curve> reduce_degree(const Curve& curve, const Progress& progress = {});
 
 /// The curve in degree p - `by` (by >= 1), by so many of these steps, and a bound of the deviation they make.
 /// Errors: tolerance_not_positive; deviation_too_large when it is above `tolerance` (> 0, in the units of the points);
 /// not_computable; those of reduce_degree.
-[[nodiscard]] Result<Approximation> reduce_degree(const Curve& curve, int by, double tolerance);
+[[nodiscard]] Result<Approximation> reduce_degree(const Curve& curve, int by, double tolerance,
+                                                  const Progress& progress = {});
 
 /// The curve with the same control points in another degree (shape-changing): a special kind is regenerated over the
 /// same domain (a Bézier polygon becomes clamped uniform when its degree falls, a piecewise one when its points do not

@@ -232,11 +232,12 @@ std::vector<BandedEquation<HomogeneousPoint>> banded_equations(std::span<const R
 }
 
 // The control points over `knots` that fulfill the equations.
-std::vector<HomogeneousPoint> solution_of(std::span<const Row> rows, const KnotVector& knots) {
+std::vector<HomogeneousPoint> solution_of(std::span<const Row> rows, const KnotVector& knots,
+                                          const Progress& progress) {
     const std::size_t n = knots.control_point_count();
     const auto places = band_order(rows, n);
     if (n > largest_dense_system)
-        if (const auto x = solve_least_squares(banded_equations(rows, places), n)) {
+        if (const auto x = solve_least_squares(banded_equations(rows, places), n, progress)) {
             std::vector<HomogeneousPoint> points(n);
             for (std::size_t i = 0; i < n; ++i) points[i] = (*x)[places[i]];
             return points;
@@ -267,7 +268,7 @@ bool are_met(std::span<const Row> rows, std::span<const HomogeneousPoint> points
 // The control points that agree with the curve as well as they can and keep `kept` exactly, by the method of
 // multipliers: each pass makes up for what the one before lacked.
 std::vector<HomogeneousPoint> constrained(std::span<const Row> agreeing, std::span<const Row> kept,
-                                          const KnotVector& knots) {
+                                          const KnotVector& knots, const Progress& progress) {
     constexpr int passes = 4;
     constexpr double outweighing = 1e4;
     std::vector<HomogeneousPoint> lacking(kept.size(), HomogeneousPoint(0.0));
@@ -280,7 +281,7 @@ std::vector<HomogeneousPoint> constrained(std::span<const Row> agreeing, std::sp
             row.right = outweighing * (kept[k].right - lacking[k]);
             rows.push_back(std::move(row));
         }
-        points = solution_of(rows, knots);
+        points = solution_of(rows, knots, part_of(progress, static_cast<double>(pass) / passes, (pass + 1.0) / passes));
         for (std::size_t k = 0; k < kept.size(); ++k) lacking[k] += missed(kept[k], points);
     }
     return points;
@@ -288,17 +289,17 @@ std::vector<HomogeneousPoint> constrained(std::span<const Row> agreeing, std::sp
 
 // The control points over `knots` for which the spline agrees with `curve` at the sites; where more is asked of them,
 // at the ends, and elsewhere as well as it can.
-std::vector<HomogeneousPoint> points_at_sites(const Curve& curve, const KnotVector& knots,
-                                              std::span<const Site> sites) {
+std::vector<HomogeneousPoint> points_at_sites(const Curve& curve, const KnotVector& knots, std::span<const Site> sites,
+                                              const Progress& progress) {
     const std::vector<Row> agreeing = agreements(curve, knots, sites);
     std::vector<Row> kept = kept_smoothness(curve, knots);
-    std::vector<HomogeneousPoint> points = solution_of(agreeing, knots);
+    std::vector<HomogeneousPoint> points = solution_of(agreeing, knots, part_of(progress, 0.0, 0.5));
     if (are_met(kept, points)) return points;
     if (!knots.is_periodic()) {
         kept.push_back(agreeing.front());
         kept.push_back(agreeing.back());
     }
-    return constrained(agreeing, kept, knots);
+    return constrained(agreeing, kept, knots, part_of(progress, 0.5, 1.0));
 }
 
 // The curve of these points, rational if `before` is.
@@ -316,9 +317,9 @@ Result<Curve> projected(KnotVector knots, std::span<const HomogeneousPoint> homo
 }
 
 // The spline over `knots` that agrees with `curve` at the sites of the control points, in homogeneous coordinates.
-Result<Curve> interpolated(const Curve& curve, KnotVector knots) {
+Result<Curve> interpolated(const Curve& curve, KnotVector knots, const Progress& progress) {
     const std::vector<Site> sites = interpolation_sites(knots);
-    const std::vector<HomogeneousPoint> points = points_at_sites(curve, knots, sites);
+    const std::vector<HomogeneousPoint> points = points_at_sites(curve, knots, sites, progress);
     return projected(std::move(knots), points, curve);
 }
 
@@ -350,16 +351,16 @@ Result<Curve> with_ends_of(const Curve& curve, const Curve& reduced) {
     return Curve::make(std::move(definition));
 }
 
-Result<Curve> reduce_periodic(const Curve& curve) {
+Result<Curve> reduce_periodic(const Curve& curve, const Progress& progress) {
     std::vector<double> period = reduced_period(curve.knots().stored());
     if (period.size() < 3)
         return tl::unexpected(CurveError{
             .code = CurveErrorCode::too_few_points, .value = static_cast<double>(period.size() - 1), .lower = 2.0});
     return KnotVector::make_periodic(curve.degree() - 1, std::move(period), curve.knots().kind())
-        .and_then([&](KnotVector knots) { return interpolated(curve, std::move(knots)); });
+        .and_then([&](KnotVector knots) { return interpolated(curve, std::move(knots), progress); });
 }
 
-Result<Curve> reduce_open(const Curve& curve) {
+Result<Curve> reduce_open(const Curve& curve, const Progress& progress) {
     const int degree = curve.degree() - 1;
     const Tears tears = curve.is_torn() ? Tears::allow : Tears::refuse;
     const std::vector<double> values = reduced_values(curve.knots());
@@ -367,7 +368,7 @@ Result<Curve> reduce_open(const Curve& curve) {
     if (!target) return tl::unexpected(target.error());
     return KnotVector::make(degree, clamped(values, static_cast<std::size_t>(degree), curve.domain()),
                             curve.knots().kind(), tears)
-        .and_then([&](KnotVector knots) { return interpolated(curve, std::move(knots)); })
+        .and_then([&](KnotVector knots) { return interpolated(curve, std::move(knots), progress); })
         .and_then([&](const Curve& reduced) {
             return is_clamped(curve.knots()) ? reduced : unclamped(reduced, *target, curve);
         });
@@ -381,7 +382,7 @@ Result<Curve> moved(const Curve& curve, Vector by) {
 
 }  // namespace
 
-Result<Curve> reduce_degree(const Curve& curve) {
+Result<Curve> reduce_degree(const Curve& curve, const Progress& progress) {
     if (curve.degree() <= min_degree)
         return tl::unexpected(
             CurveError{.code = CurveErrorCode::degree_out_of_range, .value = static_cast<double>(curve.degree() - 1)});
@@ -389,7 +390,9 @@ Result<Curve> reduce_degree(const Curve& curve) {
     const Vector from_origin = vector_to(middle_of(curve));
     const bool is_end_kept = !curve.is_periodic() && is_clamped(curve.knots());
     return moved(curve, -from_origin)
-        .and_then([](const Curve& near) { return near.is_periodic() ? reduce_periodic(near) : reduce_open(near); })
+        .and_then([&](const Curve& near) {
+            return near.is_periodic() ? reduce_periodic(near, progress) : reduce_open(near, progress);
+        })
         .and_then([&](const Curve& reduced) { return moved(reduced, from_origin); })
         .and_then([&](const Curve& reduced) { return is_end_kept ? with_ends_of(curve, reduced) : reduced; });
 }

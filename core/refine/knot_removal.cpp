@@ -73,8 +73,11 @@ KnotRemoval removed_often(const Curve& curve, double u, int times, double tolera
 class Thinning {
   public:
     // Takes knots of all values, or only `among` these.
-    Thinning(const Curve& curve, std::optional<std::span<const double>> among, double tolerance)
-        : curve_(curve),
+    Thinning(const Curve& curve, std::optional<std::span<const double>> among, double tolerance,
+             const Progress& progress)
+        : progress_(progress),
+          point_count_(curve.control_points().size()),
+          curve_(curve),
           has_weights_(curve.is_rational()),
           among_(among),
           tolerance_(tolerance),
@@ -84,6 +87,11 @@ class Thinning {
     const Curve& curve() const { return curve_; }
 
   private:
+    // All may go but as many points as a curve has at least.
+    void tell_how_many_are_gone() const {
+        tell(progress_, point_count_ - curve_.control_points().size(), point_count_);
+    }
+
     // The span of stored() that knot or span `i` of the unrolled spline is.
     std::size_t stored_span(std::size_t i) const {
         const std::size_t n = curve_.control_points().size();
@@ -110,6 +118,7 @@ class Thinning {
     std::vector<RemovableKnot> affordable(const CarriedSpline& spline) const {
         std::vector<RemovableKnot> knots;
         for (const std::size_t index : wanted_indices(spline)) {
+            tell_how_many_are_gone();
             auto knot = removable_knot(spline, index);
             if (!knot) continue;
             const double left = tolerance_ - spent_within(spline, *knot);
@@ -172,6 +181,7 @@ class Thinning {
         std::optional<CrampedRemoval> best;
         if (curve_.control_points().size() <= 2) return false;
         const CarriedSpline spline = unrolled_for_removal(curve_);
+        tell_how_many_are_gone();
         for (const std::size_t index : wanted_indices(spline)) {
             auto found = cramped_removal(curve_, spline.knots[index]);
             if (found && (!best || found->bound < best->bound)) best = std::move(found);
@@ -182,6 +192,8 @@ class Thinning {
         return true;
     }
 
+    const Progress& progress_;
+    std::size_t point_count_;  // of the curve as it was given
     Curve curve_;
     bool has_weights_;
     std::optional<std::span<const double>> among_;
@@ -205,9 +217,10 @@ Result<KnotRemoval> remove_knot(const Curve& curve, double u, int times, double 
 
 namespace {
 
-Result<KnotRemoval> thinned(const Curve& curve, std::optional<std::span<const double>> among, double tolerance) {
+Result<KnotRemoval> thinned(const Curve& curve, std::optional<std::span<const double>> among, double tolerance,
+                            const Progress& progress) {
     if (const auto check = check_tolerance(tolerance); !check) return refuse(check.error());
-    Thinning thinning(curve, among, tolerance);
+    Thinning thinning(curve, among, tolerance, progress);
     while (thinning.remove_some()) {
     }
     const auto count = curve.control_points().size() - thinning.curve().control_points().size();
@@ -219,13 +232,13 @@ Result<KnotRemoval> thinned(const Curve& curve, std::optional<std::span<const do
 
 }  // namespace
 
-Result<KnotRemoval> remove_knots(const Curve& curve, double tolerance) {
-    return thinned(curve, std::nullopt, tolerance);
+Result<KnotRemoval> remove_knots(const Curve& curve, double tolerance, const Progress& progress) {
+    return thinned(curve, std::nullopt, tolerance, progress);
 }
 
 Result<KnotRemoval> remove_knots_among(const Curve& curve, std::span<const double> among, double tolerance) {
     assert(std::is_sorted(among.begin(), among.end()));
-    return thinned(curve, among, tolerance);
+    return thinned(curve, among, tolerance, {});
 }
 
 }  // namespace batten::core

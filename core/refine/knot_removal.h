@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "core/base/progress.h"
 #include "core/curve/approximation.h"
 
 namespace batten::core {
@@ -35,7 +36,7 @@ struct KnotRemoval {
 /// bounds of all removals that reach it are added up, and their sum stays within `tolerance` (> 0, in the units of the
 /// points); the error measured in the end is smaller still. Error: tolerance_not_positive. Cost O(n p^2) for each round
 /// of independent removals, of which there are some O(p log n).
-[[nodiscard]] Result<KnotRemoval> remove_knots(const Curve& curve, double tolerance);
+[[nodiscard]] Result<KnotRemoval> remove_knots(const Curve& curve, double tolerance, const Progress& progress = {});
 
 /// The same for the knots with one of the values `among` alone, which are ascending.
 [[nodiscard]] Result<KnotRemoval> remove_knots_among(const Curve& curve, std::span<const double> among,

@@ -11,6 +11,9 @@
 #include "app/editor/commands/fitting_commands.h"
 #include "app/editor/commands/making_commands.h"
 #include "app/editor/commands/view_commands.h"
+#include "app/editor/typed_command.h"
+#include "core/curve/knot_kinds.h"
+#include "core/document/native_file.h"
 #include "sample_editor.h"
 
 namespace batten::editor {
@@ -32,6 +35,10 @@ class Gate {
         const std::lock_guard lock(mutex_);
         is_open_ = true;
         changed_.notify_all();
+    }
+    void close() {
+        const std::lock_guard lock(mutex_);
+        is_open_ = false;
     }
     void await_someone() {
         std::unique_lock lock(mutex_);
@@ -225,6 +232,39 @@ TEST_F(BesideTheInterface, canceling_leaves_everything_as_it_was) {
     EXPECT_EQ(state().message, (Message{"Opening large.json: canceled; nothing has changed", false}));
     EXPECT_EQ(editor_->log().size(), 1U);
 }
+
+// Each tells how far it is long before its end, and stops there.
+class LongCommands : public BesideTheInterface, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(LongCommands, tell_how_far_they_are_and_can_be_stopped) {
+    std::vector<core::Point> wave;
+    for (int i = 0; i < 3000; ++i) wave.emplace_back(0.01 * i, std::sin(0.01 * i));
+    core::Document document;
+    core::DocumentCurve& item = document.curves.emplace_back();
+    item.name = "wave";
+    item.curve = std::make_shared<const core::Curve>(
+        core::Curve::make(core::make_knots(core::KnotKind::clamped_uniform, 3, wave.size()).value(), wave, {}).value());
+    const fs::path path = folder_.write("wave.json", core::format_document(document));
+    gate_.open();
+    editor_->run(Open{.path = path});
+    finish();
+    gate_.close();
+    const auto run = parse_typed_command(GetParam(), state());
+    ASSERT_TRUE(run);
+    EXPECT_FALSE(editor_->run(*run)) << "not yet";
+    gate_.await_someone();
+    EXPECT_TRUE(editor_->follow_work());
+    EXPECT_LT(state().at_work->share.value(), 0.1);
+    CommandQueue queue;
+    queue.cancel_work();
+    editor_->perform(queue);
+    finish();
+    EXPECT_TRUE(state().message.text.ends_with(": canceled; nothing has changed")) << state().message.text;
+    EXPECT_EQ(editor_->log().size(), 1U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Work, LongCommands,
+                         ::testing::Values("fair 0.001", "offset 0.1 1e-6", "remove-knots 0.001", "reduce 1"));
 
 TEST_F(BesideTheInterface, a_broken_file_is_refused_and_leaves_the_document) {
     open_text(*editor_, bezier_text);

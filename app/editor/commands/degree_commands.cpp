@@ -27,7 +27,8 @@ Outcome<Edit> elevate(const EditorState& state, const Elevate& command) {
 
 Outcome<Edit> reduce(const EditorState& state, const Reduce& command) {
     const double tolerance = command.tolerance.value_or(std::numeric_limits<double>::max());
-    core::Result<core::Approximation> reduced = core::reduce_degree(active_curve(state), command.by, tolerance);
+    core::Result<core::Approximation> reduced =
+        core::reduce_degree(active_curve(state), command.by, tolerance, state.progress);
     if (!reduced) return tl::unexpected(core::describe(reduced.error()));
     return edit_active(state, std::move(reduced->curve));
 }

@@ -18,7 +18,8 @@ using Points = std::vector<core::Point>;
 
 template <class Command>
 Outcome<Edit> interpolated(const EditorState& state, const Command& command, int degree, core::Ends ends) {
-    auto result = core::interpolate(command.points, {degree, command.parametrization, std::move(ends), {}});
+    auto result =
+        core::interpolate(command.points, {degree, command.parametrization, std::move(ends), {}}, state.progress);
     if (!result) return tl::unexpected(core::describe(result.error()));
     return with_curve(state, "curve", std::move(result->curve));
 }

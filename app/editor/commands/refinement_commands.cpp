@@ -58,7 +58,8 @@ Outcome<Edit> remove_knot(const EditorState& state, const RemoveKnot& command) {
 }
 
 Outcome<Edit> remove_knots(const EditorState& state, const RemoveKnots& command) {
-    core::Result<core::KnotRemoval> removal = core::remove_knots(active_curve(state), command.tolerance);
+    core::Result<core::KnotRemoval> removal =
+        core::remove_knots(active_curve(state), command.tolerance, state.progress);
     if (!removal) return tl::unexpected(core::describe(removal.error()));
     if (removal->count == 0)
         return tl::unexpected(sentence("no knot can be removed within a deviation of {tolerance}",

@@ -31,13 +31,14 @@ Outcome<Edit> move_point_and_tangent(const EditorState& state, const MovePointAn
 }
 
 Outcome<Edit> fair(const EditorState& state, const Fair& command) {
-    return edit_active(state, core::fair(active_curve(state), command.distance).map([](core::Approximation faired) {
-        return std::move(faired.curve);
-    }));
+    return edit_active(
+        state, core::fair(active_curve(state), command.distance, state.progress).map([](core::Approximation faired) {
+            return std::move(faired.curve);
+        }));
 }
 
 Outcome<Edit> offset(const EditorState& state, const Offset& command) {
-    auto found = core::offset(active_curve(state), command.distance, command.tolerance);
+    auto found = core::offset(active_curve(state), command.distance, command.tolerance, state.progress);
     if (!found) return tl::unexpected(core::describe(found.error()));
     const std::string& name = state.history.present().active_curve()->name;
     Edit edit = with_curve(state, core::sentence("offset of {name}", {{"name", name}}), std::move(found->curve));

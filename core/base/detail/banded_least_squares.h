@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.h"
+
 namespace batten::core {
 
 /// The place of unknown i of a ring of n in the order 0, n-1, 1, n-2, 2, ..., in which neighbors on the ring are never
@@ -106,13 +108,17 @@ class BandedTriangle {
 /// has coefficients beyond them. Cost O(m w^2) for m equations of at most w coefficients, of which O(m w) on the point
 /// type.
 template <class P>
-std::optional<std::vector<P>> solve_least_squares(std::vector<BandedEquation<P>> equations, std::size_t unknowns) {
+std::optional<std::vector<P>> solve_least_squares(std::vector<BandedEquation<P>> equations, std::size_t unknowns,
+                                                  const Progress& progress = {}) {
     std::stable_sort(equations.begin(), equations.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::size_t width = 1;
     for (const auto& equation : equations) width = std::max(width, equation.coefficients.size());
     BandedTriangle<P> triangle(unknowns, width);
-    for (const auto& equation : equations) triangle.add(equation);
+    for (std::size_t k = 0; k < equations.size(); ++k) {
+        tell(progress, k, equations.size());
+        triangle.add(equations[k]);
+    }
     return triangle.solve();
 }
 

@@ -96,8 +96,8 @@ std::vector<Point> SplineSystem::refined(std::vector<Point> points) const {
     return points;
 }
 
-std::optional<std::vector<Point>> SplineSystem::solve() const {
-    const auto solution = solve_least_squares(equations_, unknown_count_);
+std::optional<std::vector<Point>> SplineSystem::solve(const Progress& progress) const {
+    const auto solution = solve_least_squares(equations_, unknown_count_, progress);
     if (!solution) return std::nullopt;
     std::vector<Point> points(points_.size());
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -50,7 +50,7 @@ class SplineSystem {
 
     /// All control points; none where the conditions do not determine them. As many conditions on the spline, of order
     /// up to 2, as unknowns are met to the last digits of the control points. Cost O(m p^2) for m conditions.
-    std::optional<std::vector<Point>> solve() const;
+    std::optional<std::vector<Point>> solve(const Progress& progress = {}) const;
 
     const KnotVector& knots() const { return knots_; }
 

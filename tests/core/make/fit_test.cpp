@@ -11,6 +11,7 @@
 #include "core/make/interpolate.h"
 #include "core/measure/nearest.h"
 #include "tests/core/random_curves.h"
+#include "tests/core/told_progress.h"
 
 namespace batten::core {
 
@@ -43,22 +44,6 @@ double largest_distance(const Curve& curve, std::span<const Point> points) {
     for (std::size_t k = 0; k < points.size(); k += 7)
         largest = std::max(largest, distance(nearest_point(curve, points[k]).point, points[k]));
     return largest;
-}
-
-// The shares that `run` tells, which must not become less, and that it can be stopped.
-template <class Run>
-void expect_progress(const Run& run) {
-    std::vector<double> shares;
-    run([&](double share) { shares.push_back(share); });
-    EXPECT_GT(shares.size(), 3U);
-    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
-    EXPECT_GE(shares.front(), 0.0);
-    EXPECT_LT(shares.back(), 1.0);
-    struct Stopped {};
-    EXPECT_THROW(run([](double share) {
-                     if (share > 0.4) throw Stopped{};
-                 }),
-                 Stopped);
 }
 
 }  // namespace
