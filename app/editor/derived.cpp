@@ -12,11 +12,13 @@ namespace {
 
 KnotFacts facts_of_knots(const core::KnotVector& knots) {
     KnotFacts facts;
-    facts.distinct = core::distinct_knots(knots);
     facts.segment_count = core::segment_count(knots);
-    for (const core::DistinctKnot& knot : facts.distinct)
-        if (knot.is_interior)
-            facts.least_continuity = std::min(knot.continuity, facts.least_continuity.value_or(knot.continuity));
+    facts.least_continuity = core::least_continuity(knots);
+    const auto stored = knots.stored();
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+        if (knots.is_periodic() && stored[i] == knots.domain().upper) break;
+        if (i == 0 || stored[i] != stored[i - 1]) facts.runs.push_back(static_cast<std::uint32_t>(i));
+    }
     facts.kind = core::kind_by_values(knots);
     facts.is_bezier = facts.segment_count == 1 && core::is_clamped(knots);
     return facts;

@@ -1,6 +1,7 @@
 /// What is derived from a curve for showing it, and kept beside it: a frame in which nothing changed computes nothing.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,7 +19,7 @@ bool share_arrays(const core::KnotVector& a, const core::KnotVector& b);
 bool share_arrays(const core::Curve& a, const core::Curve& b);
 
 struct KnotFacts {
-    std::vector<core::DistinctKnot> distinct;
+    std::vector<std::uint32_t> runs;  ///< where the runs of equal knots begin in stored(), for distinct_knot()
     std::size_t segment_count = 0;
     std::optional<int> least_continuity;  ///< at an interior knot; none when the curve is one polynomial piece
     core::KnotKind kind{};                ///< as the values say

@@ -45,7 +45,7 @@ struct Stack {
 struct KnotTable {
     const PanelContext& context;
     const core::Curve& curve;
-    const std::vector<core::DistinctKnot>& knots;
+    const std::vector<std::uint32_t>& runs;  ///< as KnotFacts has them
     int decimals = 3;
     float row_width = 0.0F;
     float value_width = 0.0F;
@@ -53,13 +53,11 @@ struct KnotTable {
 
 Stack stack_at(const KnotTable& table, std::size_t row) {
     const auto stored = table.curve.knots().stored();
-    Stack stack{table.knots[row]};
-    const double value = stack.knot.value;
-    const auto range = std::equal_range(stored.begin(), stored.end(), value);
-    stack.first = static_cast<std::size_t>(range.first - stored.begin());
-    stack.last = static_cast<std::size_t>(range.second - stored.begin()) - 1;
+    Stack stack{.knot = core::distinct_knot(table.curve.knots(), table.runs[row]), .first = table.runs[row]};
+    const auto after = std::upper_bound(stored.begin(), stored.end(), stack.knot.value);
+    stack.last = static_cast<std::size_t>(after - stored.begin()) - 1;
     stack.lowest = stack.first == 0 ? -std::numeric_limits<double>::infinity() : stored[stack.first - 1];
-    stack.highest = range.second == stored.end() ? std::numeric_limits<double>::infinity() : stored[stack.last + 1];
+    stack.highest = after == stored.end() ? std::numeric_limits<double>::infinity() : stored[stack.last + 1];
     return stack;
 }
 
@@ -210,11 +208,9 @@ void follow_selection(const KnotTable& table) {
     const std::optional<std::size_t> knot = context.state.selection.knot;
     if (inspector.followed_knot == knot) return;
     inspector.followed_knot = knot;
-    const auto stored = table.curve.knots().stored();
-    if (!knot || *knot >= stored.size()) return;
-    const auto place = std::find_if(table.knots.begin(), table.knots.end(),
-                                    [&](const core::DistinctKnot& k) { return k.value == stored[*knot]; });
-    const float top = static_cast<float>(place - table.knots.begin()) * context.px(knot_row_height);
+    if (!knot || *knot >= table.curve.knots().stored().size()) return;
+    const auto after = std::upper_bound(table.runs.begin(), table.runs.end(), *knot);
+    const float top = static_cast<float>(after - table.runs.begin() - 1) * context.px(knot_row_height);
     const float free = ImGui::GetWindowHeight() - context.px(knot_row_height);
     if (top < ImGui::GetScrollY() || top > ImGui::GetScrollY() + free) ImGui::SetScrollY(top - 0.5F * free);
 }
@@ -228,8 +224,8 @@ int decimals_of(const core::Curve& curve, const editor::KnotFacts& facts) {
 
 void draw_knot_table(const PanelContext& context, const core::Curve& curve) {
     const auto facts = context.state.derived.of(curve.knots());
-    KnotTable table{context, curve, facts->distinct, decimals_of(curve, *facts)};
-    const std::size_t count = table.knots.size();
+    KnotTable table{context, curve, facts->runs, decimals_of(curve, *facts)};
+    const std::size_t count = table.runs.size();
     const float width = content_width(context) + 2.0F * context.px(knot_overhang);
     table.row_width = width - (count > most_knot_rows ? context.px(6) : 0.0F);
     const float free =

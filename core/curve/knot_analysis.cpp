@@ -47,26 +47,37 @@ bool has_interior_multiplicity(const KnotVector& knots, std::size_t multiplicity
     return true;
 }
 
+// Calls `visit` with the index in stored() of the first knot of every run; the upper end of a period is its beginning.
+template <class Visit>
+void visit_runs(const KnotVector& knots, const Visit& visit) {
+    const auto stored = knots.stored();
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+        if (knots.is_periodic() && stored[i] == knots.domain().upper) return;
+        if (i == 0 || stored[i] != stored[i - 1]) visit(i);
+    }
+}
+
 }  // namespace
 
-std::vector<DistinctKnot> distinct_knots(const KnotVector& knots) {
+DistinctKnot distinct_knot(const KnotVector& knots, std::size_t first) {
     const auto stored = knots.stored();
     const Interval domain = knots.domain();
+    const double u = stored[first];
+    std::size_t end = first;
+    while (end < stored.size() && stored[end] == u) ++end;
+    const bool is_seam = knots.is_periodic() && u == domain.lower;
+    const int multiplicity = is_seam ? knots.multiplicity(u) : static_cast<int>(end - first);
+    return {.value = u,
+            .first = knots.stored_offset() + first,
+            .multiplicity = multiplicity,
+            .continuity = knots.degree() - multiplicity,
+            .in_domain = domain.contains(u),
+            .is_interior = knots.is_periodic() || (domain.lower < u && u < domain.upper)};
+}
+
+std::vector<DistinctKnot> distinct_knots(const KnotVector& knots) {
     std::vector<DistinctKnot> distinct;
-    std::size_t end = 0;
-    for (std::size_t i = 0; i < stored.size(); i = end) {
-        const double u = stored[i];
-        if (knots.is_periodic() && u == domain.upper) break;
-        while (end < stored.size() && stored[end] == u) ++end;
-        const bool is_seam = knots.is_periodic() && u == domain.lower;
-        const int multiplicity = is_seam ? knots.multiplicity(u) : static_cast<int>(end - i);
-        distinct.push_back({.value = u,
-                            .first = knots.stored_offset() + i,
-                            .multiplicity = multiplicity,
-                            .continuity = knots.degree() - multiplicity,
-                            .in_domain = domain.contains(u),
-                            .is_interior = knots.is_periodic() || (domain.lower < u && u < domain.upper)});
-    }
+    visit_runs(knots, [&](std::size_t first) { distinct.push_back(distinct_knot(knots, first)); });
     return distinct;
 }
 
@@ -92,8 +103,10 @@ bool is_uniform(const KnotVector& knots) {
 
 std::optional<int> least_continuity(const KnotVector& knots) {
     std::optional<int> least;
-    for (const DistinctKnot& knot : distinct_knots(knots))
+    visit_runs(knots, [&](std::size_t first) {
+        const DistinctKnot knot = distinct_knot(knots, first);
         if (knot.is_interior && (!least || knot.continuity < *least)) least = knot.continuity;
+    });
     return least;
 }
 

@@ -20,6 +20,9 @@ struct DistinctKnot {
     bool operator==(const DistinctKnot&) const = default;
 };
 
+/// The run of equal knots that begins at index `first` of stored(), which is not the upper end of a period.
+DistinctKnot distinct_knot(const KnotVector& knots, std::size_t first);
+
 /// The runs of equal knots of stored(), in order. A periodic seam is one entry, at its lower end.
 std::vector<DistinctKnot> distinct_knots(const KnotVector& knots);
 
