@@ -35,7 +35,7 @@ CORE_FOLDERS = {
 # Outside headers that only these places may include.
 ONLY_IN = {
     ("core", "Eigen"): {"core/base/detail/dense_least_squares.cpp"},
-    ("core", "hwy"): {"core/evaluate/detail/taylor_samples.cpp"},
+    ("core", "hwy"): {"core/evaluate/detail/span_block.cpp", "core/evaluate/detail/taylor_samples.cpp"},
     ("core", "nlohmann"): {"core/document/"},
     ("core", "posix"): {"core/document/"},
     ("app/cli", "posix"): {"app/cli/standard_streams.cpp"},

@@ -5,7 +5,7 @@
 #include "bench/peers/occt_curve.h"
 #include "bench/peers/sisl_curve.h"
 #include "core/evaluate/evaluate.h"
-#include "core/evaluate/evaluator.h"
+#include "core/evaluate/samples.h"
 #include "eigen_curve.h"
 #include "inputs.h"
 #include "works.h"
@@ -64,8 +64,7 @@ void add_samples_of(Contests& contests, std::size_t n, int degree, bool is_ratio
     contest.enter("Batten_prepared",
                   [samples, points = std::vector<core::Point>(
                                 samples->parameters.size())]() mutable -> const std::vector<core::Point>& {
-                      const core::Evaluator evaluator(samples->curve);
-                      evaluator.points_at(samples->parameters, points);
+                      core::sample(samples->curve, samples->parameters, points);
                       return points;
                   });
     const auto sisl = std::make_shared<SislCurve>(sisl_curve(samples->curve));

@@ -6,7 +6,6 @@
 
 #include "core/curve/detail/known_degree.h"
 #include "core/evaluate/detail/homogeneous_jet.h"
-#include "core/evaluate/detail/taylor_samples.h"
 
 namespace batten::core {
 
@@ -128,7 +127,7 @@ Jet jet_on_piece(const TaylorPiece& piece, double u, std::size_t order) {
 }  // namespace
 
 Evaluator::Evaluator(Curve curve)
-    : curve_(std::move(curve)), pieces_(taylor_pieces(curve_)), finder_(std::move(pieces_.joints)) {
+    : curve_(std::move(curve)), pieces_(TaylorExpander(curve_).all_pieces()), finder_(std::move(pieces_.joints)) {
     const Interval domain = curve_.domain();
     start_ = core::point_at(curve_, domain.lower, Side::right);
     end_ = core::point_at(curve_, domain.upper, Side::left);
@@ -151,31 +150,6 @@ Jet Evaluator::derivatives_at(double u, int order, Side side) const {
     const TaylorPiece piece = pieces_[finder_.interval_at(inside, side)];
     return piece.is_sharp() ? jet_on_piece(piece, inside, static_cast<std::size_t>(order))
                             : core::derivatives_at(curve_, inside, order, side);
-}
-
-// How many of the first `parameters` lie on the piece, of which the first is known to.
-std::size_t Evaluator::end_of_run(std::span<const double> parameters, std::size_t piece) const {
-    const auto [lower, upper] = finder_[piece];
-    std::size_t end = 1;
-    while (end < parameters.size() && lower < parameters[end] && parameters[end] < upper) ++end;
-    return end;
-}
-
-void Evaluator::points_at(std::span<const double> parameters, std::span<Point> points) const {
-    assert(parameters.size() == points.size());
-    while (!parameters.empty()) {
-        const std::size_t piece =
-            finder_.has_inside(parameters[0]) ? finder_.interval_at(parameters[0], Side::right) : finder_.count();
-        std::size_t end = 1;
-        if (piece < finder_.count() && pieces_[piece].is_sharp()) {
-            end = end_of_run(parameters, piece);
-            sample_piece(pieces_[piece], parameters.first(end), points.data());
-        } else {
-            points[0] = point_at(parameters[0]);
-        }
-        parameters = parameters.subspan(end);
-        points = points.subspan(end);
-    }
 }
 
 }  // namespace batten::core

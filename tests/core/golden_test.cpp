@@ -11,6 +11,7 @@
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/evaluator.h"
 #include "core/evaluate/hodograph.h"
+#include "core/evaluate/samples.h"
 #include "core/make/interpolate.h"
 #include "core/measure/conic_form.h"
 #include "core/refine/bezier_form.h"
@@ -96,6 +97,12 @@ TEST(Golden, evaluate) {
             EXPECT_EQ(point_at(curve, u), jet.point);
             const auto error_of_point = errors_of({prepared.point_at(u), {}}, {expected[0]}, scales);
             tally.add("points alone, prepared", error_of_point[0], 1e-15, name);
+            // A lone one, and one of many, which come from the polynomial of the span.
+            for (const std::size_t count : {1U, 20U}) {
+                std::vector<Point> samples(count);
+                sample(curve, std::vector(count, u), samples);
+                tally.add("samples", errors_of({samples.front(), {}}, {expected[0]}, scales)[0], 1e-15, name);
+            }
             const auto errors = errors_of(jet, expected, scales);
             const auto prepared_errors =
                 errors_of(prepared.derivatives_at(u, static_cast<int>(expected.size()) - 1), expected, scales);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/curve/curve.h"
+#include "core/evaluate/detail/span_block.h"
 
 namespace batten::core {
 
@@ -37,9 +37,44 @@ struct TaylorPieces {
     TaylorPiece operator[](std::size_t i) const { return {numbers.data() + i * stride(), p, is_rational}; }
 };
 
-/// One piece for each span, or several: a span is halved, a few times, until the terms are no larger than the control
-/// points allow, so that their sum loses no digits. Cost O(p^3) for each piece. Source: Taylor's theorem, with the
-/// derivatives by de Boor's algorithm.
-TaylorPieces taylor_pieces(const Curve& curve);
+/// Part of a span, or all of it.
+struct SpanPart {
+    std::size_t span;
+    Interval interval;
+};
+
+/// Makes the pieces of a curve, which must outlive it: one for each span, or several, as a span is halved, a few times,
+/// until the terms are no larger than the control points allow, so that their sum loses no digits. Cost O(p^3) for each
+/// piece, several of them at once by vector instructions. Source: Taylor's theorem, with the derivatives by de Boor's
+/// algorithm.
+class TaylorExpander {
+  public:
+    explicit TaylorExpander(const Curve& curve);
+
+    const TaylorPieces& pieces() const { return pieces_; }
+
+    /// Begins anew with span `first`, which is not empty.
+    void begin_at(std::size_t first);
+
+    /// Adds the pieces of the next spans, block_size of them, or fewer at the end of the domain.
+    void add_spans();
+
+    /// The pieces of all spans.
+    TaylorPieces all_pieces();
+
+  private:
+    void add_parts(int halvings);
+    void expand_parts(std::span<const SpanPart> parts);
+    bool are_following(std::span<const SpanPart> parts) const;
+    void add_piece(std::size_t lane, double upper);
+    void put_in_order(std::size_t first);
+
+    const Curve& curve_;
+    TaylorPieces pieces_;
+    std::size_t next_ = 0;  // the span that is looked at next
+    std::vector<SpanPart> parts_{};
+    SpanBlock block_;
+    std::array<LaneRow, most_taylor_numbers> numbers_;
+};
 
 }  // namespace batten::core

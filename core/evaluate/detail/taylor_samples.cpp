@@ -17,89 +17,155 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Doubles = hn::ScalableTag<double>;
 using Lanes = hn::Vec<Doubles>;
 
-struct PointLanes {
-    Lanes x;
-    Lanes y;
-};
-
-Lanes all(double value) {
+HWY_INLINE Lanes all(double value) {
     return hn::Set(Doubles(), value);
 }
 
+// So many vectors at once, as a sum waits for the one before it.
+constexpr std::size_t vectors_at_once = 2;
+
+template <std::size_t Count>
+using Vectors = std::array<Lanes, Count>;
+
+template <std::size_t Count>
+struct PointLanes {
+    Vectors<Count> x;
+    Vectors<Count> y;
+};
+
+template <std::size_t Count>
+HWY_INLINE void multiply_add(Vectors<Count>& sums, const Vectors<Count>& factors, double term) {
+    for (std::size_t i = 0; i < Count; ++i) sums[i] = hn::MulAdd(sums[i], factors[i], all(term));
+}
+
+template <std::size_t Count>
+HWY_INLINE Vectors<Count> copies_of(double value) {
+    Vectors<Count> copies;
+    copies.fill(all(value));
+    return copies;
+}
+
 // By Horner's rule. A degree known to the compiler unrolls the loop.
-template <class Degree>
-HWY_INLINE PointLanes polynomial_points(const TaylorPiece& piece, Degree p, Lanes t) {
+template <std::size_t Count, class Degree>
+HWY_INLINE PointLanes<Count> polynomial_points(const TaylorPiece& piece, Degree p, const Vectors<Count>& t) {
     const double* c = piece.point() + 2 * p;
-    PointLanes sum{all(c[0]), all(c[1])};
+    PointLanes<Count> sum{copies_of<Count>(c[0]), copies_of<Count>(c[1])};
     for (std::size_t k = p; k-- > 0;) {
         c -= 2;
-        sum = {hn::MulAdd(sum.x, t, all(c[0])), hn::MulAdd(sum.y, t, all(c[1]))};
+        multiply_add(sum.x, t, c[0]);
+        multiply_add(sum.y, t, c[1]);
     }
     return sum;
 }
 
-template <class Degree>
-HWY_INLINE PointLanes rational_points(const TaylorPiece& piece, Degree p, Lanes t) {
+template <std::size_t Count, class Degree>
+HWY_INLINE PointLanes<Count> rational_points(const TaylorPiece& piece, Degree p, const Vectors<Count>& t) {
     const double* c = piece.terms() + 3 * (p - 1);
-    PointLanes sum{all(c[0]), all(c[1])};
-    Lanes weight = all(c[2]);
+    PointLanes<Count> sum{copies_of<Count>(c[0]), copies_of<Count>(c[1])};
+    Vectors<Count> weight = copies_of<Count>(c[2]);
     for (std::size_t k = p; k-- > 1;) {
         c -= 3;
-        sum = {hn::MulAdd(sum.x, t, all(c[0])), hn::MulAdd(sum.y, t, all(c[1]))};
-        weight = hn::MulAdd(weight, t, all(c[2]));
+        multiply_add(sum.x, t, c[0]);
+        multiply_add(sum.y, t, c[1]);
+        multiply_add(weight, t, c[2]);
     }
-    const Lanes share = hn::Div(t, hn::MulAdd(weight, t, all(1.0)));
-    return {hn::MulAdd(sum.x, share, all(piece.point()[0])), hn::MulAdd(sum.y, share, all(piece.point()[1]))};
+    multiply_add(weight, t, 1.0);
+    for (std::size_t i = 0; i < Count; ++i) weight[i] = hn::Div(t[i], weight[i]);
+    multiply_add(sum.x, weight, piece.point()[0]);
+    multiply_add(sum.y, weight, piece.point()[1]);
+    return sum;
 }
 
-template <class Evaluate>
-HWY_INLINE void sample(const TaylorPiece& piece, const double* parameters, std::size_t count, double* points,
-                       Evaluate evaluate) {
-    const Doubles d;
-    const std::size_t lanes = hn::Lanes(d);
-    const Lanes middle = all(piece.middle());
-    const Lanes scale = all(piece.scale());
-    const auto points_at = [&](Lanes u) HWY_ATTR { return evaluate(hn::Mul(hn::Sub(u, middle), scale)); };
-    std::size_t i = 0;
-    for (; i + lanes <= count; i += lanes) {
-        const PointLanes found = points_at(hn::LoadU(d, parameters + i));
-        hn::StoreInterleaved2(found.x, found.y, d, points + 2 * i);
-    }
-    if (i == count) return;
-    // The rest too in lanes, so that it gets the same bits.
-    HWY_ALIGN std::array<double, hn::MaxLanes(d)> rest{};
-    HWY_ALIGN std::array<double, 2 * hn::MaxLanes(d)> rest_points;
-    std::copy(parameters + i, parameters + count, rest.begin());
-    const PointLanes found = points_at(hn::Load(d, rest.data()));
-    hn::StoreInterleaved2(found.x, found.y, d, rest_points.data());
-    std::copy_n(rest_points.begin(), 2 * (count - i), points + 2 * i);
+// How many of the first lanes of `u` lie in the interval.
+HWY_INLINE std::size_t count_inside(Lanes u, Interval interval) {
+    const auto is_inside = hn::And(hn::Ge(u, all(interval.lower)), hn::Lt(u, all(interval.upper)));
+    const intptr_t first_outside = hn::FindFirstTrue(Doubles(), hn::Not(is_inside));
+    return first_outside < 0 ? hn::Lanes(Doubles()) : static_cast<std::size_t>(first_outside);
 }
+
+// Goes along the parameters of one piece.
+template <class Degree>
+class PieceSampler {
+  public:
+    HWY_INLINE PieceSampler(const TaylorPiece& piece, Degree p, const Samples& samples)
+        : piece_(piece), p_(p), samples_(samples) {}
+
+    HWY_INLINE std::size_t sample() const {
+        const std::size_t lanes = hn::Lanes(Doubles());
+        const std::size_t count = samples_.parameters.size();
+        std::size_t i = 0;
+        for (; i + vectors_at_once * lanes <= count; i += vectors_at_once * lanes)
+            if (const std::size_t inside = sample_vectors<vectors_at_once>(parameters() + i, coordinates() + 2 * i);
+                inside < vectors_at_once * lanes)
+                return i + inside;
+        for (; i + lanes <= count; i += lanes)
+            if (const std::size_t inside = sample_vectors<1>(parameters() + i, coordinates() + 2 * i); inside < lanes)
+                return i + inside;
+        return i == count ? i : i + sample_rest(i);
+    }
+
+  private:
+    const double* parameters() const { return samples_.parameters.data(); }
+    double* coordinates() const { return reinterpret_cast<double*>(samples_.points.data()); }
+
+    // Writes the points of all, and counts the first ones that lie on the piece.
+    template <std::size_t Count>
+    HWY_INLINE std::size_t sample_vectors(const double* parameters, double* coordinates) const {
+        const Doubles d;
+        const std::size_t lanes = hn::Lanes(d);
+        Vectors<Count> t;
+        for (std::size_t i = 0; i < Count; ++i)
+            t[i] = hn::Mul(hn::Sub(hn::LoadU(d, parameters + i * lanes), all(piece_.middle())), all(piece_.scale()));
+        const PointLanes<Count> found =
+            piece_.is_rational ? rational_points<Count>(piece_, p_, t) : polynomial_points<Count>(piece_, p_, t);
+        for (std::size_t i = 0; i < Count; ++i)
+            hn::StoreInterleaved2(found.x[i], found.y[i], d, coordinates + 2 * lanes * i);
+        for (std::size_t i = 0; i < Count; ++i)
+            if (const std::size_t inside = count_inside(hn::LoadU(d, parameters + i * lanes), samples_.interval);
+                inside < lanes)
+                return i * lanes + inside;
+        return Count * lanes;
+    }
+
+    // The rest too in lanes, so that it gets the same bits.
+    HWY_INLINE std::size_t sample_rest(std::size_t first) const {
+        std::array<double, hn::MaxLanes(Doubles())> rest;
+        std::array<double, 2 * hn::MaxLanes(Doubles())> found;
+        rest.fill(samples_.interval.upper);
+        std::copy(samples_.parameters.begin() + static_cast<std::ptrdiff_t>(first), samples_.parameters.end(),
+                  rest.begin());
+        const std::size_t inside = sample_vectors<1>(rest.data(), found.data());
+        std::copy_n(found.begin(), 2 * (samples_.parameters.size() - first), coordinates() + 2 * first);
+        return inside;
+    }
+
+    const TaylorPiece& piece_;
+    Degree p_;
+    const Samples& samples_;
+};
 
 template <class Degree>
-void sample_of_degree(const TaylorPiece& piece, Degree p, const double* parameters, std::size_t count, double* points) {
-    if (piece.is_rational)
-        sample(piece, parameters, count, points, [=](Lanes t) HWY_ATTR { return rational_points(piece, p, t); });
-    else
-        sample(piece, parameters, count, points, [=](Lanes t) HWY_ATTR { return polynomial_points(piece, p, t); });
+std::size_t sample_of_degree(const TaylorPiece& piece, Degree p, const Samples& samples) {
+    return PieceSampler<Degree>(piece, p, samples).sample();
 }
 
 template <std::size_t P>
 using Known = std::integral_constant<std::size_t, P>;
 
-void sample_lanes(const TaylorPiece& piece, const double* parameters, std::size_t count, double* points) {
+std::size_t sample_lanes(const TaylorPiece& piece, const Samples& samples) {
     switch (piece.p) {
         case 1:
-            return sample_of_degree(piece, Known<1>(), parameters, count, points);
+            return sample_of_degree(piece, Known<1>(), samples);
         case 2:
-            return sample_of_degree(piece, Known<2>(), parameters, count, points);
+            return sample_of_degree(piece, Known<2>(), samples);
         case 3:
-            return sample_of_degree(piece, Known<3>(), parameters, count, points);
+            return sample_of_degree(piece, Known<3>(), samples);
         case 4:
-            return sample_of_degree(piece, Known<4>(), parameters, count, points);
+            return sample_of_degree(piece, Known<4>(), samples);
         case 5:
-            return sample_of_degree(piece, Known<5>(), parameters, count, points);
+            return sample_of_degree(piece, Known<5>(), samples);
         default:
-            return sample_of_degree(piece, piece.p, parameters, count, points);
+            return sample_of_degree(piece, piece.p, samples);
     }
 }
 
@@ -112,10 +178,9 @@ namespace batten::core {
 
 HWY_EXPORT(sample_lanes);
 
-void sample_piece(const TaylorPiece& piece, std::span<const double> parameters, Point* points) {
+std::size_t sample_piece(const TaylorPiece& piece, const Samples& samples) {
     static_assert(sizeof(Point) == 2 * sizeof(double));
-    HWY_DYNAMIC_DISPATCH(sample_lanes)
-    (piece, parameters.data(), parameters.size(), reinterpret_cast<double*>(points));
+    return HWY_DYNAMIC_DISPATCH(sample_lanes)(piece, samples);
 }
 
 }  // namespace batten::core

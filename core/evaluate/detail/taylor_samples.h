@@ -7,8 +7,15 @@
 
 namespace batten::core {
 
-/// The points at `parameters`, which lie in the piece, a sharp one. The same point for the same parameter, wherever it
-/// stands.
-void sample_piece(const TaylorPiece& piece, std::span<const double> parameters, Point* points);
+/// Where points of a piece are wanted: at the first parameters, as many as lie in the half-open interval.
+struct Samples {
+    Interval interval;
+    std::span<const double> parameters;
+    std::span<Point> points;  ///< as many
+};
+
+/// Gives the points on a sharp piece, and says how many they are. May write some of the points behind them, too. The
+/// same point for the same parameter, wherever it stands.
+std::size_t sample_piece(const TaylorPiece& piece, const Samples& samples);
 
 }  // namespace batten::core

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/curve/knot_kinds.h"
+#include "core/evaluate/samples.h"
 #include "core/make/conics.h"
 #include "tests/core/law_curves.h"
 #include "tests/core/random_curves.h"
@@ -17,7 +18,7 @@ namespace {
 
 // Some roundings of the largest coordinate.
 double allowed_in(const Curve& curve) {
-    return 8 * laws::unit_of(curve);
+    return 10 * laws::unit_of(curve);
 }
 
 double largest_part(Vector v) {
@@ -34,20 +35,24 @@ std::vector<double> parameters_over(const Curve& curve, int count) {
     return parameters;
 }
 
-// The largest difference from point_at, one by one from both sides and many at once.
-double largest_error(const Curve& curve, int count = 97) {
-    const Evaluator evaluator(curve);
+// The largest difference of samples from point_at.
+double largest_error_of_samples(const Curve& curve, int count) {
     const std::vector<double> parameters = parameters_over(curve, count);
     std::vector<Point> points(parameters.size());
-    evaluator.points_at(parameters, points);
+    sample(curve, parameters, points);
     double largest = 0.0;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const Point right = point_at(curve, parameters[i]);
-        const Point left = point_at(curve, parameters[i], Side::left);
-        largest =
-            std::max({largest, largest_part(points[i] - right), largest_part(evaluator.point_at(parameters[i]) - right),
-                      largest_part(evaluator.point_at(parameters[i], Side::left) - left)});
-    }
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        largest = std::max(largest, largest_part(points[i] - point_at(curve, parameters[i])));
+    return largest;
+}
+
+// The largest difference from point_at, one by one from both sides and many at once.
+double largest_error(const Curve& curve) {
+    const Evaluator evaluator(curve);
+    double largest = std::max(largest_error_of_samples(curve, 97), largest_error_of_samples(curve, 997));
+    for (const double u : parameters_over(curve, 97))
+        for (const Side side : {Side::left, Side::right})
+            largest = std::max(largest, largest_part(evaluator.point_at(u, side) - point_at(curve, u, side)));
     return largest;
 }
 
@@ -185,7 +190,7 @@ TEST(Evaluator, has_the_bits_of_point_at_at_both_ends_and_beyond) {
         EXPECT_EQ(evaluator.point_at(lower - 1), point_at(curve, lower));
         EXPECT_EQ(evaluator.point_at(upper + 1), point_at(curve, upper));
         std::vector<Point> points(3);
-        evaluator.points_at(std::vector{upper, lower, lower}, points);
+        sample(curve, std::vector{upper, lower, lower}, points);
         EXPECT_EQ(points, (std::vector{point_at(curve, upper), point_at(curve, lower), point_at(curve, lower)}));
     }
 }
@@ -217,23 +222,42 @@ TEST(Evaluator, takes_the_shortest_domain_and_the_longest) {
     }
 }
 
-TEST(Evaluator, gives_the_same_points_in_any_order_and_number) {
+TEST(Sample, gives_the_points_in_any_order_and_number) {
     RandomCurves random(35);
-    const Curve curve = of_kind(KnotKind::clamped_uniform, 3, 50, random);
-    const Evaluator evaluator(curve);
-    std::vector<double> parameters = parameters_over(curve, 1000);
-    std::vector<Point> sorted(parameters.size());
-    evaluator.points_at(parameters, sorted);
-    std::reverse(parameters.begin(), parameters.end());
-    std::vector<Point> reversed(parameters.size());
-    evaluator.points_at(parameters, reversed);
-    std::reverse(reversed.begin(), reversed.end());
-    EXPECT_EQ(reversed, sorted);
-    for (std::size_t count = 0; count < 20; ++count) {
-        std::vector<Point> few(count);
-        evaluator.points_at(std::span(parameters).subspan(100, count), few);
-        EXPECT_TRUE(std::equal(few.begin(), few.end(), sorted.rbegin() + 100)) << count;
+    for (const KnotKind kind : {KnotKind::clamped_uniform, KnotKind::periodic}) {
+        const Curve curve = of_kind(kind, 3, 50, random);
+        std::vector<double> parameters = parameters_over(curve, 1000);
+        const auto expect_points = [&](std::span<const double> wanted) {
+            // Behind the last one nothing is written.
+            std::vector<Point> points(wanted.size() + 8, Point(77, 77));
+            sample(curve, wanted, std::span(points).first(wanted.size()));
+            for (std::size_t i = 0; i < wanted.size(); ++i)
+                EXPECT_LE(largest_part(points[i] - point_at(curve, wanted[i])), allowed_in(curve)) << wanted[i];
+            for (std::size_t i = wanted.size(); i < points.size(); ++i) EXPECT_EQ(points[i], Point(77, 77));
+        };
+        for (std::size_t count = 0; count < 70; ++count) expect_points(std::span(parameters).subspan(100, count));
+        std::reverse(parameters.begin(), parameters.end());
+        expect_points(parameters);
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+            std::swap(parameters[i], parameters[i * 7919 % parameters.size()]);
+        expect_points(parameters);
+        // Some in one span, some elsewhere, again and again.
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+            parameters[i] =
+                curve.domain().lower + curve.domain().length() * (i % 9 < 6 ? 0.3 : 0.1 * static_cast<double>(i % 10));
+        expect_points(parameters);
     }
+}
+
+TEST(Sample, takes_what_is_no_number) {
+    RandomCurves random(37);
+    const Curve curve = of_kind(KnotKind::clamped_uniform, 3, 20, random);
+    std::vector<double> parameters(40, 0.4);
+    for (std::size_t i = 3; i < parameters.size(); i += 6) parameters[i] = std::nan("");
+    std::vector<Point> points(parameters.size());
+    sample(curve, parameters, points);
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        EXPECT_LE(largest_part(points[i] - point_at(curve, parameters[i])), allowed_in(curve)) << i;
 }
 
 TEST(Evaluator, keeps_a_circle_round) {
