@@ -107,7 +107,8 @@ std::optional<double> curvature_of_degree(const Curve& curve, const SpanKnots& a
 
 Point point_at(const Curve& curve, double u, Side side) {
     const auto [inside, at] = located(curve.knots(), u, side);
-    return with_known_degree(at.p, [&curve, u = inside, &at = at](auto p) { return point_of_degree(curve, at, p, u); });
+    return with_known_degree<10>(at.p,
+                                 [&curve, u = inside, &at = at](auto p) { return point_of_degree(curve, at, p, u); });
 }
 
 Jet derivatives_at(const Curve& curve, double u, int order, Side side) {

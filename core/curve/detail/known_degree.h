@@ -19,23 +19,13 @@ inline constexpr std::size_t most_local_points = max_degree + 1;
 template <std::size_t P>
 inline constexpr std::size_t most_local_points<KnownDegree<P>> = P + 1;
 
-/// What `use` returns for degree p, handed over as a KnownDegree where it is one of the usual, 1 to 5.
-template <class Use>
+/// What `use` returns for degree p, handed over as a KnownDegree where it is at most `Most`: one of the usual.
+template <std::size_t Most = 5, class Use>
 auto with_known_degree(std::size_t p, Use use) {
-    switch (p) {
-        case 1:
-            return use(KnownDegree<1>());
-        case 2:
-            return use(KnownDegree<2>());
-        case 3:
-            return use(KnownDegree<3>());
-        case 4:
-            return use(KnownDegree<4>());
-        case 5:
-            return use(KnownDegree<5>());
-        default:
-            return use(p);
-    }
+    if constexpr (Most == 0)
+        return use(p);
+    else
+        return p == Most ? use(KnownDegree<Most>()) : with_known_degree<Most - 1>(p, use);
 }
 
 /// The levels 1, 2, ... up to `most` and to p, each as a KnownDegree where p is one, as long as `use` of one is true.

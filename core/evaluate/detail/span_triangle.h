@@ -1,7 +1,9 @@
 /// The triangle of one span (bspline.h) at one parameter, for several sets of points.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 
 #include "core/curve/detail/bspline.h"
 #include "core/curve/detail/known_degree.h"
@@ -27,18 +29,14 @@ class SpanTriangle {
     }
 
     /// The spline after `levels_done` levels, as de_boor gives it.
-    Pair apex(LocalPairs<Degree> points, std::size_t levels_done = 0) const {
+    Pair apex(const LocalPairs<Degree>& local, std::size_t levels_done = 0) const {
+        LocalPairs<Degree> points;
+        std::copy(local.begin() + levels_done, local.begin() + p_ + 1, points.begin() + levels_done);
         for_each_level(p_, p_, [&](auto r) {
             if (r <= levels_done) return;
             for (std::size_t j = p_; j >= r; --j) points[j] = blended(points[j - 1], points[j], levels_[r - 1][j - 1]);
         });
         return points[p_];
-    }
-
-    /// The ratio of local point j >= r on level r >= 1.
-    Ratio ratio(std::size_t j, std::size_t r) const {
-        const auto& [share, is_nearer_lower] = levels_[r - 1][j - 1];
-        return is_nearer_lower[0] != 0 ? Ratio{1.0 - share[0], share[0]} : Ratio{-share[0], 1.0 + share[0]};
     }
 
   private:
@@ -58,7 +56,9 @@ class SpanTriangle {
     }
 
     static Pair blended(Pair a, Pair b, const Step& step) {
-        return (step.is_nearer_lower ? a : b) + step.share * (b - a);
+        const Choice nearer =
+            (std::bit_cast<Choice>(a) & step.is_nearer_lower) | (std::bit_cast<Choice>(b) & ~step.is_nearer_lower);
+        return std::bit_cast<Pair>(nearer) + step.share * (b - a);
     }
 
     Degree p_;
