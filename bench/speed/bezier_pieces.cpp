@@ -18,10 +18,7 @@ struct PiecePoints {
     Numbers operator()(const core::BezierPieces& pieces) const {
         Numbers numbers;
         for (std::size_t k = 0; k < pieces.size(); ++k)
-            for (const core::HomogeneousPoint& point : pieces.points(k)) {
-                const core::Point shadow = core::project(point);
-                numbers.insert(numbers.end(), {shadow.x, shadow.y});
-            }
+            for (const core::Point& point : pieces.points(k)) numbers.insert(numbers.end(), {point.x, point.y});
         return numbers;
     }
     Numbers operator()(const SislCurve& curve) const { return ControlPoints()(curve); }

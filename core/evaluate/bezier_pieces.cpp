@@ -24,18 +24,25 @@ BezierPiece bezier_piece(const Curve& curve, std::size_t span) {
     return piece;
 }
 
+BezierPiece BezierPieces::operator[](std::size_t k) const {
+    BezierPiece piece{.interval = interval(k), .span = span(k), .points = {}};
+    piece.points.reserve(order());
+    for (std::size_t j = 0; j < order(); ++j)
+        piece.points.push_back(lift(points(k)[j], weights_ ? weights(k)[j] : common_weight_));
+    return piece;
+}
+
 namespace {
 
-// Fills `points` with what `lifted` makes of those of the pieces, from the last piece to the first.
-template <class P, class Load, class Lifted>
-void fill_pieces(const KnotVector& knots, std::span<std::size_t> spans, std::span<HomogeneousPoint> points, Load load,
-                 Lifted lifted) {
+// Hands the points of the pieces over, from the last piece to the first: `write` gets a point and where it stands.
+template <class P, class Load, class Write>
+void write_pieces(const KnotVector& knots, std::span<std::size_t> spans, Load load, Write write) {
     with_known_degree(static_cast<std::size_t>(knots.degree()), [&](auto p) {
         Decomposition<P, decltype(p), Load> pieces(p, knots.values(), spans.back(), load);
         for (std::size_t k = spans.size(); k-- > 0;) {
             spans[k] = pieces.span();
-            pieces.emit(k == 0, [&, place = &points[k * (p + 1)]](const auto& piece, std::size_t) {
-                for (std::size_t j = 0; j <= p; ++j) place[j] = lifted(piece[j]);
+            pieces.emit(k == 0, [&](const auto& piece, std::size_t) {
+                for (std::size_t j = 0; j <= p; ++j) write(k * (p + 1) + j, piece[j]);
             });
         }
     });
@@ -51,23 +58,31 @@ BezierPieces bezier_pieces(const Curve& curve, std::size_t first, std::size_t la
     for (std::size_t s = first; s <= last; ++s)
         if (knots[s] < knots[s + 1]) ++count;
     NewArray<std::size_t> spans(count);
-    NewArray<HomogeneousPoint> points(count * (p + 1));
+    NewArray<Point> points(count * (p + 1));
     if (count == 0) return {knots, SharedArray(std::move(spans)), SharedArray(std::move(points))};
     while (knots[last] == knots[last + 1]) --last;
     spans.values().back() = last;
     const auto control = curve.control_points();
     const std::size_t n = control.size();
     const auto index = [n](std::size_t i) { return i < n ? i : i % n; };
-    if (curve.is_rational()) {
-        const auto load = [&](std::size_t i) { return WeightedPoint{control[index(i)], curve.weights()[index(i)]}; };
-        const auto lifted = [](const WeightedPoint& point) { return lift(point.point, point.weight); };
-        fill_pieces<WeightedPoint>(knots, spans.values(), points.values(), load, lifted);
-    } else {
+    if (!curve.is_rational()) {
         const auto load = [&](std::size_t i) { return control[index(i)]; };
-        const auto lifted = [weight = curve.weights().front()](Point point) { return lift(point, weight); };
-        fill_pieces<Point>(knots, spans.values(), points.values(), load, lifted);
+        write_pieces<Point>(knots, spans.values(), load,
+                            [to = points.data()](std::size_t i, Point point) { to[i] = point; });
+        BezierPieces pieces(knots, SharedArray(std::move(spans)), SharedArray(std::move(points)));
+        pieces.common_weight_ = curve.weights().front();
+        return pieces;
     }
-    return {knots, SharedArray(std::move(spans)), SharedArray(std::move(points))};
+    NewArray<double> weights(points.size());
+    const auto load = [&](std::size_t i) { return WeightedPoint{control[index(i)], curve.weights()[index(i)]}; };
+    const auto write = [to = points.data(), to_weight = weights.data()](std::size_t i, const WeightedPoint& point) {
+        to[i] = point.point;
+        to_weight[i] = point.weight;
+    };
+    write_pieces<WeightedPoint>(knots, spans.values(), load, write);
+    BezierPieces pieces(knots, SharedArray(std::move(spans)), SharedArray(std::move(points)));
+    pieces.weights_ = SharedArray(std::move(weights));
+    return pieces;
 }
 
 BezierPieces bezier_pieces(const Curve& curve) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <iterator>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "core/curve/curve.h"
@@ -24,12 +26,16 @@ class BezierPieces {
     /// The index of piece k's span in the curve's knots, k < size().
     std::size_t span(std::size_t k) const { return spans_[k]; }
     Interval interval(std::size_t k) const { return {knots_[span(k)], knots_[span(k) + 1]}; }
-    std::span<const HomogeneousPoint> points(std::size_t k) const {
-        const std::size_t count = static_cast<std::size_t>(knots_.degree()) + 1;
-        return points_.values().subspan(k * count, count);
+
+    /// The control points of piece k in the plane.
+    std::span<const Point> points(std::size_t k) const { return points_.values().subspan(k * order(), order()); }
+
+    /// Their weights; none where the curve is not rational.
+    std::span<const double> weights(std::size_t k) const {
+        return weights_ ? weights_->values().subspan(k * order(), order()) : std::span<const double>();
     }
 
-    BezierPiece operator[](std::size_t k) const { return {interval(k), span(k), {points(k).begin(), points(k).end()}}; }
+    BezierPiece operator[](std::size_t k) const;
     BezierPiece front() const { return (*this)[0]; }
     BezierPiece back() const { return (*this)[size() - 1]; }
 
@@ -60,12 +66,16 @@ class BezierPieces {
   private:
     friend BezierPieces bezier_pieces(const Curve& curve, std::size_t first, std::size_t last);
 
-    BezierPieces(KnotVector knots, SharedArray<std::size_t> spans, SharedArray<HomogeneousPoint> points)
+    BezierPieces(KnotVector knots, SharedArray<std::size_t> spans, SharedArray<Point> points)
         : knots_(std::move(knots)), spans_(std::move(spans)), points_(std::move(points)) {}
+
+    std::size_t order() const { return static_cast<std::size_t>(knots_.degree()) + 1; }
 
     KnotVector knots_;
     SharedArray<std::size_t> spans_;
-    SharedArray<HomogeneousPoint> points_;
+    SharedArray<Point> points_;
+    double common_weight_ = 1.0;  // where there are no others
+    std::optional<SharedArray<double>> weights_{};
 };
 
 /// The piece over span `span` (non-empty, in the domain). Cost O(p^3). Source: blossoms, b(a, ..., a, b, ..., b).

@@ -48,20 +48,39 @@ void add_spans(std::vector<std::size_t>& spans, std::size_t first, std::size_t l
     for (std::size_t s = std::max(first, p); s <= last && s + p + 1 < curve.knots().size(); ++s) spans.push_back(s);
 }
 
-// The chords of a piece, halved as far as needed.
-void take_chords(Interval interval, std::span<const HomogeneousPoint> points, const ChordRequest& request,
-                 int depth = 0) {
-    Strip strip{.first = project(points.front()), .last = project(points.back()), .box = control_box(points)};
-    if (!strip.box.intersects(request.view)) return;
-    strip.deviation = chord_deviation_bound(points);
-    if (request.is_hidden(strip)) return;
+bool is_seen(const Strip& strip, const ChordRequest& request) {
+    return strip.box.intersects(request.view) && !request.is_hidden(strip);
+}
+
+// Whether the chord shows the stretch of a piece well enough.
+bool is_fine(const Strip& strip, const ChordRequest& request) {
     const double tolerance = std::max(request.tolerance, rounding_of_halving(strip.box));
-    const bool is_fine = is_small_beside(strip.box, request.view, tolerance) && !(strip.deviation > tolerance);
-    if (is_fine || depth == most_chord_halvings || !is_divisible(interval, strip.box))
+    return is_small_beside(strip.box, request.view, tolerance) && !(strip.deviation > tolerance);
+}
+
+// The chords of a piece, halved as far as needed.
+void take_chords(const BezierPiece& piece, const ChordRequest& request, int depth = 0) {
+    const Strip strip{.first = project(piece.points.front()),
+                      .last = project(piece.points.back()),
+                      .box = control_box(piece.points),
+                      .deviation = chord_deviation_bound(piece.points)};
+    if (!is_seen(strip, request)) return;
+    if (is_fine(strip, request) || depth == most_chord_halvings || !is_divisible(piece.interval, strip.box))
         return request.take(strip.first, strip.last, 0.0);
-    const auto [left, right] = cut_piece({interval, 0, {points.begin(), points.end()}}, middle(interval));
-    take_chords(left.interval, left.points, request, depth + 1);
-    take_chords(right.interval, right.points, request, depth + 1);
+    const auto [left, right] = cut_piece(piece, middle(piece.interval));
+    take_chords(left, request, depth + 1);
+    take_chords(right, request, depth + 1);
+}
+
+// The same for piece k; one without weights is looked at where it is.
+void take_chords(const BezierPieces& pieces, std::size_t k, const ChordRequest& request) {
+    if (!pieces.weights(k).empty()) return take_chords(pieces[k], request);
+    const std::span<const Point> points = pieces.points(k);
+    Strip strip{.first = points.front(), .last = points.back(), .box = {}, .deviation = chord_deviation_bound(points)};
+    for (const Point point : points) strip.box.include(point);
+    if (!is_seen(strip, request)) return;
+    if (is_fine(strip, request)) return request.take(strip.first, strip.last, 0.0);
+    take_chords(pieces[k], request);
 }
 
 // The size of what may be thin or long, for a strip whose numbers overflow.
@@ -179,14 +198,13 @@ void CurveStrips::visit_chords(const ChordRequest& request, Interval range,
                                                      std::min(spans.end, wanted.end) - 1);
                                    for (std::size_t k = 0; k < pieces.size(); ++k)
                                        if (!has_any(left_out, pieces.span(k), pieces.span(k)))
-                                           take_chords(pieces.interval(k), pieces.points(k), request);
+                                           take_chords(pieces, k, request);
                                });
 }
 
 void CurveStrips::visit_span_chords(const ChordRequest& request, std::size_t span) const {
     if (curve_->knots()[span] == curve_->knots()[span + 1]) return;
-    const BezierPiece piece = bezier_piece(*curve_, span);
-    take_chords(piece.interval, piece.points, request);
+    take_chords(bezier_piece(*curve_, span), request);
 }
 
 bool CurveStrips::is_torn_at(std::size_t span) const {

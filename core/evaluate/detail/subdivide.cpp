@@ -17,8 +17,12 @@ constexpr double largest_piece_in_views = 64.0;
 // The most that the inner control points count together at any point of the piece. For equal weights it is 1 - 2^(1-p),
 // reached in the middle; for others at most that of inner weights all as large, and end weights all as small, as the
 // extreme ones.
+double inner_share_of_equal_weights(std::size_t count) {
+    return 1.0 - std::ldexp(1.0, 2 - static_cast<int>(count));
+}
+
 double largest_inner_share(std::span<const HomogeneousPoint> points) {
-    const double share = 1.0 - std::ldexp(1.0, 2 - static_cast<int>(points.size()));
+    const double share = inner_share_of_equal_weights(points.size());
     double largest_inner = 0.0;
     for (std::size_t i = 1; i + 1 < points.size(); ++i) largest_inner = std::max(largest_inner, points[i].z);
     const double end_to_inner = std::min(points.front().z, points.back().z) / largest_inner;
@@ -71,6 +75,13 @@ double chord_deviation_bound(std::span<const HomogeneousPoint> points) {
     for (std::size_t i = 1; i + 1 < points.size(); ++i)
         largest = std::max(largest, distance_to_segment(project(points[i]), a, b));
     return largest == 0.0 ? 0.0 : largest * largest_inner_share(points);
+}
+
+double chord_deviation_bound(std::span<const Point> points) {
+    double largest = 0.0;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i)
+        largest = std::max(largest, distance_to_segment(points[i], points.front(), points.back()));
+    return largest * inner_share_of_equal_weights(points.size());
 }
 
 double rounding_of_halving(const Box& box) {

@@ -23,6 +23,9 @@ double distance_to_segment(Point point, Point a, Point b);
 /// chord and one of the inner hull.
 double chord_deviation_bound(std::span<const HomogeneousPoint> points);
 
+/// The same for a piece without weights.
+double chord_deviation_bound(std::span<const Point> points);
+
 /// More halvings than a double has digits find nothing new.
 inline constexpr int most_chord_halvings = 60;
 

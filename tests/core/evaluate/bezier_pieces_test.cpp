@@ -65,12 +65,14 @@ TEST(BezierPieces, are_the_blossoms_of_the_ends_of_each_span) {
             const BezierPiece expected = bezier_piece(curve, pieces.span(i));
             EXPECT_EQ(pieces.interval(i), expected.interval);
             EXPECT_EQ(pieces[i].span, expected.span);
+            EXPECT_EQ(pieces.weights(i).empty(), !curve.is_rational());
             ASSERT_EQ(pieces.points(i).size(), expected.points.size());
             for (std::size_t j = 0; j < expected.points.size(); ++j) {
-                const HomogeneousPoint found = pieces.points(i)[j];
-                EXPECT_LE(distance(project(found), project(expected.points[j])), 1e-13);
-                EXPECT_NEAR(found.z, expected.points[j].z, 1e-14);
-                EXPECT_EQ(found, pieces[i].points[j]);
+                const Point found = pieces.points(i)[j];
+                const double weight = pieces.weights(i).empty() ? curve.weights()[0] : pieces.weights(i)[j];
+                EXPECT_LE(distance(found, project(expected.points[j])), 1e-13);
+                EXPECT_NEAR(weight, expected.points[j].z, 1e-14);
+                EXPECT_EQ(lift(found, weight), pieces[i].points[j]);
             }
         }
     }
