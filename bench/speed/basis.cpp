@@ -3,10 +3,10 @@
 
 #include <memory>
 
+#include "at_random_parameters.h"
 #include "bench/peers/sisl_curve.h"
 #include "core/evaluate/basis_evaluator.h"
 #include "eigen_curve.h"
-#include "inputs.h"
 #include "works.h"
 
 extern "C" void s1220(double* et, int ik, int in, int* ileft, double ax, int ider, double ebder[], int* jstat);
@@ -14,21 +14,6 @@ extern "C" void s1220(double* et, int ik, int in, int* ileft, double ax, int ide
 namespace batten::bench {
 
 namespace {
-
-constexpr std::size_t parameter_count = 4096;
-
-template <class Write>
-auto each(Write write) {
-    return [write, parameters = random_parameters(parameter_count),
-            values = Numbers(4 * parameter_count)]() mutable -> const Numbers& {
-        double* out = values.data();
-        for (const double u : parameters) {
-            write(u, out);
-            out += 4;
-        }
-        return values;
-    };
-}
 
 struct GslDeleter {
     void operator()(gsl_bspline_workspace* workspace) const { gsl_bspline_free(workspace); }
@@ -40,24 +25,26 @@ struct GslDeleter {
 void add_basis(Contests& contests) {
     const std::size_t n = 1000;
     const core::Curve curve = spiral(n);
-    Contest contest("basis/n:" + std::to_string(n), parameter_count, 1e-14);
+    Contest contest("basis/n:" + std::to_string(n), random_parameter_count, 1e-14);
     contest.share(curve);
-    contest.share("parameters", random_parameters(parameter_count));
-    contest.enter("Batten", each([knots = curve.knots()](double u, double* out) {
+    contest.share("parameters", random_parameters(random_parameter_count));
+    contest.enter("Batten", at_random_parameters<4>([knots = curve.knots()](double u, double* out) {
                       const core::BasisValues basis = core::basis_functions(knots, u);
                       std::copy(basis.derivatives[0].begin(), basis.derivatives[0].end(), out);
                   }));
-    contest.enter("Batten_prepared", each([prepared = core::BasisEvaluator(curve.knots())](double u, double* out) {
+    contest.enter("Batten_prepared",
+                  at_random_parameters<4>([prepared = core::BasisEvaluator(curve.knots())](double u, double* out) {
                       const core::BasisValues basis = prepared.values_at(u);
                       std::copy(basis.derivatives[0].begin(), basis.derivatives[0].end(), out);
                   }));
-    contest.enter("SISL", each([knots = Numbers(curve.knots().values().begin(), curve.knots().values().end()), n](
-                                   double u, double* out) mutable {
-                      int left = 0;
-                      int status = 0;
-                      s1220(knots.data(), 4, static_cast<int>(n), &left, u, 0, out, &status);
-                  }));
-    contest.enter("Eigen", each([spline = eigen_curve<2, 3>(curve)](double u, double* out) {
+    contest.enter(
+        "SISL", at_random_parameters<4>([knots = Numbers(curve.knots().values().begin(), curve.knots().values().end()),
+                                         n](double u, double* out) mutable {
+            int left = 0;
+            int status = 0;
+            s1220(knots.data(), 4, static_cast<int>(n), &left, u, 0, out, &status);
+        }));
+    contest.enter("Eigen", at_random_parameters<4>([spline = eigen_curve<2, 3>(curve)](double u, double* out) {
                       const auto values = spline.basisFunctions(u);
                       for (int j = 0; j < 4; ++j) out[j] = values(j);
                   }));
@@ -65,8 +52,9 @@ void add_basis(Contests& contests) {
     const std::shared_ptr<gsl_vector> breaks(gsl_vector_alloc(n - 2), GslDeleter());
     for (std::size_t i = 0; i < n - 2; ++i) gsl_vector_set(breaks.get(), i, curve.knots()[i + 3]);
     gsl_bspline_knots(breaks.get(), workspace.get());
-    contest.enter("GSL", each([workspace, values = std::shared_ptr<gsl_vector>(gsl_vector_alloc(4), GslDeleter())](
-                                  double u, double* out) {
+    contest.enter("GSL",
+                  at_random_parameters<4>([workspace, values = std::shared_ptr<gsl_vector>(
+                                                          gsl_vector_alloc(4), GslDeleter())](double u, double* out) {
                       std::size_t first = 0;
                       std::size_t last = 0;
                       gsl_bspline_eval_nonzero(u, values.get(), &first, &last, workspace.get());

@@ -2,34 +2,17 @@
 #include <Geom2dAdaptor_Curve.hxx>
 #include <memory>
 
+#include "at_random_parameters.h"
 #include "bench/peers/occt_curve.h"
 #include "bench/peers/sisl_curve.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/evaluator.h"
 #include "eigen_curve.h"
-#include "inputs.h"
 #include "works.h"
 
 namespace batten::bench {
 
 namespace {
-
-constexpr std::size_t parameter_count = 4096;
-
-// All six numbers at all parameters, by a function that writes those of one. Derivatives are divided by what makes them
-// as large as the points.
-template <class Write>
-auto each(Write write) {
-    return [write, parameters = random_parameters(parameter_count),
-            jets = Numbers(6 * parameter_count)]() mutable -> const Numbers& {
-        double* out = jets.data();
-        for (const double u : parameters) {
-            write(u, out);
-            out += 6;
-        }
-        return jets;
-    };
-}
 
 void write(double* out, const core::Jet& jet) {
     const double numbers[] = {jet.point.x, jet.point.y, jet[1].x, jet[1].y, jet[2].x, jet[2].y};
@@ -43,19 +26,22 @@ void write_occt(double* out, const gp_Pnt2d& point, const gp_Vec2d& first, const
 
 void add_jets_of(Contests& contests, std::size_t n) {
     const core::Curve curve = spiral(n);
-    Contest contest("derivatives/n:" + std::to_string(n), parameter_count, 1e-12);
+    Contest contest("derivatives/n:" + std::to_string(n), random_parameter_count, 1e-12);
     contest.share(curve);
-    contest.share("parameters", random_parameters(parameter_count));
-    contest.enter("Batten", each([curve](double u, double* out) { write(out, core::derivatives_at(curve, u, 2)); }));
-    contest.enter("Batten_prepared", each([evaluator = core::Evaluator(curve)](double u, double* out) {
+    contest.share("parameters", random_parameters(random_parameter_count));
+    contest.enter("Batten", at_random_parameters<6>(
+                                [curve](double u, double* out) { write(out, core::derivatives_at(curve, u, 2)); }));
+    contest.enter("Batten_prepared",
+                  at_random_parameters<6>([evaluator = core::Evaluator(curve)](double u, double* out) {
                       write(out, evaluator.derivatives_at(u, 2));
                   }));
-    contest.enter("SISL", each([sisl = std::make_shared<SislCurve>(sisl_curve(curve))](double u, double* out) {
-                      int left = 0;
-                      int status = 0;
-                      s1221(sisl->get(), 2, u, &left, out, &status);
-                  }));
-    contest.enter("OpenCASCADE", each([occt = occt_curve(curve)](double u, double* out) {
+    contest.enter(
+        "SISL", at_random_parameters<6>([sisl = std::make_shared<SislCurve>(sisl_curve(curve))](double u, double* out) {
+            int left = 0;
+            int status = 0;
+            s1221(sisl->get(), 2, u, &left, out, &status);
+        }));
+    contest.enter("OpenCASCADE", at_random_parameters<6>([occt = occt_curve(curve)](double u, double* out) {
                       gp_Pnt2d point;
                       gp_Vec2d first;
                       gp_Vec2d second;
@@ -63,14 +49,14 @@ void add_jets_of(Contests& contests, std::size_t n) {
                       write_occt(out, point, first, second);
                   }));
     contest.enter("OpenCASCADE_prepared",
-                  each([adaptor = Geom2dAdaptor_Curve(occt_curve(curve))](double u, double* out) {
+                  at_random_parameters<6>([adaptor = Geom2dAdaptor_Curve(occt_curve(curve))](double u, double* out) {
                       gp_Pnt2d point;
                       gp_Vec2d first;
                       gp_Vec2d second;
                       adaptor.D2(u, point, first, second);
                       write_occt(out, point, first, second);
                   }));
-    contest.enter("Eigen", each([spline = eigen_curve<2, 3>(curve)](double u, double* out) {
+    contest.enter("Eigen", at_random_parameters<6>([spline = eigen_curve<2, 3>(curve)](double u, double* out) {
                       const auto jet = spline.derivatives<2>(u);
                       for (int k = 0; k <= 2; ++k) {
                           *out++ = jet(0, k);

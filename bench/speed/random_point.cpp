@@ -2,38 +2,31 @@
 #include <Geom2dAdaptor_Curve.hxx>
 #include <memory>
 
+#include "at_random_parameters.h"
 #include "bench/peers/occt_curve.h"
 #include "bench/peers/sisl_curve.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/evaluator.h"
 #include "eigen_curve.h"
-#include "inputs.h"
 #include "works.h"
 
 namespace batten::bench {
 
 namespace {
 
-constexpr std::size_t parameter_count = 4096;
-
 // The points at all parameters, by a function that gives one.
 template <class PointAt>
 auto each(PointAt point_at) {
-    return [point_at, parameters = random_parameters(parameter_count),
-            points = Numbers(2 * parameter_count)]() mutable -> const Numbers& {
-        double* out = points.data();
-        for (const double u : parameters) {
-            const core::Point point = point_at(u);
-            *out++ = point.x;
-            *out++ = point.y;
-        }
-        return points;
-    };
+    return at_random_parameters<2>([point_at](double u, double* out) mutable {
+        const core::Point point = point_at(u);
+        out[0] = point.x;
+        out[1] = point.y;
+    });
 }
 
 void add_points_of(Contests& contests, std::size_t n) {
     const core::Curve curve = spiral(n);
-    Contest contest("random_point/n:" + std::to_string(n), parameter_count, 1e-13);
+    Contest contest("random_point/n:" + std::to_string(n), random_parameter_count, 1e-13);
     contest.enter("Batten", each([curve](double u) { return core::point_at(curve, u); }));
     contest.enter("Batten_prepared",
                   each([evaluator = core::Evaluator(curve)](double u) { return evaluator.point_at(u); }));
