@@ -19,6 +19,7 @@ class ShortList {
     explicit ShortList(std::size_t count) : size_(count) {
         if (count > Few) many_.resize(count);
     }
+    ShortList(std::size_t count, const T& item) : ShortList(count) { std::fill(begin(), end(), item); }
     explicit ShortList(std::span<const T> items) { assign(items); }
     ShortList(std::initializer_list<T> items) : ShortList(std::span<const T>(items.begin(), items.size())) {}
 
@@ -53,6 +54,7 @@ class ShortList {
         assert(i < size_);
         return begin()[i];
     }
+    const T& front() const { return (*this)[0]; }
     const T& back() const { return (*this)[size_ - 1]; }
 
     operator std::vector<T>() const { return {begin(), end()}; }

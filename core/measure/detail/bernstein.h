@@ -3,8 +3,8 @@
 
 #include <cassert>
 #include <utility>
-#include <vector>
 
+#include "core/base/detail/short_list.h"
 #include "core/base/geometry.h"
 
 namespace batten::core {
@@ -12,8 +12,10 @@ namespace batten::core {
 /// The polynomial sum_k b_k binomial(n, k) t^k (1-t)^(n-k). Between 0 and 1 it lies between its least and its greatest
 /// coefficient and has no more zeros than its coefficients have changes of sign.
 struct Bernstein {
-    std::vector<double> values;  ///< b_0..b_n, at least one
-    std::vector<double> errors;  ///< how far each may be from the truth, >= 0, one for each value
+    using Coefficients = ShortList<double, 12>;  // products of two or three cubics have no more
+
+    Coefficients values;  ///< b_0..b_n, at least one
+    Coefficients errors;  ///< how far each may be from the truth, >= 0, one for each value
 
     std::size_t degree() const {
         assert(!values.empty() && errors.size() == values.size());
@@ -26,6 +28,9 @@ Bernstein constant(double value, double error = 0.0);
 
 /// a b, of the sum of the degrees. Cost O(deg a * deg b). Source: Farouki and Rajan 1988.
 Bernstein product(const Bernstein& a, const Bernstein& b);
+
+/// a of a degree that is no less than its own. Cost O(n deg a).
+Bernstein elevated(const Bernstein& a, std::size_t degree);
 
 /// a + b and a - b, of the greater of the degrees.
 Bernstein sum(const Bernstein& a, const Bernstein& b);

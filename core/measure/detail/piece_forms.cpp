@@ -79,6 +79,12 @@ void join_at_knot(std::vector<SignRun>& runs, Interval last_piece) {
     runs.resize(count - 2);
 }
 
+// Where the weight is constant, of no higher degree than it has to be.
+Bernstein hodograph_along(std::span<const Bernstein> forms, std::size_t axis) {
+    Bernstein derivative = product(forms[3 + axis], forms[2]);
+    return forms[2].degree() == 0 ? derivative : difference(derivative, product(forms[axis], forms[5]));
+}
+
 }  // namespace
 
 double form_scale(const Curve& curve) {
@@ -109,12 +115,12 @@ std::vector<SignRun> sign_runs_along(const Curve& curve, int order, const Expres
 
 Bernstein hodograph_x(std::span<const Bernstein> forms) {
     assert(forms.size() >= 6);
-    return difference(product(forms[3], forms[2]), product(forms[0], forms[5]));
+    return hodograph_along(forms, 0);
 }
 
 Bernstein hodograph_y(std::span<const Bernstein> forms) {
     assert(forms.size() >= 6);
-    return difference(product(forms[4], forms[2]), product(forms[1], forms[5]));
+    return hodograph_along(forms, 1);
 }
 
 Bernstein speed_squared(std::span<const Bernstein> forms) {

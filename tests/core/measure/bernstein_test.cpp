@@ -9,9 +9,10 @@
 namespace batten::core {
 namespace {
 
-Bernstein exactly(std::vector<double> values) {
-    const std::size_t count = values.size();
-    return {std::move(values), std::vector(count, 0.0)};
+using Coefficients = Bernstein::Coefficients;
+
+Bernstein exactly(const Coefficients& values) {
+    return {values, Coefficients(values.size(), 0.0)};
 }
 
 // (t - a) in degree 1, with the error of a rounded number.
@@ -42,7 +43,7 @@ TEST(Bernstein, sums_raise_the_lower_degree) {
     EXPECT_EQ(found.values[0], 1.0);
     EXPECT_EQ(found.values[1], 1.5);
     EXPECT_EQ(found.values[2], 1.0);
-    EXPECT_EQ(sum(constant(2.0), exactly({1, 2})).values, (std::vector<double>{3, 4}));
+    EXPECT_EQ(sum(constant(2.0), exactly({1, 2})).values, (Coefficients{3, 4}));
 }
 
 TEST(Bernstein, derivative_halves_and_parts_agree_with_the_polynomial) {
