@@ -9,6 +9,7 @@
 #include "core/edit/detail/offset_error.h"
 #include "core/edit/detail/offset_polygon.h"
 #include "core/evaluate/evaluate.h"
+#include "core/evaluate/evaluator.h"
 
 namespace batten::core {
 
@@ -16,6 +17,9 @@ namespace {
 
 constexpr int samples_in_span = 16;
 constexpr int most_offset_halvings = 40;
+
+// A curve slower than this part of what it reaches in its span has lost digits that its curvature needs.
+constexpr double slow_share = 0.25;
 constexpr std::size_t most_spans = 20000;
 constexpr double offset_noise_in_ulps = 64.0;
 
@@ -37,6 +41,32 @@ struct Break {
     bool is_smooth = true;  ///< both derivatives are one
 };
 
+// A part of the true offset by what is known of it at both ends and in the middle.
+struct OffsetPart {
+    Interval where;
+    OffsetPoint start;
+    OffsetPoint half;
+    OffsetPoint end;
+
+    double middle() const { return where.lower + 0.5 * where.length(); }
+    bool is_divisible() const { return where.lower < middle() && middle() < where.upper; }
+
+    // Hermite's cubic, t from 0 to 1.
+    Point hermite(double t) const {
+        const double third = where.length() / 3.0;
+        const Vector a = third * start.derivative;
+        const Vector c = end.point - start.point;
+        const Vector b = c - third * end.derivative;
+        return start.point + 3.0 * t * (1.0 - t) * (1.0 - t) * a + 3.0 * t * t * (1.0 - t) * b + t * t * t * c;
+    }
+};
+
+// A span of the curve that is not empty.
+struct CurveSpan {
+    Interval part;
+    double fastest = 0.0;  ///< the largest speed that its control points would give, if their weights were equal
+};
+
 double largest_coordinate(const Curve& curve) {
     double largest = 0.0;
     for (const Point& point : curve.control_points())
@@ -44,11 +74,34 @@ double largest_coordinate(const Curve& curve) {
     return largest;
 }
 
+double fastest_in(const Curve& curve, std::size_t span) {
+    const auto p = static_cast<std::size_t>(curve.degree());
+    const auto points = curve.control_points();
+    const KnotVector& knots = curve.knots();
+    double fastest = 0.0;
+    for (std::size_t i = span - p; i < span; ++i) {
+        const Vector leg = points[(i + 1) % points.size()] - points[i % points.size()];
+        fastest = std::max(fastest, static_cast<double>(p) * robust_length(leg) / (knots[i + p + 1] - knots[i + 1]));
+    }
+    return fastest;
+}
+
+std::vector<CurveSpan> spans_of(const Curve& curve) {
+    const auto p = static_cast<std::size_t>(curve.degree());
+    const KnotVector& knots = curve.knots();
+    std::vector<CurveSpan> spans;
+    for (std::size_t s = p; s + p + 1 < knots.size(); ++s)
+        if (knots[s] < knots[s + 1]) spans.push_back({{knots[s], knots[s + 1]}, fastest_in(curve, s)});
+    return spans;
+}
+
 class OffsetBuilder {
   public:
     OffsetBuilder(const Curve& curve, double distance, double tolerance, const Progress& progress)
         : progress_(progress),
           curve_(curve),
+          prepared_(curve),
+          spans_(spans_of(curve)),
           distance_(distance),
           tolerance_(tolerance),
           noise_(offset_noise_in_ulps * std::numeric_limits<double>::epsilon() *
@@ -61,41 +114,46 @@ class OffsetBuilder {
         if (tolerance_ < noise_)
             return refuse_computed(
                 {.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = noise_});
-        if (auto check = collect_breaks(); !check) return refuse(check.error());
-        auto result = assembled();
-        if (!result) return refuse(result.error());
-        if (const auto sampled = error_of(*result, part_of(progress_, 0.6, 0.9)); !sampled)
-            return refuse(sampled.error());
-        const double error = offset_error_bound(curve_, *result, distance_);
-        if (!(error <= tolerance_))
+        auto result = approximated(Checks::few);
+        // An offset that turns between few places takes more.
+        if (result && !(result->error <= tolerance_)) result = approximated(Checks::many);
+        if (result && !(result->error <= tolerance_))
             return refuse_computed(
-                {.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = error});
-        return Approximation{*std::move(result), error};
+                {.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = result->error});
+        return result;
     }
 
   private:
-    Result<OffsetPoint> true_offset(double u, Side side) const {
-        const auto curvature = curvature_at(curve_, u, side);
-        if (!curvature) return refuse({.code = CurveErrorCode::curve_stands_still, .value = u});
-        const auto derivatives = derivatives_at(curve_, u, 1, side);
-        const double stretch = 1.0 - distance_ * *curvature;
+    // In how many places between its ends Hermite's cubic is compared with the offset.
+    enum class Checks { few, many };
+
+    Result<Approximation> approximated(Checks checks) {
+        if (auto check = collect_breaks(checks); !check) return refuse(check.error());
+        return assembled().map([&](Curve result) {
+            const double error = offset_error_bound(curve_, result, distance_);
+            return Approximation{std::move(result), error};
+        });
+    }
+
+    // Of the prepared curve unless it is slow.
+    std::optional<double> curvature(const Jet& jet, double speed, double fastest, double u, Side side) const {
+        if (!(speed >= slow_share * fastest)) return curvature_at(curve_, u, side);
+        const double found = cross(jet[1] / speed, jet[2]) / speed / speed;
+        return std::isfinite(found) ? std::optional(found) : std::nullopt;
+    }
+
+    Result<OffsetPoint> true_offset(const CurveSpan& span, double u, Side side = Side::right) const {
+        const Jet jet = prepared_.derivatives_at(u, 2, side);
+        const double speed = robust_length(jet[1]);
+        const auto bend = curvature(jet, speed, span.fastest, u, side);
+        if (!bend) return refuse({.code = CurveErrorCode::curve_stands_still, .value = u});
+        const double stretch = 1.0 - distance_ * *bend;
         if (!(stretch > 0.0))
             return refuse({.code = CurveErrorCode::offset_too_far,
                            .value = u,
-                           .lower = 1.0 / std::abs(*curvature),
+                           .lower = 1.0 / std::abs(*bend),
                            .upper = std::abs(distance_)});
-        const Vector tangent = derivatives[1] / robust_length(derivatives[1]);
-        return OffsetPoint{derivatives.point + distance_ * turned_left(tangent), stretch * derivatives[1]};
-    }
-
-    // The ends of non-empty spans, ascending.
-    std::vector<double> span_ends() const {
-        const auto p = static_cast<std::size_t>(curve_.degree());
-        const KnotVector& knots = curve_.knots();
-        std::vector<double> ends;
-        for (std::size_t i = p; i + p < knots.size(); ++i)
-            if (ends.empty() || knots[i] != ends.back()) ends.push_back(knots[i]);
-        return ends;
+        return OffsetPoint{jet.point + distance_ * turned_left(jet[1] / speed), stretch * jet[1]};
     }
 
     Result<void> check_corner(double u) const {
@@ -111,27 +169,29 @@ class OffsetBuilder {
     }
 
     Result<void> check_corners() const {
-        const auto ends = span_ends();
-        for (std::size_t k = curve_.is_periodic() ? 0 : 1; k + 1 < ends.size(); ++k)
-            if (auto check = check_corner(ends[k]); !check) return check;
+        if (curve_.is_periodic())
+            if (auto check = check_corner(spans_.front().part.lower); !check) return check;
+        for (std::size_t k = 1; k < spans_.size(); ++k)
+            if (auto check = check_corner(spans_[k].part.lower); !check) return check;
         return {};
     }
 
-    // The largest distance of `candidate` from the true offset over samples of its spans, or why there is no offset.
-    Result<double> error_of(const Curve& candidate, const Progress& progress) const {
-        const auto p = static_cast<std::size_t>(candidate.degree());
-        const KnotVector& knots = candidate.knots();
+    // The largest distance of `candidate` from the true offset over samples of its spans; none where there is no offset
+    // or where it is more than `most`.
+    std::optional<double> error_up_to(double most, const Curve& candidate) const {
         double largest = 0.0;
-        for (std::size_t s = p; s + p + 1 < knots.size(); ++s) {
-            tell(progress, s - p, knots.size());
-            if (knots[s] == knots[s + 1]) continue;
+        const Progress progress = part_of(progress_, 0.0, 0.3);
+        for (std::size_t s = 0; s < spans_.size(); ++s) {
+            const CurveSpan& span = spans_[s];
+            tell(progress, s, spans_.size());
             for (int k = 0; k <= samples_in_span; ++k) {
                 const bool is_last = k == samples_in_span;
-                const double u = is_last ? knots[s + 1] : knots[s] + (knots[s + 1] - knots[s]) * k / samples_in_span;
+                const double u = is_last ? span.part.upper : span.part.lower + span.part.length() * k / samples_in_span;
                 const Side side = is_last ? Side::left : Side::right;
-                const auto expected = true_offset(u, side);
-                if (!expected) return refuse(expected.error());
-                largest = std::max(largest, distance(expected->point, point_at(candidate, u, side)));
+                const auto expected = true_offset(span, u, side);
+                if (!expected) return std::nullopt;
+                largest = std::max(largest, core::distance(expected->point, point_at(candidate, u, side)));
+                if (!(largest <= most)) return std::nullopt;
             }
         }
         return largest;
@@ -141,7 +201,7 @@ class OffsetBuilder {
     // moved, or scaled about the center. Taken where it is right.
     std::optional<Approximation> circular() const {
         const double u = curve_.domain().lower;
-        const auto start = true_offset(u, Side::right);
+        const auto start = true_offset(spans_.front(), u);
         const auto curvature = curvature_at(curve_, u, Side::right);
         if (!start || !curvature) return std::nullopt;
         const Point origin = point_at(curve_, u);
@@ -151,22 +211,18 @@ class OffsetBuilder {
         for (Point& point : definition.points) point += move - distance_ * *curvature * (point - origin);
         const auto candidate = Curve::make(std::move(definition));
         if (!candidate) return std::nullopt;
-        const auto error = error_of(*candidate, part_of(progress_, 0.0, 0.3));
-        if (!error || *error > std::min(noise_, tolerance_)) return std::nullopt;
+        const auto error = error_up_to(std::min(noise_, tolerance_), *candidate);
+        if (!error) return std::nullopt;
         return Approximation{*candidate, *error};
     }
 
-    Result<void> collect_breaks() {
-        const auto ends = span_ends();
-        const Progress progress = part_of(progress_, 0.3, 0.6);
-        for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-            tell(progress, k, ends.size());
-            const auto start = true_offset(ends[k], Side::right);
-            const auto end = true_offset(ends[k + 1], Side::left);
-            if (!start || !end) return refuse(!start ? start.error() : end.error());
-            if (breaks_.empty()) breaks_.push_back({ends[k], start->point, start->derivative, start->derivative});
-            breaks_.back().after = start->derivative;
-            if (auto check = add_span(ends[k], *start, ends[k + 1], *end, 0); !check) return check;
+    Result<void> collect_breaks(Checks checks) {
+        breaks_.clear();
+        const bool is_first = checks == Checks::few;
+        const Progress progress = part_of(progress_, is_first ? 0.3 : 0.6, is_first ? 0.6 : 0.9);
+        for (std::size_t s = 0; s < spans_.size(); ++s) {
+            tell(progress, s, spans_.size());
+            if (auto check = add_breaks_of(spans_[s], checks); !check) return check;
         }
         if (curve_.is_periodic()) breaks_.front().before = breaks_.back().before;
         for (Break& at : breaks_) {
@@ -176,46 +232,61 @@ class OffsetBuilder {
         return {};
     }
 
-    // Adds the end of the span, and breaks inside it where Hermite's cubic is not near enough.
-    Result<void> add_span(double lower, const OffsetPoint& start, double upper, const OffsetPoint& end, int depth) {
-        const auto near = is_near(lower, start, upper, end);
-        if (!near) return refuse(near.error());
-        const double middle = lower + 0.5 * (upper - lower);
-        const bool is_divisible = depth < most_offset_halvings && lower < middle && middle < upper;
-        if (*near || !is_divisible) {
-            if (breaks_.size() > most_spans)
-                return refuse_computed(
-                    {.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = worst_});
-            breaks_.push_back({upper, end.point, end.derivative, end.derivative});
-            return {};
+    Result<void> add_breaks_of(const CurveSpan& span, Checks checks) {
+        const auto [lower, upper] = span.part;
+        const auto start = true_offset(span, lower);
+        const auto end = true_offset(span, upper, Side::left);
+        if (!start || !end) return refuse(!start ? start.error() : end.error());
+        std::optional<OffsetPoint> half;
+        for (int k = 1; k < samples_in_span; ++k) {
+            const auto sample = true_offset(span, lower + span.part.length() * k / samples_in_span);
+            if (!sample) return refuse(sample.error());
+            if (2 * k == samples_in_span) half = *sample;
         }
-        const auto half = true_offset(middle, Side::right);
-        if (!half) return refuse(half.error());
-        return add_span(lower, start, middle, *half, depth + 1).and_then([&] {
-            return add_span(middle, *half, upper, end, depth + 1);
-        });
+        if (breaks_.empty()) breaks_.push_back({lower, start->point, start->derivative, start->derivative});
+        breaks_.back().after = start->derivative;
+        return add_part(span, {span.part, *start, *half, *end}, checks, 0);
     }
 
-    Result<bool> is_near(double lower, const OffsetPoint& start, double upper, const OffsetPoint& end) {
+    // Adds the end of the part, and breaks inside it where Hermite's cubic is not near enough.
+    Result<void> add_part(const CurveSpan& span, const OffsetPart& part, Checks checks, int depth) {
+        OffsetPart left{{part.where.lower, part.middle()}, part.start, {}, part.half};
+        OffsetPart right{{part.middle(), part.where.upper}, part.half, {}, part.end};
+        for (OffsetPart* side : {&left, &right}) {
+            const auto half = true_offset(span, side->middle());
+            if (!half) return refuse(half.error());
+            side->half = *half;
+        }
+        const auto near = is_near(span, part, left.half.point, right.half.point, checks);
+        if (!near) return refuse(near.error());
+        const bool is_divisible = depth < most_offset_halvings && left.is_divisible() && right.is_divisible();
+        if (!*near && is_divisible)
+            return add_part(span, left, checks, depth + 1).and_then([&] {
+                return add_part(span, right, checks, depth + 1);
+            });
+        if (breaks_.size() > most_spans)
+            return refuse_computed(
+                {.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = worst_});
+        breaks_.push_back({part.where.upper, part.end.point, part.end.derivative, part.end.derivative});
+        return {};
+    }
+
+    // Given the offset after a quarter and three quarters of the part.
+    Result<bool> is_near(const CurveSpan& span, const OffsetPart& part, Point quarter, Point three_quarters,
+                         Checks checks) {
         // Half of the tolerance is left to what lies between the samples and to rounding.
         const double allowed = std::max(0.5 * tolerance_, noise_);
-        const double third = (upper - lower) / 3.0;
-        const Vector a = third * start.derivative;
-        const Vector b = end.point - third * end.derivative - start.point;
-        const Vector c = end.point - start.point;
-        for (int k = 1; k < samples_in_span; ++k) {
+        double error = core::distance(part.hermite(0.5), part.half.point);
+        error = std::max(error, core::distance(part.hermite(0.25), quarter));
+        error = std::max(error, core::distance(part.hermite(0.75), three_quarters));
+        for (int k = 1; checks == Checks::many && error <= allowed && k < samples_in_span; ++k) {
             const double t = static_cast<double>(k) / samples_in_span;
-            const auto expected = true_offset(lower + t * (upper - lower), Side::right);
+            const auto expected = true_offset(span, part.where.lower + t * part.where.length());
             if (!expected) return refuse(expected.error());
-            const Point hermite =
-                start.point + 3.0 * t * (1.0 - t) * (1.0 - t) * a + 3.0 * t * t * (1.0 - t) * b + t * t * t * c;
-            const double error = distance(hermite, expected->point);
-            if (error > allowed) {
-                worst_ = std::max(tolerance_, error);
-                return false;
-            }
+            error = std::max(error, core::distance(part.hermite(t), expected->point));
         }
-        return true;
+        if (error > allowed) worst_ = std::max(tolerance_, error);
+        return error <= allowed;
     }
 
     // Breaks as often as they are knots: twice where the derivative is one, three times elsewhere; ends p+1 = 4 times.
@@ -267,6 +338,8 @@ class OffsetBuilder {
 
     const Progress& progress_;
     const Curve& curve_;
+    Evaluator prepared_;
+    std::vector<CurveSpan> spans_;
     double distance_;
     double tolerance_;
     double noise_;

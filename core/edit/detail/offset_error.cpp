@@ -22,7 +22,6 @@ struct OffsetErrorPiece {
     Bernstein along;
     Bernstein across;
     Bernstein divisor;
-    double bound = 0.0;
 };
 
 // The largest quotient of the coefficients, which bounds that of the polynomials where the divisor's are positive.
@@ -75,9 +74,8 @@ OffsetErrorPiece error_piece(std::span<const Bernstein> curve, std::span<const B
     const Bernstein across = squared(difference(product(hx, qy), product(hy, qx)));
     const Bernstein divisor = product(squared(product(w, v)), sum(squared(hx), squared(hy)));
     piece.across = difference(across, scaled(divisor, distance * distance));
-    const Bernstein nothing{std::vector(piece.across.values.size(), 0.0), std::vector(piece.across.values.size(), 0.0)};
-    piece.along = sum(piece.along, nothing);
-    piece.divisor = sum(divisor, nothing);
+    piece.along = elevated(piece.along, piece.across.degree());
+    piece.divisor = elevated(divisor, piece.across.degree());
     return piece;
 }
 
@@ -103,35 +101,46 @@ class OffsetErrorSearch {
   public:
     explicit OffsetErrorSearch(double distance) : distance_(distance) {}
 
-    void add(OffsetErrorPiece piece) {
-        piece.bound = offset_bound_of(piece, distance_);
-        found_ = std::max(found_, distance_at_begin(piece, distance_));
-        pieces_.push_back(std::move(piece));
-        std::push_heap(pieces_.begin(), pieces_.end(), is_nearer);
+    void add(const OffsetErrorPiece& piece) {
+        put(pieces_.size(), piece);
+        pieces_.push_back(piece);
     }
 
     double run() {
         const std::size_t most = least_offset_halvings + offset_halvings_of_span * pieces_.size();
-        for (std::size_t count = 0; count < most && !pieces_.empty(); ++count) {
-            if (pieces_.front().bound <= (1.0 + offset_bound_looseness) * found_) break;
-            std::pop_heap(pieces_.begin(), pieces_.end(), is_nearer);
-            const OffsetErrorPiece whole = std::move(pieces_.back());
-            pieces_.pop_back();
-            auto along = halves(whole.along);
-            auto across = halves(whole.across);
-            auto divisor = halves(whole.divisor);
-            add({std::move(along.first), std::move(across.first), std::move(divisor.first)});
-            add({std::move(along.second), std::move(across.second), std::move(divisor.second)});
+        for (std::size_t count = 0; count < most && !bounds_.empty(); ++count) {
+            if (bounds_.front().value <= (1.0 + offset_bound_looseness) * found_) break;
+            std::pop_heap(bounds_.begin(), bounds_.end());
+            const std::size_t place = bounds_.back().place;
+            bounds_.pop_back();
+            const auto along = halves(pieces_[place].along);
+            const auto across = halves(pieces_[place].across);
+            const auto divisor = halves(pieces_[place].divisor);
+            pieces_[place] = {along.first, across.first, divisor.first};
+            put(place, pieces_[place]);
+            add({along.second, across.second, divisor.second});
         }
-        return pieces_.empty() ? 0.0 : pieces_.front().bound;
+        return bounds_.empty() ? 0.0 : bounds_.front().value;
     }
 
   private:
-    static bool is_nearer(const OffsetErrorPiece& a, const OffsetErrorPiece& b) { return a.bound < b.bound; }
+    struct Bound {
+        double value = 0.0;
+        std::size_t place = 0;  ///< of its piece
+
+        bool operator<(const Bound& other) const { return value < other.value; }
+    };
+
+    void put(std::size_t place, const OffsetErrorPiece& piece) {
+        found_ = std::max(found_, distance_at_begin(piece, distance_));
+        bounds_.push_back({offset_bound_of(piece, distance_), place});
+        std::push_heap(bounds_.begin(), bounds_.end());
+    }
 
     double distance_;
     double found_ = 0.0;
     std::vector<OffsetErrorPiece> pieces_;
+    std::vector<Bound> bounds_;  ///< a heap, the largest in front
 };
 
 }  // namespace
