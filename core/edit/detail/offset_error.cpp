@@ -148,14 +148,16 @@ class OffsetErrorSearch {
 double offset_error_bound(const Curve& curve, const Curve& candidate, double distance) {
     const double scale = form_scale(curve);
     OffsetErrorSearch search(scale * distance);
-    const std::vector<PieceForms> forms = piece_forms(curve, 1);
+    const std::vector<PieceForms> forms = piece_forms(curve, 0);
     auto of_curve = forms.begin();
     for (const BezierPiece& piece : bezier_pieces(seen_from(candidate, middle_of(curve)))) {
         while (of_curve + 1 != forms.end() && of_curve->interval.upper <= piece.interval.lower) ++of_curve;
         const Interval share{to_unit(of_curve->interval, piece.interval.lower),
                              to_unit(of_curve->interval, piece.interval.upper)};
         std::vector<Bernstein> parts;
+        parts.reserve(2 * of_curve->forms.size());
         for (const Bernstein& form : of_curve->forms) parts.push_back(part(form, share));
+        for (std::size_t k = 0; k < of_curve->forms.size(); ++k) parts.push_back(derivative(parts[k]));
         search.add(error_piece(parts, candidate_forms(piece, scale), scale * distance));
     }
     return search.run() / scale;

@@ -127,10 +127,13 @@ Bernstein product(const Bernstein& a, const Bernstein& b) {
         }
     }
     const BinomialRow row(p + q);
+    const double rounding = product_rounding(std::min(p, q) + 1, p + q);
+    double* const to = result.values.begin();
+    double* const to_error = result.errors.begin();
+    const double* const of_size = sizes.begin();
     for (std::size_t k = 0; k <= p + q; ++k) {
-        const std::size_t terms = std::min(k, p) - (k > q ? k - q : 0) + 1;
-        result.values[k] /= row[k];
-        result.errors[k] = (result.errors[k] + product_rounding(terms, p + q) * sizes[k]) / row[k];
+        to[k] /= row[k];
+        to_error[k] = (to_error[k] + rounding * of_size[k]) / row[k];
     }
     return result;
 }
