@@ -119,9 +119,10 @@ inline double length(Vector v) {
     return std::sqrt(dot(v, v));
 }
 
-/// |v| of any size, at a higher cost.
+/// |v| of any size, at a higher cost where its square is none for doubles.
 inline double robust_length(Vector v) {
-    return std::hypot(v.x, v.y);
+    const double square = dot(v, v);
+    return 1e-280 < square && square < 1e300 ? std::sqrt(square) : std::hypot(v.x, v.y);
 }
 
 inline double distance(Point a, Point b) {

@@ -223,8 +223,8 @@ std::vector<BandedEquation<HomogeneousPoint>> banded_equations(std::span<const R
             lowest = std::min(lowest, places[(row.first + j) % n]);
             highest = std::max(highest, places[(row.first + j) % n]);
         }
-        auto& equation = equations.emplace_back(
-            BandedEquation<HomogeneousPoint>{lowest, std::vector<double>(highest - lowest + 1), row.right});
+        auto& equation = equations.emplace_back(BandedEquation<HomogeneousPoint>{lowest, {}, row.right});
+        equation.coefficients.assign(highest - lowest + 1, 0.0);
         for (std::size_t j = 0; j < row.values.size(); ++j)
             equation.coefficients[places[(row.first + j) % n] - lowest] += row.values[j];
     }

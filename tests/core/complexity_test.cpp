@@ -187,7 +187,7 @@ TEST(Complexity, interpolation_costs_a_few_p_products_for_each_point) {
                 const BasisValues basis = basis_functions(knots, sites[k]);
                 equations.push_back({basis.span - p, basis.derivatives[0], {static_cast<double>(k % 5), &products}});
             }
-            ASSERT_TRUE(solve_least_squares(std::move(equations), count).has_value());
+            ASSERT_TRUE(solve_least_squares(equations, count).has_value());
             // Up to p+1 rotations of 4 products for each equation, and p+1 products for each unknown on the way back.
             EXPECT_LE(products, 5 * (p + 1) * count);
         }

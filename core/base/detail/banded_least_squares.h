@@ -2,12 +2,16 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
+#include "core/base/detail/short_list.h"
 #include "core/base/progress.h"
 
 namespace batten::core {
@@ -23,7 +27,7 @@ constexpr std::size_t folded(std::size_t i, std::size_t n) {
 template <class P>
 struct BandedEquation {
     std::size_t first = 0;
-    std::vector<double> coefficients;
+    ShortList<double, 8> coefficients{};
     P right{};
 };
 
@@ -34,7 +38,7 @@ class BandedTriangle {
   public:
     /// No equation may have more than `width` (>= 1) coefficients, nor any beyond the last unknown.
     BandedTriangle(std::size_t unknowns, std::size_t width)
-        : width_(width), rows_(unknowns * width, 0.0), right_(unknowns, P{}), work_(width + 1) {
+        : width_(width), rows_(unknowns * width, 0.0), right_(unknowns, P{}), work_(width) {
         assert(width >= 1);
     }
 
@@ -43,18 +47,11 @@ class BandedTriangle {
         assert(equation.coefficients.size() <= width_);
         assert(equation.first + equation.coefficients.size() <= right_.size());
         reach_ = std::max(reach_, equation.first + equation.coefficients.size());
-        std::fill(work_.begin(), work_.end(), 0.0);
-        std::copy(equation.coefficients.begin(), equation.coefficients.end(), work_.begin());
-        P right = equation.right;
-        for (std::size_t k = equation.first; k < reach_; ++k) {
-            double* const row = &rows_[k * width_];
-            if (work_[0] != 0.0 && row[0] == 0.0) {
-                std::copy(work_.begin(), work_.end() - 1, row);
-                right_[k] = right;
-                return;
-            }
-            if (work_[0] != 0.0) rotate(row, right_[k], right);
-            std::copy(work_.begin() + 1, work_.end(), work_.begin());
+        if (width_ == cubic_width) {
+            std::array<double, cubic_width> work;
+            add(equation, work, std::integral_constant<std::size_t, cubic_width>());
+        } else {
+            add(equation, work_, width_);
         }
     }
 
@@ -74,18 +71,49 @@ class BandedTriangle {
     // A column that has less of its own than this depends on those before it.
     static constexpr double least_share = 1e-14;
 
-    void rotate(double* row, P& row_right, P& right) {
-        const double length = std::hypot(row[0], work_[0]);
-        const double c = row[0] / length;
-        const double s = work_[0] / length;
-        for (std::size_t j = 0; j < width_; ++j) {
+    // The equations that there are most of have these four coefficients.
+    static constexpr std::size_t cubic_width = 4;
+
+    // Unrolled where the width is known. Numbers that rotate with the first of a row move up by one place.
+    template <class Numbers, class Width>
+    void add(const BandedEquation<P>& equation, Numbers& work, Width width) {
+        std::fill(work.begin(), work.end(), 0.0);
+        std::copy(equation.coefficients.begin(), equation.coefficients.end(), work.begin());
+        P right = equation.right;
+        for (std::size_t k = equation.first; k < reach_; ++k) {
+            double* const row = &rows_[k * width];
+            if (work[0] != 0.0 && row[0] == 0.0) {
+                std::copy(work.begin(), work.end(), row);
+                right_[k] = right;
+                return;
+            }
+            if (work[0] != 0.0) rotate(row, right_[k], work, right, width);
+            for (std::size_t j = 1; j < width; ++j) work[j - 1] = work[j];
+            work[width - 1] = 0.0;
+        }
+    }
+
+    template <class Numbers, class Width>
+    static void rotate(double* row, P& row_right, Numbers& work, P& right, Width width) {
+        const double share = 1.0 / length_of(row[0], work[0]);
+        const double c = row[0] * share;
+        const double s = work[0] * share;
+        for (std::size_t j = 0; j < width; ++j) {
             const double old = row[j];
-            row[j] = c * old + s * work_[j];
-            work_[j] = c * work_[j] - s * old;
+            row[j] = c * old + s * work[j];
+            work[j] = c * work[j] - s * old;
         }
         const P old = row_right;
         row_right = c * old + s * right;
         right = c * right - s * old;
+    }
+
+    // Of any size; nearly all have a square.
+    static double length_of(double a, double b) {
+        constexpr double least = 1e-280;
+        constexpr double most = 1e280;
+        const double square = a * a + b * b;
+        return least < square && square < most ? std::sqrt(square) : std::hypot(a, b);
     }
 
     double column_norm(std::size_t column) const {
@@ -108,16 +136,20 @@ class BandedTriangle {
 /// has coefficients beyond them. Cost O(m w^2) for m equations of at most w coefficients, of which O(m w) on the point
 /// type.
 template <class P>
-std::optional<std::vector<P>> solve_least_squares(std::vector<BandedEquation<P>> equations, std::size_t unknowns,
+std::optional<std::vector<P>> solve_least_squares(const std::vector<BandedEquation<P>>& equations, std::size_t unknowns,
                                                   const Progress& progress = {}) {
-    std::stable_sort(equations.begin(), equations.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
     std::size_t width = 1;
     for (const auto& equation : equations) width = std::max(width, equation.coefficients.size());
     BandedTriangle<P> triangle(unknowns, width);
+    const auto is_before = [](const auto& a, const auto& b) { return a.first < b.first; };
+    std::vector<std::size_t> order(equations.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (!std::is_sorted(equations.begin(), equations.end(), is_before))
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t i, std::size_t j) { return is_before(equations[i], equations[j]); });
     for (std::size_t k = 0; k < equations.size(); ++k) {
         tell(progress, k, equations.size());
-        triangle.add(equations[k]);
+        triangle.add(equations[order[k]]);
     }
     return triangle.solve();
 }

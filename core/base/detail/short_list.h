@@ -31,6 +31,9 @@ class ShortList {
             many_.assign(items.begin(), items.end());
     }
 
+    /// `item` so many times.
+    void assign(std::size_t count, const T& item) { *this = ShortList(count, item); }
+
     void push_back(const T& item) {
         if (size_ < Few)
             few_[size_++] = item;

@@ -105,8 +105,8 @@ class LeastMoves {
         if (size == 0.0) return;
         const auto begin = std::ranges::find_if(row, [](double value) { return value != 0.0; });
         const auto end = std::find_if(row.rbegin(), row.rend(), [](double value) { return value != 0.0; }).base();
-        BandedEquation<Vector> equation{
-            static_cast<std::size_t>(begin - row.begin()), {begin, end}, condition.right / size};
+        BandedEquation<Vector> equation{static_cast<std::size_t>(begin - row.begin()), {}, condition.right / size};
+        equation.coefficients.assign({begin, end});
         for (double& value : equation.coefficients) value /= size;
         hard_.push_back(std::move(equation));
     }
@@ -126,7 +126,7 @@ class LeastMoves {
                 equation.right = penalty * (hard_[k].right - errors[k]);
                 equations.push_back(std::move(equation));
             }
-            auto solution = solve_least_squares(std::move(equations), window_.count);
+            auto solution = solve_least_squares(equations, window_.count);
             if (!solution) return std::nullopt;
             found = *std::move(solution);
             for (std::size_t k = 0; k < hard_.size(); ++k) errors[k] += missed(hard_[k], found);

@@ -45,8 +45,8 @@ void SplineSystem::require_derivative(double u, int order, Vector value, double 
 }
 
 void SplineSystem::require(const Site& site) {
-    const BasisValues basis = basis_functions(knots_, site.u, site.order);
-    std::vector<double> coefficients = basis.derivatives[static_cast<std::size_t>(site.order)];
+    BasisValues basis = basis_functions(knots_, site.u, site.order);
+    BasisRow& coefficients = basis.derivatives[static_cast<std::size_t>(site.order)];
     for (double& coefficient : coefficients) coefficient *= site.weight;
     const std::size_t before = equations_.size();
     // The functions sum to 1 and their derivatives to 0, so that only points have to be seen from the origin.
@@ -58,22 +58,22 @@ void SplineSystem::require(const Site& site) {
 void SplineSystem::require_sum(std::size_t first, std::span<const double> coefficients, Vector right) {
     const std::size_t n = points_.size();
     assert(is_ring_ || first + coefficients.size() <= n);
+    const auto after = [n](std::size_t i) { return i + 1 == n ? 0 : i + 1; };
     std::size_t lowest = unknown_count_;
     std::size_t highest = 0;
-    for (std::size_t j = 0; j < coefficients.size(); ++j) {
-        const std::size_t i = (first + j) % n;
+    std::size_t i = first % n;
+    for (std::size_t j = 0; j < coefficients.size(); ++j, i = after(i)) {
         right -= coefficients[j] * points_[i];
         if (unknown_[i] == is_known) continue;
         lowest = std::min(lowest, unknown_[i]);
         highest = std::max(highest, unknown_[i]);
     }
     if (lowest == unknown_count_) return;
-    BandedEquation<Vector> equation{lowest, std::vector<double>(highest - lowest + 1, 0.0), right};
-    for (std::size_t j = 0; j < coefficients.size(); ++j) {
-        const std::size_t i = (first + j) % n;
+    BandedEquation<Vector>& equation = equations_.emplace_back(BandedEquation<Vector>{lowest, {}, right});
+    equation.coefficients.assign(highest - lowest + 1, 0.0);
+    i = first % n;
+    for (std::size_t j = 0; j < coefficients.size(); ++j, i = after(i))
         if (unknown_[i] != is_known) equation.coefficients[unknown_[i] - lowest] += coefficients[j] * shares_[i];
-    }
-    equations_.push_back(std::move(equation));
 }
 
 // One step of iterative refinement, with what the conditions lack seen in twice the precision. It makes up for rounding
@@ -85,11 +85,13 @@ std::vector<Point> SplineSystem::refined(std::vector<Point> points) const {
     for (std::size_t k = 0; k < sites_.size(); ++k) {
         const Site& site = sites_[k];
         const Location at = located(knots_, site.u, Side::right);
-        const auto found = precise_jet(*curve, at.at, at.u, site.origin)[static_cast<std::size_t>(site.order)];
+        const auto found = site.order == 0
+                               ? precise_point(*curve, at.at, at.u, site.origin)
+                               : precise_jet(*curve, at.at, at.u, site.origin)[static_cast<std::size_t>(site.order)];
         equations[k].right =
             site.weight * Vector((site.value.x - found.x).rounded(), (site.value.y - found.y).rounded());
     }
-    const auto correction = solve_least_squares(std::move(equations), unknown_count_);
+    const auto correction = solve_least_squares(equations, unknown_count_);
     if (!correction) return points;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (unknown_[i] != is_known) points[i] += shares_[i] * (*correction)[unknown_[i]];

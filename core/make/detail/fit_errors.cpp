@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/curve/detail/bspline.h"
 #include "core/evaluate/detail/precise_jet.h"
+#include "core/evaluate/detail/span_curve.h"
 
 namespace batten::core {
 
@@ -20,15 +20,11 @@ struct RoughError {
 // Seen from the point, so that rounding is in proportion to how far its control points are.
 RoughError rough_error(const Curve& curve, const Location& place, Point point) {
     const auto& [u, at] = place;
-    LocalPoints<Vector> points;
-    double farthest = 0.0;
-    const auto all = curve.control_points();
-    for (std::size_t j = 0; j <= at.p; ++j) {
-        points[j] = all[(at.s - at.p + j) % all.size()] - point;
-        farthest = std::max({farthest, std::abs(points[j].x), std::abs(points[j].y)});
-    }
     const double share = 8.0 * static_cast<double>(at.p + 1) * std::numeric_limits<double>::epsilon();
-    return {robust_length(de_boor(points, at, u)), share * farthest};
+    return with_known_degree(at.p, [&, u = u, &at = at](auto p) {
+        const SpanCurve span(curve, at, p, u);
+        return RoughError{robust_length(span.weighted(point)), share * span.size_seen_from(point)};
+    });
 }
 
 double precise_error(const Curve& curve, const Location& place, Point point) {
