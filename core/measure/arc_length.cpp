@@ -53,14 +53,8 @@ Vector velocity_at(const Pieces& pieces, HalfPlace place) {
     return form.is_plain() ? form.velocity(from_middle(place)) : motion_at(pieces.motions, place).velocity;
 }
 
-// |v|, mostly without the cost of any size.
-double length_of(Vector v) {
-    const double square = dot(v, v);
-    return square > 1e-280 && square < 1e280 ? std::sqrt(square) : robust_length(v);
-}
-
 double speed_at(const Pieces& pieces, HalfPlace place) {
-    return length_of(velocity_at(pieces, place));
+    return robust_length(velocity_at(pieces, place));
 }
 
 RulePair<double> rules_of(const Pieces& pieces, std::size_t half, Interval offsets) {
@@ -75,15 +69,35 @@ RulePair<double> rules_of(const Pieces& pieces, std::size_t half, Interval offse
 // The speed has a corner where the curve comes to a stop and turns back. Where that is nearer to an end of a part than
 // the rules look, they do not see it; the direction at the end does.
 double unseen_error(const Pieces& pieces, std::size_t half, Interval interval) {
+    if (pieces.forms[half / 2].goes_onward()) return 0.0;
     const double reach = unseen_length(interval);
     double error = 0.0;
     for (const auto& [end, inside] :
          {std::pair(interval.lower, interval.lower + reach), std::pair(interval.upper, interval.upper - reach)}) {
         const Vector at_end = velocity_at(pieces, {half, end});
         const Vector at_node = velocity_at(pieces, {half, inside});
-        if (dot(at_end / length_of(at_end), at_node) < 0.0) error += reach * (length_of(at_end) + length_of(at_node));
+        if (dot(at_end / robust_length(at_end), at_node) < 0.0)
+            error += reach * (robust_length(at_end) + robust_length(at_node));
     }
     return error;
+}
+
+// Plain pieces are one range, of the first half, whose offsets go on to 1.
+std::vector<PieceRange> ranges_of(const Pieces& pieces, Interval wanted) {
+    std::vector<PieceRange> ranges;
+    ranges.reserve(pieces.forms.size());
+    for (std::size_t i = 0; i < pieces.forms.size(); ++i) {
+        const Interval interval = pieces.motions[i].interval();
+        if (interval.upper <= wanted.lower || interval.lower >= wanted.upper) continue;
+        if (!pieces.forms[i].is_plain()) {
+            add_ranges(ranges, pieces.motions, i, wanted);
+            continue;
+        }
+        const Interval offsets{to_unit(interval, interval.clamp(wanted.lower)),
+                               to_unit(interval, interval.clamp(wanted.upper))};
+        if (offsets.lower < offsets.upper) ranges.push_back({2 * i, offsets});
+    }
+    return ranges;
 }
 
 // The parts of the ranges, on which the rules are as accurate as they should be, or as can be.
@@ -108,20 +122,42 @@ Integral sum_of(std::span<const IntegratedPart<double>> parts) {
     return total;
 }
 
-// The length between two parameters is at least that of the pieces' chords and at most that of their control polygons.
-Interval bounds_of_length(const Pieces& pieces, Interval wanted) {
+Point shadow(const HomogeneousPoint& point) {
+    return point.z == 1.0 ? tip_of(plane_part(point)) : project(point);
+}
+
+// What the length between two parameters lies between, and what rounding may make of it.
+struct LengthBounds {
     Interval bounds{0.0, 0.0};
+    double rounding = 0.0;
+};
+
+// The length is at least that of the pieces' chords and at most that of their control polygons. Rounding of the Bézier
+// points, which are seen from one origin, may change each leg by twice the rounding of a point, which is half a unit of
+// each coordinate.
+LengthBounds bounds_of_length(const Pieces& pieces, Interval wanted) {
+    LengthBounds found;
+    double farthest_sum = 0.0;
     for (const PieceMotion& piece : pieces) {
         const Interval interval = piece.interval();
         if (interval.upper <= wanted.lower || interval.lower >= wanted.upper) continue;
+        const Point begin = shadow(piece.points().front());
+        double farthest = std::max(std::abs(begin.x), std::abs(begin.y));
+        Point before = begin;
+        for (const HomogeneousPoint& point : piece.points().subspan(1)) {
+            const Point next = shadow(point);
+            found.bounds.upper += robust_length(next - before);
+            farthest = std::max({farthest, std::abs(next.x), std::abs(next.y)});
+            before = next;
+        }
+        farthest_sum += static_cast<double>(piece.points().size() - 1) * farthest;
         const bool is_whole = wanted.lower <= interval.lower && interval.upper <= wanted.upper;
-        bounds.lower += is_whole ? length_of(project(piece.points().back()) - project(piece.points().front()))
-                                 : length_of(piece.at(to_unit(interval, wanted.upper)).position -
-                                             piece.at(to_unit(interval, wanted.lower)).position);
-        for (std::size_t i = 1; i < piece.points().size(); ++i)
-            bounds.upper += length_of(project(piece.points()[i]) - project(piece.points()[i - 1]));
+        found.bounds.lower += is_whole ? robust_length(before - begin)
+                                       : robust_length(piece.at(to_unit(interval, wanted.upper)).position -
+                                                       piece.at(to_unit(interval, wanted.lower)).position);
     }
-    return bounds;
+    found.rounding = 2.0 * std::numeric_limits<double>::epsilon() * farthest_sum;
+    return found;
 }
 
 // What cannot be the length gives way to what it is known to lie between.
@@ -131,28 +167,15 @@ Integral within(Interval bounds, Integral found) {
     return {bounds.lower + 0.5 * bounds.length(), 0.5 * bounds.length() + slack};
 }
 
-// What rounding of Bézier points, which are seen from one origin, may make of the length: of each leg twice the
-// rounding of a point, and p legs of a piece.
-double rounding_of(const Pieces& pieces, Interval wanted) {
-    double sum = 0.0;
-    for (const PieceMotion& piece : pieces) {
-        if (piece.interval().upper <= wanted.lower || piece.interval().lower >= wanted.upper) continue;
-        double farthest = 0.0;
-        for (const HomogeneousPoint& point : piece.points())
-            farthest = std::max(farthest, length_of(vector_to(project(point))));
-        sum += 2.0 * static_cast<double>(piece.points().size() - 1) * farthest;
-    }
-    return std::numeric_limits<double>::epsilon() * sum;
-}
-
 Integral sum_over(const Pieces& pieces, Interval wanted, std::span<const IntegratedPart<double>> parts) {
     Integral found = sum_of(parts);
-    found.error += rounding_of(pieces, wanted);
-    return within(bounds_of_length(pieces, wanted), found);
+    const auto [bounds, rounding] = bounds_of_length(pieces, wanted);
+    found.error += rounding;
+    return within(bounds, found);
 }
 
 Integral integrate(const Pieces& pieces, Interval wanted) {
-    return sum_over(pieces, wanted, parts_of(pieces, ranges_between(pieces.motions, wanted)));
+    return sum_over(pieces, wanted, parts_of(pieces, ranges_of(pieces, wanted)));
 }
 
 // How often the period goes into the way from the domain's beginning to `u`, and what is left.
@@ -200,7 +223,7 @@ Integral arc_length(const Curve& curve, double from, double to) {
 ArcLengthTable::ArcLengthTable(const Curve& curve)
     : knots_(curve.knots()), pieces_(motions_of(curve, middle_of(curve))), forms_(forms_of(pieces_)) {
     const Pieces pieces{pieces_, forms_};
-    const auto parts = parts_of(pieces, ranges_between(pieces_, curve.domain()));
+    const auto parts = parts_of(pieces, ranges_of(pieces, curve.domain()));
     total_ = sum_over(pieces, curve.domain(), parts);
     double before = 0.0;
     for (const IntegratedPart<double>& part : parts) {
@@ -215,12 +238,17 @@ double ArcLengthTable::length_at(double u) const {
         return core::parameter_at(pieces_, {part.half, part.offsets.lower}) <= inside;
     });
     const Part& part = *(after - 1);
-    const HalfPlace place = place_at(pieces_, part.half / 2, inside);
-    const double offset = place.half == part.half  ? part.offsets.clamp(place.offset)
-                          : place.half < part.half ? part.offsets.lower
-                                                   : part.offsets.upper;
+    const double offset = offset_of(part, inside);
     if (offset == part.offsets.upper) return part.before + part.length;
     return part.before + length_within(part, offset);
+}
+
+double ArcLengthTable::offset_of(const Part& part, double u) const {
+    const std::size_t piece = part.half / 2;
+    if (forms_[piece].is_plain()) return part.offsets.clamp(to_unit(pieces_[piece].interval(), u));
+    const HalfPlace place = place_at(pieces_, piece, u);
+    if (place.half == part.half) return part.offsets.clamp(place.offset);
+    return place.half < part.half ? part.offsets.lower : part.offsets.upper;
 }
 
 double ArcLengthTable::length_within(const Part& part, double offset) const {

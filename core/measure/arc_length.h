@@ -45,11 +45,12 @@ class ArcLengthTable {
   private:
     struct Part {
         std::size_t half = 0;
-        Interval offsets;  // on that half of a piece
+        Interval offsets;  // on that half of a piece; of a plain piece on all of it
         double length = 0.0;
         double before = 0.0;  // the length of all parts before
     };
 
+    double offset_of(const Part& part, double u) const;
     double length_within(const Part& part, double offset) const;
     double offset_at(const Part& part, double length) const;
 

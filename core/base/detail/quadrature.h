@@ -104,12 +104,11 @@ std::vector<IntegratedPart<Value>> integrate_by_rules(std::span<const PieceRange
         done.push_back(part_of(range.piece, range.interval));
         sum += done.back().rules.kronrod;
     }
-    // What is open at all; mostly nothing.
-    const auto first_open =
-        std::stable_partition(done.begin(), done.end(), [&](const Part& part) { return is_enough(part.error, sum); });
+    const auto is_done = [&](const Part& part) { return is_enough(part.error, sum); };
+    if (std::all_of(done.begin(), done.end(), is_done)) return done;
+    const auto first_open = std::stable_partition(done.begin(), done.end(), is_done);
     std::vector<Part> open(first_open, done.end());
     done.erase(first_open, done.end());
-    if (open.empty()) return done;
     std::make_heap(open.begin(), open.end(), has_less_error);
     for (std::size_t i = 0; i < most_divisions(ranges.size()) && !open.empty(); ++i) {
         if (is_enough(open.front().error, sum)) break;

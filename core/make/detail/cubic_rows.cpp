@@ -16,7 +16,7 @@ struct CubicSpan {
     double before_last, before, lower, upper, after, after_next;
 };
 
-inline Row cubic_basis(const CubicSpan& at, double u) {
+[[gnu::always_inline]] inline Row cubic_basis(const CubicSpan& at, double u) {
     const double below = u - at.lower;
     const double above = at.upper - u;
     const double width = at.upper - at.lower;

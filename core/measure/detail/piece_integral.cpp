@@ -53,20 +53,23 @@ HalfPlace place_at(std::span<const PieceMotion> pieces, std::size_t piece, doubl
     return {2 * piece + 1, std::clamp((u - interval.upper) / interval.length(), -0.5, 0.0)};
 }
 
+void add_ranges(std::vector<PieceRange>& ranges, std::span<const PieceMotion> pieces, std::size_t piece,
+                Interval wanted) {
+    const Interval interval = pieces[piece].interval();
+    if (interval.upper <= wanted.lower || interval.lower >= wanted.upper) return;
+    const HalfPlace from = place_at(pieces, piece, interval.clamp(wanted.lower));
+    const HalfPlace to = place_at(pieces, piece, interval.clamp(wanted.upper));
+    const Interval first{from.is_second() ? 0.5 : from.offset, to.is_second() ? 0.5 : to.offset};
+    const Interval second{from.is_second() ? from.offset : -0.5, to.is_second() ? to.offset : -0.5};
+    const int steps = steps_toward_end(pieces[piece], pieces.size());
+    const auto cut = [&](int k) { return k > steps ? 0.0 : 0.5 * std::pow(growth, -k); };
+    for (int k = steps; k >= 0; --k) add_range(ranges, 2 * piece, {cut(k + 1), cut(k)}, first);
+    for (int k = 0; k <= steps; ++k) add_range(ranges, 2 * piece + 1, {-cut(k), -cut(k + 1)}, second);
+}
+
 std::vector<PieceRange> ranges_between(std::span<const PieceMotion> pieces, Interval wanted) {
     std::vector<PieceRange> ranges;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const Interval interval = pieces[i].interval();
-        if (interval.upper <= wanted.lower || interval.lower >= wanted.upper) continue;
-        const HalfPlace from = place_at(pieces, i, interval.clamp(wanted.lower));
-        const HalfPlace to = place_at(pieces, i, interval.clamp(wanted.upper));
-        const Interval first{from.is_second() ? 0.5 : from.offset, to.is_second() ? 0.5 : to.offset};
-        const Interval second{from.is_second() ? from.offset : -0.5, to.is_second() ? to.offset : -0.5};
-        const int steps = steps_toward_end(pieces[i], pieces.size());
-        const auto cut = [&](int k) { return k > steps ? 0.0 : 0.5 * std::pow(growth, -k); };
-        for (int k = steps; k >= 0; --k) add_range(ranges, 2 * i, {cut(k + 1), cut(k)}, first);
-        for (int k = 0; k <= steps; ++k) add_range(ranges, 2 * i + 1, {-cut(k), -cut(k + 1)}, second);
-    }
+    for (std::size_t i = 0; i < pieces.size(); ++i) add_ranges(ranges, pieces, i, wanted);
     return ranges;
 }
 

@@ -28,4 +28,8 @@ HalfPlace place_at(std::span<const PieceMotion> pieces, std::size_t piece, doubl
 /// its weights are apart, so that no rule overlooks where the curve makes its way.
 std::vector<PieceRange> ranges_between(std::span<const PieceMotion> pieces, Interval wanted);
 
+/// Adds those of one piece.
+void add_ranges(std::vector<PieceRange>& ranges, std::span<const PieceMotion> pieces, std::size_t piece,
+                Interval wanted);
+
 }  // namespace batten::core

@@ -6,6 +6,7 @@
 
 #include "core/base/detail/binomial.h"
 #include "core/base/detail/vectorized.h"
+#include "core/curve/detail/known_degree.h"
 
 namespace batten::core {
 
@@ -18,21 +19,46 @@ constexpr std::size_t node_count = 2 * gauss_kronrod::nodes.size();
 
 using NodeValues = std::array<double, node_count>;
 
-// The speeds at all nodes, pair by pair.
-BATTEN_VECTORIZED void fill_speeds(const Vector* powers, std::size_t count, const NodeValues& places,
-                                   NodeValues& speeds) {
-    NodeValues x;
-    NodeValues y;
+// Weights whose product with anything is as sharp as that.
+constexpr double most_share_of_weights = 4.0;
+
+// The speeds at all nodes, pair by pair; unrolled where the count is known. Arrays are pointers here, because what is
+// compiled for one kind of processor calls no function that is compiled for all.
+template <class Count>
+[[gnu::always_inline]] inline void fill_speeds_of(const Vector* powers, Count count, const double* places,
+                                                  double* speeds) {
+    BATTEN_INDEPENDENT
     for (std::size_t i = 0; i < node_count; ++i) {
-        x[i] = powers[count - 1].x;
-        y[i] = powers[count - 1].y;
-    }
-    for (std::size_t k = count - 1; k-- > 0;)
-        for (std::size_t i = 0; i < node_count; ++i) {
-            x[i] = x[i] * places[i] + powers[k].x;
-            y[i] = y[i] * places[i] + powers[k].y;
+        double x = powers[count - 1].x;
+        double y = powers[count - 1].y;
+        for (std::size_t k = count - 1; k-- > 0;) {
+            x = x * places[i] + powers[k].x;
+            y = y * places[i] + powers[k].y;
         }
-    for (std::size_t i = 0; i < node_count; ++i) speeds[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
+        speeds[i] = std::sqrt(x * x + y * y);
+    }
+}
+
+BATTEN_VECTORIZED void fill_speeds(const Vector* powers, std::size_t count, const double* places, double* speeds) {
+    switch (count) {
+        case 2:
+            return fill_speeds_of(powers, std::integral_constant<std::size_t, 2>(), places, speeds);
+        case 3:
+            return fill_speeds_of(powers, std::integral_constant<std::size_t, 3>(), places, speeds);
+        case 5:
+            return fill_speeds_of(powers, std::integral_constant<std::size_t, 5>(), places, speeds);
+        default:
+            return fill_speeds_of(powers, count, places, speeds);
+    }
+}
+
+BATTEN_VECTORIZED void divide_by_weights(const double* powers, std::size_t count, const double* places,
+                                         double* speeds) {
+    double w[node_count];
+    for (std::size_t i = 0; i < node_count; ++i) w[i] = powers[count - 1];
+    for (std::size_t k = count - 1; k-- > 0;)
+        for (std::size_t i = 0; i < node_count; ++i) w[i] = w[i] * places[i] + powers[k];
+    for (std::size_t i = 0; i < node_count; ++i) speeds[i] /= w[i] * w[i];
 }
 
 bool has_squares(std::span<const Vector> vectors) {
@@ -41,36 +67,87 @@ bool has_squares(std::span<const Vector> vectors) {
     return squared_well.contains(largest);
 }
 
+// Where C' w^2 is sum_k H_k B_k, these H_k. Source: Sederberg and Wang 1987.
+template <std::size_t Most>
+void fill_weighted_hodograph(std::span<const HomogeneousPoint> points, std::array<Vector, Most>& hodograph) {
+    const std::size_t p = points.size() - 1;
+    const auto of_p = binomials(p);
+    const auto of_hodograph = binomials(2 * p - 2);
+    for (std::size_t i = 0; i <= p; ++i)
+        for (std::size_t j = i + 1; j <= p; ++j) {
+            const HomogeneousPoint& a = points[i];
+            const HomogeneousPoint& b = points[j];
+            const double share = static_cast<double>(j - i) * of_p[i] * of_p[j] / of_hodograph[i + j - 1];
+            hodograph[i + j - 1] += share * (a.z * b.z * (project(b) - project(a)));
+        }
+}
+
+// Those of a polynomial in Bernstein form about its middle: a derivative of order k divided by k! is binomial(n, k)
+// times the k-th difference, blended at the middle.
+template <class P, std::size_t Most, class Count>
+void fill_powers(std::array<P, Most> form, Count count, std::array<P, Most>& powers) {
+    double binomial = 1.0;
+    for (std::size_t k = 0; k < count; ++k) {
+        if (k > 0) {
+            binomial = next_binomial(binomial, count - 1, k);
+            for (std::size_t i = 0; i + k < count; ++i) form[i] = form[i + 1] - form[i];
+        }
+        std::array<P, Most> blended;
+        for (std::size_t i = 0; i + k < count; ++i) blended[i] = form[i];
+        for (std::size_t left = count - 1 - k; left > 0; --left)
+            for (std::size_t i = 0; i < left; ++i) blended[i] = 0.5 * (blended[i] + blended[i + 1]);
+        powers[k] = binomial * blended[0];
+    }
+}
+
+bool are_onward(std::span<const Vector> vectors) {
+    Vector sum{};
+    for (const Vector& v : vectors) sum += v;
+    return std::ranges::all_of(vectors, [&](const Vector& v) { return dot(v, sum) > 0.0; });
+}
+
+bool are_of_one_size(std::span<const HomogeneousPoint> points) {
+    const auto by_weight = [](const HomogeneousPoint& a, const HomogeneousPoint& b) { return a.z < b.z; };
+    const auto [least, most] = std::minmax_element(points.begin(), points.end(), by_weight);
+    return most->z <= most_share_of_weights * least->z && squared_well.contains(least->z);
+}
+
 }  // namespace
 
-// A derivative of order k divided by k! is binomial(n, k) times the k-th difference, blended at the middle.
 SpeedForm::SpeedForm(const PieceMotion& piece) {
     const std::span<const HomogeneousPoint> points = piece.points();
     const std::size_t p = points.size() - 1;
-    if (p > highest_degree || !piece.is_polynomial()) return;
-    std::array<Vector, highest_degree> legs{};
-    for (std::size_t i = 0; i < p; ++i)
-        legs[i] = static_cast<double>(p) / points[i].z * plane_part(points[i + 1] - points[i]);
-    if (!has_squares(std::span(legs).first(p))) return;
-    count_ = p;
-    double binomial = 1.0;
-    for (std::size_t k = 0; k < p; ++k) {
-        if (k > 0) {
-            binomial = next_binomial(binomial, p - 1, k);
-            for (std::size_t i = 0; i + k < p; ++i) legs[i] = legs[i + 1] - legs[i];
-        }
-        std::array<Vector, highest_degree> blended = legs;
-        for (std::size_t left = p - 1 - k; left > 0; --left)
-            for (std::size_t i = 0; i < left; ++i) blended[i] = 0.5 * (blended[i] + blended[i + 1]);
-        powers_[k] = binomial * blended[0];
-    }
+    const std::size_t count = piece.is_polynomial() ? p : 2 * p - 1;
+    if (count > most_powers) return;
+    std::array<Vector, most_powers> hodograph{};
+    if (piece.is_polynomial())
+        for (std::size_t i = 0; i < p; ++i)
+            hodograph[i] = static_cast<double>(p) / points[i].z * plane_part(points[i + 1] - points[i]);
+    else if (are_of_one_size(points))
+        fill_weighted_hodograph(points, hodograph);
+    const auto vectors = std::span(hodograph).first(count);
+    if (!has_squares(vectors)) return;
+    count_ = count;
+    goes_onward_ = are_onward(vectors);
+    with_known_degree(count, [&](auto known) { fill_powers(hodograph, known, powers_); });
+    if (!piece.is_polynomial()) take_weights(points);
+}
+
+void SpeedForm::take_weights(std::span<const HomogeneousPoint> points) {
+    weight_count_ = points.size();
+    std::array<double, most_powers> form{};
+    for (std::size_t i = 0; i < points.size(); ++i) form[i] = points[i].z;
+    with_known_degree(weight_count_, [&](auto known) { fill_powers(form, known, weights_); });
 }
 
 Vector SpeedForm::velocity(double s) const {
     assert(is_plain());
     Vector sum = powers_[count_ - 1];
     for (std::size_t k = count_ - 1; k-- > 0;) sum = s * sum + powers_[k];
-    return sum;
+    if (weight_count_ == 0) return sum;
+    double weight = weights_[weight_count_ - 1];
+    for (std::size_t k = weight_count_ - 1; k-- > 0;) weight = s * weight + weights_[k];
+    return sum / (weight * weight);
 }
 
 RulePair<double> SpeedForm::rules(Interval interval) const {
@@ -84,7 +161,8 @@ RulePair<double> SpeedForm::rules(Interval interval) const {
         places[i] = middle - step;
         places[i + node_count / 2] = middle + step;
     }
-    fill_speeds(powers_.data(), count_, places, speeds);
+    fill_speeds(powers_.data(), count_, places.data(), speeds.data());
+    if (weight_count_ > 0) divide_by_weights(weights_.data(), weight_count_, places.data(), speeds.data());
     // Differences from the middle are summed up, so that a constant is integrated to the last digit.
     double kronrod = 0.0;
     double gauss = 0.0;
