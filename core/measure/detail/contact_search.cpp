@@ -79,6 +79,36 @@ FoundContact point_contact(std::size_t first, std::size_t second, ShareContact a
     return {on_first, on_first, on_second, on_second, is_tangent};
 }
 
+// Whether all of the piece lies farther than `distance` on one side of `point`, seen along `axis`, a vector of
+// length 1.
+bool is_beyond(const PieceMotion& piece, Point point, Vector axis, double distance) {
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = -least;
+    for (const HomogeneousPoint& control : piece.points()) {
+        const double height = dot(axis, project(control) - point);
+        least = std::min(least, height);
+        greatest = std::max(greatest, height);
+    }
+    return least > distance || greatest < -distance;
+}
+
+// Whether the point may be on the piece, as far as the strips along the axes and the chord tell.
+bool may_be_on(const PieceMotion& piece, Point point, double tolerance) {
+    const Vector chord = project(piece.points().back()) - project(piece.points().front());
+    const double size = length(chord);
+    return !is_beyond(piece, point, {1.0, 0.0}, tolerance) && !is_beyond(piece, point, {0.0, 1.0}, tolerance) &&
+           !(size > 0.0 && is_beyond(piece, point, turned_left(chord) / size, tolerance));
+}
+
+// How many ends of one piece may be on the other one.
+int ends_that_may_meet(const PieceMotion& a, const PieceMotion& b, double tolerance) {
+    int count = 0;
+    for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)})
+        for (const HomogeneousPoint& end : {one->points().front(), one->points().back()})
+            count += may_be_on(*other, project(end), tolerance) ? 1 : 0;
+    return count;
+}
+
 // Whether the pieces run along each other from `begin` to `end`.
 bool coincide_between(const PieceMotion& a, const PieceMotion& b, ShareContact begin, ShareContact end,
                       double tolerance) {
@@ -210,11 +240,12 @@ bool ContactSearch::take_crossing(const ContactPiece& a, const ContactPiece& b) 
     return true;
 }
 
-// Two polynomial pieces that coincide on an interval do so up to an end of one of them.
+// Two polynomial pieces that coincide on an interval do so up to an end of one of them, on both sides.
 bool ContactSearch::take_overlap(const ContactPiece& a, const ContactPiece& b) {
-    if ((is_same_curve() && a.span == b.span) || !affords(cost_of_overlap, a, b)) return false;
+    if (is_same_curve() && a.span == b.span) return false;
     const PieceMotion& on_a = first_.motions[a.span];
     const PieceMotion& on_b = second_.motions[b.span];
+    if (ends_that_may_meet(on_a, on_b, 2.0 * tolerance_) < 2 || !affords(cost_of_overlap, a, b)) return false;
     std::vector<ShareContact> common;
     const auto offer = [&](ShareContact at) {
         if (distance(on_a.at(at.first).position, on_b.at(at.second).position) <= tolerance_) common.push_back(at);
