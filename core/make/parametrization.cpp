@@ -1,19 +1,26 @@
 #include "core/make/parametrization.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
+#include "core/make/detail/chord_sums.h"
 #include "core/make/detail/site_means.h"
 
 namespace batten::core {
 
 namespace {
 
-// Both count through all of them, because without a way out several are looked at in one step.
+// Both go through all of them, because without a way out several are looked at in one step.
 bool are_finite(std::span<const Point> points) {
-    const auto count = std::ranges::count_if(points, [](Point point) { return is_finite(point); });
-    return static_cast<std::size_t>(count) == points.size();
+    // Zero times a number is zero, and nothing else is.
+    std::array<Vector, 4> zeros{};
+    const std::size_t whole = points.size() - points.size() % zeros.size();
+    for (std::size_t k = 0; k < whole; k += zeros.size())
+        for (std::size_t j = 0; j < zeros.size(); ++j) zeros[j] += 0.0 * vector_to(points[k + j]);
+    for (std::size_t k = whole; k < points.size(); ++k) zeros[0] += 0.0 * vector_to(points[k]);
+    return (zeros[0] + zeros[1]) + (zeros[2] + zeros[3]) == Vector(0.0, 0.0);
 }
 
 bool are_ascending(std::span<const double> parameters) {
@@ -43,25 +50,31 @@ long double step(Point from, Point to, Parametrization parametrization) {
     return parametrization == Parametrization::chordal ? chord : std::sqrt(chord);
 }
 
-}  // namespace
-
-Result<std::vector<double>> parametrize(std::span<const Point> points, Parametrization parametrization,
-                                        bool is_closed) {
-    if (const auto check = check_points(points, is_closed); !check) return refuse(check.error());
+// Of points at any distance from each other.
+std::vector<double> shares_of_any_way(std::span<const Point> points, Parametrization parametrization, bool is_closed) {
     const std::size_t n = points.size();
     const std::size_t steps = is_closed ? n : n - 1;
     std::vector<long double> lengths(steps + 1, 0.0L);
     for (std::size_t k = 1; k <= steps; ++k)
         lengths[k] = lengths[k - 1] + step(points[k - 1], points[k % n], parametrization);
-    std::vector<double> parameters(steps + 1, 0.0);
-    for (std::size_t k = 1; k <= steps; ++k) {
-        parameters[k] = static_cast<double>(lengths[k] / lengths.back());
-        // Not a number where all points are one.
-        if (!(parameters[k] > parameters[k - 1]))
-            return refuse(
-                {.code = CurveErrorCode::points_coincide, .index = k % n, .value = static_cast<double>(k - 1)});
-    }
-    return parameters;
+    std::vector<double> shares(steps + 1, 0.0);
+    for (std::size_t k = 1; k <= steps; ++k) shares[k] = static_cast<double>(lengths[k] / lengths.back());
+    return shares;
+}
+
+}  // namespace
+
+Result<std::vector<double>> parametrize(std::span<const Point> points, Parametrization parametrization,
+                                        bool is_closed) {
+    if (const auto check = check_points(points, is_closed); !check) return refuse(check.error());
+    auto parameters = shares_of_way(points, parametrization, is_closed);
+    if (!parameters) parameters = shares_of_any_way(points, parametrization, is_closed);
+    if (are_ascending(*parameters)) return *std::move(parameters);
+    // Not a number where all points are one.
+    std::size_t k = 1;
+    while (k + 1 < parameters->size() && (*parameters)[k] > (*parameters)[k - 1]) ++k;
+    return refuse(
+        {.code = CurveErrorCode::points_coincide, .index = k % points.size(), .value = static_cast<double>(k - 1)});
 }
 
 Result<void> check_parameters(std::span<const Point> points, std::span<const double> parameters, bool is_closed) {

@@ -68,6 +68,41 @@ TEST(Parametrize, is_right_to_the_last_bit) {
               (std::vector{0.0, 0.27924077994387353, 0.5584815598877471, 1.0}));
 }
 
+// In more digits than doubles have.
+std::vector<double> shares_by_long_double(std::span<const Point> points, bool is_centripetal, bool is_closed) {
+    std::vector<long double> sums{0.0L};
+    for (std::size_t k = 1; k < points.size() + (is_closed ? 1 : 0); ++k) {
+        const Point from = points[k - 1];
+        const Point to = points[k % points.size()];
+        const long double chord =
+            std::hypot(static_cast<long double>(to.x) - from.x, static_cast<long double>(to.y) - from.y);
+        sums.push_back(sums.back() + (is_centripetal ? std::sqrt(chord) : chord));
+    }
+    std::vector<double> shares;
+    for (const long double sum : sums) shares.push_back(static_cast<double>(sum / sums.back()));
+    return shares;
+}
+
+TEST(Parametrize, agrees_with_sums_of_more_digits) {
+    RandomCurves random(71);
+    for (const std::size_t count : {3U, 128U, 129U, 1000U})
+        for (const double scale : {1e-130, 1e-8, 1.0, 1e80, 1e120})
+            for (const bool is_centripetal : {false, true})
+                for (const bool is_closed : {false, true}) {
+                    std::vector<Point> points;
+                    for (std::size_t k = 0; k < count; ++k) {
+                        const double x = random.number(-8.0, 8.0);
+                        points.emplace_back(scale * x, scale * random.number(-8.0, 8.0));
+                    }
+                    const auto kind = is_centripetal ? Parametrization::centripetal : Parametrization::chordal;
+                    const auto found = parametrize(points, kind, is_closed).value();
+                    const auto expected = shares_by_long_double(points, is_centripetal, is_closed);
+                    ASSERT_EQ(found.size(), expected.size());
+                    for (std::size_t k = 0; k < found.size(); ++k)
+                        EXPECT_NEAR(found[k], expected[k], 2.3e-16 * expected[k]) << count << ' ' << scale << ' ' << k;
+                }
+}
+
 TEST(Parametrize, refuses_points_that_cannot_be_told_apart_and_names_them) {
     const Point repeated[] = {{0, 0}, {1, 0}, {1, 0}, {2, 0}};
     const auto error = parametrize(repeated, Parametrization::centripetal).error();
