@@ -8,6 +8,7 @@
 #include "core/curve/detail/edit_checks.h"
 #include "core/curve/detail/trusted.h"
 #include "core/curve/knot_kinds.h"
+#include "core/edit/detail/gap_list.h"
 
 namespace batten::core {
 
@@ -91,44 +92,36 @@ double weight_on_leg(const Curve& curve, std::size_t index, Point position) {
     return weights[before] * (1.0 - share) + weights[after] * share;
 }
 
-// The stored knots, of which some are taken out near one another: those behind the last one lie in reverse order.
+// The stored knots, of which some are taken out near one another.
 class KnotsToTakeOut {
   public:
     explicit KnotsToTakeOut(const KnotVector& knots)
         : is_periodic_(knots.is_periodic()),
           p_(static_cast<std::size_t>(knots.degree())),
-          before_(knots.stored().begin(), knots.stored().end()),
+          stored_({knots.stored().begin(), knots.stored().end()}),
           period_(knots.domain()) {}
 
     // The inner knot (of the period, or of the domain) nearest to the Greville abscissa of control point `index`.
     void take_out_with_point(std::size_t index) {
         const double greville = greville_abscissa(index);
         const std::size_t first_inner = is_periodic_ ? 1 : p_ + 1;
-        const std::size_t end_inner = size() - first_inner;
+        const std::size_t end_inner = stored_.size() - first_inner;
         std::size_t low = first_inner;
         for (std::size_t high = end_inner; low < high;) {
             const std::size_t half = low + (high - low) / 2;
-            if (stored(half) < greville)
+            if (stored_[half] < greville)
                 low = half + 1;
             else
                 high = half;
         }
         const bool is_lower_nearest =
-            low > first_inner && (low == end_inner || greville - stored(low - 1) <= stored(low) - greville);
-        take_out(is_lower_nearest ? low - 1 : low);
+            low > first_inner && (low == end_inner || greville - stored_[low - 1] <= stored_[low] - greville);
+        stored_.take_out(is_lower_nearest ? low - 1 : low);
     }
 
-    std::vector<double> rest() {
-        open_gap_at(size());
-        return std::move(before_);
-    }
+    std::vector<double> rest() { return stored_.rest(); }
 
   private:
-    std::size_t size() const { return before_.size() + behind_.size(); }
-    double stored(std::size_t i) const {
-        return i < before_.size() ? before_[i] : behind_[behind_.size() - 1 - (i - before_.size())];
-    }
-
     // Of the unrolled curve, not brought into the domain.
     double greville_abscissa(std::size_t index) const {
         double sum = 0.0;
@@ -136,27 +129,16 @@ class KnotsToTakeOut {
         return sum / static_cast<double>(p_);
     }
     double unrolled(std::size_t k) const {
-        if (!is_periodic_) return stored(k);
+        if (!is_periodic_) return stored_[k];
         double turns_back = 0.0;
         std::size_t i = k;
-        for (; i < p_; i += size() - 1) turns_back += 1.0;
-        return turns_back == 0.0 ? stored(i - p_) : stored(i - p_) - turns_back * period_.length();
-    }
-
-    void take_out(std::size_t i) {
-        open_gap_at(i + 1);
-        before_.pop_back();
-    }
-
-    void open_gap_at(std::size_t i) {
-        for (; before_.size() > i; before_.pop_back()) behind_.push_back(before_.back());
-        for (; before_.size() < i; behind_.pop_back()) before_.push_back(behind_.back());
+        for (; i < p_; i += stored_.size() - 1) turns_back += 1.0;
+        return turns_back == 0.0 ? stored_[i - p_] : stored_[i - p_] - turns_back * period_.length();
     }
 
     bool is_periodic_;
     std::size_t p_;
-    std::vector<double> before_;
-    std::vector<double> behind_;
+    GapList<double> stored_;
     Interval period_;
 };
 

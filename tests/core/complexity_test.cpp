@@ -1,14 +1,18 @@
 /// What operations cost, counted in the products of a number and a point that they form, never timed.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 
 #include "core/base/detail/banded_least_squares.h"
+#include "core/base/detail/quadrature.h"
 #include "core/curve/detail/spline.h"
 #include "core/curve/knot_kinds.h"
+#include "core/edit/detail/gap_list.h"
 #include "core/evaluate/basis.h"
 #include "core/evaluate/detail/decomposition.h"
 #include "core/make/parametrization.h"
+#include "core/refine/detail/removal_reach.h"
 #include "core/refine/detail/spline_elevation.h"
 #include "core/refine/detail/spline_removal.h"
 
@@ -191,6 +195,68 @@ TEST(Complexity, interpolation_costs_a_few_p_products_for_each_point) {
             // Up to p+1 rotations of 4 products for each equation, and p+1 products for each unknown on the way back.
             EXPECT_LE(products, 5 * (p + 1) * count);
         }
+}
+
+// The spans in which a knot is taken out, on both sides of it, are all that its removal copies and measures.
+TEST(Complexity, a_removed_knot_reaches_as_many_points_however_long_the_curve_is) {
+    for (const int p : {1, 3, 10, 25}) {
+        std::vector<std::size_t> reached;
+        for (const std::size_t count : {4 * few, 4 * many}) {
+            const KnotVector knots = make_knots(KnotKind::clamped_uniform, p, count).value();
+            const Curve curve = Curve::make(knots, std::vector<Point>(count, Point{}), {}).value();
+            reached.push_back(curve_in_reach(curve, knots[count / 2]).value().curve.control_points().size());
+        }
+        EXPECT_LE(reached[0], 5 * static_cast<std::size_t>(p) + 5);
+        EXPECT_EQ(reached[0], reached[1]);
+    }
+}
+
+// Counts how often it goes from one place to another.
+struct MovedItem {
+    explicit MovedItem(std::size_t& count) : moves(&count) {}
+    MovedItem(const MovedItem&) = default;
+    MovedItem& operator=(const MovedItem&) = default;
+    MovedItem(MovedItem&& other) noexcept : moves(other.moves) { ++*moves; }
+    MovedItem& operator=(MovedItem&& other) noexcept {
+        moves = other.moves;
+        ++*moves;
+        return *this;
+    }
+    ~MovedItem() = default;
+
+    std::size_t* moves;
+};
+
+// The knots of deleted points, of which each is moved behind the gap, before it again, and while arrays grow.
+TEST(Complexity, deleting_points_moves_each_knot_a_few_times_however_many_go) {
+    for (const std::size_t count : {few, many}) {
+        std::size_t moves = 0;
+        GapList<MovedItem> knots(std::vector<MovedItem>(count, MovedItem(moves)));
+        moves = 0;
+        for (std::size_t i = count; i-- > 1;)
+            if (i % 2 == 0) knots.take_out(i);
+        EXPECT_EQ(knots.rest().size(), count / 2 + 1);
+        EXPECT_LE(moves, 4 * count);
+    }
+}
+
+// The lengths of pieces that one rule is right for, as a table of lengths has them.
+TEST(Complexity, a_table_of_integrals_costs_one_rule_for_each_piece) {
+    for (const std::size_t count : {few, many}) {
+        std::vector<PieceRange> pieces;
+        for (std::size_t i = 0; i < count; ++i) pieces.push_back({i, {0.0, 1.0}});
+        std::size_t evaluations = 0;
+        const auto parts = integrate_adaptively<double>(
+            pieces,
+            [&](std::size_t piece, double t) {
+                ++evaluations;
+                return std::sqrt(4.0 + t * static_cast<double>(piece % 3));
+            },
+            [](std::size_t, const RulePair<double>& rules) { return std::abs(rules.kronrod - rules.gauss); },
+            [](double error, double sum) { return error <= 1e-12 * sum; });
+        EXPECT_EQ(parts.size(), count);
+        EXPECT_EQ(evaluations, 21 * count);
+    }
 }
 
 }  // namespace batten::core
