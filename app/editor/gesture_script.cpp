@@ -46,10 +46,10 @@ bool holds_button(ScriptedGesture gesture) {
     return gesture == ScriptedGesture::drag || gesture == ScriptedGesture::drag_knot || gesture == ScriptedGesture::pan;
 }
 
-// In whole pixels, as a pointer moves.
+// By whole pixels from the center, as a pointer moves.
 glm::dvec2 on_circle(glm::dvec2 center_px, double radius_px, std::size_t step) {
     const double angle = 2.0 * std::numbers::pi * static_cast<double>(step) / static_cast<double>(frames_around);
-    return glm::round(center_px + radius_px * glm::dvec2(std::cos(angle), std::sin(angle)));
+    return center_px + glm::round(radius_px * glm::dvec2(std::cos(angle), std::sin(angle)));
 }
 
 ScriptedFrame turned_wheel(glm::dvec2 position_px, std::size_t step) {
