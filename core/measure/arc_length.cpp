@@ -114,7 +114,7 @@ Integral sum_of(std::span<const IntegratedPart<double>> parts) {
     Integral total;
     DoubleDouble sum;
     for (const IntegratedPart<double>& part : parts) {
-        sum = sum + part.rules.kronrod;
+        sum = sum + DoubleDouble(part.rules.kronrod, part.rules.rest);
         total.error += part.error;
     }
     total.value = sum.rounded();
@@ -226,6 +226,7 @@ ArcLengthTable::ArcLengthTable(const Curve& curve)
     const auto parts = parts_of(pieces, ranges_of(pieces, curve.domain()));
     total_ = sum_over(pieces, curve.domain(), parts);
     double before = 0.0;
+    parts_.reserve(parts.size());
     for (const IntegratedPart<double>& part : parts) {
         parts_.push_back({part.piece, part.rules.interval, part.rules.kronrod, before});
         before += part.rules.kronrod;

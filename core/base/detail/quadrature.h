@@ -39,6 +39,7 @@ struct RulePair {
     Interval interval;
     Value kronrod{};  ///< by 21 points, exact for polynomials of degree 31
     Value gauss{};    ///< by 10 of them, exact for degree 19
+    Value rest{};     ///< what the last rounding took from `kronrod`, where that is known
 };
 
 /// Both rules applied to `function`, which is called inside the interval only.

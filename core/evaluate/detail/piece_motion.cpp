@@ -48,8 +48,10 @@ Motion PieceMotion::rational_at(Ratio ratio) const {
 }
 
 std::vector<PieceMotion> motions_of(const Curve& curve, Point origin) {
+    const BezierPieces pieces = bezier_pieces(seen_from(curve, origin));
     std::vector<PieceMotion> motions;
-    for (BezierPiece piece : bezier_pieces(seen_from(curve, origin))) motions.emplace_back(std::move(piece));
+    motions.reserve(pieces.size());
+    for (BezierPiece piece : pieces) motions.emplace_back(std::move(piece));
     return motions;
 }
 

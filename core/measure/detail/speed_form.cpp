@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/detail/binomial.h"
+#include "core/base/detail/double_double.h"
 #include "core/base/detail/vectorized.h"
 #include "core/curve/detail/known_degree.h"
 
@@ -18,9 +19,6 @@ constexpr Interval squared_well{1e-140, 1e140};
 constexpr std::size_t node_count = 2 * gauss_kronrod::nodes.size();
 
 using NodeValues = std::array<double, node_count>;
-
-// Weights whose product with anything is as sharp as that.
-constexpr double most_share_of_weights = 4.0;
 
 // The speeds at all nodes, pair by pair; unrolled where the count is known. Arrays are pointers here, because what is
 // compiled for one kind of processor calls no function that is compiled for all.
@@ -45,20 +43,9 @@ BATTEN_VECTORIZED void fill_speeds(const Vector* powers, std::size_t count, cons
             return fill_speeds_of(powers, std::integral_constant<std::size_t, 2>(), places, speeds);
         case 3:
             return fill_speeds_of(powers, std::integral_constant<std::size_t, 3>(), places, speeds);
-        case 5:
-            return fill_speeds_of(powers, std::integral_constant<std::size_t, 5>(), places, speeds);
         default:
             return fill_speeds_of(powers, count, places, speeds);
     }
-}
-
-BATTEN_VECTORIZED void divide_by_weights(const double* powers, std::size_t count, const double* places,
-                                         double* speeds) {
-    double w[node_count];
-    for (std::size_t i = 0; i < node_count; ++i) w[i] = powers[count - 1];
-    for (std::size_t k = count - 1; k-- > 0;)
-        for (std::size_t i = 0; i < node_count; ++i) w[i] = w[i] * places[i] + powers[k];
-    for (std::size_t i = 0; i < node_count; ++i) speeds[i] /= w[i] * w[i];
 }
 
 bool has_squares(std::span<const Vector> vectors) {
@@ -67,32 +54,17 @@ bool has_squares(std::span<const Vector> vectors) {
     return squared_well.contains(largest);
 }
 
-// Where C' w^2 is sum_k H_k B_k, these H_k. Source: Sederberg and Wang 1987.
-template <std::size_t Most>
-void fill_weighted_hodograph(std::span<const HomogeneousPoint> points, std::array<Vector, Most>& hodograph) {
-    const std::size_t p = points.size() - 1;
-    const auto of_p = binomials(p);
-    const auto of_hodograph = binomials(2 * p - 2);
-    for (std::size_t i = 0; i <= p; ++i)
-        for (std::size_t j = i + 1; j <= p; ++j) {
-            const HomogeneousPoint& a = points[i];
-            const HomogeneousPoint& b = points[j];
-            const double share = static_cast<double>(j - i) * of_p[i] * of_p[j] / of_hodograph[i + j - 1];
-            hodograph[i + j - 1] += share * (a.z * b.z * (project(b) - project(a)));
-        }
-}
-
 // Those of a polynomial in Bernstein form about its middle: a derivative of order k divided by k! is binomial(n, k)
 // times the k-th difference, blended at the middle.
-template <class P, std::size_t Most, class Count>
-void fill_powers(std::array<P, Most> form, Count count, std::array<P, Most>& powers) {
+template <std::size_t Most, class Count>
+void fill_powers(std::array<Vector, Most> form, Count count, std::array<Vector, Most>& powers) {
     double binomial = 1.0;
     for (std::size_t k = 0; k < count; ++k) {
         if (k > 0) {
             binomial = next_binomial(binomial, count - 1, k);
             for (std::size_t i = 0; i + k < count; ++i) form[i] = form[i + 1] - form[i];
         }
-        std::array<P, Most> blended;
+        std::array<Vector, Most> blended;
         for (std::size_t i = 0; i + k < count; ++i) blended[i] = form[i];
         for (std::size_t left = count - 1 - k; left > 0; --left)
             for (std::size_t i = 0; i < left; ++i) blended[i] = 0.5 * (blended[i] + blended[i + 1]);
@@ -106,48 +78,27 @@ bool are_onward(std::span<const Vector> vectors) {
     return std::ranges::all_of(vectors, [&](const Vector& v) { return dot(v, sum) > 0.0; });
 }
 
-bool are_of_one_size(std::span<const HomogeneousPoint> points) {
-    const auto by_weight = [](const HomogeneousPoint& a, const HomogeneousPoint& b) { return a.z < b.z; };
-    const auto [least, most] = std::minmax_element(points.begin(), points.end(), by_weight);
-    return most->z <= most_share_of_weights * least->z && squared_well.contains(least->z);
-}
-
 }  // namespace
 
 SpeedForm::SpeedForm(const PieceMotion& piece) {
     const std::span<const HomogeneousPoint> points = piece.points();
     const std::size_t p = points.size() - 1;
-    const std::size_t count = piece.is_polynomial() ? p : 2 * p - 1;
-    if (count > most_powers) return;
-    std::array<Vector, most_powers> hodograph{};
-    if (piece.is_polynomial())
-        for (std::size_t i = 0; i < p; ++i)
-            hodograph[i] = static_cast<double>(p) / points[i].z * plane_part(points[i + 1] - points[i]);
-    else if (are_of_one_size(points))
-        fill_weighted_hodograph(points, hodograph);
-    const auto vectors = std::span(hodograph).first(count);
-    if (!has_squares(vectors)) return;
-    count_ = count;
-    goes_onward_ = are_onward(vectors);
-    with_known_degree(count, [&](auto known) { fill_powers(hodograph, known, powers_); });
-    if (!piece.is_polynomial()) take_weights(points);
-}
-
-void SpeedForm::take_weights(std::span<const HomogeneousPoint> points) {
-    weight_count_ = points.size();
-    std::array<double, most_powers> form{};
-    for (std::size_t i = 0; i < points.size(); ++i) form[i] = points[i].z;
-    with_known_degree(weight_count_, [&](auto known) { fill_powers(form, known, weights_); });
+    if (p > highest_degree || !piece.is_polynomial()) return;
+    std::array<Vector, highest_degree> legs{};
+    for (std::size_t i = 0; i < p; ++i)
+        legs[i] = static_cast<double>(p) / points[i].z * plane_part(points[i + 1] - points[i]);
+    const auto hodograph = std::span(legs).first(p);
+    if (!has_squares(hodograph)) return;
+    count_ = p;
+    goes_onward_ = are_onward(hodograph);
+    with_known_degree(p, [&](auto known) { fill_powers(legs, known, powers_); });
 }
 
 Vector SpeedForm::velocity(double s) const {
     assert(is_plain());
     Vector sum = powers_[count_ - 1];
     for (std::size_t k = count_ - 1; k-- > 0;) sum = s * sum + powers_[k];
-    if (weight_count_ == 0) return sum;
-    double weight = weights_[weight_count_ - 1];
-    for (std::size_t k = weight_count_ - 1; k-- > 0;) weight = s * weight + weights_[k];
-    return sum / (weight * weight);
+    return sum;
 }
 
 RulePair<double> SpeedForm::rules(Interval interval) const {
@@ -162,7 +113,6 @@ RulePair<double> SpeedForm::rules(Interval interval) const {
         places[i + node_count / 2] = middle + step;
     }
     fill_speeds(powers_.data(), count_, places.data(), speeds.data());
-    if (weight_count_ > 0) divide_by_weights(weights_.data(), weight_count_, places.data(), speeds.data());
     // Differences from the middle are summed up, so that a constant is integrated to the last digit.
     double kronrod = 0.0;
     double gauss = 0.0;
@@ -172,7 +122,8 @@ RulePair<double> SpeedForm::rules(Interval interval) const {
         if (i % 2 == 1) gauss += gauss_kronrod::gauss_weights[i / 2] * difference;
     }
     const double whole = interval.length() * center;
-    return {interval, whole + half * kronrod, whole + half * gauss};
+    const DoubleDouble sum = exact_sum(whole, half * kronrod);
+    return {interval, sum.high, whole + half * gauss, sum.low};
 }
 
 }  // namespace batten::core

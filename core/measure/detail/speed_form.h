@@ -1,4 +1,4 @@
-/// The velocity along a piece of low degree as polynomials, for quick quadrature.
+/// The velocity along a polynomial piece of low degree as a polynomial, for quick quadrature.
 #pragma once
 
 #include <array>
@@ -8,14 +8,13 @@
 
 namespace batten::core {
 
-/// dC/dt as powers of the way from the middle of the piece, s = t - 1/2; where weights differ divided by the square of
-/// the weight.
+/// dC/dt as powers of the way from the middle of the piece, s = t - 1/2.
 class SpeedForm {
   public:
     explicit SpeedForm(const PieceMotion& piece);
 
-    /// Whether this is as good as the piece itself: its weights are of one size, its degree is so low that powers lose
-    /// no digits, and its numbers have squares. All else needs that.
+    /// Whether this is as good as the piece itself: all its weights are equal, its degree is so low that powers lose no
+    /// digits, and its numbers have squares. All else needs that.
     bool is_plain() const { return count_ > 0; }
 
     /// Whether all velocities are known to lie within a right angle of one direction, so that none is against another.
@@ -28,14 +27,10 @@ class SpeedForm {
     RulePair<double> rules(Interval interval) const;
 
   private:
-    static constexpr std::size_t most_powers = 8;
-
-    void take_weights(std::span<const HomogeneousPoint> points);
+    static constexpr std::size_t highest_degree = 8;
 
     std::size_t count_ = 0;
-    std::array<Vector, most_powers> powers_{};
-    std::size_t weight_count_ = 0;  ///< none where the weights are equal
-    std::array<double, most_powers> weights_{};
+    std::array<Vector, highest_degree> powers_{};
     bool goes_onward_ = false;
 };
 

@@ -36,30 +36,10 @@ TEST(SpeedForm, has_the_velocities_of_the_piece) {
     }
 }
 
-TEST(SpeedForm, has_the_velocities_of_a_piece_with_weights) {
-    RandomCurves random(94);
-    for (int degree = 1; degree <= 4; ++degree)
-        for (const double weight : {0.3, 3.5}) {
-            const PieceMotion piece = piece_of(random, degree, weight);
-            const SpeedForm form(piece);
-            ASSERT_TRUE(form.is_plain());
-            for (const double t : {0.0, 0.1, 0.5, 0.7, 1.0}) {
-                const Vector expected = piece.at(t).velocity;
-                const double rounding = 1e-14 * (100.0 + length(expected));
-                EXPECT_NEAR(form.velocity(t - 0.5).x, expected.x, rounding) << degree << ' ' << t;
-                EXPECT_NEAR(form.velocity(t - 0.5).y, expected.y, rounding) << degree << ' ' << t;
-            }
-            const Interval part{-0.4, 0.3};
-            const auto expected =
-                integrate_once<double>([&](double s) { return length(piece.at(s + 0.5).velocity); }, part);
-            EXPECT_NEAR(form.rules(part).kronrod, expected.kronrod, 1e-13 * expected.kronrod);
-        }
-}
-
-// The quarter circle turns by a right angle; the cubic (0, 0), (3, 0), (-2, 0), (1, 0) goes back on its way.
+// The parabola (0, 0), (1, 0), (1, 1) turns by a right angle; the cubic (0, 0), (3, 0), (-2, 0), (1, 0) goes back on
+// its way.
 TEST(SpeedForm, tells_whether_a_piece_goes_onward) {
-    const double w = std::sqrt(0.5);
-    EXPECT_TRUE(SpeedForm(PieceMotion({{0.0, 1.0}, 0, {{1, 0, 1}, {w, w, w}, {0, 1, 1}}})).goes_onward());
+    EXPECT_TRUE(SpeedForm(PieceMotion({{0.0, 1.0}, 0, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}}})).goes_onward());
     EXPECT_FALSE(SpeedForm(PieceMotion({{0.0, 1.0}, 0, {{0, 0, 1}, {3, 0, 1}, {-2, 0, 1}, {1, 0, 1}}})).goes_onward());
 }
 
@@ -77,11 +57,10 @@ TEST(SpeedForm, has_the_rules_of_integrate_once) {
     }
 }
 
-TEST(SpeedForm, is_not_for_high_degrees_far_weights_and_huge_numbers) {
+TEST(SpeedForm, is_not_for_high_degrees_weights_and_huge_numbers) {
     RandomCurves random(93);
     EXPECT_FALSE(SpeedForm(piece_of(random, 9)).is_plain());
-    EXPECT_FALSE(SpeedForm(piece_of(random, 5, 2.0)).is_plain());
-    EXPECT_FALSE(SpeedForm(piece_of(random, 3, 5.0)).is_plain());
+    EXPECT_FALSE(SpeedForm(piece_of(random, 3, 2.0)).is_plain());
     EXPECT_FALSE(SpeedForm(PieceMotion({{0.0, 1.0}, 0, {{0, 0, 1}, {1e200, 0, 1}}})).is_plain());
     EXPECT_FALSE(SpeedForm(PieceMotion({{0.0, 1.0}, 0, {{0, 0, 1}, {1e-200, 0, 1}}})).is_plain());
 }
