@@ -3,6 +3,7 @@
 
 #include <BSplCLib.hxx>
 #include <memory>
+#include <unsupported/Eigen/Splines>
 
 #include "curve_numbers.h"
 #include "inputs.h"
@@ -14,6 +15,9 @@ extern "C" void s1891(double etau[], double epoint[], int idim, int inbpnt, int 
 namespace batten::bench {
 
 namespace {
+
+// Eigen's matrix is a full one.
+constexpr std::size_t most_dense_points = 100;
 
 struct InterpolatedPoints {
     Numbers operator()(const core::Result<core::Interpolation>& result) const { return ControlPoints()(result->curve); }
@@ -58,6 +62,21 @@ void add_interpolation_of(Contests& contests, std::size_t count) {
                       for (const gp_Pnt2d& pole : poles) numbers.insert(numbers.end(), {pole.X(), pole.Y()});
                       return numbers;
                   });
+    if (count <= most_dense_points) {
+        using Spline = Eigen::Spline<double, 2, 3>;
+        const auto columns = static_cast<Eigen::Index>(count);
+        Eigen::Matrix2Xd points(2, columns);
+        for (Eigen::Index i = 0; i < columns; ++i) {
+            const core::Point& point = through[static_cast<std::size_t>(i)];
+            points.col(i) << point.x, point.y;
+        }
+        const Spline::KnotVectorType parameters =
+            Eigen::Map<const Eigen::RowVectorXd>(request.parameters.data(), columns);
+        contest.enter("Eigen", [points, parameters] {
+            const Spline spline = Eigen::SplineFitting<Spline>::Interpolate(points, 3, parameters);
+            return Numbers(spline.ctrls().data(), spline.ctrls().data() + spline.ctrls().size());
+        });
+    }
     contests.push_back(std::move(contest));
 }
 
