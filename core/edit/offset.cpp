@@ -20,7 +20,9 @@ constexpr int most_offset_halvings = 40;
 
 // A curve slower than this part of what it reaches in its span has lost digits that its curvature needs.
 constexpr double slow_share = 0.25;
+// The result has so many spans at most, and some for each of the curve.
 constexpr std::size_t most_spans = 20000;
+constexpr std::size_t most_parts_of_span = 16;
 constexpr double offset_noise_in_ulps = 64.0;
 
 // Directions whose sine differs by less are one.
@@ -264,7 +266,7 @@ class OffsetBuilder {
             return add_part(span, left, checks, depth + 1).and_then([&] {
                 return add_part(span, right, checks, depth + 1);
             });
-        if (breaks_.size() > most_spans)
+        if (breaks_.size() > most_spans + most_parts_of_span * spans_.size())
             return refuse_computed(
                 {.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = worst_});
         breaks_.push_back({part.where.upper, part.end.point, part.end.derivative, part.end.derivative});

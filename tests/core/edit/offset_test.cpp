@@ -135,6 +135,18 @@ TEST(Offset, tells_an_error_that_no_point_exceeds) {
         }
 }
 
+TEST(Offset, of_a_curve_of_many_spans_has_room_for_all_of_them) {
+    CurveDefinition definition{.degree = 3, .knots = {0, 0, 0}, .points = {}};
+    constexpr int n = 21000;
+    for (int i = 0; i < n; ++i) definition.points.emplace_back(i, std::sin(0.3 * i));
+    for (int i = 0; i < n - 2; ++i) definition.knots.push_back(i);
+    definition.knots.insert(definition.knots.end(), 3, n - 3);
+    const Curve curve = Curve::make(std::move(definition)).value();
+    const auto result = offset(curve, 0.1, 1e-3).value();
+    EXPECT_LE(result.error, 1e-3);
+    EXPECT_LE(sampled_error(curve, result.curve, 0.1), 1e-3);
+}
+
 TEST(Offset, lies_to_the_left_when_the_distance_is_positive) {
     const Curve curve = gentle(true, false);  // runs round (0, 0) to the left, which is inside
     const Curve inside = offset(curve, 2.0, 1e-6).value().curve;
