@@ -96,7 +96,10 @@ class TriangleLanes {
         const auto is_nearer_lower = hn::Le(from_lower, to_upper);
         const Lanes nearer = hn::IfThenElse(is_nearer_lower, from_lower, hn::Neg(to_upper));
         const Lanes inverse = hn::Div(all(1.0), length);
-        return {hn::Div(nearer, length), is_nearer_lower, inverse};
+        // The quotient, but for a rounding, and what is missing to it.
+        const Lanes quotient = hn::Mul(nearer, inverse);
+        const Lanes rest = hn::NegMulAdd(quotient, length, nearer);
+        return {hn::MulAdd(rest, inverse, quotient), is_nearer_lower, inverse};
     }
 
     HWY_INLINE static Lanes blended(Lanes a, Lanes b, const Step& step) {

@@ -19,18 +19,18 @@ struct alignas(64) LaneRow {
 };
 
 /// The most numbers that a TaylorPiece has.
-inline constexpr std::size_t most_taylor_numbers = 4 + 3 * max_degree;
+inline constexpr std::size_t most_taylor_numbers = 4 + std::size_t{3} * max_degree;
 
 /// What the curve over each span is made of, and where it is asked for. Every lane must be filled, one or the other may
 /// be the same.
 struct SpanBlock {
     std::size_t p;
     bool is_rational;
-    LaneRow parameters;                           ///< in the span's closed interval
-    std::array<LaneRow, 2 * max_degree> knots;    ///< u_{s-p+1}, ..., u_{s+p}
-    std::array<LaneRow, max_degree + 1> x;        ///< of control points s-p, ..., s
-    std::array<LaneRow, max_degree + 1> y;        ///< likewise
-    std::array<LaneRow, max_degree + 1> weights;  ///< likewise, where rational
+    LaneRow parameters;                                      ///< in the span's closed interval
+    std::array<LaneRow, std::size_t{2} * max_degree> knots;  ///< u_{s-p+1}, ..., u_{s+p}
+    std::array<LaneRow, max_degree + 1> x;                   ///< of control points s-p, ..., s
+    std::array<LaneRow, max_degree + 1> y;                   ///< likewise
+    std::array<LaneRow, max_degree + 1> weights;             ///< likewise, where rational
 
     // The rows are left as they are until they are filled.
     explicit SpanBlock(const Curve& curve)  // NOLINT(cppcoreguidelines-pro-type-member-init)

@@ -152,21 +152,18 @@ std::size_t sample_of_degree(const TaylorPiece& piece, Degree p, const Samples& 
 template <std::size_t P>
 using Known = std::integral_constant<std::size_t, P>;
 
+// A degree up to `Most` becomes known.
+template <std::size_t Most>
+std::size_t sample_up_to(const TaylorPiece& piece, const Samples& samples) {
+    if constexpr (Most == 0)
+        return sample_of_degree(piece, piece.p, samples);
+    else
+        return piece.p == Most ? sample_of_degree(piece, Known<Most>(), samples)
+                               : sample_up_to<Most - 1>(piece, samples);
+}
+
 std::size_t sample_lanes(const TaylorPiece& piece, const Samples& samples) {
-    switch (piece.p) {
-        case 1:
-            return sample_of_degree(piece, Known<1>(), samples);
-        case 2:
-            return sample_of_degree(piece, Known<2>(), samples);
-        case 3:
-            return sample_of_degree(piece, Known<3>(), samples);
-        case 4:
-            return sample_of_degree(piece, Known<4>(), samples);
-        case 5:
-            return sample_of_degree(piece, Known<5>(), samples);
-        default:
-            return sample_of_degree(piece, piece.p, samples);
-    }
+    return sample_up_to<5>(piece, samples);
 }
 
 }  // namespace

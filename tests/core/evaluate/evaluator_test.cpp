@@ -249,6 +249,19 @@ TEST(Sample, gives_the_points_in_any_order_and_number) {
     }
 }
 
+TEST(TaylorExpander, makes_the_pieces_of_eight_spans_however_long_the_curve_is) {
+    for (const std::size_t n : {40U, 4000U}) {
+        std::vector<Point> points;
+        for (std::size_t i = 0; i < n; ++i) points.emplace_back(i, i % 2);
+        const Curve curve = Curve::make(make_knots(KnotKind::uniform, 3, n).value(), points, {}).value();
+        TaylorExpander expander(curve);
+        expander.begin_at(20);
+        expander.add_spans();
+        const auto knots = curve.knots().values().subspan(20, block_size + 1);
+        EXPECT_EQ(expander.pieces().joints, std::vector(knots.begin(), knots.end()));
+    }
+}
+
 TEST(Sample, takes_what_is_no_number) {
     RandomCurves random(37);
     const Curve curve = of_kind(KnotKind::clamped_uniform, 3, 20, random);
