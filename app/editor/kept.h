@@ -49,7 +49,7 @@ class KeptBeside {
         // Another key may stand where one stood that is gone.
         if (entry.key.lock() == key) return entry.value;
         entry = {key, std::make_shared<const Value>(compute(*key))};
-        const auto value = entry.value;
+        std::shared_ptr<const Value> value = entry.value;
         if (entries_.size() > most_entries_) forget_the_gone();
         return value;
     }
