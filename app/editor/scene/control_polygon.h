@@ -1,4 +1,4 @@
-/// The control polygon, the hull of the active span and the polygons of the Bézier pieces.
+/// The control polygon and the hull of the active span.
 #pragma once
 
 #include "app/editor/scene/canvas_frame.h"
@@ -14,8 +14,5 @@ void draw_control_polygon(CanvasFrame& frame, const SeenLine& line);
 /// The convex hull of the points that act on the active span, or of what is lit, which shows its hull even where the
 /// overlay is off.
 void draw_hull(CanvasFrame& frame);
-
-/// For each span the control polygon that its piece has as a Bézier curve.
-void draw_bezier_polygons(CanvasFrame& frame);
 
 }  // namespace batten::editor
