@@ -20,11 +20,14 @@ constexpr std::uint8_t full = 255;
 CoverageMap::CoverageMap(glm::ivec2 size_px)
     : size_(glm::max(size_px, glm::ivec2(0))),
       blocks_((size_ + glm::ivec2(block_px - 1)) / block_px),
+      groups_((blocks_ + glm::ivec2(group_blocks - 1)) / group_blocks),
       values_(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y)),
       open_(static_cast<std::size_t>(blocks_.x) * static_cast<std::size_t>(blocks_.y)),
+      open_blocks_(static_cast<std::size_t>(groups_.x) * static_cast<std::size_t>(groups_.y)),
       touched_{size_, {0, 0}} {
     for (int y = 0; y < blocks_.y; ++y)
         for (int x = 0; x < blocks_.x; ++x) open_[block_of(block_px * glm::ivec2(x, y))] = block_size({x, y});
+    count_groups();
 }
 
 // How many pixels the block has, fewer at the picture's upper edges.
@@ -45,13 +48,25 @@ PixelRange CoverageMap::pixels_of(const PixelBox& box) const {
 bool CoverageMap::is_full(const PixelBox& box) const {
     const PixelRange range = pixels_of(box);
     if (range.is_empty()) return true;
-    const glm::ivec2 last = range.upper - 1;
-    for (int y = range.lower.y / block_px; y <= last.y / block_px; ++y) {
-        const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(blocks_.x);
-        for (int x = range.lower.x / block_px; x <= last.x / block_px; ++x)
-            if (open_[row + static_cast<std::size_t>(x)] != 0) return false;
-    }
+    const glm::ivec2 first = range.lower / block_px;
+    const glm::ivec2 last = (range.upper - 1) / block_px;
+    for (int y = first.y / group_blocks; y <= last.y / group_blocks; ++y)
+        for (int x = first.x / group_blocks; x <= last.x / group_blocks; ++x) {
+            const glm::ivec2 corner = group_blocks * glm::ivec2(x, y);
+            if (open_blocks_[group_of(corner)] > 0 &&
+                has_open_block(glm::max(first, corner), glm::min(last, corner + (group_blocks - 1))))
+                return false;
+        }
     return true;
+}
+
+bool CoverageMap::has_open_block(glm::ivec2 first, glm::ivec2 last) const {
+    for (int y = first.y; y <= last.y; ++y) {
+        const std::uint8_t* open = &open_[static_cast<std::size_t>(y) * static_cast<std::size_t>(blocks_.x)];
+        for (int x = first.x; x <= last.x; ++x)
+            if (open[x] != 0) return true;
+    }
+    return false;
 }
 
 bool CoverageMap::is_full_about(glm::dvec2 a, glm::dvec2 b, double reach_px) const {
@@ -88,6 +103,14 @@ void CoverageMap::count_open() {
         for (int x = 0; x < size_.x; ++x)
             if (value[x] == full) --open[x / block_px];
     }
+    count_groups();
+}
+
+void CoverageMap::count_groups() {
+    std::fill(open_blocks_.begin(), open_blocks_.end(), std::uint8_t{0});
+    for (int y = 0; y < blocks_.y; ++y)
+        for (int x = 0; x < blocks_.x; ++x)
+            if (open_[block_of(block_px * glm::ivec2(x, y))] > 0) ++open_blocks_[group_of({x, y})];
 }
 
 PixelRange CoverageMap::clear(const PixelBox& box) {
@@ -100,12 +123,14 @@ PixelRange CoverageMap::clear(const PixelBox& box) {
     for (int y = blocks.lower.y; y < blocks.upper.y; ++y)
         for (int x = blocks.lower.x; x < blocks.upper.x; ++x)
             open_[block_of(block_px * glm::ivec2(x, y))] = block_size({x, y});
+    count_groups();
     return cleared;
 }
 
 void CoverageMap::hide_under(const CoverageMap& above) {
     for (std::size_t block = 0; block < open_.size(); ++block)
         if (above.open_[block] == 0) open_[block] = 0;
+    count_groups();
 }
 
 void CoverageMap::stroke(glm::dvec2 a, glm::dvec2 b, const InkStyle& style, double along_px) {
@@ -185,7 +210,8 @@ void CoverageMap::paint_row(const Segment& segment, int y, int first, int end) {
         const auto painted = static_cast<std::uint8_t>(255.0 * share + 0.5);
         if (painted <= value[x]) continue;
         value[x] = painted;
-        if (painted == full && open[x / block_px] > 0) --open[x / block_px];
+        if (painted < full || open[x / block_px] == 0) continue;
+        if (--open[x / block_px] == 0) --open_blocks_[group_of({x / block_px, y / block_px})];
     }
 }
 

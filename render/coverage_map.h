@@ -49,7 +49,7 @@ class CoverageMap {
     void stroke(glm::dvec2 a, glm::dvec2 b, const InkStyle& style, double along_px = 0.0);
 
     /// Whether all of the box that is in the picture is known to be covered or hidden; may fail to know within 7 px of
-    /// what is not. Cost: the box in blocks of 8 x 8, less where it is not so.
+    /// what is not. Cost: the box in blocks of 64 x 64, near its edges of 8 x 8; less where it is not so.
     [[nodiscard]] bool is_full(const PixelBox& box) const;
 
     /// The same for all within `reach_px` of the segment from a to b.
@@ -81,18 +81,27 @@ class CoverageMap {
                static_cast<std::size_t>(pixel.x / block_px);
     }
     [[nodiscard]] PixelRange pixels_of(const PixelBox& box) const;
+    [[nodiscard]] std::size_t group_of(glm::ivec2 block) const {
+        return static_cast<std::size_t>(block.y / group_blocks) * static_cast<std::size_t>(groups_.x) +
+               static_cast<std::size_t>(block.x / group_blocks);
+    }
+    [[nodiscard]] bool has_open_block(glm::ivec2 first, glm::ivec2 last) const;
     void count_open();
+    void count_groups();
     [[nodiscard]] std::uint8_t block_size(glm::ivec2 block) const;
     void stroke_solid(glm::dvec2 a, glm::dvec2 b, double half_width);
     void paint(const Segment& segment, double from, double to);
     void paint_row(const Segment& segment, int y, int first, int end);
 
     static constexpr int block_px = 8;
+    static constexpr int group_blocks = 8;
 
     glm::ivec2 size_{};
     glm::ivec2 blocks_{};
+    glm::ivec2 groups_{};
     std::vector<std::uint8_t> values_;
-    std::vector<std::uint8_t> open_;  ///< pixels of each block that are not covered
+    std::vector<std::uint8_t> open_;         ///< pixels of each block that are not covered
+    std::vector<std::uint8_t> open_blocks_;  ///< blocks of each group that have such pixels
     PixelRange touched_;
 };
 
