@@ -12,6 +12,7 @@ namespace batten::render {
 namespace {
 
 constexpr double piece_px = 8.0;      // what is looked at and painted, or left out, at a time
+constexpr double longest_px = 1e12;   // of a segment whose places in the picture are known well enough
 constexpr int most_dashes = 1 << 14;  // of one segment; more are a solid line
 constexpr std::uint8_t full = 255;
 
@@ -70,14 +71,20 @@ bool CoverageMap::has_open_block(glm::ivec2 first, glm::ivec2 last) const {
 }
 
 bool CoverageMap::is_full_about(glm::dvec2 a, glm::dvec2 b, double reach_px) const {
-    const double step = std::max(piece_px, reach_px) / glm::distance(a, b);
-    double from = 0.0;
+    const double length = glm::distance(a, b);
+    // What is outside of the picture needs no look.
+    const glm::dvec2 margin(reach_px);
+    const auto near = clip_segment({-margin, glm::dvec2(size_) + margin}, a, b);
+    if (!near) return true;
+    if (!(length < longest_px)) return false;
+    const double step = std::max(piece_px, reach_px) / length;
+    double from = near->first;
     do {
-        const double to = from + step < 1.0 ? from + step : 1.0;
+        const double to = from + step < near->last ? from + step : near->last;
         const PixelBox core = PixelBox::between(a + from * (b - a), a + to * (b - a));
         if (!is_full({core.lower_px - reach_px, core.upper_px + reach_px})) return false;
         from = to;
-    } while (from < 1.0);
+    } while (from < near->last);
     return true;
 }
 
@@ -141,16 +148,17 @@ void CoverageMap::stroke(glm::dvec2 a, glm::dvec2 b, const InkStyle& style, doub
     const glm::dvec2 margin(half_width + 1.0);
     const auto seen = clip_segment({-margin, glm::dvec2(size_) + margin}, a, b);
     if (!seen) return;
-    const auto at = [&](double t) { return a + t * (b - a); };
-    const double from = along_px + seen->first * length;
-    const double to = along_px + seen->last * length;
-    if (style.dash_px <= 0.0 || !(to - from < most_dashes * period))
-        return stroke_solid(at(seen->first), at(seen->last), half_width);
-    for (double dash = std::floor(from / period) * period; dash < to; dash += period) {
-        const double begin = std::max(dash, from);
-        const double end = std::min(dash + style.dash_px, to);
-        if (begin < end || length == 0.0)
-            stroke_solid(at((begin - along_px) / length), at((end - along_px) / length), half_width);
+    const glm::dvec2 first = a + seen->first * (b - a);
+    const double seen_length = (seen->last - seen->first) * length;
+    if (style.dash_px <= 0.0 || !(seen_length < most_dashes * period))
+        return stroke_solid(first, a + seen->last * (b - a), half_width);
+    // From what is seen on, so that a line that comes from far away goes on, too.
+    const glm::dvec2 direction = length > 0.0 ? (b - a) / length : glm::dvec2(0.0);
+    const double phase = std::fmod(along_px + seen->first * length, period);
+    for (double dash = -phase; dash < seen_length; dash += period) {
+        const double begin = std::max(dash, 0.0);
+        const double end = std::min(dash + style.dash_px, seen_length);
+        if (begin < end) stroke_solid(first + begin * direction, first + end * direction, half_width);
     }
 }
 

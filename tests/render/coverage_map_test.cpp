@@ -149,5 +149,34 @@ TEST(CoverageMap, survives_places_of_any_size) {
     EXPECT_TRUE(nothing.is_full({{0.0, 0.0}, {1.0, 1.0}}));
 }
 
+TEST(CoverageMap, looks_at_a_segment_only_where_it_is_in_the_picture) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    CoverageMap map(size);
+    map.stroke({-50.0, 60.0}, {250.0, 60.0}, {.width_px = 41.0});
+    for (const double far : {1e3, 1e11, 1e18, 1e300}) {
+        EXPECT_EQ(map.is_full_about({-far, 60.0}, {far, 60.0}, 2.5), far < 1e12) << far;
+        EXPECT_FALSE(map.is_full_about({-far, 100.0}, {far, 100.0}, 2.5)) << far;
+        EXPECT_TRUE(map.is_full_about({-far, 150.0}, {far, 150.0}, 2.5)) << far;
+        EXPECT_FALSE(map.is_full_about({100.0, -far}, {100.0, far}, 2.5)) << far;
+    }
+    EXPECT_FALSE(map.is_full_about({-infinity, 100.0}, {infinity, 100.0}, 2.5));
+    EXPECT_TRUE(map.is_full_about({100.0, 60.0}, {100.0, 60.0}, 2.5));
+    EXPECT_FALSE(map.is_full_about({100.0, 95.0}, {100.0, 95.0}, 2.5));
+}
+
+TEST(CoverageMap, dashes_a_line_that_comes_from_far_away) {
+    const InkStyle dashed{.width_px = 1.0, .dash_px = 6.0, .gap_px = 5.0};
+    for (const double along : {0.0, 1e12, 1e18, 1e30}) {
+        CoverageMap map(size);
+        map.stroke({-10.0, 50.5}, {210.0, 50.5}, dashed, along);
+        EXPECT_NEAR(ink_of(map), 200.0 * (6.0 + 0.785) / 11.0, 5.0) << along;
+    }
+    for (const double far : {1e3, 1e9, 1e12}) {
+        CoverageMap map(size);
+        map.stroke({-far, 50.5}, {210.0, 50.5}, dashed);
+        EXPECT_NEAR(ink_of(map), 200.0 * (6.0 + 0.785) / 11.0, 5.0) << far;
+    }
+}
+
 }  // namespace
 }  // namespace batten::render
