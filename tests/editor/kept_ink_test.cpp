@@ -124,6 +124,23 @@ TEST(KeptInk, follows_random_edits_as_if_painted_anew) {
     }
 }
 
+TEST(KeptInk, repaints_few_spans_after_all_points_were_moved) {
+    std::vector<core::Point> points = scattered(3000);
+    InkOfCurve kept = ink_of(curve_through(points), 3.0);
+    kept.follow(curve_through(points));
+    for (core::Point& point : points) point += core::Vector(3.0, 5.0);
+    kept.follow(curve_through(points));
+    EXPECT_EQ(kept.parts, 0U) << "but with all the rest";
+    for (int k = 1; k <= 5; ++k) {
+        points[150] += core::Vector(3.0, -2.0);
+        const auto curve = curve_through(points);
+        const render::CoverageMap& whole = kept.follow(curve);
+        EXPECT_EQ(kept.parts, 4U * static_cast<std::size_t>(k));
+        InkOfCurve anew = ink_of(curve, 3.0);
+        EXPECT_LE(difference(whole, anew.follow(curve)), 1) << k;
+    }
+}
+
 TEST(KeptInk, moves_with_the_view_and_paints_what_comes_into_it) {
     const auto curve = curve_through(scattered(200));
     std::vector<core::Point> thick;

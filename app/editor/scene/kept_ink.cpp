@@ -9,6 +9,9 @@ namespace batten::editor {
 
 namespace {
 
+// More than so many parts that change are painted with all the rest.
+constexpr std::size_t most_loose = 1024;
+
 double reach_px(const InkPlace& place) {
     return 0.5 * place.style.width_px + 1.0;
 }
@@ -55,7 +58,7 @@ std::optional<core::Box> KeptInk::uncovered(const KeptInk* above, glm::ivec2 shi
 void KeptInk::follow(const core::StripChange& change, const InkPlace& place, const KeptInk* above,
                      const InkPainter& painter) {
     const bool is_unchanged = change.number == number_;
-    const bool is_next = change.number == number_ + 1 && !change.is_all;
+    const bool is_next = change.number == number_ + 1 && !change.is_all && change.parts.size() <= most_loose;
     const auto shift = shift_between(std::exchange(place_, place), place);
     const auto seen_anew = shift ? uncovered(above, *shift) : std::nullopt;
     const bool goes_on = lasting_.map != nullptr && (is_unchanged || is_next) && seen_anew;
