@@ -24,6 +24,7 @@ constexpr double boxed_point_distance = 14.0;
 constexpr double control_point_reach = 7.5;
 constexpr double construction_reach = 5.0;
 constexpr double word_gap = 4.0;
+constexpr double width_error = 0.1;  // of the width of a text that is not measured with its font
 constexpr double ground_margin = 2.0;
 constexpr double label_ground_opacity = 0.85;
 
@@ -64,9 +65,9 @@ class LabelWriter {
             size = {size.x + gap + width_px(word), std::max(size.y, frame_.pen.px(1.25 * word.style.size))};
         const auto place = layout_.place(point, size, frame_.pen.px(distance), first, crowding);
         if (!place) return false;
-        if (has_grounds_) fill_ground(place->box);
         // Words are set from the end that is anchored, where the true widths of the fonts do no harm.
         const bool is_from_right = place->anchor == render::Anchor::right;
+        if (has_grounds_) fill_ground(place->box, is_from_right);
         if (is_from_right) std::reverse(words.begin(), words.end());
         double x = is_from_right ? place->box.upper_px.x : place->box.lower_px.x;
         for (Word& word : words) {
@@ -79,10 +80,12 @@ class LabelWriter {
     }
 
   private:
-    /// Keeps what is dense there from running through the words.
-    void fill_ground(const render::PixelBox& box) {
+    /// Keeps what is dense there from running through the words, which may be longer than they are taken for.
+    void fill_ground(const render::PixelBox& box, bool is_from_right) {
         const glm::dvec2 around(frame_.pen.px(ground_margin));
-        frame_.pen.fill(corners_of({box.lower_px - around, box.upper_px + around}),
+        const glm::dvec2 longer(width_error * (box.upper_px.x - box.lower_px.x), 0.0);
+        frame_.pen.fill(corners_of({box.lower_px - around - (is_from_right ? longer : glm::dvec2(0.0)),
+                                    box.upper_px + around + (is_from_right ? glm::dvec2(0.0) : longer)}),
                         render::faded(frame_.theme.canvas, label_ground_opacity));
     }
 
