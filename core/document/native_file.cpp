@@ -8,9 +8,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-FileResult<Document> read_file(InputFile& file, const Progress& progress) {
+FileResult<Document> read_file(InputFile& file, const Progress& progress, const PointsRead& points_read) {
     TextStream text(file, progress);
-    return read_document(text);
+    return read_document(text, points_read);
 }
 
 }  // namespace
@@ -36,13 +36,13 @@ FileResult<Document> parse_document(std::string_view text) {
     return read_document(stream);
 }
 
-FileResult<Document> load_document(const fs::path& path, const Progress& progress) {
-    return InputFile::open(path).and_then([&](InputFile file) { return read_file(file, progress); });
+FileResult<Document> load_document(const fs::path& path, const Progress& progress, const PointsRead& points_read) {
+    return InputFile::open(path).and_then([&](InputFile file) { return read_file(file, progress, points_read); });
 }
 
 FileResult<Document> load_document(int descriptor, const std::string& name) {
     InputFile file(descriptor, name);
-    return read_file(file, {});
+    return read_file(file, {}, {});
 }
 
 FileResult<void> save_document(const Document& document, const fs::path& path, const Progress& progress) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -10,6 +12,10 @@
 #include "core/document/file_text.h"
 
 namespace batten::core {
+
+/// Is told the control points of all curves of a file while they are read, the next few at a time, in its order.
+/// Nothing about them is checked yet, and those that are written in an unusual way are left out.
+using PointsRead = std::function<void(std::span<const Point> points)>;
 
 /// The curve in the file at `path`: the active one where it holds several. Errors: those of load_document; the file has
 /// no curve.
@@ -28,9 +34,10 @@ namespace batten::core {
 std::string format_document(const Document& document, const Progress& progress = {});
 
 /// parse_document of the file's content, which is never held whole: besides the document itself the numbers of its
-/// curves take at most twice their memory. `progress` is told how much is read, where the size of the file is known.
-/// Errors also: those of read_text.
-[[nodiscard]] FileResult<Document> load_document(const std::filesystem::path& path, const Progress& progress = {});
+/// curves take at most twice their memory. `progress` is told how much is read, where the size of the file is known;
+/// `points_read` then is told the points up to there. Errors also: those of read_text.
+[[nodiscard]] FileResult<Document> load_document(const std::filesystem::path& path, const Progress& progress = {},
+                                                 const PointsRead& points_read = {});
 
 /// The same for what the open file `descriptor` still has; `name` stands for it in errors.
 [[nodiscard]] FileResult<Document> load_document(int descriptor, const std::string& name);

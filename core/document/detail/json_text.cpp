@@ -1,6 +1,7 @@
 #include "core/document/detail/json_text.h"
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 #include <set>
 
@@ -53,7 +54,7 @@ class StreamIterator {
 // stands, when a list begins, behind its bracket, and goes on with what is left of the list.
 class TreeBuilder : public nlohmann::json_sax<Json> {
   public:
-    explicit TreeBuilder(TextStream& text) : text_(text) {}
+    TreeBuilder(TextStream& text, const PointsRead& points_read) : text_(text), points_read_(points_read) {}
 
     Json& tree() { return tree_; }
     const FileError& error() const { return error_; }
@@ -71,8 +72,8 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
 
     bool start_array(std::size_t) override {
         if (!enter(Json::array())) return false;
-        if (is_member_of_curve("knots") || is_member_of_curve("weights")) take_packed(ListItem::number);
-        if (is_member_of_curve("points")) take_packed(ListItem::pair);
+        if (is_member_of_curve("knots") || is_member_of_curve("weights")) take_packed(ListItem::number, {});
+        if (is_member_of_curve("points")) take_packed(ListItem::pair, teller_of_points());
         return true;
     }
 
@@ -139,9 +140,18 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
                open_[1].value->is_array() && open_[0].value->is_object();
     }
 
-    void take_packed(ListItem item) {
+    NumbersTaken teller_of_points() const {
+        if (!points_read_) return {};
+        return [this](std::span<const std::uint8_t> bytes) {
+            std::vector<Point> points(bytes.size() / sizeof(Point));
+            std::memcpy(points.data(), bytes.data(), bytes.size());
+            points_read_(points);
+        };
+    }
+
+    void take_packed(ListItem item, const NumbersTaken& taken) {
         const std::size_t before = text_.position();
-        Json items = take_numbers(text_, item);
+        Json items = take_numbers(text_, item, taken);
         bytes_taken_ += text_.position() - before;
         if (!items.get_binary().empty()) add(std::move(items));
     }
@@ -152,6 +162,7 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
     }
 
     TextStream& text_;
+    const PointsRead& points_read_;
     std::size_t bytes_taken_ = 0;
     Json tree_;
     std::vector<Open> open_;
@@ -160,8 +171,8 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
-FileResult<Json> parse_json(TextStream& text) {
-    TreeBuilder builder(text);
+FileResult<Json> parse_json(TextStream& text, const PointsRead& points_read) {
+    TreeBuilder builder(text, points_read);
     const bool is_read = Json::sax_parse(StreamIterator(&text), StreamIterator(), &builder);
     if (text.is_at_end() && text.error()) return tl::unexpected(*text.error());
     if (!is_read) return tl::unexpected(builder.error());

@@ -16,7 +16,7 @@ inline constexpr std::size_t most_members = 10'000;
 /// The tree of `text`, in which the lists of numbers of curves (/curves/i/knots, points, weights) are packed as
 /// number_list.h says. Refused with "line L, column C": anything that is not JSON, numbers too large for a double, text
 /// that is not UTF-8. Refused without a place: nesting or members beyond the limits, a member that occurs twice in one
-/// object. Also: what ended the text early.
-[[nodiscard]] FileResult<Json> parse_json(TextStream& text);
+/// object. Also: what ended the text early. `points_read` is told the points that are packed.
+[[nodiscard]] FileResult<Json> parse_json(TextStream& text, const PointsRead& points_read = {});
 
 }  // namespace batten::core

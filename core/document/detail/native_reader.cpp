@@ -172,8 +172,8 @@ void read_view(ObjectReader& document_reader, Document& document) {
 
 }  // namespace
 
-FileResult<Document> read_document(TextStream& text) {
-    auto tree = parse_json(text);
+FileResult<Document> read_document(TextStream& text, const PointsRead& points_read) {
+    auto tree = parse_json(text, points_read);
     if (!tree) return tl::unexpected(tree.error());
     ObjectReader reader(*tree, "");
     Document document;

@@ -88,11 +88,12 @@ std::optional<Item> item_at(std::string_view text, ListItem kind) {
 
 }  // namespace
 
-Json take_numbers(TextStream& text, ListItem kind) {
+Json take_numbers(TextStream& text, ListItem kind, const NumbersTaken& taken) {
     std::vector<std::uint8_t> bytes;
     for (;;) {
         std::string_view ahead = text.ahead(longest_item);
         const std::size_t all = ahead.size();
+        const std::size_t taken_before = bytes.size();
         bool is_last = false;
         while (!is_last && (ahead.size() >= longest_item || all < longest_item)) {
             const auto item = item_at(ahead, kind);
@@ -103,6 +104,7 @@ Json take_numbers(TextStream& text, ListItem kind) {
             ahead.remove_prefix(item->length);
         }
         text.skip(all - ahead.size());
+        if (taken && bytes.size() > taken_before) taken(std::span(bytes).subspan(taken_before));
         if (is_last) return Json::binary(std::move(bytes), kind == ListItem::pair ? 2 : 1);
     }
 }

@@ -2,7 +2,9 @@
 /// in one binary value, which no text makes.
 #pragma once
 
+#include <cstdint>
 #include <cstring>
+#include <functional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -19,10 +21,13 @@ enum class ListItem {
     pair  ///< a list of two numbers
 };
 
+/// Is told the bytes of items that were taken, which are never none.
+using NumbersTaken = std::function<void(std::span<const std::uint8_t> bytes)>;
+
 /// Takes the items at the front of `text`, which stands behind the opening bracket of a list, as long as each is of
 /// this kind and nothing strange follows: what is left is the rest of the list, to be read by a parser that has seen
-/// the bracket alone. Returns the items packed.
-Json take_numbers(TextStream& text, ListItem kind);
+/// the bracket alone. Returns the items packed; `taken` is told them, block by block of the text.
+Json take_numbers(TextStream& text, ListItem kind, const NumbersTaken& taken = {});
 
 /// Whether items of this type can stand packed in a tree.
 template <class T>

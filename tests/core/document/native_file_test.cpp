@@ -585,6 +585,43 @@ TEST_F(NativeFile, progress_is_told_and_may_stop_the_reading) {
     EXPECT_THROW(static_cast<void>(load_document(path, stop)), Stopped);
 }
 
+// Points (i, 0) for i from `first` on.
+DocumentCurve numbered_curve(std::size_t first, std::size_t count) {
+    CurveDefinition definition{.degree = 1, .knots = {0.0}, .points = {}};
+    for (std::size_t i = 0; i < count; ++i) {
+        definition.knots.push_back(static_cast<double>(i));
+        definition.points.emplace_back(static_cast<double>(first + i), 0.0);
+    }
+    definition.knots.push_back(definition.knots.back());
+    DocumentCurve entry;
+    entry.curve = std::make_shared<const Curve>(Curve::make(std::move(definition)).value());
+    return entry;
+}
+
+TEST_F(NativeFile, points_are_told_while_they_are_read) {
+    const fs::path path = in_folder("numbered.json");
+    Document document;
+    for (const std::size_t count : {7U, 100'000U, 50'000U, 4U})
+        document.curves.push_back(numbered_curve(1000 * document.curves.size(), count));
+    std::vector<Point> points;
+    for (const DocumentCurve& entry : document.curves)
+        for (const Point point : entry.curve->control_points()) points.push_back(point);
+    ASSERT_TRUE(save_document(document, path).has_value());
+    std::vector<Point> told;
+    const auto take = [&](std::span<const Point> next) { told.insert(told.end(), next.begin(), next.end()); };
+    ASSERT_TRUE(load_document(path, {}, take).has_value());
+    EXPECT_EQ(told, points);
+    struct Stopped {};
+    const auto stop = [](double share) {
+        if (share > 0.5) throw Stopped{};
+    };
+    told.clear();
+    EXPECT_THROW(static_cast<void>(load_document(path, stop, take)), Stopped);
+    ASSERT_GT(told.size(), 30'000U) << "of the long curve, up to the block that was not read";
+    ASSERT_LT(told.size(), 100'000U);
+    EXPECT_TRUE(std::equal(told.begin(), told.end(), points.begin()));
+}
+
 TEST_F(NativeFile, a_file_that_grows_meanwhile_is_read_to_its_end) {
     const fs::path path = in_folder("growing.json");
     ASSERT_TRUE(save_document(titled(std::string(1'000'000, 'x')), path).has_value());
