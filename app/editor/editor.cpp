@@ -263,7 +263,9 @@ bool Editor::follow_work() {
         return true;
     }
     const auto before = std::exchange(state_.at_work->share, at_work_->work.share());
-    return before != state_.at_work->share;
+    if (before == state_.at_work->share) return false;
+    state_.at_work->sketch = at_work_->work.sketch();
+    return true;
 }
 
 void Editor::cancel_work() {

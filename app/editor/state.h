@@ -14,10 +14,11 @@
 #include "app/editor/history.h"
 #include "app/editor/nudge_burst.h"
 #include "app/editor/selection.h"
+#include "app/editor/sketch.h"
 #include "app/editor/view.h"
 #include "core/base/names.h"
 #include "core/base/progress.h"
-#include "core/document/document.h"
+#include "core/document/native_file.h"
 
 namespace batten::editor {
 
@@ -54,6 +55,7 @@ struct AtWork {
     std::string text;             ///< "Opening wave.json"
     std::optional<double> share;  ///< how much is done, from 0 to 1; none where that is not known
     bool is_canceled = false;     ///< it will stop as soon as it can
+    Sketch sketch{};              ///< of the file that is being opened; stands for the document on the canvas
 };
 
 /// What the editor asks of the desktop; replaced in tests.
@@ -87,6 +89,7 @@ struct EditorState {
     std::optional<Pending> pending;     ///< waits until unsaved changes are saved or given up
     std::optional<AtWork> at_work;      ///< what Dialog::at_work tells
     core::Progress progress;            ///< is told how far a long command is; may stop it
+    core::PointsRead points_read;       ///< is told what is read of the file that is being opened
     Message message;
     std::filesystem::path path;  ///< empty for a document without a file
     std::vector<std::filesystem::path> recent_files;

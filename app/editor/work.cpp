@@ -28,6 +28,8 @@ bool is_visible_step(double from, double to) {
 // What both threads see; the result is the worker's until it has finished.
 struct Work::Shared {
     std::atomic<double> share = not_told;
+    std::mutex sketch_mutex;
+    Sketch sketch;
     Outcome<WorkResult> result = tl::unexpected(Refusal());
     std::mutex mutex;
     std::condition_variable ended;
@@ -86,10 +88,15 @@ Work::Work(const EditorState& state, std::function<bool(EditorState&)> run, std:
             is_past_canceling = share >= 1.0;
             if (is_visible_step(shared->share.exchange(share), share)) wake();
         };
+        copy.points_read = [&](std::span<const core::Point> points) {
+            const std::lock_guard lock(shared->sketch_mutex);
+            shared->sketch.add(points);
+        };
         try {
             const bool is_done = run(copy);
             if (stop.stop_requested() && !is_past_canceling) throw Canceled{};
             copy.progress = nullptr;
+            copy.points_read = nullptr;
             shared->result = WorkResult{std::move(copy), is_done};
         } catch (const Canceled&) {
             shared->result = tl::unexpected(Refusal("canceled; nothing has changed"));
@@ -110,6 +117,11 @@ Work::~Work() = default;
 std::optional<double> Work::share() const {
     const double share = shared_->share;
     return share == not_told ? std::nullopt : std::optional(share);
+}
+
+Sketch Work::sketch() const {
+    const std::lock_guard lock(shared_->sketch_mutex);
+    return shared_->sketch;
 }
 
 void Work::cancel() {

@@ -34,6 +34,9 @@ class Work {
     /// How much is done, from 0 to 1; none where nothing was told yet.
     std::optional<double> share() const;
 
+    /// What is read so far of the file that is being opened.
+    Sketch sketch() const;
+
     /// Asks the work to stop. It does so when it next tells how far it is, and its result is given up; what has told
     /// that all is done goes on to its end.
     void cancel();

@@ -118,6 +118,7 @@ void write_state_report(const ShownFrame& frame, const std::filesystem::path& pa
     report["message"] = state.message.text;
     report["message_is_error"] = state.message.is_error;
     report["dialog"] = core::name_of(state.dialog);
+    report["sketched_points"] = state.at_work ? state.at_work->sketch.points().size() : 0;
     report["at_work"] = state.at_work ? json(state.at_work->text) : json(nullptr);
     report["undo_label"] = state.history.undo_label();
     report["undo_count"] = state.history.undo_count();

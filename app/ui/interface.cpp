@@ -95,7 +95,7 @@ void draw_dialogs(const PanelContext& context, const FrameAreas& areas) {
     draw_command_palette(context, areas.window);
     draw_key_sheet(context, areas.window);
     draw_about_dialog(context, areas.window);
-    draw_work_dialog(context, areas.window);
+    draw_work_dialog(context, areas.window, areas.canvas);
 }
 
 /// The shape that Dear ImGui's widgets ask for.

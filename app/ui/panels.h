@@ -59,6 +59,6 @@ void draw_command_form(const PanelContext& context, const Rectangle& window, con
 void draw_command_palette(const PanelContext& context, const Rectangle& window);
 void draw_key_sheet(const PanelContext& context, const Rectangle& window);
 void draw_about_dialog(const PanelContext& context, const Rectangle& window);
-void draw_work_dialog(const PanelContext& context, const Rectangle& window);
+void draw_work_dialog(const PanelContext& context, const Rectangle& window, const Rectangle& canvas);
 
 }  // namespace batten::ui

@@ -39,7 +39,7 @@ void draw_bar(const PanelContext& context, double share) {
 
 }  // namespace
 
-void draw_work_dialog(const PanelContext& context, const Rectangle& window) {
+void draw_work_dialog(const PanelContext& context, const Rectangle& window, const Rectangle& canvas) {
     const std::optional<editor::AtWork>& work = context.state.at_work;
     if (context.state.dialog != editor::Dialog::at_work || !work) return;
     constexpr double width = 440.0;
@@ -47,6 +47,7 @@ void draw_work_dialog(const PanelContext& context, const Rectangle& window) {
     DialogFrame frame;
     frame.title = elided(work->text, context.fonts.bold, context.px(room_of_title));
     frame.size = {width, 148.0};
+    frame.beside = canvas;
     frame.closes_on_outside = false;
     const bool is_left = begin_dialog(context, window, frame);
     draw_bar(context, work->share.value_or(0.0));

@@ -182,11 +182,14 @@ class FilesTest(WindowTest):
         state = editor.wait(lambda state: "% done" in state["widgets"].get("work", {"value": ""})["value"], "the first per cent")
         self.assertEqual((state["dialog"], state["at_work"]), ("at-work", "Opening slow.json"))
         self.assertEqual(state["path"], str(self.path))
+        points = CUBIC["curves"][0]["points"]
+        editor.wait(lambda state: state["sketched_points"] == len(points), "the points read so far")
         editor.screenshot("at work")
         editor.key("Escape")
         state = editor.wait(lambda state: state["at_work"] is None and state["is_settled"], "the end of the work")
         self.assertEqual((state["message"], state["message_is_error"]), ("Opening slow.json: canceled; nothing has changed", False))
         self.assertEqual((state["path"], state["curve_count"], state["dialog"]), (str(self.path), 1, "open-file"))
+        self.assertEqual(state["sketched_points"], 0)
 
     def test_a_long_file_can_be_canceled_at_the_start(self):
         editor = self.open_editor(self.slow_file())

@@ -11,6 +11,7 @@
 #include "app/editor/commands/fitting_commands.h"
 #include "app/editor/commands/making_commands.h"
 #include "app/editor/commands/view_commands.h"
+#include "app/editor/scene/canvas_scene.h"
 #include "app/editor/typed_command.h"
 #include "core/curve/knot_kinds.h"
 #include "core/document/native_file.h"
@@ -26,6 +27,10 @@ class Gate {
   public:
     void pass() {
         std::unique_lock lock(mutex_);
+        if (admitted_ > 0) {
+            --admitted_;
+            return;
+        }
         ++waiting_;
         changed_.notify_all();
         changed_.wait(lock, [&] { return is_open_; });
@@ -35,6 +40,11 @@ class Gate {
         const std::lock_guard lock(mutex_);
         is_open_ = true;
         changed_.notify_all();
+    }
+    // Lets so many pass it without waiting.
+    void admit(int count) {
+        const std::lock_guard lock(mutex_);
+        admitted_ = count;
     }
     void close() {
         const std::lock_guard lock(mutex_);
@@ -50,6 +60,7 @@ class Gate {
     std::condition_variable changed_;
     bool is_open_ = false;
     int waiting_ = 0;
+    int admitted_ = 0;
 };
 
 void await(const Work& work) {
@@ -148,6 +159,27 @@ TEST(Work, that_lacks_memory_says_so) {
     EXPECT_EQ(work.take().error(), "there is not enough memory; nothing has changed");
 }
 
+TEST(Work, hands_over_the_points_that_are_read) {
+    Gate gate;
+    Work work(
+        EditorState(),
+        [&](EditorState& copy) {
+            copy.points_read(std::vector{core::Point(1.0, 2.0), core::Point(3.0, 4.0)});
+            gate.pass();
+            copy.points_read(std::vector{core::Point(5.0, 6.0)});
+            return true;
+        },
+        [] {});
+    gate.await_someone();
+    std::vector<core::Point> points{{1.0, 2.0}, {3.0, 4.0}};
+    EXPECT_EQ(work.sketch().points(), points);
+    gate.open();
+    await(work);
+    points.emplace_back(5.0, 6.0);
+    EXPECT_EQ(work.sketch().points(), points);
+    EXPECT_FALSE(work.take()->state.points_read);
+}
+
 TEST(Work, that_nobody_waits_for_is_stopped) {
     std::atomic<bool> has_begun = false;
     const auto run = [&](EditorState& copy) {
@@ -231,6 +263,45 @@ TEST_F(BesideTheInterface, canceling_leaves_everything_as_it_was) {
     EXPECT_EQ(state().dialog, Dialog::none);
     EXPECT_EQ(state().message, (Message{"Opening large.json: canceled; nothing has changed", false}));
     EXPECT_EQ(editor_->log().size(), 1U);
+}
+
+// A file with one curve of many points (i, sin i / 100), and ballast, which is read after it.
+std::string text_of_wave(std::size_t count) {
+    core::Document document;
+    core::DocumentCurve& item = document.curves.emplace_back();
+    std::vector<core::Point> points;
+    for (std::size_t i = 0; i < count; ++i)
+        points.emplace_back(static_cast<double>(i), std::sin(0.01 * static_cast<double>(i)));
+    item.curve = std::make_shared<const core::Curve>(
+        core::Curve::make(core::make_knots(core::KnotKind::clamped_uniform, 3, count).value(), points, {}).value());
+    document.unknown_members = R"({"ballast":")" + std::string(2'000'000, 'x') + R"("})";
+    return core::format_document(document);
+}
+
+TEST_F(BesideTheInterface, a_file_is_sketched_while_it_is_read) {
+    open_text(*editor_, bezier_text);
+    CanvasMode mode;
+    SceneCache cache;
+    editor_->change(ResizeCanvas{{800.0, 600.0}});
+    const std::size_t shown_before = canvas_scene(state(), mode, cache).commands.size();
+    const View view = state().view;
+    gate_.admit(3);  // and the fourth block is read, when the wave has long ended
+    editor_->run(Open{.path = folder_.write("wave.json", text_of_wave(5000))});
+    gate_.await_someone();
+    EXPECT_TRUE(editor_->follow_work());
+    const std::vector<core::Point>& points = state().at_work->sketch.points();
+    ASSERT_EQ(points.size(), 5000U);
+    EXPECT_EQ(points[4999], core::Point(4999.0, std::sin(49.99)));
+    EXPECT_EQ(document(*editor_).curves.at(0).name, "arch");
+    EXPECT_EQ(state().view.camera, view.camera);
+    const render::DrawList sketched = canvas_scene(state(), mode, cache);
+    ASSERT_EQ(sketched.commands.size(), 5000U);
+    EXPECT_NEAR(std::get<render::Marker>(sketched.commands.front()).center.x, 56.0, 1e-3);
+    EXPECT_NEAR(std::get<render::Marker>(sketched.commands.back()).center.x, 800.0 - 56.0, 1e-3);
+    editor_->cancel_work();
+    finish();
+    EXPECT_EQ(document(*editor_).curves.at(0).name, "arch");
+    EXPECT_EQ(canvas_scene(state(), mode, cache).commands.size(), shown_before);
 }
 
 // Each tells how far it is long before its end, and stops there.

@@ -31,13 +31,14 @@ Refusal file_refusal(const fs::path& path, const core::FileError& error) {
 }
 
 // Only ordinary files: a pipe would keep the window waiting.
-Outcome<core::Document> load(const fs::path& path, const core::Progress& progress) {
+Outcome<core::Document> load(const fs::path& path, const core::Progress& progress,
+                             const core::PointsRead& points_read = {}) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
         return tl::unexpected(
             file_refusal(path, {path.string(), "this is not an ordinary file, so it cannot be opened"}));
-    return core::load_document(path, progress).map_error([&](const core::FileError& found) {
+    return core::load_document(path, progress, points_read).map_error([&](const core::FileError& found) {
         return file_refusal(path, found);
     });
 }
@@ -58,7 +59,7 @@ void take_view(View& view, const core::Document& document) {
 }
 
 Outcome<void> open_file(EditorState& state, const fs::path& path) {
-    Outcome<core::Document> document = load(path, state.progress);
+    Outcome<core::Document> document = load(path, state.progress, state.points_read);
     if (!document) return tl::unexpected(document.error());
     show_document(state, *std::move(document), path);
     remember(state.recent_files, path);
@@ -72,7 +73,7 @@ Outcome<void> show_example(EditorState& state, const std::string& name) {
     std::error_code error;
     if (name.empty() || fs::path(name).has_parent_path() || !fs::is_regular_file(path, error))
         return tl::unexpected(sentence("there is no example called '{name}'", {{"name", name}}));
-    Outcome<core::Document> document = load(path, state.progress);
+    Outcome<core::Document> document = load(path, state.progress, state.points_read);
     if (!document) return tl::unexpected(document.error());
     show_document(state, *std::move(document), {});
     state.message = {sentence("Opened example {name}", {{"name", name}}), false};

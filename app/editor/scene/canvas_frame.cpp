@@ -12,6 +12,11 @@ constexpr double least_width_px = 100.0;
 
 }  // namespace
 
+glm::dvec2 shown_place(const render::Camera& camera, core::Point world) {
+    const glm::dvec2 place = render::screen_from_world(camera, world);
+    return {std::clamp(place.x, -farthest_px, farthest_px), std::clamp(place.y, -farthest_px, farthest_px)};
+}
+
 CanvasFrame::CanvasFrame(const EditorState& shown_state, SceneCache& scene_cache, render::DrawList& list)
     : state(shown_state),
       cache(scene_cache),
@@ -27,8 +32,7 @@ CanvasFrame::CanvasFrame(const EditorState& shown_state, SceneCache& scene_cache
 }
 
 glm::dvec2 CanvasFrame::screen(core::Point world) const {
-    const glm::dvec2 place = render::screen_from_world(state.view.camera, world);
-    return {std::clamp(place.x, -farthest_px, farthest_px), std::clamp(place.y, -farthest_px, farthest_px)};
+    return shown_place(state.view.camera, world);
 }
 
 std::vector<glm::dvec2> CanvasFrame::screen(std::span<const core::Point> world) const {

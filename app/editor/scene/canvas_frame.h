@@ -14,6 +14,9 @@
 
 namespace batten::editor {
 
+/// Where `camera` shows a point, finite whatever the point: coordinates beyond 1e30 pixels stop there.
+glm::dvec2 shown_place(const render::Camera& camera, core::Point world);
+
 /// One picture of the canvas while it is drawn.
 struct CanvasFrame {
     CanvasFrame(const EditorState& shown_state, SceneCache& scene_cache, render::DrawList& list);
@@ -30,7 +33,7 @@ struct CanvasFrame {
 
     bool shows(Overlay overlay) const { return state.view.overlays.is_shown(overlay); }
 
-    /// A place in the picture, finite whatever the point: coordinates beyond 1e30 pixels stop there.
+    /// The shown_place in the picture.
     glm::dvec2 screen(core::Point world) const;
     std::vector<glm::dvec2> screen(std::span<const core::Point> world) const;
 

@@ -16,6 +16,7 @@
 #include "app/editor/scene/hodograph_inset.h"
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/other_curves.h"
+#include "app/editor/scene/sketch_scene.h"
 
 namespace batten::editor {
 
@@ -69,6 +70,7 @@ void draw_marks_of_active_curve(CanvasFrame& frame, const CanvasMarks& marks,
 }  // namespace
 
 render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, SceneCache& cache) {
+    if (has_sketch(state)) return sketch_scene(state);
     render::DrawList list;
     CanvasFrame frame(state, cache, list);
     std::vector<render::PixelBox> covered = draw_background(frame);

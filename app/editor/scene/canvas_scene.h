@@ -10,7 +10,8 @@ namespace batten::editor {
 
 /// The document as seen through the view's camera: grid, ghost, curves, polygon, hull, knots, construction, points,
 /// labels, box selection. Sizes follow the view's interface scale. However much there is to show, its cost is that of
-/// what a picture can hold, and of what changed since the last one with the same `cache`.
+/// what a picture can hold, and of what changed since the last one with the same `cache`. While a
+/// file is opened, what is read of it stands there instead.
 render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, SceneCache& cache);
 
 }  // namespace batten::editor
