@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "core/curve/detail/bspline.h"
@@ -365,19 +364,13 @@ bool CurveStrips::follow_renumbered(const std::shared_ptr<const Curve>& curve) {
     const Difference of_points = difference(points, n, curve->control_points().size());
     const std::size_t first = std::max(p, std::min(of_knots.first - std::min(of_knots.first, p + 1), of_points.first));
     const std::size_t end_of_old = std::min(std::max(of_knots.end_of_old, of_points.end_of_old) + p + 1, span_end());
-    const std::size_t end = end_of_old + curve->knots().size() - curve_->knots().size();
-    constexpr std::size_t most = 4 * Stretches::usual_size;
-    if (end <= first || end_of_old <= first || end - first > most || end_of_old - first > most) return false;
-    std::vector<std::size_t> spans(end_of_old - first);
-    std::iota(spans.begin(), spans.end(), first);
-    const Box before = box_of(spans);
-    const std::size_t stretch = stretch_spans_.stretch_of(first);
-    if (!stretch_spans_.resize(stretch, stretch_spans_[stretch].size() + end - end_of_old)) return false;
+    const ItemRange old_spans{first, end_of_old};
+    const ItemRange spans{first, end_of_old + curve->knots().size() - curve_->knots().size()};
+    if (!stretch_spans_.exchange(old_spans, spans)) return false;
+    const Box before = box_of(old_spans.numbers());
     curve_ = curve;
-    for (std::size_t k = stretch; k <= stretch_spans_.stretch_of(end - 1); ++k) renew(k);
-    spans.resize(end - first);
-    std::iota(spans.begin(), spans.end(), first);
-    change_ = {change_.number + 1, false, true, std::move(spans), before};
+    for (std::size_t k = stretch_spans_.stretch_of(first); k <= stretch_spans_.stretch_of(spans.end - 1); ++k) renew(k);
+    change_ = {change_.number + 1, false, true, spans.numbers(), before};
     return true;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 #include <utility>
 
 namespace batten::core {
@@ -156,20 +155,14 @@ bool PolygonStrips::follow_renumbered(const std::shared_ptr<const Curve>& curve)
     const Difference points =
         difference(common_ends(before_points, after_points), before_points.size(), after_points.size());
     const std::size_t first = points.first - std::min<std::size_t>(points.first, 1);
-    const std::size_t end_of_old = std::min(points.end_of_old, before_points.size() - 1);
-    const std::size_t end = std::min(points.end_of_new, after_points.size() - 1);
-    constexpr std::size_t most = 4 * Stretches::usual_size;
-    if (end <= first || end_of_old <= first || end - first > most || end_of_old - first > most) return false;
-    std::vector<std::size_t> legs(end_of_old - first);
-    std::iota(legs.begin(), legs.end(), first);
-    const Box before = box_of(legs);
-    const std::size_t stretch = stretch_legs_.stretch_of(first);
-    if (!stretch_legs_.resize(stretch, stretch_legs_[stretch].size() + end - end_of_old)) return false;
+    const ItemRange old_legs{first, std::min(points.end_of_old, before_points.size() - 1)};
+    const ItemRange legs{first, std::min(points.end_of_new, after_points.size() - 1)};
+    if (!stretch_legs_.exchange(old_legs, legs)) return false;
+    const Box before = box_of(old_legs.numbers());
     curve_ = curve;
-    for (std::size_t k = stretch; k <= stretch_legs_.stretch_of(end - 1); ++k) tree_.replace(k, strip_of_stretch(k));
-    legs.resize(end - first);
-    std::iota(legs.begin(), legs.end(), first);
-    change_ = {change_.number + 1, false, true, std::move(legs), before};
+    for (std::size_t k = stretch_legs_.stretch_of(first); k <= stretch_legs_.stretch_of(legs.end - 1); ++k)
+        tree_.replace(k, strip_of_stretch(k));
+    change_ = {change_.number + 1, false, true, legs.numbers(), before};
     return true;
 }
 

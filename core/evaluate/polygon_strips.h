@@ -25,7 +25,7 @@ class PolygonStrips {
     const std::shared_ptr<const Curve>& curve() const { return curve_; }
 
     /// From now on these are the strips of the polygon of `curve`. Cost: comparing the points, and the stretches with
-    /// changed ones anew; all of it anew where there are more or fewer points.
+    /// changed ones anew; all of it anew where more than a few points were added or taken away in one place.
     void follow(std::shared_ptr<const Curve> curve);
 
     /// The visible part of the polygon, closed when the curve is periodic. All its legs when they are no more than

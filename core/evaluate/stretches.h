@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace batten::core {
@@ -14,6 +15,13 @@ struct ItemRange {
     std::size_t end = 0;
 
     std::size_t size() const { return end - first; }
+
+    /// All of them.
+    std::vector<std::size_t> numbers() const {
+        std::vector<std::size_t> list(size());
+        std::iota(list.begin(), list.end(), first);
+        return list;
+    }
 };
 
 /// Divides the items `all` without gaps.
@@ -38,12 +46,17 @@ class Stretches {
         return static_cast<std::size_t>(after - begins_.begin()) - 1;
     }
 
-    /// Gives a stretch `size` items, which moves those of all later ones. False, with nothing done, where that is none
-    /// or several times as many as usual. Cost: the later stretches.
-    bool resize(std::size_t stretch, std::size_t size) {
+    /// Puts the items `after` in the place of `before`, which begin with the same one: its stretch grows or shrinks,
+    /// and all later items get other numbers. False, with nothing done, where there are many of either, or none, or
+    /// where the stretch would come to have none or several times as many as usual. Cost: the later stretches.
+    bool exchange(ItemRange before, ItemRange after) {
+        const bool is_small = before.first < before.end && after.first < after.end && before.size() <= most_size &&
+                              after.size() <= most_size;
+        if (!is_small) return false;
+        const std::size_t stretch = stretch_of(before.first);
+        const std::size_t size = (*this)[stretch].size() + after.size() - before.size();
         if (size == 0 || size > most_size) return false;
-        const std::size_t before = (*this)[stretch].size();
-        for (std::size_t k = stretch + 1; k < begins_.size(); ++k) begins_[k] += size - before;
+        for (std::size_t k = stretch + 1; k < begins_.size(); ++k) begins_[k] += after.size() - before.size();
         return true;
     }
 
