@@ -140,7 +140,7 @@ void CoverageMap::hide_under(const CoverageMap& above) {
     count_groups();
 }
 
-void CoverageMap::stroke(glm::dvec2 a, glm::dvec2 b, const InkStyle& style, double along_px) {
+void CoverageMap::stroke(glm::dvec2 a, glm::dvec2 b, const InkStyle& style) {
     const double half_width = 0.5 * style.width_px;
     const double length = glm::distance(a, b);
     if (std::isnan(length)) return;
@@ -154,7 +154,7 @@ void CoverageMap::stroke(glm::dvec2 a, glm::dvec2 b, const InkStyle& style, doub
         return stroke_solid(first, a + seen->last * (b - a), half_width);
     // From what is seen on, so that a line that comes from far away goes on, too.
     const glm::dvec2 direction = length > 0.0 ? (b - a) / length : glm::dvec2(0.0);
-    const double phase = std::fmod(along_px + seen->first * length, period);
+    const double phase = std::fmod(seen->first * length, period);
     for (double dash = -phase; dash < seen_length; dash += period) {
         const double begin = std::max(dash, 0.0);
         const double end = std::min(dash + style.dash_px, seen_length);

@@ -44,9 +44,9 @@ class CoverageMap {
     /// All pixels of more than no coverage are in it.
     [[nodiscard]] PixelRange touched() const { return touched_; }
 
-    /// The segment from a to b with round ends, `along_px` being where on the line its dashes begin. Cost: the pixels
+    /// The segment from a to b with round ends, its dashes beginning at a. Cost: the pixels
     /// that are not covered yet, and an eighth of those that are.
-    void stroke(glm::dvec2 a, glm::dvec2 b, const InkStyle& style, double along_px = 0.0);
+    void stroke(glm::dvec2 a, glm::dvec2 b, const InkStyle& style);
 
     /// Whether all of the box that is in the picture is known to be covered or hidden; may fail to know within 7 px of
     /// what is not. Cost: the box in blocks of 64 x 64, near its edges of 8 x 8; less where it is not so.

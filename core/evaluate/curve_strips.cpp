@@ -47,10 +47,6 @@ void add_spans(std::vector<std::size_t>& spans, std::size_t first, std::size_t l
     for (std::size_t s = std::max(first, p); s <= last && s + p + 1 < curve.knots().size(); ++s) spans.push_back(s);
 }
 
-bool is_seen(const Strip& strip, const ChordRequest& request) {
-    return strip.box.intersects(request.view) && !request.is_hidden(strip);
-}
-
 // Whether the chord shows the stretch of a piece well enough.
 bool is_fine(const Strip& strip, const ChordRequest& request) {
     const double tolerance = std::max(request.tolerance, rounding_of_halving(strip.box));
@@ -65,7 +61,7 @@ void take_chords(const BezierPiece& piece, const ChordRequest& request, int dept
                       .deviation = chord_deviation_bound(piece.points)};
     if (!is_seen(strip, request)) return;
     if (is_fine(strip, request) || depth == most_chord_halvings || !is_divisible(piece.interval, strip.box))
-        return request.take(strip.first, strip.last, 0.0);
+        return request.take(strip.first, strip.last);
     const auto [left, right] = cut_piece(piece, middle(piece.interval));
     take_chords(left, request, depth + 1);
     take_chords(right, request, depth + 1);
@@ -78,7 +74,7 @@ void take_chords(const BezierPieces& pieces, std::size_t k, const ChordRequest& 
     Strip strip{.first = points.front(), .last = points.back(), .box = {}, .deviation = chord_deviation_bound(points)};
     for (const Point point : points) strip.box.include(point);
     if (!is_seen(strip, request)) return;
-    if (is_fine(strip, request)) return request.take(strip.first, strip.last, 0.0);
+    if (is_fine(strip, request)) return request.take(strip.first, strip.last);
     take_chords(pieces[k], request);
 }
 
@@ -177,28 +173,24 @@ void CurveStrips::visit_chords(const ChordRequest& request, Interval range,
                                std::span<const std::size_t> left_out) const {
     assert(request.tolerance > 0.0);
     const ItemRange wanted = spans_over(range);
-    stretches_.visit_scattered([](std::size_t) {},
-                               [&](const Strip& strip, std::size_t first, std::size_t last) {
-                                   const ItemRange spans = stretch_spans_.items(first, last);
-                                   if (spans.end <= wanted.first || wanted.end <= spans.first) return false;
-                                   if (!strip.box.intersects(request.view) || request.is_hidden(strip)) return false;
-                                   const bool is_inside = wanted.first <= spans.first && spans.end <= wanted.end;
-                                   const bool is_simple = strip.deviation <= request.tolerance;
-                                   if (!is_inside || !is_simple || has_any(left_out, spans.first, spans.end - 1) ||
-                                       !is_small_beside(strip.box, request.view, request.tolerance))
-                                       return true;
-                                   request.take(strip.first, strip.last, 0.0);
-                                   return false;
-                               },
-                               [&](std::size_t stretch) {
-                                   const ItemRange spans = stretch_spans_[stretch];
-                                   const BezierPieces pieces =
-                                       bezier_pieces(*curve_, std::max(spans.first, wanted.first),
-                                                     std::min(spans.end, wanted.end) - 1);
-                                   for (std::size_t k = 0; k < pieces.size(); ++k)
-                                       if (!has_any(left_out, pieces.span(k), pieces.span(k)))
-                                           take_chords(pieces, k, request);
-                               });
+    const auto enter = [&](const Strip& strip, std::size_t first, std::size_t last) {
+        const ItemRange spans = stretch_spans_.items(first, last);
+        if (spans.end <= wanted.first || wanted.end <= spans.first || !is_seen(strip, request)) return false;
+        const bool is_whole =
+            wanted.first <= spans.first && spans.end <= wanted.end && !has_any(left_out, spans.first, spans.end - 1);
+        const bool is_simple =
+            strip.deviation <= request.tolerance && is_small_beside(strip.box, request.view, request.tolerance);
+        if (!is_whole || !is_simple) return true;
+        request.take(strip.first, strip.last);
+        return false;
+    };
+    stretches_.visit_scattered(enter, [&](std::size_t stretch) {
+        const ItemRange spans = stretch_spans_[stretch];
+        const BezierPieces pieces =
+            bezier_pieces(*curve_, std::max(spans.first, wanted.first), std::min(spans.end, wanted.end) - 1);
+        for (std::size_t k = 0; k < pieces.size(); ++k)
+            if (!has_any(left_out, pieces.span(k), pieces.span(k))) take_chords(pieces, k, request);
+    });
 }
 
 void CurveStrips::visit_span_chords(const ChordRequest& request, std::size_t span) const {

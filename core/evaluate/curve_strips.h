@@ -38,8 +38,8 @@ class CurveStrips {
     std::optional<PointRuns> runs(const StripRequest& request, Interval range);
 
     /// Hands out chords of all that is seen and not hidden of the curve over `range`, as runs() would have them but for
-    /// thin boxes, in no order; `along` is 0. Leaves out the stretches `left_out` (ascending). Keeps nothing. Cost:
-    /// that of the spans that are neither in one chord with others nor hidden with them.
+    /// thin boxes, in no order. Leaves out the spans `left_out` (ascending). Keeps nothing. Cost: that of the spans
+    /// that are neither in one chord with others nor hidden with them.
     void visit_chords(const ChordRequest& request, Interval range, std::span<const std::size_t> left_out = {}) const;
 
     /// Those of one span, none of an empty one.

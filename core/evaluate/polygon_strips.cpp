@@ -68,40 +68,25 @@ std::optional<PolygonRuns> PolygonStrips::runs(const StripRequest& request) cons
 
 void PolygonStrips::visit_chords(const ChordRequest& request, std::span<const std::size_t> left_out) const {
     assert(request.tolerance > 0.0);
-    double along = 0.0;
-    const auto begin = [&](std::size_t stretch) { along = tree_.length_before(stretch); };
     const auto enter = [&](const Strip& strip, std::size_t first, std::size_t last) {
-        const bool is_seen = strip.box.intersects(request.view) && !request.is_hidden(strip);
+        if (!is_seen(strip, request)) return false;
         const ItemRange legs = stretch_legs_.items(first, last);
-        const bool is_whole = !has_any(left_out, legs.first, legs.end - 1);
-        if (is_seen && (!is_whole || strip.deviation > request.tolerance)) return true;
-        if (is_seen) request.take(strip.first, strip.last, along);
-        along += strip.length;
+        if (strip.deviation > request.tolerance || has_any(left_out, legs.first, legs.end - 1)) return true;
+        request.take(strip.first, strip.last);
         return false;
     };
-    tree_.visit_scattered(begin, enter, [&](std::size_t stretch) {
+    tree_.visit_scattered(enter, [&](std::size_t stretch) {
         const ItemRange legs = stretch_legs_[stretch];
-        double along_leg = along;
-        for (std::size_t leg = legs.first; leg < legs.end; ++leg) {
-            if (!has_any(left_out, leg, leg)) take_leg(request, leg, along_leg);
-            along_leg += distance(corner(leg), corner(leg + 1));
-        }
-        along += tree_.stretch(stretch).length;
+        for (std::size_t leg = legs.first; leg < legs.end; ++leg)
+            if (!has_any(left_out, leg, leg)) visit_leg_chord(request, leg);
     });
 }
 
 void PolygonStrips::visit_leg_chord(const ChordRequest& request, std::size_t leg) const {
-    const std::size_t stretch = stretch_legs_.stretch_of(leg);
-    double along = tree_.length_before(stretch);
-    for (std::size_t i = stretch_legs_[stretch].first; i < leg; ++i) along += distance(corner(i), corner(i + 1));
-    take_leg(request, leg, along);
-}
-
-void PolygonStrips::take_leg(const ChordRequest& request, std::size_t leg, double along) const {
     Strip strip{.first = corner(leg), .last = corner(leg + 1), .box = {}};
     strip.box.include(strip.first);
     strip.box.include(strip.last);
-    if (strip.box.intersects(request.view) && !request.is_hidden(strip)) request.take(strip.first, strip.last, along);
+    if (is_seen(strip, request)) request.take(strip.first, strip.last);
 }
 
 Box PolygonStrips::box_of(std::span<const std::size_t> legs) const {

@@ -32,9 +32,8 @@ class PolygonStrips {
     /// most_places allows, whatever the tolerance; else within the tolerance, > 0. None where that takes more places.
     std::optional<PolygonRuns> runs(const StripRequest& request) const;
 
-    /// Hands out chords of all that is seen of the polygon and not hidden, in no order, with how far along the polygon
-    /// each begins. Leaves out the legs `left_out` (ascending). Cost: that of the legs that are neither in one
-    /// chord with others nor hidden with them.
+    /// Hands out chords of all that is seen of the polygon and not hidden, in no order. Leaves out the legs `left_out`
+    /// (ascending). Cost: that of the legs that are neither in one chord with others nor hidden with them.
     void visit_chords(const ChordRequest& request, std::span<const std::size_t> left_out = {}) const;
 
     /// The one of one leg.
@@ -114,7 +113,6 @@ class PolygonStrips {
     /// The corners of a stretch, with the one where the next begins.
     std::vector<Point> corners_of(std::size_t stretch) const;
     Strip strip_of_stretch(std::size_t stretch);
-    void take_leg(const ChordRequest& request, std::size_t leg, double along) const;
     void make_anew(std::shared_ptr<const Curve> curve);
     void follow_points(std::shared_ptr<const Curve> curve);
     bool follow_renumbered(const std::shared_ptr<const Curve>& curve);

@@ -116,13 +116,6 @@ void StripTree::join(std::size_t level, std::size_t i) {
     levels_[level][i] = 2 * i + 1 < parts.size() ? joined(parts[2 * i], parts[2 * i + 1]) : parts[2 * i];
 }
 
-double StripTree::length_before(std::size_t i) const {
-    double sum = 0.0;
-    for (std::size_t level = 0; level < levels_.size(); ++level, i >>= 1U)
-        if (i % 2 == 1) sum += levels_[level][i - 1].length;
-    return sum;
-}
-
 void StripTree::replace(std::size_t i, const Strip& strip) {
     levels_.front()[i] = strip;
     for (std::size_t level = 1; level < levels_.size(); ++level) join(level, i >> level);

@@ -42,8 +42,13 @@ struct ChordRequest {
     double tolerance = 0.0;                       ///< > 0: what is left out is nearer than this to a chord
     Box view;                                     ///< stretches whose box is outside are left out
     std::function<bool(const Strip&)> is_hidden;  ///< whether what the strip contains would not be seen; is left out
-    std::function<void(Point a, Point b, double along)> take;  ///< gets the chords
+    std::function<void(Point a, Point b)> take;   ///< gets the chords
 };
+
+/// Whether something of the strip may be seen.
+inline bool is_seen(const Strip& strip, const ChordRequest& request) {
+    return strip.box.intersects(request.view) && !request.is_hidden(strip);
+}
 
 /// What following a line to another value has changed.
 struct StripChange {
@@ -99,9 +104,6 @@ class StripTree {
     const Strip& strip(std::size_t level, std::size_t i) const { return levels_[level][i]; }
     std::size_t level_count() const { return levels_.size(); }
 
-    /// The sum of the lengths of the stretches before stretch `i`. Cost logarithmic.
-    double length_before(std::size_t i) const;
-
     /// Puts another strip in the place of stretch `i`. Cost logarithmic.
     void replace(std::size_t i, const Strip& strip);
 
@@ -114,10 +116,9 @@ class StripTree {
     }
 
     /// The same, beginning not at the first stretch but with a few here and there, then with those between, so that
-    /// soon some of all that there is has been visited. `begin(first)` is called before visiting goes on at another
-    /// stretch than the next one.
-    template <class Begin, class Enter, class Open>
-    void visit_scattered(Begin begin, Enter enter, Open open) const {
+    /// soon some of all that there is has been visited.
+    template <class Enter, class Open>
+    void visit_scattered(Enter enter, Open open) const {
         if (size() == 0) return;
         std::size_t level = 0;
         while (levels_[level].size() > most_beginnings) ++level;
@@ -125,9 +126,7 @@ class StripTree {
         const auto bits = static_cast<unsigned>(std::bit_width(count - 1));
         for (std::size_t k = 0; k < std::size_t{1} << bits; ++k) {
             const std::size_t i = reversed_bits(k, bits);
-            if (i >= count) continue;
-            begin(i << level);
-            visit(level, i, enter, open);
+            if (i < count) visit(level, i, enter, open);
         }
     }
 

@@ -8,6 +8,7 @@
 #include "core/evaluate/curve_strips.h"
 #include "core/evaluate/evaluate.h"
 #include "core/refine/knot_insertion.h"
+#include "tests/editor/scene_sample.h"
 
 namespace batten::editor {
 namespace {
@@ -21,13 +22,7 @@ std::shared_ptr<const core::Curve> curve_through(std::vector<core::Point> points
 
 // Legs all over the picture.
 std::vector<core::Point> scattered(std::size_t count) {
-    std::vector<core::Point> points;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double k = static_cast<double>(i);
-        points.emplace_back(380.0 * std::fmod(k * 0.6180339887, 1.0) - 190.0,
-                            280.0 * std::fmod(k * k * 0.4142135623, 1.0) - 140.0);
-    }
-    return points;
+    return test::scattered_points(count, {380.0, 280.0});
 }
 
 InkPlace place_of(double width_px) {
@@ -45,9 +40,7 @@ struct InkOfCurve {
     core::ChordRequest request(render::CoverageMap& map, const core::Box& view) const {
         const auto screen = [this](core::Point point) { return render::screen_from_world(place.camera, point); };
         return {0.25, view, [](const core::Strip&) { return false; },
-                [&map, screen, this](core::Point a, core::Point b, double) {
-                    map.stroke(screen(a), screen(b), place.style);
-                }};
+                [&map, screen, this](core::Point a, core::Point b) { map.stroke(screen(a), screen(b), place.style); }};
     }
 
     const render::CoverageMap& follow(const std::shared_ptr<const core::Curve>& curve, const KeptInk* above = nullptr) {
@@ -108,6 +101,7 @@ TEST(KeptInk, repaints_only_the_spans_of_a_point_that_is_dragged) {
 TEST(KeptInk, follows_random_edits_as_if_painted_anew) {
     std::vector<core::Point> points = scattered(250);
     InkOfCurve kept = ink_of(curve_through(points), 3.0);
+    kept.place.style = {.width_px = 1.5, .dash_px = 6.0, .gap_px = 5.0};
     auto curve = curve_through(points);
     kept.follow(curve);
     for (std::size_t k = 0; k < 60; ++k) {
@@ -120,6 +114,7 @@ TEST(KeptInk, follows_random_edits_as_if_painted_anew) {
             curve = std::make_shared<const core::Curve>(core::Curve::make(definition).value());
         }
         InkOfCurve anew = ink_of(curve, 3.0);
+        anew.place = kept.place;
         EXPECT_LE(difference(kept.follow(curve), anew.follow(curve)), 1) << k;
     }
 }

@@ -16,12 +16,7 @@ namespace batten::editor {
 namespace {
 
 core::DocumentCurve scattered(std::size_t count, double width) {
-    std::vector<core::Point> points;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double k = static_cast<double>(i);
-        points.emplace_back(width * std::fmod(k * 0.6180339887, 1.0) - 6.0,
-                            7.0 * std::fmod(k * k * 0.4142135623, 1.0) - 3.5);
-    }
+    std::vector<core::Point> points = test::scattered_points(count, {width, 7.0});
     const auto knots = core::make_knots(core::KnotKind::clamped_uniform, 3, count).value();
     core::DocumentCurve item;
     item.name = std::to_string(count);

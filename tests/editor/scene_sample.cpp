@@ -94,6 +94,16 @@ EditorState sample_state() {
     return state;
 }
 
+std::vector<core::Point> scattered_points(std::size_t count, core::Vector extent) {
+    std::vector<core::Point> points;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double k = static_cast<double>(i);
+        points.emplace_back(extent.x * (std::fmod(k * 0.6180339887, 1.0) - 0.5),
+                            extent.y * (std::fmod(k * k * 0.4142135623, 1.0) - 0.5));
+    }
+    return points;
+}
+
 render::DrawList canvas_picture(const EditorState& state, const CanvasMode& mode) {
     SceneCache cache;
     return canvas_scene(state, mode, cache);

@@ -19,6 +19,9 @@ EditorState sample_state();
 /// A state that shows `definition`, which must be valid, in the same picture.
 EditorState scene_state(core::CurveDefinition definition);
 
+/// Points all over a rectangle of this extent about the origin, always the same.
+std::vector<core::Point> scattered_points(std::size_t count, core::Vector extent);
+
 /// The picture of the canvas, with nothing kept from another one.
 render::DrawList canvas_picture(const EditorState& state, const CanvasMode& mode);
 

@@ -52,10 +52,10 @@ TEST(CoverageMap, keeps_the_largest_coverage_of_a_pixel) {
 
 TEST(CoverageMap, breaks_lines_into_dashes_counted_from_their_beginning) {
     CoverageMap map(size);
-    // Dashes from 0 to 6, from 11 to 17...: of the line's places 3 to 103, which lie at x = 20 to 120.
-    map.stroke({20.0, 50.5}, {120.0, 50.5}, {.width_px = 1.0, .dash_px = 6.0, .gap_px = 5.0}, 3.0);
-    for (int x = 21; x < 119; ++x) {
-        const double place = std::fmod(x + 0.5 - 17.0, 11.0);
+    // Dashes from x = -13 to -7, from -2 to 4...
+    map.stroke({-13.0, 50.5}, {220.0, 50.5}, {.width_px = 1.0, .dash_px = 6.0, .gap_px = 5.0});
+    for (int x = 0; x < 200; ++x) {
+        const double place = std::fmod(x + 0.5 + 13.0, 11.0);
         const bool is_in_gap = place > 7.0 && place < 10.0;
         if (is_in_gap || (place > 1.0 && place < 5.0)) {
             EXPECT_EQ(map.coverage({x, 50}), is_in_gap ? 0 : 255) << x;
@@ -166,11 +166,6 @@ TEST(CoverageMap, looks_at_a_segment_only_where_it_is_in_the_picture) {
 
 TEST(CoverageMap, dashes_a_line_that_comes_from_far_away) {
     const InkStyle dashed{.width_px = 1.0, .dash_px = 6.0, .gap_px = 5.0};
-    for (const double along : {0.0, 1e12, 1e18, 1e30}) {
-        CoverageMap map(size);
-        map.stroke({-10.0, 50.5}, {210.0, 50.5}, dashed, along);
-        EXPECT_NEAR(ink_of(map), 200.0 * (6.0 + 0.785) / 11.0, 5.0) << along;
-    }
     for (const double far : {1e3, 1e9, 1e12}) {
         CoverageMap map(size);
         map.stroke({-far, 50.5}, {210.0, 50.5}, dashed);

@@ -19,7 +19,6 @@ constexpr double inset_margin = 14.0;
 constexpr double inset_padding = 14.0;
 constexpr double title_height = 20.0;
 constexpr double places_per_px = 4.0;  // of the picture's width
-constexpr double tolerance_px = 0.25;
 constexpr std::size_t most_sampled_spans = 2000;
 
 std::size_t span_count(const core::Curve& curve) {
@@ -115,7 +114,7 @@ std::optional<core::PointRuns> hodograph_runs(const CanvasFrame& frame, const re
     core::CurveStrips* strips = strips_of(frame);
     if (strips == nullptr) return sampled_runs(*frame.curve);
     const InsetMap map(area, strips->box());
-    const double tolerance = std::max(tolerance_px / std::max(map.scale(), std::numeric_limits<double>::min()),
+    const double tolerance = std::max(line_tolerance_px / std::max(map.scale(), std::numeric_limits<double>::min()),
                                       std::numeric_limits<double>::min());
     const auto most = static_cast<std::size_t>(places_per_px * frame.pen.size_px().x);
     return strips->runs({tolerance, strips->box(), most}, strips->curve()->domain());
@@ -124,7 +123,7 @@ std::optional<core::PointRuns> hodograph_runs(const CanvasFrame& frame, const re
 void draw_inked(CanvasFrame& frame, const core::CurveStrips& strips, const InsetMap& map, const Stroke& stroke) {
     const InkPlace place = ink_place(frame, stroke);
     auto ink = std::make_shared<render::CoverageMap>(place.size_px);
-    strips.visit_chords(chord_request(place, {tolerance_px / map.scale(), strips.box()}, map, *ink),
+    strips.visit_chords(chord_request(place, {line_tolerance_px / map.scale(), strips.box()}, map, *ink),
                         strips.curve()->domain());
     frame.pen.ink(ink, stroke.color);
 }

@@ -9,7 +9,6 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double tolerance_px = 0.25;
 constexpr double stroke_margin_px = 8.0;
 // A place of a stroke takes up to four vertices: with those of its parts a curve has at most eight for each pixel.
 constexpr double places_of_curve = 1.5;
@@ -19,7 +18,7 @@ constexpr double least_width_px = 100.0;
 core::StripRequest strip_request(const CanvasFrame& frame, double places_per_px) {
     const render::Camera& camera = frame.state.view.camera;
     const double width = std::max(camera.size_px.x, least_width_px);
-    return {tolerance_px / camera.scale, frame.seen(frame.pen.px(stroke_margin_px)),
+    return {line_tolerance_px / camera.scale, frame.seen(frame.pen.px(stroke_margin_px)),
             static_cast<std::size_t>(places_per_px * width)};
 }
 
@@ -42,7 +41,7 @@ struct OnCanvas {
 core::ChordRequest canvas_request(const CanvasFrame& frame, const InkPlace& place, const core::Box& view,
                                   render::CoverageMap& map) {
     const OnCanvas screen{frame};
-    return chord_request(place, {tolerance_px / screen.scale(), view}, screen, map);
+    return chord_request(place, {line_tolerance_px / screen.scale(), view}, screen, map);
 }
 
 /// The line as ink: visit(request, left_out) and visit_part(request, part) hand out its chords.

@@ -24,6 +24,9 @@ struct SeenLine {
     std::shared_ptr<const render::CoverageMap> ink;  ///< null where runs show all
 };
 
+/// How near the lines are, in pixels.
+inline constexpr double line_tolerance_px = 0.25;
+
 /// Widths, in design pixels, of the active curve and of others.
 inline constexpr double active_curve_width = 3.0;
 inline constexpr double other_curve_width = 2.0;
@@ -62,8 +65,8 @@ core::ChordRequest chord_request(const InkPlace& place, const InkPart& part, con
         return map.is_full({box.lower_px - reach, box.upper_px + reach}) ||
                map.is_full_about(screen(strip.first), screen(strip.last), strip.deviation * scale + reach);
     };
-    const auto take = [&map, screen, style = place.style, scale](core::Point a, core::Point b, double along) {
-        map.stroke(screen(a), screen(b), style, along * scale);
+    const auto take = [&map, screen, style = place.style](core::Point a, core::Point b) {
+        map.stroke(screen(a), screen(b), style);
     };
     return {part.tolerance, part.view, is_hidden, take};
 }
