@@ -36,13 +36,7 @@ std::vector<core::Point> spiral(std::size_t count) {
 }
 
 std::vector<core::Point> scattered(std::size_t count) {
-    std::vector<core::Point> points;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double k = static_cast<double>(i);
-        points.emplace_back(12.0 * std::fmod(k * 0.6180339887, 1.0) - 6.0,
-                            7.0 * std::fmod(k * k * 0.4142135623, 1.0) - 3.5);
-    }
-    return points;
+    return test::scattered_points(count, {12.0, 7.0});
 }
 
 core::CurveDefinition definition_through(std::vector<core::Point> points) {
@@ -134,9 +128,13 @@ TEST(DenseScene, inks_many_other_curves_and_keeps_the_ink) {
     }
     const auto again = inks();
     EXPECT_EQ(again[0].map, first[0].map) << "not painted again";
-    state.hover = HoveredOtherCurve{7};
-    const auto without_one = inks();
-    EXPECT_NE(without_one[0].map, first[0].map);
+    state.hover = HoveredOtherCurve{607};
+    const auto hovered = inks();
+    EXPECT_EQ(hovered[0].map, first[0].map) << "it lies over its dimmer line";
+    const render::DrawList list = canvas_scene(state, CanvasIdle{}, cache);
+    EXPECT_FALSE(test::lines_of(list, render::rgb(0xC82828), 3.0F).empty());
+    state.preview->curves[607].visible = false;
+    EXPECT_NE(inks()[0].map, first[0].map);
     state.preview->curves.resize(20);
     state.hover = {};
     EXPECT_TRUE(inks().empty());

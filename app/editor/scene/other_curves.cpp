@@ -12,18 +12,18 @@ namespace {
 constexpr double other_share = 0.55;
 constexpr double most_places = 4.0;  // of all lines, for each pixel of the picture's width
 
-/// A visible curve that is not hovered, by its place in the document.
+/// A visible curve, by its place in the document.
 struct Other {
     std::size_t index = 0;
     OtherInk::Item item;
 };
 
-std::vector<Other> others(const CanvasFrame& frame, std::size_t hovered) {
+std::vector<Other> others(const CanvasFrame& frame) {
     const core::Document& document = frame.state.shown();
     std::vector<Other> found;
     for (std::size_t i = 0; i < document.curves.size(); ++i) {
         const core::DocumentCurve& item = document.curves[i];
-        if (i == document.active || i == hovered || !item.visible) continue;
+        if (i == document.active || !item.visible) continue;
         const render::Color color = render::blended(color_of(item, frame.theme), other_share, frame.theme.canvas);
         found.push_back({i, {item.curve, color}});
     }
@@ -73,9 +73,7 @@ std::vector<SeenLine> lines_of(CanvasFrame& frame, const std::vector<Other>& cur
 void draw_other_curves(CanvasFrame& frame) {
     const core::Document& document = frame.state.shown();
     frame.cache.forget_beyond(document.curves.size());
-    const auto* hovered = std::get_if<HoveredOtherCurve>(&frame.state.hover);
-    const std::size_t none = document.curves.size();
-    const std::vector<Other> curves = others(frame, hovered == nullptr ? none : hovered->index);
+    const std::vector<Other> curves = others(frame);
     Stroke stroke{.color = {}, .width = other_curve_width};
     const InkPlace place = ink_place(frame, stroke);
     OtherInk& kept = frame.cache.others();
@@ -88,7 +86,10 @@ void draw_other_curves(CanvasFrame& frame) {
         kept = lines.size() == curves.size() ? OtherInk() : inked(frame, place, curves);
     }
     for (const render::Ink& ink : kept.inks) frame.pen.ink(ink.map, ink.color);
-    if (hovered == nullptr || hovered->index >= none || !document.curves[hovered->index].visible) return;
+    // Over its dimmer line, which so need not be left out.
+    const auto* hovered = std::get_if<HoveredOtherCurve>(&frame.state.hover);
+    if (hovered == nullptr || hovered->index >= document.curves.size()) return;
+    if (!document.curves[hovered->index].visible) return;
     const core::DocumentCurve& item = document.curves[hovered->index];
     const Stroke full{.color = color_of(item, frame.theme), .width = active_curve_width};
     draw_line(frame, seen_curve(frame, frame.cache.curve(hovered->index, item.curve), full), full);

@@ -26,8 +26,8 @@ struct OtherInk {
     std::vector<render::Ink> inks;  ///< in the order of the first curves of their colors; none when lines show all
 };
 
-/// All visible curves but the active one, thinner and dimmer than that; a hovered one at full strength. Cost: where
-/// these are the same curves in the same view as the last time and in ink, that of finding so.
+/// All visible curves but the active one, thinner and dimmer than that; over them a hovered one at full strength. Cost:
+/// where these are the same curves in the same view as the last time and in ink, that of finding so.
 void draw_other_curves(CanvasFrame& frame);
 
 }  // namespace batten::editor
