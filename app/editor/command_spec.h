@@ -19,7 +19,7 @@ namespace batten::editor {
 enum class ShapeEffect { none, keeps, changes };
 
 /// Where a command is listed. The groups up to `help` are the menus, in order.
-enum class CommandGroup { file, edit, make, curve, construct, analyze, view, help, gesture };
+enum class CommandGroup { file, edit, make, curve, construct, analyze, view, watch, help, gesture };
 
 /// Who is offered a command.
 struct Offer {
@@ -169,6 +169,7 @@ struct Names<editor::CommandGroup> {
                                       Named{construct, "construct", "Construct"},
                                       Named{analyze, "analyze", "Analyze"},
                                       Named{view, "view", "View"},
+                                      Named{watch, "watch", "Watch"},
                                       Named{help, "help", "Help"},
                                       Named{gesture, "gesture", ""}};
 };

@@ -9,6 +9,7 @@
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/piece_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/refinement_commands.h"

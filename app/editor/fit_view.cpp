@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 
 #include "app/editor/canvas_cover.h"
-#include "app/editor/scene/hodograph_inset.h"
+#include "app/editor/scene/insets.h"
 #include "app/editor/scene/legend.h"
 #include "core/curve/control_box.h"
 
@@ -38,7 +38,7 @@ core::Box visible_box(const core::Document& document) {
 std::vector<PixelBox> panels_of(const EditorState& state, Corner corner) {
     std::vector<PixelBox> panels;
     if (has_legend(state)) panels.push_back(legend_box(state, corner));
-    if (has_inset(state)) panels.push_back(hodograph_box(state.view));
+    if (const auto insets = insets_box(state)) panels.push_back(*insets);
     return panels;
 }
 

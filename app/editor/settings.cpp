@@ -80,6 +80,14 @@ void read_overlays(const Json& names, Overlays& overlays) {
     }
 }
 
+void read_notation(const Json& object, Notation& notation) {
+    if (!object.is_object()) return;
+    std::map<std::string, std::string> names;
+    for (const auto& [name, value] : object.items())
+        if (value.is_string()) names[name] = value.get<std::string>();
+    notation = notation_named(names);
+}
+
 Json json_of(const Overlays& overlays) {
     Json names = Json::array();
     for (std::size_t i = 0; i < overlay_count; ++i)
@@ -117,10 +125,12 @@ Settings parse_settings(const std::string& text) {
     read_named(json, "theme", settings.theme);
     read(json, "user_scale", settings.user_scale, user_scales);
     read_overlays(member(json, "overlays"), settings.overlays);
+    read_notation(member(json, "notation"), settings.notation);
     read_named(json, "knot_move", settings.knot_move);
     read(json, "inspector_is_open", settings.inspector_is_open);
     read(json, "dock_is_open", settings.dock_is_open);
     read(json, "inspector_width", settings.inspector_width, inspector_widths);
+    read(json, "cards_width", settings.cards_width, cards_widths);
     read(json, "dock_height", settings.dock_height, dock_heights);
     read_paths(member(json, "recent_files"), settings.recent_files);
     return settings;
@@ -132,10 +142,12 @@ std::string format_settings(const Settings& settings) {
     json["theme"] = core::name_of(settings.theme);
     json["user_scale"] = settings.user_scale;
     json["overlays"] = json_of(settings.overlays);
+    json["notation"] = names_of(settings.notation);
     json["knot_move"] = core::name_of(settings.knot_move);
     json["inspector_is_open"] = settings.inspector_is_open;
     json["dock_is_open"] = settings.dock_is_open;
     json["inspector_width"] = settings.inspector_width;
+    json["cards_width"] = settings.cards_width;
     json["dock_height"] = settings.dock_height;
     json["recent_files"] = json_of(settings.recent_files);
     return fmt::format("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
@@ -143,8 +155,17 @@ std::string format_settings(const Settings& settings) {
 
 Settings settings_of(const EditorState& state) {
     const View& view = state.view;
-    return {std::nullopt,           view.theme,        view.user_scale,      view.overlays,    view.knot_move,
-            view.inspector_is_open, view.dock_is_open, view.inspector_width, view.dock_height, state.recent_files};
+    return {.theme = view.theme,
+            .user_scale = view.user_scale,
+            .overlays = view.overlays,
+            .notation = view.usual_notation,
+            .knot_move = view.knot_move,
+            .inspector_is_open = view.inspector_is_open,
+            .dock_is_open = view.dock_is_open,
+            .inspector_width = view.inspector_width,
+            .cards_width = view.cards_width,
+            .dock_height = view.dock_height,
+            .recent_files = state.recent_files};
 }
 
 void apply_settings(EditorState& state, const Settings& settings) {
@@ -152,6 +173,9 @@ void apply_settings(EditorState& state, const Settings& settings) {
     view.theme = settings.theme;
     set_user_scale(view, settings.user_scale);
     view.overlays = settings.overlays;
+    view.notation = settings.notation;
+    view.usual_notation = settings.notation;
+    view.cards_width = settings.cards_width;
     view.knot_move = settings.knot_move;
     view.inspector_is_open = settings.inspector_is_open;
     view.dock_is_open = settings.dock_is_open;

@@ -22,14 +22,16 @@ struct WindowGeometry {
 };
 
 struct Settings {
-    std::optional<WindowGeometry> window;
+    std::optional<WindowGeometry> window{};
     ThemeName theme = ThemeName::dark;
     double user_scale = 1.0;
     Overlays overlays;
+    Notation notation;
     core::KnotMove knot_move = core::KnotMove::snap;
     bool inspector_is_open = true;
     bool dock_is_open = true;
     double inspector_width = 340.0;
+    double cards_width = 360.0;
     double dock_height = 260.0;
     std::vector<std::filesystem::path> recent_files;
     bool operator==(const Settings&) const = default;

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <array>
-#include <bitset>
 #include <optional>
 
+#include "app/editor/notation.h"
+#include "app/editor/overlay.h"
 #include "app/editor/theme.h"
 #include "core/base/geometry.h"
 #include "core/base/names.h"
@@ -12,20 +13,6 @@
 #include "render/camera.h"
 
 namespace batten::editor {
-
-/// What can be shown on the canvas beside the curve.
-enum class Overlay { polygon, hull, bezier_pieces, curvature_comb, knots, hodograph, labels, grid, construction };
-inline constexpr std::size_t overlay_count = 9;
-
-class Overlays {
-  public:
-    bool is_shown(Overlay overlay) const { return bits_.test(static_cast<std::size_t>(overlay)); }
-    void show(Overlay overlay, bool shown) { bits_.set(static_cast<std::size_t>(overlay), shown); }
-    bool operator==(const Overlays&) const = default;
-
-  private:
-    std::bitset<overlay_count> bits_{0b111010011};  // all but pieces, comb and hodograph
-};
 
 /// What a press on the canvas does.
 enum class Tool { select, add_point, insert_knot, weight, draw_curve, parameter };
@@ -43,6 +30,7 @@ struct Playback {
 
 /// What sizes of the interface may be, in design pixels; the user's scale is a factor.
 inline constexpr core::Interval inspector_widths{240.0, 800.0};
+inline constexpr core::Interval cards_widths{240.0, 900.0};
 inline constexpr core::Interval dock_heights{120.0, 800.0};
 inline constexpr core::Interval user_scales{0.5, 3.0};
 
@@ -64,6 +52,8 @@ struct View {
     bool fits_on_open = true;
     Corner legend_corner = Corner::lower_left;
     Overlays overlays;
+    Notation notation;         ///< as it is shown
+    Notation usual_notation;   ///< of documents that choose none
     double parameter = 0.0;    ///< as set; shown clamped to the domain of the shown curve
     std::optional<int> level;  ///< the last construction level drawn; none: all up to C(u)
     Playback playback;
@@ -72,6 +62,7 @@ struct View {
     ThemeName theme = ThemeName::dark;
     double interface_scale = 1.0;  ///< pixels of the window per design pixel, from display and user together
     double user_scale = 1.0;       ///< the user's part of it, within user_scales
+    double cards_width = 360.0;    ///< of the column of cards, within cards_widths
     bool inspector_is_open = true;
     bool dock_is_open = true;
     bool title_is_open = true;       ///< the line with the document's title and sentence, where it has any
@@ -83,20 +74,6 @@ struct View {
 }  // namespace batten::editor
 
 namespace batten::core {
-
-template <>
-struct Names<editor::Overlay> {
-    using enum editor::Overlay;
-    static constexpr std::array table{Named{polygon, "polygon", "polygon"},
-                                      Named{hull, "hull", "hull"},
-                                      Named{bezier_pieces, "bezier-pieces", "Bézier pieces"},
-                                      Named{curvature_comb, "curvature-comb", "curvature comb"},
-                                      Named{knots, "knots", "knots"},
-                                      Named{hodograph, "hodograph", "hodograph"},
-                                      Named{labels, "labels", "labels"},
-                                      Named{grid, "grid", "grid"},
-                                      Named{construction, "construction", "construction"}};
-};
 
 template <>
 struct Names<editor::Tool> {

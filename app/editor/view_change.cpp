@@ -91,6 +91,7 @@ struct Apply {
     void operator()(const SetInspectorWidth& change) const {
         state.view.inspector_width = inspector_widths.clamp(change.width);
     }
+    void operator()(const SetCardsWidth& change) const { state.view.cards_width = cards_widths.clamp(change.width); }
     void operator()(const SetDockHeight& change) const { state.view.dock_height = dock_heights.clamp(change.height); }
     void operator()(const SetPlotRange& change) const {
         assert(change.range.lower < change.range.upper);

@@ -49,6 +49,10 @@ struct SetInspectorWidth {
     double width;  ///< design pixels
 };
 
+struct SetCardsWidth {
+    double width;  ///< design pixels
+};
+
 struct SetDockHeight {
     double height;  ///< design pixels
 };
@@ -81,7 +85,7 @@ struct ShowForm {
 
 using ViewChange =
     std::variant<SetHover, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend, SetInterfaceScale, SetInspectorWidth,
-                 SetDockHeight, SetPlotRange, Advance, TellTime, ShowRefusal, ShowForm>;
+                 SetCardsWidth, SetDockHeight, SetPlotRange, Advance, TellTime, ShowRefusal, ShowForm>;
 
 /// Makes the change; sizes are brought into their ranges.
 void apply(EditorState& state, const ViewChange& change);

@@ -89,6 +89,14 @@ json knots_json(const core::Curve& curve) {
     return result;
 }
 
+json overlay_names(const editor::Overlays& overlays) {
+    json names = json::array();
+    for (std::size_t i = 0; i < editor::overlay_count; ++i)
+        if (overlays.is_shown(static_cast<editor::Overlay>(i)))
+            names.push_back(core::name_of(static_cast<editor::Overlay>(i)));
+    return names;
+}
+
 void add_curve(json& report, const editor::EditorState& state, const ui::FrameLayout& layout) {
     report["points"] = points_json(state, layout.canvas);
     report["strip_knots"] = strip_knots_json(state, layout.plot);
@@ -130,6 +138,7 @@ void write_state_report(const ShownFrame& frame, const std::filesystem::path& pa
     report["path"] = state.path.string();
     report["interface_scale"] = state.view.interface_scale;
     report["theme"] = core::name_of(state.view.theme);
+    report["overlays"] = overlay_names(state.view.overlays);
     report["is_playing"] = state.view.playback.is_playing;
     report["pointer"] = pixel_json(frame.input.handled_position_px());
     report["buttons_down"] = frame.input.handled_buttons_down();

@@ -6,6 +6,7 @@
 #include "app/editor/commands/tool_commands.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/inspector_widgets.h"
+#include "app/ui/panel_hover.h"
 #include "app/ui/section.h"
 #include "app/ui/style.h"
 #include "app/ui/typing.h"

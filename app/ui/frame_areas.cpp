@@ -13,11 +13,14 @@ constexpr double status_height = 40.0;
 constexpr double tool_width = 52.0;
 constexpr double least_canvas_width = 200.0;
 constexpr double least_canvas_height = 130.0;
+constexpr double least_canvas_width_beside_cards = 360.0;
 constexpr double least_inspector_width = 240.0;
+constexpr double least_cards_width = 220.0;
 constexpr double least_dock_height = 110.0;
 
 // The parts of the window that panels may take at most.
 constexpr double most_inspector_share = 0.55;
+constexpr double most_cards_share = 0.5;
 constexpr double most_dock_share = 0.5;
 
 /// `wanted`, but at most `most`; nothing where that is less than `least` or leaves less than `least_canvas` of the
@@ -29,7 +32,7 @@ double shrunk(double wanted, double room, double most, double least_canvas, doub
 
 }  // namespace
 
-FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale) {
+FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale, bool has_cards) {
     const auto px = [scale](double design_px) { return std::round(design_px * scale); };
     const bool has_frame = !view.is_presenting;
     const double menu = has_frame ? px(menu_height) : 0.0;
@@ -37,10 +40,17 @@ FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale) {
     const double tools = has_frame ? px(tool_width) : 0.0;
     const double height = std::max(0.0, size_px.y - menu - status);
     const double width = std::max(0.0, size_px.x - tools);
-    const double inspector = has_frame && view.inspector_is_open
-                                 ? shrunk(px(view.inspector_width), width, most_inspector_share * width,
-                                          px(least_canvas_width), px(least_inspector_width))
-                                 : 0.0;
+    const double cards = has_cards ? shrunk(px(view.cards_width), width, most_cards_share * width,
+                                            px(least_canvas_width), px(least_cards_width))
+                                   : 0.0;
+    // Beside cards the inspector folds away before the canvas gets too small to see what they are about.
+    const double beside_cards = width - cards;
+    const double inspector =
+        has_frame && view.inspector_is_open
+            ? shrunk(px(view.inspector_width), beside_cards, most_inspector_share * beside_cards,
+                     px(has_cards ? least_canvas_width_beside_cards : least_canvas_width), px(least_inspector_width))
+            : 0.0;
+    const double side = cards + inspector;
     const double dock = view.dock_is_open ? shrunk(px(view.dock_height), height, most_dock_share * height,
                                                    px(least_canvas_height), px(least_dock_height))
                                           : 0.0;
@@ -49,9 +59,10 @@ FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale) {
     areas.window = {{0.0, 0.0}, size_px};
     areas.menu_bar = {{0.0, 0.0}, {size_px.x, menu}};
     areas.tool_bar = {{0.0, menu}, {tools, height}};
-    areas.title_line = {{tools, menu}, {width - inspector, 0.0}};
-    areas.canvas = {{tools, menu}, {width - inspector, height - dock}};
-    areas.dock = {{tools, menu + height - dock}, {width - inspector, dock}};
+    areas.title_line = {{tools, menu}, {width - side, 0.0}};
+    areas.canvas = {{tools, menu}, {width - side, height - dock}};
+    areas.dock = {{tools, menu + height - dock}, {width - side, dock}};
+    areas.cards = {{size_px.x - side, menu}, {cards, height}};
     areas.inspector = {{size_px.x - inspector, menu}, {inspector, height}};
     areas.status_bar = {{0.0, menu + height}, {size_px.x, status}};
     return areas;

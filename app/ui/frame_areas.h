@@ -14,13 +14,14 @@ struct FrameAreas {
     Rectangle title_line;  ///< above the canvas
     Rectangle canvas;
     Rectangle dock;
+    Rectangle cards;  ///< between canvas and inspector
     Rectangle inspector;
     Rectangle status_bar;
 };
 
 /// The areas for a window of `size_px` at `scale` window pixels per design pixel. In a small window inspector and dock
 /// give way to the canvas, and vanish before it gets too small to be of use. All edges are whole pixels.
-FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale);
+FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale, bool has_cards);
 
 /// The same areas with a title line of this height, in window pixels, taken from the canvas.
 FrameAreas with_title_line(FrameAreas areas, double height_px);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "app/editor/hover_request.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/number_field.h"
+#include "app/ui/panel_hover.h"
 #include "app/ui/section.h"
 #include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
@@ -49,24 +49,10 @@ void draw_sections(const PanelContext& context) {
     draw_room_below(context);
 }
 
-/// Asks for what the pointer is over in the inspector, and for nothing once it has left toward another panel; the
-/// pictures ask for themselves.
-void settle_hover(const PanelContext& context, bool is_inside) {
-    InspectorState& inspector = context.panels.inspector;
-    const bool has_left = inspector.owns_hover && context.panels.pointer.hovered == Picture::none;
-    // A field that is dragged or typed keeps what was lit.
-    const bool is_busy = ImGui::IsAnyItemActive() || inspector.was_busy;
-    inspector.was_busy = ImGui::IsAnyItemActive();
-    if (!is_busy && (is_inside || has_left))
-        editor::request_hover(is_inside ? inspector.wish.value_or(editor::HoveredNothing{}) : editor::HoveredNothing{},
-                              context.state, context.queue);
-    if (!is_busy) inspector.owns_hover = is_inside;
-}
-
 /// The menu of the row under the pointer, which asks for itself unless it stands for a part of the active curve.
 void open_row_menu(const PanelContext& context, bool is_inside) {
     if (!is_inside || !asks_for_menu() || context.panels.context_menu.opens) return;
-    const std::optional<editor::Hover>& wish = context.panels.inspector.wish;
+    const std::optional<editor::Hover>& wish = context.panels.hover.wish;
     if (wish)
         open_context_menu(context, editor::OnPart{*wish});
     else
@@ -94,14 +80,13 @@ void draw_section_panel(const PanelContext& context, const Rectangle& place) {
     open_row_menu(context, is_inside);
     draw_edge(context, place.origin_px + glm::dvec2(0.5, 0.0), place.origin_px + glm::dvec2(0.5, place.size_px.y));
     ImGui::End();
-    settle_hover(context, is_inside);
+    note_panel_hover(context, is_inside);
 }
 
 }  // namespace
 
 void draw_inspector(const PanelContext& context, const Rectangle& place) {
     drop_lost_field(context);
-    context.panels.inspector.wish.reset();
     const double findings = findings_height(context, place);
     const double sections = place.size_px.y - findings;
     push_metrics(context);

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "app/editor/cards/cards.h"
 #include "app/editor/command_table.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/hit_test.h"
@@ -9,6 +10,7 @@
 #include "app/ui/context_popup.h"
 #include "app/ui/frame_areas.h"
 #include "app/ui/imgui_compat.h"
+#include "app/ui/panel_hover.h"
 #include "app/ui/panels.h"
 #include "app/ui/splitters.h"
 
@@ -62,7 +64,8 @@ void run_shortcut(const PanelContext& context, const KeyPress& press) {
 
 FrameAreas areas_of(const PanelContext& context) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const FrameAreas areas = arrange({size.x, size.y}, context.state.view, context.scale);
+    const FrameAreas areas =
+        arrange({size.x, size.y}, context.state.view, context.scale, !editor::shown_cards(context.state).empty());
     return with_title_line(areas, title_line_height(context, areas.canvas));
 }
 
@@ -82,7 +85,10 @@ void draw_frame_panels(const PanelContext& context, const FrameAreas& areas, con
         draw_status_bar(context, areas.status_bar, hint, context.input.frames_per_second);
     }
     draw_title_line(context, areas.title_line);
+    begin_panel_hover(context);
     if (areas.inspector.size_px.x > 0.0) draw_inspector(context, areas.inspector);
+    draw_cards_panel(context, areas.cards);
+    settle_panel_hover(context);
 }
 
 void draw_dialogs(const PanelContext& context, const FrameAreas& areas) {

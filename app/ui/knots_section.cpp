@@ -14,6 +14,7 @@
 #include "app/ui/insert_row.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"
+#include "app/ui/panel_hover.h"
 #include "app/ui/section.h"
 #include "app/ui/style.h"
 #include "app/ui/typing.h"

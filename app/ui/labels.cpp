@@ -1,3 +1,5 @@
+#include "app/ui/labels.h"
+
 #include <imgui.h>
 
 #include <cmath>
@@ -41,20 +43,21 @@ float share_left_of(render::Anchor anchor) {
 
 }  // namespace
 
+void draw_label(ImDrawList* list, const render::Label& label, glm::vec2 corner_px, const Fonts& fonts) {
+    const LabelType type = type_of(label, fonts);
+    const TextSize size = rich_text_size(label.text, type.font, type.line_px);
+    const float x = corner_px.x + label.position.x - share_left_of(label.anchor) * size.width_px;
+    const float y = corner_px.y + label.position.y - 0.5F * type.line_px;
+    draw_rich_text(list, label.text, type.font, type.line_px, std::round(x), y, label.color);
+}
+
 void draw_labels(const render::DrawList& picture, const Rectangle& place, const Fonts& fonts) {
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     const glm::vec2 low(place.origin_px);
     const glm::vec2 high(place.origin_px + place.size_px);
     list->PushClipRect({low.x, low.y}, {high.x, high.y});
-    for (const render::DrawCommand& command : picture.commands) {
-        const auto* label = std::get_if<render::Label>(&command);
-        if (label == nullptr) continue;
-        const LabelType type = type_of(*label, fonts);
-        const TextSize size = rich_text_size(label->text, type.font, type.line_px);
-        const float x = low.x + label->position.x - share_left_of(label->anchor) * size.width_px;
-        const float y = low.y + label->position.y - 0.5F * type.line_px;
-        draw_rich_text(list, label->text, type.font, type.line_px, std::round(x), y, label->color);
-    }
+    for (const render::DrawCommand& command : picture.commands)
+        if (const auto* label = std::get_if<render::Label>(&command)) draw_label(list, *label, low, fonts);
     list->PopClipRect();
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/editor/command_spec.h"
 #include "app/editor/context_menu.h"
+#include "app/editor/overlay.h"
 #include "app/editor/pointer.h"
 #include "app/editor/selection.h"
 #include "app/ui/file_choice.h"
@@ -101,12 +102,23 @@ struct FieldState {
     int problem_frame = 0;  ///< in which it came up
 };
 
+/// What the pointer is over in inspector and cards.
+struct PanelHover {
+    std::optional<editor::Hover> wish;  ///< in this frame
+    bool is_inside = false;             ///< the pointer is over one of them
+    bool was_busy = false;              ///< an item was pressed or typed at the end of the last frame
+    bool is_owner = false;              ///< the pointer was last over one of them
+};
+
+/// What the column of cards remembers.
+struct CardsState {
+    std::map<std::string, bool> open_cards;  ///< those that were folded or unfolded by hand
+    std::vector<editor::Overlay> shown;      ///< the cards of the last frame
+};
+
 /// What the inspector remembers.
 struct InspectorState {
     std::map<std::string, bool> open_sections;  ///< those that were folded or unfolded by hand
-    std::optional<editor::Hover> wish;          ///< what the pointer is over in this frame
-    bool was_busy = false;                      ///< an item was pressed or typed at the end of the last frame
-    bool owns_hover = false;                    ///< the pointer was last over the inspector
     std::vector<std::size_t> followed_points;   ///< the selection that the table was last scrolled to
     std::optional<std::size_t> followed_knot;
     std::optional<double> insert_at;    ///< none: at the current parameter
@@ -127,6 +139,8 @@ struct PanelState {
     PaletteState palette;
     FormState form;
     FieldState field;
+    PanelHover hover;
+    CardsState cards;
     InspectorState inspector;
     PointerState pointer;
     ContextMenuState context_menu;

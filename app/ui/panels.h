@@ -42,6 +42,9 @@ void draw_findings_panel(const PanelContext& context, const Rectangle& place);
 /// The height in window pixels that the findings need of an inspector at `place`; 0 where there are none.
 double findings_height(const PanelContext& context, const Rectangle& place);
 
+/// The cards of the teaching views, one below the other; nothing in a place of no width.
+void draw_cards_panel(const PanelContext& context, const Rectangle& place);
+
 // Sections of the inspector, drawn one below the other.
 void draw_curves_section(const PanelContext& context);
 void draw_curve_section(const PanelContext& context);

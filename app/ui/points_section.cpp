@@ -8,6 +8,7 @@
 #include "app/editor/commands/selection_commands.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"
+#include "app/ui/panel_hover.h"
 #include "app/ui/section.h"
 #include "app/ui/style.h"
 

@@ -122,10 +122,6 @@ void draw_row_list(const PanelContext& context, const RowList& list,
     ImGui::PopStyleVar();
 }
 
-void wish_hover(const PanelContext& context, const editor::Hover& hover) {
-    context.panels.inspector.wish = hover;
-}
-
 bool is_editable(const editor::EditorState& state) {
     const core::DocumentCurve* curve = state.shown().active_curve();
     return curve != nullptr && !curve->locked;

@@ -50,9 +50,6 @@ struct RowList {
 void draw_row_list(const PanelContext& context, const RowList& list,
                    void (*draw_row)(const PanelContext& context, std::size_t i, float width));
 
-/// What the pointer is over in this frame; the last wish of a frame counts.
-void wish_hover(const PanelContext& context, const editor::Hover& hover);
-
 /// Whether the active curve may be edited; a locked one may not.
 bool is_editable(const editor::EditorState& state);
 

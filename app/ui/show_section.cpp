@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
-#include "app/editor/commands/view_commands.h"
+#include "app/editor/commands/overlay_commands.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/section.h"
@@ -30,7 +30,7 @@ void draw_show_section(const PanelContext& context) {
     if (draw_section_heading(context, {"show", "Show", ""})) {
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, context.px(2)));
         const float half = 0.5F * content_width(context);
-        for (std::size_t i = 0; i < editor::overlay_count; ++i) {
+        for (std::size_t i = 0; i < editor::basic_overlay_count; ++i) {
             if (i % 2 == 1) stay_in_row(context, 0.0);
             draw_switch(context, static_cast<Overlay>(i), half);
         }

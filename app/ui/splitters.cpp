@@ -16,6 +16,7 @@ namespace {
 
 constexpr double reach = 4.0;  // design pixels to either side of the edge
 constexpr double usual_inspector_width = 340.0;
+constexpr double usual_cards_width = 360.0;
 constexpr double usual_dock_height = 260.0;
 
 /// One edge: its line, and the change that moves it.
@@ -31,6 +32,10 @@ struct Edge {
 
 editor::ViewChange set_inspector_width(double size) {
     return editor::SetInspectorWidth{size};
+}
+
+editor::ViewChange set_cards_width(double size) {
+    return editor::SetCardsWidth{size};
 }
 
 editor::ViewChange set_dock_height(double size) {
@@ -71,6 +76,12 @@ void draw_splitters(const PanelContext& context, const FrameAreas& areas) {
         draw_edge_handle(
             context, {"inspector edge", set_inspector_width, from, from + glm::dvec2(0.0, areas.inspector.size_px.y),
                       width, usual_inspector_width, ImGuiMouseCursor_ResizeEW});
+    }
+    if (areas.cards.size_px.x > 0.0) {
+        const glm::dvec2 from = areas.cards.origin_px;
+        const double width = (from.x + areas.cards.size_px.x - mouse.x) / context.scale;
+        draw_edge_handle(context, {"cards edge", set_cards_width, from, from + glm::dvec2(0.0, areas.cards.size_px.y),
+                                   width, usual_cards_width, ImGuiMouseCursor_ResizeEW});
     }
     if (areas.dock.size_px.y > 0.0) {
         const glm::dvec2 from = areas.dock.origin_px;

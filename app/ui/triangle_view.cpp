@@ -8,6 +8,7 @@
 
 #include "app/editor/formula.h"
 #include "app/ui/inspector_widgets.h"
+#include "app/ui/panel_hover.h"
 #include "app/ui/section.h"
 #include "app/ui/style.h"
 

@@ -44,6 +44,7 @@ Tears tears_of(const DocumentCurve& entry);
 struct DocumentView {
     std::optional<double> parameter;
     std::optional<std::vector<std::string>> overlays;
+    std::map<std::string, std::string> notation;  ///< choices by name, as the program that shows it knows them
     std::string unknown_members;
     bool operator==(const DocumentView&) const = default;
 };

@@ -8,7 +8,7 @@ import unittest
 from case import WindowTest
 
 SIZES = ((1024, 700), (1280, 720), (1440, 900), (1920, 1080))
-MENUS = ("file", "edit", "make", "curve", "construct", "analyze", "view", "help")
+MENUS = ("file", "edit", "make", "curve", "construct", "analyze", "view", "watch", "help")
 TOOLS = ("tool select", "tool add-point", "tool insert-knot", "tool weight", "tool draw-curve", "tool parameter",
          "tool-bar undo", "tool-bar redo", "tool-bar fit", "tool-bar toggle-play")
 

@@ -6,6 +6,7 @@
 
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/view_commands.h"

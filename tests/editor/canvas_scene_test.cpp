@@ -297,7 +297,7 @@ TEST(CanvasScene, each_overlay_adds_something_of_its_own) {
     EditorState state = test::sample_state();
     show_only(state, {});
     const std::size_t bare = scene_of(state).commands.size();
-    for (std::size_t i = 0; i < overlay_count; ++i) {
+    for (std::size_t i = 0; i < basic_overlay_count; ++i) {
         show_only(state, {static_cast<Overlay>(i)});
         EXPECT_GT(scene_of(state).commands.size(), bare) << core::name_of(static_cast<Overlay>(i));
     }

@@ -9,6 +9,7 @@
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/view_commands.h"
@@ -125,6 +126,25 @@ TEST_F(FileCommands, save_the_view_too) {
     EXPECT_EQ(other.state().parameter(), 3.5);
     EXPECT_EQ(other.state().view.overlays, state().view.overlays);
     EXPECT_EQ(document(other).active, 1U);
+}
+
+TEST_F(FileCommands, take_the_notation_of_a_document_and_go_back_to_the_usual_one) {
+    Notation usual;
+    usual.points = PointLetter::B;
+    run(SetNotation{usual.points, usual.parameter, usual.degree, usual.triangles, usual.numbers});
+    const fs::path lecture = folder_.write("lecture.json", R"({"format": "batten", "version": 1, "curves": [],
+        "view": {"notation": {"points": "V", "parameter": "t", "color": "red"}}})");
+    run(Open{.path = lecture});
+    EXPECT_EQ(state().view.notation.points, PointLetter::V);
+    EXPECT_EQ(state().view.notation.parameter, ParameterLetter::t);
+    EXPECT_EQ(state().view.usual_notation, usual);
+    run(SaveAs{.path = lecture});
+    const auto saved = core::load_document(lecture);
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved->view.notation.at("points"), "V");
+    EXPECT_EQ(saved->view.notation.at("color"), "red");
+    run(Open{.path = folder_.write("plain.json", R"({"format": "batten", "version": 1, "curves": []})")});
+    EXPECT_EQ(state().view.notation, usual);
 }
 
 TEST_F(FileCommands, keep_overlays_of_a_later_version) {

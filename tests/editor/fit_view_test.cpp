@@ -5,10 +5,11 @@
 #include <filesystem>
 #include <set>
 
+#include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/view_commands.h"
 #include "app/editor/editor.h"
-#include "app/editor/scene/hodograph_inset.h"
+#include "app/editor/scene/insets.h"
 #include "app/editor/scene/legend.h"
 #include "core/document/native_file.h"
 #include "core/evaluate/evaluate.h"
@@ -48,14 +49,14 @@ std::vector<core::Point> shown_points(const core::Curve& curve) {
 void expect_all_clear(const EditorState& state, const std::string& where) {
     const PixelBox picture{{}, state.view.camera.size_px};
     const PixelBox legend = has_legend(state) ? legend_box(state, state.view.legend_corner) : PixelBox{};
-    const PixelBox inset = hodograph_box(state.view);
+    const std::optional<PixelBox> inset = insets_box(state);
     EXPECT_TRUE(!has_legend(state) || (picture.contains(legend.lower_px) && picture.contains(legend.upper_px)))
         << where;
-    EXPECT_FALSE(has_legend(state) && has_inset(state) && legend.overlaps(inset)) << where;
+    EXPECT_FALSE(has_legend(state) && inset && legend.overlaps(*inset)) << where;
     for (const core::Point point : shown_points(*state.active_curve())) {
         EXPECT_TRUE(picture.contains(seen(state, point))) << where;
         EXPECT_FALSE(has_legend(state) && legend.contains(seen(state, point))) << where;
-        EXPECT_FALSE(has_inset(state) && inset.contains(seen(state, point))) << where;
+        EXPECT_FALSE(inset && inset->contains(seen(state, point))) << where;
     }
 }
 
@@ -188,7 +189,7 @@ TEST_F(Legend, does_not_lie_over_the_inset_in_a_narrow_canvas) {
     for (int k = 0; k < 20; ++k) {
         editor_.change(PanCamera{{0.0, 10.0}});
         editor_.change(PlaceLegend{free_corner(editor_.state(), cache_)});
-        EXPECT_FALSE(legend_box(editor_.state(), corner()).overlaps(hodograph_box(editor_.state().view))) << k;
+        EXPECT_FALSE(legend_box(editor_.state(), corner()).overlaps(insets_box(editor_.state()).value())) << k;
     }
 }
 

@@ -43,9 +43,9 @@ using Enumerations =
                      Last<core::KnotMove::snap>, Last<core::Parametrization::centripetal>,
                      Last<core::CirclePolygon::triangle>, Last<core::JoinContinuity::g2>, Last<core::Closing::periodic>,
                      Last<core::ConicType::hyperbola>, Last<core::ContactKind::ending>, Last<ShapeEffect::changes>,
-                     Last<CommandGroup::gesture>, Last<Dialog::at_work>, Last<Overlay::construction>,
-                     Last<Tool::parameter>, Last<ThemeName::light>, Last<CurveEnds::both>,
-                     Last<Escapable::presentation>, Last<UnsavedAnswer::cancel>, Last<Cursor::text>>;
+                     Last<CommandGroup::gesture>, Last<Dialog::at_work>, Last<Overlay::quiz>, Last<Tool::parameter>,
+                     Last<ThemeName::light>, Last<CurveEnds::both>, Last<Escapable::presentation>,
+                     Last<UnsavedAnswer::cancel>, Last<Cursor::text>>;
 TYPED_TEST_SUITE(Names, Enumerations);
 
 TYPED_TEST(Names, of_an_enumeration_are_complete_and_differ) {

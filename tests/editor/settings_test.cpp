@@ -20,7 +20,10 @@ Settings unusual_settings() {
     settings.knot_move = core::KnotMove::push;
     settings.inspector_is_open = false;
     settings.dock_is_open = false;
+    settings.notation.points = PointLetter::V;
+    settings.notation.numbers = NumberStyle::decimals;
     settings.inspector_width = 400.5;
+    settings.cards_width = 500.0;
     settings.dock_height = 300.0;
     settings.recent_files = {"/a/wave.json", "/b/Bézier curve.json"};
     return settings;

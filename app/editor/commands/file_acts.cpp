@@ -48,6 +48,7 @@ void take_view(View& view, const core::Document& document) {
     const core::Interval domain = active != nullptr ? active->curve->domain() : core::Interval{};
     view.parameter = document.view.parameter.value_or(domain.lower + 0.5 * domain.length());
     view.level.reset();
+    view.notation = document.view.notation.empty() ? view.usual_notation : notation_named(document.view.notation);
     view.plot_range.reset();
     view.playback.is_playing = false;
     if (!document.view.overlays) return;
@@ -157,6 +158,11 @@ Outcome<void> save_document_to(EditorState& state, const fs::path& path) {
     core::Document document = state.history.present();
     document.view.parameter = state.parameter();
     document.view.overlays = overlay_names(state);
+    if (!document.view.notation.empty() || state.view.notation != Notation{}) {
+        std::map<std::string, std::string> names = names_of(state.view.notation);
+        names.merge(document.view.notation);
+        document.view.notation = std::move(names);
+    }
     const core::FileResult<void> saved = core::save_document(document, path, state.progress);
     if (!saved) return tl::unexpected(file_refusal(path, saved.error()));
     state.path = path;

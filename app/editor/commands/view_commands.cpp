@@ -33,31 +33,6 @@ Outcome<void> zoom_out(EditorState& state, const ZoomOut&) {
     return zoom_by(state, 1.0 / zoom_factor);
 }
 
-template <Overlay overlay>
-Outcome<void> toggle(EditorState& state, const ToggleOverlay<overlay>&) {
-    state.view.overlays.show(overlay, !state.view.overlays.is_shown(overlay));
-    return {};
-}
-
-template <Overlay overlay>
-bool is_shown(const EditorState& state) {
-    return state.view.overlays.is_shown(overlay);
-}
-
-template <Overlay overlay>
-CommandSpec toggling(const char* name, const char* title, const char* explanation, const char* synonyms,
-                     Key key = Key::none) {
-    return {.name = name,
-            .title = title,
-            .explanation = explanation,
-            .synonyms = synonyms,
-            .group = CommandGroup::view,
-            .offered = in_the_window,
-            .shortcut = {key, {}},
-            .is_checked = is_shown<overlay>,
-            .run = body_of<toggle<overlay>>};
-}
-
 Outcome<void> toggle_theme(EditorState& state, const ToggleTheme&) {
     state.view.theme = state.view.theme == ThemeName::dark ? ThemeName::light : ThemeName::dark;
     return {};
@@ -99,6 +74,17 @@ Outcome<void> set_knot_move(EditorState& state, const SetKnotMove& command) {
 
 core::KnotMove shown_knot_move(const EditorState& state) {
     return state.view.knot_move;
+}
+
+Outcome<void> set_notation(EditorState& state, const SetNotation& command) {
+    state.view.notation = {command.points, command.parameter, command.degree, command.triangles, command.numbers};
+    state.view.usual_notation = state.view.notation;
+    return {};
+}
+
+template <auto member>
+auto shown_notation(const EditorState& state) {
+    return state.view.notation.*member;
 }
 
 std::optional<Refusal> no_title(const EditorState& state) {
@@ -143,93 +129,6 @@ const CommandSpec& ZoomOut::spec() {
                                   .shortcut = {Key::minus, {}},
                                   .run = body_of<zoom_out>};
     return spec;
-}
-
-template <>
-const CommandSpec& ToggleOverlay<Overlay::polygon>::spec() {
-    static const CommandSpec spec = toggling<Overlay::polygon>(
-        "toggle-polygon", "Polygon", "Shows the control polygon and points.", "overlay control points legs", Key::tab);
-    return spec;
-}
-
-template <>
-const CommandSpec& ToggleOverlay<Overlay::hull>::spec() {
-    static const CommandSpec spec = toggling<Overlay::hull>(
-        "toggle-hull", "Hull", "Shows the convex hull of the active span.", "overlay convex", Key::h);
-    return spec;
-}
-
-template <>
-const CommandSpec& ToggleOverlay<Overlay::bezier_pieces>::spec() {
-    static const CommandSpec spec = toggling<Overlay::bezier_pieces>(
-        "toggle-pieces", "Bézier pieces", "Shows the Bézier polygon of each span.", "overlay segments", Key::b);
-    return spec;
-}
-
-template <>
-const CommandSpec& ToggleOverlay<Overlay::curvature_comb>::spec() {
-    static const CommandSpec spec = toggling<Overlay::curvature_comb>(
-        "toggle-comb", "Curvature comb", "Shows the curvature along the curve.", "overlay porcupine", Key::c);
-    return spec;
-}
-
-template <>
-const CommandSpec& ToggleOverlay<Overlay::knots>::spec() {
-    static const CommandSpec spec =
-        toggling<Overlay::knots>("toggle-knots", "Knots", "Shows the knots on the curve.", "overlay diamonds");
-    return spec;
-}
-
-template <>
-const CommandSpec& ToggleOverlay<Overlay::hodograph>::spec() {
-    static const CommandSpec spec = toggling<Overlay::hodograph>(
-        "toggle-hodograph", "Hodograph", "Shows the derivative as a curve.", "overlay velocity");
-    return spec;
-}
-
-template <>
-const CommandSpec& ToggleOverlay<Overlay::labels>::spec() {
-    static const CommandSpec spec =
-        toggling<Overlay::labels>("toggle-labels", "Labels", "Shows the names of points.", "overlay text", Key::l);
-    return spec;
-}
-
-template <>
-const CommandSpec& ToggleOverlay<Overlay::grid>::spec() {
-    static const CommandSpec spec =
-        toggling<Overlay::grid>("toggle-grid", "Grid", "Shows the grid and its numbers.", "overlay axes", Key::g);
-    return spec;
-}
-
-template <>
-const CommandSpec& ToggleOverlay<Overlay::construction>::spec() {
-    static const CommandSpec spec = toggling<Overlay::construction>(
-        "toggle-construction", "Construction", "Shows the de Boor construction at u.", "overlay Casteljau triangle");
-    return spec;
-}
-
-const CommandSpec& toggle_overlay_spec(Overlay overlay) {
-    switch (overlay) {
-        case Overlay::polygon:
-            return ToggleOverlay<Overlay::polygon>::spec();
-        case Overlay::hull:
-            return ToggleOverlay<Overlay::hull>::spec();
-        case Overlay::bezier_pieces:
-            return ToggleOverlay<Overlay::bezier_pieces>::spec();
-        case Overlay::curvature_comb:
-            return ToggleOverlay<Overlay::curvature_comb>::spec();
-        case Overlay::knots:
-            return ToggleOverlay<Overlay::knots>::spec();
-        case Overlay::hodograph:
-            return ToggleOverlay<Overlay::hodograph>::spec();
-        case Overlay::labels:
-            return ToggleOverlay<Overlay::labels>::spec();
-        case Overlay::grid:
-            return ToggleOverlay<Overlay::grid>::spec();
-        case Overlay::construction:
-            break;
-    }
-    return ToggleOverlay<Overlay::construction>::spec();
 }
 
 const CommandSpec& ToggleTheme::spec() {
@@ -343,6 +242,28 @@ const CommandSpec& FitPlot::spec() {
     return spec;
 }
 
+const CommandSpec& SetNotation::spec() {
+    static const CommandSpec spec{
+        .name = "set-notation",
+        .title = "Notation",
+        .explanation = "Chooses the letters of points and parameter, degree or order, and fractions or decimals.",
+        .synonyms = "letters symbols order fractions lecture",
+        .group = CommandGroup::view,
+        .offered = in_the_window,
+        .fields = {field::choice<&SetNotation::points>("points", "the letter of control points")
+                       .beginning_with<shown_notation<&Notation::points>>(),
+                   field::choice<&SetNotation::parameter>("parameter", "the letter of the parameter")
+                       .beginning_with<shown_notation<&Notation::parameter>>(),
+                   field::choice<&SetNotation::degree>("degree", "whether the order stands beside the degree")
+                       .beginning_with<shown_notation<&Notation::degree>>(),
+                   field::choice<&SetNotation::triangles>("triangles", "which parent gives a point its number")
+                       .beginning_with<shown_notation<&Notation::triangles>>(),
+                   field::choice<&SetNotation::numbers>("numbers", "how exact numbers are written")
+                       .beginning_with<shown_notation<&Notation::numbers>>()},
+        .run = body_of<set_notation>};
+    return spec;
+}
+
 const CommandSpec& SetKnotMove::spec() {
     static const CommandSpec spec{
         .name = "set-knot-move",
@@ -359,10 +280,10 @@ const CommandSpec& SetKnotMove::spec() {
 
 void add_view_commands(CommandTable& table) {
     add_all<FitView, ZoomIn, ZoomOut>(table);
-    for (std::size_t i = 0; i < overlay_count; ++i) table.emplace_back(toggle_overlay_spec(static_cast<Overlay>(i)));
+    add_overlay_commands(table);
     add_all<ToggleTheme, ScaleUp, ScaleDown, ResetScale, ToggleInspector, ToggleDock, ToggleTitle, TogglePresenting>(
         table);
-    add_all<FitPlot, SetKnotMove>(table);
+    add_all<SetNotation, FitPlot, SetKnotMove>(table);
 }
 
 }  // namespace batten::editor

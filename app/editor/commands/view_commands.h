@@ -2,7 +2,8 @@
 #pragma once
 
 #include "app/editor/command.h"
-#include "app/editor/view.h"
+#include "app/editor/commands/overlay_commands.h"
+#include "app/editor/notation.h"
 #include "core/edit/knot_edit.h"
 
 namespace batten::editor {
@@ -18,34 +19,6 @@ struct ZoomIn {
 struct ZoomOut {
     static const CommandSpec& spec();
 };
-
-/// One command for each overlay, for its shortcut and its switch.
-template <Overlay overlay>
-struct ToggleOverlay {
-    static const CommandSpec& spec();
-};
-
-template <>
-const CommandSpec& ToggleOverlay<Overlay::polygon>::spec();
-template <>
-const CommandSpec& ToggleOverlay<Overlay::hull>::spec();
-template <>
-const CommandSpec& ToggleOverlay<Overlay::bezier_pieces>::spec();
-template <>
-const CommandSpec& ToggleOverlay<Overlay::curvature_comb>::spec();
-template <>
-const CommandSpec& ToggleOverlay<Overlay::knots>::spec();
-template <>
-const CommandSpec& ToggleOverlay<Overlay::hodograph>::spec();
-template <>
-const CommandSpec& ToggleOverlay<Overlay::labels>::spec();
-template <>
-const CommandSpec& ToggleOverlay<Overlay::grid>::spec();
-template <>
-const CommandSpec& ToggleOverlay<Overlay::construction>::spec();
-
-/// The description of the command that shows or hides `overlay`.
-const CommandSpec& toggle_overlay_spec(Overlay overlay);
 
 struct ToggleTheme {
     static const CommandSpec& spec();
@@ -77,6 +50,16 @@ struct ToggleTitle {
 };
 
 struct TogglePresenting {
+    static const CommandSpec& spec();
+};
+
+/// The letters and numbers in which everything is told.
+struct SetNotation {
+    PointLetter points;
+    ParameterLetter parameter;
+    DegreeOrOrder degree;
+    CellNumbering triangles;
+    NumberStyle numbers;
     static const CommandSpec& spec();
 };
 

@@ -21,7 +21,7 @@ CanvasFrame::CanvasFrame(const EditorState& shown_state, SceneCache& scene_cache
     : state(shown_state),
       cache(scene_cache),
       theme(theme_of(shown_state.view.theme)),
-      pen(list, shown_state.view.camera.size_px, shown_state.view.interface_scale),
+      pen(list, shown_state.view.camera.size_px, shown_state.view.interface_scale, shown_state.view.notation),
       curve(shown_state.visible_active_curve()) {
     if (curve == nullptr) return;
     lit = highlight(state);

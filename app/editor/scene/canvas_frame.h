@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/editor/highlight.h"
+#include "app/editor/scene/label_layout.h"
 #include "app/editor/scene/pen.h"
 #include "app/editor/scene/scene_cache.h"
 #include "app/editor/scene/seen_line.h"
@@ -16,6 +17,21 @@ namespace batten::editor {
 
 /// Where `camera` shows a point, finite whatever the point: coordinates beyond 1e30 pixels stop there.
 glm::dvec2 shown_place(const render::Camera& camera, core::Point world);
+
+/// A part of a label in a style of its own.
+struct LabelWord {
+    std::string text;
+    TextStyle style;
+};
+
+/// A label that a view asks for beside `place`; it gets a free place once everything is drawn.
+struct WishedLabel {
+    glm::dvec2 place{};
+    std::vector<LabelWord> words;
+    double distance = 9.0;  ///< design pixels
+    LabelSide first = LabelSide::upper_right;
+    Crowding crowding = Crowding::leave_out;
+};
 
 /// One picture of the canvas while it is drawn.
 struct CanvasFrame {
@@ -30,6 +46,8 @@ struct CanvasFrame {
     Highlight lit;
     std::optional<core::DeBoorTriangle> triangle;  ///< at the view's parameter; there when the curve is
     SeenLine curve_line;                           ///< the active curve as far as it is seen
+    std::vector<WishedLabel> labels;               ///< of views, in the order of their importance
+    std::vector<render::PixelBox> covered;         ///< by views: where no label may stand
 
     bool shows(Overlay overlay) const { return state.view.overlays.is_shown(overlay); }
 

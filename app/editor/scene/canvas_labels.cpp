@@ -28,12 +28,6 @@ constexpr double width_error = 0.1;  // of the width of a text that is not measu
 constexpr double ground_margin = 2.0;
 constexpr double label_ground_opacity = 0.85;
 
-/// A part of a label in a color of its own.
-struct Word {
-    std::string text;
-    TextStyle style;
-};
-
 /// Puts labels into free places.
 class LabelWriter {
   public:
@@ -56,12 +50,12 @@ class LabelWriter {
     LabelLayout& layout() { return layout_; }
 
     /// Words side by side around `point`, if that is in the picture. Returns false where there is no room for them.
-    bool write(glm::dvec2 point, std::vector<Word> words, double distance, LabelSide first, Crowding crowding) {
+    bool write(glm::dvec2 point, std::vector<LabelWord> words, double distance, LabelSide first, Crowding crowding) {
         const render::PixelBox picture{{}, frame_.pen.size_px()};
         if (!picture.contains(point)) return true;
         const double gap = frame_.pen.px(word_gap);
         glm::dvec2 size{-gap, 0.0};
-        for (const Word& word : words)
+        for (const LabelWord& word : words)
             size = {size.x + gap + width_px(word), std::max(size.y, frame_.pen.px(1.25 * word.style.size))};
         const auto place = layout_.place(point, size, frame_.pen.px(distance), first, crowding);
         if (!place) return false;
@@ -70,10 +64,10 @@ class LabelWriter {
         if (has_grounds_) fill_ground(place->box, is_from_right);
         if (is_from_right) std::reverse(words.begin(), words.end());
         double x = is_from_right ? place->box.upper_px.x : place->box.lower_px.x;
-        for (Word& word : words) {
+        for (LabelWord& word : words) {
             word.style.anchor = is_from_right ? render::Anchor::right : render::Anchor::left;
             const double width = width_px(word) + gap;
-            frame_.pen.text({x, place->position.y}, std::move(word.text), word.style);
+            frame_.pen.text({x, place->position.y}, word.text, word.style);
             x += is_from_right ? -width : width;
         }
         return true;
@@ -89,7 +83,7 @@ class LabelWriter {
                         render::faded(frame_.theme.canvas, label_ground_opacity));
     }
 
-    double width_px(const Word& word) const {
+    double width_px(const LabelWord& word) const {
         return text_size(word.text, frame_.pen.px(word.style.size), word.style.font).x;
     }
 
@@ -100,7 +94,7 @@ class LabelWriter {
 
 void write_point_name(LabelWriter& writer, CanvasFrame& frame, NumberColumn weights, std::size_t i) {
     const double weight = frame.curve->weights()[i];
-    std::vector<Word> words{{fmt::format("P_{{{}}}", i), {.color = frame.theme.text, .size = name_size}}};
+    std::vector<LabelWord> words{{fmt::format("P_{{{}}}", i), {.color = frame.theme.text, .size = name_size}}};
     if (weight != 1.0)
         words.push_back(
             {fmt::format("· w {}", weight_text(weight, weights)), {.color = frame.theme.dim, .size = name_size}});
@@ -110,6 +104,11 @@ void write_point_name(LabelWriter& writer, CanvasFrame& frame, NumberColumn weig
     const bool matters = frame.state.selection.contains_point(i) || (hovered != nullptr && hovered->index == i);
     writer.write(frame.screen(frame.curve->control_points()[i]), std::move(words), distance, LabelSide::upper_right,
                  matters ? Crowding::cover_symbols : Crowding::leave_out);
+}
+
+void write_point_names(LabelWriter& writer, CanvasFrame& frame, const ShownPoints& points) {
+    const NumberColumn weights = weight_column(*frame.curve);
+    for (const MarkPlace& point : points.large) write_point_name(writer, frame, weights, point.index);
 }
 
 std::string knot_text(const CurveKnot& knot) {
@@ -153,11 +152,16 @@ void write_curve_point(LabelWriter& writer, CanvasFrame& frame, const ShownPoint
 }  // namespace
 
 void draw_canvas_labels(CanvasFrame& frame, const CanvasMarks& marks, const std::vector<render::PixelBox>& covered) {
+    const bool has_names = frame.shows(Overlay::labels);
+    if (!has_names && frame.labels.empty()) return;
     LabelWriter writer(frame, marks, covered);
+    for (const render::PixelBox& box : frame.covered) writer.layout().avoid_box(box);
     for (const CurveKnot& knot : marks.knots.knots)
         for (const glm::dvec2 place : knot.places) writer.layout().avoid_symbol(place, frame.pen.px(5.0));
-    const NumberColumn weights = weight_column(*frame.curve);
-    for (const MarkPlace& point : marks.points.large) write_point_name(writer, frame, weights, point.index);
+    if (has_names) write_point_names(writer, frame, marks.points);
+    for (const WishedLabel& label : frame.labels)
+        writer.write(label.place, label.words, label.distance, label.first, label.crowding);
+    if (!has_names) return;
     for (const CurveKnot& knot : marks.knots.knots) write_knot(writer, frame, knot);
     write_curve_point(writer, frame, marks.points);
 }

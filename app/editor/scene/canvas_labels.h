@@ -16,7 +16,8 @@ struct CanvasMarks {
 };
 
 /// "P_{2} · w 2" beside control points, "×2 C^{1}" beside multiple knots, "C(0.400)" beside the point at the parameter,
-/// kept apart from one another, from points, polygon, curve and `covered` boxes. The frame must have a curve.
+/// and what views ask for, even without the overlay of labels; all are kept apart from one another, from points,
+/// polygon, curve and `covered` boxes. The frame must have a curve.
 void draw_canvas_labels(CanvasFrame& frame, const CanvasMarks& marks, const std::vector<render::PixelBox>& covered);
 
 }  // namespace batten::editor

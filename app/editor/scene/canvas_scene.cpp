@@ -13,10 +13,11 @@
 #include "app/editor/scene/finding_marks.h"
 #include "app/editor/scene/gesture_marks.h"
 #include "app/editor/scene/grid.h"
-#include "app/editor/scene/hodograph_inset.h"
+#include "app/editor/scene/insets.h"
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/other_curves.h"
 #include "app/editor/scene/sketch_scene.h"
+#include "app/editor/scene/views.h"
 
 namespace batten::editor {
 
@@ -32,7 +33,7 @@ std::vector<render::PixelBox> draw_background(CanvasFrame& frame) {
         covered = draw_grid_numbers(frame, legend);
     }
     if (legend) covered.push_back(*legend);
-    if (has_inset(frame.state)) covered.push_back(hodograph_box(frame.state.view));
+    for (const InsetPlace& inset : inset_places(frame.state)) covered.push_back(inset.box);
     for (const render::PixelBox& box : finding_boxes(frame)) covered.push_back(box);
     draw_ghost(frame);
     draw_other_curves(frame);
@@ -53,6 +54,7 @@ void draw_lines_of_active_curve(CanvasFrame& frame, CanvasMarks& marks) {
     draw_dense_points(frame, marks.points);
     if (frame.shows(Overlay::bezier_pieces)) marks.pieces = draw_bezier_pieces(frame);
     if (frame.shows(Overlay::curvature_comb)) marks.comb_spans = draw_curvature_comb(frame);
+    draw_views_below(frame);
     draw_lit_parts(frame);
     draw_active_curve(frame);
 }
@@ -63,8 +65,9 @@ void draw_marks_of_active_curve(CanvasFrame& frame, const CanvasMarks& marks,
     draw_hovered_place(frame);
     if (frame.shows(Overlay::construction)) draw_construction(frame);
     draw_control_points(frame, marks.points);
+    draw_views_above(frame);
     draw_curve_point(frame);
-    if (frame.shows(Overlay::labels)) draw_canvas_labels(frame, marks, covered);
+    draw_canvas_labels(frame, marks, covered);
 }
 
 }  // namespace
@@ -84,7 +87,7 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, 
     }
     draw_finding_marks(frame);
     draw_gesture_marks(frame, mode);
-    if (has_inset(state)) draw_hodograph_inset(frame);
+    if (frame.curve != nullptr) draw_insets(frame);
     if (has_legend(state)) draw_legend(frame);
     draw_crowd_notes(frame, notes);
     return list;

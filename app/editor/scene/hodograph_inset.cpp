@@ -13,9 +13,6 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double width = 200.0;
-constexpr double inset_height = 150.0;
-constexpr double inset_margin = 14.0;
 constexpr double inset_padding = 14.0;
 constexpr double title_height = 20.0;
 constexpr double places_per_px = 4.0;  // of the picture's width
@@ -130,18 +127,7 @@ void draw_inked(CanvasFrame& frame, const core::CurveStrips& strips, const Inset
 
 }  // namespace
 
-bool has_inset(const EditorState& state) {
-    return state.visible_active_curve() != nullptr && state.view.overlays.is_shown(Overlay::hodograph);
-}
-
-render::PixelBox hodograph_box(const View& view) {
-    const double scale = view.interface_scale;
-    const glm::dvec2 upper{view.camera.size_px.x - scale * inset_margin, scale * (inset_margin + inset_height)};
-    return {upper - scale * glm::dvec2(width, inset_height), upper};
-}
-
-void draw_hodograph_inset(CanvasFrame& frame) {
-    const render::PixelBox box = hodograph_box(frame.state.view);
+void draw_hodograph_inset(CanvasFrame& frame, const render::PixelBox& box) {
     Pen& pen = frame.pen;
     const Theme& theme = frame.theme;
     draw_panel_box(pen, theme, box);

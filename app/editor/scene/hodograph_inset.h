@@ -5,14 +5,8 @@
 
 namespace batten::editor {
 
-/// Whether there is a visible curve whose inset is shown.
-bool has_inset(const EditorState& state);
-
-/// Where the inset is.
-render::PixelBox hodograph_box(const View& view);
-
-/// C'(u) over the whole domain, fitted into the box together with its origin, and its point at the view's parameter. It
+/// C'(u) over the whole domain, fitted into `box` together with its origin, and its point at the view's parameter. It
 /// breaks where the derivative jumps. The frame must have a curve.
-void draw_hodograph_inset(CanvasFrame& frame);
+void draw_hodograph_inset(CanvasFrame& frame, const render::PixelBox& box);
 
 }  // namespace batten::editor

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/editor/canvas_cover.h"
-#include "app/editor/scene/hodograph_inset.h"
+#include "app/editor/scene/insets.h"
 #include "app/editor/scene/panel_box.h"
 #include "app/editor/scene/text_size.h"
 #include "core/base/sentence.h"
@@ -21,7 +21,7 @@ constexpr double text = 12.5;
 constexpr double disc_space = 22.0;  // from the end of a text to the next disc
 constexpr double disc_to_text = 10.0;
 constexpr double least_picture_height = 160.0;  // in a lower one the curve needs all the room
-constexpr double inset_reach = 180.0;           // below the upper edge, where the hodograph's inset is
+constexpr double inset_distance = 16.0;         // below the insets
 constexpr int inset_cost = 1000;                // of covering it, which nothing makes good
 constexpr int reluctance = 2;                   // how much less another corner must cover
 const char* const title = "de Boor";
@@ -88,14 +88,17 @@ render::PixelBox legend_box(const EditorState& state, Corner corner) {
     const glm::dvec2 size{fitting_texts(state).width(), legend_height};
     const bool is_left = corner == Corner::lower_left || corner == Corner::upper_left;
     const bool is_lower = corner == Corner::lower_left || corner == Corner::lower_right;
-    const double top = corner == Corner::upper_right && has_inset(state) ? inset_reach : side_margin;
+    const std::optional<render::PixelBox> insets = insets_box(state);
+    const double top =
+        corner == Corner::upper_right && insets ? insets->upper_px.y / scale + inset_distance : side_margin;
     const glm::dvec2 lower{is_left ? side_margin : picture.x - side_margin - size.x,
                            is_lower ? picture.y - bottom - size.y : top};
     return {scale * lower, scale * (lower + size)};
 }
 
 bool meets_inset(const EditorState& state, Corner corner) {
-    return has_inset(state) && legend_box(state, corner).overlaps(hodograph_box(state.view));
+    const std::optional<render::PixelBox> insets = insets_box(state);
+    return insets && legend_box(state, corner).overlaps(*insets);
 }
 
 Corner free_corner(const EditorState& state, SceneCache& cache) {

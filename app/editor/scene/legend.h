@@ -12,7 +12,7 @@ bool has_legend(const EditorState& state);
 /// Where the legend is when it stands in `corner`.
 render::PixelBox legend_box(const EditorState& state, Corner corner);
 
-/// Whether the legend and the hodograph's inset would lie over each other.
+/// Whether the legend and the insets would lie over each other.
 bool meets_inset(const EditorState& state, Corner corner);
 
 /// The corner where the legend covers nothing of the inset, if there is one, and least of the curves. It stays where it

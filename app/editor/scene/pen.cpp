@@ -85,11 +85,12 @@ class LineCutter {
 
 }  // namespace
 
-Pen::Pen(render::DrawList& list, glm::dvec2 size_px, double scale)
+Pen::Pen(render::DrawList& list, glm::dvec2 size_px, double scale, const Notation& notation)
     : list_(list),
       size_px_(size_px),
       scale_(scale),
-      reach_{glm::dvec2(-margin_px * scale), size_px + glm::dvec2(margin_px * scale)} {}
+      reach_{glm::dvec2(-margin_px * scale), size_px + glm::dvec2(margin_px * scale)},
+      notation_(notation) {}
 
 void Pen::line(std::span<const glm::dvec2> points, const Stroke& stroke, double along_px) {
     render::Polyline style{.points = {},
@@ -137,10 +138,10 @@ void Pen::symbol(glm::dvec2 center, const Symbol& symbol) {
                              .dash_px = narrowed(px(symbol.dash))});
 }
 
-void Pen::text(glm::dvec2 position, std::string text, const TextStyle& style) {
+void Pen::text(glm::dvec2 position, const std::string& text, const TextStyle& style) {
     if (!reach_.contains(position)) return;
     list_.add(render::Label{.position = pixel(position),
-                            .text = std::move(text),
+                            .text = notated(text, notation_),
                             .color = style.color,
                             .size_px = narrowed(px(style.size)),
                             .anchor = style.anchor,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/notation.h"
 #include "render/draw_list.h"
 #include "render/pixel_box.h"
 
@@ -43,8 +44,8 @@ inline constexpr render::Color no_color{0, 0, 0, 0};
 /// picture and a margin) is cut off or left out before it becomes a float.
 class Pen {
   public:
-    /// `scale` is pixels of the picture per design pixel, > 0.
-    Pen(render::DrawList& list, glm::dvec2 size_px, double scale);
+    /// `scale` is pixels of the picture per design pixel, > 0; texts are brought into `notation`.
+    Pen(render::DrawList& list, glm::dvec2 size_px, double scale, const Notation& notation = {});
 
     glm::dvec2 size_px() const { return size_px_; }
     double px(double design) const { return design * scale_; }
@@ -62,13 +63,14 @@ class Pen {
 
     void ink(std::shared_ptr<const render::CoverageMap> map, render::Color color);
     void symbol(glm::dvec2 center, const Symbol& symbol);
-    void text(glm::dvec2 position, std::string text, const TextStyle& style);
+    void text(glm::dvec2 position, const std::string& text, const TextStyle& style);
 
   private:
     render::DrawList& list_;
     glm::dvec2 size_px_;
     double scale_;
     render::PixelBox reach_;
+    Notation notation_;
 };
 
 /// The corners of a rectangle with rounded corners.

@@ -4,6 +4,7 @@
 #include "app/editor/scene/knot_strip.h"
 #include "app/editor/scene/plot_axes.h"
 #include "app/editor/scene/plot_frame.h"
+#include "app/editor/scene/views.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -38,10 +39,12 @@ render::DrawList plot_scene(const EditorState& state, const PlotMode& mode, glm:
     const ShownStacks knots = knot_stacks(frame);
     draw_plot_axes(frame);
     draw_knot_guides(frame, knots.stacks);
+    draw_plot_views_below(frame);
     draw_basis_graphs(frame, basis.graphs);
     draw_parameter_line(frame);
     draw_basis_values(frame);
     draw_basis_numbers(frame, basis.graphs);
+    draw_plot_views_above(frame);
     draw_plot_title(frame, plot_note(basis, knots));
     draw_knot_strip(frame, knots.stacks);
     draw_knot_labels(frame, knots.stacks);

@@ -165,6 +165,7 @@ void read_view(ObjectReader& document_reader, Document& document) {
     ObjectReader reader(*object, document_reader.place("view"));
     reader.optional("parameter", document.view.parameter);
     reader.optional("overlays", document.view.overlays);
+    reader.optional("notation", document.view.notation);
     if (const Json* active = reader.find("active")) document.active = find_active(*active, document.curves);
     document.view.unknown_members = reader.unknown_members();
     document_reader.note(reader.error());

@@ -58,6 +58,7 @@ Json json_of_view(const Document& document) {
     Json object = Json::object();
     if (view.parameter && std::isfinite(*view.parameter)) object["parameter"] = number(*view.parameter);
     if (view.overlays) object["overlays"] = *view.overlays;
+    if (!view.notation.empty()) object["notation"] = view.notation;
     if (document.active > 0 && document.active_curve()) object["active"] = active_member(document);
     add_unknown_members(object, view.unknown_members);
     return object;

@@ -58,6 +58,14 @@ std::optional<FileError> take(const Json& value, const std::string& pointer, std
     return std::nullopt;
 }
 
+std::optional<FileError> take(const Json& value, const std::string& pointer,
+                              std::map<std::string, std::string>& target) {
+    if (!value.is_object()) return wrong_value(pointer, value, "an object");
+    for (const auto& [name, member] : value.items())
+        if (auto error = take(member, place_in(pointer, name), target[name])) return error;
+    return std::nullopt;
+}
+
 std::optional<FileError> take(const Json& value, const std::string& pointer, Point& target) {
     if (!value.is_array() || value.size() != 2) return wrong_value(pointer, value, "a list of two numbers, x and y");
     if (auto error = take(value[0], place_in(pointer, 0), target.x)) return error;

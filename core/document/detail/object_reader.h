@@ -1,6 +1,7 @@
 /// Takes the members of a JSON object into variables and notes the first thing found wrong.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -26,6 +27,8 @@ std::optional<FileError> take(const Json& value, const std::string& pointer, boo
 std::optional<FileError> take(const Json& value, const std::string& pointer, double& target);
 std::optional<FileError> take(const Json& value, const std::string& pointer, std::string& target);
 std::optional<FileError> take(const Json& value, const std::string& pointer, Point& target);
+std::optional<FileError> take(const Json& value, const std::string& pointer,
+                              std::map<std::string, std::string>& target);
 
 /// The items of a list may be packed, as number_list.h says; those are let go once they are stored.
 template <class T>

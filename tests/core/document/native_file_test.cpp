@@ -304,6 +304,9 @@ TEST(NativeFormat, wrong_types_are_named_with_their_place) {
     expect_error(R"({"format": "batten", "version": 1, "view": []})", "/view", "an object");
     expect_error(R"({"format": "batten", "version": 1, "view": {"parameter": "x"}})", "/view/parameter", "a number");
     expect_error(R"({"format": "batten", "version": 1, "view": {"overlays": ["a", 1]}})", "/view/overlays/1", "a text");
+    expect_error(R"({"format": "batten", "version": 1, "view": {"notation": "t"}})", "/view/notation", "an object");
+    expect_error(R"({"format": "batten", "version": 1, "view": {"notation": {"points": 3}}})", "/view/notation/points",
+                 "a text");
 }
 
 TEST(NativeFormat, invalid_curves_are_refused_with_place_and_sentence) {

@@ -1,0 +1,17 @@
+/// One command for each overlay, for its shortcut and its switch.
+#pragma once
+
+#include "app/editor/command.h"
+#include "app/editor/overlay.h"
+
+namespace batten::editor {
+
+/// The description of the command that shows or hides `overlay`.
+const CommandSpec& toggle_overlay_spec(Overlay overlay);
+
+template <Overlay overlay>
+struct ToggleOverlay {
+    static const CommandSpec& spec() { return toggle_overlay_spec(overlay); }
+};
+
+}  // namespace batten::editor

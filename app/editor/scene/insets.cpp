@@ -1,0 +1,69 @@
+#include "app/editor/scene/insets.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/common.hpp>
+
+namespace batten::editor {
+
+namespace {
+
+/// An overlay that has an inset, and its size in design pixels.
+struct InsetSize {
+    Overlay overlay;
+    glm::dvec2 size;
+};
+
+constexpr std::array inset_sizes{InsetSize{Overlay::hodograph, {200.0, 150.0}}};
+
+constexpr double margin = 14.0;
+constexpr double gap = 8.0;
+constexpr double bottom = 28.0;     // leaves room for the numbers of the grid
+constexpr double most_share = 0.6;  // of the canvas' width; the first inset is always shown
+
+}  // namespace
+
+std::vector<InsetPlace> inset_places(const EditorState& state) {
+    std::vector<InsetPlace> places;
+    if (state.visible_active_curve() == nullptr) return places;
+    const double scale = state.view.interface_scale;
+    const glm::dvec2 picture = state.view.camera.size_px / scale;
+    glm::dvec2 corner{picture.x - margin, margin};  // the upper right one of the next inset
+    double column_width = 0.0;
+    for (const auto& [overlay, size] : inset_sizes) {
+        if (!state.view.overlays.is_shown(overlay)) continue;
+        if (column_width > 0.0 && corner.y + size.y > picture.y - bottom) {
+            corner = {corner.x - column_width - gap, margin};
+            column_width = 0.0;
+        }
+        const double left = corner.x - size.x;
+        if (!places.empty() && left < (1.0 - most_share) * picture.x) continue;
+        places.push_back({overlay, {scale * glm::dvec2(left, corner.y), scale * (corner + glm::dvec2(0.0, size.y))}});
+        column_width = std::max(column_width, size.x);
+        corner.y += size.y + gap;
+    }
+    return places;
+}
+
+std::optional<render::PixelBox> inset_box(const EditorState& state, Overlay overlay) {
+    for (const InsetPlace& place : inset_places(state))
+        if (place.overlay == overlay) return place.box;
+    return std::nullopt;
+}
+
+std::optional<render::PixelBox> insets_box(const EditorState& state) {
+    std::optional<render::PixelBox> box;
+    for (const InsetPlace& place : inset_places(state))
+        box = box ? render::PixelBox{glm::min(box->lower_px, place.box.lower_px),
+                                     glm::max(box->upper_px, place.box.upper_px)}
+                  : place.box;
+    return box;
+}
+
+std::optional<InsetPlace> inset_at(const EditorState& state, glm::dvec2 place_px) {
+    for (const InsetPlace& place : inset_places(state))
+        if (place.box.contains(place_px)) return place;
+    return std::nullopt;
+}
+
+}  // namespace batten::editor
