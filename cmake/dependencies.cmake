@@ -11,6 +11,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/glm_target.cmake)
 if(BATTEN_PROGRAM)
   find_package(CLI11 REQUIRED)
   find_package(Threads REQUIRED)
+  pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
 endif()
 
 if(BATTEN_TESTS)

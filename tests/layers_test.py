@@ -7,7 +7,7 @@ import sys
 # Folder: the folders of the project and the outside headers it may include (beside the standard library).
 LAYERS = {
     "core": ({"core"}, {"glm", "tl", "Eigen", "fmt", "hwy", "nlohmann", "posix"}),
-    "render": ({"render"}, {"glm", "tl", "fmt", "glad"}),
+    "render": ({"render"}, {"glm", "tl", "fmt", "glad", "cairo", "cairo-svg"}),
     "app/editor": ({"core", "app/editor"}, {"glm", "tl", "fmt", "nlohmann"}),
     "app/ui": ({"core", "app/editor", "app/ui"}, {"glm", "tl", "fmt", "imgui", "misc"}),
     "app/platform": ({"core", "render", "app/editor", "app/ui", "app/platform"}, {"glm", "tl", "fmt", "imgui", "backends", "nlohmann", "GLFW"}),
@@ -17,7 +17,7 @@ LAYERS = {
 
 # The part of render that is plain data, open to all above it.
 PICTURE = {"render/draw_list.h", "render/camera.h", "render/clip.h", "render/color.h", "render/coverage_map.h",
-           "render/pixel_box.h"}
+           "render/pixel_box.h", "render/label_runs.h"}
 
 # The folders of core in the order of reading, with those before each that it may include. What measures, refines, edits and makes knows
 # each other only where an operation stands on a measurement.
@@ -38,6 +38,8 @@ ONLY_IN = {
     ("core", "hwy"): {"core/evaluate/detail/span_block.cpp", "core/evaluate/detail/taylor_samples.cpp"},
     ("core", "nlohmann"): {"core/document/"},
     ("core", "posix"): {"core/document/"},
+    ("render", "cairo"): {"render/cairo_painter.cpp"},
+    ("render", "cairo-svg"): {"render/cairo_painter.cpp"},
     ("app/cli", "posix"): {"app/cli/standard_streams.cpp"},
 }
 

@@ -1,0 +1,45 @@
+#include "render/label_runs.h"
+
+#include <gtest/gtest.h>
+
+namespace batten::render {
+namespace {
+
+struct Expected {
+    const char* text;
+    Script script;
+    bool is_stacked;
+};
+
+void expect_runs(const char* label, const std::vector<Expected>& expected) {
+    const std::vector<LabelRun> runs = label_runs(label);
+    ASSERT_EQ(runs.size(), expected.size()) << label;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        EXPECT_EQ(runs[i].text, expected[i].text) << label;
+        EXPECT_EQ(runs[i].script, expected[i].script) << label;
+        EXPECT_EQ(runs[i].is_stacked, expected[i].is_stacked) << label;
+    }
+}
+
+TEST(LabelRuns, are_the_text_itself_where_there_are_no_scripts) {
+    expect_runs("", {});
+    expect_runs("C(u) = 2", {{"C(u) = 2", Script::none, false}});
+    expect_runs("a_b^c", {{"a_b^c", Script::none, false}});
+}
+
+TEST(LabelRuns, stack_the_second_of_two_different_scripts) {
+    expect_runs("P_{3}^{1} = x", {{"P", Script::none, false},
+                                  {"3", Script::sub, false},
+                                  {"1", Script::super, true},
+                                  {" = x", Script::none, false}});
+    expect_runs("x^{2}_{i}", {{"x", Script::none, false}, {"2", Script::super, false}, {"i", Script::sub, true}});
+    expect_runs("x^{2}^{3}", {{"x", Script::none, false}, {"2", Script::super, false}, {"3", Script::super, false}});
+    expect_runs("_{1}^{2}_{3}", {{"1", Script::sub, false}, {"2", Script::super, true}, {"3", Script::sub, false}});
+}
+
+TEST(LabelRuns, reach_to_the_end_of_a_text_that_lacks_it) {
+    expect_runs("P_{12", {{"P", Script::none, false}, {"12", Script::sub, false}});
+}
+
+}  // namespace
+}  // namespace batten::render
