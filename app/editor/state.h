@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "app/editor/commands/file_commands.h"
+#include "app/editor/commands/lesson_commands.h"
 #include "app/editor/derived.h"
 #include "app/editor/findings.h"
 #include "app/editor/history.h"
+#include "app/editor/lesson/lesson.h"
 #include "app/editor/nudge_burst.h"
 #include "app/editor/selection.h"
 #include "app/editor/sketch.h"
@@ -66,20 +68,23 @@ struct Desktop {
     /// interface.
     std::function<void()> wake;
     std::filesystem::path examples;  ///< the folder of the example files
+    std::filesystem::path lessons;   ///< the folder of the lessons
 };
 
 /// What begins another document or none, and so asks about unsaved changes first.
-using Pending = std::variant<NewDocument, Open, OpenExample, Quit>;
+using Pending = std::variant<NewDocument, Open, OpenExample, OpenLesson, Quit>;
 
 struct EditorState {
     History history;                        ///< its present is the committed document
     std::optional<core::Document> preview;  ///< what the gesture under way would make
     std::optional<Ghost> ghost;
-    Derived derived;                   ///< of the curves that are shown
-    std::optional<Findings> findings;  ///< of the committed document
-    Selection selection;               ///< of the committed document, even while a preview is shown
-    std::optional<NudgeBurst> burst;   ///< the last step, where it is nudges and nothing was done since
-    std::optional<double> now;         ///< seconds on the clock of the desktop; none where nobody tells it
+    Derived derived;                           ///< of the curves that are shown
+    std::optional<Findings> findings;          ///< of the committed document
+    std::optional<LessonRun> lesson;           ///< that is being taken
+    std::optional<LessonRecording> recording;  ///< of a lesson, from what is done
+    Selection selection;                       ///< of the committed document, even while a preview is shown
+    std::optional<NudgeBurst> burst;           ///< the last step, where it is nudges and nothing was done since
+    std::optional<double> now;                 ///< seconds on the clock of the desktop; none where nobody tells it
     Hover hover;
     View view;
     Tool tool = Tool::select;

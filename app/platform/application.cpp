@@ -45,6 +45,7 @@ editor::Desktop desktop_of(Window& window, const Options& options) {
     desktop.write_clipboard = [&window](const std::string& text) { window.write_clipboard(text); };
     desktop.wake = &Window::wake;
     desktop.examples = options.assets / "examples";
+    desktop.lessons = options.assets / "lessons";
     return desktop;
 }
 

@@ -49,19 +49,19 @@ TEST(LessonCheck, tells_multiplicities_and_continuity) {
     expect(MultiplicityIs{0.5, 2}, state, true, "the multiplicity of 0.5 is 2");
     expect(MultiplicityIs{0.5, 3}, state, false, "the multiplicity of 0.5 is 2, not yet 3");
     expect(MultiplicityIs{0.25, 1}, state, false, "the multiplicity of 0.25 is 0, not yet 1");
-    expect(ContinuityIs{0.5, 1}, state, true, "the curve is C^{1} at 0.5 by its knots");
-    expect(ContinuityIs{0.5, 0}, state, false, "the curve is C^{1} at 0.5 by its knots, not yet C^{0}");
+    expect(ContinuityIs{0.5, 1}, state, true, "the curve is C¹ at 0.5 by its knots");
+    expect(ContinuityIs{0.5, 0}, state, false, "the curve is C¹ at 0.5 by its knots, not yet C⁰");
     expect(NoInteriorKnot{}, state, false, "there still is one interior knot");
     expect(KindIs{core::KnotKind::bezier}, state, false, "the knots are custom, not yet Bézier");
 }
 
 TEST(LessonCheck, tells_where_the_curve_passes) {
     const EditorState state = state_of({cubic});
-    expect(PassesThrough{.point = 5}, state, true, "the curve passes through P_{5}");
+    expect(PassesThrough{.point = 5}, state, true, "the curve passes through P₅");
     EXPECT_FALSE(result_of(PassesThrough{.point = 1}, state).holds);
     EXPECT_TRUE(result_of(PassesThrough{.at = {0, 0}}, state).holds);
     expect(PassesThrough{.at = {-3, -4}}, state, false, "the curve passes (-3, -4) at a distance of 5");
-    expect(PassesThrough{.point = 6}, state, false, "there is no control point P_{6}");
+    expect(PassesThrough{.point = 6}, state, false, "there is no control point P₆");
 }
 
 TEST(LessonCheck, tells_circles_and_conics) {
@@ -79,8 +79,8 @@ TEST(LessonCheck, tells_circles_and_conics) {
     expect(IsCircle{}, state_of({curve_of(1, {0, 0, 1, 1}, {{0, 0}, {1, 1}})}), false, "the curve is straight");
     EXPECT_TRUE(result_of(IsRational{true}, arc(2.0)).holds);
     EXPECT_FALSE(result_of(IsRational{true}, state_of({cubic})).holds);
-    expect(WeightIs{.point = 1, .is = 2.0}, arc(2.0), true, "the weight of P_{1} is 2");
-    expect(WeightIs{.point = 1, .is = 3.0}, arc(2.0), false, "the weight of P_{1} is 2, not yet 3");
+    expect(WeightIs{.point = 1, .is = 2.0}, arc(2.0), true, "the weight of P₁ is 2");
+    expect(WeightIs{.point = 1, .is = 3.0}, arc(2.0), false, "the weight of P₁ is 2, not yet 3");
 }
 
 TEST(LessonCheck, tells_how_curves_join) {
@@ -97,13 +97,13 @@ TEST(LessonCheck, tells_how_curves_join) {
     EXPECT_FALSE(holds(pair({0, 0}), JointOrder::G1)) << "both come from the same side";
     expect(CurvesJoin{}, state_of({line({0, 0}, {1, 1}), line({1, 2}, {5, 5})}), false, "the ends are 1 apart");
     expect(CurvesJoin{.order = JointOrder::C1}, pair({3, 3}), false,
-           "the tangents agree, but the derivatives are 1.4142135623730951 and 2.8284271247461903 long: G^{1} only");
+           "the tangents agree, but the derivatives are 1.4142135623730951 and 2.8284271247461903 long: G¹ only");
 }
 
 TEST(LessonCheck, tells_places_and_lines) {
     const EditorState state = state_of({cubic});
-    expect(PointIsAt{.point = 1, .at = {1, 2}}, state, true, "P_{1} is at (1, 2)");
-    expect(PointIsAt{.point = 1, .at = {1, 3}}, state, false, "P_{1} is at (1, 2), not yet at (1, 3)");
+    expect(PointIsAt{.point = 1, .at = {1, 2}}, state, true, "P₁ is at (1, 2)");
+    expect(PointIsAt{.point = 1, .at = {1, 3}}, state, false, "P₁ is at (1, 2), not yet at (1, 3)");
     expect(PointsAreCollinear{.points = {0, 4, 2}}, state, false, "a point is 2 off the line");
     EXPECT_TRUE(result_of(PointsAreCollinear{.points = {1, 2, 1}}, state).holds);
     expect(IsClosed{}, state, false, "the curve is still open");

@@ -6,6 +6,7 @@
 
 #include "app/editor/dialog.h"
 #include "app/editor/fit_view.h"
+#include "app/editor/lesson/lesson_steps.h"
 #include "app/editor/settings.h"
 #include "core/base/sentence.h"
 #include "core/document/native_file.h"
@@ -113,6 +114,7 @@ struct Proceed {
     }
     Outcome<void> operator()(const Open& command) const { return open_file(state, absolute_path(*command.path)); }
     Outcome<void> operator()(const OpenExample& command) const { return show_example(state, command.name); }
+    Outcome<void> operator()(const OpenLesson& command) const { return open_lesson(state, command.name); }
     Outcome<void> operator()(const Quit&) const {
         state.wants_quit = true;
         return {};
@@ -133,6 +135,7 @@ void show_document(EditorState& state, core::Document document, const fs::path& 
     state.preview.reset();
     state.ghost.reset();
     state.findings.reset();
+    state.lesson.reset();
     state.selection = {};
     state.hover = HoveredNothing{};
     state.path = path;
@@ -144,6 +147,13 @@ void show_document(EditorState& state, core::Document document, const fs::path& 
 
 Outcome<void> proceed(EditorState& state, const Pending& command) {
     return std::visit(Proceed{state}, command);
+}
+
+Outcome<void> ask_or_proceed(EditorState& state, Pending command) {
+    if (!state.is_modified()) return proceed(state, command);
+    show_dialog(state, Dialog::unsaved_changes);
+    state.pending = std::move(command);
+    return {};
 }
 
 Outcome<Edit> with_curves_of(const EditorState& state, const fs::path& path) {

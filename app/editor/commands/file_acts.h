@@ -15,6 +15,9 @@ std::filesystem::path absolute_path(const std::filesystem::path& path);
 /// and checked completely before anything changes.
 Outcome<void> proceed(EditorState& state, const Pending& command);
 
+/// The same once unsaved changes are saved or given up; asks about them first.
+Outcome<void> ask_or_proceed(EditorState& state, Pending command);
+
 /// Opens `document`, read from `path` (empty: from no file): a new history, nothing selected, all of it in view.
 void show_document(EditorState& state, core::Document document, const std::filesystem::path& path);
 

@@ -12,14 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Asks about unsaved changes first; the command then waits for the answer.
-Outcome<void> ask_or_proceed(EditorState& state, Pending command) {
-    if (!state.is_modified()) return proceed(state, command);
-    show_dialog(state, Dialog::unsaved_changes);
-    state.pending = std::move(command);
-    return {};
-}
-
 Outcome<void> new_document(EditorState& state, const NewDocument& command) {
     return ask_or_proceed(state, command);
 }

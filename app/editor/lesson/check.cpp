@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/editor/number_column.h"
+#include "app/editor/formula.h"
 #include "app/editor/state.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -34,6 +34,10 @@ std::string place_text(core::Point place) {
     return sentence("({x}, {y})", {{"x", shortest_text(place.x)}, {"y", shortest_text(place.y)}});
 }
 
+std::string smoothness_text(int continuity) {
+    return plain_text(continuity_text(continuity));
+}
+
 const core::DistinctKnot* knot_at(const std::vector<core::DistinctKnot>& knots, double value) {
     const auto found =
         std::find_if(knots.begin(), knots.end(), [&](const core::DistinctKnot& knot) { return knot.value == value; });
@@ -41,7 +45,7 @@ const core::DistinctKnot* knot_at(const std::vector<core::DistinctKnot>& knots, 
 }
 
 CheckResult no_such_point(std::size_t index) {
-    return {false, sentence("there is no control point P_{{{index}}}", {{"index", index}})};
+    return {false, sentence("there is no control point {point}", {{"point", point_text(index)}})};
 }
 
 /// The circle through three places of the curve; none where they are on one line.
@@ -114,11 +118,12 @@ struct Checker {
         const core::DistinctKnot* knot = knot_at(knots, check.knot);
         if (knot == nullptr) return {false, sentence("{knot} is no knot", {{"knot", shortest_text(check.knot)}})};
         if (knot->continuity == check.is)
-            return {true, sentence("the curve is C^{{{order}}} at {knot} by its knots",
-                                   {{"order", check.is}, {"knot", shortest_text(check.knot)}})};
-        return {false,
-                sentence("the curve is C^{{{found}}} at {knot} by its knots, not yet C^{{{order}}}",
-                         {{"found", knot->continuity}, {"knot", shortest_text(check.knot)}, {"order", check.is}})};
+            return {true, sentence("the curve is {order} at {knot} by its knots",
+                                   {{"order", smoothness_text(check.is)}, {"knot", shortest_text(check.knot)}})};
+        return {false, sentence("the curve is {found} at {knot} by its knots, not yet {order}",
+                                {{"found", smoothness_text(knot->continuity)},
+                                 {"knot", shortest_text(check.knot)},
+                                 {"order", smoothness_text(check.is)}})};
     }
     CheckResult operator()(const NoInteriorKnot&) const {
         const auto knots = core::distinct_knots(curve.knots());
@@ -139,7 +144,8 @@ struct Checker {
         if (check.point && *check.point >= curve.control_points().size()) return no_such_point(*check.point);
         const core::Point place = check.point ? curve.control_points()[*check.point] : check.at;
         const double distance = core::distance(core::nearest_point(curve, place).point, place);
-        const std::string name = check.point ? sentence("P_{{{index}}}", {{"index", *check.point}}) : place_text(place);
+        const std::string name =
+            check.point ? sentence("{point}", {{"point", point_text(*check.point)}}) : place_text(place);
         if (distance <= check.within) return {true, sentence("the curve passes through {place}", {{"place", name}})};
         return {false, sentence("the curve passes {place} at a distance of {distance}",
                                 {{"place", name}, {"distance", shortest_text(distance)}})};
@@ -178,19 +184,21 @@ struct Checker {
         if (check.point >= curve.control_points().size()) return no_such_point(check.point);
         const double found = curve.weights()[check.point];
         if (std::abs(found - check.is) <= check.within)
-            return {true, sentence("the weight of P_{{{index}}} is {is}",
-                                   {{"index", check.point}, {"is", shortest_text(check.is)}})};
-        return {false,
-                sentence("the weight of P_{{{index}}} is {found}, not yet {is}",
-                         {{"index", check.point}, {"found", shortest_text(found)}, {"is", shortest_text(check.is)}})};
+            return {true, sentence("the weight of {point} is {is}",
+                                   {{"point", point_text(check.point)}, {"is", shortest_text(check.is)}})};
+        return {false, sentence("the weight of {point} is {found}, not yet {is}", {{"point", point_text(check.point)},
+                                                                                   {"found", shortest_text(found)},
+                                                                                   {"is", shortest_text(check.is)}})};
     }
     CheckResult operator()(const PointIsAt& check) const {
         if (check.point >= curve.control_points().size()) return no_such_point(check.point);
         const core::Point found = curve.control_points()[check.point];
         if (core::distance(found, check.at) <= check.within)
-            return {true, sentence("P_{{{index}}} is at {at}", {{"index", check.point}, {"at", place_text(check.at)}})};
-        return {false, sentence("P_{{{index}}} is at {found}, not yet at {at}",
-                                {{"index", check.point}, {"found", place_text(found)}, {"at", place_text(check.at)}})};
+            return {true,
+                    sentence("{point} is at {at}", {{"point", point_text(check.point)}, {"at", place_text(check.at)}})};
+        return {false, sentence("{point} is at {found}, not yet at {at}", {{"point", point_text(check.point)},
+                                                                           {"found", place_text(found)},
+                                                                           {"at", place_text(check.at)}})};
     }
     CheckResult operator()(const ParameterIs& check) const {
         const double found = state.parameter();
@@ -224,7 +232,7 @@ CheckResult Checker::operator()(const CurvesJoin& check) const {
     const double size = std::max(state.derived.of(a)->size, state.derived.of(b)->size);
     if (gap > check.within * size)
         return {false, sentence("the ends are {distance} apart", {{"distance", shortest_text(gap)}})};
-    if (check.order == JointOrder::C0) return {true, "the curves meet: C^{0}"};
+    if (check.order == JointOrder::C0) return {true, "the curves meet: C⁰"};
     // Along the joined curve, whichever way each of them runs.
     const core::Vector before = from.is_upper ? from.derivative : -from.derivative;
     const core::Vector after = to.is_upper ? -to.derivative : to.derivative;
@@ -232,12 +240,12 @@ CheckResult Checker::operator()(const CurvesJoin& check) const {
     const double turn = std::abs(core::cross(before, after));
     const bool is_smooth =
         core::dot(before, after) > 0.0 && turn <= check.within * core::length(before) * core::length(after);
-    if (!is_smooth) return {false, "the curves meet with a corner: C^{0} only"};
-    if (check.order == JointOrder::G1) return {true, "the curves have one tangent where they meet: G^{1}"};
+    if (!is_smooth) return {false, "the curves meet with a corner: C⁰ only"};
+    if (check.order == JointOrder::G1) return {true, "the curves have one tangent where they meet: G¹"};
     if (core::length(after - before) <= check.within * scale)
-        return {true, "the derivatives agree where the curves meet: C^{1}"};
+        return {true, "the derivatives agree where the curves meet: C¹"};
     return {false,
-            sentence("the tangents agree, but the derivatives are {before} and {after} long: G^{{1}} only",
+            sentence("the tangents agree, but the derivatives are {before} and {after} long: G¹ only",
                      {{"before", shortest_text(core::length(before))}, {"after", shortest_text(core::length(after))}})};
 }
 

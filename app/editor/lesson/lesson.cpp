@@ -6,6 +6,10 @@
 
 namespace batten::editor {
 
+LessonPlace place_of(const EditorState& state) {
+    return {state.history.present(), state.view.overlays, state.view.parameter, state.view.level};
+}
+
 std::vector<CheckResult> results_of(const LessonRun& run, const EditorState& state) {
     std::vector<CheckResult> results;
     for (const LessonCheck& check : run.present().checks) results.push_back(result_of(check, state));

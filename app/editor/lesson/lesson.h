@@ -51,11 +51,21 @@ struct LessonPlace {
 struct LessonRun {
     std::shared_ptr<const Lesson> lesson;  ///< not null
     std::size_t step = 0;
-    std::vector<LessonPlace> begun;  ///< the steps up to this one as they began
+    std::vector<LessonPlace> begun{};  ///< the steps up to this one as they began
 
     const LessonStep& present() const { return lesson->steps[step]; }
     bool is_last() const { return step + 1 == lesson->steps.size(); }
 };
+
+/// A lesson that is made from what is done.
+struct LessonRecording {
+    Lesson lesson;
+    std::vector<LessonStep> undone{};  ///< steps that undo took back, the last one first
+    LessonPlace last{};                ///< what stands after the last step
+};
+
+/// What stands now.
+LessonPlace place_of(const EditorState& state);
 
 /// The results of the checks of the present step, in order; none where it has none.
 std::vector<CheckResult> results_of(const LessonRun& run, const EditorState& state);

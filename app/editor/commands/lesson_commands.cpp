@@ -1,0 +1,197 @@
+#include "app/editor/commands/lesson_commands.h"
+
+#include "app/editor/commands/file_acts.h"
+#include "app/editor/commands/groups.h"
+#include "app/editor/field_kinds.h"
+#include "app/editor/lesson/lesson_file.h"
+#include "app/editor/lesson/lesson_steps.h"
+#include "app/editor/lesson/recording.h"
+#include "app/editor/native_name.h"
+#include "core/base/sentence.h"
+
+namespace batten::editor {
+
+namespace {
+
+constexpr const char* lesson_menu = "Lessons";
+
+Outcome<void> open_one(EditorState& state, const OpenLesson& command) {
+    return ask_or_proceed(state, command);
+}
+
+Outcome<void> go_on(EditorState& state, const NextStep&) {
+    return begin_next_step(state);
+}
+
+Outcome<void> go_back(EditorState& state, const PreviousStep&) {
+    go_back_a_step(state);
+    return {};
+}
+
+Outcome<void> close(EditorState& state, const CloseLesson&) {
+    state.lesson.reset();
+    return {};
+}
+
+Outcome<void> begin(EditorState& state, const RecordLesson& command) {
+    begin_recording(state, command.title);
+    state.message = {"Recording a lesson: what is done now becomes its steps", false};
+    return {};
+}
+
+Outcome<void> save(EditorState& state, const SaveLesson& command) {
+    return native_path(command.path).and_then([&](const std::filesystem::path& path) -> Outcome<void> {
+        const Outcome<void> saved = save_lesson(recorded_lesson(state), absolute_path(path));
+        if (!saved) return saved;
+        state.message = {core::sentence({.one = "Saved {file}, a lesson of one step",
+                                         .many = "Saved {file}, a lesson of {count} steps"},
+                                        state.recording->lesson.steps.size(), {{"file", path.filename().string()}}),
+                         false};
+        state.recording.reset();
+        return {};
+    });
+}
+
+Outcome<void> drop(EditorState& state, const DropRecording&) {
+    state.recording.reset();
+    state.message = {"Dropped the recording", false};
+    return {};
+}
+
+std::optional<Refusal> no_lesson(const EditorState& state) {
+    if (state.lesson) return std::nullopt;
+    return "no lesson is open";
+}
+
+std::optional<Refusal> no_next_step(const EditorState& state) {
+    if (const auto refusal = no_lesson(state)) return refusal;
+    if (!state.lesson->is_last()) return std::nullopt;
+    return "this is the last step of the lesson";
+}
+
+std::optional<Refusal> no_previous_step(const EditorState& state) {
+    if (const auto refusal = no_lesson(state)) return refusal;
+    if (state.lesson->step > 0) return std::nullopt;
+    return "this is the first step of the lesson";
+}
+
+std::optional<Refusal> is_recording(const EditorState& state) {
+    if (!state.recording) return std::nullopt;
+    return "a lesson is being recorded already";
+}
+
+std::optional<Refusal> no_recording(const EditorState& state) {
+    if (state.recording) return std::nullopt;
+    return "no lesson is being recorded";
+}
+
+// Nothing is wrong where a presenter presses once too often.
+bool is_at_an_end(const EditorState& state) {
+    return state.lesson.has_value();
+}
+
+}  // namespace
+
+const CommandSpec& OpenLesson::spec() {
+    static const CommandSpec spec{
+        .name = "open-lesson",
+        .title = "Open lesson",
+        .explanation = "Opens a lesson at its first step.",
+        .synonyms = "course tutorial teach",
+        .group = CommandGroup::help,
+        .submenu = lesson_menu,
+        .offered = in_the_window,
+        .fields = {field::text<&OpenLesson::name>("name", "the name of a lesson, or the path of its file")},
+        .run = body_of<open_one>};
+    return spec;
+}
+
+const CommandSpec& NextStep::spec() {
+    static const CommandSpec spec{.name = "next-step",
+                                  .title = "Next step",
+                                  .explanation = "Goes on with the next step of the lesson.",
+                                  .synonyms = "lesson forward",
+                                  .group = CommandGroup::help,
+                                  .submenu = lesson_menu,
+                                  .offered = in_the_window,
+                                  .shortcut = {Key::page_down, {}},
+                                  .refusal = no_next_step,
+                                  .is_idle = is_at_an_end,
+                                  .run = body_of<go_on>};
+    return spec;
+}
+
+const CommandSpec& PreviousStep::spec() {
+    static const CommandSpec spec{.name = "previous-step",
+                                  .title = "Previous step",
+                                  .explanation = "Goes back to the step before, as it began.",
+                                  .synonyms = "lesson backward",
+                                  .group = CommandGroup::help,
+                                  .submenu = lesson_menu,
+                                  .offered = in_the_window,
+                                  .shortcut = {Key::page_up, {}},
+                                  .refusal = no_previous_step,
+                                  .is_idle = is_at_an_end,
+                                  .run = body_of<go_back>};
+    return spec;
+}
+
+const CommandSpec& CloseLesson::spec() {
+    static const CommandSpec spec{.name = "close-lesson",
+                                  .title = "Close lesson",
+                                  .explanation = "Leaves the lesson; its curves stay.",
+                                  .synonyms = "end",
+                                  .group = CommandGroup::help,
+                                  .submenu = lesson_menu,
+                                  .offered = in_the_window,
+                                  .refusal = no_lesson,
+                                  .run = body_of<close>};
+    return spec;
+}
+
+const CommandSpec& RecordLesson::spec() {
+    static const CommandSpec spec{.name = "record-lesson",
+                                  .title = "Record lesson",
+                                  .explanation = "Makes a lesson of what is done from now on.",
+                                  .synonyms = "macro steps",
+                                  .group = CommandGroup::help,
+                                  .submenu = lesson_menu,
+                                  .offered = in_the_window,
+                                  .fields = {field::text<&RecordLesson::title>("title", "what the lesson is called")},
+                                  .refusal = is_recording,
+                                  .run = body_of<begin>};
+    return spec;
+}
+
+const CommandSpec& SaveLesson::spec() {
+    static const CommandSpec spec{.name = "save-lesson",
+                                  .title = "Save lesson",
+                                  .explanation = "Ends the recording and saves it as a lesson.",
+                                  .synonyms = "record stop",
+                                  .group = CommandGroup::help,
+                                  .submenu = lesson_menu,
+                                  .offered = in_the_window,
+                                  .fields = {field::file<&SaveLesson::path>("path", "the file")},
+                                  .refusal = no_recording,
+                                  .run = body_of<save>};
+    return spec;
+}
+
+const CommandSpec& DropRecording::spec() {
+    static const CommandSpec spec{.name = "drop-recording",
+                                  .title = "Drop recording",
+                                  .explanation = "Ends the recording without a lesson.",
+                                  .synonyms = "record stop cancel",
+                                  .group = CommandGroup::help,
+                                  .submenu = lesson_menu,
+                                  .offered = in_the_window,
+                                  .refusal = no_recording,
+                                  .run = body_of<drop>};
+    return spec;
+}
+
+void add_lesson_commands(CommandTable& table) {
+    add_all<OpenLesson, NextStep, PreviousStep, CloseLesson, RecordLesson, SaveLesson, DropRecording>(table);
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,42 @@
+/// Commands that take and record lessons.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/editor/command.h"
+
+namespace batten::editor {
+
+struct OpenLesson {
+    std::string name;  ///< of its file in the folder of lessons, without the ending; or the path of a file
+    static const CommandSpec& spec();
+};
+
+struct NextStep {
+    static const CommandSpec& spec();
+};
+
+struct PreviousStep {
+    static const CommandSpec& spec();
+};
+
+struct CloseLesson {
+    static const CommandSpec& spec();
+};
+
+struct RecordLesson {
+    std::string title;
+    static const CommandSpec& spec();
+};
+
+struct SaveLesson {
+    std::filesystem::path path;
+    static const CommandSpec& spec();
+};
+
+struct DropRecording {
+    static const CommandSpec& spec();
+};
+
+}  // namespace batten::editor
