@@ -5,6 +5,7 @@
 #include "app/editor/cards/cards.h"
 #include "app/editor/command_table.h"
 #include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/lesson_commands.h"
 #include "app/editor/hit_test.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/context_popup.h"
@@ -52,8 +53,18 @@ bool is_kept_from_shortcuts(const editor::EditorState& state, const editor::Shor
     return state.dialog != Dialog::welcome || !(shortcut.modifiers.ctrl || is_function_key);
 }
 
+/// While a lesson is taken, the keys that presenter remotes send go through its steps.
+const editor::CommandSpec* lesson_command(const editor::EditorState& state, const editor::Shortcut& shortcut) {
+    if (!state.lesson) return nullptr;
+    if (shortcut == editor::Shortcut{editor::Key::page_down, {}}) return &editor::NextStep::spec();
+    if (shortcut == editor::Shortcut{editor::Key::page_up, {}}) return &editor::PreviousStep::spec();
+    return nullptr;
+}
+
 void run_shortcut(const PanelContext& context, const KeyPress& press) {
     if (is_kept_from_shortcuts(context.state, press.shortcut)) return;
+    if (const editor::CommandSpec* step = lesson_command(context.state, press.shortcut))
+        return run_command(context, *step);
     const editor::CommandSpec* by_key = editor::find_command(press.shortcut);
     const editor::CommandSpec* spec = by_key != nullptr ? by_key : editor::find_command(press.printed);
     if (spec == &editor::Copy::spec() && !context.panels.text_at_pointer.empty())
@@ -66,7 +77,9 @@ FrameAreas areas_of(const PanelContext& context) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const FrameAreas areas =
         arrange({size.x, size.y}, context.state.view, context.scale, !editor::shown_cards(context.state).empty());
-    return with_title_line(areas, title_line_height(context, areas.canvas));
+    const double height =
+        context.state.lesson ? lesson_line_height(context, areas.canvas) : title_line_height(context, areas.canvas);
+    return with_title_line(areas, height);
 }
 
 FrameAreas place_pictures(const PanelContext& context, FrameLayout& layout) {
@@ -84,7 +97,10 @@ void draw_frame_panels(const PanelContext& context, const FrameAreas& areas, con
         draw_tool_bar(context, areas.tool_bar);
         draw_status_bar(context, areas.status_bar, hint, context.input.frames_per_second);
     }
-    draw_title_line(context, areas.title_line);
+    if (context.state.lesson)
+        draw_lesson_line(context, areas.title_line);
+    else
+        draw_title_line(context, areas.title_line);
     begin_panel_hover(context);
     if (areas.inspector.size_px.x > 0.0) draw_inspector(context, areas.inspector);
     draw_cards_panel(context, areas.cards);

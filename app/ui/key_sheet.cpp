@@ -82,6 +82,12 @@ Block edit_block() {
     return block;
 }
 
+Block help_block() {
+    Block block = command_block(CommandGroup::help);
+    block.entries.push_back({"Page Down, Page Up", "Next and previous step of a lesson"});
+    return block;
+}
+
 Block tool_block() {
     Block block{"Tools", {}};
     for (const editor::Tool tool : editor::all_tools) {
@@ -111,7 +117,7 @@ std::vector<Block> blocks_of(const std::string& filter) {
                          command_block(CommandGroup::make),
                          command_block(CommandGroup::curve),
                          command_block(CommandGroup::analyze),
-                         command_block(CommandGroup::help)};
+                         help_block()};
     std::vector<Block> blocks;
     for (const Block& block : all) {
         Block rest = filtered(block, filter);
