@@ -19,7 +19,7 @@ constexpr const char* lesson_text = R"({
     {"text": "One piece."},
     {"text": "A knot is inserted.", "do": [["insert-knot", 0.5]], "view": {"overlays": ["polygon"], "parameter": 0.75}},
     {"text": "Once more.", "task": "Make the knot 0.5 double.",
-     "checks": [{"check": "multiplicity", "knot": 0.5, "is": 2}]},
+     "checks": [{"check": "multiplicity", "knot": 0.5, "is": 2}], "solution": [["insert-knot", 0.5]]},
     {"text": "Another curve.", "document": {"format": "batten", "version": 1, "curves": [
       {"degree": 1, "knots": [0,0,1,1], "points": [[0,0],[1,1]]}]}}
   ]})";
@@ -97,6 +97,17 @@ TEST_F(LessonCommands, go_back_to_what_stood_when_the_step_began) {
     EXPECT_EQ(state().lesson->step, 0U);
     run(NextStep{});
     EXPECT_EQ(curve().control_points().size(), 5U) << "and forward again";
+}
+
+TEST_F(LessonCommands, show_how_a_task_is_done) {
+    open();
+    EXPECT_FALSE(run(SolveTask{}));
+    EXPECT_EQ(state().message.text, "this step of the lesson has no task that could be shown");
+    run(NextStep{});
+    run(NextStep{});
+    EXPECT_TRUE(run(SolveTask{}));
+    EXPECT_TRUE(is_done(*state().lesson, state()));
+    EXPECT_EQ(curve().control_points().size(), 6U);
 }
 
 TEST_F(LessonCommands, end_with_the_lesson_or_with_another_document) {

@@ -28,6 +28,10 @@ Outcome<void> go_back(EditorState& state, const PreviousStep&) {
     return {};
 }
 
+Outcome<void> solve(EditorState& state, const SolveTask&) {
+    return do_task(state);
+}
+
 Outcome<void> close(EditorState& state, const CloseLesson&) {
     state.lesson.reset();
     return {};
@@ -75,6 +79,12 @@ std::optional<Refusal> no_previous_step(const EditorState& state) {
     return "this is the first step of the lesson";
 }
 
+std::optional<Refusal> no_solution(const EditorState& state) {
+    if (const auto refusal = no_lesson(state)) return refusal;
+    if (!state.lesson->present().solution.empty()) return std::nullopt;
+    return "this step of the lesson has no task that could be shown";
+}
+
 std::optional<Refusal> is_recording(const EditorState& state) {
     if (!state.recording) return std::nullopt;
     return "a lesson is being recorded already";
@@ -107,32 +117,45 @@ const CommandSpec& OpenLesson::spec() {
 }
 
 const CommandSpec& NextStep::spec() {
-    static const CommandSpec spec{.name = "next-step",
-                                  .title = "Next step",
-                                  .explanation = "Goes on with the next step of the lesson.",
-                                  .synonyms = "lesson forward",
-                                  .group = CommandGroup::help,
-                                  .submenu = lesson_menu,
-                                  .offered = in_the_window,
-                                  .shortcut = {Key::page_down, {}},
-                                  .refusal = no_next_step,
-                                  .is_idle = is_at_an_end,
-                                  .run = body_of<go_on>};
+    static const CommandSpec spec{
+        .name = "next-step",
+        .title = "Next step",
+        .explanation = "Goes on with the next step of the lesson: Page Down while one is open.",
+        .synonyms = "lesson forward",
+        .group = CommandGroup::help,
+        .submenu = lesson_menu,
+        .offered = in_the_window,
+        .refusal = no_next_step,
+        .is_idle = is_at_an_end,
+        .run = body_of<go_on>};
     return spec;
 }
 
 const CommandSpec& PreviousStep::spec() {
-    static const CommandSpec spec{.name = "previous-step",
-                                  .title = "Previous step",
-                                  .explanation = "Goes back to the step before, as it began.",
-                                  .synonyms = "lesson backward",
+    static const CommandSpec spec{
+        .name = "previous-step",
+        .title = "Previous step",
+        .explanation = "Goes back to the step before, as it began: Page Up while a lesson is open.",
+        .synonyms = "lesson backward",
+        .group = CommandGroup::help,
+        .submenu = lesson_menu,
+        .offered = in_the_window,
+        .refusal = no_previous_step,
+        .is_idle = is_at_an_end,
+        .run = body_of<go_back>};
+    return spec;
+}
+
+const CommandSpec& SolveTask::spec() {
+    static const CommandSpec spec{.name = "solve-task",
+                                  .title = "Show solution",
+                                  .explanation = "Does the task of the step.",
+                                  .synonyms = "lesson answer",
                                   .group = CommandGroup::help,
                                   .submenu = lesson_menu,
                                   .offered = in_the_window,
-                                  .shortcut = {Key::page_up, {}},
-                                  .refusal = no_previous_step,
-                                  .is_idle = is_at_an_end,
-                                  .run = body_of<go_back>};
+                                  .refusal = no_solution,
+                                  .run = body_of<solve>};
     return spec;
 }
 
@@ -191,7 +214,7 @@ const CommandSpec& DropRecording::spec() {
 }
 
 void add_lesson_commands(CommandTable& table) {
-    add_all<OpenLesson, NextStep, PreviousStep, CloseLesson, RecordLesson, SaveLesson, DropRecording>(table);
+    add_all<OpenLesson, NextStep, PreviousStep, SolveTask, CloseLesson, RecordLesson, SaveLesson, DropRecording>(table);
 }
 
 }  // namespace batten::editor

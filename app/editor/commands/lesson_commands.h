@@ -21,6 +21,11 @@ struct PreviousStep {
     static const CommandSpec& spec();
 };
 
+/// Does the task of the step.
+struct SolveTask {
+    static const CommandSpec& spec();
+};
+
 struct CloseLesson {
     static const CommandSpec& spec();
 };

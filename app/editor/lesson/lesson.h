@@ -26,7 +26,8 @@ struct LessonStep {
     std::vector<std::string> acts{};           ///< lines of a session, run when the step begins
     std::optional<core::Document> document{};  ///< that takes the place of the one before
     LessonView view{};
-    std::vector<LessonCheck> checks{};  ///< all of them hold when the task is done
+    std::vector<LessonCheck> checks{};    ///< all of them hold when the task is done
+    std::vector<std::string> solution{};  ///< acts that do the task
 };
 
 struct Lesson {

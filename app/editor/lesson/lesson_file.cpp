@@ -52,8 +52,8 @@ void read_list(MemberReader& parent, const LessonJson& json, const char* name, c
     for (std::size_t i = 0; i < list.size(); ++i) take(list[i], fmt::format("{}/{}", parent.place(name), i));
 }
 
-void read_acts(MemberReader& parent, const LessonJson& json, std::vector<std::string>& acts) {
-    read_list(parent, json, "do", [&](const LessonJson& act, const std::string& place) {
+void read_acts(MemberReader& parent, const LessonJson& json, const char* name, std::vector<std::string>& acts) {
+    read_list(parent, json, name, [&](const LessonJson& act, const std::string& place) {
         if (!act.is_array()) return parent.fail(place, "a command with its arguments, like [\"insert-knot\", 0.5]");
         acts.push_back(act.dump());
     });
@@ -73,11 +73,13 @@ std::optional<Refusal> read_step(const LessonJson& json, const std::string& poin
     MemberReader reader(json, pointer);
     reader.required("text", step.text);
     reader.optional("task", step.task);
-    read_acts(reader, json, step.acts);
+    read_acts(reader, json, "do", step.acts);
+    read_acts(reader, json, "solution", step.solution);
     if (reader.has("document")) read_document(reader, json["document"], "document", step.document.emplace());
     read_object(reader, json, "view", [&](MemberReader& view) { describe(view, step.view); });
     read_checks(reader, json, step.checks);
     if (!step.task.empty() && step.checks.empty()) reader.fail(reader.place("task"), "followed by checks");
+    if (step.task.empty() && !step.checks.empty()) reader.fail(reader.place("checks"), "those of a task");
     return reader.finish();
 }
 
@@ -108,16 +110,21 @@ LessonJson json_of(const LessonView& view) {
     return writer.take();
 }
 
+void put_acts(LessonJson& json, const char* name, const std::vector<std::string>& acts) {
+    if (!acts.empty()) json[name] = LessonJson::array();
+    for (const std::string& act : acts) json[name].push_back(LessonJson::parse(act));
+}
+
 LessonJson json_of(const LessonStep& step) {
     LessonJson json = LessonJson::object();
     json["text"] = step.text;
     if (step.document) json["document"] = json_of_document(*step.document);
-    if (!step.acts.empty()) json["do"] = LessonJson::array();
-    for (const std::string& act : step.acts) json["do"].push_back(LessonJson::parse(act));
+    put_acts(json, "do", step.acts);
     if (LessonJson view = json_of(step.view); !view.empty()) json["view"] = std::move(view);
     if (!step.task.empty()) json["task"] = step.task;
     if (!step.checks.empty()) json["checks"] = LessonJson::array();
     for (const LessonCheck& check : step.checks) json["checks"].push_back(json_of(check));
+    put_acts(json, "solution", step.solution);
     return json;
 }
 

@@ -91,6 +91,11 @@ Outcome<void> begin_next_step(EditorState& state) {
     return begin_step(state);
 }
 
+Outcome<void> do_task(EditorState& state) {
+    const std::shared_ptr<const Lesson> lesson = state.lesson->lesson;
+    return run_acts(state, state.lesson->present().solution);
+}
+
 void go_back_a_step(EditorState& state) {
     LessonRun& run = *state.lesson;
     run.begun.resize(run.step);

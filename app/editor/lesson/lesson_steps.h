@@ -15,6 +15,9 @@ Outcome<void> begin_lesson(EditorState& state, std::shared_ptr<const Lesson> les
 /// refused for; the step is begun all the same.
 Outcome<void> begin_next_step(EditorState& state);
 
+/// Does the task of the present step as the lesson does it. Errors: what an act is refused for.
+Outcome<void> do_task(EditorState& state);
+
 /// Goes back to the step before, which there is, as it began.
 void go_back_a_step(EditorState& state);
 
