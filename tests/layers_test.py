@@ -11,7 +11,7 @@ LAYERS = {
     "app/editor": ({"core", "app/editor"}, {"glm", "tl", "fmt", "nlohmann"}),
     "app/ui": ({"core", "app/editor", "app/ui"}, {"glm", "tl", "fmt", "imgui", "misc"}),
     "app/platform": ({"core", "render", "app/editor", "app/ui", "app/platform"}, {"glm", "tl", "fmt", "imgui", "backends", "nlohmann", "GLFW"}),
-    "app/cli": ({"core", "app/editor", "app/cli"}, {"glm", "tl", "fmt", "CLI", "nlohmann", "posix"}),
+    "app/cli": ({"core", "render", "app/editor", "app/cli"}, {"glm", "tl", "fmt", "CLI", "nlohmann", "posix"}),
     "app": ({"app/platform", "app/cli"}, set()),
 }
 

@@ -76,18 +76,21 @@ class Subcommands {
     void add_apply(CLI::App& program);
     void add_new(CLI::App& program);
     void add_check(CLI::App& program);
+    void add_handout(CLI::App& program);
 
     InfoOptions info_;
     EvalOptions eval_;
     ApplyOptions apply_;
     ApplyOptions new_;
     CheckOptions check_;
+    HandoutOptions handout_;
     bool lists_operations_ = false;
     const CLI::App* info_command_ = nullptr;
     const CLI::App* eval_command_ = nullptr;
     const CLI::App* apply_command_ = nullptr;
     const CLI::App* new_command_ = nullptr;
     const CLI::App* check_command_ = nullptr;
+    const CLI::App* handout_command_ = nullptr;
 };
 
 Subcommands::Subcommands(CLI::App& program) {
@@ -96,6 +99,7 @@ Subcommands::Subcommands(CLI::App& program) {
     add_apply(program);
     add_new(program);
     add_check(program);
+    add_handout(program);
     // A file may still be called like a subcommand: batten ./info
     program.require_subcommand(0, 1);
 }
@@ -162,6 +166,15 @@ void Subcommands::add_check(CLI::App& program) {
     check_command_ = command;
 }
 
+void Subcommands::add_handout(CLI::App& program) {
+    CLI::App* command = add_command(program, "handout", "Write a lesson as a page to be printed");
+    command->add_option("lesson", handout_.lesson, "The file of a lesson")->required()->type_name("LESSON");
+    command->add_option("-o,--output", handout_.result, "Where the page, HTML, is written; - is standard output")
+        ->required()
+        ->type_name("FILE");
+    handout_command_ = command;
+}
+
 void Subcommands::parse(CLI::App& program, const std::vector<std::string>& words) {
     ApplyOptions* options = nullptr;
     if (!words.empty() && words.front() == "apply") options = &apply_;
@@ -180,6 +193,7 @@ std::optional<ExitStatus> Subcommands::run(Output output) const {
     if (info_command_->parsed()) return info(info_, output);
     if (eval_command_->parsed()) return run_eval(output);
     if (check_command_->parsed()) return run_check(output);
+    if (handout_command_->parsed()) return handout(handout_, output);
     if (new_command_->parsed()) return run_new(output);
     if (apply_command_->parsed()) return run_apply(output);
     return std::nullopt;
@@ -313,8 +327,8 @@ std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, W
         window->profile = profile->options(output);
         return window->profile ? std::nullopt : std::optional(ExitStatus::wrong_usage);
     }
-    return say_wrong_usage(output,
-                           "batten: this build has no window; the subcommands are info, eval, apply, new and check");
+    return say_wrong_usage(
+        output, "batten: this build has no window; the subcommands are info, eval, apply, new, check and handout");
 }
 
 }  // namespace

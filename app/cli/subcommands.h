@@ -1,4 +1,4 @@
-/// The subcommands: info, eval, apply, new and check, which need no window, and what profile is asked for.
+/// The subcommands: info, eval, apply, new, check and handout, which need no window, and what profile is asked for.
 #pragma once
 
 #include <filesystem>
@@ -63,6 +63,14 @@ struct CheckOptions {
 
 /// Says of each file whether it is valid, and what is wrong where it is not.
 ExitStatus check(const CheckOptions& options, Output output);
+
+struct HandoutOptions {
+    std::filesystem::path lesson;
+    std::filesystem::path result;  ///< the page that is written
+};
+
+/// Writes a lesson as a page to be printed: its texts, what its cards say, and a figure for each step.
+ExitStatus handout(const HandoutOptions& options, Output output);
 
 /// What `profile` is asked for. It needs the window, so that whoever has one runs it.
 struct ProfileOptions {

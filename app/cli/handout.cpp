@@ -1,0 +1,170 @@
+#include <ostream>
+
+#include "app/cli/html_text.h"
+#include "app/cli/input.h"
+#include "app/cli/standard_streams.h"
+#include "app/editor/cards/cards.h"
+#include "app/editor/commands/lesson_commands.h"
+#include "app/editor/commands/view_commands.h"
+#include "app/editor/editor.h"
+#include "app/editor/lesson/lesson_file.h"
+#include "app/editor/scene/canvas_scene.h"
+#include "app/editor/scene/plot_scene.h"
+#include "core/base/sentence.h"
+#include "core/document/file_text.h"
+#include "render/cairo_painter.h"
+
+namespace batten::cli {
+
+namespace {
+
+using core::sentence;
+
+constexpr glm::dvec2 canvas_size{900.0, 480.0};
+constexpr glm::dvec2 plot_size{900.0, 240.0};
+constexpr double least_card_width = 360.0;
+
+constexpr const char* page = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{name}</title>
+<style>
+body {{ font: 11pt/1.45 Inter, "DejaVu Sans", sans-serif; color: #1c2128; max-width: 46rem; margin: 2rem auto; padding: 0 1rem; }}
+h1 {{ font-size: 1.7em; margin-bottom: 0.2em; }}
+h2 {{ font-size: 1.1em; margin: 1.6em 0 0.3em; }}
+h3 {{ font-size: 1em; margin: 0.8em 0 0.2em; }}
+figure {{ margin: 0.6em 0; }}
+figure img {{ display: block; width: 100%; border: 1px solid #c9ced6; border-bottom-width: 0; }}
+figure img:last-child {{ border-bottom-width: 1px; }}
+.step {{ break-inside: avoid-page; }}
+.task {{ font-weight: 600; border-left: 3px solid #0b57d0; padding-left: 0.7em; }}
+.checks {{ list-style: "☐  "; margin-top: 0.2em; }}
+.card {{ border: 1px solid #c9ced6; border-radius: 6px; padding: 0.2em 0.9em 0.7em; margin: 0.6em 0; font-size: 0.92em; break-inside: avoid; }}
+.formula {{ font-family: "JetBrains Mono", "DejaVu Sans Mono", monospace; font-size: 0.92em; }}
+table {{ border-collapse: collapse; margin: 0.4em 0; }}
+td, th {{ padding: 0.1em 0.9em 0.1em 0; text-align: left; vertical-align: baseline; }}
+sub, sup {{ font-size: 0.72em; line-height: 0; }}
+@media print {{ body {{ margin: 0; max-width: none; }} }}
+</style>
+</head>
+<body>
+<h1>{title}</h1>
+<p>{text}</p>
+{steps}</body>
+</html>
+)";
+
+std::string shown(const editor::EditorState& state, const std::string& text) {
+    return html_of_label(editor::notated(text, state.view.notation));
+}
+
+std::string row_html(const editor::EditorState& state, const std::vector<editor::CardText>& row, bool is_heading) {
+    std::string cells;
+    for (const editor::CardText& cell : row)
+        cells += sentence(is_heading ? "<th>{text}</th>" : "<td>{text}</td>", {{"text", shown(state, cell.text)}});
+    return sentence("<tr>{cells}</tr>\n", {{"cells", cells}});
+}
+
+/// What a block of a card says, one case for each kind.
+struct BlockHtml {
+    const editor::EditorState& state;
+
+    std::string operator()(const editor::CardLine& line) const {
+        return sentence(line.is_formula ? "<div class=\"formula\">{text}</div>\n" : "<div>{text}</div>\n",
+                        {{"text", shown(state, line.text.text)}});
+    }
+    std::string operator()(const editor::CardTable& table) const {
+        std::string rows;
+        for (std::size_t r = 0; r < table.rows.size(); ++r)
+            rows += row_html(state, table.rows[r], table.has_heading && r == 0);
+        return sentence("<table>\n{rows}</table>\n", {{"rows", rows}});
+    }
+    std::string operator()(const editor::CardPicture& picture) const {
+        const glm::dvec2 size(std::max(least_card_width, picture.least_width), picture.height);
+        const auto svg = render::svg_text(picture.draw(size, 1.0).list, size, editor::theme_of(state.view.theme).panel);
+        return svg ? html_image(*svg, "picture of the card") : "";
+    }
+    std::string operator()(const editor::CardButtons&) const { return ""; }
+};
+
+std::string card_html(const editor::EditorState& state, const editor::CardSource& source) {
+    const editor::Card card = source.make(state);
+    std::string blocks;
+    for (const editor::CardBlock& block : card.blocks) blocks += std::visit(BlockHtml{state}, block);
+    return sentence("<div class=\"card\"><h3>{title}</h3>\n{blocks}</div>\n",
+                    {{"title", shown(state, card.title)}, {"blocks", blocks}});
+}
+
+std::string figure_html(const editor::EditorState& state) {
+    editor::SceneCache cache;
+    const render::Color ground = editor::theme_of(state.view.theme).canvas;
+    const auto canvas = render::svg_text(canvas_scene(state, editor::CanvasIdle{}, cache), canvas_size, ground);
+    const auto plot = render::svg_text(plot_scene(state, editor::PlotIdle{}, plot_size, cache), plot_size, ground);
+    return sentence("<figure>{canvas}{plot}</figure>\n",
+                    {{"canvas", canvas ? html_image(*canvas, "the curve") : ""},
+                     {"plot", plot ? html_image(*plot, "its basis functions and knots") : ""}});
+}
+
+std::string task_html(const editor::EditorState& state) {
+    const std::string& task = state.lesson->present().task;
+    return task.empty() ? "" : sentence("<p class=\"task\">{task}</p>\n", {{"task", shown(state, task)}});
+}
+
+std::string step_html(const editor::EditorState& state) {
+    std::string cards;
+    for (const editor::CardSource& source : editor::shown_cards(state)) cards += card_html(state, source);
+    return sentence("<section class=\"step\">\n<h2>{number}.</h2>\n<p>{text}</p>\n{task}{figure}{cards}</section>\n",
+                    {{"number", state.lesson->step + 1},
+                     {"text", shown(state, state.lesson->present().text)},
+                     {"task", task_html(state)},
+                     {"figure", state.active_curve() != nullptr ? figure_html(state) : ""},
+                     {"cards", cards}});
+}
+
+/// The whole page; the sentence says which step cannot be shown.
+tl::expected<std::string, std::string> page_of(const std::filesystem::path& path) {
+    editor::Editor editor;
+    editor::Settings settings;
+    settings.theme = editor::ThemeName::light;
+    editor.apply(settings);
+    editor.change(editor::ResizeCanvas{canvas_size});
+    if (!editor.run(editor::OpenLesson{path.string()})) return tl::unexpected(editor.state().message.text);
+    std::string steps;
+    while (true) {
+        editor.change(editor::ResizeCanvas{canvas_size});
+        editor.run(editor::FitView{});
+        steps += step_html(editor.state());
+        if (editor.state().lesson->is_last()) break;
+        if (!editor.run(editor::NextStep{}))
+            return tl::unexpected(sentence("step {step}: {problem}", {{"step", editor.state().lesson->step + 1},
+                                                                      {"problem", editor.state().message.text}}));
+    }
+    const editor::Lesson& lesson = *editor.state().lesson->lesson;
+    return sentence(page, {{"name", html_text(lesson.title)},
+                           {"title", shown(editor.state(), lesson.title)},
+                           {"text", shown(editor.state(), lesson.text)},
+                           {"steps", steps}});
+}
+
+}  // namespace
+
+ExitStatus handout(const HandoutOptions& options, Output output) {
+    // A name alone would be looked for among the lessons of the program.
+    const auto text = page_of(std::filesystem::absolute(options.lesson));
+    if (!text) {
+        say_error(output, options.lesson, "", text.error());
+        return ExitStatus::wrong_input;
+    }
+    if (is_standard(options.result)) {
+        output.results << *text;
+        return ExitStatus::done;
+    }
+    const auto written = core::replace_text(options.result, *text);
+    if (written) return ExitStatus::done;
+    say_error(output, options.result, written.error());
+    return ExitStatus::wrong_input;
+}
+
+}  // namespace batten::cli
