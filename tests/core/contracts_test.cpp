@@ -18,6 +18,7 @@
 #include "core/edit/knot_edit.h"
 #include "core/edit/point_edit.h"
 #include "core/evaluate/basis.h"
+#include "core/evaluate/basis_pieces.h"
 #include "core/evaluate/basis_triangle.h"
 #include "core/evaluate/blossom.h"
 #include "core/evaluate/blossom_labels.h"
@@ -139,6 +140,7 @@ TEST(ContractsDeathTest, basis) {
     EXPECT_DEATH((void)basis_support(wave().knots(), 5), "i < knots.control_point_count");
     EXPECT_DEATH((void)basis_triangle(wave().knots(), 5, 0.5), "i \\+ p \\+ 1 < knots.size");
     EXPECT_DEATH((void)basis_triangle(wave().knots(), 0, not_a_number), "isfinite");
+    EXPECT_DEATH((void)basis_pieces(wave().knots(), 0, wave().degree() + 1), "k <= knots.degree");
     EXPECT_EQ(basis_function(ring().knots(), 5, 0.5), basis_function(ring().knots(), 1, 0.5));
     EXPECT_EQ(basis_support(ring().knots(), 5), basis_support(ring().knots(), 1));
 }
