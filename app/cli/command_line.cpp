@@ -112,7 +112,7 @@ void Subcommands::add_info(CLI::App& program) {
 }
 
 void Subcommands::add_eval(CLI::App& program) {
-    CLI::App* command = add_command(program, "eval", "Print points and derivatives of a curve");
+    CLI::App* command = add_command(program, "eval", "Print points, derivatives and basis functions of a curve");
     command->add_option("file", eval_.file, file_meaning)->required()->type_name("FILE");
     command
         ->add_option(
@@ -125,9 +125,12 @@ void Subcommands::add_eval(CLI::App& program) {
     command->add_option("--curve", eval_.curve, "The name or number of the curve, instead of the active one")
         ->type_name("NAME");
     command
-        ->add_option("--derivatives", eval_.derivatives, "How many derivatives to print beside the point, at most 25")
+        ->add_option("--derivatives", eval_.derivatives, "How many derivatives to print beside each value, at most 25")
         ->check(CLI::Validator(CLI::Range(0, most_derivatives)).description(""))
         ->type_name("N");
+    command->add_flag("--basis", eval_.basis,
+                      "Print the basis functions that do not vanish there instead of points, a line for each: the "
+                      "parameter, i, N_i and its derivatives, and for a rational curve R_i and its derivatives");
     command
         ->add_option_function<std::string>(
             "--side",

@@ -2,6 +2,7 @@
 #include <ostream>
 #include <string>
 
+#include "app/cli/basis_rows.h"
 #include "app/cli/input.h"
 #include "app/cli/table_argument.h"
 #include "core/base/number_text.h"
@@ -91,6 +92,19 @@ void append_json_row(std::string& text, double u, const core::Jet& jet) {
     text += jet.derivatives.empty() ? "\n    ],\n    \"derivatives\": []\n  }" : "\n      ]\n    ]\n  }";
 }
 
+// The points and derivatives, as basis_rows gives the functions.
+tl::expected<std::string, double> point_rows(const core::Curve& curve, const std::vector<double>& parameters,
+                                             const EvalOptions& options) {
+    std::string text;
+    for (const double u : parameters) {
+        const core::Jet jet = core::derivatives_at(curve, u, options.derivatives, options.side);
+        if (!is_finite(jet)) return tl::unexpected(u);
+        options.as_json ? append_json_row(text, u, jet) : append_row(text, u, jet);
+    }
+    if (options.as_json) text += text.empty() ? "[]\n" : "\n]\n";
+    return text;
+}
+
 }  // namespace
 
 ExitStatus eval(const EvalOptions& options, Output output) {
@@ -102,18 +116,15 @@ ExitStatus eval(const EvalOptions& options, Output output) {
     const auto parameters = parameters_of(options, output);
     if (!parameters || !are_parameters_inside(*parameters, options, output, entry)) return ExitStatus::wrong_input;
 
-    std::string text;
-    for (const double u : *parameters) {
-        const core::Jet jet = core::derivatives_at(*entry.curve, u, options.derivatives, options.side);
-        if (!is_finite(jet)) {
-            say_error(output, options.file, place_of(entry),
-                      core::sentence("the values at {u} are too large for a double", {{"u", core::shortest_text(u)}}));
-            return ExitStatus::wrong_input;
-        }
-        options.as_json ? append_json_row(text, u, jet) : append_row(text, u, jet);
+    const auto text =
+        options.basis ? basis_rows(*entry.curve, *parameters, options) : point_rows(*entry.curve, *parameters, options);
+    if (!text) {
+        say_error(
+            output, options.file, place_of(entry),
+            core::sentence("the values at {u} are too large for a double", {{"u", core::shortest_text(text.error())}}));
+        return ExitStatus::wrong_input;
     }
-    if (options.as_json) text += text.empty() ? "[]\n" : "\n]\n";
-    output.results << text;
+    output.results << *text;
     return ExitStatus::done;
 }
 

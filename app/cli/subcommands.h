@@ -34,11 +34,12 @@ struct EvalOptions {
     std::vector<std::string> at;  ///< parameters, or tables of them: "0.5", "@parameters.txt"
     std::string curve;            ///< its name or number; empty: the active one
     int derivatives = 0;          ///< how many
+    bool basis = false;           ///< the basis functions instead of points
     core::Side side = core::Side::right;
     bool as_json = false;
 };
 
-/// Prints points and derivatives of a curve.
+/// Prints points and derivatives of a curve, or its basis functions and theirs.
 ExitStatus eval(const EvalOptions& options, Output output);
 
 struct ApplyOptions {

@@ -98,6 +98,21 @@ class Golden(unittest.TestCase):
             scale = largest(case["points"]) if r == 0 else largest(expected)
             self.check(case, f"derivative {r}", [row[r] for row in found], expected, allowed[r], scale)
 
+    def test_basis(self):
+        self.each("basis", self.check_basis)
+
+    def check_basis(self, case):
+        degree = case["degree"]
+        count = len(case["knots"]) - degree - 1
+        write_document(self.input, {**members_of(case), "points": [[float(i), 0.0] for i in range(count)]})
+        rows = answer("eval", self.input, "--basis", "--derivatives", degree, *(f"--at={row['u']!r}" for row in case["at"]))
+        for row, place in zip(rows, case["at"], strict=True):
+            self.assertEqual([function["index"] for function in row["functions"]], list(range(place["span"] - degree, place["span"] + 1)))
+        for r in range(degree + 1):
+            expected = [place["derivatives"][r] for place in case["at"]]
+            found = [[function["N"][r] for function in row["functions"]] for row in rows]
+            self.check(case, f"derivative {r}", found, expected, (1e-14, 1e-12)[r] if r < 2 else 1e-10)
+
     def test_knot_insertion(self):
         self.each("knot_insertion", self.check_knot_insertion)
 

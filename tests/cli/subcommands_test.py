@@ -59,6 +59,48 @@ class Subcommands(unittest.TestCase):
                                 {"u": 0.5, "point": [0.75, 1], "derivatives": [[1.5, 2], [0, 0]]}])
         self.assertEqual(run("eval", self.file, "--curve", "line", "--at", "0.5").stdout, "0.5\t0.75\t1\n")
 
+    def test_eval_prints_basis_functions(self):
+        uniform = {"name": "uniform", "degree": 3, "knots": [0, 1, 2, 3, 4, 5, 6, 7], "points": [[0, 0], [1, 0], [1, 1], [0, 1]]}
+        write_document(self.file, uniform)
+        (row,) = answer("eval", self.file, "--at", 3.5, "--basis", "--derivatives", 2)
+        self.assertEqual([function["index"] for function in row["functions"]], [0, 1, 2, 3])
+        self.assertEqual((row["u"], row["sum"]), (3.5, 1))
+        # In t = 1/2: (1 - t)^3 / 6, (3 t^3 - 6 t^2 + 4) / 6, and so on.
+        expected = [[1 / 48, -1 / 8, 1 / 2], [23 / 48, -5 / 8, -1 / 2], [23 / 48, 5 / 8, -1 / 2], [1 / 48, 1 / 8, 1 / 2]]
+        for function, numbers in zip(row["functions"], expected):
+            self.assertNotIn("R", function)
+            for found, number in zip(function["N"], numbers, strict=True):
+                self.assertAlmostEqual(found, number, delta=1e-15)
+        text = run("eval", self.file, "--at", 3, "--at", 4, "--basis").stdout
+        self.assertEqual([line.split("\t")[:2] for line in text.splitlines()], [[u, i] for u in "34" for i in "0123"])
+        self.assertEqual([float(line.split("\t")[2]) for line in text.splitlines()], [1 / 6, 2 / 3, 1 / 6, 0, 0, 1 / 6, 2 / 3, 1 / 6])
+
+    def test_eval_prints_rational_basis_functions_beside_the_others(self):
+        # R_1 = 2 t (1 - t) w / (1 - 2 t (1 - t) (1 - w)), with w = 3 and t = 1/2: 3/4, and by symmetry stationary.
+        write_document(self.file, {**QUARTER, "weights": [1, 3, 1]})
+        (row,) = answer("eval", self.file, "--at", 0.5, "--basis", "--derivatives", 1)
+        self.assertEqual([function["N"] for function in row["functions"]], [[0.25, -1], [0.5, 0], [0.25, 1]])
+        self.assertEqual([function["R"] for function in row["functions"]], [[0.125, -0.5], [0.75, 0], [0.125, 0.5]])
+        self.assertEqual(run("eval", self.file, "--at", 0.5, "--basis").stdout,
+                         "0.5\t0\t0.25\t0.125\n0.5\t1\t0.5\t0.75\n0.5\t2\t0.25\t0.125\n")
+
+    def test_eval_prints_basis_functions_from_a_side_and_once_for_each_point(self):
+        corner = {"name": "corner", "degree": 1, "knots": [0, 0, 1, 2, 2], "points": [[0, 0], [1, 0], [1, 1]]}
+        write_document(self.file, corner)
+        for side, indices in (("left", [0, 1]), ("right", [1, 2])):
+            (row,) = answer("eval", self.file, "--at", 1, "--basis", "--side", side)
+            self.assertEqual([function["index"] for function in row["functions"]], indices)
+        # Two points and three local functions, the first and the last of which are one.
+        closed = {"name": "closed", "degree": 2, "knots": [0, 1, 2], "points": [[0, 0], [1, 0]], "periodic": True}
+        write_document(self.file, closed)
+        (row,) = answer("eval", self.file, "--at", 0.5, "--basis", "--derivatives", 1)
+        self.assertEqual(row["functions"], [{"index": 0, "N": [0.25, 0]}, {"index": 1, "N": [0.75, 0]}])
+
+    def test_eval_refuses_basis_functions_beyond_doubles(self):
+        write_document(self.file, {**LINE, "knots": [0, 0, 1e-320, 1e-320]})
+        self.assertIn("too large for a double", self.refused(1, "eval", self.file, "--at", 0, "--basis", "--derivatives", 1))
+        self.assertIn("outside the domain", self.refused(1, "eval", self.file, "--at", 1, "--basis"))
+
     def test_eval_lays_its_rows_out_as_all_json(self):
         write_document(self.file, {**LINE, "points": [[-0.0, 0.1], [0.3, 4]]})
         for count in (0, 1, 2):
