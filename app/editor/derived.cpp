@@ -72,6 +72,10 @@ std::shared_ptr<const CurveFacts> Derived::of(const core::Curve& curve) const {
     return of_curves_.of(curve, facts_of_curve);
 }
 
+std::shared_ptr<const PlotBasis> Derived::plot_basis(const core::KnotVector& knots) const {
+    return plot_bases_.of(knots, [](const core::KnotVector& of) { return PlotBasis(of); });
+}
+
 double Derived::large_curvature(const core::Curve& curve) const {
     return *large_curvatures_.of(curve, large_curvature_of);
 }

@@ -8,6 +8,7 @@
 
 #include "app/editor/kept.h"
 #include "app/editor/number_column.h"
+#include "app/editor/plot_basis.h"
 #include "core/curve/curve.h"
 #include "core/curve/knot_analysis.h"
 #include "core/measure/near_parts.h"
@@ -42,6 +43,9 @@ class Derived {
     std::shared_ptr<const KnotFacts> of(const core::KnotVector& knots) const;
     std::shared_ptr<const CurveFacts> of(const core::Curve& curve) const;
 
+    /// Cost as PlotBasis says when first asked for.
+    std::shared_ptr<const PlotBasis> plot_basis(const core::KnotVector& knots) const;
+
     /// The curvature that nine tenths of the curve stay below; 0 for a straight line. Of very many spans some are
     /// measured.
     double large_curvature(const core::Curve& curve) const;
@@ -52,6 +56,7 @@ class Derived {
   private:
     Kept<core::KnotVector, KnotFacts, share_arrays> of_knots_;
     Kept<core::Curve, CurveFacts, share_arrays> of_curves_;
+    Kept<core::KnotVector, PlotBasis, share_arrays> plot_bases_;
     Kept<core::Curve, double, share_arrays> large_curvatures_;
     KeptBeside<core::Curve, core::NearParts> near_parts_;
 };

@@ -42,7 +42,8 @@ bool hits_parameter(const EditorState& state, const PlotLayout& layout, glm::dve
 
 /// The graph whose tangent at the pointer's u passes nearest to the pointer.
 std::optional<Hover> hit_graphs(const EditorState& state, const PlotLayout& layout, glm::dvec2 position_px) {
-    const core::KnotVector& knots = state.active_curve()->knots();
+    const std::shared_ptr<const PlotBasis> functions = state.derived.plot_basis(state.active_curve()->knots());
+    const core::KnotVector& knots = functions->knots();
     const double u = parameter_from_x(layout, position_px.x);
     const double scale = state.view.interface_scale;
     if (!knots.domain().contains(u) || position_px.y > layout.bottom_px + plot_reach::graph * scale)
@@ -51,16 +52,17 @@ std::optional<Hover> hit_graphs(const EditorState& state, const PlotLayout& layo
     const core::BasisValues basis = core::basis_functions(knots, u, 1);
     const double height_px = layout.bottom_px - layout.top_px;
     const double px_per_unit = (layout.right_px - layout.left_px) / layout.range.length();
-    const std::size_t first = basis.span - static_cast<std::size_t>(knots.degree());
     double least = plot_reach::graph * scale;
     std::optional<Hover> nearest;
     for (std::size_t j = 0; j < basis.derivatives[0].size(); ++j) {
+        const std::optional<std::size_t> function = functions->function(basis.span, j);
+        if (!function) continue;
         const double slope = basis.derivatives[1][j] * height_px / px_per_unit;
         const double distance =
             std::abs(y_from_value(layout, basis.derivatives[0][j]) - position_px.y) / std::sqrt(1.0 + slope * slope);
         if (distance > least) continue;
         least = distance;
-        nearest = HoveredBasis{(first + j) % knots.control_point_count()};
+        nearest = HoveredBasis{*function};
     }
     return nearest;
 }

@@ -304,6 +304,17 @@ TEST_F(HitPlot, numbers_the_graphs_of_a_periodic_curve_as_its_points) {
     EXPECT_EQ(hit(32.0 + 984.0 * 5.0 / 6.0, 80), Hover{HoveredBasis{0}});
 }
 
+TEST_F(HitPlot, finds_graphs_beyond_the_domain) {
+    core::CurveDefinition definition = test::cubic();
+    definition.knots = {0, 1, 2, 3, 4, 5, 6, 7};
+    definition.points.resize(4);
+    state = test::state_with(definition);
+    // Each has its top, 2/3, at its middle knot: y = 152 - 72; N_3 outside the domain [3, 4].
+    EXPECT_EQ(hit(32.0 + 984.0 * 2.0 / 7.0, 80), Hover{HoveredBasis{0}});
+    EXPECT_EQ(hit(32.0 + 984.0 * 5.0 / 7.0, 80), Hover{HoveredBasis{3}});
+    EXPECT_EQ(hit(32.0 + 984.0 * 6.99 / 7.0, 100), Hover{HoveredNothing{}});
+}
+
 TEST_F(HitPlot, finds_nothing_without_a_curve) {
     state = EditorState();
     EXPECT_EQ(hit(278, 206), Hover{HoveredNothing{}});

@@ -213,6 +213,38 @@ TEST(PlotScene, knots_outside_of_the_domain_are_gray_and_the_plot_is_shaded) {
     EXPECT_NEAR(fills[2].points[2].x, x_from_parameter(layout, 6.0), 1e-3);
 }
 
+TEST(PlotScene, functions_of_a_uniform_vector_are_the_first_one_shifted) {
+    core::CurveDefinition definition = test::cubic();
+    definition.knots = {0, 1, 2, 3, 4, 5, 6, 7};
+    definition.points.resize(4);
+    const EditorState state = test::scene_state(definition);
+    const PlotLayout layout = plot_layout(state, size);
+    const render::DrawList list = scene_of(state);
+    // u^3 / 6 and its mirror image, and (-3 t^3 + 3 t^2 + 3 t + 1) / 6 and its own.
+    const std::vector<std::pair<double, double>> shape{{0.5, 1.0 / 48},  {1, 1.0 / 6}, {1.5, 23.0 / 48}, {2, 4.0 / 6},
+                                                       {2.5, 23.0 / 48}, {3, 1.0 / 6}, {3.5, 1.0 / 48}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto lines = graph(list, i);
+        ASSERT_EQ(lines.size(), 1U) << i;
+        const auto shift = static_cast<double>(i);
+        EXPECT_NEAR(lines[0].points.front().x, x_from_parameter(layout, shift), 1e-3);
+        EXPECT_NEAR(lines[0].points.back().x, x_from_parameter(layout, shift + 4), 1e-3);
+        for (const auto& [t, value] : shape)
+            EXPECT_LT(test::distance_to(lines, {x_from_parameter(layout, shift + t), y_from_value(layout, value)}),
+                      0.25)
+                << i << " " << t;
+    }
+}
+
+TEST(PlotScene, functions_beyond_the_domain_are_drawn_where_they_alone_are_seen) {
+    core::CurveDefinition definition = test::cubic();
+    definition.knots = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+    EditorState state = test::scene_state(definition);
+    state.view.plot_range = core::Interval{0.25, 1.5};
+    const render::DrawList list = scene_of(state);
+    for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(graph(list, i).size(), i < 2 ? 1U : 0U) << i;
+}
+
 TEST(PlotScene, functions_of_a_periodic_curve_go_on_at_the_start) {
     EditorState state = test::scene_state(test::closed_cubic());
     state.view.parameter = 2.5;

@@ -75,14 +75,28 @@ std::vector<double> values_by_function(const PlotFrame& frame, std::vector<doubl
     return values;
 }
 
-/// The spans that the plot shows.
+/// The spans that the plot shows, of the vector over which the functions have their whole supports.
 struct SpanRange {
     std::size_t first = 0;
     std::size_t last = 0;
 };
 
+/// The functions that do not vanish over all the spans, as numbers in that vector.
+struct FunctionRange {
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+
+FunctionRange functions_of(const PlotFrame& frame, SpanRange spans) {
+    const std::size_t lowest = spans.first - static_cast<std::size_t>(frame.curve.degree());
+    const std::size_t n = frame.basis->count();
+    if (frame.curve.is_periodic()) return {lowest, std::min(spans.last - lowest + 1, n)};
+    const std::size_t first = std::max(lowest, frame.basis->number_of(0));
+    return {first, std::min(spans.last, frame.basis->number_of(n - 1)) - first + 1};
+}
+
 SpanRange shown_spans(const PlotFrame& frame) {
-    const core::KnotVector& knots = frame.curve.knots();
+    const core::KnotVector& knots = frame.basis->knots();
     return {knots.span_at(std::max(frame.layout.range.lower, knots.domain().lower)),
             knots.span_at(std::min(frame.layout.range.upper, knots.domain().upper), core::Side::left)};
 }
@@ -94,14 +108,15 @@ class GraphTracer {
 
     /// All functions of the spans.
     std::vector<BasisGraph> trace(SpanRange spans) {
-        const std::size_t functions = spans.last - spans.first + degree() + 1;
-        std::vector<BasisGraph> graphs(std::min(functions, frame_.curve.control_points().size()));
-        const std::size_t first = spans.first - degree();
-        for (std::size_t k = 0; k < graphs.size(); ++k) graphs[k].index = frame_.function_of(spans.first, k);
+        const FunctionRange functions = functions_of(frame_, spans);
+        std::vector<BasisGraph> graphs(functions.count);
+        for (std::size_t k = 0; k < graphs.size(); ++k)
+            graphs[k].index = (functions.first - frame_.basis->number_of(0) + k) % frame_.basis->count();
         for (std::size_t s = spans.first; s <= spans.last; ++s) {
             const auto samples = samples_of(s, least_steps);
             for (std::size_t j = 0; j < samples.size(); ++j)
-                append(graphs[(s - degree() + j - first) % graphs.size()], samples[j]);
+                if (frame_.basis->function(s, j))
+                    append(graphs[(s - degree() + j - functions.first) % graphs.size()], samples[j]);
         }
         std::sort(graphs.begin(), graphs.end(),
                   [](const BasisGraph& a, const BasisGraph& b) { return a.index < b.index; });
@@ -111,12 +126,13 @@ class GraphTracer {
     /// One function, as far as it is in the spans. There must be more functions than a span has.
     BasisGraph trace(SpanRange spans, std::size_t index) {
         BasisGraph graph{.index = index, .runs = {}};
-        const std::size_t n = frame_.curve.control_points().size();
-        for (std::size_t i = index; i <= spans.last; i += n)
+        for (std::size_t i = frame_.basis->number_of(index); i <= spans.last; i += frame_.basis->count()) {
             for (std::size_t s = std::max(i, spans.first); s <= std::min(i + degree(), spans.last); ++s) {
                 const auto samples = samples_of(s, least_steps_of_one);
                 if (!samples.empty()) append(graph, samples[i + degree() - s]);
             }
+            if (!frame_.curve.is_periodic()) break;
+        }
         return graph;
     }
 
@@ -125,7 +141,7 @@ class GraphTracer {
 
     /// The functions of one span in the shown range, sampled at its ends and between.
     std::vector<std::vector<glm::dvec2>> samples_of(std::size_t s, double least) const {
-        const core::KnotVector& knots = frame_.curve.knots();
+        const core::KnotVector& knots = frame_.basis->knots();
         const core::Interval shown{std::max(knots[s], frame_.layout.range.lower),
                                    std::min(knots[s + 1], frame_.layout.range.upper)};
         if (!(shown.lower < shown.upper)) return {};
@@ -180,8 +196,11 @@ std::vector<std::size_t> resting_functions(const PlotFrame& frame, SpanRange spa
     for (double k = 0.0; start + k * cell <= frame.layout.range.upper; k += 1.0)
         if (frame.layout.range.contains(start + k * cell) && knots.domain().contains(start + k * cell))
             chosen.push_back(frame.function_of(knots.span_at(start + k * cell), p / 2));
-    for (std::size_t i = spans.first - p; i <= spans.last; ++i)
-        if (knots[i + p + 1] - knots[i] >= static_cast<double>(p + 1) * cell) chosen.push_back(i % n);
+    const FunctionRange functions = functions_of(frame, spans);
+    const core::KnotVector& whole = frame.basis->knots();
+    for (std::size_t i = functions.first; i < functions.first + functions.count; ++i)
+        if (whole[i + p + 1] - whole[i] >= static_cast<double>(p + 1) * cell)
+            chosen.push_back((i - frame.basis->number_of(0)) % n);
     make_ascending(chosen);
     return chosen;
 }
@@ -244,12 +263,12 @@ double number_x(const PlotFrame& frame, double peak_x, double width_px) {
 
 ShownBasis basis_graphs(const PlotFrame& frame, BasisCache& cache) {
     cache.follow(frame.curve.knots(), frame.layout);
-    const core::Interval domain = frame.curve.domain();
+    const core::Interval domain = frame.basis->knots().domain();
     ShownBasis shown;
     if (!(domain.lower < frame.layout.range.upper && frame.layout.range.lower < domain.upper)) return shown;
     const SpanRange spans = shown_spans(frame);
     const auto p = static_cast<std::size_t>(frame.curve.degree());
-    shown.count = std::min(spans.last - spans.first + p + 1, frame.curve.control_points().size());
+    shown.count = functions_of(frame, spans).count;
     GraphTracer tracer(frame);
     if (static_cast<double>(shown.count) <= most_functions_per_px * frame.pen.size_px().x ||
         shown.count <= 2 * (p + 1)) {

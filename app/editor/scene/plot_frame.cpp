@@ -23,6 +23,7 @@ PlotFrame::PlotFrame(const EditorState& shown_state, const PlotMode& mode, glm::
       layout(plot_layout(shown_state, size_px)),
       curve(*shown_state.active_curve()),
       lit(highlight(shown_state)),
+      basis(shown_state.derived.plot_basis(curve.knots())),
       u(shown_state.parameter()),
       span(curve.knots().span_at(u)),
       chosen_knots(chosen(shown_state, mode)) {}

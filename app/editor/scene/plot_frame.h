@@ -20,6 +20,7 @@ struct PlotFrame {
     PlotLayout layout;
     const core::Curve& curve;
     Highlight lit;
+    std::shared_ptr<const PlotBasis> basis;
     double u = 0.0;                         ///< the view's parameter in the domain
     std::size_t span = 0;                   ///< its span
     std::vector<std::size_t> chosen_knots;  ///< hovered, selected or dragged, by value: all stored knots equal to them
@@ -27,7 +28,7 @@ struct PlotFrame {
     double x(double parameter) const { return x_from_parameter(layout, parameter); }
     double y(double value) const { return y_from_value(layout, value); }
 
-    /// The basis function of the local point j of `span_index`.
+    /// The basis function of the local point j of `span_index`, a span of the curve.
     std::size_t function_of(std::size_t span_index, std::size_t j) const;
 
     /// The rectangle of the plot between two parameters, cut to the shown range; none when nothing of it is left.
