@@ -61,4 +61,12 @@ BasisTriangle basis_triangle(const KnotVector& knots, std::size_t i, double u, S
     return triangle;
 }
 
+double lower_basis_function(const KnotVector& knots, std::size_t i, int k, double u, Side side) {
+    assert(0 <= k && k <= knots.degree() && i + static_cast<std::size_t>(k) + 1 < knots.size());
+    const auto top = static_cast<std::size_t>(k);
+    BasisLevel level = first_level(i, top + 1, span_of_all(knots, u, side));
+    for (std::size_t r = 1; r <= top; ++r) level = next_level(knots.values(), level, r, u);
+    return level.front().value;
+}
+
 }  // namespace batten::core

@@ -43,4 +43,7 @@ std::optional<std::size_t> span_of_all(const KnotVector& knots, double u, Side s
 /// The NURBS Book, 2.5.
 BasisTriangle basis_triangle(const KnotVector& knots, std::size_t i, double u, Side side = Side::right);
 
+/// N_{i,k}(u) alone, `k` from 0 to the degree, for the same `i` and `u`. Cost O(k^2 + log n).
+double lower_basis_function(const KnotVector& knots, std::size_t i, int k, double u, Side side = Side::right);
+
 }  // namespace batten::core

@@ -49,6 +49,19 @@ TEST(BasisTriangle, of_the_uniform_cubic_has_the_numbers_of_the_recurrence) {
     EXPECT_EQ(triangle.value(), triangle.levels[3][0].value);
 }
 
+TEST(BasisTriangle, has_the_functions_of_lower_degree) {
+    for (const double u : {0.25, 1.5, 3.0, 3.75, 6.5})
+        for (std::size_t i = 0; i < 4; ++i) {
+            const BasisTriangle triangle = basis_triangle(lecture, i, u);
+            for (std::size_t k = 0; k < triangle.levels.size(); ++k)
+                for (const BasisCell& cell : triangle.levels[k])
+                    EXPECT_EQ(lower_basis_function(lecture, cell.index, static_cast<int>(k), u), cell.value);
+        }
+    EXPECT_EQ(lower_basis_function(lecture, 6, 0, 6.5), 1.0);
+    EXPECT_EQ(lower_basis_function(lecture, 5, 1, 6.25), 0.75);
+    EXPECT_EQ(lower_basis_function(lecture, 5, 1, 6.0, Side::left), 1.0);
+}
+
 TEST(BasisTriangle, counts_0_over_0_as_0_where_knots_coincide) {
     const auto knots = KnotVector::make(2, {0, 0, 0, 1, 1, 1}).value();
     const BasisTriangle triangle = basis_triangle(knots, 0, 0.25);
