@@ -1,6 +1,6 @@
 #include "app/editor/basis_formula.h"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <numeric>
@@ -60,11 +60,11 @@ class RecurrenceWriter {
         const core::BasisCell& right = triangle_.levels[level - 1][index + 1];
         const RampEnds rising = rising_ends(cell.index, level);
         const RampEnds falling = falling_ends(cell.index, level);
-        return {.symbols = fmt::format("{} = {} {} + {} {}", basis_name(cell.index, level), ramp_symbols(rising),
-                                       basis_name(left.index, level - 1), ramp_symbols(falling),
-                                       basis_name(right.index, level - 1)),
-                .knots = fmt::format("= {} · {} + {} · {}", ramp_knots(rising, cell.rising), number(left.value),
-                                     ramp_knots(falling, cell.falling), number(right.value)),
+        return {.symbols = {fmt::format("{} = {} {}", basis_name(cell.index, level), ramp_symbols(rising),
+                                        basis_name(left.index, level - 1)),
+                            fmt::format("+ {} {}", ramp_symbols(falling), basis_name(right.index, level - 1))},
+                .knots = {fmt::format("= {} · {}", ramp_knots(rising, cell.rising), number(left.value)),
+                          fmt::format("+ {} · {}", ramp_knots(falling, cell.falling), number(right.value))},
                 .numbers = fmt::format("= {} · {} + {} · {} = {}", ramp_number(cell.rising), number(left.value),
                                        ramp_number(cell.falling), number(right.value), number(cell.value)),
                 .note = note(cell, level)};
@@ -86,9 +86,9 @@ class RecurrenceWriter {
 
     /// "u_{0} = u_{1} = u_{2}".
     std::string equal_knots(std::size_t first, std::size_t last) const {
-        std::string text = knot_name(first);
-        for (std::size_t i = first + 1; i <= last; ++i) text.append(" = ").append(knot_name(i));
-        return text;
+        std::vector<std::string> names;
+        for (std::size_t i = first; i <= last; ++i) names.push_back(knot_name(i));
+        return fmt::format("{}", fmt::join(names, " = "));
     }
 
     std::string note(const core::BasisCell& cell, std::size_t level) const {

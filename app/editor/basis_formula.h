@@ -2,6 +2,7 @@
 /// render::Label.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "app/editor/notation.h"
@@ -13,10 +14,12 @@ namespace batten::editor {
 /// "N_{0,3}".
 std::string basis_name(std::size_t i, std::size_t k);
 
-/// How a cell of the triangle comes about, each a line of its own.
+/// How a cell of the triangle comes about: of two summands, each a line of its own.
 struct RecurrenceFormula {
-    std::string symbols;  ///< "N_{0,2} = (u − u_{0})/(u_{2} − u_{0}) N_{0,1} + (u_{3} − u)/(u_{3} − u_{1}) N_{1,1}"
-    std::string knots;    ///< "= (1.5 − 0)/(2 − 0) · 1/2 + (3 − 1.5)/(3 − 1) · 1/2"; 0/0 where knots coincide
+    /// "N_{0,2} = (u − u_{0})/(u_{2} − u_{0}) N_{0,1}" and "+ (u_{3} − u)/(u_{3} − u_{1}) N_{1,1}".
+    std::array<std::string, 2> symbols;
+    /// "= (3/2 − 0)/(2 − 0) · 1/2" and "+ (3 − 3/2)/(3 − 1) · 1/2"; 0/0 where knots coincide.
+    std::array<std::string, 2> knots;
     std::string numbers;  ///< "= 3/4 · 1/2 + 3/4 · 1/2 = 3/4"
     std::string note;     ///< what a ratio 0/0 counts as, and why; else empty
 };

@@ -47,6 +47,13 @@ class Collector {
         return finished();
     }
 
+    /// The knots of N_{i,k}.
+    Highlight of_basis_cell(std::size_t i, std::size_t k) {
+        if (i + k + 1 >= knots_.size()) return {};
+        for (std::size_t j = i; j <= i + k + 1; ++j) add_knot(j);
+        return finished();
+    }
+
   private:
     struct Run {
         std::size_t first;
@@ -140,6 +147,9 @@ struct HighlightOf {
     Highlight operator()(const HoveredBasis& h) const { return Collector(curve).of_point(h.index); }
     Highlight operator()(const HoveredKnot& h) const { return Collector(curve).of_knot(h.index); }
     Highlight operator()(const HoveredSpan& h) const { return Collector(curve).of_span(h.span); }
+    Highlight operator()(const HoveredBasisCell& h) const {
+        return Collector(curve).of_basis_cell(h.function, h.degree);
+    }
 
     template <class Other>
     Highlight operator()(const Other&) const {

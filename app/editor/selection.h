@@ -60,8 +60,14 @@ struct HoveredBasis {  ///< the graph of N_{i,p} in the plot
     std::size_t index = 0;
     bool operator==(const HoveredBasis&) const = default;
 };
+struct HoveredBasisCell {      ///< N_{i,k} in the triangle of the recurrence
+    std::size_t function = 0;  ///< i, by the knots of values()
+    std::size_t degree = 0;    ///< k
+    bool operator==(const HoveredBasisCell&) const = default;
+};
 
-using Hover = std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
-                           HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis>;
+using Hover =
+    std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
+                 HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis, HoveredBasisCell>;
 
 }  // namespace batten::editor

@@ -27,6 +27,10 @@ struct HoverCheck {
         const auto p = static_cast<std::size_t>(curve.degree());
         return hovered.level <= p && hovered.index <= p - hovered.level;
     }
+    bool operator()(const HoveredBasisCell& hovered) const {
+        return hovered.degree <= static_cast<std::size_t>(curve.degree()) &&
+               hovered.function + hovered.degree + 1 < curve.knots().size();
+    }
     bool operator()(const HoveredLeg& hovered) const {
         return hovered.index + (curve.is_periodic() ? 0 : 1) < point_count();
     }

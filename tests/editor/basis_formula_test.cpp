@@ -21,8 +21,10 @@ const core::KnotVector& lecture() {
 TEST(BasisFormula, writes_a_cell_with_its_two_functions_and_ramps) {
     const core::BasisTriangle triangle = core::basis_triangle(lecture(), 0, 1.5);
     const RecurrenceFormula formula = recurrence_formula(lecture(), triangle, 2, 1, fractions);
-    EXPECT_EQ(formula.symbols, "N_{1,2} = (u − u_{1})/(u_{3} − u_{1}) N_{1,1} + (u_{4} − u)/(u_{4} − u_{2}) N_{2,1}");
-    EXPECT_EQ(formula.knots, "= (3/2 − 1)/(3 − 1) · 1/2 + (4 − 3/2)/(4 − 2) · 0");
+    EXPECT_EQ(formula.symbols[0], "N_{1,2} = (u − u_{1})/(u_{3} − u_{1}) N_{1,1}");
+    EXPECT_EQ(formula.symbols[1], "+ (u_{4} − u)/(u_{4} − u_{2}) N_{2,1}");
+    EXPECT_EQ(formula.knots[0], "= (3/2 − 1)/(3 − 1) · 1/2");
+    EXPECT_EQ(formula.knots[1], "+ (4 − 3/2)/(4 − 2) · 0");
     EXPECT_EQ(formula.numbers, "= 1/4 · 1/2 + 5/4 · 0 = 1/8");
     EXPECT_EQ(formula.note, "");
     EXPECT_EQ(recurrence_formula(lecture(), triangle, 3, 0, fractions).numbers, "= 1/2 · 3/4 + 5/6 · 1/8 = 23/48");
@@ -34,11 +36,13 @@ TEST(BasisFormula, says_where_0_over_0_counts_as_0) {
     const auto knots = core::KnotVector::make(2, {0, 0, 0, 1, 1, 1}).value();
     const core::BasisTriangle first = core::basis_triangle(knots, 0, 0.25);
     const RecurrenceFormula both = recurrence_formula(knots, first, 1, 0, fractions);
-    EXPECT_EQ(both.knots, "= 0/0 · 0 + 0/0 · 0");
+    EXPECT_EQ(both.knots[0], "= 0/0 · 0");
+    EXPECT_EQ(both.knots[1], "+ 0/0 · 0");
     EXPECT_EQ(both.numbers, "= 0 · 0 + 0 · 0 = 0");
     EXPECT_EQ(both.note, "u_{0} = u_{1} = u_{2}: both ratios are 0/0, which counts as 0");
     const RecurrenceFormula one = recurrence_formula(knots, first, 2, 0, fractions);
-    EXPECT_EQ(one.knots, "= 0/0 · 0 + (1 − 1/4)/(1 − 0) · 3/4");
+    EXPECT_EQ(one.knots[0], "= 0/0 · 0");
+    EXPECT_EQ(one.knots[1], "+ (1 − 1/4)/(1 − 0) · 3/4");
     EXPECT_EQ(one.note, "u_{0} = u_{1} = u_{2}: the first ratio is 0/0, which counts as 0");
     const core::BasisTriangle last = core::basis_triangle(knots, 2, 0.25);
     EXPECT_EQ(recurrence_formula(knots, last, 2, 0, fractions).note,
@@ -48,8 +52,9 @@ TEST(BasisFormula, says_where_0_over_0_counts_as_0) {
 TEST(BasisFormula, puts_negative_numbers_in_parentheses) {
     const auto knots = core::KnotVector::make(1, {-3, -2, -1, 0}).value();
     const core::BasisTriangle triangle = core::basis_triangle(knots, 0, -1.5);
-    EXPECT_EQ(recurrence_formula(knots, triangle, 1, 0, fractions).knots,
-              "= ((−3/2) − (−3))/((−2) − (−3)) · 0 + ((−1) − (−3/2))/((−1) − (−2)) · 1");
+    const RecurrenceFormula formula = recurrence_formula(knots, triangle, 1, 0, fractions);
+    EXPECT_EQ(formula.knots[0], "= ((−3/2) − (−3))/((−2) − (−3)) · 0");
+    EXPECT_EQ(formula.knots[1], "+ ((−1) − (−3/2))/((−1) − (−2)) · 1");
 }
 
 TEST(BasisFormula, says_why_a_step_is_1_or_0) {
