@@ -1,0 +1,82 @@
+#include "app/editor/cards/basis_pieces_card.h"
+
+#include "app/editor/basis_formula.h"
+#include "app/editor/shown_function.h"
+#include "core/base/sentence.h"
+
+namespace batten::editor {
+
+namespace {
+
+class PieceLines {
+  public:
+    PieceLines(const EditorState& state, HoveredBasisCell cell)
+        : state_(state),
+          knots_(state.active_curve()->knots()),
+          cell_(cell),
+          theme_(theme_of(state.view.theme)),
+          variable_(span_parameter(state.view.notation)) {}
+
+    void add_to(Card& card) const {
+        const auto pieces = core::basis_pieces(knots_, cell_.function, static_cast<int>(cell_.degree));
+        if (pieces.empty()) card.line("All its knots are one: it is 0 everywhere.", CardTone::dim);
+        for (std::size_t n = 0; n < pieces.size(); ++n) add_piece(card, n, pieces[n]);
+    }
+
+  private:
+    std::string number(double value) const { return exact_text(state_.view.notation, value); }
+
+    void add_piece(Card& card, std::size_t n, const core::BasisPiece& piece) const {
+        card.add(CardLine{{.text = core::sentence("{function} on [{begin}, {end})",
+                                                  {{"function", basis_name(cell_.function, cell_.degree)},
+                                                   {"begin", number(piece.interval.lower)},
+                                                   {"end", number(piece.interval.upper)}}),
+                           .tone = CardTone::strong,
+                           .hover = HoveredSpan{piece.span},
+                           .color = theme_.level(n + 1)}});
+        add_form(card, piece, piece.in_u, "u");
+        if (piece.interval != core::Interval{0.0, 1.0}) add_form(card, piece, piece.in_t, variable_);
+        card.formula(substitution(piece), CardTone::dim);
+    }
+
+    void add_form(Card& card, const core::BasisPiece& piece, const core::PowerForm& form,
+                  const std::string& variable) const {
+        card.add(
+            CardLine{{.text = core::sentence("= {polynomial}",
+                                             {{"polynomial", polynomial_text(form, variable, state_.view.notation)}}),
+                      .hover = HoveredSpan{piece.span}},
+                     true});
+    }
+
+    /// "t = (u − 1)/2", empty where it is u.
+    std::string substitution(const core::BasisPiece& piece) const {
+        const double begin = piece.interval.lower;
+        const double length = piece.interval.length();
+        if (begin == 0.0 && length == 1.0) return " ";
+        const char* pattern = length == 1.0  ? "with {t} = u − {begin}"
+                              : begin == 0.0 ? "with {t} = u/{length}"
+                                             : "with {t} = (u − {begin})/{length}";
+        const char* negative = length == 1.0 ? "with {t} = u + {opposite}" : "with {t} = (u + {opposite})/{length}";
+        return core::filled_as_needed(
+            begin < 0.0 ? negative : pattern,
+            {{"t", variable_}, {"begin", number(begin)}, {"opposite", number(-begin)}, {"length", number(length)}});
+    }
+
+    const EditorState& state_;
+    const core::KnotVector& knots_;
+    HoveredBasisCell cell_;
+    Theme theme_;
+    std::string variable_;
+};
+
+}  // namespace
+
+Card basis_pieces_card(const EditorState& state) {
+    Card card{.title = "Polynomials", .blocks = {}};
+    const std::optional<HoveredBasisCell> cell = shown_basis_cell(state);
+    if (!cell) return card.line("There is no curve whose basis functions could be shown.", CardTone::dim);
+    PieceLines(state, *cell).add_to(card);
+    return card;
+}
+
+}  // namespace batten::editor
