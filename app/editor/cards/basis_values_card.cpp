@@ -1,0 +1,116 @@
+#include "app/editor/cards/basis_values_card.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "app/editor/basis_formula.h"
+#include "app/editor/commands/file_commands.h"
+#include "app/editor/formula.h"
+#include "app/editor/state.h"
+#include "core/base/sentence.h"
+#include "core/evaluate/rational_basis.h"
+
+namespace batten::editor {
+
+namespace {
+
+constexpr const char* without_curve = "There is no curve whose basis functions could be shown.";
+
+/// What the rows are about.
+struct Functions {
+    explicit Functions(const EditorState& shown)
+        : state(shown),
+          curve(*shown.active_curve()),
+          theme(theme_of(shown.view.theme)),
+          u(shown.parameter()),
+          basis(core::basis_functions(curve.knots(), u)) {}
+
+    const core::BasisRow& values() const { return basis.derivatives[0]; }
+
+    /// The control point of local function j.
+    std::size_t index(std::size_t j) const {
+        return (basis.span - static_cast<std::size_t>(curve.degree()) + j) % curve.control_points().size();
+    }
+
+    CardText name(std::size_t j, const char* letter) const {
+        return {.text = fmt::format("{}_{{{},{}}}", letter, index(j), curve.degree()),
+                .hover = HoveredBasis{index(j)},
+                .color = theme.point_text(index(j))};
+    }
+
+    std::string number(double value) const { return exact_text(state.view.notation, value); }
+
+    const EditorState& state;
+    const core::Curve& curve;
+    Theme theme;
+    double u;
+    core::BasisValues basis;
+};
+
+double sum_of(const core::BasisRow& values) {
+    double sum = 0.0;
+    for (const double value : values) sum += value;
+    return sum;
+}
+
+}  // namespace
+
+Card basis_values_card(const EditorState& state) {
+    Card card{.title = "Values and sum", .blocks = {}};
+    if (state.active_curve() == nullptr) return card.line(without_curve, CardTone::dim);
+    const Functions shown(state);
+    CardTable table{.rows = {{{.text = "function"}, {.text = "value"}, {.text = "decimal"}}}, .has_heading = true};
+    for (std::size_t j = 0; j < shown.values().size(); ++j)
+        table.rows.push_back({shown.name(j, "N"),
+                              {.text = shown.number(shown.values()[j])},
+                              {.text = fixed_text(shown.values()[j], 4), .tone = CardTone::dim}});
+    const double sum = sum_of(shown.values());
+    table.rows.push_back({{.text = "sum", .tone = CardTone::strong},
+                          {.text = shown.number(sum), .tone = CardTone::strong},
+                          {.text = fixed_text(sum, 4), .tone = CardTone::dim}});
+    card.line(core::sentence("At u = {u}", {{"u", shown.number(shown.u)}}), CardTone::parameter);
+    card.add(std::move(table));
+    return card.line(
+        "All other functions are 0 here. In the domain the sum is always 1, so that a point of the curve "
+        "is an average of control points.",
+        CardTone::dim);
+}
+
+Card rational_basis_card(const EditorState& state) {
+    Card card{.title = "Rational basis", .blocks = {}};
+    if (state.active_curve() == nullptr) return card.line(without_curve, CardTone::dim);
+    const Functions shown(state);
+    if (!shown.curve.is_rational()) {
+        card.line("All weights are equal, so each R_{i,p} is N_{i,p}.");
+        return card.add(CardButtons{{{.text = "Open a circle", .command = OpenExample{.name = "circle-nurbs"}}}});
+    }
+    const core::RationalBasis rational = core::rational_basis(shown.curve, shown.u);
+    CardTable table{
+        .rows = {{{.text = "i"}, {.text = "N"}, {.text = "w"}, {.text = "N w"}, {.text = "R = N w / w(u)"}}},
+        .has_heading = true};
+    double w = 0.0;
+    for (std::size_t j = 0; j < shown.values().size(); ++j) {
+        const double weight = shown.curve.weights()[shown.index(j)];
+        const double product = shown.values()[j] * weight;
+        w += product;
+        CardText index = shown.name(j, "R");
+        index.text = std::to_string(shown.index(j));
+        table.rows.push_back({std::move(index),
+                              {.text = shown.number(shown.values()[j])},
+                              {.text = shown.number(weight)},
+                              {.text = shown.number(product)},
+                              {.text = shown.number(rational.derivatives[0][j]), .tone = CardTone::strong}});
+    }
+    table.rows.push_back({{.text = "sum", .tone = CardTone::strong},
+                          {.text = shown.number(sum_of(shown.values()))},
+                          {.text = ""},
+                          {.text = shown.number(w), .tone = CardTone::parameter},
+                          {.text = shown.number(sum_of(rational.derivatives[0])), .tone = CardTone::strong}});
+    card.line(core::sentence("At u = {u}, w(u) = {w}", {{"u", shown.number(shown.u)}, {"w", shown.number(w)}}),
+              CardTone::parameter);
+    card.add(std::move(table));
+    return card.line("In the plot R is dashed, beside N.", CardTone::dim);
+}
+
+}  // namespace batten::editor

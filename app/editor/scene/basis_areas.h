@@ -1,0 +1,14 @@
+/// The basis functions stacked on one another: areas that fill the plot from 0 to 1 over the domain.
+#pragma once
+
+#include "app/editor/scene/plot_frame.h"
+
+namespace batten::editor {
+
+/// Whether areas stand in place of the graphs: not where the functions are too many for the plot.
+bool shows_basis_areas(const PlotFrame& frame);
+
+/// The areas where they are shown; on the line at u stand the values and their sum.
+void draw_basis_areas(PlotFrame& frame);
+
+}  // namespace batten::editor
