@@ -4,11 +4,19 @@
 #include <array>
 #include <iterator>
 
+#include "app/editor/cards/basis_derivatives_card.h"
+#include "app/editor/cards/basis_pieces_card.h"
+#include "app/editor/cards/basis_values_card.h"
+#include "app/editor/cards/recurrence_card.h"
+
 namespace batten::editor {
 
 namespace {
 
-constexpr std::array<CardSource, 0> sources{};
+constexpr std::array sources{
+    CardSource{Overlay::recurrence, recurrence_card}, CardSource{Overlay::basis_pieces, basis_pieces_card},
+    CardSource{Overlay::basis_values, basis_values_card}, CardSource{Overlay::rational_basis, rational_basis_card},
+    CardSource{Overlay::basis_derivatives, basis_derivatives_card}};
 
 }  // namespace
 

@@ -1,9 +1,11 @@
 #include "app/editor/scene/plot_scene.h"
 
+#include "app/editor/scene/basis_areas.h"
 #include "app/editor/scene/basis_graphs.h"
 #include "app/editor/scene/knot_strip.h"
 #include "app/editor/scene/plot_axes.h"
 #include "app/editor/scene/plot_frame.h"
+#include "app/editor/scene/recurrence_lines.h"
 #include "app/editor/scene/views.h"
 #include "core/base/sentence.h"
 
@@ -40,10 +42,11 @@ render::DrawList plot_scene(const EditorState& state, const PlotMode& mode, glm:
     draw_plot_axes(frame);
     draw_knot_guides(frame, knots.stacks);
     draw_plot_views_below(frame);
-    draw_basis_graphs(frame, basis.graphs);
+    const bool has_areas = shows_basis_areas(frame);
+    if (!has_areas) draw_basis_graphs(frame, basis.graphs);
     draw_parameter_line(frame);
-    draw_basis_values(frame);
-    draw_basis_numbers(frame, basis.graphs);
+    if (!has_areas) draw_basis_values(frame);
+    if (!has_areas && !shows_recurrence(frame)) draw_basis_numbers(frame, basis.graphs);
     draw_plot_views_above(frame);
     draw_plot_title(frame, plot_note(basis, knots));
     draw_knot_strip(frame, knots.stacks);

@@ -2,8 +2,12 @@
 
 #include <array>
 
+#include "app/editor/scene/basis_areas.h"
 #include "app/editor/scene/hodograph_inset.h"
 #include "app/editor/scene/insets.h"
+#include "app/editor/scene/piece_graphs.h"
+#include "app/editor/scene/rational_graphs.h"
+#include "app/editor/scene/recurrence_lines.h"
 
 namespace batten::editor {
 
@@ -27,7 +31,9 @@ struct InsetView {
 constexpr std::array<CanvasView, 0> views_below{};
 constexpr std::array<CanvasView, 0> views_above{};
 constexpr std::array<PlotView, 0> plot_views_below{};
-constexpr std::array<PlotView, 0> plot_views_above{};
+constexpr std::array plot_views_above{
+    PlotView{Overlay::basis_values, draw_basis_areas}, PlotView{Overlay::rational_basis, draw_rational_graphs},
+    PlotView{Overlay::basis_pieces, draw_piece_graphs}, PlotView{Overlay::recurrence, draw_recurrence_lines}};
 constexpr std::array insets{InsetView{Overlay::hodograph, draw_hodograph_inset}};
 
 template <class Frame, class Views>
