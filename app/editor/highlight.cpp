@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/editor/construction_cells.h"
+
 namespace batten::editor {
 namespace {
 
@@ -36,6 +38,15 @@ class Collector {
         if (b + 1 < knots_.size()) add_part(knots_[b], knots_[b + 1]);
         if (knots_.is_periodic() && knots_[a] == knots_.domain().lower) add_last_span();
         add_points_between(a, p_ + 1, b);
+        return finished();
+    }
+
+    Highlight of_cell(const core::DeBoorTriangle& triangle, core::CellPlace place) {
+        const core::DeBoorCell& cell = triangle.levels[place.level][place.index];
+        for (std::size_t i = cell.index - place.level; i <= cell.index; ++i) result_.points.push_back(i % point_count_);
+        if (place.level == 0) return finished();
+        add_knot(cell.lower_knot);
+        add_knot(cell.upper_knot);
         return finished();
     }
 
@@ -140,6 +151,7 @@ class Collector {
 
 /// One case for each hovered thing that lights up others.
 struct HighlightOf {
+    const EditorState& state;
     const core::Curve& curve;
 
     Highlight operator()(const HoveredPoint& h) const { return Collector(curve).of_point(h.index); }
@@ -149,6 +161,11 @@ struct HighlightOf {
     Highlight operator()(const HoveredSpan& h) const { return Collector(curve).of_span(h.span); }
     Highlight operator()(const HoveredBasisCell& h) const {
         return Collector(curve).of_basis_cell(h.function, h.degree);
+    }
+    Highlight operator()(const HoveredCell&) const {
+        const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, state.parameter());
+        const auto place = hovered_cell(state, triangle);
+        return place ? Collector(curve).of_cell(triangle, *place) : Highlight{};
     }
 
     template <class Other>
@@ -162,7 +179,7 @@ struct HighlightOf {
 Highlight highlight(const EditorState& state) {
     const core::Curve* curve = state.active_curve();
     if (curve == nullptr) return {};
-    return std::visit(HighlightOf{*curve}, state.hover);
+    return std::visit(HighlightOf{state, *curve}, state.hover);
 }
 
 }  // namespace batten::editor

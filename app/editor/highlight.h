@@ -27,6 +27,9 @@ struct Highlight {
 /// u_{b+1}] as
 ///   far as they are in the domain, and the points and functions a-p-1..b, whose p+2 knots include one of the run;
 ///   these are also the points of the two spans.
+/// - Cell P_i^r of the construction at the view's parameter: the points i-r..i of which it is a combination, and the
+/// two
+///   knots that make its alpha, u_i and u_{i+p-r+1}.
 /// - Span s: the points and functions s-p..s, the hull of the points, and the part [u_s, u_{s+1}].
 ///
 /// Anything else, or an index that the curve does not have: nothing.

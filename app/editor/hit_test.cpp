@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "app/editor/construction_cells.h"
 #include "app/editor/weight_ring.h"
 #include "core/evaluate/evaluate.h"
 
@@ -16,6 +17,7 @@ namespace reach {
 constexpr double point = 9.0;  ///< C(u) and control points
 constexpr double ring = 4.0;
 constexpr double knot = 8.0;
+constexpr double cell = 7.0;
 constexpr double curve = 6.0;
 constexpr double leg = 5.0;
 }  // namespace reach
@@ -82,6 +84,7 @@ class ActiveCurve {
     std::optional<Hover> hit_parameter_or_points() const;
     std::optional<Hover> hit_rings() const;
     std::optional<Hover> hit_knots() const;
+    std::optional<Hover> hit_construction() const;
     std::optional<Hover> hit_curve() const;
     std::optional<Hover> hit_legs() const;
 
@@ -148,6 +151,14 @@ std::optional<Hover> ActiveCurve::hit_knots() const {
     return nearest.found();
 }
 
+std::optional<Hover> ActiveCurve::hit_construction() const {
+    Nearest nearest(pointer_.px(reach::cell));
+    const core::DeBoorTriangle triangle = core::de_boor_triangle(curve_, pointer_.state.parameter());
+    for (const auto [level, index] : marked_cells(pointer_.state.view, triangle))
+        nearest.offer(HoveredCell{level, index}, pointer_.distance_to(triangle.levels[level][index].point));
+    return nearest.found();
+}
+
 std::optional<Hover> ActiveCurve::hit_curve() const {
     const auto sample = pointer_.on_curve(parts_);
     return sample ? std::optional<Hover>(HoveredCurve{sample->u}) : std::nullopt;
@@ -167,6 +178,8 @@ std::optional<Hover> ActiveCurve::hit() const {
         if (const auto found = hit_rings()) return found;
     if (pointer_.shows(Overlay::knots))
         if (const auto found = hit_knots()) return found;
+    if (pointer_.shows(Overlay::construction))
+        if (const auto found = hit_construction()) return found;
     if (const auto found = hit_curve()) return found;
     if (pointer_.shows(Overlay::polygon)) return hit_legs();
     return std::nullopt;

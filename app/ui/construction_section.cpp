@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/editor/commands/construction_commands.h"
+#include "app/editor/construction_cells.h"
 #include "app/editor/formula.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
@@ -31,10 +32,7 @@ struct Construction {
     std::size_t degree() const { return triangle.levels.size() - 1; }
 
     /// The last level drawn.
-    std::size_t level() const {
-        const std::optional<int> level = context.state.view.level;
-        return level ? std::min(static_cast<std::size_t>(std::max(*level, 0)), degree()) : degree();
-    }
+    std::size_t level() const { return editor::shown_level(context.state.view, curve.degree()); }
 
     std::string point_text(core::Point point) const {
         return editor::place_text(context.state.derived.of(curve)->size, point);
@@ -80,9 +78,7 @@ std::vector<FormulaLine> lines_of_cell(const Construction& shown, std::size_t r,
 }
 
 std::vector<FormulaLine> formula_of(const Construction& shown) {
-    const auto* cell = std::get_if<editor::HoveredCell>(&shown.context.state.hover);
-    const auto& levels = shown.triangle.levels;
-    if (cell != nullptr && cell->level < levels.size() && cell->index < levels[cell->level].size())
+    if (const auto cell = editor::hovered_cell(shown.context.state, shown.triangle))
         return lines_of_cell(shown, cell->level, cell->index);
     const editor::Theme& theme = shown.context.theme;
     FormulaLine result = point_line(shown, shown.degree(), 0);

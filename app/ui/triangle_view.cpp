@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/construction_cells.h"
 #include "app/editor/formula.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/panel_hover.h"
@@ -77,7 +78,7 @@ class TrianglePicture {
     double opacity(std::size_t r) const { return r > last_level_ ? faded_opacity : 1.0; }
 
     bool is_hovered(std::size_t r, std::size_t j) const {
-        return context_.state.hover == editor::Hover(editor::HoveredCell{r, j});
+        return editor::is_lit_cell(context_.state, triangle_, {r, j});
     }
 
     render::Color level_color(std::size_t r, std::size_t j) const {

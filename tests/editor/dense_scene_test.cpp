@@ -270,8 +270,8 @@ TEST(DenseScene, leaves_the_curve_uncovered) {
         else
             EXPECT_EQ(marker->outline.alpha, 0);
     }
-    // The first and the last point, five of the construction, C(u) and three of the legend.
-    EXPECT_EQ(above, 11U);
+    // The first and the last point, C(u), of which the construction makes nothing else there, and three of the legend.
+    EXPECT_EQ(above, 6U);
 }
 
 TEST(DenseScene, shows_what_is_selected_in_full_size) {

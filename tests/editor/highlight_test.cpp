@@ -46,6 +46,30 @@ TEST(Highlight, of_an_unclamped_point_is_cut_to_the_domain) {
     EXPECT_EQ(highlight_of(uniform, HoveredPoint{5}).parts, (Parts{{5.0, 7.0}}));
 }
 
+TEST(Highlight, of_a_cell_has_the_points_it_combines_and_the_knots_of_its_ratio) {
+    EditorState state = test::state_with(test::cubic());
+    state.view.parameter = 0.4;
+    state.hover = HoveredCell{1, 1};  // P_3^1 of P_2 and P_3, over [u_3, u_6]
+    EXPECT_EQ(highlight(state).points, (Indices{2, 3}));
+    EXPECT_EQ(highlight(state).knots, (Indices{3, 6}));
+    EXPECT_TRUE(highlight(state).basis.empty());
+    EXPECT_TRUE(highlight(state).parts.empty());
+    state.hover = HoveredCell{2, 1};  // P_4^2, over [u_4, u_6]
+    EXPECT_EQ(highlight(state).points, (Indices{2, 3, 4}));
+    EXPECT_EQ(highlight(state).knots, (Indices{4, 6}));
+    state.hover = HoveredCell{0, 3};
+    EXPECT_EQ(highlight(state).points, Indices{4});
+    EXPECT_TRUE(highlight(state).knots.empty());
+}
+
+TEST(Highlight, of_a_cell_goes_round_a_closed_curve) {
+    EditorState state = test::state_with(test::closed_cubic());
+    state.view.parameter = 0.5;       // the local points 0, 1, 2, 3 over u_{-2}..: unrolled knots -3, -2, ...
+    state.hover = HoveredCell{1, 0};  // over [-2, 1]
+    EXPECT_EQ(highlight(state).points, (Indices{0, 1}));
+    EXPECT_EQ(highlight(state).knots, (Indices{1, 4}));
+}
+
 TEST(Highlight, of_a_simple_knot_has_two_spans_and_p_plus_two_points) {
     const Highlight lit = highlight_of(test::cubic(), HoveredKnot{5});
     EXPECT_EQ(lit.knots, Indices{5});

@@ -72,6 +72,28 @@ TEST(HitCanvas, finds_a_knot_by_the_topmost_of_its_stack) {
     EXPECT_TRUE(std::holds_alternative<HoveredCurve>(hit_canvas(state, px(-1, 0))));
 }
 
+TEST(HitCanvas, finds_a_point_of_the_construction_within_seven_pixels) {
+    // At u = 1.5 P_2^1 = (-1/2, -1) by 3/4, and P_3^1 = (1/2, -1) by 1/4.
+    EditorState state = zigzag();
+    EXPECT_EQ(hit_canvas(state, px(-0.5, -1) + glm::dvec2(0, 6.5)), (Hover{HoveredCell{1, 0}}));
+    EXPECT_EQ(hit_canvas(state, px(0.5, -1) + glm::dvec2(0, 6.5)), (Hover{HoveredCell{1, 1}}));
+    EXPECT_EQ(hit_canvas(state, px(0.5, -1) + glm::dvec2(4, 6.5)), Hover{HoveredNothing{}});
+    state.view.level = 0;
+    EXPECT_EQ(hit_canvas(state, px(0.5, -1)), Hover{HoveredLeg{2}});
+    state.view.level.reset();
+    hide(state, Overlay::construction);
+    EXPECT_EQ(hit_canvas(state, px(0.5, -1)), Hover{HoveredLeg{2}});
+}
+
+TEST(HitCanvas, prefers_points_and_knots_to_the_construction) {
+    EditorState state = zigzag();
+    EXPECT_EQ(hit_canvas(state, px(-1, 0)), Hover{HoveredKnot{3}});
+    state.view.parameter = 1.0;  // P_2^1 is C(u)
+    EXPECT_EQ(hit_canvas(state, px(-1, 0)), Hover{HoveredParameter{}});
+    state.view.parameter = 2.0 + 1e-9;  // P_3^1 is nearly the knot
+    EXPECT_EQ(hit_canvas(state, px(2, 2)), Hover{HoveredPoint{3}});
+}
+
 /// The topmost knot of the domain whose place is nearest, within eight pixels, looked at one by one.
 std::optional<std::size_t> knot_one_by_one(const EditorState& state, glm::dvec2 pointer_px) {
     const core::Curve& curve = *state.active_curve();

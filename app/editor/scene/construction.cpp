@@ -1,6 +1,6 @@
 #include "app/editor/scene/construction.h"
 
-#include <algorithm>
+#include "app/editor/construction_cells.h"
 
 namespace batten::editor {
 
@@ -18,19 +18,23 @@ void draw_segments(CanvasFrame& frame, std::size_t r) {
                           {.color = frame.theme.level(r), .width = segment_width});
 }
 
-void draw_points(CanvasFrame& frame, std::size_t r) {
-    for (const core::DeBoorCell& cell : frame.triangle->levels[r])
-        frame.pen.symbol(frame.screen(cell.point), {.radius = point_radius,
-                                                    .fill = frame.theme.level(r),
-                                                    .outline = frame.theme.canvas,
-                                                    .outline_width = 1.5});
+void draw_points(CanvasFrame& frame) {
+    for (const auto [level, index] : marked_cells(frame.state.view, *frame.triangle))
+        frame.pen.symbol(frame.screen(frame.triangle->levels[level][index].point), {.radius = point_radius,
+                                                                                    .fill = frame.theme.level(level),
+                                                                                    .outline = frame.theme.canvas,
+                                                                                    .outline_width = 1.5});
 }
 
-/// The hovered cell of the triangle in the inspector: its point and the segment that it divides.
+std::size_t shown_level(const CanvasFrame& frame) {
+    return editor::shown_level(frame.state.view, frame.curve->degree());
+}
+
+/// The hovered cell, here or in a triangle: its point and the segment that it divides.
 void draw_hovered_cell(CanvasFrame& frame) {
-    const auto* cell = std::get_if<HoveredCell>(&frame.state.hover);
+    const auto cell = hovered_cell(frame.state, *frame.triangle);
+    if (!cell) return;
     const auto& levels = frame.triangle->levels;
-    if (cell == nullptr || cell->level >= levels.size() || cell->index >= levels[cell->level].size()) return;
     const render::Color color = cell->level == 0 ? frame.theme.accent : frame.theme.level(cell->level);
     if (cell->level > 0) {
         const Level& from = levels[cell->level - 1];
@@ -44,16 +48,10 @@ void draw_hovered_cell(CanvasFrame& frame) {
 
 }  // namespace
 
-std::size_t shown_level(const CanvasFrame& frame) {
-    const int degree = frame.curve->degree();
-    return static_cast<std::size_t>(std::clamp(frame.state.view.level.value_or(degree), 0, degree));
-}
-
 void draw_construction(CanvasFrame& frame) {
     const std::size_t last = shown_level(frame);
     for (std::size_t r = 1; r <= last; ++r) draw_segments(frame, r);
-    // The point of the last level is C(u), which has a disc of its own.
-    for (std::size_t r = 1; r <= last && r + 1 < frame.triangle->levels.size(); ++r) draw_points(frame, r);
+    draw_points(frame);
     draw_hovered_cell(frame);
 }
 

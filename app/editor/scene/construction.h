@@ -5,9 +5,6 @@
 
 namespace batten::editor {
 
-/// The last level that is drawn, 0 to the degree; the frame must have a curve.
-std::size_t shown_level(const CanvasFrame& frame);
-
 /// The segments on which the points of levels 1 to shown_level lie, these points, and what belongs to a hovered cell.
 void draw_construction(CanvasFrame& frame);
 
