@@ -1,0 +1,50 @@
+/// The lines of the lecture that say how a point of the construction is made of the two before it.
+#pragma once
+
+#include <string>
+
+#include "core/evaluate/de_boor_polygons.h"
+
+namespace batten::editor {
+
+/// Two numbers whose sum is 1, alike: as "7/15" and "8/15" where both are small fractions, else as "0.467" and "0.533".
+struct ShareTexts {
+    std::string lower;
+    std::string upper;
+};
+
+/// Of 1 - `upper` and `upper`, from 0 to 1.
+ShareTexts share_texts(double upper);
+
+/// "7/15", or with three digits where it is no small fraction.
+std::string quantity_text(double value);
+
+/// What the lines of a cell have in common: the curve, its triangle at u, and the cell, of level >= 1.
+struct BlendedCell {
+    const core::Curve& curve;
+    const core::DeBoorTriangle& triangle;
+    core::CellPlace place;
+
+    const core::DeBoorCell& cell() const { return triangle.levels[place.level][place.index]; }
+    const core::DeBoorCell& lower_parent() const { return triangle.levels[place.level - 1][place.index]; }
+    const core::DeBoorCell& upper_parent() const { return triangle.levels[place.level - 1][place.index + 1]; }
+
+    /// The share of the upper parent in the Euclidean point, α w_upper / w; that of the lower one makes 1 with it.
+    /// Alpha itself where the weights are equal.
+    double euclidean_share() const;
+};
+
+/// "P_{3}^{1} = 7/15 P_{2} + 8/15 P_{3}", by the Euclidean shares; "P_{4}^{1} = P_{3}" where all of it is one of them.
+std::string blend_line(const BlendedCell& blended);
+
+/// "w_{3}^{1} P_{3}^{1} = 7/15 w_{2} P_{2} + 8/15 w_{3} P_{3}": the same in homogeneous coordinates, where the shares
+/// are 1 - alpha and alpha.
+std::string homogeneous_line(const BlendedCell& blended);
+
+/// "w_{3}^{1} = 7/15 · 1 + 8/15 · 2 = 23/15": the third coordinate of that.
+std::string weight_line(const BlendedCell& blended);
+
+/// "P_{3}^{1} = (7/15 w_{2} P_{2} + 8/15 w_{3} P_{3}) / w_{3}^{1}", which blend_line works out.
+std::string projected_line(const BlendedCell& blended);
+
+}  // namespace batten::editor
