@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/editor/formula.h"
+#include "app/editor/scene/ratio_bar.h"
 #include "app/editor/scene/text_row.h"
 #include "core/base/sentence.h"
 
@@ -197,7 +198,7 @@ void draw_knot_labels(PlotFrame& frame, std::vector<KnotStack> stacks) {
         if (!values.write(frame.pen, {x, frame.layout.strip_px + 0.4 * room}, value_text(frame, stack.value), value))
             continue;
         const std::string text = detail_text(frame, stack);
-        if (text.empty()) continue;
+        if (text.empty() || has_ratio_bar(frame)) continue;
         const TextStyle detail{.color = stack.is_chosen ? frame.theme.accent : frame.theme.dim,
                                .size = multiplicity_size,
                                .anchor = render::Anchor::center};

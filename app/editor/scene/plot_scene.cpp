@@ -5,6 +5,7 @@
 #include "app/editor/scene/knot_strip.h"
 #include "app/editor/scene/plot_axes.h"
 #include "app/editor/scene/plot_frame.h"
+#include "app/editor/scene/ratio_bar.h"
 #include "app/editor/scene/recurrence_lines.h"
 #include "app/editor/scene/views.h"
 #include "core/base/sentence.h"
@@ -51,6 +52,7 @@ render::DrawList plot_scene(const EditorState& state, const PlotMode& mode, glm:
     draw_plot_title(frame, plot_note(basis, knots));
     draw_knot_strip(frame, knots.stacks);
     draw_knot_labels(frame, knots.stacks);
+    draw_ratio_bar(frame);
     return list;
 }
 

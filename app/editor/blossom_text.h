@@ -1,0 +1,17 @@
+/// Blossoms as labels: by which arguments points are named.
+#pragma once
+
+#include <string>
+
+#include "core/evaluate/blossom_labels.h"
+
+namespace batten::editor {
+
+/// "f(u_{3}, u_{4}, u)", by the indices of the knots; `letter` is that of the parameter. More than six arguments are
+/// told by the first, the last, and "…" for those between.
+std::string blossom_by_indices(const core::BlossomLabel& label, const std::string& letter);
+
+/// "f(0, 1/4, u)", by their values.
+std::string blossom_by_values(const core::BlossomLabel& label, const std::string& letter);
+
+}  // namespace batten::editor
