@@ -62,7 +62,8 @@ struct HoverHint {
         return sentence(pattern_of_hover(state.view.knot_move), {{"knot", knot_text(curve.knots(), h.index)}});
     }
     std::string operator()(const HoveredBasis& h) const {
-        const std::string basis = plain_text(fmt::format("N_{{{},{}}}", h.index, curve.degree()));
+        const char* letter = state.derived.of(curve.knots())->is_bezier ? "B" : "N";
+        const std::string basis = plain_text(fmt::format("{}_{{{},{}}}", letter, h.index, curve.degree()));
         return sentence("{basis} belongs to {point} · press to set u here",
                         {{"basis", basis}, {"point", point_text(h.index)}});
     }

@@ -132,6 +132,14 @@ TEST(CanvasScene, labels_name_the_points_and_keep_apart) {
     EXPECT_EQ(test::overlapping_labels(list), std::vector<std::string>{});
 }
 
+TEST(CanvasScene, legend_of_a_bezier_curve_says_de_casteljau) {
+    const core::CurveDefinition definition{
+        .degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{0, 0}, {1, 2}, {2, 0}}};
+    const render::DrawList list = scene_of(test::scene_state(definition));
+    EXPECT_TRUE(test::has_text(list, "de Casteljau"));
+    EXPECT_FALSE(test::has_text(list, "de Boor"));
+}
+
 TEST(CanvasScene, name_of_the_curve_point_covers_no_mark) {
     core::CurveDefinition definition;
     definition.degree = 3;

@@ -153,6 +153,13 @@ TEST(PlotScene, titles_tell_degree_parameter_and_speed) {
     EXPECT_TRUE(test::has_text(scene_of(state), "▶ 0.5× u = 0.400"));
 }
 
+TEST(PlotScene, functions_of_a_bezier_curve_are_bernstein_polynomials) {
+    core::CurveDefinition definition{.degree = 2, .knots = {2, 2, 2, 5, 5, 5}, .points = {{0, 0}, {1, 2}, {2, 0}}};
+    EXPECT_TRUE(test::has_text(scene_of(test::scene_state(definition)), "Bernstein polynomials B_{i,2}(u)"));
+    definition.knots = {2, 2, 2, 5, 5, 6};
+    EXPECT_TRUE(test::has_text(scene_of(test::scene_state(definition)), "Basis functions N_{i,2}(u)"));
+}
+
 TEST(PlotScene, stack_has_as_many_diamonds_as_the_knot_is_multiple) {
     const EditorState state = with_knots({0, 0, 0, 0, 0.25, 0.5, 0.5, 1, 1, 1, 1});
     const PlotLayout layout = plot_layout(state, size);

@@ -24,7 +24,6 @@ constexpr double least_picture_height = 160.0;  // in a lower one the curve need
 constexpr double inset_distance = 16.0;         // below the insets
 constexpr int inset_cost = 1000;                // of covering it, which nothing makes good
 constexpr int reluctance = 2;                   // how much less another corner must cover
-const char* const title = "de Boor";
 
 /// With words, or with numbers only where the canvas is narrow.
 enum class Length { full, brief };
@@ -58,7 +57,9 @@ struct LegendTexts {
 };
 
 LegendTexts texts_of(const EditorState& state, Length length) {
-    const auto degree = static_cast<std::size_t>(state.visible_active_curve()->degree());
+    const core::Curve& curve = *state.visible_active_curve();
+    const auto degree = static_cast<std::size_t>(curve.degree());
+    const char* title = state.derived.of(curve.knots())->is_bezier ? "de Casteljau" : "de Boor";
     const std::size_t color_count = theme_of(state.view.theme).levels.size();
     LegendTexts texts{title, {}};
     for (std::size_t r = 1; r <= std::min(degree, color_count); ++r)

@@ -33,13 +33,23 @@ std::string readout_text(const PlotFrame& frame) {
                                : fmt::format("u = {}", u);
 }
 
+/// What the functions of one Bézier curve are called, and all others.
+struct TitlePatterns {
+    const char* full;
+    const char* brief;
+};
+constexpr TitlePatterns basis_title{"Basis functions N_{{i,{degree}}}(u)", "N_{{i,{degree}}}(u)"};
+constexpr TitlePatterns bernstein_title{"Bernstein polynomials B_{{i,{degree}}}(u)", "B_{{i,{degree}}}(u)"};
+
 /// The name of the functions alone where there is no room for more.
 std::string title_text(const PlotFrame& frame, double room_px) {
-    const std::string title = core::sentence("Basis functions N_{{i,{degree}}}(u)", {{"degree", frame.curve.degree()}});
+    const bool is_bezier = frame.state.derived.of(frame.curve.knots())->is_bezier;
+    const TitlePatterns& patterns = is_bezier ? bernstein_title : basis_title;
+    const std::string title = core::sentence(patterns.full, {{"degree", frame.curve.degree()}});
     const TextStyle style{.color = frame.theme.text, .font = render::LabelFont::bold};
     return text_size(title, frame.pen.px(style.size), style.font).x <= room_px
                ? title
-               : core::sentence("N_{{i,{degree}}}(u)", {{"degree", frame.curve.degree()}});
+               : core::sentence(patterns.brief, {{"degree", frame.curve.degree()}});
 }
 
 }  // namespace
