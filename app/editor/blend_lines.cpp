@@ -86,6 +86,13 @@ double BlendedCell::euclidean_share() const {
     return cell().alpha * (upper / cell().weight);
 }
 
+ShareTexts blend_terms(const BlendedCell& blended) {
+    const auto name = blended.curve.is_rational() ? weighted_name : point_name;
+    const ShareTexts shares = share_texts(blended.cell().alpha);
+    return {fmt::format("{} {}", shares.lower, name(blended, lower_place(blended))),
+            fmt::format("{} {}", shares.upper, name(blended, upper_place(blended)))};
+}
+
 std::string blend_line(const BlendedCell& blended) {
     return fmt::format("{} = {}", point_name(blended, blended.place),
                        combination(blended, blended.euclidean_share(), point_name(blended, lower_place(blended)),
@@ -96,16 +103,20 @@ std::string homogeneous_line(const BlendedCell& blended) {
     return fmt::format("{} = {}", weighted_name(blended, blended.place), weighted_combination(blended));
 }
 
-std::string weight_line(const BlendedCell& blended) {
+WeightFormula weight_formula(const BlendedCell& blended) {
     const double alpha = blended.cell().alpha;
     const std::string names = combination(blended, alpha, weight_name(blended, lower_place(blended)),
                                           weight_name(blended, upper_place(blended)));
+    WeightFormula formula{.symbols = fmt::format("{} = {}", weight_name(blended, blended.place), names), .numbers = {}};
     const std::string value = quantity_text(blended.cell().weight);
-    const std::string name = weight_name(blended, blended.place);
-    if (alpha == 0.0 || alpha == 1.0) return fmt::format("{} = {} = {}", name, names, value);
+    if (alpha == 0.0 || alpha == 1.0) {
+        formula.numbers = fmt::format("= {}", value);
+        return formula;
+    }
     const std::string numbers = combination(blended, alpha, times(quantity_text(blended.lower_parent().weight)),
                                             times(quantity_text(blended.upper_parent().weight)));
-    return fmt::format("{} = {} = {} = {}", name, names, numbers, value);
+    formula.numbers = fmt::format("= {} = {}", numbers, value);
+    return formula;
 }
 
 std::string projected_line(const BlendedCell& blended) {

@@ -34,6 +34,9 @@ struct BlendedCell {
     double euclidean_share() const;
 };
 
+/// "7/15 P_{2}" and "8/15 P_{3}", of a rational curve "7/15 w_{2} P_{2}": what alpha makes of the parents.
+ShareTexts blend_terms(const BlendedCell& blended);
+
 /// "P_{3}^{1} = 7/15 P_{2} + 8/15 P_{3}", by the Euclidean shares; "P_{4}^{1} = P_{3}" where all of it is one of them.
 std::string blend_line(const BlendedCell& blended);
 
@@ -41,8 +44,12 @@ std::string blend_line(const BlendedCell& blended);
 /// are 1 - alpha and alpha.
 std::string homogeneous_line(const BlendedCell& blended);
 
-/// "w_{3}^{1} = 7/15 · 1 + 8/15 · 2 = 23/15": the third coordinate of that.
-std::string weight_line(const BlendedCell& blended);
+/// The third coordinate of that: "w_{3}^{1} = 7/15 w_{2} + 8/15 w_{3}" and "= 7/15 · 1 + 8/15 · 2 = 23/15".
+struct WeightFormula {
+    std::string symbols;
+    std::string numbers;
+};
+WeightFormula weight_formula(const BlendedCell& blended);
 
 /// "P_{3}^{1} = (7/15 w_{2} P_{2} + 8/15 w_{3} P_{3}) / w_{3}^{1}", which blend_line works out.
 std::string projected_line(const BlendedCell& blended);

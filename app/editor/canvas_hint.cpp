@@ -1,6 +1,8 @@
 #include <cmath>
 
+#include "app/editor/blend_lines.h"
 #include "app/editor/canvas_mode.h"
+#include "app/editor/construction_cells.h"
 #include "app/editor/formula.h"
 #include "app/editor/gesture.h"
 #include "app/editor/hint_text.h"
@@ -61,6 +63,13 @@ struct SelectHint {
     std::string operator()(const HoveredParameter&) const {
         return sentence("Drag C(u) along the curve · double-click to insert a knot at u = {u} (keeps the shape)",
                         {{"u", parameter_text(curve, state.parameter())}});
+    }
+    std::string operator()(const HoveredCell&) const {
+        const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, state.parameter());
+        const auto place = hovered_cell(state, triangle);
+        if (!place || place->level == 0) return {};
+        return sentence("{line} · right-click for what can be done at u",
+                        {{"line", plain_text(blend_line({curve, triangle, *place}))}});
     }
     std::string operator()(const HoveredLeg& h) const {
         if (!has_point(curve, h.index)) return {};

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/editor/blend_lines.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -177,7 +178,7 @@ AlphaFormula alpha_formula(const core::Curve& curve, const core::DeBoorTriangle&
     AlphaFormula formula;
     formula.symbols = fmt::format("{} = (u − {})/({} − {})", level_text("α", cell.index, level), lower, upper, lower);
     formula.numbers = fmt::format("= {}/{} = {}", difference_text(triangle.u, lower_value, digits),
-                                  difference_text(upper_value, lower_value, digits), number_text(cell.alpha, 3));
+                                  difference_text(upper_value, lower_value, digits), share_texts(cell.alpha).upper);
     return formula;
 }
 

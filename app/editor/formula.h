@@ -32,7 +32,7 @@ std::string fixed_text(double value, int decimals);
 std::string cell_text(const core::DeBoorTriangle& triangle, std::size_t level, std::size_t index,
                       std::size_t point_count = std::numeric_limits<std::size_t>::max());
 
-/// The two lines "α_{3}^{1} = (u − u_{3})/(u_{6} − u_{3})" and "= (0.4 − 0)/(0.75 − 0) = 0.533", for level >= 1.
+/// The two lines "α_{3}^{1} = (u − u_{3})/(u_{6} − u_{3})" and "= (0.4 − 0)/(0.75 − 0) = 8/15", for level >= 1.
 /// Negative numbers that are subtracted stand in parentheses; knots closer than four digits tell are written with more.
 struct AlphaFormula {
     std::string symbols;

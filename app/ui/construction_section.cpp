@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/blend_lines.h"
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/construction_cells.h"
 #include "app/editor/formula.h"
@@ -20,7 +21,8 @@ namespace {
 
 constexpr double label_width = 42.0;
 constexpr double line_pitch = 20.0;
-constexpr int formula_lines = 3;
+constexpr int formula_lines = 4;
+constexpr int rational_formula_lines = 7;
 constexpr std::size_t most_buttons = 5;  // of the row of steps; a higher degree gets - and +
 
 /// What the section shows.
@@ -69,17 +71,31 @@ FormulaLine point_line(const Construction& shown, std::size_t r, std::size_t j) 
     return {fmt::format("{}  w {}", point, editor::number_text(cell.weight, 6)), shown.context.theme.text};
 }
 
-std::vector<FormulaLine> lines_of_cell(const Construction& shown, std::size_t r, std::size_t j) {
+/// The weight, and the point in homogeneous form.
+void add_rational_lines(std::vector<FormulaLine>& lines, const Construction& shown,
+                        const editor::BlendedCell& blended) {
+    const editor::WeightFormula weight = editor::weight_formula(blended);
+    lines.push_back({weight.symbols, shown.context.theme.text});
+    lines.push_back({weight.numbers, shown.context.theme.text});
+    lines.push_back({editor::homogeneous_line(blended), shown.context.theme.text});
+}
+
+std::vector<FormulaLine> lines_of_cell(const Construction& shown, core::CellPlace place) {
     const editor::Theme& theme = shown.context.theme;
+    const auto [r, j] = place;
     const FormulaLine point = point_line(shown, r, j);
     if (r == 0) return {{"a control point", theme.dim, true}, point};
     const editor::AlphaFormula formula = editor::alpha_formula(shown.curve, shown.triangle, r, j);
-    return {{formula.symbols, theme.level(r)}, {formula.numbers, theme.text}, point};
+    const editor::BlendedCell blended{shown.curve, shown.triangle, place};
+    std::vector<FormulaLine> lines{{formula.symbols, theme.level(r)}, {formula.numbers, theme.text}};
+    if (shown.curve.is_rational()) add_rational_lines(lines, shown, blended);
+    lines.push_back({editor::blend_line(blended), theme.level(r)});
+    lines.push_back(point);
+    return lines;
 }
 
 std::vector<FormulaLine> formula_of(const Construction& shown) {
-    if (const auto cell = editor::hovered_cell(shown.context.state, shown.triangle))
-        return lines_of_cell(shown, cell->level, cell->index);
+    if (const auto cell = editor::hovered_cell(shown.context.state, shown.triangle)) return lines_of_cell(shown, *cell);
     const editor::Theme& theme = shown.context.theme;
     FormulaLine result = point_line(shown, shown.degree(), 0);
     result.color = theme.parameter;
@@ -90,7 +106,8 @@ std::vector<FormulaLine> formula_of(const Construction& shown) {
 void draw_formula_box(const Construction& shown) {
     const PanelContext& context = shown.context;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
-    const ImVec2 size(content_width(context), context.px(formula_lines * line_pitch + 16.0));
+    const int line_count = shown.curve.is_rational() ? rational_formula_lines : formula_lines;
+    const ImVec2 size(content_width(context), context.px(line_count * line_pitch + 16.0));
     ImGui::Dummy(size);
     ImGui::GetWindowDrawList()->AddRectFilled(origin, ImVec2(origin.x + size.x, origin.y + size.y),
                                               imgui_packed(context.theme.field), context.px(8));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/blend_lines.h"
 #include "app/editor/construction_cells.h"
 #include "app/editor/formula.h"
 #include "app/ui/inspector_widgets.h"
@@ -139,7 +140,7 @@ class TrianglePicture {
     }
 
     std::string alpha_text(std::size_t r, std::size_t j) const {
-        return fmt::format("α {}", editor::fixed_text(triangle_.levels[r][j].alpha, 3));
+        return fmt::format("α {}", editor::share_texts(triangle_.levels[r][j].alpha).upper);
     }
 
     void report(std::size_t r, std::size_t j) const {

@@ -11,7 +11,7 @@ namespace {
 struct Lines {
     std::string blend;
     std::string homogeneous;
-    std::string weight;
+    WeightFormula weight;
     std::string projected;
 };
 
@@ -19,7 +19,7 @@ Lines lines_of(const core::CurveDefinition& definition, double u, core::CellPlac
     const core::Curve curve = core::Curve::make(definition).value();
     const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, u);
     const BlendedCell blended{curve, triangle, place};
-    return {blend_line(blended), homogeneous_line(blended), weight_line(blended), projected_line(blended)};
+    return {blend_line(blended), homogeneous_line(blended), weight_formula(blended), projected_line(blended)};
 }
 
 /// The quarter of the unit circle from (1, 0) as its weights 1, 1, 2.
@@ -56,14 +56,17 @@ TEST(BlendLine, of_a_rational_curve_has_the_shares_that_the_weights_make) {
     // weights 1 and 3/2 give 5/4 and 2/5, 3/5: the point (3/5, 4/5) of the circle.
     EXPECT_EQ(lines_of(quarter_circle(), 0.5, {1, 0}).blend, "P_{1}^{1} = 1/2 P_{0} + 1/2 P_{1}");
     const Lines first = lines_of(quarter_circle(), 0.5, {1, 1});
-    EXPECT_EQ(first.weight, "w_{2}^{1} = 1/2 w_{1} + 1/2 w_{2} = 1/2 · 1 + 1/2 · 2 = 3/2");
+    EXPECT_EQ(first.weight.symbols, "w_{2}^{1} = 1/2 w_{1} + 1/2 w_{2}");
+    EXPECT_EQ(first.weight.numbers, "= 1/2 · 1 + 1/2 · 2 = 3/2");
     EXPECT_EQ(first.homogeneous, "w_{2}^{1} P_{2}^{1} = 1/2 w_{1} P_{1} + 1/2 w_{2} P_{2}");
     EXPECT_EQ(first.projected, "P_{2}^{1} = (1/2 w_{1} P_{1} + 1/2 w_{2} P_{2}) / w_{2}^{1}");
     EXPECT_EQ(first.blend, "P_{2}^{1} = 1/3 P_{1} + 2/3 P_{2}");
     const Lines last = lines_of(quarter_circle(), 0.5, {2, 0});
-    EXPECT_EQ(last.weight, "w(u) = 1/2 w_{1}^{1} + 1/2 w_{2}^{1} = 1/2 · 1 + 1/2 · 3/2 = 5/4");
+    EXPECT_EQ(last.weight.symbols, "w(u) = 1/2 w_{1}^{1} + 1/2 w_{2}^{1}");
+    EXPECT_EQ(last.weight.numbers, "= 1/2 · 1 + 1/2 · 3/2 = 5/4");
     EXPECT_EQ(last.blend, "C(u) = 2/5 P_{1}^{1} + 3/5 P_{2}^{1}");
-    EXPECT_EQ(lines_of(quarter_circle(), 0.0, {1, 1}).weight, "w_{2}^{1} = w_{1} = 1");
+    EXPECT_EQ(lines_of(quarter_circle(), 0.0, {1, 1}).weight.symbols, "w_{2}^{1} = w_{1}");
+    EXPECT_EQ(lines_of(quarter_circle(), 0.0, {1, 1}).weight.numbers, "= 1");
 }
 
 TEST(BlendLine, has_shares_that_make_its_point) {

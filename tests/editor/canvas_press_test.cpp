@@ -287,6 +287,8 @@ TEST_F(CanvasPress, hints_tell_what_a_click_would_do) {
     pointer.move(px(-3, 0));
     EXPECT_EQ(canvas_hint(pointer.mode(), state()),
               "Double-click to add a control point between P₀ and P₁ (changes the shape)");
+    pointer.move(px(0.5, -1));
+    EXPECT_EQ(canvas_hint(pointer.mode(), state()), "P₃¹ = 3/4 P₂ + 1/4 P₃ · right-click for what can be done at u");
     pointer.press(px(-2, 2));
     pointer.move(px(-1, 2));
     EXPECT_EQ(canvas_hint(pointer.mode(), state()),

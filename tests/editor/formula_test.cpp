@@ -76,11 +76,11 @@ TEST(Formula, of_alpha_reads_as_in_the_lecture_notes) {
     const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, 0.4);
     const AlphaFormula formula = alpha_formula(curve, triangle, 1, 1);
     EXPECT_EQ(formula.symbols, "α_{3}^{1} = (u − u_{3})/(u_{6} − u_{3})");
-    EXPECT_EQ(formula.numbers, "= (0.4 − 0)/(0.75 − 0) = 0.533");
+    EXPECT_EQ(formula.numbers, "= (0.4 − 0)/(0.75 − 0) = 8/15");
     EXPECT_EQ(plain_text(formula.symbols), "α₃¹ = (u − u₃)/(u₆ − u₃)");
     const AlphaFormula last = alpha_formula(curve, triangle, 3, 0);
     EXPECT_EQ(last.symbols, "α_{4}^{3} = (u − u_{4})/(u_{5} − u_{4})");
-    EXPECT_EQ(last.numbers, "= (0.4 − 0.25)/(0.5 − 0.25) = 0.6");
+    EXPECT_EQ(last.numbers, "= (0.4 − 0.25)/(0.5 − 0.25) = 3/5");
 }
 
 TEST(Formula, of_alpha_puts_subtracted_negative_knots_in_parentheses) {
@@ -90,7 +90,7 @@ TEST(Formula, of_alpha_puts_subtracted_negative_knots_in_parentheses) {
     definition.points = {{0, 0}, {1, 0}};
     const core::Curve curve = curve_of(definition);
     const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, 0.4);
-    EXPECT_EQ(alpha_formula(curve, triangle, 1, 0).numbers, "= (0.4 − (−1))/(1 − (−1)) = 0.7");
+    EXPECT_EQ(alpha_formula(curve, triangle, 1, 0).numbers, "= (0.4 − (−1))/(1 − (−1)) = 7/10");
 }
 
 TEST(Formula, of_alpha_tells_close_knots_apart) {
@@ -100,7 +100,7 @@ TEST(Formula, of_alpha_tells_close_knots_apart) {
     definition.points = {{0, 0}, {1, 0}};
     const core::Curve curve = curve_of(definition);
     const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, 1.000001);
-    EXPECT_EQ(alpha_formula(curve, triangle, 1, 0).numbers, "= (1.000001 − 1)/(1.000004 − 1) = 0.25");
+    EXPECT_EQ(alpha_formula(curve, triangle, 1, 0).numbers, "= (1.000001 − 1)/(1.000004 − 1) = 0.250");
 }
 
 TEST(Formula, names_the_cells_of_the_triangle) {

@@ -58,6 +58,14 @@ TEST(RatioBar, is_the_interval_of_the_lecture_cut_at_u) {
     EXPECT_NEAR(cut[0].points[0].x, x_from_parameter(plot_layout(state, size), 0.4), 0.01);
 }
 
+TEST(RatioBar, of_a_rational_curve_has_shares_of_weighted_points) {
+    core::CurveDefinition definition = test::cubic();
+    definition.weights = {1, 1, 1, 2, 1, 1, 1};
+    const render::DrawList list = scene_of(state_of(definition, 0.4, HoveredCell{1, 1}));
+    EXPECT_TRUE(test::has_text(list, "8/15 w_{3} P_{3}"));
+    EXPECT_TRUE(test::has_text(list, "7/15 w_{2} P_{2}"));
+}
+
 TEST(RatioBar, of_a_later_level_is_shorter) {
     const EditorState state = state_of(test::cubic(), 0.4, HoveredCell{3, 0});
     expect_parts(parts_of(state, 3, 0.7), {{0.25, 0.4}});

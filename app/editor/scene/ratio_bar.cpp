@@ -1,12 +1,9 @@
 #include "app/editor/scene/ratio_bar.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 #include "app/editor/blend_lines.h"
 #include "app/editor/construction_cells.h"
-#include "app/editor/formula.h"
 #include "app/editor/scene/text_size.h"
 
 namespace batten::editor {
@@ -23,8 +20,8 @@ constexpr double part_opacity = 0.35;
 /// One side of the cut.
 struct Part {
     core::Interval parameters;
+    std::string term;
     std::string share;
-    std::string point;
     double opacity;
 };
 
@@ -37,12 +34,11 @@ struct Bar {
 Bar bar_of(const PlotFrame& frame, const core::DeBoorTriangle& triangle, core::CellPlace place) {
     const BlendedCell blended{frame.curve, triangle, place};
     const core::DeBoorCell& cell = blended.cell();
+    const ShareTexts terms = blend_terms(blended);
     const ShareTexts shares = share_texts(cell.alpha);
-    const std::size_t n = frame.curve.control_points().size();
-    const auto name = [&](std::size_t j) { return cell_text(triangle, place.level - 1, j, n); };
     const core::KnotVector& knots = frame.curve.knots();
-    return {{{knots[cell.lower_knot], triangle.u}, shares.upper, name(place.index + 1), 2.0 * part_opacity},
-            {{triangle.u, knots[cell.upper_knot]}, shares.lower, name(place.index), part_opacity},
+    return {{{knots[cell.lower_knot], triangle.u}, terms.upper, shares.upper, 2.0 * part_opacity},
+            {{triangle.u, knots[cell.upper_knot]}, terms.lower, shares.lower, part_opacity},
             frame.theme.level(place.level)};
 }
 
@@ -60,7 +56,7 @@ void write_share(PlotFrame& frame, const render::PixelBox& box, const Part& part
                           .anchor = render::Anchor::center,
                           .font = render::LabelFont::bold};
     const double room = box.upper_px.x - box.lower_px.x - 2.0 * frame.pen.px(text_margin);
-    for (const std::string& text : {fmt::format("{} {}", part.share, part.point), part.share}) {
+    for (const std::string& text : {part.term, part.share}) {
         if (text_size(text, frame.pen.px(style.size), style.font).x > room) continue;
         frame.pen.text(0.5 * (box.lower_px + box.upper_px), text, style);
         return;
