@@ -14,6 +14,14 @@ std::vector<CellPlace> origins_of(const DeBoorTriangle& triangle, std::vector<Ce
     return places;
 }
 
+std::vector<CellPlace> difference(const std::vector<CellPlace>& places, const std::vector<CellPlace>& others) {
+    std::vector<CellPlace> result;
+    std::copy_if(places.begin(), places.end(), std::back_inserter(result), [&](const CellPlace& place) {
+        return std::find(others.begin(), others.end(), place) == others.end();
+    });
+    return result;
+}
+
 CellPlace apex_of(const DeBoorTriangle& triangle) {
     return origin_of(triangle, {triangle.levels.size() - 1, 0});
 }
@@ -40,6 +48,13 @@ std::vector<CellPlace> inserted_polygon(const DeBoorTriangle& triangle, std::siz
     for (std::size_t j = 0; j < triangle.levels[times].size(); ++j) places.push_back({times, j});
     for (std::size_t r = times; r-- > 0;) places.push_back({r, triangle.levels[r].size() - 1});
     return origins_of(triangle, std::move(places));
+}
+
+InsertionStep insertion_step(const DeBoorTriangle& triangle, std::size_t times) {
+    assert(times >= 1);
+    const std::vector<CellPlace> before = inserted_polygon(triangle, times - 1);
+    const std::vector<CellPlace> after = inserted_polygon(triangle, times);
+    return {difference(after, before), difference(before, after)};
 }
 
 SplitPolygons split_polygons(const DeBoorTriangle& triangle) {

@@ -28,6 +28,14 @@ std::size_t insertion_count(const DeBoorTriangle& triangle);
 /// sides of the triangle as far as that level. Cells are origins, so none stands twice. Source: Boehm 1980.
 std::vector<CellPlace> inserted_polygon(const DeBoorTriangle& triangle, std::size_t times);
 
+/// What inserting u once more, for the `times`-th time (1 to insertion_count), puts into the polygon and takes out of
+/// it, each in order.
+struct InsertionStep {
+    std::vector<CellPlace> added;    ///< the points of level `times`; in the end C(u)
+    std::vector<CellPlace> removed;  ///< one less
+};
+InsertionStep insertion_step(const DeBoorTriangle& triangle, std::size_t times);
+
 /// The control points of the part before u from P_{span-p} to C(u), and of the part after it from C(u) to P_span. Cells
 /// are origins. One of them is a point alone where u is an end of the domain to which the curve is clamped.
 struct SplitPolygons {

@@ -124,6 +124,21 @@ TEST(DeBoorPolygons, are_the_control_points_over_the_refined_knots) {
     }
 }
 
+TEST(DeBoorPolygons, of_insertion_differ_by_the_points_of_a_level) {
+    using Places = std::vector<CellPlace>;
+    const DeBoorTriangle triangle = de_boor_triangle(uniform_cubic(), 3.5);
+    EXPECT_EQ(insertion_step(triangle, 1).added, (Places{{1, 0}, {1, 1}, {1, 2}}));
+    EXPECT_EQ(insertion_step(triangle, 1).removed, (Places{{0, 1}, {0, 2}}));
+    EXPECT_EQ(insertion_step(triangle, 2).added, (Places{{2, 0}, {2, 1}}));
+    EXPECT_EQ(insertion_step(triangle, 2).removed, (Places{{1, 1}}));
+    EXPECT_EQ(insertion_step(triangle, 3).added, (Places{{3, 0}}));
+    EXPECT_EQ(insertion_step(triangle, 3).removed, Places{});
+    const DeBoorTriangle at_knot = de_boor_triangle(uniform_cubic(), 4.0);
+    EXPECT_EQ(insertion_step(at_knot, 1).added, (Places{{1, 0}, {1, 1}}));
+    EXPECT_EQ(insertion_step(at_knot, 1).removed, (Places{{0, 1}}));
+    EXPECT_EQ(insertion_step(at_knot, 2).added, (Places{{2, 0}}));
+}
+
 TEST(DeBoorPolygons, at_a_knot_leave_out_what_is_there_already) {
     // u = 4 is simple, so that it can be inserted twice; the rows to its right are those above them.
     const DeBoorTriangle triangle = de_boor_triangle(uniform_cubic(), 4.0);
