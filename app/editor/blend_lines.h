@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/evaluate/de_boor_polygons.h"
+#include "app/editor/cell_names.h"
 
 namespace batten::editor {
 
@@ -14,20 +14,16 @@ struct ShareTexts {
 };
 
 /// Of 1 - `upper` and `upper`, from 0 to 1.
-ShareTexts share_texts(double upper);
+ShareTexts share_texts(const Notation& notation, double upper);
 
-/// "7/15", or with three digits where it is no small fraction.
-std::string quantity_text(double value);
-
-/// What the lines of a cell have in common: the curve, its triangle at u, and the cell, of level >= 1.
+/// A cell of level >= 1 and what it is made of.
 struct BlendedCell {
-    const core::Curve& curve;
-    const core::DeBoorTriangle& triangle;
+    NamedTriangle named;
     core::CellPlace place;
 
-    const core::DeBoorCell& cell() const { return triangle.levels[place.level][place.index]; }
-    const core::DeBoorCell& lower_parent() const { return triangle.levels[place.level - 1][place.index]; }
-    const core::DeBoorCell& upper_parent() const { return triangle.levels[place.level - 1][place.index + 1]; }
+    core::CellPlace lower() const { return {place.level - 1, place.index}; }
+    core::CellPlace upper() const { return {place.level - 1, place.index + 1}; }
+    double alpha() const { return named.cell(place).alpha; }
 
     /// The share of the upper parent in the Euclidean point, α w_upper / w; that of the lower one makes 1 with it.
     /// Alpha itself where the weights are equal.

@@ -4,8 +4,6 @@
 
 #include <vector>
 
-#include "app/editor/blend_lines.h"
-
 namespace batten::editor {
 
 namespace {
@@ -22,10 +20,10 @@ void add_shortened(std::vector<std::string>& words, const std::vector<std::strin
 }
 
 template <class WordOf>
-std::string text_of(const core::BlossomLabel& label, const std::string& letter, WordOf word_of) {
+std::string text_of(const core::BlossomLabel& label, WordOf word_of) {
     std::vector<std::string> knots;
     for (std::size_t k = 0; k < label.knots.size(); ++k) knots.push_back(word_of(k));
-    const std::vector<std::string> parameters(label.parameter_count, letter);
+    const std::vector<std::string> parameters(label.parameter_count, "u");
     std::vector<std::string> words;
     if (knots.size() + parameters.size() > most_arguments) {
         add_shortened(words, knots);
@@ -39,13 +37,12 @@ std::string text_of(const core::BlossomLabel& label, const std::string& letter, 
 
 }  // namespace
 
-std::string blossom_by_indices(const core::BlossomLabel& label, const std::string& letter) {
-    return text_of(label, letter,
-                   [&](std::size_t k) { return fmt::format("{}_{{{}}}", letter, label.first_knot + k); });
+std::string blossom_by_indices(const core::BlossomLabel& label) {
+    return text_of(label, [&](std::size_t k) { return fmt::format("u_{{{}}}", label.first_knot + k); });
 }
 
-std::string blossom_by_values(const core::BlossomLabel& label, const std::string& letter) {
-    return text_of(label, letter, [&](std::size_t k) { return quantity_text(label.knots[k]); });
+std::string blossom_by_values(const core::BlossomLabel& label, const Notation& notation) {
+    return text_of(label, [&](std::size_t k) { return exact_text(notation, label.knots[k]); });
 }
 
 }  // namespace batten::editor

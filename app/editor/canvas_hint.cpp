@@ -69,7 +69,7 @@ struct SelectHint {
         const auto place = hovered_cell(state, triangle);
         if (!place || place->level == 0) return {};
         return sentence("{line} · right-click for what can be done at u",
-                        {{"line", plain_text(blend_line({curve, triangle, *place}))}});
+                        {{"line", plain_text(blend_line({{curve, triangle, state.view.notation}, *place}))}});
     }
     std::string operator()(const HoveredLeg& h) const {
         if (!has_point(curve, h.index)) return {};

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <optional>
 
-#include "app/editor/blend_lines.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -73,28 +72,6 @@ std::string index_text(const char* symbol, std::size_t index) {
     return fmt::format("{}_{{{}}}", symbol, index);
 }
 
-std::string level_text(const char* symbol, std::size_t index, std::size_t level) {
-    return fmt::format("{}_{{{}}}^{{{}}}", symbol, index, level);
-}
-
-/// Four digits, or as many more as tell the three apart where they differ.
-int digits_that_tell_apart(double a, double b, double c) {
-    const auto same = [](double x, double y, int digits) {
-        return x != y && number_text(x, digits) == number_text(y, digits);
-    };
-    int digits = 4;
-    while (digits < 17 && (same(a, b, digits) || same(b, c, digits) || same(a, c, digits))) ++digits;
-    return digits;
-}
-
-std::string parenthesized_if_negative(const std::string& number) {
-    return number.rfind(minus, 0) == 0 ? fmt::format("({})", number) : number;
-}
-
-std::string difference_text(double a, double b, int digits) {
-    return fmt::format("({} {} {})", number_text(a, digits), minus, parenthesized_if_negative(number_text(b, digits)));
-}
-
 std::optional<std::string> raised_or_lowered(const std::string& character, bool raised) {
     constexpr std::array superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     constexpr std::array subscripts{"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
@@ -156,37 +133,6 @@ std::string bound_text(double value, int digits) {
 std::string fixed_text(double value, int decimals) {
     const std::string digits = digits_of(std::abs(value), std::chars_format::fixed, decimals);
     return is_zero(digits) ? digits : signed_text(value, digits);
-}
-
-std::string cell_text(const core::DeBoorTriangle& triangle, std::size_t level, std::size_t index,
-                      std::size_t point_count) {
-    const std::size_t i = triangle.levels[level][index].index;
-    if (level == 0) return index_text("P", i % point_count);
-    if (level + 1 == triangle.levels.size()) return "C(u)";
-    return level_text("P", i, level);
-}
-
-AlphaFormula alpha_formula(const core::Curve& curve, const core::DeBoorTriangle& triangle, std::size_t level,
-                           std::size_t index) {
-    const core::DeBoorCell& cell = triangle.levels[level][index];
-    const std::string lower = index_text("u", cell.lower_knot);
-    const std::string upper = index_text("u", cell.upper_knot);
-    const double lower_value = curve.knots()[cell.lower_knot];
-    const double upper_value = curve.knots()[cell.upper_knot];
-    const int digits = digits_that_tell_apart(triangle.u, lower_value, upper_value);
-
-    AlphaFormula formula;
-    formula.symbols = fmt::format("{} = (u − {})/({} − {})", level_text("α", cell.index, level), lower, upper, lower);
-    formula.numbers = fmt::format("= {}/{} = {}", difference_text(triangle.u, lower_value, digits),
-                                  difference_text(upper_value, lower_value, digits), share_texts(cell.alpha).upper);
-    return formula;
-}
-
-std::string cell_formula(const core::DeBoorTriangle& triangle, std::size_t level, std::size_t index,
-                         std::size_t point_count) {
-    return fmt::format("{} = (1 − α) {} + α {}", cell_text(triangle, level, index, point_count),
-                       cell_text(triangle, level - 1, index, point_count),
-                       cell_text(triangle, level - 1, index + 1, point_count));
 }
 
 std::string point_text(std::size_t index) {

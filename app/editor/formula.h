@@ -1,11 +1,8 @@
 /// Numbers and formulas as text, in the label notation of render::Label.
 #pragma once
 
-#include <limits>
 #include <string>
 #include <vector>
-
-#include "core/evaluate/de_boor.h"
 
 namespace batten::editor {
 
@@ -25,25 +22,6 @@ std::string without_trailing_zeros(std::string text);
 
 /// Exactly `decimals` digits after the point, "−" for minus, never "−0": for columns.
 std::string fixed_text(double value, int decimals);
-
-/// "P_{3}^{1}", for level 0 "P_{3}", for the last level "C(u)". `index` is the place in the level, not the i of P_i.
-/// Pass the number of control points of a periodic curve, so that level 0 names the points as the canvas does (i mod
-/// n); the other levels keep the numbering of the unrolled points and knots, which their formulas need.
-std::string cell_text(const core::DeBoorTriangle& triangle, std::size_t level, std::size_t index,
-                      std::size_t point_count = std::numeric_limits<std::size_t>::max());
-
-/// The two lines "α_{3}^{1} = (u − u_{3})/(u_{6} − u_{3})" and "= (0.4 − 0)/(0.75 − 0) = 8/15", for level >= 1.
-/// Negative numbers that are subtracted stand in parentheses; knots closer than four digits tell are written with more.
-struct AlphaFormula {
-    std::string symbols;
-    std::string numbers;
-};
-AlphaFormula alpha_formula(const core::Curve& curve, const core::DeBoorTriangle& triangle, std::size_t level,
-                           std::size_t index);
-
-/// "P_{3}^{1} = (1 − α) P_{2} + α P_{3}", for level >= 1; `point_count` as for cell_text.
-std::string cell_formula(const core::DeBoorTriangle& triangle, std::size_t level, std::size_t index,
-                         std::size_t point_count = std::numeric_limits<std::size_t>::max());
 
 /// "P₅".
 std::string point_text(std::size_t index);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "app/editor/formula.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -11,25 +10,15 @@ namespace {
 
 constexpr std::size_t most_names = 5;
 
-/// Names the cells of one triangle.
-struct CellNames {
-    const core::Curve& curve;
-    const core::DeBoorTriangle& triangle;
-
-    std::string name(core::CellPlace place) const {
-        return cell_text(triangle, place.level, place.index, curve.control_points().size());
+std::string list_of(const NamedTriangle& named, const std::vector<core::CellPlace>& places) {
+    std::vector<std::string> names;
+    for (const core::CellPlace place : places) names.push_back(named.point(place));
+    if (names.size() > most_names) {
+        names.erase(names.begin() + 2, names.end() - 1);
+        names.insert(names.begin() + 2, "…");
     }
-
-    std::string list(const std::vector<core::CellPlace>& places) const {
-        std::vector<std::string> names;
-        for (const core::CellPlace place : places) names.push_back(name(place));
-        if (names.size() > most_names) {
-            names.erase(names.begin() + 2, names.end() - 1);
-            names.insert(names.begin() + 2, "…");
-        }
-        return fmt::format("{}", fmt::join(names, ", "));
-    }
-};
+    return fmt::format("{}", fmt::join(names, ", "));
+}
 
 constexpr core::PluralPattern replaced{.one = "u inserted once: {added} take the place of {removed}",
                                        .many = "u inserted {count} times: {added} take the place of {removed}"};
@@ -38,20 +27,20 @@ constexpr core::PluralPattern reached{.one = "u inserted once: the new point is 
 
 }  // namespace
 
-std::vector<std::string> insertion_lines(const core::Curve& curve, const core::DeBoorTriangle& triangle) {
-    const CellNames names{curve, triangle};
+std::vector<std::string> insertion_lines(const NamedTriangle& named) {
+    const core::DeBoorTriangle& triangle = named.triangle;
     const std::size_t last = core::insertion_count(triangle);
     if (last == 0) {
         const core::CellPlace apex = core::origin_of(triangle, {triangle.levels.size() - 1, 0});
-        return {
-            core::sentence("u is a knot of multiplicity {multiplicity}: {point} is C(u)",
-                           {{"multiplicity", curve.knots().multiplicity(triangle.u)}, {"point", names.name(apex)}})};
+        return {core::sentence(
+            "u is a knot of multiplicity {multiplicity}: {point} is C(u)",
+            {{"multiplicity", named.curve.knots().multiplicity(triangle.u)}, {"point", named.point(apex)}})};
     }
     std::vector<std::string> lines;
     for (std::size_t times = 1; times < last; ++times) {
         const core::InsertionStep step = core::insertion_step(triangle, times);
-        lines.push_back(core::sentence(replaced, times,
-                                       {{"added", names.list(step.added)}, {"removed", names.list(step.removed)}}));
+        lines.push_back(core::sentence(
+            replaced, times, {{"added", list_of(named, step.added)}, {"removed", list_of(named, step.removed)}}));
     }
     lines.push_back(core::sentence(reached, last));
     return lines;

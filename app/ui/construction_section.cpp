@@ -31,6 +31,8 @@ struct Construction {
     const core::Curve& curve;
     core::DeBoorTriangle triangle;
 
+    editor::NamedTriangle named() const { return {curve, triangle, context.state.view.notation}; }
+
     std::size_t degree() const { return triangle.levels.size() - 1; }
 
     /// The last level drawn.
@@ -63,10 +65,9 @@ struct FormulaLine {
     bool is_prose = false;
 };
 
-FormulaLine point_line(const Construction& shown, std::size_t r, std::size_t j) {
-    const core::DeBoorCell& cell = shown.triangle.levels[r][j];
-    const std::string name = editor::cell_text(shown.triangle, r, j, shown.curve.control_points().size());
-    const std::string point = fmt::format("{} = {}", name, shown.point_text(cell.point));
+FormulaLine point_line(const Construction& shown, core::CellPlace place) {
+    const core::DeBoorCell& cell = shown.named().cell(place);
+    const std::string point = fmt::format("{} = {}", shown.named().point(place), shown.point_text(cell.point));
     if (!shown.curve.is_rational()) return {point, shown.context.theme.text};
     return {fmt::format("{}  w {}", point, editor::number_text(cell.weight, 6)), shown.context.theme.text};
 }
@@ -82,14 +83,14 @@ void add_rational_lines(std::vector<FormulaLine>& lines, const Construction& sho
 
 std::vector<FormulaLine> lines_of_cell(const Construction& shown, core::CellPlace place) {
     const editor::Theme& theme = shown.context.theme;
-    const auto [r, j] = place;
-    const FormulaLine point = point_line(shown, r, j);
-    if (r == 0) return {{"a control point", theme.dim, true}, point};
-    const editor::AlphaFormula formula = editor::alpha_formula(shown.curve, shown.triangle, r, j);
-    const editor::BlendedCell blended{shown.curve, shown.triangle, place};
-    std::vector<FormulaLine> lines{{formula.symbols, theme.level(r)}, {formula.numbers, theme.text}};
+    const FormulaLine point = point_line(shown, place);
+    if (place.level == 0) return {{"a control point", theme.dim, true}, point};
+    const editor::AlphaFormula formula = editor::alpha_formula(shown.named(), place);
+    const editor::BlendedCell blended{shown.named(), place};
+    const render::Color color = theme.level(place.level);
+    std::vector<FormulaLine> lines{{formula.symbols, color}, {formula.numbers, theme.text}};
     if (shown.curve.is_rational()) add_rational_lines(lines, shown, blended);
-    lines.push_back({editor::blend_line(blended), theme.level(r)});
+    lines.push_back({editor::blend_line(blended), color});
     lines.push_back(point);
     return lines;
 }
@@ -97,7 +98,7 @@ std::vector<FormulaLine> lines_of_cell(const Construction& shown, core::CellPlac
 std::vector<FormulaLine> formula_of(const Construction& shown) {
     if (const auto cell = editor::hovered_cell(shown.context.state, shown.triangle)) return lines_of_cell(shown, *cell);
     const editor::Theme& theme = shown.context.theme;
-    FormulaLine result = point_line(shown, shown.degree(), 0);
+    FormulaLine result = point_line(shown, {shown.degree(), 0});
     result.color = theme.parameter;
     return {result, {"Point at a cell to see how it is made.", theme.dim, true}};
 }
@@ -114,10 +115,11 @@ void draw_formula_box(const Construction& shown) {
     std::string value;
     double y = 8.0 + 0.5 * line_pitch;
     for (const FormulaLine& line : formula_of(shown)) {
+        const std::string text = editor::notated(line.text, context.state.view.notation);
         draw_text(context, ImVec2(origin.x + context.px(12), origin.y + context.px(y)),
-                  {line.text, line.is_prose ? context.fonts.text : context.fonts.number, 0.0, line.color,
+                  {text, line.is_prose ? context.fonts.text : context.fonts.number, 0.0, line.color,
                    render::Anchor::left, size.x - context.px(24)});
-        value.append(value.empty() ? "" : " | ").append(editor::plain_text(line.text));
+        value.append(value.empty() ? "" : " | ").append(editor::plain_text(text));
         y += line_pitch;
     }
     report_item(context, "formula", value);

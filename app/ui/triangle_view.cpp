@@ -135,12 +135,15 @@ class TrianglePicture {
                    render::Anchor::center, grid_.pitch_x - context_.px(2)});
     }
 
+    editor::NamedTriangle named() const { return {curve_, triangle_, context_.state.view.notation}; }
+
     std::string name(std::size_t r, std::size_t j) const {
-        return editor::cell_text(triangle_, r, j, curve_.control_points().size());
+        return editor::notated(named().point({r, j}), context_.state.view.notation);
     }
 
     std::string alpha_text(std::size_t r, std::size_t j) const {
-        return fmt::format("α {}", editor::share_texts(triangle_.levels[r][j].alpha).upper);
+        return fmt::format("α {}",
+                           editor::share_texts(context_.state.view.notation, triangle_.levels[r][j].alpha).upper);
     }
 
     void report(std::size_t r, std::size_t j) const {

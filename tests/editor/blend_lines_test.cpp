@@ -15,10 +15,11 @@ struct Lines {
     std::string projected;
 };
 
-Lines lines_of(const core::CurveDefinition& definition, double u, core::CellPlace place) {
+Lines lines_of(const core::CurveDefinition& definition, double u, core::CellPlace place,
+               const Notation& notation = {}) {
     const core::Curve curve = core::Curve::make(definition).value();
     const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, u);
-    const BlendedCell blended{curve, triangle, place};
+    const BlendedCell blended{{curve, triangle, notation}, place};
     return {blend_line(blended), homogeneous_line(blended), weight_formula(blended), projected_line(blended)};
 }
 
@@ -77,31 +78,39 @@ TEST(BlendLine, has_shares_that_make_its_point) {
         const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, u);
         for (std::size_t r = 1; r <= 3; ++r)
             for (std::size_t j = 0; j < triangle.levels[r].size(); ++j) {
-                const BlendedCell blended{curve, triangle, {r, j}};
+                const Notation notation;
+                const BlendedCell blended{{curve, triangle, notation}, {r, j}};
                 const double share = blended.euclidean_share();
-                const core::Point a = blended.lower_parent().point;
-                const core::Point b = blended.upper_parent().point;
-                EXPECT_NEAR(blended.cell().point.x, (1 - share) * a.x + share * b.x, 1e-13);
-                EXPECT_NEAR(blended.cell().point.y, (1 - share) * a.y + share * b.y, 1e-13);
+                const core::Point a = blended.named.cell(blended.lower()).point;
+                const core::Point b = blended.named.cell(blended.upper()).point;
+                const core::Point point = triangle.levels[r][j].point;
+                EXPECT_NEAR(point.x, (1 - share) * a.x + share * b.x, 1e-13);
+                EXPECT_NEAR(point.y, (1 - share) * a.y + share * b.y, 1e-13);
             }
     }
 }
 
-TEST(ShareTexts, sum_to_one_as_they_stand) {
-    EXPECT_EQ(share_texts(0.6666).lower, "0.333");
-    EXPECT_EQ(share_texts(0.6666).upper, "0.667");
-    EXPECT_EQ(share_texts(0.45051).lower, "0.549");
-    EXPECT_EQ(share_texts(0.45051).upper, "0.451");
-    EXPECT_EQ(share_texts(1.0 / 3.0).lower, "2/3");
-    EXPECT_EQ(share_texts(0.0).lower, "1");
-    EXPECT_EQ(share_texts(1.0 - 1e-9).lower, "1e−9");
+TEST(BlendLine, follows_the_notation) {
+    EXPECT_EQ(lines_of(test::cubic(), 0.4, {1, 1}, {.triangles = CellNumbering::first}).blend,
+              "P_{2}^{1} = 7/15 P_{2} + 8/15 P_{3}");
+    EXPECT_EQ(lines_of(test::cubic(), 0.4, {2, 1}, {.triangles = CellNumbering::first}).blend,
+              "P_{2}^{2} = 7/10 P_{2}^{1} + 3/10 P_{3}^{1}");
+    EXPECT_EQ(lines_of(quarter_circle(), 0.5, {1, 1}, {.triangles = CellNumbering::first}).weight.symbols,
+              "w_{1}^{1} = 1/2 w_{1} + 1/2 w_{2}");
+    EXPECT_EQ(lines_of(test::cubic(), 0.4, {1, 1}, {.numbers = NumberStyle::decimals}).blend,
+              "P_{3}^{1} = 0.467 P_{2} + 0.533 P_{3}");
+    EXPECT_EQ(lines_of(quarter_circle(), 0.5, {1, 1}, {.numbers = NumberStyle::decimals}).weight.numbers,
+              "= 0.500 · 1 + 0.500 · 2 = 1.5");
 }
 
-TEST(QuantityText, is_a_fraction_where_it_can) {
-    EXPECT_EQ(quantity_text(-1.0 / 6.0), "−1/6");
-    EXPECT_EQ(quantity_text(4.0 / 3.0), "4/3");
-    EXPECT_EQ(quantity_text(1000.0), "1000");
-    EXPECT_EQ(quantity_text(0.70710678), "0.707");
+TEST(ShareTexts, sum_to_one_as_they_stand) {
+    EXPECT_EQ(share_texts({}, 0.6666).lower, "0.333");
+    EXPECT_EQ(share_texts({}, 0.6666).upper, "0.667");
+    EXPECT_EQ(share_texts({}, 0.45051).lower, "0.549");
+    EXPECT_EQ(share_texts({}, 0.45051).upper, "0.451");
+    EXPECT_EQ(share_texts({}, 1.0 / 3.0).lower, "2/3");
+    EXPECT_EQ(share_texts({}, 0.0).lower, "1");
+    EXPECT_EQ(share_texts({}, 1.0 - 1e-9).lower, "1e−9");
 }
 
 }  // namespace

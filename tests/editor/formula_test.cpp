@@ -3,15 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "tests/editor/pointer_driver.h"
+#include <limits>
 
 namespace batten::editor {
 namespace {
-
-core::Curve curve_of(core::CurveDefinition definition) {
-    return core::Curve::make(std::move(definition)).value();
-}
 
 TEST(NumberText, has_the_digits_asked_for_and_no_trailing_zeros) {
     EXPECT_EQ(number_text(0.4), "0.4");
@@ -69,55 +64,6 @@ TEST(FixedText, has_exactly_the_decimals_asked_for) {
     EXPECT_EQ(fixed_text(-3.2, 2), "−3.20");
     EXPECT_EQ(fixed_text(-0.001, 2), "0.00");
     EXPECT_EQ(fixed_text(1e300, 0).size(), 301U);
-}
-
-TEST(Formula, of_alpha_reads_as_in_the_lecture_notes) {
-    const core::Curve curve = curve_of(test::cubic());
-    const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, 0.4);
-    const AlphaFormula formula = alpha_formula(curve, triangle, 1, 1);
-    EXPECT_EQ(formula.symbols, "α_{3}^{1} = (u − u_{3})/(u_{6} − u_{3})");
-    EXPECT_EQ(formula.numbers, "= (0.4 − 0)/(0.75 − 0) = 8/15");
-    EXPECT_EQ(plain_text(formula.symbols), "α₃¹ = (u − u₃)/(u₆ − u₃)");
-    const AlphaFormula last = alpha_formula(curve, triangle, 3, 0);
-    EXPECT_EQ(last.symbols, "α_{4}^{3} = (u − u_{4})/(u_{5} − u_{4})");
-    EXPECT_EQ(last.numbers, "= (0.4 − 0.25)/(0.5 − 0.25) = 3/5");
-}
-
-TEST(Formula, of_alpha_puts_subtracted_negative_knots_in_parentheses) {
-    core::CurveDefinition definition;
-    definition.degree = 1;
-    definition.knots = {-1, -1, 1, 1};
-    definition.points = {{0, 0}, {1, 0}};
-    const core::Curve curve = curve_of(definition);
-    const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, 0.4);
-    EXPECT_EQ(alpha_formula(curve, triangle, 1, 0).numbers, "= (0.4 − (−1))/(1 − (−1)) = 7/10");
-}
-
-TEST(Formula, of_alpha_tells_close_knots_apart) {
-    core::CurveDefinition definition;
-    definition.degree = 1;
-    definition.knots = {1, 1, 1.000004, 1.000004};
-    definition.points = {{0, 0}, {1, 0}};
-    const core::Curve curve = curve_of(definition);
-    const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, 1.000001);
-    EXPECT_EQ(alpha_formula(curve, triangle, 1, 0).numbers, "= (1.000001 − 1)/(1.000004 − 1) = 0.250");
-}
-
-TEST(Formula, names_the_cells_of_the_triangle) {
-    const core::DeBoorTriangle triangle = core::de_boor_triangle(curve_of(test::cubic()), 0.4);
-    EXPECT_EQ(cell_text(triangle, 0, 0), "P_{1}");
-    EXPECT_EQ(cell_text(triangle, 1, 1), "P_{3}^{1}");
-    EXPECT_EQ(cell_text(triangle, 2, 1), "P_{4}^{2}");
-    EXPECT_EQ(cell_text(triangle, 3, 0), "C(u)");
-    EXPECT_EQ(cell_formula(triangle, 1, 1), "P_{3}^{1} = (1 − α) P_{2} + α P_{3}");
-    EXPECT_EQ(cell_formula(triangle, 3, 0), "C(u) = (1 − α) P_{3}^{2} + α P_{4}^{2}");
-}
-
-TEST(Formula, names_the_points_of_a_periodic_curve_as_the_canvas_does) {
-    const core::DeBoorTriangle triangle = core::de_boor_triangle(curve_of(test::closed_cubic()), 5.5);
-    EXPECT_EQ(cell_text(triangle, 0, 0, 6), "P_{5}");
-    EXPECT_EQ(cell_text(triangle, 0, 1, 6), "P_{0}");
-    EXPECT_EQ(cell_formula(triangle, 1, 0, 6), "P_{6}^{1} = (1 − α) P_{5} + α P_{0}");
 }
 
 TEST(Formula, of_continuity) {

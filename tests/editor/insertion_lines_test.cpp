@@ -11,7 +11,8 @@ using Lines = std::vector<std::string>;
 
 Lines lines_of(const core::CurveDefinition& definition, double u) {
     const core::Curve curve = core::Curve::make(definition).value();
-    return insertion_lines(curve, core::de_boor_triangle(curve, u));
+    const Notation notation;
+    return insertion_lines({curve, core::de_boor_triangle(curve, u), notation});
 }
 
 TEST(InsertionLines, say_what_takes_the_place_of_what_until_the_new_point_is_the_curve_point) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/editor/cell_names.h"
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
@@ -181,15 +182,14 @@ std::string label_text(const core::BlossomLabel& label) {
     return fmt::format("{} = {}", core::symbolic_text(label), core::value_text(label));
 }
 
-std::vector<Finding> rows_of(const core::Curve& curve, const core::DeBoorTriangle& triangle) {
-    const std::size_t n = curve.control_points().size();
+std::vector<Finding> rows_of(const NamedTriangle& named) {
     std::vector<Finding> rows;
-    for (std::size_t r = 1; r < triangle.levels.size(); ++r)
-        for (std::size_t j = 0; j < triangle.levels[r].size(); ++j) {
-            const core::DeBoorCell& cell = triangle.levels[r][j];
-            rows.push_back({.label = plain_text(cell_text(triangle, r, j, n)),
+    for (std::size_t r = 1; r < named.triangle.levels.size(); ++r)
+        for (std::size_t j = 0; j < named.triangle.levels[r].size(); ++j) {
+            const core::DeBoorCell& cell = named.triangle.levels[r][j];
+            rows.push_back({.label = plain_text(named.point({r, j})),
                             .point = cell.point,
-                            .note = label_text(core::de_boor_label(curve.knots(), cell.index, r))});
+                            .note = label_text(core::de_boor_label(named.curve.knots(), cell.index, r))});
         }
     return rows;
 }
@@ -202,7 +202,7 @@ Outcome<void> find_blossom_labels(EditorState& state, const FindBlossomLabels& c
                         .point = curve.control_points()[i],
                         .note = label_text(core::control_point_label(curve.knots(), i))});
     const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, command.u);
-    for (Finding& row : rows_of(curve, triangle)) rows.push_back(std::move(row));
+    for (Finding& row : rows_of({curve, triangle, state.view.notation})) rows.push_back(std::move(row));
     std::string summary =
         sentence("{name} has {count} blossom labels, t = {t}",
                  {active_name(state), {"count", rows.size()}, {"t", core::shortest_text(triangle.u)}});

@@ -32,10 +32,11 @@ struct Bar {
 };
 
 Bar bar_of(const PlotFrame& frame, const core::DeBoorTriangle& triangle, core::CellPlace place) {
-    const BlendedCell blended{frame.curve, triangle, place};
-    const core::DeBoorCell& cell = blended.cell();
+    const Notation& notation = frame.state.view.notation;
+    const BlendedCell blended{{frame.curve, triangle, notation}, place};
+    const core::DeBoorCell& cell = blended.named.cell(place);
     const ShareTexts terms = blend_terms(blended);
-    const ShareTexts shares = share_texts(cell.alpha);
+    const ShareTexts shares = share_texts(notation, cell.alpha);
     const core::KnotVector& knots = frame.curve.knots();
     return {{{knots[cell.lower_knot], triangle.u}, terms.upper, shares.upper, 2.0 * part_opacity},
             {{triangle.u, knots[cell.upper_knot]}, terms.lower, shares.lower, part_opacity},
