@@ -52,10 +52,11 @@ struct View {
     bool fits_on_open = true;
     Corner legend_corner = Corner::lower_left;
     Overlays overlays;
-    Notation notation;         ///< as it is shown
-    Notation usual_notation;   ///< of documents that choose none
-    double parameter = 0.0;    ///< as set; shown clamped to the domain of the shown curve
-    std::optional<int> level;  ///< the last construction level drawn; none: all up to C(u)
+    Notation notation;            ///< as it is shown
+    Notation usual_notation;      ///< of documents that choose none
+    double parameter = 0.0;       ///< as set; shown clamped to the domain of the shown curve
+    std::optional<int> level;     ///< the last construction level drawn; none: all up to C(u)
+    bool blossom_values = false;  ///< blossoms by the values of their knots, else by the indices
     Playback playback;
     std::optional<core::Interval> plot_range;  ///< the parameters that the plot shows; none: all knots
     core::KnotMove knot_move = core::KnotMove::snap;

@@ -7,16 +7,25 @@
 #include "app/editor/cards/basis_derivatives_card.h"
 #include "app/editor/cards/basis_pieces_card.h"
 #include "app/editor/cards/basis_values_card.h"
+#include "app/editor/cards/blossoms_card.h"
+#include "app/editor/cards/by_insertion_card.h"
+#include "app/editor/cards/halves_card.h"
 #include "app/editor/cards/recurrence_card.h"
+#include "app/editor/cards/triangle_card.h"
 
 namespace batten::editor {
 
 namespace {
 
-constexpr std::array sources{
-    CardSource{Overlay::recurrence, recurrence_card}, CardSource{Overlay::basis_pieces, basis_pieces_card},
-    CardSource{Overlay::basis_values, basis_values_card}, CardSource{Overlay::rational_basis, rational_basis_card},
-    CardSource{Overlay::basis_derivatives, basis_derivatives_card}};
+constexpr std::array sources{CardSource{Overlay::triangle, triangle_card},
+                             CardSource{Overlay::halves, halves_card},
+                             CardSource{Overlay::by_insertion, by_insertion_card},
+                             CardSource{Overlay::blossoms, blossoms_card},
+                             CardSource{Overlay::recurrence, recurrence_card},
+                             CardSource{Overlay::basis_pieces, basis_pieces_card},
+                             CardSource{Overlay::basis_values, basis_values_card},
+                             CardSource{Overlay::rational_basis, rational_basis_card},
+                             CardSource{Overlay::basis_derivatives, basis_derivatives_card}};
 
 }  // namespace
 

@@ -42,6 +42,11 @@ Outcome<void> toggle_ping_pong(EditorState& state, const TogglePingPong&) {
     return {};
 }
 
+Outcome<void> set_blossom_values(EditorState& state, const SetBlossomValues& command) {
+    state.view.blossom_values = command.by_value;
+    return {};
+}
+
 Outcome<void> set_speed(EditorState& state, const SetSpeed& command) {
     state.view.playback.speed = command.speed;
     return {};
@@ -150,6 +155,19 @@ const CommandSpec& TogglePingPong::spec() {
     return spec;
 }
 
+const CommandSpec& SetBlossomValues::spec() {
+    static const CommandSpec spec{
+        .name = "set-blossom-values",
+        .title = "Blossoms by value",
+        .explanation = "Writes blossoms with the values of the knots, or with their indices.",
+        .synonyms = "polar form labels",
+        .group = CommandGroup::construct,
+        .offered = in_the_window,
+        .fields = {field::flag<&SetBlossomValues::by_value>("by-value", "yes for values, no for indices")},
+        .run = body_of<set_blossom_values>};
+    return spec;
+}
+
 const CommandSpec& SetSpeed::spec() {
     static const CommandSpec spec{
         .name = "set-speed",
@@ -209,6 +227,7 @@ const CommandSpec& NextLevel::spec() {
 
 void add_construction_commands(CommandTable& table) {
     add_all<SetParameter, StepParameterBack, StepParameterForward, TogglePlay, TogglePingPong, SetSpeed>(table);
+    add_all<SetBlossomValues>(table);
     add_all<SetLevel, PreviousLevel, NextLevel>(table);
 }
 

@@ -28,6 +28,11 @@ struct TogglePingPong {
     static const CommandSpec& spec();
 };
 
+struct SetBlossomValues {
+    bool by_value;  ///< f(0, 0, 1/4), else f(u_3, u_4, u_5)
+    static const CommandSpec& spec();
+};
+
 struct SetSpeed {
     double speed;  ///< fifths of the domain per second
     static const CommandSpec& spec();

@@ -3,6 +3,8 @@
 #include <array>
 
 #include "app/editor/scene/basis_areas.h"
+#include "app/editor/scene/construction_views.h"
+#include "app/editor/scene/halves.h"
 #include "app/editor/scene/hodograph_inset.h"
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/piece_graphs.h"
@@ -28,8 +30,11 @@ struct InsetView {
     void (*draw)(CanvasFrame& frame, const render::PixelBox& box);
 };
 
-constexpr std::array<CanvasView, 0> views_below{};
-constexpr std::array<CanvasView, 0> views_above{};
+constexpr std::array views_below{CanvasView{Overlay::halves, draw_halves},
+                                 CanvasView{Overlay::by_insertion, draw_inserted_polygon}};
+constexpr std::array views_above{CanvasView{Overlay::halves, draw_points_of_halves},
+                                 CanvasView{Overlay::blossoms, label_blossoms},
+                                 CanvasView{Overlay::triangle, label_construction}};
 constexpr std::array<PlotView, 0> plot_views_below{};
 constexpr std::array plot_views_above{
     PlotView{Overlay::basis_values, draw_basis_areas}, PlotView{Overlay::rational_basis, draw_rational_graphs},

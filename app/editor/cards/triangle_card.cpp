@@ -1,0 +1,124 @@
+#include "app/editor/cards/triangle_card.h"
+
+#include <fmt/core.h>
+
+#include "app/editor/blend_lines.h"
+#include "app/editor/cards/no_curve.h"
+#include "app/editor/cards/triangle_picture.h"
+#include "app/editor/construction_cells.h"
+#include "app/editor/formula.h"
+#include "app/editor/number_column.h"
+#include "app/editor/state.h"
+#include "core/base/sentence.h"
+
+namespace batten::editor {
+
+namespace {
+
+constexpr std::size_t most_levels_with_lines = 5;
+
+/// What the card is about.
+struct Shown {
+    const EditorState& state;
+    const core::Curve& curve;
+    core::DeBoorTriangle triangle;
+    Theme theme;
+
+    const Notation& notation() const { return state.view.notation; }
+    NamedTriangle named() const { return {curve, triangle, notation()}; }
+    std::size_t degree() const { return triangle.levels.size() - 1; }
+};
+
+/// "De Boor at u = 2/5 in the span [1/4, 1/2)"; the last span holds its end too.
+std::string place_sentence(const Shown& shown) {
+    const core::KnotVector& knots = shown.curve.knots();
+    const std::size_t s = shown.triangle.span;
+    const std::string u = exact_text(shown.notation(), shown.triangle.u);
+    if (shown.state.derived.of(knots)->is_bezier) return core::sentence("De Casteljau at u = {u}", {{"u", u}});
+    const bool is_last = knots[s + 1] == shown.curve.domain().upper && !shown.curve.is_periodic();
+    return core::sentence(
+        is_last ? "De Boor at u = {u} in the span [{begin}, {end}]" : "De Boor at u = {u} in the span [{begin}, {end})",
+        {{"u", u},
+         {"begin", exact_text(shown.notation(), knots[s])},
+         {"end", exact_text(shown.notation(), knots[s + 1])}});
+}
+
+/// Why one ratio does for all, which it does only for a Bézier curve.
+std::string ratio_sentence(const Shown& shown) {
+    const core::Interval domain = shown.curve.domain();
+    if (domain == core::Interval{0.0, 1.0}) return "Every ratio α is u, and C(u) is the sum of B_{i,n}(u) P_{i}.";
+    return core::sentence(
+        "Every ratio α is (u − {begin})/({end} − {begin}), that of u in the domain.",
+        {{"begin", exact_text(shown.notation(), domain.lower)}, {"end", exact_text(shown.notation(), domain.upper)}});
+}
+
+void add_lines_of_level(Card& card, const Shown& shown, std::size_t r) {
+    for (std::size_t j = 0; j < shown.triangle.levels[r].size(); ++j)
+        card.add(CardLine{
+            {.text = blend_line({shown.named(), {r, j}}), .hover = HoveredCell{r, j}, .color = shown.theme.level(r)},
+            true});
+}
+
+void add_lines(Card& card, const Shown& shown) {
+    const std::size_t last = shown_level(shown.state.view, shown.curve.degree());
+    if (shown.degree() <= most_levels_with_lines) {
+        for (std::size_t r = 1; r <= last; ++r) add_lines_of_level(card, shown, r);
+        return;
+    }
+    card.line(core::sentence("The lines of level {level}; the steps of the construction lead to the others.",
+                             {{"level", last}}),
+              CardTone::dim);
+    if (last > 0) add_lines_of_level(card, shown, last);
+}
+
+/// All that makes one point, in lines that are as many for every point.
+void add_formulas(Card& card, const Shown& shown, core::CellPlace place) {
+    const BlendedCell blended{shown.named(), place};
+    const AlphaFormula alpha = alpha_formula(shown.named(), place);
+    card.formula(alpha.symbols);
+    card.formula(alpha.numbers);
+    if (shown.curve.is_rational()) {
+        const WeightFormula weight = weight_formula(blended);
+        card.line("Homogeneous, the weight among the coordinates:", CardTone::dim);
+        card.formula(homogeneous_line(blended));
+        card.formula(weight.symbols);
+        card.formula(weight.numbers);
+        card.line("Euclidean, divided by the weight:", CardTone::dim);
+        card.formula(projected_line(blended));
+    }
+    card.formula(blend_line(blended));
+    const core::Point point = shown.named().cell(place).point;
+    card.formula(fmt::format("{} = {}", shown.named().point(place),
+                             place_text(shown.state.derived.of(shown.curve)->size, point)),
+                 CardTone::strong);
+}
+
+/// The hovered point of level >= 1, else C(u).
+core::CellPlace told_cell(const Shown& shown) {
+    const auto hovered = hovered_cell(shown.state, shown.triangle);
+    return hovered && hovered->level > 0 ? *hovered : core::CellPlace{shown.degree(), 0};
+}
+
+std::string alpha_text(const NamedTriangle& named, core::CellPlace place) {
+    return fmt::format("α {}", share_texts(named.notation, named.cell(place).alpha).upper);
+}
+
+}  // namespace
+
+Card triangle_card(const EditorState& state) {
+    if (state.active_curve() == nullptr) return card_without_curve("cubic-de-boor");
+    const core::Curve& curve = *state.active_curve();
+    const Shown shown{state, curve, core::de_boor_triangle(curve, state.parameter()), theme_of(state.view.theme)};
+    Card card;
+    card.line(place_sentence(shown), CardTone::strong);
+    if (state.derived.of(curve.knots())->is_bezier) card.line(ratio_sentence(shown), CardTone::dim);
+    const auto name = [](const NamedTriangle& named, core::CellPlace place) { return named.point(place); };
+    card.add(triangle_picture(state, {.inside = name, .below = alpha_text}));
+    add_lines(card, shown);
+    const core::CellPlace told = told_cell(shown);
+    card.line(core::sentence("How {point} is made", {{"point", shown.named().point(told)}}), CardTone::strong);
+    add_formulas(card, shown, told);
+    return card;
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,152 @@
+#include "app/editor/cards/triangle_picture.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/editor/construction_cells.h"
+#include "app/editor/formula.h"
+#include "app/editor/scene/text_size.h"
+
+namespace batten::editor {
+
+namespace {
+
+// Design pixels.
+constexpr double largest_cell = 66.0;
+constexpr double cell_height = 26.0;
+constexpr double row_pitch = 44.0;
+constexpr double cell_share = 0.72;  // of a column's pitch
+constexpr double edge = 2.0;
+constexpr double name_size = 14.0;
+constexpr double least_text = 9.0;
+constexpr double below_size = 12.0;
+constexpr double below_distance = 8.0;
+constexpr double corner_radius = 6.0;
+constexpr double faded_opacity = 0.3;
+constexpr double text_margin = 3.0;
+
+double width_of_columns(std::size_t degree, double cell) {
+    return cell + static_cast<double>(degree) * cell / cell_share + 2.0 * edge;
+}
+
+/// One picture while it is drawn.
+class TrianglePainter {
+  public:
+    TrianglePainter(const EditorState& state, const CellTexts& texts, glm::dvec2 size_px, double scale)
+        : state_(state),
+          texts_(texts),
+          theme_(theme_of(state.view.theme)),
+          triangle_(core::de_boor_triangle(*state.active_curve(), state.parameter())),
+          pen_(drawing_.list, size_px, scale, state.view.notation),
+          degree_(triangle_.levels.size() - 1),
+          last_level_(shown_level(state.view, static_cast<int>(degree_))) {
+        const double width = size_px.x / scale;
+        const double columns = 1.0 + static_cast<double>(degree_) / cell_share;
+        cell_width_ =
+            std::clamp((width - 2.0 * edge) / columns, texts.least_width, std::max(largest_cell, texts.least_width));
+    }
+
+    CardDrawing draw() {
+        for (std::size_t r = 1; r <= degree_; ++r)
+            for (std::size_t j = 0; j <= degree_ - r; ++j) draw_lines({r, j});
+        for (std::size_t r = 0; r <= degree_; ++r)
+            for (std::size_t j = 0; j <= degree_ - r; ++j) draw_cell({r, j});
+        return std::move(drawing_);
+    }
+
+  private:
+    NamedTriangle named() const { return {*state_.active_curve(), triangle_, state_.view.notation}; }
+
+    render::PixelBox box_of(core::CellPlace place) const {
+        const auto r = static_cast<double>(place.level);
+        const auto j = static_cast<double>(place.index);
+        const glm::dvec2 corner(edge + r * cell_width_ / cell_share, edge + (j + 0.5 * r) * row_pitch);
+        return {{pen_.px(corner.x), pen_.px(corner.y)},
+                {pen_.px(corner.x + cell_width_), pen_.px(corner.y + cell_height)}};
+    }
+
+    bool is_lit(core::CellPlace place) const { return is_lit_cell(state_, triangle_, place); }
+    double opacity(core::CellPlace place) const { return place.level > last_level_ ? faded_opacity : 1.0; }
+
+    render::Color color_of(core::CellPlace place) const {
+        if (place.level > 0) return theme_.level(place.level);
+        return theme_.point(triangle_.levels[0][place.index].index % state_.active_curve()->control_points().size());
+    }
+
+    void draw_lines(core::CellPlace place) {
+        const double alpha = triangle_.levels[place.level][place.index].alpha;
+        draw_line(place, place.index, 1.0 - alpha);
+        draw_line(place, place.index + 1, alpha);
+    }
+
+    void draw_line(core::CellPlace place, std::size_t from, double share) {
+        const render::PixelBox left = box_of({place.level - 1, from});
+        const render::PixelBox right = box_of(place);
+        const double strength = is_lit(place) ? 1.0 : 0.3 + 0.7 * share;
+        pen_.segment({left.upper_px.x, 0.5 * (left.lower_px.y + left.upper_px.y)},
+                     {right.lower_px.x, 0.5 * (right.lower_px.y + right.upper_px.y)},
+                     {.color = render::blended(color_of(place), opacity(place) * strength, theme_.panel),
+                      .width = (is_lit(place) ? 1.6 : 0.8) + 1.4 * share});
+    }
+
+    void draw_cell(core::CellPlace place) {
+        const render::PixelBox box = box_of(place);
+        const render::Color color = color_of(place);
+        const std::vector<glm::dvec2> outline = rounded_rectangle(box, pen_.px(corner_radius));
+        pen_.fill(outline, is_lit(place) ? render::blended(color, 0.3, theme_.field) : theme_.field);
+        pen_.outline(outline, {.color = render::blended(color, opacity(place), theme_.field),
+                               .width = is_lit(place) ? 2.5 : 1.5});
+        write_inside(place, box);
+        write_below(place, box);
+    }
+
+    void write_inside(core::CellPlace place, const render::PixelBox& box) {
+        const std::string text = texts_.inside(named(), place);
+        const render::Color color = place.level == degree_ ? theme_.parameter : theme_.text;
+        const double room = box.upper_px.x - box.lower_px.x - 2.0 * pen_.px(text_margin);
+        const double width = text_size(text, pen_.px(name_size)).x;
+        pen_.text(0.5 * (box.lower_px + box.upper_px), text,
+                  {.color = render::blended(color, opacity(place), theme_.field),
+                   .size = std::max(least_text, name_size * std::min(1.0, room / width)),
+                   .anchor = render::Anchor::center});
+        drawing_.places.push_back({.name = fmt::format("cell {} {}", place.level, place.index),
+                                   .box = box,
+                                   .hover = HoveredCell{place.level, place.index},
+                                   .value = plain_text(notated(text, state_.view.notation))});
+    }
+
+    void write_below(core::CellPlace place, const render::PixelBox& box) {
+        if (place.level == 0) return;
+        const std::string text = texts_.below(named(), place);
+        if (text.empty()) return;
+        pen_.text({0.5 * (box.lower_px.x + box.upper_px.x), box.upper_px.y + pen_.px(below_distance)}, text,
+                  {.color = render::blended(theme_.dim, opacity(place), theme_.panel),
+                   .size = below_size,
+                   .anchor = render::Anchor::center});
+    }
+
+    const EditorState& state_;
+    const CellTexts& texts_;
+    Theme theme_;
+    core::DeBoorTriangle triangle_;
+    CardDrawing drawing_;
+    Pen pen_;
+    std::size_t degree_;
+    std::size_t last_level_;
+    double cell_width_ = 0.0;
+};
+
+}  // namespace
+
+CardPicture triangle_picture(const EditorState& state, CellTexts texts) {
+    const auto degree = static_cast<std::size_t>(state.active_curve()->degree());
+    const double least_width = width_of_columns(degree, texts.least_width);
+    return {
+        .height = static_cast<double>(degree) * row_pitch + cell_height + 2.0 * edge,
+        .draw = [&state, texts = std::move(texts)](
+                    glm::dvec2 size_px, double scale) { return TrianglePainter(state, texts, size_px, scale).draw(); },
+        .least_width = least_width};
+}
+
+}  // namespace batten::editor
