@@ -177,9 +177,10 @@ TEST(ByInsertionCard, shows_the_polygons_side_by_side_and_says_what_the_last_poi
 TEST(BlossomsCard, names_points_by_index_or_by_value) {
     EditorState state = state_at(test::cubic(), 0.4);
     const auto by_index = drawings_of(blossoms_card(state));
+    for (const CardPlace& place : by_index[0].places) EXPECT_LE(place.box.upper_px.x, 320.0) << place.name;
     EXPECT_EQ(place_named(by_index[0], "cell 0 1")->value, "f(u₃, u₄, u₅)");
     EXPECT_EQ(place_named(by_index[0], "cell 1 1")->value, "f(u₄, u₅, u)");
-    EXPECT_TRUE(says(blossoms_card(state), "f(u, u, u) = 2/5 f(u₄, u, u) + 3/5 f(u₅, u, u)"));
+    EXPECT_TRUE(says(blossoms_card(state), "f(u, u, u)\n= 2/5 f(u₄, u, u)\n+ 3/5 f(u₅, u, u)"));
     state.view.blossom_values = true;
     state.view.notation.parameter = ParameterLetter::t;
     const auto by_value = drawings_of(blossoms_card(state));

@@ -47,8 +47,8 @@ TEST(Halves, have_the_polygons_of_the_parts) {
     const auto parts = core::split(*state.active_curve(), 0.4).value();
     const render::DrawList list = scene_of(state);
     const HalfColors colors = half_colors(theme_of(state.view.theme));
-    expect_corners(corners(list, colors.before, 3.0F), state, parts[0]);
-    expect_corners(corners(list, colors.after, 3.0F), state, parts[1]);
+    expect_corners(corners(list, colors.before, 4.5F), state, parts[0]);
+    expect_corners(corners(list, colors.after, 4.5F), state, parts[1]);
 }
 
 TEST(Halves, lie_along_the_curve_to_its_point_at_u) {

@@ -14,20 +14,21 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double least_cell = 84.0;
+constexpr double least_cell = 68.0;
+constexpr double column_share = 0.87;
 
 std::string blossom_of(const NamedTriangle& named, core::CellPlace place, bool by_values) {
     const core::BlossomLabel label = core::de_boor_label(named.curve.knots(), named.cell(place).index, place.level);
     return by_values ? blossom_by_values(label, named.notation) : blossom_by_indices(label);
 }
 
-/// "f(u_{4}, u_{5}, u) = 7/15 f(u_{3}, u_{4}, u_{5}) + 8/15 f(u_{4}, u_{5}, u_{6})".
-std::string affine_line(const NamedTriangle& named, core::CellPlace place, bool by_values) {
+/// "f(u_{4}, u_{5}, u)", "= 7/15 f(u_{3}, u_{4}, u_{5})" and "+ 8/15 f(u_{4}, u_{5}, u_{6})", one below the other.
+void add_affine_lines(Card& card, const NamedTriangle& named, core::CellPlace place, bool by_values) {
     const BlendedCell blended{named, place};
     const ShareTexts shares = share_texts(named.notation, blended.alpha());
-    return fmt::format("{} = {} {} + {} {}", blossom_of(named, place, by_values), shares.lower,
-                       blossom_of(named, blended.lower(), by_values), shares.upper,
-                       blossom_of(named, blended.upper(), by_values));
+    card.formula(blossom_of(named, place, by_values));
+    card.formula(fmt::format("= {} {}", shares.lower, blossom_of(named, blended.lower(), by_values)));
+    card.formula(fmt::format("+ {} {}", shares.upper, blossom_of(named, blended.upper(), by_values)));
 }
 
 }  // namespace
@@ -47,12 +48,13 @@ Card blossoms_card(const EditorState& state) {
         state, {.inside = [by_values](const NamedTriangle& shown,
                                       core::CellPlace place) { return blossom_of(shown, place, by_values); },
                 .below = [](const NamedTriangle& shown, core::CellPlace place) { return shown.point(place); },
-                .least_width = least_cell}));
+                .least_width = least_cell,
+                .column_share = column_share}));
     const auto hovered = hovered_cell(state, triangle);
     const core::CellPlace told =
         hovered && hovered->level > 0 ? *hovered : core::CellPlace{triangle.levels.size() - 1, 0};
     card.line("f is affine in each argument; u lies between the two knots in which the parents differ:", CardTone::dim);
-    card.formula(affine_line(named, told, by_values));
+    add_affine_lines(card, named, told, by_values);
     if (curve.is_rational()) card.line("Of a rational curve f gives homogeneous points, (w x, w y, w).", CardTone::dim);
     return card;
 }

@@ -5,6 +5,7 @@
 #include "app/editor/blend_lines.h"
 #include "app/editor/cards/no_curve.h"
 #include "app/editor/cards/triangle_picture.h"
+#include "app/editor/commands/view_commands.h"
 #include "app/editor/construction_cells.h"
 #include "app/editor/formula.h"
 #include "app/editor/number_column.h"
@@ -99,6 +100,21 @@ core::CellPlace told_cell(const Shown& shown) {
     return hovered && hovered->level > 0 ? *hovered : core::CellPlace{shown.degree(), 0};
 }
 
+SetNotation numbered_by(const Notation& notation, CellNumbering numbering) {
+    return {.points = notation.points,
+            .parameter = notation.parameter,
+            .degree = notation.degree,
+            .triangles = numbering,
+            .numbers = notation.numbers};
+}
+
+CardButtons numbering_buttons(const Notation& notation) {
+    const auto button = [&](const char* text, CellNumbering numbering) {
+        return CardButton{text, numbered_by(notation, numbering), notation.triangles == numbering};
+    };
+    return {{button("Index of the last parent", CellNumbering::last), button("Of the first", CellNumbering::first)}};
+}
+
 std::string alpha_text(const NamedTriangle& named, core::CellPlace place) {
     return fmt::format("α {}", share_texts(named.notation, named.cell(place).alpha).upper);
 }
@@ -114,6 +130,7 @@ Card triangle_card(const EditorState& state) {
     if (state.derived.of(curve.knots())->is_bezier) card.line(ratio_sentence(shown), CardTone::dim);
     const auto name = [](const NamedTriangle& named, core::CellPlace place) { return named.point(place); };
     card.add(triangle_picture(state, {.inside = name, .below = alpha_text}));
+    card.add(numbering_buttons(shown.notation()));
     add_lines(card, shown);
     const core::CellPlace told = told_cell(shown);
     card.line(core::sentence("How {point} is made", {{"point", shown.named().point(told)}}), CardTone::strong);

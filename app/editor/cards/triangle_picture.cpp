@@ -15,19 +15,19 @@ namespace {
 // Design pixels.
 constexpr double largest_cell = 66.0;
 constexpr double cell_height = 26.0;
-constexpr double row_pitch = 44.0;
-constexpr double cell_share = 0.72;  // of a column's pitch
+constexpr double row_pitch = 48.0;
 constexpr double edge = 2.0;
 constexpr double name_size = 14.0;
 constexpr double least_text = 9.0;
 constexpr double below_size = 12.0;
-constexpr double below_distance = 8.0;
+constexpr double below_distance = 10.0;
 constexpr double corner_radius = 6.0;
 constexpr double faded_opacity = 0.3;
 constexpr double text_margin = 3.0;
 
-double width_of_columns(std::size_t degree, double cell) {
-    return cell + static_cast<double>(degree) * cell / cell_share + 2.0 * edge;
+/// How many widths of a cell all columns take.
+double columns_in_cells(std::size_t degree, const CellTexts& texts) {
+    return 1.0 + static_cast<double>(degree) / texts.column_share;
 }
 
 /// One picture while it is drawn.
@@ -42,9 +42,8 @@ class TrianglePainter {
           degree_(triangle_.levels.size() - 1),
           last_level_(shown_level(state.view, static_cast<int>(degree_))) {
         const double width = size_px.x / scale;
-        const double columns = 1.0 + static_cast<double>(degree_) / cell_share;
-        cell_width_ =
-            std::clamp((width - 2.0 * edge) / columns, texts.least_width, std::max(largest_cell, texts.least_width));
+        cell_width_ = std::clamp((width - 2.0 * edge) / columns_in_cells(degree_, texts), texts.least_width,
+                                 std::max(largest_cell, texts.least_width));
     }
 
     CardDrawing draw() {
@@ -61,7 +60,7 @@ class TrianglePainter {
     render::PixelBox box_of(core::CellPlace place) const {
         const auto r = static_cast<double>(place.level);
         const auto j = static_cast<double>(place.index);
-        const glm::dvec2 corner(edge + r * cell_width_ / cell_share, edge + (j + 0.5 * r) * row_pitch);
+        const glm::dvec2 corner(edge + r * cell_width_ / texts_.column_share, edge + (j + 0.5 * r) * row_pitch);
         return {{pen_.px(corner.x), pen_.px(corner.y)},
                 {pen_.px(corner.x + cell_width_), pen_.px(corner.y + cell_height)}};
     }
@@ -141,7 +140,7 @@ class TrianglePainter {
 
 CardPicture triangle_picture(const EditorState& state, CellTexts texts) {
     const auto degree = static_cast<std::size_t>(state.active_curve()->degree());
-    const double least_width = width_of_columns(degree, texts.least_width);
+    const double least_width = columns_in_cells(degree, texts) * texts.least_width + 2.0 * edge;
     return {
         .height = static_cast<double>(degree) * row_pitch + cell_height + 2.0 * edge,
         .draw = [&state, texts = std::move(texts)](

@@ -12,7 +12,8 @@ namespace batten::editor {
 struct CellTexts {
     std::function<std::string(const NamedTriangle& named, core::CellPlace place)> inside;
     std::function<std::string(const NamedTriangle& named, core::CellPlace place)> below;
-    double least_width = 44.0;  ///< of a cell, in design pixels
+    double least_width = 44.0;   ///< of a cell, in design pixels
+    double column_share = 0.72;  ///< how much of a column's pitch its cells take
 };
 
 /// Cells in columns by level, joined by lines the stronger the larger the share; in the colors that the points have on

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double band_width = 10.0;
 constexpr double band_share = 0.45;  // of the color, in the canvas
-constexpr double leg_width = 3.0;
+constexpr double leg_width = 4.5;
 constexpr double outline_width = 2.5;
 constexpr double point_radius = 5.5;
 constexpr double places_of_part = 0.5;  // for each pixel of the picture's width

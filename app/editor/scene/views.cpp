@@ -30,8 +30,8 @@ struct InsetView {
     void (*draw)(CanvasFrame& frame, const render::PixelBox& box);
 };
 
-constexpr std::array views_below{CanvasView{Overlay::halves, draw_halves},
-                                 CanvasView{Overlay::by_insertion, draw_inserted_polygon}};
+constexpr std::array views_below{CanvasView{Overlay::by_insertion, draw_inserted_polygon},
+                                 CanvasView{Overlay::halves, draw_halves}};
 constexpr std::array views_above{CanvasView{Overlay::halves, draw_points_of_halves},
                                  CanvasView{Overlay::blossoms, label_blossoms},
                                  CanvasView{Overlay::triangle, label_construction}};
