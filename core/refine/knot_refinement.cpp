@@ -5,19 +5,13 @@
 #include <utility>
 
 #include "core/curve/detail/boehm.h"
+#include "core/curve/detail/edit_checks.h"
 #include "core/curve/detail/trusted.h"
 #include "core/refine/detail/curve_arrays.h"
 
 namespace batten::core {
 
 namespace {
-
-Result<void> check_place(const KnotVector& knots, double u) {
-    const Interval domain = knots.domain();
-    if (domain.contains(u)) return {};
-    return refuse(
-        {.code = CurveErrorCode::parameter_outside_domain, .value = u, .lower = domain.lower, .upper = domain.upper});
-}
 
 Result<void> check_multiplicity(const KnotVector& knots, double u, std::size_t times, Tears tears) {
     const Interval domain = knots.domain();
@@ -37,7 +31,7 @@ Result<void> check_added(const KnotVector& knots, std::span<const double> added,
     const Interval domain = knots.domain();
     for (std::size_t i = 0; i < added.size(); ++i) {
         const double u = added[i];
-        if (const auto check = check_place(knots, u); !check) return check;
+        if (const auto check = check_in_domain(knots, u); !check) return check;
         if (i > 0 && u == added[i - 1]) continue;
         const bool is_seam = knots.is_periodic() && (u == domain.lower || u == domain.upper);
         const std::size_t times = is_seam ? count(domain.lower) + count(domain.upper) : count(u);

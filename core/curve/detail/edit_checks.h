@@ -34,4 +34,12 @@ inline Result<void> check_parameter_finite(double u) {
     return refuse({.code = CurveErrorCode::parameter_not_finite});
 }
 
+/// Error: parameter_outside_domain.
+inline Result<void> check_in_domain(const KnotVector& knots, double u) {
+    const Interval domain = knots.domain();
+    if (domain.contains(u)) return {};
+    return refuse(
+        {.code = CurveErrorCode::parameter_outside_domain, .value = u, .lower = domain.lower, .upper = domain.upper});
+}
+
 }  // namespace batten::core
