@@ -110,15 +110,19 @@ std::optional<int> least_continuity(const KnotVector& knots) {
     return least;
 }
 
-std::vector<double> greville_abscissae(const KnotVector& knots) {
+double greville_abscissa(const KnotVector& knots, std::size_t i) {
     const std::size_t p = degree_of(knots);
+    // Summed as offsets from the first knot, so that the average of equal knots is that knot and nothing is lost where
+    // the knots are close together and far from zero.
+    double offset = 0.0;
+    for (std::size_t k = 2; k <= p; ++k) offset += knots[i + k] - knots[i + 1];
+    return knots[i + 1] + offset / static_cast<double>(p);
+}
+
+std::vector<double> greville_abscissae(const KnotVector& knots) {
     std::vector<double> abscissae(knots.control_point_count());
     for (std::size_t i = 0; i < abscissae.size(); ++i) {
-        // Summed as offsets from the first knot, so that the average of equal knots is that knot and nothing is lost
-        // where the knots are close together and far from zero.
-        double offset = 0.0;
-        for (std::size_t k = 2; k <= p; ++k) offset += knots[i + k] - knots[i + 1];
-        const double average = knots[i + 1] + offset / static_cast<double>(p);
+        const double average = greville_abscissa(knots, i);
         abscissae[i] = knots.is_periodic() ? knots.into_domain(average) : average;
     }
     return abscissae;

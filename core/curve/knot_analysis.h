@@ -39,7 +39,10 @@ bool is_uniform(const KnotVector& knots);
 /// The least continuity at an interior knot; none when the curve is one polynomial piece.
 std::optional<int> least_continuity(const KnotVector& knots);
 
-/// The Greville abscissae (u_{i+1} + ... + u_{i+p}) / p, one for each control point: where control point i acts most.
+/// The Greville abscissa (u_{i+1} + ... + u_{i+p}) / p of control point i of the unrolled curve: where it acts most.
+double greville_abscissa(const KnotVector& knots, std::size_t i);
+
+/// The Greville abscissae, one for each control point.
 /// For a periodic vector the values of points 0..n-1 of the unrolled curve, brought into the domain.
 std::vector<double> greville_abscissae(const KnotVector& knots);
 
