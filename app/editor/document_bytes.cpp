@@ -10,10 +10,11 @@ namespace {
 // Counts each array once, by where it is.
 class ArrayCount {
   public:
-    void add(const core::Curve& curve) {
-        add(curve.knots().values());
-        add(curve.control_points());
-        add(curve.weights());
+    void add(const core::DocumentCurve& item) {
+        add(item.curve->knots().values());
+        add(item.curve->control_points());
+        add(item.curve->weights());
+        if (item.point_hues != nullptr) add(std::span<const std::uint8_t>(*item.point_hues));
     }
     std::size_t bytes() const { return bytes_; }
 
@@ -32,11 +33,11 @@ class ArrayCount {
 std::size_t bytes_beside(const core::Document& document, const core::Document* other) {
     ArrayCount count;
     if (other != nullptr)
-        for (const core::DocumentCurve& item : other->curves) count.add(*item.curve);
+        for (const core::DocumentCurve& item : other->curves) count.add(item);
     const std::size_t of_other = count.bytes();
     std::size_t entries = 0;
     for (const core::DocumentCurve& item : document.curves) {
-        count.add(*item.curve);
+        count.add(item);
         entries += sizeof(core::DocumentCurve) + item.name.size() + item.unknown_members.size();
     }
     return count.bytes() - of_other + entries;

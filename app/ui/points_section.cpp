@@ -6,6 +6,7 @@
 
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
+#include "app/editor/point_hues.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"
 #include "app/ui/panel_hover.h"
@@ -90,7 +91,8 @@ void draw_name(const PointTable& table, std::size_t i, ImVec2 origin) {
     report_item(context, name, is_selected ? fmt::format("P{} selected", i) : fmt::format("P{}", i));
     const float middle = origin.y + 0.5F * context.px(point_row_height);
     const ImVec2 dot(origin.x + context.px(point_overhang + 8), middle);
-    ImGui::GetWindowDrawList()->AddCircleFilled(dot, context.px(5), imgui_packed(context.theme.point(i)));
+    const std::size_t hue = editor::point_hue(*context.state.shown().active_curve(), i);
+    ImGui::GetWindowDrawList()->AddCircleFilled(dot, context.px(5), imgui_packed(context.theme.point(hue)));
     draw_text(
         context, ImVec2(origin.x + context.px(point_overhang + 20), middle),
         {text, context.fonts.text, 0.0, context.theme.text, render::Anchor::left, context.px(point_name_width - 20)});

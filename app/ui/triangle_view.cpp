@@ -9,6 +9,7 @@
 #include "app/editor/blend_lines.h"
 #include "app/editor/construction_cells.h"
 #include "app/editor/formula.h"
+#include "app/editor/point_hues.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/panel_hover.h"
 #include "app/ui/section.h"
@@ -84,7 +85,8 @@ class TrianglePicture {
 
     render::Color level_color(std::size_t r, std::size_t j) const {
         if (r > 0) return context_.theme.level(r);
-        return context_.theme.point(triangle_.levels[0][j].index % curve_.control_points().size());
+        return context_.theme.point(editor::point_hue(*context_.state.shown().active_curve(),
+                                                      triangle_.levels[0][j].index % curve_.control_points().size()));
     }
 
     /// The two lines into the cell; the larger the share of a point, the stronger its line.

@@ -35,6 +35,8 @@ struct DocumentCurve {
     bool locked = false;
     Tears tears = Tears::refuse;  ///< whether edits may tear the curve
     std::string unknown_members;  ///< members that this version does not know, as a JSON object; empty if none
+    /// Which color of a palette each control point has, where that is not the one of its index; files do not have it.
+    std::shared_ptr<const std::vector<std::uint8_t>> point_hues{};
 };
 
 /// Whether edits may tear the curve of `entry`: where the switch says so, and where it is torn already.

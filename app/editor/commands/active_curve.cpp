@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/editor/hint_text.h"
+#include "app/editor/point_hues.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -42,7 +43,7 @@ Outcome<Edit> edit_active(const EditorState& state, core::Result<core::Curve> cu
                           std::optional<Selection> selection) {
     if (!curve) return tl::unexpected(core::describe(curve.error()));
     Edit edit{state.history.present(), std::move(selection)};
-    edit.document.curves[edit.document.active].curve = std::make_shared<const core::Curve>(*std::move(curve));
+    replace_curve(edit.document.curves[edit.document.active], std::make_shared<const core::Curve>(*std::move(curve)));
     return edit;
 }
 

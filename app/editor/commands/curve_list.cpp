@@ -6,6 +6,7 @@
 
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/formula.h"
+#include "app/editor/point_hues.h"
 #include "core/base/sentence.h"
 #include "core/edit/point_edit.h"
 
@@ -36,6 +37,7 @@ Edit with_parts(const EditorState& state, std::vector<core::Curve> parts) {
     core::FreeNames names(edit.document);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         entries[i].curve = std::make_shared<const core::Curve>(std::move(parts[i]));
+        entries[i].point_hues.reset();
         if (i > 0) entries[i].name = names.take(entries[i].name);
     }
     curves.erase(curves.begin() + active);
@@ -46,7 +48,7 @@ Edit with_parts(const EditorState& state, std::vector<core::Curve> parts) {
 Edit with_one_for_several(const EditorState& state, core::Curve curve, const std::vector<std::size_t>& others) {
     Edit edit{state.history.present(), Selection{}};
     std::vector<core::DocumentCurve>& curves = edit.document.curves;
-    curves[edit.document.active].curve = std::make_shared<const core::Curve>(std::move(curve));
+    replace_curve(curves[edit.document.active], std::make_shared<const core::Curve>(std::move(curve)));
     std::vector<core::DocumentCurve> kept;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         if (std::ranges::binary_search(others, i)) continue;

@@ -226,10 +226,10 @@ bool is_lit(const PlotFrame& frame, std::size_t i) {
 }
 
 Stroke stroke_of(const PlotFrame& frame, std::size_t i) {
-    const render::Color color = frame.theme.point(i);
+    const render::Color color = frame.theme.point(frame.hue(i));
     if (is_lit(frame, i)) return {.color = color, .width = 3.5};
     if (is_active(frame, i)) return {.color = color, .width = 2.25};
-    return {.color = frame.theme.resting_point(i), .width = 1.25};
+    return {.color = frame.theme.resting_point(frame.hue(i)), .width = 1.25};
 }
 
 /// The order in which graphs are drawn: what matters more comes later.
@@ -295,7 +295,7 @@ void draw_basis_numbers(PlotFrame& frame, const std::vector<const BasisGraph*>& 
         const BasisGraph& graph = *graphs[k];
         if (graph.runs.empty()) continue;
         const std::string number = std::to_string(graph.index);
-        const TextStyle style{.color = frame.theme.point_text(graph.index),
+        const TextStyle style{.color = frame.theme.point_text(frame.hue(graph.index)),
                               .size = index_size,
                               .anchor = render::Anchor::center,
                               .font = render::LabelFont::bold};
@@ -312,7 +312,7 @@ void draw_basis_values(PlotFrame& frame) {
     for (std::size_t j = 0; j < values.size(); ++j)
         frame.pen.symbol({frame.x(frame.u), frame.y(values[j])},
                          {.radius = 4.0,
-                          .fill = frame.theme.point(frame.function_of(frame.span, j)),
+                          .fill = frame.theme.point(frame.hue(frame.function_of(frame.span, j))),
                           .outline = frame.theme.panel,
                           .outline_width = 1.5});
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/editor/point_hues.h"
+
 namespace batten::editor {
 
 namespace {
@@ -29,6 +31,10 @@ CanvasFrame::CanvasFrame(const EditorState& shown_state, SceneCache& scene_cache
     const core::Document& document = state.shown();
     kept = &cache.curve(document.active, document.active_curve()->curve);
     curve_line = seen_curve(*this, *kept, {.color = theme.curve, .width = active_curve_width});
+}
+
+std::size_t CanvasFrame::hue(std::size_t i) const {
+    return point_hue(*state.shown().active_curve(), i);
 }
 
 glm::dvec2 CanvasFrame::screen(core::Point world) const {

@@ -51,6 +51,9 @@ struct CanvasFrame {
 
     bool shows(Overlay overlay) const { return state.view.overlays.is_shown(overlay); }
 
+    /// The place in the palette, for Theme::point(), of control point `i` of the active curve.
+    std::size_t hue(std::size_t i) const;
+
     /// The shown_place in the picture.
     glm::dvec2 screen(core::Point world) const;
     std::vector<glm::dvec2> screen(std::span<const core::Point> world) const;

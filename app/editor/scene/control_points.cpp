@@ -35,7 +35,7 @@ void draw_weight_ring(CanvasFrame& frame, glm::dvec2 place, std::size_t i) {
     const auto* ring = std::get_if<HoveredWeightRing>(&frame.state.hover);
     frame.pen.symbol(place, {.radius = *ring_px / frame.pen.px(1.0),
                              .fill = no_color,
-                             .outline = frame.theme.point(i),
+                             .outline = frame.theme.point(frame.hue(i)),
                              .outline_width = ring != nullptr && ring->index == i ? 2.5 : 1.5,
                              .dash = 3.0});
 }
@@ -44,7 +44,8 @@ void draw_control_point(CanvasFrame& frame, glm::dvec2 place, std::size_t i) {
     const bool is_large = is_hovered(frame, i) || is_lit(frame, i);
     const double size = is_large ? hovered_radius : radius;
     frame.pen.symbol(
-        place, {.radius = size, .fill = frame.theme.point(i), .outline = frame.theme.canvas, .outline_width = 2.0});
+        place,
+        {.radius = size, .fill = frame.theme.point(frame.hue(i)), .outline = frame.theme.canvas, .outline_width = 2.0});
     // Just outside of the disc, so that it stays apart from the smallest weight ring.
     if (frame.state.selection.contains_point(i))
         frame.pen.symbol(place,
@@ -58,7 +59,7 @@ void draw_dense_points(CanvasFrame& frame, const ShownPoints& points) {
     for (const auto& [i, place] : points.crowd.shown) {
         const bool is_selected = frame.state.selection.contains_point(i);
         frame.pen.symbol(place, {.radius = points.crowd.radius,
-                                 .fill = is_selected ? frame.theme.accent : frame.theme.point(i),
+                                 .fill = is_selected ? frame.theme.accent : frame.theme.point(frame.hue(i)),
                                  .outline = no_color});
     }
 }

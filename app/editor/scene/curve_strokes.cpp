@@ -27,9 +27,12 @@ void draw_part(CanvasFrame& frame, core::Interval range, const Stroke& stroke) {
 /// What lights up belongs to one point, and has its color, or to a knot or span.
 render::Color glow_color(const CanvasFrame& frame) {
     render::Color color = frame.theme.accent;
-    if (const auto* point = std::get_if<HoveredPoint>(&frame.state.hover)) color = frame.theme.point(point->index);
-    if (const auto* ring = std::get_if<HoveredWeightRing>(&frame.state.hover)) color = frame.theme.point(ring->index);
-    if (const auto* basis = std::get_if<HoveredBasis>(&frame.state.hover)) color = frame.theme.point(basis->index);
+    if (const auto* point = std::get_if<HoveredPoint>(&frame.state.hover))
+        color = frame.theme.point(frame.hue(point->index));
+    if (const auto* ring = std::get_if<HoveredWeightRing>(&frame.state.hover))
+        color = frame.theme.point(frame.hue(ring->index));
+    if (const auto* basis = std::get_if<HoveredBasis>(&frame.state.hover))
+        color = frame.theme.point(frame.hue(basis->index));
     return render::blended(color, 0.35, frame.theme.canvas);
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/editor/point_hues.h"
+
 namespace batten::editor {
 
 namespace {
@@ -27,6 +29,10 @@ PlotFrame::PlotFrame(const EditorState& shown_state, const PlotMode& mode, glm::
       u(shown_state.parameter()),
       span(curve.knots().span_at(u)),
       chosen_knots(chosen(shown_state, mode)) {}
+
+std::size_t PlotFrame::hue(std::size_t i) const {
+    return point_hue(*state.shown().active_curve(), i);
+}
 
 std::size_t PlotFrame::function_of(std::size_t span_index, std::size_t j) const {
     return (span_index - static_cast<std::size_t>(curve.degree()) + j) % curve.control_points().size();

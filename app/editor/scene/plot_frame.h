@@ -28,6 +28,9 @@ struct PlotFrame {
     double x(double parameter) const { return x_from_parameter(layout, parameter); }
     double y(double value) const { return y_from_value(layout, value); }
 
+    /// The place in the palette, for Theme::point(), of function `i` and its control point.
+    std::size_t hue(std::size_t i) const;
+
     /// The basis function of the local point j of `span_index`, a span of the curve.
     std::size_t function_of(std::size_t span_index, std::size_t j) const;
 
