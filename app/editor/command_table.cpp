@@ -20,6 +20,7 @@ CommandTable make_table() {
     add_knot_commands(table);
     add_tear_commands(table);
     add_refinement_commands(table);
+    add_subdivision_commands(table);
     add_piece_commands(table);
     add_closing_commands(table);
     add_document_commands(table);

@@ -28,6 +28,8 @@ TEST(CommandTable, has_the_agreed_commands) {
     for (const char* name : {"insert-knot",
                              "insert-midpoints",
                              "raise-knot",
+                             "refine-midpoints",
+                             "insert-for-bezier",
                              "move-knot",
                              "set-knot",
                              "delete-knot",

@@ -27,6 +27,7 @@ void add_degree_commands(CommandTable& table);
 void add_knot_commands(CommandTable& table);
 void add_tear_commands(CommandTable& table);
 void add_refinement_commands(CommandTable& table);
+void add_subdivision_commands(CommandTable& table);
 void add_piece_commands(CommandTable& table);
 void add_closing_commands(CommandTable& table);
 void add_document_commands(CommandTable& table);

@@ -4,6 +4,7 @@
 
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/insert_at.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/commands/tear_commands.h"
 #include "app/editor/commands/typed_knot.h"
@@ -22,22 +23,8 @@ using core::sentence;
 
 constexpr const char* which_knot = "the number of a knot, counted from 0";
 
-// Selects the last of the knots that equal `u`.
-Selection selection_of_value(const core::Curve& curve, double u) {
-    const std::span<const double> knots = curve.knots().stored();
-    for (std::size_t i = knots.size(); i-- > 0;)
-        if (knots[i] == u) return {{}, i};
-    return {};
-}
-
-Outcome<Edit> insert_at(const EditorState& state, double u) {
-    core::Result<core::Curve> curve = core::insert_knot(active_curve(state), u, 1, tears_of_active(state));
-    const Selection selection = curve ? selection_of_value(*curve, u) : state.selection;
-    return edit_or_tear(state, std::move(curve), selection);
-}
-
 Outcome<Edit> insert_knot(const EditorState& state, const InsertKnot& command) {
-    return insert_at(state, command.u);
+    return insert_knot_at(state, command.u);
 }
 
 StepTexts texts_of_insertion(const EditorState&, const InsertKnot& command, const core::Curve& after) {
@@ -58,7 +45,7 @@ StepTexts texts_of_midpoints(const EditorState& state, const InsertMidpoints&, c
 }
 
 Outcome<Edit> raise_knot(const EditorState& state, const RaiseKnot& command) {
-    return insert_at(state, active_curve(state).knots().stored()[command.index]);
+    return insert_knot_at(state, active_curve(state).knots().stored()[command.index]);
 }
 
 StepTexts texts_of_raising(const EditorState& state, const RaiseKnot& command, const core::Curve& after) {
