@@ -62,7 +62,9 @@ Result<CornerCutting> open_cutting(const Curve& curve, const Place& place) {
     const auto inserted = insert_knot(curve, place.u);
     if (!inserted) return refuse(inserted.error());
     const auto p = static_cast<std::size_t>(curve.degree());
-    CornerCutting cutting{.u = place.u, .multiplicity = static_cast<int>(place.m), .corners = {}, .cuts = {}};
+    CornerCutting cutting{
+        .u = place.u, .multiplicity = static_cast<int>(place.m), .corners = {}, .knots = {}, .cuts = {}};
+    for (std::size_t i = place.k - p; i <= place.k - place.m + p + 1; ++i) cutting.knots.push_back(curve.knots()[i]);
     for (std::size_t i = place.k - p; i <= place.k - place.m; ++i) {
         cutting.corners.push_back({i, curve.control_points()[i], curve.weights()[i]});
         if (i == place.k - p) continue;

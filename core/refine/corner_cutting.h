@@ -33,7 +33,9 @@ struct CornerCutting {
     int multiplicity = 0;            ///< m, below p
     std::vector<OldCorner> corners;  ///< P_{k-p}, ..., P_{k-m}, u_k the last knot that is not above u; all but the
                                      ///< first and the last one go
-    std::vector<LegCut> cuts;        ///< Q_{k-p+1}, ..., Q_{k-m}; cuts[j] is on the leg from corners[j] to [j+1]
+    std::vector<double>
+        knots;  ///< u_{k-p}, ..., u_{k-m+p+1} before the insertion, over which the corners' functions are
+    std::vector<LegCut> cuts;  ///< Q_{k-p+1}, ..., Q_{k-m}; cuts[j] is on the leg from corners[j] to [j+1]
 };
 
 /// What insert_knot(curve, u) does. Errors: parameter_not_finite; parameter_outside_domain; multiplicity_full where m

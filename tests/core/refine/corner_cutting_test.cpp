@@ -38,7 +38,10 @@ void expect_cutting(const Curve& curve, const Curve& refined, const CornerCuttin
     const auto cuts = static_cast<std::size_t>(curve.degree() - cutting.multiplicity);
     ASSERT_EQ(cutting.cuts.size(), cuts);
     ASSERT_EQ(cutting.corners.size(), cuts + 1);
+    ASSERT_EQ(cutting.knots.size(), cuts + static_cast<std::size_t>(curve.degree()) + 2);
     for (std::size_t j = 0; j < cuts; ++j) {
+        EXPECT_EQ(cutting.cuts[j].knots.lower, cutting.knots[j + 1]);
+        EXPECT_EQ(cutting.cuts[j].knots.upper, cutting.knots[j + 1 + static_cast<std::size_t>(curve.degree())]);
         const LegCut& cut = cutting.cuts[j];
         const OldCorner& from = cutting.corners[j];
         const OldCorner& to = cutting.corners[j + 1];
@@ -72,6 +75,7 @@ TEST(CornerCutting, of_the_lecture) {
         EXPECT_NEAR(cutting.cuts[j].point.y, points[j].y, 1e-14);
         EXPECT_EQ(cutting.cuts[j].knots, knots[j]);
     }
+    EXPECT_EQ(cutting.knots, (std::vector<double>{0, 0, 0.2, 0.4, 0.6, 0.8, 1, 1}));
     const std::vector<Point> corners{{6, 6}, {6, 0}, {12, 0}, {12, 6}};
     ASSERT_EQ(cutting.corners.size(), 4u);
     for (std::size_t j = 0; j < 4; ++j) {
