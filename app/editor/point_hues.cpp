@@ -13,7 +13,6 @@ namespace {
 
 using Hues = std::vector<std::uint8_t>;
 
-constexpr std::size_t neighbors = 3;  // on each side; with the point itself fewer than there are colors
 constexpr std::uint8_t no_hue = hue_count;
 
 /// The points of a curve that have to be matched with others.
@@ -40,23 +39,14 @@ std::vector<std::size_t> partners(const Part& few, const Part& many) {
     return chosen;
 }
 
-/// The next color from `start` on that no point near `i` has.
-std::uint8_t free_hue(const Hues& hues, std::size_t i, std::size_t start) {
-    const std::size_t first = i > neighbors ? i - neighbors : 0;
-    const std::size_t end = std::min(hues.size(), i + neighbors + 1);
-    for (std::size_t k = 0; k < hue_count; ++k) {
-        const auto hue = static_cast<std::uint8_t>((start + k) % hue_count);
-        const auto from = hues.begin() + static_cast<std::ptrdiff_t>(first);
-        const auto to = hues.begin() + static_cast<std::ptrdiff_t>(end);
-        if (std::find(from, to, hue) == to) return hue;
-    }
-    return static_cast<std::uint8_t>(start % hue_count);
-}
-
 void fill_gaps(Hues& hues, std::size_t old_count) {
     std::size_t next = old_count;
-    for (std::size_t i = 0; i < hues.size(); ++i)
-        if (hues[i] == no_hue) hues[i] = free_hue(hues, i, next++);
+    for (std::size_t i = 0; i < hues.size(); ++i) {
+        if (hues[i] != no_hue) continue;
+        const std::size_t first = i > hue_neighbors ? i - hue_neighbors : 0;
+        const std::size_t end = std::min(hues.size(), i + hue_neighbors + 1);
+        hues[i] = static_cast<std::uint8_t>(free_hue(std::span(hues).subspan(first, end - first), next++));
+    }
 }
 
 /// The colors of the points of `after`, which came of the curve of `before` and has another number of them.
@@ -86,6 +76,12 @@ Hues hues_after(const core::DocumentCurve& before, const core::Curve& after) {
 }
 
 }  // namespace
+
+std::size_t free_hue(std::span<const std::uint8_t> near, std::size_t start) {
+    for (std::size_t k = 0; k < hue_count; ++k)
+        if (std::ranges::find(near, (start + k) % hue_count) == near.end()) return (start + k) % hue_count;
+    return start % hue_count;
+}
 
 std::size_t point_hue(const core::DocumentCurve& entry, std::size_t i) {
     const bool has_hues = entry.point_hues != nullptr && i < entry.point_hues->size();

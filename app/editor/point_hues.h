@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <span>
 #include <tuple>
 
 #include "app/editor/theme.h"
@@ -11,6 +13,12 @@ namespace batten::editor {
 
 /// How many different colors there are.
 inline constexpr std::size_t hue_count = std::tuple_size_v<decltype(Theme::palette)>;
+
+/// A new point has another color than so many neighbors on each side; with the point itself they are fewer than colors.
+inline constexpr std::size_t hue_neighbors = 3;
+
+/// The first color from `start` on, round the palette, that is not among `near`; `start` where all are.
+std::size_t free_hue(std::span<const std::uint8_t> near, std::size_t start);
 
 /// The place in the palette, for Theme::point(), of control point `i` of the curve; that of its index, until points
 /// came or went.

@@ -84,6 +84,7 @@ void push_step(EditorState& state, const Command& command, Edit& edit) {
         state.history.push(std::move(texts.step), std::move(edit.document));
     state.burst = std::move(edit.burst);
     follow_document(state, before);
+    if (effect == ShapeEffect::keeps) note_insertion(state, before);
     std::vector<std::string> told{done_sentence(texts.done, effect, distances_of(state, ghost, edit))};
     if (edit.remark) told.push_back(*edit.remark);
     if (ghost && command.spec().tells_smoothness)

@@ -52,6 +52,13 @@ struct Ghost {
     double deviation = 0.0;
 };
 
+/// The knot that came in last, once, without changing the shape: how it cut the corners of the polygon stays in sight
+/// as long as the parameter stays where it was.
+struct InsertedKnot {
+    double u = 0.0;
+    double parameter = 0.0;  ///< of the view, then
+};
+
 /// What is told of a command that works beside the interface.
 struct AtWork {
     std::string text;             ///< "Opening wave.json"
@@ -79,6 +86,7 @@ struct EditorState {
     std::optional<core::Document> preview;  ///< what the gesture under way would make
     std::optional<Ghost> ghost;
     Derived derived;                           ///< of the curves that are shown
+    std::optional<InsertedKnot> inserted;      ///< into the active curve
     std::optional<Findings> findings;          ///< of the committed document
     std::optional<LessonRun> lesson;           ///< that is being taken
     std::optional<LessonRecording> recording;  ///< of a lesson, from what is done

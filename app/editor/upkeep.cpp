@@ -1,5 +1,7 @@
 #include "app/editor/upkeep.h"
 
+#include <algorithm>
+
 namespace batten::editor {
 
 namespace {
@@ -69,10 +71,23 @@ void follow_document(EditorState& state, const core::Document& before) {
         before.curves.size() != after.curves.size()) {
         state.selection = {};
         state.view.plot_range.reset();
+        state.inserted.reset();
     } else {
         keep_selection(state.selection, *old_active->curve, *active->curve);
     }
     if (active != nullptr && state.view.level && *state.view.level > active->curve->degree()) state.view.level.reset();
+}
+
+void note_insertion(EditorState& state, const core::Document& before) {
+    const core::DocumentCurve* old_active = before.active_curve();
+    const core::DocumentCurve* active = state.history.present().active_curve();
+    if (old_active == nullptr || active == nullptr || before.active != state.history.present().active) return;
+    const auto old_knots = old_active->curve->knots().stored();
+    const auto knots = active->curve->knots().stored();
+    const bool is_one_more =
+        knots.size() == old_knots.size() + 1 && old_active->curve->degree() == active->curve->degree();
+    if (!is_one_more) return;
+    state.inserted = InsertedKnot{*std::ranges::mismatch(knots, old_knots).in1, state.view.parameter};
 }
 
 }  // namespace batten::editor

@@ -15,4 +15,8 @@ void follow_shown(EditorState& state);
 /// would now mean other points or another knot, and a construction level or zoom of the plot that no longer fits.
 void follow_document(EditorState& state, const core::Document& before);
 
+/// To be called after an edit that keeps the shape, with the document before it: remembers the one knot that came into
+/// the active curve, if that is what happened.
+void note_insertion(EditorState& state, const core::Document& before);
+
 }  // namespace batten::editor

@@ -8,16 +8,12 @@
 #include "app/editor/commands/refinement_commands.h"
 #include "core/refine/bezier_form.h"
 #include "core/refine/knot_insertion.h"
-#include "sample_editor.h"
+#include "lecture_insertion.h"
 
 namespace batten::editor {
 namespace {
 
 using Hues = std::vector<std::size_t>;
-
-const char* lecture_text = R"({ "format": "batten", "version": 1, "curves": [
-  { "name": "lecture", "degree": 3, "knots": [0,0,0,0,0.2,0.4,0.6,0.8,1,1,1,1],
-    "points": [[0,0],[0,6],[6,6],[6,0],[12,0],[12,6],[18,6],[18,0]] } ] })";
 
 Hues hues_of(const core::DocumentCurve& entry) {
     Hues hues;
@@ -33,7 +29,7 @@ core::DocumentCurve entry_of(std::shared_ptr<const core::Curve> curve) {
 
 class PointHues : public ::testing::Test {
   protected:
-    void SetUp() override { open_text(editor_, lecture_text); }
+    void SetUp() override { test::open_lecture_insertion(editor_); }
     Hues hues() const { return hues_of(*editor_.state().shown().active_curve()); }
 
     Editor editor_;
