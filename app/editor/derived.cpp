@@ -5,6 +5,8 @@
 
 #include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
+#include "core/measure/polygon_distance.h"
+#include "core/refine/knot_insertion.h"
 
 namespace batten::editor {
 
@@ -52,6 +54,24 @@ double large_curvature_of(const core::Curve& curve) {
     return *rank;
 }
 
+std::vector<PolygonRound> rounds_of(const core::Curve& curve) {
+    constexpr std::size_t most_points = 1000;
+    constexpr std::size_t most_refined_points = 400;
+    constexpr std::size_t most_rounds = 3;
+    std::vector<PolygonRound> rounds;
+    if (curve.control_points().size() > most_points) return rounds;
+    rounds.push_back({std::make_shared<const core::Curve>(curve), core::polygon_distance(curve)});
+    while (rounds.size() <= most_rounds) {
+        const core::Curve& last = *rounds.back().curve;
+        if (last.control_points().size() + core::segment_count(last.knots()) > most_refined_points) break;
+        auto refined = core::insert_midpoint_knots(last);
+        if (!refined || refined->control_points().size() == last.control_points().size()) break;
+        const double distance = core::polygon_distance(*refined);
+        rounds.push_back({std::make_shared<const core::Curve>(*std::move(refined)), distance});
+    }
+    return rounds;
+}
+
 }  // namespace
 
 bool share_arrays(const core::KnotVector& a, const core::KnotVector& b) {
@@ -62,6 +82,10 @@ bool share_arrays(const core::KnotVector& a, const core::KnotVector& b) {
 bool share_arrays(const core::Curve& a, const core::Curve& b) {
     return a.control_points().data() == b.control_points().data() && a.weights().data() == b.weights().data() &&
            share_arrays(a.knots(), b.knots());
+}
+
+std::shared_ptr<const std::vector<PolygonRound>> Derived::polygon_rounds(const core::Curve& curve) const {
+    return polygon_rounds_.of(curve, rounds_of);
 }
 
 std::shared_ptr<const KnotFacts> Derived::of(const core::KnotVector& knots) const {

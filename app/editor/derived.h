@@ -29,6 +29,12 @@ struct KnotFacts {
     bool is_torn() const { return least_continuity && *least_continuity < 0; }
 };
 
+/// The control polygon after so many rounds of midpoint insertion, and a bound of its distance from the curve.
+struct PolygonRound {
+    std::shared_ptr<const core::Curve> curve;
+    double distance = 0.0;
+};
+
 struct CurveFacts {
     core::Box control_box;
     double size = 0.0;  ///< the longer side of the box
@@ -46,6 +52,10 @@ class Derived {
     /// Cost as PlotBasis says when first asked for.
     std::shared_ptr<const PlotBasis> plot_basis(const core::KnotVector& knots) const;
 
+    /// The present polygon and those of up to three rounds more, as long as they have few hundred points; none of a
+    /// curve of very many points.
+    std::shared_ptr<const std::vector<PolygonRound>> polygon_rounds(const core::Curve& curve) const;
+
     /// The curvature that nine tenths of the curve stay below; 0 for a straight line. Of very many spans some are
     /// measured.
     double large_curvature(const core::Curve& curve) const;
@@ -58,6 +68,7 @@ class Derived {
     Kept<core::Curve, CurveFacts, share_arrays> of_curves_;
     Kept<core::KnotVector, PlotBasis, share_arrays> plot_bases_;
     Kept<core::Curve, double, share_arrays> large_curvatures_;
+    Kept<core::Curve, std::vector<PolygonRound>, share_arrays> polygon_rounds_;
     KeptBeside<core::Curve, core::NearParts> near_parts_;
 };
 

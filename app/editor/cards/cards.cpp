@@ -7,9 +7,12 @@
 #include "app/editor/cards/basis_derivatives_card.h"
 #include "app/editor/cards/basis_pieces_card.h"
 #include "app/editor/cards/basis_values_card.h"
+#include "app/editor/cards/bezier_points_card.h"
 #include "app/editor/cards/blossoms_card.h"
 #include "app/editor/cards/by_insertion_card.h"
+#include "app/editor/cards/corner_cutting_card.h"
 #include "app/editor/cards/halves_card.h"
+#include "app/editor/cards/polygon_distance_card.h"
 #include "app/editor/cards/recurrence_card.h"
 #include "app/editor/cards/triangle_card.h"
 
@@ -21,6 +24,9 @@ constexpr std::array sources{CardSource{Overlay::triangle, triangle_card},
                              CardSource{Overlay::halves, halves_card},
                              CardSource{Overlay::by_insertion, by_insertion_card},
                              CardSource{Overlay::blossoms, blossoms_card},
+                             CardSource{Overlay::corner_cutting, corner_cutting_card},
+                             CardSource{Overlay::polygon_distance, polygon_distance_card},
+                             CardSource{Overlay::bezier_points, bezier_points_card},
                              CardSource{Overlay::recurrence, recurrence_card},
                              CardSource{Overlay::basis_pieces, basis_pieces_card},
                              CardSource{Overlay::basis_values, basis_values_card},

@@ -3,11 +3,14 @@
 #include <array>
 
 #include "app/editor/scene/basis_areas.h"
+#include "app/editor/scene/bezier_points_scene.h"
 #include "app/editor/scene/construction_views.h"
+#include "app/editor/scene/corner_cutting_scene.h"
 #include "app/editor/scene/halves.h"
 #include "app/editor/scene/hodograph_inset.h"
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/piece_graphs.h"
+#include "app/editor/scene/polygon_distance_scene.h"
 #include "app/editor/scene/rational_graphs.h"
 #include "app/editor/scene/recurrence_lines.h"
 
@@ -30,15 +33,19 @@ struct InsetView {
     void (*draw)(CanvasFrame& frame, const render::PixelBox& box);
 };
 
-constexpr std::array views_below{CanvasView{Overlay::by_insertion, draw_inserted_polygon},
-                                 CanvasView{Overlay::halves, draw_halves}};
-constexpr std::array views_above{CanvasView{Overlay::halves, draw_points_of_halves},
-                                 CanvasView{Overlay::blossoms, label_blossoms},
-                                 CanvasView{Overlay::triangle, label_construction}};
+constexpr std::array views_below{
+    CanvasView{Overlay::by_insertion, draw_inserted_polygon}, CanvasView{Overlay::halves, draw_halves},
+    CanvasView{Overlay::corner_cutting, draw_cut_corners}, CanvasView{Overlay::polygon_distance, draw_polygon_rounds},
+    CanvasView{Overlay::bezier_points, draw_bezier_points}};
+constexpr std::array views_above{
+    CanvasView{Overlay::halves, draw_points_of_halves}, CanvasView{Overlay::blossoms, label_blossoms},
+    CanvasView{Overlay::triangle, label_construction}, CanvasView{Overlay::corner_cutting, draw_corner_cutting},
+    CanvasView{Overlay::polygon_distance, draw_polygon_distances}};
 constexpr std::array<PlotView, 0> plot_views_below{};
 constexpr std::array plot_views_above{
     PlotView{Overlay::basis_values, draw_basis_areas}, PlotView{Overlay::rational_basis, draw_rational_graphs},
-    PlotView{Overlay::basis_pieces, draw_piece_graphs}, PlotView{Overlay::recurrence, draw_recurrence_lines}};
+    PlotView{Overlay::basis_pieces, draw_piece_graphs}, PlotView{Overlay::recurrence, draw_recurrence_lines},
+    PlotView{Overlay::corner_cutting, draw_cut_functions}};
 constexpr std::array insets{InsetView{Overlay::hodograph, draw_hodograph_inset}};
 
 template <class Frame, class Views>
