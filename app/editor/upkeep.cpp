@@ -84,10 +84,10 @@ void note_insertion(EditorState& state, const core::Document& before) {
     if (old_active == nullptr || active == nullptr || before.active != state.history.present().active) return;
     const auto old_knots = old_active->curve->knots().stored();
     const auto knots = active->curve->knots().stored();
-    const bool is_one_more =
-        knots.size() == old_knots.size() + 1 && old_active->curve->degree() == active->curve->degree();
-    if (!is_one_more) return;
-    state.inserted = InsertedKnot{*std::ranges::mismatch(knots, old_knots).in1, state.view.parameter};
+    if (knots.size() == old_knots.size()) return;
+    state.inserted.reset();
+    if (knots.size() == old_knots.size() + 1 && old_active->curve->degree() == active->curve->degree())
+        state.inserted = InsertedKnot{*std::ranges::mismatch(knots, old_knots).in1, state.view.parameter};
 }
 
 }  // namespace batten::editor

@@ -16,7 +16,7 @@ void follow_shown(EditorState& state);
 void follow_document(EditorState& state, const core::Document& before);
 
 /// To be called after an edit that keeps the shape, with the document before it: remembers the one knot that came into
-/// the active curve, if that is what happened.
+/// the active curve, if that is what happened; several knots are no insertion to be shown.
 void note_insertion(EditorState& state, const core::Document& before);
 
 }  // namespace batten::editor

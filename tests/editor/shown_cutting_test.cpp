@@ -82,6 +82,12 @@ TEST_F(ShownCuttings, goes_with_undo_and_comes_with_redo) {
     EXPECT_TRUE(shown().has_happened);
 }
 
+TEST_F(ShownCuttings, is_none_of_several_knots) {
+    ASSERT_TRUE(editor_.run(InsertKnot{.u = 0.5}));
+    ASSERT_TRUE(editor_.run(InsertMidpoints{}));
+    EXPECT_FALSE(editor_.state().inserted);
+}
+
 TEST_F(ShownCuttings, does_not_take_added_points_for_insertions) {
     ASSERT_TRUE(run_typed(editor_, "add-point 4 9 3")) << editor_.state().message.text;
     EXPECT_FALSE(editor_.state().inserted);
