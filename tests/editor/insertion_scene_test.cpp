@@ -73,6 +73,26 @@ TEST_F(InsertionScene, keeps_colors_and_places_through_the_insertion) {
         EXPECT_EQ(marks[0].fill, old_marks[0].fill);
     }
     EXPECT_TRUE(test::has_text(list_after, "α = 5/6"));
+    // The corners that went have their old names; the first corner has the same one, the last one another.
+    for (const char* name : {"(P_{3})", "(P_{4})", "(P_{5})"}) EXPECT_TRUE(test::has_text(list_after, name)) << name;
+    EXPECT_FALSE(test::has_text(list_after, "(P_{2})"));
+    EXPECT_TRUE(test::overlapping_labels(list_after).empty());
+}
+
+TEST_F(InsertionScene, tells_the_place_on_the_leg_that_weights_make) {
+    ASSERT_TRUE(editor_.run(SetWeight{.index = 3, .weight = 2.0}));
+    // 5/6 2 / (1/6 + 5/6 2) = 10/11
+    EXPECT_TRUE(test::has_text(test::canvas_picture(state_with(Overlay::corner_cutting), CanvasIdle{}),
+                               "α = 5/6, at 10/11 of the leg"));
+}
+
+TEST_F(InsertionScene, slides_with_the_parameter) {
+    ASSERT_TRUE(editor_.run(SetParameter{.u = 0.45}));
+    const EditorState state = state_with(Overlay::corner_cutting);
+    const auto list = test::canvas_picture(state, CanvasIdle{});
+    // α_3 = 0.45/0.6, on the leg from (6, 6) to (6, 0).
+    EXPECT_EQ(diamonds_near(list, place_of(state, {6, 1.5})).size(), 1u);
+    EXPECT_TRUE(test::has_text(list, "α = 3/4"));
 }
 
 TEST_F(InsertionScene, draws_the_functions_on_the_other_side) {

@@ -184,9 +184,11 @@ Card corner_cutting_card(const EditorState& state) {
     else
         add_table(card, text, *shown);
     add_deviation(card, state, *shown);
-    card.line(shown->has_happened ? "The ghost is the polygon before; dashed in the plot are the functions before."
-                                  : "Drag u, and the new points slide along their legs; dashed in the plot are the "
-                                    "functions after the insertion.",
+    card.line(shown->has_happened
+                  ? "The ghost is the polygon before, with its names in parentheses, which the formulas use; "
+                    "dashed in the plot are the functions before."
+                  : "Drag u, and the new points slide along their legs; dashed in the plot are the "
+                    "functions after the insertion.",
               CardTone::dim);
     card.add(buttons_of(state, *shown));
     return card;

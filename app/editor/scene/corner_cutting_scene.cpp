@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/editor/shown_cutting.h"
+#include "core/base/sentence.h"
 #include "core/evaluate/basis.h"
 
 namespace batten::editor {
@@ -18,6 +20,7 @@ constexpr double new_point_radius = 6.0;
 constexpr double ghost_radius = 5.0;
 constexpr double name_size = 15.0;
 constexpr double alpha_size = 15.0;
+constexpr double old_name_size = 13.0;
 constexpr std::size_t most_labels_at_all_costs = 5;  // more of them give way to one another
 constexpr double function_width = 2.0;
 constexpr double sample_spacing_px = 4.0;
@@ -60,21 +63,41 @@ void draw_new_points(CanvasFrame& frame, const ShownCutting& shown) {
                                                                      .outline_width = 1.5});
 }
 
+/// "α = 1/2", and where on the leg that is in the plane, if weights make it another place.
+std::string alpha_text(const Notation& notation, const core::LegCut& cut) {
+    constexpr double same_place = 1e-9;
+    const core::Place alpha("alpha", exact_text(notation, cut.alpha, 3));
+    if (std::abs(cut.leg_share - cut.alpha) <= same_place) return core::sentence("α = {alpha}", {alpha});
+    return core::sentence("α = {alpha}, at {share} of the leg",
+                          {alpha, {"share", exact_text(notation, cut.leg_share, 3)}});
+}
+
 void wish_names(CanvasFrame& frame, const ShownCutting& shown) {
     const auto& cuts = shown.cutting.cuts;
-    for (std::size_t j = 0; j < cuts.size(); ++j) {
-        const std::string alpha = exact_text(frame.state.view.notation, cuts[j].alpha, 3);
-        frame.labels.push_back(
-            {.place = frame.screen(cuts[j].point),
-             .words = {{fmt::format("Q_{{{}}}", cuts[j].i),
-                        {.color = frame.theme.point_text(shown.cut_hues[j]),
-                         .size = name_size,
-                         .font = render::LabelFont::bold}},
-                       {fmt::format("α = {}", alpha), {.color = frame.theme.text, .size = alpha_size}}},
-             .distance = 11.0,
-             .first = LabelSide::lower_right,
-             .crowding = cuts.size() <= most_labels_at_all_costs ? Crowding::cover_symbols : Crowding::leave_out});
-    }
+    const bool is_few = cuts.size() <= most_labels_at_all_costs;
+    for (std::size_t j = 0; j < cuts.size(); ++j)
+        frame.labels.push_back({.place = frame.screen(cuts[j].point),
+                                .words = {{fmt::format("Q_{{{}}}", cuts[j].i),
+                                           {.color = frame.theme.point_text(shown.cut_hues[j]),
+                                            .size = name_size,
+                                            .font = render::LabelFont::bold}},
+                                          {alpha_text(frame.state.view.notation, cuts[j]),
+                                           {.color = frame.theme.text, .size = alpha_size}}},
+                                .distance = 11.0,
+                                .first = LabelSide::lower_right,
+                                .crowding = is_few ? Crowding::cover_symbols : Crowding::leave_out});
+}
+
+/// What the corners were called before, in parentheses, where the points now have other names.
+void wish_old_names(CanvasFrame& frame, const ShownCutting& shown) {
+    const auto& corners = shown.cutting.corners;
+    for (std::size_t j = 1; j < corners.size(); ++j)
+        frame.labels.push_back({.place = frame.screen(corners[j].point),
+                                .words = {{fmt::format("(P_{{{}}})", corners[j].index),
+                                           {.color = frame.theme.dim, .size = old_name_size}}},
+                                .distance = 10.0,
+                                .first = LabelSide::lower_right,
+                                .crowding = Crowding::leave_out});
 }
 
 /// Functions over a few knots, numbered from the first one.
@@ -168,6 +191,7 @@ void draw_corner_cutting(CanvasFrame& frame) {
                        {.color = frame.theme.accent, .width = new_polygon_width});
     draw_new_points(frame, *shown);
     wish_names(frame, *shown);
+    if (shown->has_happened) wish_old_names(frame, *shown);
 }
 
 void draw_cut_functions(PlotFrame& frame) {

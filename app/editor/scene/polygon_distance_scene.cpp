@@ -1,6 +1,7 @@
 #include "app/editor/scene/polygon_distance_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "app/editor/formula.h"
@@ -42,13 +43,16 @@ std::vector<Gap> gaps_of(const core::Curve& curve) {
 }
 
 void wish_length(CanvasFrame& frame, const Gap& gap) {
-    const glm::dvec2 middle = 0.5 * (frame.screen(gap.corner) + frame.screen(gap.on_curve));
+    const glm::dvec2 from = frame.screen(gap.corner);
+    const glm::dvec2 to = frame.screen(gap.on_curve);
+    const bool is_steep = std::abs(to.y - from.y) >= std::abs(to.x - from.x);
+    const glm::dvec2 middle = 0.5 * (from + to);
     frame.labels.push_back(
         {.place = middle,
          .words = {{number_text(gap.length()),
                     {.color = frame.theme.error, .size = label_size, .font = render::LabelFont::bold}}},
-         .distance = 8.0,
-         .first = LabelSide::right,
+         .distance = 12.0,
+         .first = is_steep ? LabelSide::right : LabelSide::below,
          .crowding = Crowding::cover_symbols});
 }
 
