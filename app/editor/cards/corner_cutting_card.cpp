@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/knot_commands.h"
@@ -29,7 +31,9 @@ class CuttingText {
         : notation_(state.view.notation),
           shown_(shown),
           curve_(*state.shown().active_curve()->curve),
-          is_rational_(curve_.is_rational()) {}
+          has_weights_(std::ranges::any_of(shown.cutting.corners, [&](const core::OldCorner& corner) {
+              return corner.weight != shown.cutting.corners.front().weight;
+          })) {}
 
     std::string number(double value) const { return exact_text(notation_, value); }
 
@@ -64,7 +68,7 @@ class CuttingText {
     std::string blend(std::size_t j) const {
         const core::LegCut& cut = shown_.cutting.cuts[j];
         const auto weighted = [&](const std::string& name, const std::string& index) {
-            return is_rational_ ? fmt::format("w_{{{}}} {}", index, name) : name;
+            return has_weights_ ? fmt::format("w_{{{}}} {}", index, name) : name;
         };
         const std::string from = weighted(corner(j), std::to_string(shown_.cutting.corners[j].index));
         const std::string to = weighted(corner(j + 1), std::to_string(shown_.cutting.corners[j + 1].index));
@@ -106,7 +110,8 @@ class CuttingText {
         return HoveredLeg{shown_.cutting.corners[j].index};
     }
 
-    bool is_rational() const { return is_rational_; }
+    /// Whether the weights differ where corners are cut; else they do not matter.
+    bool has_weights() const { return has_weights_; }
 
   private:
     std::string in_difference(double value) const {
@@ -117,7 +122,7 @@ class CuttingText {
     const Notation& notation_;
     const ShownCutting& shown_;
     const core::Curve& curve_;
-    bool is_rational_;
+    bool has_weights_;
 };
 
 void add_formulas(Card& card, const CuttingText& text, const ShownCutting& shown) {
@@ -125,7 +130,7 @@ void add_formulas(Card& card, const CuttingText& text, const ShownCutting& shown
         card.add(CardLine{{.text = text.blend(j), .tone = CardTone::strong, .hover = text.hover(j)}, true});
         card.add(CardLine{{.text = text.alpha(j), .tone = CardTone::dim, .hover = text.hover(j)}, true});
         card.add(CardLine{{.text = text.alpha_numbers(j), .tone = CardTone::dim, .hover = text.hover(j)}, true});
-        if (!text.is_rational()) continue;
+        if (!text.has_weights()) continue;
         card.add(CardLine{{.text = text.weight(j), .tone = CardTone::dim, .hover = text.hover(j)}, true});
         card.line(text.share(j), CardTone::dim);
     }

@@ -75,17 +75,20 @@ std::string alpha_text(const Notation& notation, const core::LegCut& cut) {
 void wish_names(CanvasFrame& frame, const ShownCutting& shown) {
     const auto& cuts = shown.cutting.cuts;
     const bool is_few = cuts.size() <= most_labels_at_all_costs;
+    std::vector<WishedLabel> names;
     for (std::size_t j = 0; j < cuts.size(); ++j)
-        frame.labels.push_back({.place = frame.screen(cuts[j].point),
-                                .words = {{fmt::format("Q_{{{}}}", cuts[j].i),
-                                           {.color = frame.theme.point_text(shown.cut_hues[j]),
-                                            .size = name_size,
-                                            .font = render::LabelFont::bold}},
-                                          {alpha_text(frame.state.view.notation, cuts[j]),
-                                           {.color = frame.theme.text, .size = alpha_size}}},
-                                .distance = 11.0,
-                                .first = LabelSide::lower_right,
-                                .crowding = is_few ? Crowding::cover_symbols : Crowding::leave_out});
+        names.push_back({.place = frame.screen(cuts[j].point),
+                         .words = {{fmt::format("Q_{{{}}}", cuts[j].i),
+                                    {.color = frame.theme.point_text(shown.cut_hues[j]),
+                                     .size = name_size,
+                                     .font = render::LabelFont::bold}},
+                                   {alpha_text(frame.state.view.notation, cuts[j]),
+                                    {.color = frame.theme.text, .size = alpha_size}}},
+                         .distance = 11.0,
+                         .first = LabelSide::lower_right,
+                         .crowding = is_few ? Crowding::cover_symbols : Crowding::leave_out});
+    // What was wished for below matters less.
+    frame.labels.insert(frame.labels.begin(), names.begin(), names.end());
 }
 
 /// What the corners were called before, in parentheses, where the points now have other names.
