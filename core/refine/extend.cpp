@@ -22,10 +22,6 @@ Result<void> check_added_length(double length) {
     return refuse({.code = CurveErrorCode::length_not_positive, .value = length});
 }
 
-double end_of(const Curve& curve, CurveEnd end) {
-    return end == CurveEnd::start ? curve.domain().lower : curve.domain().upper;
-}
-
 double moved_out(double u, CurveEnd end, double by) {
     return end == CurveEnd::start ? u - by : u + by;
 }
@@ -40,14 +36,14 @@ Result<Curve> with_end_at(const Curve& curve, CurveEnd end, double u) {
 
 // The curve over a longer domain, or that it runs out of positive weights.
 Result<Curve> longer_if_possible(const Curve& curve, CurveEnd end, double by) {
-    const double old = end_of(curve, end);
+    const double old = parameter_of(curve.domain(), end);
     const double target = moved_out(old, end, by);
     if (target == old) return refuse({.code = CurveErrorCode::range_empty, .lower = old, .upper = target});
     return with_end_at(curve, end, target);
 }
 
 double speed_at(const Curve& curve, CurveEnd end) {
-    return length(derivatives_at(curve, end_of(curve, end), 1)[1]);
+    return length(derivatives_at(curve, parameter_of(curve.domain(), end), 1)[1]);
 }
 
 // No finer than lengths are measured.
@@ -69,8 +65,8 @@ double length_over(const Curve& curve, Interval range) {
 
 // The arc length that is added at `end` to make `longer` of `curve`.
 double added_length(const Curve& curve, const Curve& longer, CurveEnd end) {
-    const double old = end_of(curve, end);
-    const double tip = end_of(longer, end);
+    const double old = parameter_of(curve.domain(), end);
+    const double tip = parameter_of(longer.domain(), end);
     return length_over(longer, {std::min(old, tip), std::max(old, tip)});
 }
 
@@ -136,8 +132,8 @@ Result<Curve> extend_parameter(const Curve& curve, CurveEnd end, double by) {
 Result<Curve> extend_length(const Curve& curve, CurveEnd end, double length) {
     if (const auto check = check_added_length(length); !check) return refuse(check.error());
     if (curve.is_periodic()) return refuse({.code = CurveErrorCode::curve_periodic});
-    if (!curvature_at(curve, end_of(curve, end)))
-        return refuse({.code = CurveErrorCode::curve_stands_still, .value = end_of(curve, end)});
+    if (!curvature_at(curve, parameter_of(curve.domain(), end)))
+        return refuse({.code = CurveErrorCode::curve_stands_still, .value = parameter_of(curve.domain(), end)});
     return longer_by(curve, end, length);
 }
 
@@ -145,7 +141,7 @@ Result<Curve> extend_straight(const Curve& curve, CurveEnd end, double length) {
     if (const auto check = check_added_length(length); !check) return refuse(check.error());
     const auto clamped = clamp(curve, end);
     if (!clamped) return refuse(clamped.error());
-    const double old = end_of(curve, end);
+    const double old = parameter_of(curve.domain(), end);
     const auto tangent = tangent_at(*clamped, old);
     if (!tangent) return refuse({.code = CurveErrorCode::curve_stands_still, .value = old});
     double speed = speed_at(*clamped, end);

@@ -1,7 +1,6 @@
 #include "core/refine/join.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -193,23 +192,16 @@ Result<void> check_open(const Curve& curve) {
     return {};
 }
 
-double parameter_of(const Curve& curve, CurveEnd end) {
-    return end == CurveEnd::start ? curve.domain().lower : curve.domain().upper;
-}
-
 }  // namespace
 
 JoinedEnds nearest_ends(const Curve& first, const Curve& second) {
-    constexpr std::array choices{JoinedEnds{CurveEnd::end, CurveEnd::start}, JoinedEnds{CurveEnd::start, CurveEnd::end},
-                                 JoinedEnds{CurveEnd::end, CurveEnd::end},
-                                 JoinedEnds{CurveEnd::start, CurveEnd::start}};
     const double rounding = rounding_of(first) + rounding_of(second);
     const auto gap = [&](JoinedEnds ends) {
-        return robust_length(point_at(second, parameter_of(second, ends.second)) -
-                             point_at(first, parameter_of(first, ends.first)));
+        return robust_length(point_at(second, parameter_of(second.domain(), ends.second)) -
+                             point_at(first, parameter_of(first.domain(), ends.first)));
     };
-    JoinedEnds nearest = choices.front();
-    for (const JoinedEnds& ends : choices)
+    JoinedEnds nearest = all_joined_ends.front();
+    for (const JoinedEnds& ends : all_joined_ends)
         if (gap(ends) < gap(nearest) - rounding) nearest = ends;
     return nearest;
 }

@@ -21,14 +21,6 @@ struct Names<JoinContinuity> {
                                       Named{JoinContinuity::g2, "G2", "G2"}};
 };
 
-/// The ends of two curves that are joined.
-struct JoinedEnds {
-    CurveEnd first = CurveEnd::end;
-    CurveEnd second = CurveEnd::start;
-
-    bool operator==(const JoinedEnds&) const = default;
-};
-
 /// What two curves are to each other where they meet or shall meet, run through from the one into the other.
 struct Meeting {
     double gap = 0.0;                ///< distance of the points
