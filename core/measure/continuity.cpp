@@ -16,6 +16,9 @@ namespace {
 
 constexpr int derivative_count = 2;
 
+// Of a derivative, relative: some operations more than its degree has.
+constexpr double rounding_of_values = 64.0 * std::numeric_limits<double>::epsilon();
+
 // What can be said of the curve on one side of a joint.
 struct OneSide {
     Jet jet;
@@ -47,44 +50,79 @@ std::array<double, derivative_count + 1> noise_of_derivatives(const Curve& curve
     return noise;
 }
 
+// The piece of the span in which `u` lies alone: what lies elsewhere costs nothing.
+Curve piece_at(const Curve& curve, double u, Side side) {
+    const SpanKnots at = located(curve.knots(), u, side).at;
+    const auto knots = at.knots.subspan(at.s - at.p, 2 * at.p + 2);
+    std::vector<Point> points;
+    std::vector<double> weights;
+    for (std::size_t i = at.s - at.p; i <= at.s; ++i) {
+        points.push_back(curve.control_points()[i % curve.control_points().size()]);
+        weights.push_back(curve.weights()[i % curve.weights().size()]);
+    }
+    return Curve::make({.degree = curve.degree(),
+                        .knots = {knots.begin(), knots.end()},
+                        .points = std::move(points),
+                        .weights = std::move(weights),
+                        .tears = Tears::allow})
+        .value();
+}
+
+// The side as it is run through the other way.
+OneSide turned(OneSide side) {
+    side.jet.derivatives[0] = -side.jet.derivatives[0];
+    if (side.tangent) side.tangent = -*side.tangent;
+    if (side.curvature) side.curvature = -*side.curvature;
+    return side;
+}
+
 class JointMeter {
   public:
-    JointMeter(const Curve& curve, const ContinuityTolerances& tolerances)
-        : tolerances_(tolerances), curve_(seen_from(curve, middle_of(curve))) {
+    JointMeter(const Box& box, const ContinuityTolerances& tolerances)
+        : tolerances_(tolerances),
+          origin_(middle(box.lower, box.upper)),
+          size_(robust_length(seen_from(box.upper, origin_) - seen_from(box.lower, origin_))),
+          rounding_(
+              2.0 * std::numeric_limits<double>::epsilon() *
+              std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.upper.x), std::abs(box.upper.y)})) {
         assert(tolerances.position >= 0.0 && tolerances.derivative >= 0.0);
         assert(tolerances.angle >= 0.0 && tolerances.curvature >= 0.0);
-        const Box box = control_box(curve_);
-        size_ = robust_length(box.size());
-        for (const Point& point : curve.control_points())
-            rounding_ = std::max({rounding_, std::abs(point.x), std::abs(point.y)});
-        rounding_ *= 2.0 * std::numeric_limits<double>::epsilon();
     }
 
-    JointContinuity measure(JointKind kind, double before, double after) const {
-        const OneSide left = look(before, Side::left);
-        const OneSide right = look(after, Side::right);
-        JointContinuity joint{.kind = kind, .u = after, .angle = std::nullopt};
+    OneSide look(const Curve& curve, double u, Side side) const {
+        const Curve piece = seen_from(piece_at(curve, u, side), origin_);
+        const double inside = curve.knots().into_domain(u, side);
+        OneSide view;
+        view.jet = derivatives_at(piece, inside, derivative_count, side);
+        view.noise = noise_of_derivatives(piece, rounding_, inside, side);
+        view.tangent = tangent_at(piece, inside, side);
+        view.curvature = curvature_at(piece, inside, side);
+        return view;
+    }
+
+    JointContinuity measure(JointKind kind, double u, const OneSide& left, const OneSide& right) const {
+        JointContinuity joint{.kind = kind, .u = u, .left = seen(left), .right = seen(right), .angle = std::nullopt};
         joint.position.size = robust_length(right.jet.point - left.jet.point);
         joint.position.relative = size_ > 0.0 ? joint.position.size / size_ : 0.0;
+        joint.position.rounding = 2.0 * rounding_;
         joint.first = jump(left, right, 1);
         joint.second = jump(left, right, 2);
         if (left.tangent && right.tangent) joint.angle = angle_between(*left.tangent, *right.tangent);
         joint.before = left.curvature;
         joint.after = right.curvature;
-        const bool meets = joint.position.size <= tolerances_.position * size_ + left.noise[0] + right.noise[0];
-        joint.parametric = meets ? parametric_level(joint, left, right) : -1;
+        const bool meets = is_near(joint.position.size);
+        joint.parametric = meets ? parametric_level(joint) : -1;
         joint.geometric = meets ? geometric_level(joint) : -1;
         return joint;
     }
 
+    bool meet(Point a, Point b) const { return is_near(robust_length(b - a)); }
+
   private:
-    OneSide look(double u, Side side) const {
-        OneSide view;
-        view.jet = derivatives_at(curve_, u, derivative_count, side);
-        view.noise = noise_of_derivatives(curve_, rounding_, u, side);
-        view.tangent = tangent_at(curve_, u, side);
-        view.curvature = curvature_at(curve_, u, side);
-        return view;
+    bool is_near(double distance) const { return distance <= tolerances_.position * size_ + 2.0 * rounding_; }
+
+    JointSide seen(const OneSide& side) const {
+        return {side.jet.point + vector_to(origin_), side.jet[1], side.jet[2]};
     }
 
     static Jump jump(const OneSide& left, const OneSide& right, std::size_t order) {
@@ -92,16 +130,15 @@ class JointMeter {
         const Vector b = right.jet[order];
         const double size = robust_length(b - a);
         const double larger = std::max(robust_length(a), robust_length(b));
-        return {size, size > 0.0 ? size / larger : 0.0};
+        return {size, size > 0.0 ? size / larger : 0.0,
+                left.noise[order] + right.noise[order] + rounding_of_values * larger};
     }
 
-    bool agrees(const Jump& jump, const OneSide& left, const OneSide& right, std::size_t order) const {
-        return jump.relative <= tolerances_.derivative || jump.size <= left.noise[order] + right.noise[order];
-    }
+    bool agrees(const Jump& jump) const { return jump.relative <= tolerances_.derivative || jump.is_rounding(); }
 
-    int parametric_level(const JointContinuity& joint, const OneSide& left, const OneSide& right) const {
-        if (!agrees(joint.first, left, right, 1)) return 0;
-        return agrees(joint.second, left, right, 2) ? 2 : 1;
+    int parametric_level(const JointContinuity& joint) const {
+        if (!agrees(joint.first)) return 0;
+        return agrees(joint.second) ? 2 : 1;
     }
 
     int geometric_level(const JointContinuity& joint) const {
@@ -112,27 +149,45 @@ class JointMeter {
     }
 
     const ContinuityTolerances& tolerances_;
-    Curve curve_;
-    double size_ = 0.0;
-    double rounding_ = 0.0;
+    Point origin_;  // near it differences keep their digits
+    double size_;
+    double rounding_;
 };
+
+constexpr Side inside_of(CurveEnd end) {
+    return end == CurveEnd::start ? Side::right : Side::left;
+}
 
 }  // namespace
 
+std::optional<double> speed_ratio(const JointContinuity& joint) {
+    const double before = robust_length(joint.left.first);
+    const double after = robust_length(joint.right.first);
+    if (!(before > 0.0 && after > 0.0) || !std::isfinite(after / before)) return std::nullopt;
+    return after / before;
+}
+
+JointContinuity joint_continuity_at(const Curve& curve, const DistinctKnot& knot, const Box& box,
+                                    const ContinuityTolerances& tolerances) {
+    assert(knot.is_interior);
+    const Interval domain = curve.domain();
+    const bool is_seam = curve.is_periodic() && knot.value == domain.lower;
+    const JointMeter meter(box, tolerances);
+    auto joint = meter.measure(is_seam ? JointKind::seam : JointKind::knot, knot.value,
+                               meter.look(curve, is_seam ? domain.upper : knot.value, Side::left),
+                               meter.look(curve, knot.value, Side::right));
+    joint.multiplicity = knot.multiplicity;
+    joint.promised = knot.continuity;
+    return joint;
+}
+
 std::vector<JointContinuity> joint_continuity_within(const Curve& curve, Interval range,
                                                      const ContinuityTolerances& tolerances) {
-    const JointMeter meter(curve, tolerances);
-    const Interval domain = curve.domain();
+    const Box box = control_box(curve);
     std::vector<JointContinuity> joints;
-    for (const DistinctKnot& knot : distinct_knots(curve.knots())) {
-        if (!knot.is_interior || !range.contains(knot.value)) continue;
-        const bool is_seam = curve.is_periodic() && knot.value == domain.lower;
-        auto joint =
-            meter.measure(is_seam ? JointKind::seam : JointKind::knot, is_seam ? domain.upper : knot.value, knot.value);
-        joint.multiplicity = knot.multiplicity;
-        joint.promised = knot.continuity;
-        joints.push_back(joint);
-    }
+    for (const DistinctKnot& knot : distinct_knots(curve.knots()))
+        if (knot.is_interior && range.contains(knot.value))
+            joints.push_back(joint_continuity_at(curve, knot, box, tolerances));
     return joints;
 }
 
@@ -146,8 +201,33 @@ std::vector<JointContinuity> joint_continuity(const Curve& curve, const Continui
 
 JointContinuity continuity_of_ends(const Curve& curve, const ContinuityTolerances& tolerances) {
     const Interval domain = curve.domain();
-    return JointMeter(curve, tolerances)
-        .measure(curve.is_periodic() ? JointKind::seam : JointKind::ends, domain.upper, domain.lower);
+    const JointMeter meter(control_box(curve), tolerances);
+    return meter.measure(curve.is_periodic() ? JointKind::seam : JointKind::ends, domain.lower,
+                         meter.look(curve, domain.upper, Side::left), meter.look(curve, domain.lower, Side::right));
+}
+
+JointContinuity continuity_between(const Curve& first, const Curve& second, JoinedEnds ends, const Box& box,
+                                   const ContinuityTolerances& tolerances) {
+    assert(!first.is_periodic() && !second.is_periodic());
+    const JointMeter meter(box, tolerances);
+    const double u = parameter_of(second.domain(), ends.second);
+    OneSide left = meter.look(first, parameter_of(first.domain(), ends.first), inside_of(ends.first));
+    OneSide right = meter.look(second, u, inside_of(ends.second));
+    if (ends.first == CurveEnd::start) left = turned(left);
+    if (ends.second == CurveEnd::end) right = turned(right);
+    return meter.measure(JointKind::curves, u, left, right);
+}
+
+std::vector<JoinedEnds> ends_that_meet(const Curve& first, const Curve& second, const Box& box,
+                                       const ContinuityTolerances& tolerances) {
+    assert(!first.is_periodic() && !second.is_periodic());
+    const JointMeter meter(box, tolerances);
+    std::vector<JoinedEnds> meeting;
+    for (const JoinedEnds& ends : all_joined_ends)
+        if (meter.meet(point_at(first, parameter_of(first.domain(), ends.first)),
+                       point_at(second, parameter_of(second.domain(), ends.second))))
+            meeting.push_back(ends);
+    return meeting;
 }
 
 bool is_closed(const Curve& curve, const ContinuityTolerances& tolerances) {

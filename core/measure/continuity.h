@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "core/curve/curve.h"
+#include "core/curve/curve_end.h"
+#include "core/curve/knot_analysis.h"
 
 namespace batten::core {
 
@@ -19,23 +21,36 @@ struct ContinuityTolerances {
 
 /// Where two pieces of a curve meet.
 enum class JointKind {
-    knot,  ///< inside the domain
-    seam,  ///< of a periodic curve
-    ends   ///< the two ends of an open curve, if they meet
+    knot,   ///< inside the domain
+    seam,   ///< of a periodic curve
+    ends,   ///< the two ends of an open curve, if they meet
+    curves  ///< an end of one curve and one of another
 };
 
 /// A jump between the values on both sides.
 struct Jump {
     double size = 0.0;      ///< |after - before|
     double relative = 0.0;  ///< of the larger of both, for positions of the size of the curve; 0 without a jump
+    double rounding = 0.0;  ///< what rounding of coordinates and values may make of no jump
+
+    bool is_rounding() const { return size <= rounding; }
+};
+
+/// How a curve goes on on one side of a joint.
+struct JointSide {
+    Point point{};
+    Vector first{};   ///< C'
+    Vector second{};  ///< C''
 };
 
 /// The continuity at one joint. Levels are -1 (a gap) to 2.
 struct JointContinuity {
     JointKind kind = JointKind::knot;
-    double u = 0.0;        ///< the knot; at the ends of an open curve the lower end of the domain
+    double u = 0.0;        ///< the knot; of ends the parameter behind the joint
     int multiplicity = 0;  ///< 0 for ends that meet
     int promised = -1;     ///< C^(p - multiplicity), what every choice of control points has; -1 for ends that meet
+    JointSide left{};      ///< the limits from before the joint
+    JointSide right{};     ///< and from behind it
     Jump position{};       ///< of C
     Jump first{};          ///< of C'
     Jump second{};         ///< of C''
@@ -45,6 +60,15 @@ struct JointContinuity {
     int parametric = -1;             ///< the C level found: position, C', C'' agree
     int geometric = -1;              ///< the G level found: position, tangent direction, curvature agree
 };
+
+/// |C'| after the joint, divided by that before: the factor between the two derivatives of a joint that is G1. None
+/// where the curve stands still on a side.
+std::optional<double> speed_ratio(const JointContinuity& joint);
+
+/// The joint at `knot`, an interior one of distinct_knots(), of a curve whose control points have the box `box`, which
+/// is kept by who asks for many. Cost O(p^3) however long the curve is.
+JointContinuity joint_continuity_at(const Curve& curve, const DistinctKnot& knot, const Box& box,
+                                    const ContinuityTolerances& tolerances = {});
 
 /// Every distinct knot inside the domain in order, the seam of a periodic curve first; last the ends of an open curve
 /// if they meet. "C0 by its knots but G1 by its shape" is promised == 0 and geometric == 1. At zero speed the tangent
@@ -57,6 +81,17 @@ std::vector<JointContinuity> joint_continuity_within(const Curve& curve, Interva
 
 /// What joins the end of an open curve to its beginning, whether they meet or not.
 JointContinuity continuity_of_ends(const Curve& curve, const ContinuityTolerances& tolerances = {});
+
+/// What joins two open curves at these ends, whether they meet or not, run through from the first into the second:
+/// where that is against the sense of a curve, C' changes its sign and so does the curvature. `box` contains both
+/// curves' control points. Cost O(p^3).
+JointContinuity continuity_between(const Curve& first, const Curve& second, JoinedEnds ends, const Box& box,
+                                   const ContinuityTolerances& tolerances = {});
+
+/// The ends of two open curves that meet within the tolerance for positions, of the size of `box`, which contains both
+/// curves' control points. Cost O(p^2).
+std::vector<JoinedEnds> ends_that_meet(const Curve& first, const Curve& second, const Box& box,
+                                       const ContinuityTolerances& tolerances = {});
 
 /// Whether the curve is periodic or its ends meet within the tolerance for positions, so that it encloses an area.
 bool is_closed(const Curve& curve, const ContinuityTolerances& tolerances = {});
