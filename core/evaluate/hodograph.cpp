@@ -11,18 +11,19 @@ namespace batten::core {
 
 namespace {
 
-bool jumps_at(const Curve& curve, double knot) {
-    return curve.knots().multiplicity(knot) >= curve.degree();
+// Whether the derivative of this order may jump there.
+bool jumps_at(const Curve& curve, double knot, int order) {
+    return curve.knots().multiplicity(knot) > curve.degree() - order;
 }
 
-bool jumps_somewhere(const Curve& curve) {
+bool jumps_somewhere(const Curve& curve, int order) {
     for (const DistinctKnot& knot : distinct_knots(curve.knots()))
-        if (knot.in_domain && knot.is_interior && jumps_at(curve, knot.value)) return true;
+        if (knot.in_domain && knot.is_interior && jumps_at(curve, knot.value, order)) return true;
     return false;
 }
 
-bool stays_periodic(const Curve& curve) {
-    return curve.is_periodic() && !jumps_somewhere(curve);
+bool stays_periodic(const Curve& curve, int order = 1) {
+    return curve.is_periodic() && !jumps_somewhere(curve, order);
 }
 
 Point control_point(const Curve& curve, std::size_t i) {
@@ -84,10 +85,11 @@ Result<Curve> open_hodograph(const Curve& curve) {
 }
 
 // Knots for pieces of `degree` side by side: breaks of multiplicity `degree`, one more where the pieces jump.
-std::vector<double> knots_of_pieces(const Curve& curve, const std::vector<Interval>& pieces, std::size_t degree) {
+std::vector<double> knots_of_pieces(const Curve& curve, int order, const std::vector<Interval>& pieces,
+                                    std::size_t degree) {
     std::vector<double> knots(degree + 1, pieces.front().lower);
     for (std::size_t k = 1; k < pieces.size(); ++k)
-        knots.insert(knots.end(), degree + (jumps_at(curve, pieces[k].lower) ? 1 : 0), pieces[k].lower);
+        knots.insert(knots.end(), degree + (jumps_at(curve, pieces[k].lower, order) ? 1 : 0), pieces[k].lower);
     knots.insert(knots.end(), degree + 1, pieces.back().upper);
     return knots;
 }
@@ -108,7 +110,7 @@ Result<Curve> polygon_hodograph(const Curve& curve) {
     for (std::size_t s = 1; s + 2 < u.size(); ++s)
         if (u[s] < u[s + 1]) points.insert(points.end(), 2, leg_derivative(curve, s - 1));
     return Curve::make({.degree = 1,
-                        .knots = knots_of_pieces(curve, spans_of(curve), 1),
+                        .knots = knots_of_pieces(curve, 1, spans_of(curve), 1),
                         .points = std::move(points),
                         .tears = Tears::allow});
 }
@@ -124,6 +126,13 @@ std::vector<P> elevated(const std::vector<P>& points) {
     }
     result.push_back(points.back());
     return result;
+}
+
+// Of so high a degree.
+template <class P>
+std::vector<P> raised(std::vector<P> points, std::size_t degree) {
+    while (points.size() <= degree) points = elevated(points);
+    return points;
 }
 
 // w^2 C' = A' w - A w' in Bernstein form of degree 2p - 2, as a sum of differences of control points, which nothing
@@ -144,16 +153,59 @@ std::vector<Vector> derivative_numerator(const BezierPiece& piece) {
     return numerator;
 }
 
-// w^2 in Bernstein form of degree 2p.
-std::vector<double> squared_weight(const BezierPiece& piece) {
-    const std::size_t p = piece.points.size() - 1;
-    const auto of_p = binomials(p);
-    const auto of_square = binomials(2 * p);
-    std::vector<double> square(2 * p + 1, 0.0);
-    for (std::size_t i = 0; i <= p; ++i)
-        for (std::size_t j = 0; j <= p; ++j)
-            square[i + j] += of_p[i] * of_p[j] / of_square[i + j] * piece.points[i].z * piece.points[j].z;
-    return square;
+std::vector<double> weights_of(const BezierPiece& piece) {
+    std::vector<double> weights;
+    for (const HomogeneousPoint& point : piece.points) weights.push_back(point.z);
+    return weights;
+}
+
+// The product of two polynomials in Bernstein form.
+template <class P>
+std::vector<P> product(const std::vector<double>& a, const std::vector<P>& b) {
+    const std::size_t m = a.size() - 1;
+    const std::size_t n = b.size() - 1;
+    const auto of_a = binomials(m);
+    const auto of_b = binomials(n);
+    const auto of_product = binomials(m + n);
+    std::vector<P> result(m + n + 1, P{});
+    for (std::size_t i = 0; i <= m; ++i)
+        for (std::size_t j = 0; j <= n; ++j) result[i + j] += of_a[i] * of_b[j] / of_product[i + j] * a[i] * b[j];
+    return result;
+}
+
+// The derivative over a span of this length; of a constant the constant 0.
+template <class P>
+std::vector<P> derivative(const std::vector<P>& points, double span) {
+    const auto degree = static_cast<double>(points.size() - 1);
+    std::vector<P> result;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) result.push_back(degree / span * (points[i + 1] - points[i]));
+    if (result.empty()) result.push_back(P{});
+    return result;
+}
+
+// With N = w^2 C' it is w^3 C'' = N' w - 2 N w', of degree 3p - 3.
+std::vector<Vector> second_numerator(const BezierPiece& piece) {
+    const std::size_t degree = 3 * (piece.points.size() - 1);
+    const std::vector<double> weights = weights_of(piece);
+    const std::vector<Vector> first = derivative_numerator(piece);
+    const double span = piece.interval.length();
+    std::vector<Vector> numerator = raised(product(weights, derivative(first, span)), degree);
+    const std::vector<Vector> fall = raised(product(derivative(weights, span), first), degree);
+    for (std::size_t k = 0; k <= degree; ++k) numerator[k] -= 2.0 * fall[k];
+    return numerator;
+}
+
+// A derivative over one piece as a quotient of polynomials of one degree in Bernstein form.
+struct Quotient {
+    std::vector<Vector> numerator;
+    std::vector<double> denominator;
+};
+
+Quotient derivative_of(const BezierPiece& piece, int order) {
+    const std::vector<double> weights = weights_of(piece);
+    const std::vector<double> square = product(weights, weights);
+    if (order == 1) return {raised(derivative_numerator(piece), square.size() - 1), square};
+    return {second_numerator(piece), product(weights, square)};
 }
 
 // Near the first control point, where differences do not cancel, and with weights that can be squared.
@@ -171,29 +223,27 @@ struct JoinedPieces {
     std::vector<Point> points;
     std::vector<double> weights;
 
-    void append(const BezierPiece& piece, std::size_t count) {
-        const std::vector<Vector> numerator = elevated(elevated(derivative_numerator(piece)));
-        const std::vector<double> square = squared_weight(piece);
+    void append(const Quotient& piece, std::size_t count) {
         for (std::size_t k = 0; k < count; ++k) {
-            points.push_back(tip_of(numerator[k] / square[k]));
-            weights.push_back(square[k]);
+            points.push_back(tip_of(piece.numerator[k] / piece.denominator[k]));
+            weights.push_back(piece.denominator[k]);
         }
     }
 };
 
-Result<Curve> rational_hodograph(const Curve& curve) {
-    const std::size_t degree = 2 * static_cast<std::size_t>(curve.degree());
+Result<Curve> rational_hodograph(const Curve& curve, int order) {
+    const std::size_t degree = static_cast<std::size_t>(order + 1) * static_cast<std::size_t>(curve.degree());
     if (degree > static_cast<std::size_t>(max_degree))
         return refuse({.code = CurveErrorCode::degree_out_of_range, .value = static_cast<double>(degree)});
     const BezierPieces pieces = bezier_pieces(near_origin(curve));
-    const bool is_periodic = stays_periodic(curve);
+    const bool is_periodic = stays_periodic(curve, order);
     JoinedPieces joined;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         const bool is_last = k + 1 == pieces.size();
-        const bool has_own_end = is_last ? !is_periodic : jumps_at(curve, pieces.interval(k).upper);
-        joined.append(pieces[k], degree + (has_own_end ? 1 : 0));
+        const bool has_own_end = is_last ? !is_periodic : jumps_at(curve, pieces.interval(k).upper, order);
+        joined.append(derivative_of(pieces[k], order), degree + (has_own_end ? 1 : 0));
     }
-    std::vector<double> knots = knots_of_pieces(curve, spans_of(curve), degree);
+    std::vector<double> knots = knots_of_pieces(curve, order, spans_of(curve), degree);
     if (is_periodic) {
         // One period: the seam once at its lower end, `degree` times at the upper one.
         knots.erase(knots.begin(), knots.begin() + static_cast<std::ptrdiff_t>(degree));
@@ -210,9 +260,13 @@ Result<Curve> rational_hodograph(const Curve& curve) {
 }  // namespace
 
 Result<Curve> hodograph(const Curve& curve) {
-    if (curve.is_rational()) return rational_hodograph(curve);
+    if (curve.is_rational()) return rational_hodograph(curve, 1);
     if (curve.degree() == 1) return polygon_hodograph(curve);
     return stays_periodic(curve) ? periodic_hodograph(curve) : open_hodograph(curve);
+}
+
+Result<Curve> second_hodograph(const Curve& curve) {
+    return curve.is_rational() ? rational_hodograph(curve, 2) : hodograph(curve).and_then(hodograph);
 }
 
 }  // namespace batten::core

@@ -1,4 +1,4 @@
-/// The hodograph: the derivative of a curve, as a curve.
+/// Hodographs: the derivatives of a curve, as curves.
 #pragma once
 
 #include "core/curve/curve.h"
@@ -17,5 +17,13 @@ namespace batten::core {
 /// derivative is too large for a double. Cost O(n), rational O(n p^2). Source: The NURBS Book, equation 3.8; for the
 /// rational form the products of Bernstein polynomials (Farin 2002, section 13.2).
 [[nodiscard]] Result<Curve> hodograph(const Curve& curve);
+
+/// The curve C''(u), over the same domain.
+///
+/// Of a polynomial curve it is the hodograph of the hodograph; 0 where the degree is 1. Of a rational curve it has
+/// degree 3p, with the control points of the Bernstein form on every span and the weights of w(u)^3. It is torn at
+/// knots of multiplicity p - 1 and more. Errors as above, degree_out_of_range for a rational curve of degree above 8.
+/// Cost O(n), rational O(n p^2).
+[[nodiscard]] Result<Curve> second_hodograph(const Curve& curve);
 
 }  // namespace batten::core

@@ -19,7 +19,7 @@ Curve without_weights(const Curve& curve) {
 }
 
 // The largest difference of the hodograph from the derivative, seen from both sides, by the largest derivative met.
-double worst_difference(const Curve& curve, const Curve& derivative, RandomCurves& random) {
+double worst_difference(const Curve& curve, const Curve& derivative, RandomCurves& random, int order = 1) {
     double worst = 0.0;
     double scale = 0.0;
     for (int k = 0; k < 40; ++k) {
@@ -28,12 +28,12 @@ double worst_difference(const Curve& curve, const Curve& derivative, RandomCurve
         const bool is_seam = u == curve.domain().lower || u == curve.domain().upper;
         if (curve.is_periodic() && !derivative.is_periodic() && is_seam) continue;
         for (const Side side : {Side::left, Side::right}) {
-            const Vector expected = derivatives_at(curve, u, 1, side)[1];
+            const Vector expected = derivatives_at(curve, u, order, side)[static_cast<std::size_t>(order)];
             worst = std::max(worst, distance(point_at(derivative, u, side), tip_of(expected)));
             scale = std::max(scale, length(expected));
         }
     }
-    return worst / scale;
+    return scale > 0.0 ? worst / scale : worst;
 }
 
 }  // namespace
@@ -150,6 +150,60 @@ TEST(Hodograph, of_a_quarter_circle_has_the_known_ends_and_middle) {
     // At the middle both components are of the size 4 (sqrt 2 - 1) / sqrt 2.
     EXPECT_NEAR(point_at(derivative, 0.5).y, 4.0 * (std::sqrt(2.0) - 1.0) / std::sqrt(2.0), 1e-15);
     EXPECT_NEAR(point_at(derivative, 0.5).x, -point_at(derivative, 0.5).y, 1e-15);
+}
+
+TEST(SecondHodograph, is_the_second_derivative_of_every_curve) {
+    RandomCurves random(305);
+    int rational = 0;
+    for (int k = 0; k < 300; ++k) {
+        const Curve drawn = random.curve();
+        const Curve curve = k % 2 == 0 ? drawn : without_weights(drawn);
+        const auto result = second_hodograph(curve);
+        if (curve.is_rational() && curve.degree() > 8) {
+            EXPECT_EQ(result.error().code, CurveErrorCode::degree_out_of_range);
+            continue;
+        }
+        ASSERT_TRUE(result) << describe(result.error());
+        EXPECT_EQ(result->degree(), curve.is_rational() ? 3 * curve.degree() : std::max(1, curve.degree() - 2));
+        EXPECT_EQ(result->domain(), curve.domain());
+        EXPECT_LE(worst_difference(curve, *result, random, 2), 1e-9) << k;
+        rational += curve.is_rational() ? 1 : 0;
+    }
+    EXPECT_GT(rational, 50);
+}
+
+TEST(SecondHodograph, of_a_cubic_is_the_line_between_its_end_accelerations) {
+    const Curve cubic =
+        Curve::make({.degree = 3, .knots = {0, 0, 0, 0, 2, 2, 2, 2}, .points = {{0, 0}, {1, 2}, {3, 3}, {4, 0}}})
+            .value();
+    // 6 (P2 - 2 P1 + P0) / 4 and 6 (P3 - 2 P2 + P1) / 4.
+    const Curve second = second_hodograph(cubic).value();
+    EXPECT_EQ(second.degree(), 1);
+    EXPECT_TRUE(std::ranges::equal(second.control_points(), std::vector<Point>{{1.5, -1.5}, {-1.5, -6}}));
+}
+
+TEST(SecondHodograph, of_the_circle_points_to_its_center) {
+    // (1 - t^2, 2t) / (1 + t^2): C''(0) = (-4, 0), C''(1) = (1, -1): the weights 1, 1, 2 are those of the text books.
+    const Curve arc =
+        Curve::make(
+            {.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{1, 0}, {1, 1}, {0, 1}}, .weights = {1, 1, 2}})
+            .value();
+    const Curve second = second_hodograph(arc).value();
+    EXPECT_EQ(second.degree(), 6);
+    EXPECT_NEAR(distance(point_at(second, 0.0), {-4, 0}), 0.0, 1e-14);
+    EXPECT_NEAR(distance(point_at(second, 1.0), {1, -1}), 0.0, 1e-14);
+}
+
+TEST(SecondHodograph, of_polygons_is_zero_and_of_parabolas_a_step_for_each_piece) {
+    const auto polygon =
+        Curve::make({.degree = 1, .knots = {0, 0, 1, 3, 3}, .points = {{0, 0}, {2, 0}, {2, 6}}}).value();
+    const Curve nothing = second_hodograph(polygon).value();
+    for (const Point& point : nothing.control_points()) EXPECT_EQ(point, Point(0, 0));
+    const auto parabolas =
+        Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 2, 2, 2}, .points = {{0, 0}, {1, 0}, {1, 1}, {3, 1}}}).value();
+    // C' goes from (2, 0) by (0, 1) to (4, 0).
+    const Curve steps = second_hodograph(parabolas).value();
+    EXPECT_TRUE(std::ranges::equal(steps.control_points(), std::vector<Point>{{-2, 1}, {-2, 1}, {4, -1}, {4, -1}}));
 }
 
 }  // namespace batten::core
