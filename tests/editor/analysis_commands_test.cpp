@@ -34,7 +34,7 @@ TEST_F(AnalysisCommands, continuity_by_knots_and_by_shape) {
     find_in(0, FindContinuity{});
     ASSERT_EQ(rows().size(), 1U);
     EXPECT_EQ(rows()[0].label, "knot 0.5");
-    EXPECT_EQ(rows()[0].note, "C⁰ by its knots, C⁰ and G¹ by its shape");
+    EXPECT_EQ(rows()[0].note, "C⁰ by its knots, G¹ by its shape");
     EXPECT_EQ(number(0, "multiplicity"), 3.0);
     EXPECT_NEAR(number(0, "relative jump of C'"), 0.5, 1e-14);
     EXPECT_NEAR(number(0, "curvature before"), 2.0 / 3.0, 1e-14);

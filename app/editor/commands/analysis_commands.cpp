@@ -7,7 +7,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
-#include "app/editor/formula.h"
+#include "app/editor/continuity_words.h"
 #include "app/editor/wording.h"
 #include "core/base/number_text.h"
 #include "core/curve/control_box.h"
@@ -24,25 +24,6 @@ namespace {
 
 using core::sentence;
 
-// "C⁰", "G¹".
-std::string level_text(const char* letter, int level) {
-    return plain_text(fmt::format("{}^{{{}}}", letter, level));
-}
-
-// "C⁰ by its knots, C⁰ and G¹ by its shape"; what is found goes up to 2 only.
-std::string continuity_note(const core::JointContinuity& joint) {
-    const bool are_ends = joint.kind == core::JointKind::ends;
-    const core::Place promised("promised", joint.promised < 0 ? "a gap" : level_text("C", joint.promised));
-    if (joint.parametric < 0)
-        return are_ends ? "ends meet, a gap by its shape"
-                        : sentence("{promised} by its knots, a gap by its shape", {promised});
-    const core::Place parametric("parametric", level_text("C", joint.parametric));
-    const core::Place geometric("geometric", level_text("G", joint.geometric));
-    if (are_ends) return sentence("ends meet, {parametric} and {geometric} by its shape", {parametric, geometric});
-    return sentence("{promised} by its knots, {parametric} and {geometric} by its shape",
-                    {promised, parametric, geometric});
-}
-
 bool is_smoother_than_promised(const core::JointContinuity& joint) {
     return joint.promised < 2 && std::max(joint.parametric, joint.geometric) > joint.promised;
 }
@@ -53,6 +34,7 @@ std::string joint_label(const core::JointContinuity& joint) {
         case core::JointKind::seam:
             return sentence("seam {u}", {u});
         case core::JointKind::ends:
+        case core::JointKind::curves:
             return "ends";
         case core::JointKind::knot:
             break;
@@ -79,7 +61,7 @@ Finding joint_row(const core::Curve& curve, const core::JointContinuity& joint) 
                             {"relative jump of C'", joint.first.relative, rounding_error},
                             jump_number("jump of C''", joint.second),
                             {"relative jump of C''", joint.second.relative, rounding_error}},
-                .note = continuity_note(joint)};
+                .note = continuity_verdict(joint)};
     if (joint.angle) row.numbers.push_back({"angle in degrees", glm::degrees(*joint.angle), 180.0 * rounding_error});
     if (joint.before) row.numbers.push_back({"curvature before", *joint.before});
     if (joint.after) row.numbers.push_back({"curvature after", *joint.after});
