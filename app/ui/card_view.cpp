@@ -78,12 +78,15 @@ class CardPainter {
 
     void operator()(const editor::CardTable& table) {
         const std::vector<float> widths = column_widths(table);
-        float whole = 0.0F;
+        float whole = -context_.px(column_gap);
         for (const float width : widths) whole += width + context_.px(column_gap);
-        const float row_height = std::round(font_pitch(context_.fonts.text) + 2.0F * context_.px(row_padding));
-        begin_block(whole - context_.px(column_gap), row_height * static_cast<float>(table.rows.size()));
         for (std::size_t r = 0; r < table.rows.size(); ++r)
-            draw_row(table, r, widths, block_corner_.y + static_cast<float>(r) * row_height, row_height);
+            if (is_across(table, r)) whole = std::max(whole, text_width(table, r, 0));
+        const float row_height = std::round(font_pitch(context_.fonts.text) + 2.0F * context_.px(row_padding));
+        begin_block(whole, row_height * static_cast<float>(table.rows.size()));
+        for (std::size_t r = 0; r < table.rows.size(); ++r)
+            draw_row(table, r, is_across(table, r) ? std::vector<float>{whole} : widths,
+                     block_corner_.y + static_cast<float>(r) * row_height, row_height);
         end_block();
         row_ += table.rows.size();
     }
@@ -145,15 +148,26 @@ class CardPainter {
         return is_heading || cell.tone == CardTone::strong ? context_.fonts.bold : context_.fonts.text;
     }
 
+    /// Whether the row reaches over all columns.
+    static bool is_across(const editor::CardTable& table, std::size_t row) {
+        return table.rows[row].size() == 1 &&
+               std::ranges::any_of(table.rows, [](const auto& other) { return other.size() > 1; });
+    }
+
+    float text_width(const editor::CardTable& table, std::size_t row, std::size_t column) const {
+        const CardText& cell = table.rows[row][column];
+        ImFont* font = font_of(table, row, cell);
+        return rich_text_size(editor::notated(cell.text, context_.state.view.notation), font, font_height(font))
+            .width_px;
+    }
+
     std::vector<float> column_widths(const editor::CardTable& table) const {
         std::vector<float> widths;
         for (std::size_t r = 0; r < table.rows.size(); ++r) {
+            if (is_across(table, r)) continue;
             widths.resize(std::max(widths.size(), table.rows[r].size()));
-            for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
-                ImFont* font = font_of(table, r, table.rows[r][c]);
-                const std::string text = editor::notated(table.rows[r][c].text, context_.state.view.notation);
-                widths[c] = std::max(widths[c], rich_text_size(text, font, font_height(font)).width_px);
-            }
+            for (std::size_t c = 0; c < table.rows[r].size(); ++c)
+                widths[c] = std::max(widths[c], text_width(table, r, c));
         }
         return widths;
     }

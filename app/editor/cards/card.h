@@ -33,7 +33,7 @@ struct CardLine {
 };
 
 /// Rows of cells that stand in columns, as wide as their texts; cells of the first row are headings where
-/// `has_heading`.
+/// `has_heading`. A row of one cell beside longer ones reaches over all columns.
 struct CardTable {
     std::vector<std::vector<CardText>> rows;
     bool has_heading = false;

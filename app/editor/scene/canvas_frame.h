@@ -31,6 +31,8 @@ struct WishedLabel {
     double distance = 9.0;  ///< design pixels
     LabelSide first = LabelSide::upper_right;
     Crowding crowding = Crowding::leave_out;
+    double farthest = 0.0;    ///< where there is no room at `distance`, up to this one
+    bool has_ground = false;  ///< what runs below it is faint
 };
 
 /// One picture of the canvas while it is drawn.
@@ -48,6 +50,8 @@ struct CanvasFrame {
     SeenLine curve_line;                           ///< the active curve as far as it is seen
     std::vector<WishedLabel> labels;               ///< of views, in the order of their importance
     std::vector<render::PixelBox> covered;         ///< by views: where no label may stand
+    std::vector<std::vector<glm::dvec2>> lines;    ///< of views: labels stay off them where they can
+    std::vector<glm::dvec2> marks;                 ///< of views: small ones that labels cover only where they must
 
     bool shows(Overlay overlay) const { return state.view.overlays.is_shown(overlay); }
 

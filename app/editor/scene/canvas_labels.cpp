@@ -23,7 +23,9 @@ constexpr double knot_distance = 9.0;
 constexpr double boxed_point_distance = 14.0;
 constexpr double control_point_reach = 7.5;
 constexpr double construction_reach = 5.0;
+constexpr double mark_reach = 6.0;
 constexpr double word_gap = 4.0;
+constexpr double wished_step = 12.0;
 constexpr double width_error = 0.1;  // of the width of a text that is not measured with its font
 constexpr double ground_margin = 2.0;
 constexpr double label_ground_opacity = 0.85;
@@ -50,7 +52,8 @@ class LabelWriter {
     LabelLayout& layout() { return layout_; }
 
     /// Words side by side around `point`, if that is in the picture. Returns false where there is no room for them.
-    bool write(glm::dvec2 point, std::vector<LabelWord> words, double distance, LabelSide first, Crowding crowding) {
+    bool write(glm::dvec2 point, std::vector<LabelWord> words, double distance, LabelSide first, Crowding crowding,
+               bool has_ground = false) {
         const render::PixelBox picture{{}, frame_.pen.size_px()};
         if (!picture.contains(point)) return true;
         const double gap = frame_.pen.px(word_gap);
@@ -61,7 +64,7 @@ class LabelWriter {
         if (!place) return false;
         // Words are set from the end that is anchored, where the true widths of the fonts do no harm.
         const bool is_from_right = place->anchor == render::Anchor::right;
-        if (has_grounds_) fill_ground(place->box, is_from_right);
+        if (has_grounds_ || has_ground) fill_ground(place->box, is_from_right);
         if (is_from_right) std::reverse(words.begin(), words.end());
         double x = is_from_right ? place->box.upper_px.x : place->box.lower_px.x;
         for (LabelWord& word : words) {
@@ -123,6 +126,13 @@ void write_knot(LabelWriter& writer, CanvasFrame& frame, const CurveKnot& knot) 
                  LabelSide::upper_right, Crowding::cover_symbols);
 }
 
+void write_wished(LabelWriter& writer, const WishedLabel& label) {
+    for (const Crowding crowding : {Crowding::leave_out, label.crowding})
+        for (double distance = label.distance; distance <= std::max(label.distance, label.farthest);
+             distance += wished_step)
+            if (writer.write(label.place, label.words, distance, label.first, crowding, label.has_ground)) return;
+}
+
 /// The points of the construction, which move with u: only the name of C(u) gives way to them, so that the others stay.
 void avoid_construction(LabelWriter& writer, const CanvasFrame& frame) {
     if (!frame.shows(Overlay::construction)) return;
@@ -156,11 +166,12 @@ void draw_canvas_labels(CanvasFrame& frame, const CanvasMarks& marks, const std:
     if (!has_names && frame.labels.empty()) return;
     LabelWriter writer(frame, marks, covered);
     for (const render::PixelBox& box : frame.covered) writer.layout().avoid_box(box);
+    for (const auto& line : frame.lines) writer.layout().avoid_line(line);
+    for (const glm::dvec2 mark : frame.marks) writer.layout().avoid_symbol(mark, frame.pen.px(mark_reach));
     for (const CurveKnot& knot : marks.knots.knots)
         for (const glm::dvec2 place : knot.places) writer.layout().avoid_symbol(place, frame.pen.px(5.0));
     if (has_names) write_point_names(writer, frame, marks.points);
-    for (const WishedLabel& label : frame.labels)
-        writer.write(label.place, label.words, label.distance, label.first, label.crowding);
+    for (const WishedLabel& label : frame.labels) write_wished(writer, label);
     if (!has_names) return;
     for (const CurveKnot& knot : marks.knots.knots) write_knot(writer, frame, knot);
     write_curve_point(writer, frame, marks.points);
