@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "app/editor/scene/arrow.h"
 #include "app/editor/scene/panel_box.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
@@ -17,6 +18,7 @@ constexpr double inset_padding = 14.0;
 constexpr double title_height = 20.0;
 constexpr double places_per_px = 4.0;  // of the picture's width
 constexpr std::size_t most_sampled_spans = 2000;
+constexpr std::size_t most_polygon_points = 400;
 
 std::size_t span_count(const core::Curve& curve) {
     return curve.knots().size() - 2 * static_cast<std::size_t>(curve.degree()) - 1;
@@ -26,9 +28,13 @@ std::size_t sampling_stride(const core::Curve& curve) {
     return span_count(curve) / most_sampled_spans + 1;
 }
 
+core::Vector derivative(const core::Curve& curve, std::size_t order, double u, core::Side side = core::Side::right) {
+    return core::derivatives_at(curve, u, static_cast<int>(order), side)[order];
+}
+
 /// The derivative over each non-empty span, from its one-sided value at the start to that at the end, where the
 /// hodograph is too large for a curve; of very many spans some.
-core::PointRuns sampled_runs(const core::Curve& curve) {
+core::PointRuns sampled_runs(const core::Curve& curve, std::size_t order) {
     const core::KnotVector& knots = curve.knots();
     const auto p = static_cast<std::size_t>(curve.degree());
     const std::size_t spans = span_count(curve);
@@ -39,8 +45,7 @@ core::PointRuns sampled_runs(const core::Curve& curve) {
         auto& run = runs.emplace_back();
         for (int k = 0; k <= steps; ++k) {
             const double u = k == steps ? knots[s + 1] : knots[s] + (knots[s + 1] - knots[s]) * k / steps;
-            const core::Vector v =
-                core::derivatives_at(curve, u, 1, k == steps ? core::Side::left : core::Side::right)[1];
+            const core::Vector v = derivative(curve, order, u, k == steps ? core::Side::left : core::Side::right);
             if (core::is_finite(v)) run.push_back(core::tip_of(v));
         }
     }
@@ -85,11 +90,56 @@ void draw_axes(Pen& pen, const Theme& theme, const render::PixelBox& area, glm::
     pen.segment({origin.x, area.lower_px.y}, {origin.x, area.upper_px.y}, {.color = theme.line});
 }
 
-std::string title_of(const CanvasFrame& frame) {
+/// What is drawn of a derivative.
+struct Hodograph {
+    std::size_t order = 1;
+    core::CurveStrips* strips = nullptr;  ///< null where it cannot be drawn as a curve
+    core::PointRuns polygon{};            ///< its control polygon, in parts where it is torn; none of very many points
+
+    const char* name() const { return order == 1 ? "C′(u)" : "C″(u)"; }
+};
+
+/// The strips where all numbers are finite.
+core::CurveStrips* strips_of(const CanvasFrame& frame, std::size_t order) {
+    core::CurveStrips* strips = frame.kept->hodograph(order);
+    return strips != nullptr && core::is_finite(strips->box().lower) && core::is_finite(strips->box().upper) ? strips
+                                                                                                             : nullptr;
+}
+
+/// The control polygon, which ends and begins anew at tears.
+core::PointRuns polygon_of(const core::Curve& curve) {
+    const auto points = curve.control_points();
+    const auto degree = static_cast<std::size_t>(curve.degree());
+    core::PointRuns runs;
+    if (points.size() > most_polygon_points) return runs;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const bool is_torn = !curve.is_periodic() && curve.knots()[i] == curve.knots()[i + degree];
+        if (i == 0 || is_torn) runs.emplace_back();
+        runs.back().push_back(points[i]);
+    }
+    if (curve.is_periodic()) runs.back().push_back(points.front());
+    return runs;
+}
+
+Hodograph hodograph_of(const CanvasFrame& frame, std::size_t order) {
+    Hodograph hodograph{.order = order, .strips = strips_of(frame, order)};
+    if (hodograph.strips != nullptr) hodograph.polygon = polygon_of(*hodograph.strips->curve());
+    return hodograph;
+}
+
+std::string title_of(const CanvasFrame& frame, const Hodograph& hodograph) {
+    const core::Place name("name", hodograph.name());
     const std::size_t spans = span_count(*frame.curve);
-    if (frame.kept->hodograph() != nullptr || sampling_stride(*frame.curve) == 1) return "Hodograph C′(u)";
-    return core::sentence("C′(u) on {shown} of {count} spans",
-                          {{"shown", (spans - 1) / sampling_stride(*frame.curve) + 1}, {"count", spans}});
+    const std::size_t stride = sampling_stride(*frame.curve);
+    if (hodograph.strips == nullptr && stride > 1)
+        return core::sentence("{name} on {shown} of {count} spans",
+                              {name, {"shown", (spans - 1) / stride + 1}, {"count", spans}});
+    if (hodograph.strips == nullptr || hodograph.polygon.empty())
+        return core::sentence("{name} without its polygon", {name});
+    if (hodograph.strips->curve()->is_rational())
+        return core::sentence("{name}, rational, degree {degree}",
+                              {name, {"degree", hodograph.strips->curve()->degree()}});
+    return core::sentence("{name} and its polygon", {name});
 }
 
 std::vector<glm::dvec2> places_of(const std::vector<core::Point>& run, const InsetMap& map) {
@@ -99,17 +149,11 @@ std::vector<glm::dvec2> places_of(const std::vector<core::Point>& run, const Ins
     return places;
 }
 
-/// The strips of the hodograph, null where it cannot be drawn as a curve.
-core::CurveStrips* strips_of(const CanvasFrame& frame) {
-    core::CurveStrips* strips = frame.kept->hodograph();
-    return strips != nullptr && core::is_finite(strips->box().lower) && core::is_finite(strips->box().upper) ? strips
-                                                                                                             : nullptr;
-}
-
 /// The polylines of the hodograph, so near that no feature of a pixel is missed; none where these have too many places.
-std::optional<core::PointRuns> hodograph_runs(const CanvasFrame& frame, const render::PixelBox& area) {
-    core::CurveStrips* strips = strips_of(frame);
-    if (strips == nullptr) return sampled_runs(*frame.curve);
+std::optional<core::PointRuns> hodograph_runs(const CanvasFrame& frame, const Hodograph& hodograph,
+                                              const render::PixelBox& area) {
+    core::CurveStrips* strips = hodograph.strips;
+    if (strips == nullptr) return sampled_runs(*frame.curve, hodograph.order);
     const InsetMap map(area, strips->box());
     const double tolerance = std::max(line_tolerance_px / std::max(map.scale(), std::numeric_limits<double>::min()),
                                       std::numeric_limits<double>::min());
@@ -125,27 +169,71 @@ void draw_inked(CanvasFrame& frame, const core::CurveStrips& strips, const Inset
     frame.pen.ink(ink, stroke.color);
 }
 
-}  // namespace
+/// The control point that the hovered leg makes, where each makes one.
+std::optional<std::size_t> lit_point(const CanvasFrame& frame, const Hodograph& hodograph) {
+    const auto* leg = std::get_if<HoveredLeg>(&frame.state.hover);
+    const std::size_t points = frame.curve->control_points().size();
+    const std::size_t legs = frame.curve->is_periodic() ? points : points - 1;
+    const bool fits = hodograph.order == 1 && !frame.curve->is_rational() &&
+                      hodograph.strips->curve()->control_points().size() == legs;
+    return leg != nullptr && fits ? std::optional(leg->index) : std::nullopt;
+}
 
-void draw_hodograph_inset(CanvasFrame& frame, const render::PixelBox& box) {
+void draw_polygon(CanvasFrame& frame, const Hodograph& hodograph, const InsetMap& map) {
+    std::size_t i = 0;
+    const auto lit = hodograph.strips == nullptr ? std::nullopt : lit_point(frame, hodograph);
+    for (const auto& run : hodograph.polygon) {
+        const std::vector<glm::dvec2> places = places_of(run, map);
+        frame.pen.line(places, {.color = frame.theme.polygon, .width = 1.0});
+        for (const glm::dvec2 place : places) {
+            const bool is_lit = lit == i++;
+            frame.pen.symbol(place, {.radius = is_lit ? 4.5 : 2.75,
+                                     .fill = is_lit ? frame.theme.accent : frame.theme.polygon,
+                                     .outline = frame.theme.panel,
+                                     .outline_width = 1.0});
+        }
+    }
+}
+
+void draw_vector_at_parameter(CanvasFrame& frame, std::size_t order, const InsetMap& map) {
+    const core::Point now = core::tip_of(derivative(*frame.curve, order, frame.triangle->u));
+    if (!core::is_finite(now)) return;
+    draw_arrow(frame.pen, map({0.0, 0.0}), map(now), {.color = frame.theme.parameter, .width = 1.5});
+    frame.pen.symbol(
+        map(now), {.radius = 4.5, .fill = frame.theme.parameter, .outline = frame.theme.panel, .outline_width = 1.5});
+}
+
+void draw_inset(CanvasFrame& frame, const render::PixelBox& box, std::size_t order) {
+    const Hodograph hodograph = hodograph_of(frame, order);
     Pen& pen = frame.pen;
     const Theme& theme = frame.theme;
     draw_panel_box(pen, theme, box);
     const glm::dvec2 corner = box.lower_px + glm::dvec2(pen.px(inset_padding));
-    pen.text({corner.x, box.lower_px.y + pen.px(15.0)}, title_of(frame), {.color = theme.dim, .size = 11.5});
+    pen.text({corner.x, box.lower_px.y + pen.px(15.0)}, title_of(frame, hodograph), {.color = theme.dim, .size = 11.5});
     const render::PixelBox area{corner + glm::dvec2(0.0, pen.px(title_height - 4.0)),
                                 box.upper_px - glm::dvec2(pen.px(inset_padding))};
-    const std::optional<core::PointRuns> runs = hodograph_runs(frame, area);
-    const InsetMap map(area, runs ? box_of(*runs) : strips_of(frame)->box());
+    const std::optional<core::PointRuns> runs = hodograph_runs(frame, hodograph, area);
+    core::Box drawn = runs ? box_of(*runs) : hodograph.strips->box();
+    for (const auto& run : hodograph.polygon)
+        for (const core::Point point : run) drawn.include(point);
+    const InsetMap map(area, drawn);
     draw_axes(pen, theme, area, map({0.0, 0.0}));
+    draw_polygon(frame, hodograph, map);
     const Stroke stroke{.color = theme.curve, .width = 1.75};
-    if (!runs) draw_inked(frame, *strips_of(frame), map, stroke);
+    if (!runs) draw_inked(frame, *hodograph.strips, map, stroke);
     if (runs)
         for (const auto& run : *runs) pen.line(places_of(run, map), stroke);
-    const core::Point now = core::tip_of(core::derivatives_at(*frame.curve, frame.triangle->u, 1)[1]);
-    if (!core::is_finite(now)) return;
-    pen.segment(map({0.0, 0.0}), map(now), {.color = theme.parameter, .width = 1.5});
-    pen.symbol(map(now), {.radius = 4.5, .fill = theme.parameter, .outline = theme.panel, .outline_width = 1.5});
+    draw_vector_at_parameter(frame, order, map);
+}
+
+}  // namespace
+
+void draw_hodograph_inset(CanvasFrame& frame, const render::PixelBox& box) {
+    draw_inset(frame, box, 1);
+}
+
+void draw_second_hodograph_inset(CanvasFrame& frame, const render::PixelBox& box) {
+    draw_inset(frame, box, 2);
 }
 
 }  // namespace batten::editor

@@ -14,7 +14,8 @@ struct InsetSize {
     glm::dvec2 size;
 };
 
-constexpr std::array inset_sizes{InsetSize{Overlay::hodograph, {200.0, 150.0}}};
+constexpr std::array inset_sizes{InsetSize{Overlay::hodograph, {200.0, 150.0}},
+                                 InsetSize{Overlay::second_hodograph, {200.0, 150.0}}};
 
 constexpr double margin = 14.0;
 constexpr double gap = 8.0;

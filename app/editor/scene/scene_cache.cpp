@@ -20,19 +20,20 @@ core::PolygonStrips& KeptCurve::polygon() {
     return *polygon_;
 }
 
-core::CurveStrips* KeptCurve::hodograph() {
-    if (differentiated_ != strips_.curve()) {
-        differentiated_ = strips_.curve();
+core::CurveStrips* KeptCurve::hodograph(std::size_t order) {
+    auto& [differentiated, strips] = hodographs_[order - 1];
+    if (differentiated != strips_.curve()) {
+        differentiated = strips_.curve();
         ++hodograph_count_;
-        core::Result<core::Curve> made = core::hodograph(*differentiated_);
+        auto made = order == 1 ? core::hodograph(*differentiated) : core::second_hodograph(*differentiated);
         if (!made)
-            hodograph_.reset();
-        else if (auto curve = std::make_shared<const core::Curve>(*std::move(made)); hodograph_)
-            hodograph_->follow(std::move(curve));
+            strips.reset();
+        else if (auto curve = std::make_shared<const core::Curve>(*std::move(made)); strips)
+            strips->follow(std::move(curve));
         else
-            hodograph_.emplace(std::move(curve));
+            strips.emplace(std::move(curve));
     }
-    return hodograph_ ? &*hodograph_ : nullptr;
+    return strips ? &*strips : nullptr;
 }
 
 KeptCurve& SceneCache::curve(std::size_t index, const std::shared_ptr<const core::Curve>& curve) {

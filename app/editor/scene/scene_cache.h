@@ -1,6 +1,7 @@
 /// What pictures keep from one to the next: computed once for a curve, and followed where it changes.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,6 +14,11 @@
 #include "core/evaluate/polygon_strips.h"
 
 namespace batten::editor {
+
+struct KeptHodograph {
+    std::shared_ptr<const core::Curve> differentiated;  ///< the curve whose hodograph is there
+    std::optional<core::CurveStrips> strips;
+};
 
 /// What is kept of one curve that is drawn.
 class KeptCurve {
@@ -29,8 +35,9 @@ class KeptCurve {
     KeptInk& curve_ink() { return curve_ink_; }
     KeptInk& polygon_ink() { return polygon_ink_; }
 
-    /// The strips of the hodograph, made when they are asked for; null where it is refused.
-    core::CurveStrips* hodograph();
+    /// The strips of the hodograph C' (order 1) or C'' (order 2), made when they are asked for; null where it is
+    /// refused.
+    core::CurveStrips* hodograph(std::size_t order);
 
     /// How many hodographs were made so far.
     std::size_t hodograph_count() const { return hodograph_count_; }
@@ -40,8 +47,7 @@ class KeptCurve {
     std::optional<core::PolygonStrips> polygon_;
     KeptInk curve_ink_;
     KeptInk polygon_ink_;
-    std::shared_ptr<const core::Curve> differentiated_;  ///< the curve whose hodograph is there
-    std::optional<core::CurveStrips> hodograph_;
+    std::array<KeptHodograph, 2> hodographs_;
     std::size_t hodograph_count_ = 0;
 };
 

@@ -46,7 +46,8 @@ constexpr std::array plot_views_above{
     PlotView{Overlay::basis_values, draw_basis_areas}, PlotView{Overlay::rational_basis, draw_rational_graphs},
     PlotView{Overlay::basis_pieces, draw_piece_graphs}, PlotView{Overlay::recurrence, draw_recurrence_lines},
     PlotView{Overlay::corner_cutting, draw_cut_functions}};
-constexpr std::array insets{InsetView{Overlay::hodograph, draw_hodograph_inset}};
+constexpr std::array insets{InsetView{Overlay::hodograph, draw_hodograph_inset},
+                            InsetView{Overlay::second_hodograph, draw_second_hodograph_inset}};
 
 template <class Frame, class Views>
 void draw_shown(Frame& frame, const Views& views) {
