@@ -122,6 +122,19 @@ std::string number_text(double value, int digits) {
         value, is_written_plainly(magnitude, digits) ? plain(magnitude, digits) : scientific(magnitude, digits));
 }
 
+int digits_that_tell_apart(double a, double b, double c) {
+    const auto same = [](double x, double y, int digits) {
+        return x != y && number_text(x, digits) == number_text(y, digits);
+    };
+    int digits = 4;
+    while (digits < 17 && (same(a, b, digits) || same(b, c, digits) || same(a, c, digits))) ++digits;
+    return digits;
+}
+
+std::string parenthesized_if_negative(const std::string& number) {
+    return number.rfind(minus, 0) == 0 ? fmt::format("({})", number) : number;
+}
+
 std::string bound_text(double value, int digits) {
     constexpr double last_bits = 1e-12;
     std::string nearest = number_text(value, digits);

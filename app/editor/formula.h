@@ -13,6 +13,12 @@ inline constexpr const char* true_minus = "−";
 /// digits than it has. "1e−12" style below 1e-4 and from 1e6 (or from 10^digits if that is more).
 std::string number_text(double value, int digits = 4);
 
+/// Four digits, or as many more as tell the three apart where they differ.
+int digits_that_tell_apart(double a, double b, double c);
+
+/// "(−2)" for "−2", where a sign stands before it.
+std::string parenthesized_if_negative(const std::string& number);
+
 /// number_text of what something is "at most", >= 0: rounded up, so that the text is no less than `value` but for its
 /// last bits.
 std::string bound_text(double value, int digits = 4);

@@ -6,6 +6,7 @@
 #include "app/editor/scene/bezier_points_scene.h"
 #include "app/editor/scene/construction_views.h"
 #include "app/editor/scene/corner_cutting_scene.h"
+#include "app/editor/scene/end_marks.h"
 #include "app/editor/scene/halves.h"
 #include "app/editor/scene/hodograph_inset.h"
 #include "app/editor/scene/insets.h"
@@ -37,10 +38,12 @@ constexpr std::array views_below{
     CanvasView{Overlay::by_insertion, draw_inserted_polygon}, CanvasView{Overlay::halves, draw_halves},
     CanvasView{Overlay::corner_cutting, draw_cut_corners}, CanvasView{Overlay::polygon_distance, draw_polygon_rounds},
     CanvasView{Overlay::bezier_points, draw_bezier_points}};
-constexpr std::array views_above{
-    CanvasView{Overlay::halves, draw_points_of_halves}, CanvasView{Overlay::blossoms, label_blossoms},
-    CanvasView{Overlay::triangle, label_construction}, CanvasView{Overlay::corner_cutting, draw_corner_cutting},
-    CanvasView{Overlay::polygon_distance, draw_polygon_distances}};
+constexpr std::array views_above{CanvasView{Overlay::halves, draw_points_of_halves},
+                                 CanvasView{Overlay::blossoms, label_blossoms},
+                                 CanvasView{Overlay::triangle, label_construction},
+                                 CanvasView{Overlay::corner_cutting, draw_corner_cutting},
+                                 CanvasView{Overlay::polygon_distance, draw_polygon_distances},
+                                 CanvasView{Overlay::end_derivatives, draw_end_marks}};
 constexpr std::array<PlotView, 0> plot_views_below{};
 constexpr std::array plot_views_above{
     PlotView{Overlay::basis_values, draw_basis_areas}, PlotView{Overlay::rational_basis, draw_rational_graphs},
