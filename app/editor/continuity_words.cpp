@@ -83,23 +83,23 @@ bool is_as_promised(const JointContinuity& joint) {
     return std::max(joint.parametric, joint.geometric) <= joint.promised;
 }
 
-std::string number_words(double value) {
-    return number_text(value);
+std::string degrees_text(double radians, const Notation& notation) {
+    return sentence("{degrees}°", {{"degrees", exact_text(notation, std::abs(radians) * 180.0 / std::numbers::pi)}});
 }
 
-std::string speed_reason(const JointContinuity& joint) {
+std::string speed_reason(const JointContinuity& joint, const Notation& notation) {
     const auto ratio = core::speed_ratio(joint);
     if (!ratio) return "the same direction; the speed is zero on one side";
-    const Place times("ratio", number_words(*ratio));
+    const Place times("ratio", exact_text(notation, *ratio));
     return joint.geometric < 2 ? sentence("the same direction; {ratio} times as fast behind it", {times})
                                : sentence("the same direction and curvature; {ratio} times as fast behind it", {times});
 }
 
-std::string acceleration_reason(const JointContinuity& joint) {
+std::string acceleration_reason(const JointContinuity& joint, const Notation& notation) {
     if (joint.geometric > 1) return "C′ and the curvature agree; C″ jumps along the tangent";
     if (!joint.before || !joint.after) return "C′ agrees; C″ jumps";
     return sentence("C′ agrees; the curvature jumps from {before} to {after}",
-                    {{"before", number_words(*joint.before)}, {"after", number_words(*joint.after)}});
+                    {{"before", exact_text(notation, *joint.before)}, {"after", exact_text(notation, *joint.after)}});
 }
 
 }  // namespace
@@ -114,15 +114,28 @@ std::string continuity_verdict(const JointContinuity& joint) {
                                    {"geometric", level_text("G", joint.geometric)}});
 }
 
-std::string continuity_reason(const JointContinuity& joint) {
-    if (joint.geometric < 0) return sentence("a gap of {gap}", {{"gap", number_words(joint.position.size)}});
+std::string continuity_reason(const JointContinuity& joint, const Notation& notation) {
+    if (joint.geometric < 0) return sentence("a gap of {gap}", {{"gap", exact_text(notation, joint.position.size)}});
     if (is_cusp(joint) && joint.parametric > 0) return "the speed falls to zero, and the curve turns back";
     if (joint.geometric == 0 && !joint.angle) return "a piece beside it is a single point";
     if (joint.geometric == 0)
-        return sentence("the direction turns by {angle}°",
-                        {{"angle", number_words(std::abs(*joint.angle) * 180.0 / std::numbers::pi)}});
-    if (joint.parametric == 0) return speed_reason(joint);
-    return joint.parametric == 1 ? acceleration_reason(joint) : "C′ and C″ agree";
+        return sentence("the direction turns by {angle}", {{"angle", degrees_text(*joint.angle, notation)}});
+    if (joint.parametric == 0) return speed_reason(joint, notation);
+    return joint.parametric == 1 ? acceleration_reason(joint, notation) : "C′ and C″ agree";
+}
+
+std::string jump_text(const core::Jump& jump, const Notation& notation) {
+    return jump.is_rounding() ? "0" : exact_text(notation, jump.size);
+}
+
+std::string turn_text(const JointContinuity& joint, const Notation& notation) {
+    if (!joint.angle) return "–";
+    return degrees_text(joint.geometric > 0 ? 0.0 : *joint.angle, notation);
+}
+
+std::string curvature_jump_text(const JointContinuity& joint, const Notation& notation) {
+    if (!joint.before || !joint.after) return "–";
+    return joint.geometric > 1 ? "0" : exact_text(notation, std::abs(*joint.after - *joint.before));
 }
 
 }  // namespace batten::editor

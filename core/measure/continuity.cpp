@@ -200,8 +200,12 @@ std::vector<JointContinuity> joint_continuity(const Curve& curve, const Continui
 }
 
 JointContinuity continuity_of_ends(const Curve& curve, const ContinuityTolerances& tolerances) {
+    return continuity_of_ends(curve, control_box(curve), tolerances);
+}
+
+JointContinuity continuity_of_ends(const Curve& curve, const Box& box, const ContinuityTolerances& tolerances) {
     const Interval domain = curve.domain();
-    const JointMeter meter(control_box(curve), tolerances);
+    const JointMeter meter(box, tolerances);
     return meter.measure(curve.is_periodic() ? JointKind::seam : JointKind::ends, domain.lower,
                          meter.look(curve, domain.upper, Side::left), meter.look(curve, domain.lower, Side::right));
 }

@@ -79,8 +79,10 @@ std::vector<JointContinuity> joint_continuity(const Curve& curve, const Continui
 std::vector<JointContinuity> joint_continuity_within(const Curve& curve, Interval range,
                                                      const ContinuityTolerances& tolerances = {});
 
-/// What joins the end of an open curve to its beginning, whether they meet or not.
+/// What joins the end of an open curve to its beginning, whether they meet or not; with the `box` of its control points
+/// at the cost O(p^3).
 JointContinuity continuity_of_ends(const Curve& curve, const ContinuityTolerances& tolerances = {});
+JointContinuity continuity_of_ends(const Curve& curve, const Box& box, const ContinuityTolerances& tolerances = {});
 
 /// What joins two open curves at these ends, whether they meet or not, run through from the first into the second:
 /// where that is against the sense of a curve, C' changes its sign and so does the curvature. `box` contains both

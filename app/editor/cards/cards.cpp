@@ -10,6 +10,7 @@
 #include "app/editor/cards/bezier_points_card.h"
 #include "app/editor/cards/blossoms_card.h"
 #include "app/editor/cards/by_insertion_card.h"
+#include "app/editor/cards/continuity_card.h"
 #include "app/editor/cards/corner_cutting_card.h"
 #include "app/editor/cards/end_derivatives_card.h"
 #include "app/editor/cards/halves_card.h"
@@ -33,6 +34,7 @@ constexpr std::array sources{CardSource{Overlay::triangle, triangle_card},
                              CardSource{Overlay::basis_values, basis_values_card},
                              CardSource{Overlay::rational_basis, rational_basis_card},
                              CardSource{Overlay::basis_derivatives, basis_derivatives_card},
+                             CardSource{Overlay::continuity, continuity_card},
                              CardSource{Overlay::end_derivatives, end_derivatives_card}};
 
 }  // namespace

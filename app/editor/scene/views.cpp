@@ -5,6 +5,7 @@
 #include "app/editor/scene/basis_areas.h"
 #include "app/editor/scene/bezier_points_scene.h"
 #include "app/editor/scene/construction_views.h"
+#include "app/editor/scene/continuity_marks.h"
 #include "app/editor/scene/corner_cutting_scene.h"
 #include "app/editor/scene/end_marks.h"
 #include "app/editor/scene/halves.h"
@@ -43,7 +44,8 @@ constexpr std::array views_above{CanvasView{Overlay::halves, draw_points_of_halv
                                  CanvasView{Overlay::triangle, label_construction},
                                  CanvasView{Overlay::corner_cutting, draw_corner_cutting},
                                  CanvasView{Overlay::polygon_distance, draw_polygon_distances},
-                                 CanvasView{Overlay::end_derivatives, draw_end_marks}};
+                                 CanvasView{Overlay::end_derivatives, draw_end_marks},
+                                 CanvasView{Overlay::continuity, draw_continuity_marks}};
 constexpr std::array<PlotView, 0> plot_views_below{};
 constexpr std::array plot_views_above{
     PlotView{Overlay::basis_values, draw_basis_areas}, PlotView{Overlay::rational_basis, draw_rational_graphs},
