@@ -81,6 +81,8 @@ TEST(EndFormula, subtracts_negative_knots_in_parentheses_and_tells_near_ones_apa
 TEST(EndDerivativesCard, has_both_ends) {
     const std::string text = card_text(end_derivatives_card(test::scene_state(clamped_cubic())));
     EXPECT_NE(text.find("At the start\nC′(0) = p (P₁ − P₀)/(u₄ − u₃)\n"), std::string::npos) << text;
+    const Card card = end_derivatives_card(test::scene_state(clamped_cubic()));
+    EXPECT_EQ(std::get<CardLine>(card.blocks[1]).text.hover, Hover(HoveredLeg{0}));
     EXPECT_NE(text.find("At the end\nC′(4) = p (P₅ − P₄)/(u₆ − u₅)\n"), std::string::npos) << text;
 }
 
@@ -91,6 +93,7 @@ TEST(EndDerivativesCard, says_where_the_formulas_do_not_hold) {
     uniform.points = {{0, 0}, {1, 2}, {4, 5}, {7, 2}};
     EXPECT_NE(card_text(end_derivatives_card(test::scene_state(uniform))).find("The start is not clamped"),
               std::string::npos);
+    EXPECT_NE(card_text(end_derivatives_card(test::scene_state(uniform))).find("Clamp both ends"), std::string::npos);
     uniform.knots = {0, 1, 2, 3, 4};
     uniform.periodic = true;
     EXPECT_NE(card_text(end_derivatives_card(test::scene_state(uniform))).find("it has no ends"), std::string::npos);

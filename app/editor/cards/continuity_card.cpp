@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/file_commands.h"
 #include "app/editor/continuity_meter.h"
 #include "app/editor/continuity_words.h"
 #include "app/editor/state.h"
@@ -18,6 +19,10 @@ using core::sentence;
 
 constexpr std::size_t most_rows = 12;
 
+void offer_example(Card& card) {
+    card.add(CardButtons{{{.text = "Open an example", .command = OpenExample{.name = "quadratic-double-knot"}}}});
+}
+
 class ContinuityCard {
   public:
     explicit ContinuityCard(const EditorState& state)
@@ -25,7 +30,10 @@ class ContinuityCard {
 
     Card made() {
         card_.title = "Continuity";
-        if (meter_.count == 0) card_.line("No knot lies inside the domain: the curve is one piece.", CardTone::dim);
+        if (meter_.count == 0) {
+            card_.line("No knot lies inside the domain: the curve is one piece.", CardTone::dim);
+            offer_example(card_);
+        }
         add_joints();
         if (meter_.rows.size() < meter_.count)
             card_.line(
@@ -114,6 +122,7 @@ Card continuity_card(const EditorState& state) {
         Card card;
         card.title = "Continuity";
         card.line("There is no curve to be measured.", CardTone::dim);
+        offer_example(card);
         return card;
     }
     return ContinuityCard(state).made();

@@ -1,5 +1,9 @@
 #include "app/editor/cards/end_derivatives_card.h"
 
+#include <algorithm>
+
+#include "app/editor/commands/file_commands.h"
+#include "app/editor/commands/refinement_commands.h"
 #include "app/editor/end_formula.h"
 #include "app/editor/state.h"
 
@@ -7,12 +11,18 @@ namespace batten::editor {
 
 namespace {
 
-void add_formula(Card& card, const EndFormula& formula) {
-    card.line(formula.symbols);
+void add_formula(Card& card, const EndFormula& formula, const Hover& hover) {
+    card.add(CardLine{{.text = formula.symbols, .hover = hover}});
     for (const std::string& line : formula.numbers) card.line(line, CardTone::dim);
 }
 
-void add_end(Card& card, const core::Curve& curve, core::CurveEnd end, const Notation& notation) {
+// The leg along which the curve begins or ends.
+Hover leg_of(const core::EndDerivatives& at) {
+    return HoveredLeg{std::min(at.end_point.index, at.near_point.index)};
+}
+
+// Returns whether the formulas hold.
+bool add_end(Card& card, const core::Curve& curve, core::CurveEnd end, const Notation& notation) {
     const bool is_start = end == core::CurveEnd::start;
     card.line(is_start ? "At the start" : "At the end", CardTone::strong);
     const auto at = core::end_derivatives(curve, end);
@@ -20,10 +30,15 @@ void add_end(Card& card, const core::Curve& curve, core::CurveEnd end, const Not
         card.line(is_start ? "The start is not clamped: fewer than p knots are equal there, and it is no control point."
                            : "The end is not clamped: fewer than p knots are equal there, and it is no control point.",
                   CardTone::dim);
-        return;
+        return false;
     }
-    add_formula(card, first_end_formula(*at, notation));
-    if (at->second) add_formula(card, second_end_formula(*at, notation));
+    add_formula(card, first_end_formula(*at, notation), leg_of(*at));
+    if (at->second) add_formula(card, second_end_formula(*at, notation), HoveredPoint{at->second->far_point.index});
+    return true;
+}
+
+Card& offer_example(Card& card) {
+    return card.add(CardButtons{{{.text = "Open an example", .command = OpenExample{.name = "bezier-cubic"}}}});
 }
 
 }  // namespace
@@ -32,10 +47,12 @@ Card end_derivatives_card(const EditorState& state) {
     Card card;
     card.title = "End derivatives";
     const core::Curve* curve = state.visible_active_curve();
-    if (curve == nullptr) return card.line("There is no curve to be measured.", CardTone::dim);
-    if (curve->is_periodic()) return card.line("The curve is periodic: it has no ends.", CardTone::dim);
-    for (const core::CurveEnd end : {core::CurveEnd::start, core::CurveEnd::end})
-        add_end(card, *curve, end, state.view.notation);
+    if (curve == nullptr) return offer_example(card.line("There is no curve to be measured.", CardTone::dim));
+    if (curve->is_periodic()) return offer_example(card.line("The curve is periodic: it has no ends.", CardTone::dim));
+    const bool start_is_clamped = add_end(card, *curve, core::CurveEnd::start, state.view.notation);
+    const bool end_is_clamped = add_end(card, *curve, core::CurveEnd::end, state.view.notation);
+    if (!start_is_clamped || !end_is_clamped)
+        card.add(CardButtons{{{.text = "Clamp both ends", .command = Clamp{.end = CurveEnds::both}}}});
     return card;
 }
 
