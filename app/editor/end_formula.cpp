@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "app/editor/formula.h"
 #include "core/base/sentence.h"
 
@@ -31,8 +33,16 @@ std::vector<Place> letters_of(const EndDerivatives& at, const std::string& u) {
     return places;
 }
 
-std::string pair_text(const Notation& notation, core::Vector v) {
-    return fmt::format("({}, {})", exact_text(notation, v.x), exact_text(notation, v.y));
+std::string pair_text(const Notation& notation, core::Vector v, int digits = 4) {
+    return fmt::format("({}, {})", exact_text(notation, v.x, digits), exact_text(notation, v.y, digits));
+}
+
+// That tell the control points apart.
+int digits_of_points(const EndDerivatives& at) {
+    const core::Point end = at.end_point.point;
+    const core::Point near = at.near_point.point;
+    const core::Point far = at.second ? at.second->far_point.point : near;
+    return std::max(digits_that_tell_apart(end.x, near.x, far.x), digits_that_tell_apart(end.y, near.y, far.y));
 }
 
 // "(1/2)" where a fraction stands below a bar.
@@ -45,7 +55,8 @@ std::vector<Place> numbers_of(const EndDerivatives& at, const Notation& notation
     const double far_value = at.second ? at.second->far.value : at.near.value;
     const int digits = digits_that_tell_apart(at.end_knot.value, at.near.value, far_value);
     const auto knot = [&](double value) { return parenthesized_if_negative(exact_text(notation, value, digits)); };
-    const auto point = [&](core::Point place) { return pair_text(notation, core::vector_to(place)); };
+    const int digits_of_point = digits_of_points(at);
+    const auto point = [&](core::Point place) { return pair_text(notation, core::vector_to(place), digits_of_point); };
     std::vector<Place> places{{"p", at.degree},
                               {"less", at.degree - 1},
                               {"end", point(at.end_point.point)},

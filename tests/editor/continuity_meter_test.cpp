@@ -135,15 +135,15 @@ TEST(ContinuityMeter, finds_other_curves_at_its_ends) {
 TEST(ContinuityCard, has_a_row_for_each_knot_and_the_values_at_one) {
     EXPECT_EQ(card_text(continuity_card(test::scene_state(two_cubics()))),
               "Continuity\n"
-              "[C′] is how far C′ jumps there.\n"
-              "[C] | [C′] | [C″] | turn | [κ]\n"
-              "u = 1/2 ×3: C⁰ by its knots, G¹ by its shape\n"
-              "0 | 6 | 33.94 | 0° | 1/3\n"
               "At u = 1/2: the same direction; 2 times as fast behind it\n"
               " | u− | u+\n"
               "C′ | (6, 0) | (12, 0)\n"
               "C″ | (0, 24) | (−24, 48)\n"
-              "κ | 2/3 | 1/3");
+              "κ | 2/3 | 1/3\n"
+              "[C′] is how far C′ jumps there.\n"
+              "[C] | [C′] | [C″] | turn | [κ]\n"
+              "u = 1/2 ×3: C⁰ by its knots, G¹ by its shape\n"
+              "0 | 6 | 33.94 | 0° | 1/3");
 }
 
 TEST(ContinuityCard, follows_a_knot_onto_another_down_to_the_tear) {
@@ -168,7 +168,8 @@ TEST(ContinuityCard, says_which_knots_of_many_are_shown) {
     EditorState state = test::scene_state(long_curve(10003));
     state.view.parameter = 0.5;
     const Card card = continuity_card(state);
-    EXPECT_NE(card_text(card).find("Knots 4994 to 5005 of 9999, around u."), std::string::npos);
+    EXPECT_NE(card_text(card).find("u = 0.5001: C² by its knots"), std::string::npos);
+    EXPECT_NE(card_text(card).find("Knots 4995 to 5004 of 9999, around u."), std::string::npos);
 }
 
 TEST(ContinuityCard, names_the_curves_that_are_met) {
@@ -187,7 +188,7 @@ TEST(ContinuityCard, of_nothing_to_measure_says_so) {
 
 TEST(ContinuityCard, lights_the_knot_of_its_row) {
     const Card card = continuity_card(test::scene_state(two_cubics()));
-    const auto& table = std::get<CardTable>(card.blocks[1]);
+    const auto& table = std::get<CardTable>(card.blocks[3]);
     EXPECT_EQ(table.rows[1].front().hover, Hover(HoveredKnot{6})) << "the topmost of its stack";
     EXPECT_TRUE(table.rows[1].front().command.has_value());
 }

@@ -78,6 +78,13 @@ TEST(EndFormula, subtracts_negative_knots_in_parentheses_and_tells_near_ones_apa
               "= 3 · ((1, 2) − (0, 0))/(0.3333 − 0)");
 }
 
+TEST(EndFormula, tells_points_apart_that_are_far_from_the_origin) {
+    core::CurveDefinition definition = clamped_cubic();
+    for (core::Point& point : definition.points) point += core::Vector{1e6, -1e6};
+    EXPECT_EQ(first_end_formula(at(definition, core::CurveEnd::start), {}).numbers,
+              (Lines{"= 3 · ((1000001, −999998) − (1000000, −1000000))/(1 − 0)", "= (3, 6)"}));
+}
+
 TEST(EndDerivativesCard, has_both_ends) {
     const std::string text = card_text(end_derivatives_card(test::scene_state(clamped_cubic())));
     EXPECT_NE(text.find("At the start\nC′(0) = p (P₁ − P₀)/(u₄ − u₃)\n"), std::string::npos) << text;

@@ -2,10 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/continuity_meter.h"
 #include "app/editor/continuity_words.h"
+#include "app/editor/formula.h"
 #include "app/editor/state.h"
 #include "core/base/sentence.h"
 
@@ -17,7 +20,7 @@ using core::JointContinuity;
 using core::Place;
 using core::sentence;
 
-constexpr std::size_t most_rows = 12;
+constexpr std::size_t most_rows = 10;
 
 void offer_example(Card& card) {
     card.add(CardButtons{{{.text = "Open an example", .command = OpenExample{.name = "quadratic-double-knot"}}}});
@@ -26,7 +29,12 @@ void offer_example(Card& card) {
 class ContinuityCard {
   public:
     explicit ContinuityCard(const EditorState& state)
-        : state_(state), notation_(state.view.notation), meter_(continuity_meter(state, most_rows)) {}
+        : state_(state), notation_(state.view.notation), meter_(continuity_meter(state, most_rows)) {
+        for (std::size_t i = 1; i < meter_.rows.size(); ++i) {
+            const double u = meter_.rows[i].joint.u;
+            digits_ = std::max(digits_, digits_that_tell_apart(meter_.rows[i - 1].joint.u, u, u));
+        }
+    }
 
     Card made() {
         card_.title = "Continuity";
@@ -34,6 +42,7 @@ class ContinuityCard {
             card_.line("No knot lies inside the domain: the curve is one piece.", CardTone::dim);
             offer_example(card_);
         }
+        if (meter_.focus) add_focus(*meter_.focus);
         add_joints();
         if (meter_.rows.size() < meter_.count)
             card_.line(
@@ -41,7 +50,6 @@ class ContinuityCard {
                                                                            {"last", meter_.first + meter_.rows.size()},
                                                                            {"count", meter_.count}}),
                 CardTone::dim);
-        if (meter_.focus) add_focus(*meter_.focus);
         return std::move(card_);
     }
 
@@ -65,7 +73,7 @@ class ContinuityCard {
     static Place verdict(const JointContinuity& joint) { return {"verdict", continuity_verdict(joint)}; }
 
     void add_knot(CardTable& table, const KnotJoint& row) const {
-        const Place u("u", number(row.joint.u));
+        const Place u("u", exact_text(notation_, row.joint.u, digits_));
         const std::string text =
             row.joint.multiplicity == 1
                 ? sentence("u = {u}: {verdict}", {u, verdict(row.joint)})
@@ -99,9 +107,9 @@ class ContinuityCard {
 
     void add_focus(const KnotJoint& focus) {
         const JointContinuity& joint = focus.joint;
-        card_.line(
-            sentence("At u = {u}: {reason}", {{"u", number(joint.u)}, {"reason", continuity_reason(joint, notation_)}}),
-            CardTone::strong);
+        card_.line(sentence("At u = {u}: {reason}", {{"u", exact_text(notation_, joint.u, digits_)},
+                                                     {"reason", continuity_reason(joint, notation_)}}),
+                   CardTone::strong);
         CardTable table{.rows = {{{""}, {"u−"}, {"u+"}}}, .has_heading = true};
         table.rows.push_back({{"C′"}, {vector(joint.left.first)}, {vector(joint.right.first)}});
         table.rows.push_back({{"C″"}, {vector(joint.left.second)}, {vector(joint.right.second)}});
@@ -112,6 +120,7 @@ class ContinuityCard {
     const EditorState& state_;
     const Notation& notation_;
     ContinuityMeter meter_;
+    int digits_ = 4;  // that tell the knots apart
     Card card_;
 };
 

@@ -80,7 +80,9 @@ class LabelWriter {
     /// Keeps what is dense there from running through the words, which may be longer than they are taken for.
     void fill_ground(const render::PixelBox& box, bool is_from_right) {
         const glm::dvec2 around(frame_.pen.px(ground_margin));
-        const glm::dvec2 longer(width_error * (box.upper_px.x - box.lower_px.x), 0.0);
+        const double error =
+            has_grounds_ ? width_error : 0.0;  // where little is dense, the ground hides nothing beside it
+        const glm::dvec2 longer(error * (box.upper_px.x - box.lower_px.x), 0.0);
         frame_.pen.fill(corners_of({box.lower_px - around - (is_from_right ? longer : glm::dvec2(0.0)),
                                     box.upper_px + around + (is_from_right ? glm::dvec2(0.0) : longer)}),
                         render::faded(frame_.theme.canvas, label_ground_opacity));

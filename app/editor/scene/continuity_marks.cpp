@@ -14,6 +14,7 @@ namespace {
 constexpr double longest_velocity = 180.0;
 constexpr double longest_acceleration = 130.0;
 constexpr double text_size = 13.0;
+constexpr double least_named = 6.0;
 constexpr double verdict_distance = 16.0;
 constexpr double farthest_verdict = 100.0;
 
@@ -69,8 +70,8 @@ class JointPainter {
         draw_arrow(frame_, left_ - arms.left, left_, stroke(frame_.theme.error));
         draw_arrow(frame_, right_, right_ + arms.right, stroke(frame_.theme.comb));
         if (!is_named) return;
-        name(left_ - arms.left, "C′(u−)", frame_.theme.error);
-        name(right_ + arms.right, "C′(u+)", frame_.theme.comb);
+        name(left_, -arms.left, "C′(u−)", frame_.theme.error);
+        name(right_, arms.right, "C′(u+)", frame_.theme.comb);
     }
 
     void draw_accelerations(const core::JointContinuity& joint, bool is_named) {
@@ -84,18 +85,20 @@ class JointPainter {
         draw_arrow(frame_, right_, right_ + arms.right, dashed(frame_.theme.comb));
         if (!is_named) return;
         if (joint.second.is_rounding()) {
-            name(right_ + arms.right, "C″(u)", frame_.theme.comb);
+            name(right_, arms.right, "C″(u)", frame_.theme.comb);
             return;
         }
-        name(left_ + arms.left, "C″(u−)", frame_.theme.error);
-        name(right_ + arms.right, "C″(u+)", frame_.theme.comb);
+        name(left_, arms.left, "C″(u−)", frame_.theme.error);
+        name(right_, arms.right, "C″(u+)", frame_.theme.comb);
     }
 
     static Stroke stroke(render::Color color) { return {.color = color, .width = 2.5}; }
     static Stroke dashed(render::Color color) { return {.color = color, .width = 1.5, .dash = 5.0, .gap = 3.0}; }
 
-    void name(glm::dvec2 place, const char* text, render::Color color) {
-        frame_.labels.push_back({.place = place, .words = {{text, {.color = color, .size = text_size}}}});
+    /// At the free end of an arrow that can be seen.
+    void name(glm::dvec2 joint, glm::dvec2 arrow, const char* text, render::Color color) {
+        if (glm::length(arrow) < frame_.pen.px(least_named)) return;
+        frame_.labels.push_back({.place = joint + arrow, .words = {{text, {.color = color, .size = text_size}}}});
     }
 
     CanvasFrame& frame_;
