@@ -8,6 +8,7 @@
 #include "core/evaluate/basis.h"
 #include "core/evaluate/bezier_pieces.h"
 #include "core/evaluate/de_boor.h"
+#include "core/evaluate/end_derivatives.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/evaluator.h"
 #include "core/evaluate/hodograph.h"
@@ -276,7 +277,8 @@ TEST(Golden, hodograph) {
     for (const json& item : cases("hodograph.json")) {
         tally.count_case();
         const std::string name = item.at("name");
-        const Curve found = hodograph(curve_of(item)).value();
+        const Curve curve = curve_of(item);
+        const Curve found = hodograph(curve).value();
         const json& result = item.at("result");
         auto expected = points_of(result.at("points"));
         if (result.at("degree") == 0) {
@@ -291,6 +293,13 @@ TEST(Golden, hodograph) {
         }
         const double error = largest_difference(found.control_points(), expected);
         add_for(tally, found, "points", relative(error, largest_coordinate(expected)), allowed_for_derivative(1), name);
+        if (!is_clamped(curve.knots())) continue;
+        // A clamped curve begins and ends with the derivatives that are the ends of its hodograph.
+        const std::vector<Point> ends{tip_of(end_derivatives(curve, CurveEnd::start)->first),
+                                      tip_of(end_derivatives(curve, CurveEnd::end)->first)};
+        const double error_of_ends = largest_difference(ends, std::vector{expected.front(), expected.back()});
+        add_for(tally, found, "ends", relative(error_of_ends, largest_coordinate(expected)), allowed_for_derivative(1),
+                name);
     }
 }
 
