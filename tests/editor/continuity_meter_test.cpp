@@ -174,8 +174,10 @@ TEST(ContinuityCard, says_which_knots_of_many_are_shown) {
 
 TEST(ContinuityCard, names_the_curves_that_are_met) {
     const EditorState state = with_other(two_cubics(), cubic_from({7, 0}, {8, -3}));
-    EXPECT_NE(card_text(continuity_card(state)).find("End to start of 'other': the curves meet with G¹"),
-              std::string::npos);
+    const std::string text = card_text(continuity_card(state));
+    // 6 (1, -3) and 3 (1, -3)
+    EXPECT_NE(text.find("End to start of 'other': the curves meet with G¹\n0 | 9.487 | "), std::string::npos) << text;
+    EXPECT_NE(text.find("the same direction; 1/2 times as fast behind it"), std::string::npos) << text;
 }
 
 TEST(ContinuityCard, of_nothing_to_measure_says_so) {

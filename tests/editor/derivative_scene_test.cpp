@@ -58,14 +58,14 @@ TEST(ContinuityMarks, are_the_derivatives_before_and_behind_the_knot) {
     const auto behind = tips_of(list, dark().comb);
     ASSERT_EQ(before.size(), 2U);
     ASSERT_EQ(behind.size(), 2U);
-    expect_near(before[1], screen({0, 1}));
-    expect_near(behind[1], screen({1, 1}));
+    expect_near(before[0], screen({0, 1}));
+    expect_near(behind[0], screen({1, 1}));
     const auto tails = test::lines_of(list, dark().error, 2.5F);
     ASSERT_EQ(tails.size(), 1U);
     expect_near(tails[0].points.front(), screen({-0.5, 1}));
     // And accelerations by 1/12^2 3/2: (0, 24) and (-24, 48).
-    expect_near(before[0], screen({0, 1.25}));
-    expect_near(behind[0], screen({-0.25, 1.5}));
+    expect_near(before[1], screen({0, 1.25}));
+    expect_near(behind[1], screen({-0.25, 1.5}));
     EXPECT_TRUE(test::has_text(list, "C⁰ by its knots, G¹ by its shape"));
     EXPECT_TRUE(test::has_text(list, "C′(u−)"));
 }
@@ -78,7 +78,7 @@ TEST(ContinuityMarks, stay_in_proportion_and_in_the_picture_however_fast_the_cur
     const render::DrawList list = scene_of(state);
     const auto behind = tips_of(list, dark().comb);
     ASSERT_EQ(behind.size(), 2U);
-    expect_near(behind[1], knot + glm::dvec2(180.0, 0.0));
+    expect_near(behind[0], knot + glm::dvec2(180.0, 0.0));
     expect_near(test::lines_of(list, dark().error, 2.5F)[0].points.front(), knot - glm::dvec2(90.0, 0.0));
 }
 

@@ -63,9 +63,9 @@ class ContinuityCard {
         if (meter_.rows.empty() && !meter_.ends && meter_.meetings.empty()) return;
         CardTable table{.rows = {{{"[C]"}, {"[C′]"}, {"[C″]"}, {"turn"}, {"[κ]"}}}, .has_heading = true};
         for (const KnotJoint& row : meter_.rows) add_knot(table, row);
-        if (meter_.ends) add_joint(table, {.text = sentence("Ends: {verdict}", {verdict(*meter_.ends)})}, *meter_.ends);
+        if (meter_.ends) add_ends(table, {.text = sentence("Ends: {verdict}", {verdict(*meter_.ends)})}, *meter_.ends);
         for (const CurveMeeting& meeting : meter_.meetings)
-            add_joint(table, {.text = meeting_text(meeting), .hover = HoveredOtherCurve{meeting.other}}, meeting.joint);
+            add_ends(table, {.text = meeting_text(meeting), .hover = HoveredOtherCurve{meeting.other}}, meeting.joint);
         card_.line("[C′] is how far C′ jumps there.", CardTone::dim);
         card_.add(std::move(table));
     }
@@ -93,6 +93,11 @@ class ContinuityCard {
              {jump_text(joint.position, notation_), jump_text(joint.first, notation_),
               jump_text(joint.second, notation_), turn_text(joint, notation_), curvature_jump_text(joint, notation_)})
             cells.push_back({.text = text, .tone = CardTone::dim});
+    }
+
+    void add_ends(CardTable& table, CardText heading, const JointContinuity& joint) const {
+        add_joint(table, std::move(heading), joint);
+        table.rows.push_back({{.text = continuity_reason(joint, notation_), .tone = CardTone::dim}});
     }
 
     std::string meeting_text(const CurveMeeting& meeting) const {

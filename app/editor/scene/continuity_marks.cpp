@@ -45,8 +45,8 @@ class JointPainter {
         if (joint.geometric < 0)
             frame_.pen.segment(left_, right_, {.color = frame_.theme.text, .width = 1.5, .dash = 5.0, .gap = 4.0});
         write_verdict(joint);
-        draw_accelerations(joint, is_named);
         draw_velocities(joint, is_named);
+        draw_accelerations(joint, is_named);
     }
 
   private:
@@ -111,9 +111,9 @@ class JointPainter {
 void draw_continuity_marks(CanvasFrame& frame) {
     const ContinuityMeter meter = continuity_meter(frame.state, 1);
     JointPainter painter(frame);
+    if (meter.focus) painter.draw(meter.focus->joint, true);
     if (meter.ends) painter.draw(*meter.ends, !meter.focus);
     for (const CurveMeeting& meeting : meter.meetings) painter.draw(meeting.joint, !meter.focus);
-    if (meter.focus) painter.draw(meter.focus->joint, true);
 }
 
 }  // namespace batten::editor
