@@ -11,6 +11,9 @@ namespace {
 
 // Others are looked at in the order of the document.
 constexpr std::size_t most_other_curves = 500;
+constexpr std::size_t most_meetings = 6;
+// Ends are about to meet below this share of the size of the curves.
+constexpr double near = 0.05;
 
 // The runs of equal knots strictly inside the domain, the seam among them.
 class InnerKnots {
@@ -96,6 +99,22 @@ core::Box box_around(const core::Box& active, const core::Curve& other) {
     return box;
 }
 
+double gap_between(const core::Curve& first, const core::Curve& second, core::JoinedEnds ends) {
+    return core::robust_length(core::point_at(second, core::parameter_of(second.domain(), ends.second)) -
+                               core::point_at(first, core::parameter_of(first.domain(), ends.first)));
+}
+
+// Those that meet; else the nearest ones, where they are near.
+std::vector<core::JoinedEnds> ends_to_compare(const core::Curve& curve, const core::Curve& other,
+                                              const core::Box& box) {
+    std::vector<core::JoinedEnds> meeting = core::ends_that_meet(curve, other, box);
+    if (!meeting.empty()) return meeting;
+    const auto gap = [&](core::JoinedEnds ends) { return gap_between(curve, other, ends); };
+    const core::JoinedEnds nearest = *std::ranges::min_element(core::all_joined_ends, {}, gap);
+    if (gap(nearest) <= near * core::robust_length(box.size())) meeting.push_back(nearest);
+    return meeting;
+}
+
 void add_meetings(const EditorState& state, const core::Curve& curve, const core::Box& active,
                   std::vector<CurveMeeting>& meetings) {
     const auto& curves = state.shown().curves;
@@ -103,8 +122,10 @@ void add_meetings(const EditorState& state, const core::Curve& curve, const core
         const core::Curve& other = *curves[k].curve;
         if (&other == &curve || !curves[k].visible || other.is_periodic()) continue;
         const core::Box box = box_around(active, other);
-        for (const core::JoinedEnds& ends : core::ends_that_meet(curve, other, box))
+        for (const core::JoinedEnds& ends : ends_to_compare(curve, other, box)) {
+            if (meetings.size() == most_meetings) return;
             meetings.push_back({k, ends, core::continuity_between(curve, other, ends, box)});
+        }
     }
 }
 

@@ -15,7 +15,7 @@ struct KnotJoint {
     core::JointContinuity joint{};
 };
 
-/// Another curve that begins or ends where the active one does.
+/// Another curve that begins or ends where the active one does, or nearly there.
 struct CurveMeeting {
     std::size_t other = 0;  ///< its index in the document
     core::JoinedEnds ends{};

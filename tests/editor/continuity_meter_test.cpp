@@ -128,8 +128,19 @@ TEST(ContinuityMeter, finds_other_curves_at_its_ends) {
     EXPECT_EQ(meter.meetings[0].ends, (core::JoinedEnds{core::CurveEnd::end, core::CurveEnd::start}));
     EXPECT_EQ(meter.meetings[0].joint.geometric, 1);
     EXPECT_EQ(core::speed_ratio(meter.meetings[0].joint), 0.5);
-    EXPECT_TRUE(continuity_meter(with_other(two_cubics(), cubic_from({7, 0.1}, {8, -3})), 12).meetings.empty());
+    EXPECT_TRUE(continuity_meter(with_other(two_cubics(), cubic_from({7, 0.9}, {8, -3})), 12).meetings.empty());
     EXPECT_TRUE(continuity_meter(with_other(two_cubics(), cubic_from({7, 0}, {8, -3}), false), 12).meetings.empty());
+}
+
+TEST(ContinuityMeter, tells_the_gap_of_ends_that_are_about_to_meet) {
+    const EditorState state = with_other(two_cubics(), cubic_from({7, 0.25}, {8, -3}));
+    const ContinuityMeter meter = continuity_meter(state, 12);
+    ASSERT_EQ(meter.meetings.size(), 1U);
+    EXPECT_EQ(meter.meetings[0].ends, (core::JoinedEnds{core::CurveEnd::end, core::CurveEnd::start}));
+    EXPECT_EQ(meter.meetings[0].joint.geometric, -1);
+    const std::string text = card_text(continuity_card(state));
+    EXPECT_NE(text.find("End to start of 'other': the curves do not meet\n1/4 | "), std::string::npos) << text;
+    EXPECT_NE(text.find("a gap of 1/4"), std::string::npos) << text;
 }
 
 TEST(ContinuityCard, has_a_row_for_each_knot_and_the_values_at_one) {

@@ -16,7 +16,7 @@ constexpr double longest_acceleration = 130.0;
 constexpr double text_size = 13.0;
 constexpr double least_named = 6.0;
 constexpr double verdict_distance = 16.0;
-constexpr double farthest_verdict = 100.0;
+constexpr double farthest_verdict = 130.0;
 
 // Two vectors of the picture, both shorter by one factor where one is too long.
 struct Arms {
