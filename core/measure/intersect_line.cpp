@@ -1,6 +1,8 @@
 #include "core/measure/intersect_line.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
@@ -16,6 +18,10 @@ constexpr double roundoff_of_line = 0.5 * std::numeric_limits<double>::epsilon()
 // Distances from the line, as part of the size of curve and segment, that count as none at a joint and at an end.
 constexpr double on_line = 1e-12;
 
+// A control point is clearly beside the line where it is farther than so many times what rounding may have moved it:
+// then no form of a span can be in doubt of its side.
+constexpr double clearly = 64.0;
+
 // The line as seen from the middle of the curve.
 class Line {
   public:
@@ -28,7 +34,8 @@ class Line {
         const double scale = form_scale(curve);
         offset_ = scale * dot(normal_, a - origin);
         // Rounded coordinates move the line and turn it.
-        offset_error_ = scale * 4.0 * roundoff_of_line * (far + reach) * (1.0 + reach / length_);
+        rounding_ = 4.0 * roundoff_of_line * (far + reach) * (1.0 + reach / length_);
+        offset_error_ = scale * rounding_;
         tolerance_ = on_line * (reach + length_) + 4.0 * roundoff_of_line * far;
     }
 
@@ -38,11 +45,14 @@ class Line {
         return difference(height, product(forms[2], constant(offset_, offset_error_)));
     }
 
-    int side_of(Point point) const {
-        const double height = dot(normal_, point - a_);
-        if (std::abs(height) <= tolerance_) return 0;
-        return height < 0.0 ? -1 : 1;
-    }
+    int side_of(Point point) const { return side_of(point, tolerance_); }
+
+    // Of a control point. No more are in the line than the forms of the curve doubt, so that these have no sign which
+    // the control points do not have.
+    int side_of_corner(Point point) const { return side_of(point, rounding_); }
+
+    // None where it is not clear.
+    int clear_side_of_corner(Point point) const { return side_of(point, clearly * rounding_); }
 
     double along(Point point) const { return dot(point - a_, chord_) / (length_ * length_); }
 
@@ -78,34 +88,94 @@ class Line {
     }
 
   private:
+    int side_of(Point point, double tolerance) const {
+        const double height = dot(normal_, point - a_);
+        if (!(std::abs(height) > tolerance)) return 0;
+        return height < 0.0 ? -1 : 1;
+    }
+
     const Curve& curve_;
     Point a_;
     Vector chord_;
     double length_;
     Vector normal_{};
     double offset_ = 0.0;
+    double rounding_ = 0.0;
     double offset_error_ = 0.0;
     double tolerance_ = 0.0;
 };
 
-// The changes of side along the control polygon, with points on the line left out; those within the segment only, if
-// asked.
-std::size_t polygon_crossings(const Curve& curve, const Line& line, bool is_cyclic, bool within_segment) {
-    std::vector<Point> points(curve.control_points().begin(), curve.control_points().end());
-    if (is_cyclic) points.insert(points.end(), curve.control_points().begin(), curve.control_points().end());
-    const std::size_t end = is_cyclic ? points.size() / 2 : points.size();
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < end; ++i) {
-        std::size_t next = i + 1;
-        while (next < points.size() && line.side_of(points[next]) == 0) ++next;
-        if (next == points.size() || line.side_of(points[i]) * line.side_of(points[next]) >= 0) continue;
-        const bool passes_point = next > i + 1;
-        const double along =
-            passes_point ? line.along(points[i + 1]) : line.along(line.on_leg(points[i], points[next]));
-        if (!within_segment || line.has(along)) ++count;
-    }
-    return count;
+// A change of side along the polygon, between two control points beside the line with none but such in it between them;
+// indices go on past the last one.
+LegCrossing crossing_between(const Curve& curve, const Line& line, std::size_t before, std::size_t after) {
+    const auto points = curve.control_points();
+    const auto corner = [&](std::size_t i) { return points[i % points.size()]; };
+    LegCrossing crossing{.leg = before % points.size()};
+    crossing.point = after == before + 1 ? line.on_leg(corner(before), corner(after))
+                                         : middle(corner(before + 1), corner(after - 1));
+    crossing.along = line.along(crossing.point);
+    return crossing;
 }
+
+// Calls `take(before, after)` for the changes of side along the control polygon, with points on the line left out.
+template <class Take>
+void visit_polygon_crossings(const Curve& curve, const Line& line, bool is_cyclic, Take take) {
+    const auto points = curve.control_points();
+    const std::size_t n = points.size();
+    std::size_t first = 0;
+    while (first < n && line.side_of_corner(points[first]) == 0) ++first;
+    if (first == n) return;
+    std::size_t before = first;
+    int side = line.side_of_corner(points[first]);
+    const std::size_t end = is_cyclic ? first + n + 1 : n;
+    for (std::size_t i = first + 1; i < end; ++i) {
+        const int next = line.side_of_corner(points[i < n ? i : i - n]);
+        if (next == 0) continue;
+        if (next != side) take(before, i);
+        before = i;
+        side = next;
+    }
+}
+
+void find_polygon_crossings(LineContacts& result, const Curve& curve, const Line& line, bool is_cyclic,
+                            std::size_t most) {
+    visit_polygon_crossings(curve, line, is_cyclic, [&](std::size_t before, std::size_t after) {
+        if (result.polygon_crossings++ < most)
+            result.on_polygon.push_back(crossing_between(curve, line, before, after));
+    });
+    std::ranges::stable_sort(result.on_polygon, {}, &LegCrossing::leg);
+}
+
+// For each span of the domain the side on which all its control points clearly are, 0 where there is none.
+class ClearSpans {
+  public:
+    ClearSpans(const Curve& curve, const Line& line) : degree_(static_cast<std::size_t>(curve.degree())) {
+        const auto points = curve.control_points();
+        const std::size_t end = curve.knots().size() - degree_ - 1;
+        sides_.reserve(end - degree_);
+        std::size_t alike = 0;
+        int before = 0;
+        for (std::size_t i = 0; i < end; ++i) {
+            const int side = line.clear_side_of_corner(points[i < points.size() ? i : i % points.size()]);
+            alike = side != 0 && side == before ? alike + 1 : 1;
+            before = side;
+            if (i >= degree_) sides_.push_back(static_cast<signed char>(alike > degree_ ? side : 0));
+        }
+    }
+
+    std::optional<int> operator()(std::size_t span) const {
+        const int side = sides_[span - degree_];
+        return side == 0 ? std::nullopt : std::optional(side);
+    }
+
+    std::size_t unclear_count() const {
+        return static_cast<std::size_t>(std::ranges::count(sides_, static_cast<signed char>(0)));
+    }
+
+  private:
+    std::size_t degree_;
+    std::vector<signed char> sides_;
+};
 
 std::size_t count_crossings(std::span<const LineContact> contacts) {
     return static_cast<std::size_t>(std::count_if(contacts.begin(), contacts.end(), [](const LineContact& contact) {
@@ -145,18 +215,21 @@ std::vector<LineContact> parts_on_segment(const Curve& curve, const Line& line, 
 
 }  // namespace
 
-Result<LineContacts> intersect_line(const Curve& curve, Point a, Point b) {
+Result<LineContacts> intersect_line(const Curve& curve, Point a, Point b, std::size_t most_spans) {
     if (const auto check = check_line(a, b); !check) return refuse(check.error());
     const Line line(curve, a, b);
     const bool is_cyclic = is_closed(curve);
-    const auto distance = [&](std::span<const Bernstein> forms) { return line.distance(forms); };
     LineContacts result;
-    for (const SignEvent& event : sign_events(sign_runs_along(curve, 0, distance), is_cyclic)) {
+    find_polygon_crossings(result, curve, line, is_cyclic, most_spans);
+    const ClearSpans clear(curve, line);
+    result.is_complete = clear.unclear_count() <= most_spans;
+    if (!result.is_complete) return result;
+    const auto distance = [&](std::span<const Bernstein> forms) { return line.distance(forms); };
+    for (const SignEvent& event : sign_events(sign_runs_along(curve, 0, distance, clear), is_cyclic)) {
         if (event.is_jump && is_tear(curve, event.where.lower) && !line.meets_at(event.where.lower)) continue;
         result.contacts.push_back(line.contact(event.where, event.before, event.after));
     }
     result.crossings = count_crossings(result.contacts);
-    result.polygon_crossings = polygon_crossings(curve, line, is_cyclic, false);
     return result;
 }
 
@@ -174,7 +247,9 @@ Result<LineContacts> intersect_segment(const Curve& curve, Point a, Point b) {
         }
     }
     result.crossings = count_crossings(result.contacts);
-    result.polygon_crossings = polygon_crossings(curve, line, is_closed(curve), true);
+    for (const LegCrossing& crossing : all->on_polygon)
+        if (line.has(crossing.along)) result.on_polygon.push_back(crossing);
+    result.polygon_crossings = result.on_polygon.size();
     return result;
 }
 

@@ -79,6 +79,41 @@ void join_at_knot(std::vector<SignRun>& runs, Interval last_piece) {
     runs.resize(count - 2);
 }
 
+// Forms of pieces, seen from the middle of the curve.
+class FormMaker {
+  public:
+    FormMaker(const Curve& curve, int order)
+        : curve_(curve), seen_(seen_from(curve, middle_of(curve))), scale_(form_scale(curve)), order_(order) {}
+
+    // Of the non-empty spans among first..last.
+    template <class Take>
+    void make(std::size_t first, std::size_t last, Take take) const {
+        const HomogeneousPoint scale(scale_, scale_, 1.0);
+        for (const BezierPiece& piece : bezier_pieces(seen_, first, last))
+            take(forms_of(piece, scale_ * coordinate_error(curve_, seen_, piece.span), scale, order_));
+    }
+
+  private:
+    const Curve& curve_;
+    Curve seen_;
+    double scale_;
+    int order_;
+};
+
+// The spans of the domain.
+std::pair<std::size_t, std::size_t> span_range(const Curve& curve) {
+    const auto p = static_cast<std::size_t>(curve.degree());
+    return {p, curve.knots().size() - p - 2};
+}
+
+void append_runs_of(std::vector<SignRun>& runs, PieceForms piece, const Expression& expression) {
+    for (const SignRun& run : sign_runs(std::move(piece.forms), expression)) {
+        append_run(
+            runs, {{from_unit(piece.interval, run.where.lower), from_unit(piece.interval, run.where.upper)}, run.sign});
+        join_at_knot(runs, piece.interval);
+    }
+}
+
 // Where the weight is constant, of no higher degree than it has to be.
 Bernstein hodograph_along(std::span<const Bernstein> forms, std::size_t axis) {
     Bernstein derivative = product(forms[3 + axis], forms[2]);
@@ -93,23 +128,31 @@ double form_scale(const Curve& curve) {
 
 std::vector<PieceForms> piece_forms(const Curve& curve, int order) {
     assert(order >= 0);
-    const Curve seen = seen_from(curve, middle_of(curve));
-    const double length_scale = form_scale(curve);
-    const HomogeneousPoint scale(length_scale, length_scale, 1.0);
     std::vector<PieceForms> result;
-    for (const BezierPiece& piece : bezier_pieces(seen))
-        result.push_back(forms_of(piece, length_scale * coordinate_error(curve, seen, piece.span), scale, order));
+    const auto [first, last] = span_range(curve);
+    FormMaker(curve, order).make(first, last, [&](PieceForms forms) { result.push_back(std::move(forms)); });
     return result;
 }
 
 std::vector<SignRun> sign_runs_along(const Curve& curve, int order, const Expression& expression) {
+    return sign_runs_along(curve, order, expression, [](std::size_t) { return std::nullopt; });
+}
+
+std::vector<SignRun> sign_runs_along(const Curve& curve, int order, const Expression& expression,
+                                     const KnownSign& known) {
+    const FormMaker maker(curve, order);
+    const KnotVector& knots = curve.knots();
+    const auto [first, last] = span_range(curve);
     std::vector<SignRun> runs;
-    for (const PieceForms& piece : piece_forms(curve, order))
-        for (const SignRun& run : sign_runs(piece.forms, expression)) {
-            append_run(runs, {{from_unit(piece.interval, run.where.lower), from_unit(piece.interval, run.where.upper)},
-                              run.sign});
-            join_at_knot(runs, piece.interval);
+    for (std::size_t s = first; s <= last; ++s) {
+        if (const std::optional<int> sign = known(s)) {
+            if (knots[s] < knots[s + 1]) append_run(runs, {{knots[s], knots[s + 1]}, *sign});
+            continue;
         }
+        const std::size_t begin = s;
+        while (s < last && !known(s + 1)) ++s;
+        maker.make(begin, s, [&](PieceForms forms) { append_runs_of(runs, std::move(forms), expression); });
+    }
     return runs;
 }
 

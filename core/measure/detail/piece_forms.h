@@ -1,6 +1,9 @@
 /// The pieces of a curve as polynomials, ready for finding where an expression in them changes its sign.
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "core/evaluate/bezier_pieces.h"
 #include "core/measure/detail/sign_runs.h"
 
@@ -25,6 +28,13 @@ std::vector<PieceForms> piece_forms(const Curve& curve, int order);
 /// The signs of `expression` in forms up to `order` along the whole curve, over its domain. `expression` sees the forms
 /// of a piece (see PieceForms); its sign must not depend on the length of the piece's interval.
 std::vector<SignRun> sign_runs_along(const Curve& curve, int order, const Expression& expression);
+
+/// The sign that `expression` has on all of a span, where that is known without its forms.
+using KnownSign = std::function<std::optional<int>(std::size_t span)>;
+
+/// The same, and what `known` knows is not looked for. Cost O(n) and that of the other spans.
+std::vector<SignRun> sign_runs_along(const Curve& curve, int order, const Expression& expression,
+                                     const KnownSign& known);
 
 /// X' W - X W' and Y' W - Y W', which are W^2 times the hodograph of the piece. Needs order 1.
 Bernstein hodograph_x(std::span<const Bernstein> forms);

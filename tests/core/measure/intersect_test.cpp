@@ -239,6 +239,98 @@ TEST(IntersectLine, never_more_crossings_than_the_polygon_and_as_many_as_samples
     }
 }
 
+// By hand: one corner in the line between different sides counts once, one between equal sides not, and a leg in the
+// line counts at its middle.
+TEST(IntersectLine, corners_and_legs_of_the_polygon_in_the_line) {
+    const Curve curve =
+        polygon({{0, 1}, {1, 0}, {2, -1}, {3, 0}, {4, -2}, {5, 0}, {7, 0}, {8, 1}, {9, 0}, {10, 0}, {11, 3}, {12, -1}});
+    const LineContacts found = intersect_line(curve, {0, 0}, {2, 0}).value();
+    ASSERT_EQ(found.on_polygon.size(), 3U);
+    EXPECT_EQ(found.polygon_crossings, 3U);
+    EXPECT_EQ(found.on_polygon[0].leg, 0U);
+    EXPECT_EQ(found.on_polygon[0].point, Point(1, 0));
+    EXPECT_EQ(found.on_polygon[0].along, 0.5);
+    EXPECT_EQ(found.on_polygon[1].leg, 4U);
+    EXPECT_EQ(found.on_polygon[1].point, Point(6, 0));
+    EXPECT_EQ(found.on_polygon[2].leg, 10U);
+    EXPECT_EQ(found.on_polygon[2].point, Point(11.75, 0));
+    EXPECT_EQ(found.crossings, 3U);  // a polygon is its own curve
+    // All in the line, and all but the ends.
+    EXPECT_TRUE(intersect_line(polygon({{0, 0}, {1, 0}, {2, 0}}), {0, 0}, {1, 0})->on_polygon.empty());
+    EXPECT_TRUE(intersect_line(polygon({{0, 1}, {1, 0}, {2, 1}}), {0, 0}, {1, 0})->on_polygon.empty());
+}
+
+TEST(IntersectLine, the_polygon_of_a_periodic_curve_closes) {
+    // The first control point is in the line, between the last and the second, on different sides.
+    const Curve curve =
+        Curve::make(
+            {.degree = 2, .knots = {0, 1, 2, 3, 4}, .points = {{1, 0}, {2, 2}, {-1, 1}, {3, -1}}, .periodic = true})
+            .value();
+    const LineContacts found = intersect_line(curve, {0, 0}, {1, 0}).value();
+    ASSERT_EQ(found.on_polygon.size(), 2U);
+    EXPECT_EQ(found.on_polygon[0].leg, 2U);
+    EXPECT_EQ(found.on_polygon[0].point, Point(1, 0));
+    EXPECT_EQ(found.on_polygon[1].leg, 3U);
+    EXPECT_EQ(found.on_polygon[1].point, Point(1, 0));
+    EXPECT_EQ(found.crossings, 2U);
+}
+
+// Waves lower than any tolerance for drawing, a line whose points are far apart, control points in the line within
+// rounding: what is told never contradicts the theorem.
+TEST(IntersectLine, the_polygon_is_crossed_as_often_however_flat_and_far) {
+    RandomCurves random(343);
+    for (int i = 0; i < 400; ++i) {
+        CurveDefinition definition = random.curve().definition();
+        const double height = std::pow(10.0, random.whole(-16, 0));
+        const Vector offset = i % 2 == 0 ? Vector{} : Vector(1e6, -2e6);
+        for (Point& point : definition.points) point = Point(point.x, height * std::round(point.y)) + offset;
+        const Curve curve = Curve::make(definition).value();
+        const double reach = std::pow(10.0, random.whole(-3, 6));
+        const Point a = Point(0, height * random.whole(-1, 1)) + offset;
+        const LineContacts found = intersect_line(curve, a, a + Vector(reach, 0)).value();
+        EXPECT_LE(found.crossings, found.polygon_crossings) << i;
+        EXPECT_EQ(found.on_polygon.size(), found.polygon_crossings) << i;
+        EXPECT_TRUE(std::ranges::is_sorted(found.on_polygon, {}, &LegCrossing::leg)) << i;
+    }
+    const Curve flat = bezier({{0, 1e-13}, {1, -1e-13}, {2, 1e-13}, {3, -1e-13}});
+    EXPECT_EQ(intersect_line(flat, {0, 0}, {1, 0})->polygon_crossings, 3U);
+}
+
+TEST(IntersectLine, lines_through_two_control_points_keep_the_theorem) {
+    RandomCurves random(344);
+    for (int i = 0; i < 400; ++i) {
+        const Curve curve = random.curve();
+        const auto points = curve.control_points();
+        const Point a = points[static_cast<std::size_t>(random.whole(0, static_cast<int>(points.size()) - 1))];
+        const Point b = points[static_cast<std::size_t>(random.whole(0, static_cast<int>(points.size()) - 1))];
+        if (a == b) continue;
+        const LineContacts found = intersect_line(curve, a, b).value();
+        EXPECT_LE(found.crossings, found.polygon_crossings) << i;
+    }
+}
+
+// The wave of n points about the line y = 0, whose polygon crosses it in each leg.
+Curve wave_of(std::size_t n) {
+    CurveDefinition definition{.degree = 3};
+    for (std::size_t i = 0; i < n; ++i) definition.points.emplace_back(static_cast<double>(i), i % 2 == 0 ? 1.0 : -1.0);
+    for (std::size_t i = 0; i < n + 4; ++i) definition.knots.push_back(static_cast<double>(i));
+    return Curve::make(std::move(definition)).value();
+}
+
+TEST(IntersectLine, too_many_spans_are_counted_on_the_polygon_only) {
+    const Curve wave = wave_of(10'000);
+    const LineContacts stopped = intersect_line(wave, {0, 0}, {1, 0}, 100).value();
+    EXPECT_FALSE(stopped.is_complete);
+    EXPECT_TRUE(stopped.contacts.empty());
+    EXPECT_EQ(stopped.polygon_crossings, 9'999U);
+    EXPECT_EQ(stopped.on_polygon.size(), 100U);
+    const LineContacts all = intersect_line(wave, {0, 0}, {1, 0}).value();
+    EXPECT_TRUE(all.is_complete);
+    // The sum of alternating basis functions alternates, too: once over each of the 9997 spans.
+    EXPECT_EQ(all.crossings, 9'997U);
+    EXPECT_EQ(intersect_line(wave, {4, -1}, {4, 1}, 10)->crossings, 1U);
+}
+
 TEST(IntersectSegment, takes_what_lies_between_its_ends) {
     const auto one = intersect_segment(ellipse(1, 1), {0, 0}, {5, 0}).value();
     ASSERT_EQ(one.contacts.size(), 1U);
