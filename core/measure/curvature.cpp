@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/curve/detail/span_range.h"
 #include "core/evaluate/evaluate.h"
 #include "core/measure/continuity.h"
 #include "core/measure/cusps.h"
@@ -143,6 +144,29 @@ std::optional<double> extreme_curvature(const Curve& curve, Interval where, doub
     return extreme;
 }
 
+// The non-empty span before or after `span`, itself where there is none in the domain.
+std::size_t neighbor_before(const KnotVector& knots, std::size_t span) {
+    const double u = knots[span];
+    return u > knots.domain().lower ? knots.span_at(u, Side::left) : span;
+}
+
+std::size_t neighbor_after(const KnotVector& knots, std::size_t span) {
+    const double u = knots[span + 1];
+    return u < knots.domain().upper ? knots.span_at(u, Side::right) : span;
+}
+
+// What `find` finds within `range`: in the whole curve where it takes all of it, else in the spans around.
+template <class Find>
+auto found_within(const Curve& curve, Interval range, Find find) {
+    const KnotVector& knots = curve.knots();
+    const std::size_t first = neighbor_before(knots, knots.span_at(range.lower));
+    const std::size_t last = neighbor_after(knots, knots.span_at(range.upper, Side::left));
+    const bool is_all = knots[first] == knots.domain().lower && knots[last + 1] == knots.domain().upper;
+    auto found = is_all ? find(curve) : find(curve_over_spans(curve, first, last));
+    std::erase_if(found, [&](const auto& place) { return !range.contains(place.u); });
+    return found;
+}
+
 }  // namespace
 
 std::optional<Bending> bending_at(const Curve& curve, double u, Side side) {
@@ -158,6 +182,16 @@ std::optional<Bending> bending_at(const Curve& curve, double u, Side side) {
     return Bending{*curvature, change, change / speed};
 }
 
+std::optional<OsculatingCircle> osculating_circle(const Curve& curve, double u, Side side) {
+    const auto curvature = curvature_at(curve, u, side);
+    if (!curvature || *curvature == 0.0) return std::nullopt;
+    const Jet at = derivatives_at(curve, u, 1, side);
+    const Vector normal = turned_left(at[1] / robust_length(at[1]));
+    const Point center = at.point + normal / *curvature;
+    if (!is_finite(center)) return std::nullopt;
+    return OsculatingCircle{center, 1.0 / std::abs(*curvature)};
+}
+
 std::vector<Inflection> inflections(const Curve& curve) {
     const Smoothness smoothness(curve);
     std::vector<Inflection> result;
@@ -167,6 +201,10 @@ std::vector<Inflection> inflections(const Curve& curve) {
         result.push_back({event.where, u, point_at(curve, u), jump != nullptr && *jump->before * *jump->after < 0.0});
     }
     return result;
+}
+
+std::vector<Inflection> inflections_within(const Curve& curve, Interval range) {
+    return found_within(curve, range, inflections);
 }
 
 std::vector<CurvatureExtremum> curvature_extrema(const Curve& curve) {
@@ -179,6 +217,10 @@ std::vector<CurvatureExtremum> curvature_extrema(const Curve& curve) {
             result.push_back({event.where, u, point_at(curve, u), *curvature, is_maximum});
     }
     return result;
+}
+
+std::vector<CurvatureExtremum> curvature_extrema_within(const Curve& curve, Interval range) {
+    return found_within(curve, range, curvature_extrema);
 }
 
 }  // namespace batten::core

@@ -1,4 +1,4 @@
-/// How a curve bends: its curvature and where that is zero or greatest or least.
+/// How a curve bends: its curvature, the circle that fits best, and where the curvature is zero or greatest or least.
 #pragma once
 
 #include <optional>
@@ -20,6 +20,16 @@ struct Bending {
 /// None at zero speed, as curvature_at. Cost O(p^2).
 std::optional<Bending> bending_at(const Curve& curve, double u, Side side = Side::right);
 
+/// The circle that a curve follows best at a point: the same tangent and the same curvature.
+struct OsculatingCircle {
+    Point center{};
+    double radius = 0.0;  ///< 1 / |curvature| > 0
+};
+
+/// The osculating circle at `u`, seen from `side` at a knot, its center on the side to which the curve turns. None
+/// where there is no curvature, where it is zero, and where the circle is too large for doubles. Cost O(p^2).
+std::optional<OsculatingCircle> osculating_circle(const Curve& curve, double u, Side side = Side::right);
+
 /// Where the curve passes from bending to one side to bending to the other.
 struct Inflection {
     Interval where;        ///< one parameter, or the whole of a straight piece between the two bends
@@ -33,6 +43,10 @@ struct Inflection {
 /// inflection if the tangent is continuous there, a corner or cusp is not. The seam of a curve that closes with a
 /// continuous tangent counts like a knot; a straight piece across it is given unwrapped.
 std::vector<Inflection> inflections(const Curve& curve);
+
+/// Those whose parameter is in `range`, inside the domain and not empty; what passes an end of it is cut there. Cost:
+/// that of the spans that have something in common with it and of one beside each end.
+std::vector<Inflection> inflections_within(const Curve& curve, Interval range);
 
 /// A local extremum of the signed curvature.
 struct CurvatureExtremum {
@@ -48,5 +62,8 @@ struct CurvatureExtremum {
 /// or lower than what is on both sides; a circle has none. Corners, tears and cusps are no extrema. The seam of a
 /// curve that closes with a continuous tangent counts like a knot.
 std::vector<CurvatureExtremum> curvature_extrema(const Curve& curve);
+
+/// Those whose parameter is in `range`, as inflections_within.
+std::vector<CurvatureExtremum> curvature_extrema_within(const Curve& curve, Interval range);
 
 }  // namespace batten::core

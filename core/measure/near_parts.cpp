@@ -3,7 +3,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/curve/detail/trusted.h"
+#include "core/curve/detail/span_range.h"
 #include "core/measure/detail/chord_tree.h"
 #include "core/measure/nearest.h"
 
@@ -32,7 +32,7 @@ class NearParts::Search {
             if (!is_near(s)) continue;
             const std::size_t begin = s;
             while (s + 1 < span_end && is_near(s + 1)) ++s;
-            if (knots[begin] < knots[s + 1]) offer(nearest_point(parts_.curve_over(begin, s), query_));
+            if (knots[begin] < knots[s + 1]) offer(nearest_point(curve_over_spans(parts_.curve_, begin, s), query_));
         }
     }
 
@@ -95,19 +95,6 @@ std::vector<std::size_t> NearParts::stretches_near(Point place, double distance,
     if (looks != nullptr) *looks += counted;
     std::sort(near.begin(), near.end());
     return near;
-}
-
-// The same polynomials over the same knots.
-Curve NearParts::curve_over(std::size_t first_span, std::size_t last_span) const {
-    const std::size_t p = degree();
-    const auto values = curve_.knots().values().subspan(first_span - p, last_span - first_span + 2 * p + 2);
-    std::vector<double> weights;
-    for (std::size_t i = first_span - p; i <= last_span; ++i)
-        weights.push_back(curve_.weights()[i % curve_.weights().size()]);
-    const bool is_rational = std::ranges::any_of(weights, [&](double w) { return w != weights.front(); });
-    return Trusted::curve(
-        Trusted::knots(curve_.degree(), false, KnotKind::custom, std::vector<double>(values.begin(), values.end())),
-        points_of(first_span - p, last_span + 1), std::move(weights), is_rational);
 }
 
 std::optional<CurveSample> NearParts::nearest(Point query, double reach, std::size_t* looks) const {

@@ -47,7 +47,6 @@ class NearParts {
     std::vector<Point> points_of(std::size_t first, std::size_t end) const;
     std::vector<Box> boxes_of_stretches() const;
     std::vector<std::size_t> stretches_near(Point place, double distance, std::size_t* looks) const;
-    Curve curve_over(std::size_t first_span, std::size_t last_span) const;
 
     Curve curve_;
     PlaceTree boxes_;

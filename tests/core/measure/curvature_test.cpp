@@ -333,5 +333,83 @@ TEST(Cusps, ordinary_curves_have_none) {
     EXPECT_TRUE(cusps(ellipse(3, 1)).empty());
 }
 
+TEST(OsculatingCircle, of_the_parabola_and_of_a_circle) {
+    // At (x, x^2) the evolute is (-4 x^3, 3 x^2 + 1/2); x = 6u - 2.
+    for (const double u : {0.0, 0.1, 1.0 / 3.0, 0.8, 1.0}) {
+        const double x = 6.0 * u - 2.0;
+        const OsculatingCircle circle = osculating_circle(parabola(), u).value();
+        const double size = 1.0 + std::abs(4.0 * x * x * x);
+        EXPECT_NEAR(circle.center.x, -4.0 * x * x * x, 1e-13 * size) << u;
+        EXPECT_NEAR(circle.center.y, 3.0 * x * x + 0.5, 1e-13 * size) << u;
+        EXPECT_NEAR(circle.radius, 0.5 * std::pow(1.0 + 4.0 * x * x, 1.5), 1e-13 * size * size) << u;
+    }
+    const Vector offset(1e6, -3e6);
+    for (const double u : {0.0, 0.25, 0.4, 1.0}) {
+        const OsculatingCircle circle = osculating_circle(moved(ellipse(2, 2), offset), u).value();
+        EXPECT_NEAR(circle.center.x, offset.x, 1e-8);
+        EXPECT_NEAR(circle.center.y, offset.y, 1e-8);
+        EXPECT_NEAR(circle.radius, 2.0, 1e-8);
+    }
+    // Turning right, the center is on the right.
+    const Curve right =
+        Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{-1, -1}, {0, 1}, {1, -1}}}).value();
+    EXPECT_NEAR(osculating_circle(right, 0.5)->center.y, -0.5, 1e-15);
+}
+
+TEST(OsculatingCircle, is_missing_where_nothing_bends_or_moves_and_one_sided_at_a_knot) {
+    EXPECT_FALSE(osculating_circle(cubic_graph(), 1.0 / 3.0).has_value() &&
+                 osculating_circle(cubic_graph(), 1.0 / 3.0)->radius < 1e12);
+    const Curve line = Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 0}, {1, 1}}}).value();
+    EXPECT_FALSE(osculating_circle(line, 0.5));
+    const Curve still = Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{1, 1}, {1, 1}}}).value();
+    EXPECT_FALSE(osculating_circle(still, 0.5));
+    // y = x (1 - x), then y = (x - 1) (x - 2), with one tangent: radius sqrt(2) on either side.
+    const Curve wave = Curve::make({.degree = 2,
+                                    .knots = {0, 0, 0, 1, 1, 2, 2, 2},
+                                    .points = {{0, 0}, {0.5, 0.5}, {1, 0}, {1.5, -0.5}, {2, 0}}})
+                           .value();
+    EXPECT_NEAR(osculating_circle(wave, 1.0, Side::left)->center.x, 0.0, 1e-14);
+    EXPECT_NEAR(osculating_circle(wave, 1.0, Side::right)->center.x, 2.0, 1e-14);
+    EXPECT_NEAR(osculating_circle(wave, 1.0)->radius, std::sqrt(2.0), 1e-14);
+}
+
+TEST(BendingWithin, finds_what_the_whole_curve_has_there) {
+    RandomCurves random(417);
+    for (int i = 0; i < 60; ++i) {
+        const Curve curve = random.curve();
+        if (curve.degree() == 1 || curve.control_points().size() < 3) continue;
+        const auto knots = curve.knots().values();
+        const auto first = curve.knots().span_at(random.parameter(curve));
+        const Interval range{knots[first], knots[first + 1]};
+        const auto check = [&](const auto& all, const auto& within) {
+            std::vector<double> expected;
+            for (const auto& place : all)
+                if (range.lower + 1e-6 < place.u && place.u < range.upper - 1e-6) expected.push_back(place.u);
+            std::vector<double> found;
+            for (const auto& place : within)
+                if (range.lower + 1e-6 < place.u && place.u < range.upper - 1e-6) found.push_back(place.u);
+            ASSERT_EQ(found.size(), expected.size()) << i;
+            for (std::size_t k = 0; k < found.size(); ++k) EXPECT_NEAR(found[k], expected[k], 1e-9) << i;
+        };
+        check(inflections(curve), inflections_within(curve, range));
+        check(curvature_extrema(curve), curvature_extrema_within(curve, range));
+    }
+}
+
+// A wave of 10,000 points has an inflection in every span; within one span there is one.
+TEST(BendingWithin, looks_at_few_spans_only) {
+    CurveDefinition definition{.degree = 3};
+    for (int i = 0; i < 10'000; ++i) definition.points.emplace_back(i, i % 2);
+    for (int i = 0; i < 10'004; ++i) definition.knots.push_back(i);
+    const Curve wave = Curve::make(std::move(definition)).value();
+    const auto found = inflections_within(wave, {500, 501});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(found[0].u, 500.5, 1e-12);
+    const auto extrema = curvature_extrema_within(wave, {500, 501});
+    ASSERT_EQ(extrema.size(), 2U);
+    EXPECT_EQ(extrema[0].u, 500.0);
+    EXPECT_NE(extrema[0].is_maximum, extrema[1].is_maximum);
+}
+
 }  // namespace
 }  // namespace batten::core
