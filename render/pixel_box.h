@@ -11,6 +11,8 @@ struct PixelBox {
     glm::dvec2 lower_px{};
     glm::dvec2 upper_px{};
 
+    bool operator==(const PixelBox&) const = default;
+
     /// The box that has `a_px` and `b_px` as opposite corners.
     static PixelBox between(glm::dvec2 a_px, glm::dvec2 b_px) {
         return {{std::min(a_px.x, b_px.x), std::min(a_px.y, b_px.y)},

@@ -77,6 +77,11 @@ struct SelectHint {
         return sentence("Double-click to add a control point between {point} and {next} (changes the shape)",
                         {{"point", point_text(h.index)}, {"next", point_text(next)}});
     }
+    std::string operator()(const HoveredHandle& h) const {
+        if (h.handle == ViewHandle::comb) return "Drag to make the comb longer or shorter";
+        if (h.handle == ViewHandle::line) return "Drag to move the line · Shift keeps to one axis";
+        return "Drag to turn the line · Ctrl keeps to the grid, Shift to one axis";
+    }
     template <class Other>
     std::string operator()(const Other&) const {
         return {};
@@ -154,6 +159,11 @@ struct ModeHint {
         return sentence("C({u}) at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
                         {{"u", parameter_text(*curve, mode.u)},
                          {"place", place_in(state, *curve, core::point_at(*curve, mode.u))}});
+    }
+    std::string operator()(const DraggingHandle& mode) const {
+        return mode.start.handle == ViewHandle::comb
+                   ? "Drag away from the curve for a longer comb · Escape restores"
+                   : "Ctrl snaps to the grid · Shift keeps to an axis · Escape restores";
     }
     std::string operator()(const DrawingCurve& mode) const {
         if (mode.points.size() < 2) return "Click to set the next point · Escape gives up";

@@ -229,6 +229,16 @@ CanvasMode step(const DraggingParameter& mode, const Gesture& gesture) {
     return mode;
 }
 
+CanvasMode step(const DraggingHandle& mode, const Gesture& gesture) {
+    if (is_escape(gesture)) {
+        restore_handle(mode.start, gesture);
+        return CanvasIdle{};
+    }
+    if (is_release(gesture)) return CanvasIdle{};
+    if (is_move(gesture)) drag_handle(mode.start, gesture, mode.press_px);
+    return mode;
+}
+
 /// Whether a press at the pointer is on a point of the drawing that ends it.
 bool ends_drawing(const DrawingCurve& mode, const Gesture& gesture) {
     const auto is_near = [&](core::Point point) {

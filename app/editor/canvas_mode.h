@@ -9,6 +9,7 @@
 #include "app/editor/command.h"
 #include "app/editor/pointer.h"
 #include "app/editor/state.h"
+#include "app/editor/view_handle.h"
 
 namespace batten::editor {
 
@@ -63,6 +64,12 @@ struct DraggingCurvePoint {
     bool has_moved = false;
 };
 
+/// A handle of a teaching view follows the pointer. Escape puts it back.
+struct DraggingHandle {
+    HandleStart start;
+    glm::dvec2 press_px{};
+};
+
 /// A new curve drawn click by click. A double click ends it, which the window also sends for Enter; so does a click on
 /// its first or last point. Escape gives it up with its tool, and so does a change of the tool.
 struct DrawingCurve {
@@ -72,7 +79,7 @@ struct DrawingCurve {
 };
 
 using CanvasMode = std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,
-                                DraggingCurveKnot, DraggingCurvePoint, DrawingCurve>;
+                                DraggingCurveKnot, DraggingCurvePoint, DraggingHandle, DrawingCurve>;
 
 /// The mode that is left where the tool was changed without the pointer: a curve half drawn is given up.
 CanvasMode with_present_tool(CanvasMode mode, const EditorState& state);

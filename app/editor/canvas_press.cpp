@@ -71,6 +71,9 @@ struct SelectPress {
         if (gesture.event.modifiers.shift || !can_edit_curve(gesture.state)) return begin_box(gesture);
         return DraggingCurvePoint{hit.u, gesture.event.position_px};
     }
+    CanvasMode operator()(const HoveredHandle& hit) const {
+        return DraggingHandle{start_of(gesture.state, hit.handle), gesture.event.position_px};
+    }
     CanvasMode operator()(const HoveredOtherCurve& hit) const {
         gesture.queue.run(ActivateCurve{.index = hit.index});
         return CanvasIdle{};

@@ -33,6 +33,7 @@ CommandTable make_table() {
     add_construction_commands(table);
     add_view_commands(table);
     add_lesson_commands(table);
+    add_shape_view_commands(table);
     add_help_commands(table);
     // Menus are in the order of the groups; within a group the order above stands.
     std::stable_sort(table.begin(), table.end(),

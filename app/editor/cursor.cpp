@@ -11,7 +11,7 @@ bool is_one_of(const Hover& hover) {
 
 // What the select tool does to the thing under the pointer.
 Cursor select_cursor(const EditorState& state) {
-    if (is_one_of<HoveredPoint>(state.hover)) return Cursor::move;
+    if (is_one_of<HoveredPoint, HoveredHandle>(state.hover)) return Cursor::move;
     if (is_one_of<HoveredWeightRing>(state.hover)) return Cursor::vertical;
     const bool is_grip = is_one_of<HoveredParameter, HoveredKnot, HoveredCurve, HoveredOtherCurve>(state.hover);
     return is_grip ? Cursor::hand : Cursor::arrow;
@@ -43,6 +43,7 @@ struct CanvasCursor {
     Cursor operator()(const DraggingPoints&) const { return Cursor::move; }
     Cursor operator()(const DraggingCurvePoint&) const { return Cursor::move; }
     Cursor operator()(const Panning&) const { return Cursor::move; }
+    Cursor operator()(const DraggingHandle&) const { return Cursor::move; }
     Cursor operator()(const DraggingWeight&) const { return Cursor::vertical; }
     Cursor operator()(const BoxSelecting&) const { return Cursor::crosshair; }
     Cursor operator()(const DrawingCurve&) const { return Cursor::crosshair; }

@@ -182,4 +182,8 @@ Highlight highlight(const EditorState& state) {
     return std::visit(HighlightOf{state, *curve}, state.hover);
 }
 
+Highlight highlight_of_point(const core::Curve& curve, std::size_t i) {
+    return Collector(curve).of_point(i);
+}
+
 }  // namespace batten::editor

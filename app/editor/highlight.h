@@ -35,4 +35,7 @@ struct Highlight {
 /// Anything else, or an index that the curve does not have: nothing.
 Highlight highlight(const EditorState& state);
 
+/// What belongs to control point `i` of `curve`.
+Highlight highlight_of_point(const core::Curve& curve, std::size_t i);
+
 }  // namespace batten::editor

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/editor/construction_cells.h"
+#include "app/editor/view_handle.h"
 #include "app/editor/weight_ring.h"
 #include "core/evaluate/evaluate.h"
 
@@ -174,6 +175,7 @@ std::optional<Hover> ActiveCurve::hit_legs() const {
 
 std::optional<Hover> ActiveCurve::hit() const {
     if (const auto found = hit_parameter_or_points()) return found;
+    if (const auto handle = handle_at(pointer_.state, pointer_.position_px)) return HoveredHandle{*handle};
     if (pointer_.shows(Overlay::polygon))
         if (const auto found = hit_rings()) return found;
     if (pointer_.shows(Overlay::knots))
@@ -181,6 +183,7 @@ std::optional<Hover> ActiveCurve::hit() const {
     if (pointer_.shows(Overlay::construction))
         if (const auto found = hit_construction()) return found;
     if (const auto found = hit_curve()) return found;
+    if (is_on_probe_line(pointer_.state, pointer_.position_px)) return HoveredHandle{ViewHandle::line};
     if (pointer_.shows(Overlay::polygon)) return hit_legs();
     return std::nullopt;
 }

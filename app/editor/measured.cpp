@@ -1,5 +1,8 @@
 #include "app/editor/measured.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/editor/derived.h"
 #include "core/measure/arc_length.h"
 
@@ -20,6 +23,28 @@ Bends bends_of(const core::Curve& curve, const std::vector<core::Interval>& rang
         bends.extrema.insert(bends.extrema.end(), extrema.begin(), extrema.end());
     }
     return bends;
+}
+
+// Beyond so many times what nine tenths of the values stay below it goes to a pole.
+constexpr double pole = 4.0;
+
+Graph graph_of(const core::Curve& curve, const GraphRequest& request) {
+    Graph graph{core::quantity_graph(curve, request.quantity, request.range, request.most), {0.0, 0.0}};
+    std::vector<double> sizes;
+    for (const core::GraphRun& run : graph.runs)
+        for (const core::GraphPoint& point : run) sizes.push_back(std::abs(point.value));
+    if (sizes.empty()) return graph;
+    const auto rank = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
+    std::nth_element(sizes.begin(), rank, sizes.end());
+    const double most = *rank > 0.0 ? pole * *rank : *std::ranges::max_element(sizes);
+    for (const core::GraphRun& run : graph.runs)
+        for (const core::GraphPoint& point : run) {
+            graph.values.lower = std::min(graph.values.lower, std::max(point.value, -most));
+            graph.values.upper = std::max(graph.values.upper, std::min(point.value, most));
+        }
+    // Numbers too large to be told apart in a picture are none.
+    if (!std::isfinite(1e3 * graph.values.length())) return {};
+    return graph;
 }
 
 /// With u as a function of the share of the whole, which is 0 and 1 at the ends.
@@ -72,6 +97,11 @@ std::shared_ptr<const EqualParts> Measured::equal_steps(const core::Curve& curve
 
 std::shared_ptr<const EqualParts> Measured::equal_lengths(const core::Curve& curve, int count) const {
     return lengths_.of({curve, count}, [](const auto& question) { return lengths_of(question.curve, question.asked); });
+}
+
+std::shared_ptr<const Graph> Measured::graph(const core::Curve& curve, const GraphRequest& request) const {
+    const auto& graphs = request.quantity == core::Quantity::curvature ? curvatures_ : speeds_;
+    return graphs.of({curve, request}, [](const auto& question) { return graph_of(question.curve, question.asked); });
 }
 
 }  // namespace batten::editor

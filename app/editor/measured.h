@@ -7,6 +7,7 @@
 #include "app/editor/kept.h"
 #include "app/editor/probe_line.h"
 #include "core/evaluate/evaluate.h"
+#include "core/evaluate/quantity_graph.h"
 #include "core/measure/curvature.h"
 #include "core/measure/intersect_line.h"
 
@@ -30,6 +31,20 @@ struct Bends {
     std::vector<core::CurvatureExtremum> extrema;
 };
 
+/// A quantity over a range, and the values between which it is shown.
+struct Graph {
+    std::vector<core::GraphRun> runs;
+    core::Interval values;  ///< with 0; not those near a pole, which would hide all others
+};
+
+struct GraphRequest {
+    core::Quantity quantity{};
+    core::Interval range;
+    std::size_t most = 1;  ///< parameters
+
+    bool operator==(const GraphRequest&) const = default;
+};
+
 /// How many spans are searched at most, so that a picture of any curve is drawn at once: for bends, for crossings, and
 /// for equal lengths.
 inline constexpr std::size_t most_bent_spans = 300;
@@ -50,6 +65,8 @@ class Measured {
     std::shared_ptr<const EqualParts> equal_steps(const core::Curve& curve, int count) const;
     std::shared_ptr<const EqualParts> equal_lengths(const core::Curve& curve, int count) const;
 
+    std::shared_ptr<const Graph> graph(const core::Curve& curve, const GraphRequest& request) const;
+
   private:
     template <class Asked>
     struct Question {
@@ -65,6 +82,8 @@ class Measured {
     Answers<std::vector<core::Interval>, Bends> bends_;
     Answers<int, EqualParts> steps_;
     Answers<int, EqualParts> lengths_;
+    Answers<GraphRequest, Graph> curvatures_;
+    Answers<GraphRequest, Graph> speeds_;
 };
 
 }  // namespace batten::editor

@@ -22,6 +22,17 @@ constexpr double diamond = 8.0;
 constexpr double widest_stack_step = 10.0;
 constexpr double stack_clearance = 4.0;  ///< between the highest diamond and the plot
 
+constexpr double usual_graph_height = 82.0;
+constexpr double least_graph_height = 46.0;
+constexpr double graph_gap = 8.0;  ///< below each
+
+/// What each of `count` graphs below the strip gets of a dock of this height, with its gap.
+double graph_height(double height, std::size_t count) {
+    if (count == 0) return 0.0;
+    const double room = (height - least_height) / static_cast<double>(count);
+    return std::clamp(room, least_graph_height, usual_graph_height);
+}
+
 Heights heights_for(double height) {
     const double t = std::clamp((height - least_height) / (usual_height - least_height), 0.0, 1.0);
     const auto between = [t](double a, double b) { return a + t * (b - a); };
@@ -47,6 +58,17 @@ std::size_t steps_of_highest_stack(const core::Curve* curve) {
 
 }  // namespace
 
+std::vector<core::Quantity> plotted_now(const View& view) {
+    std::vector<core::Quantity> quantities;
+    for (const PlottedQuantity& plotted : plotted_quantities)
+        if (view.overlays.is_shown(plotted.overlay)) quantities.push_back(plotted.quantity);
+    return quantities;
+}
+
+double height_of_plots(const View& view) {
+    return usual_graph_height * static_cast<double>(plotted_now(view).size());
+}
+
 core::Interval whole_plot_range(const EditorState& state) {
     const core::DocumentCurve* item = state.history.present().active_curve();
     const core::Curve* curve = item != nullptr ? item->curve.get() : state.active_curve();
@@ -57,15 +79,23 @@ core::Interval whole_plot_range(const EditorState& state) {
 
 PlotLayout plot_layout(const EditorState& state, glm::dvec2 size_px) {
     const double scale = state.view.interface_scale;
+    const std::size_t graph_count = plotted_now(state.view).size();
+    const double graph_px = scale * graph_height(size_px.y / scale, graph_count);
+    size_px.y -= static_cast<double>(graph_count) * graph_px;
     const Heights heights = heights_for(size_px.y / scale);
     PlotLayout layout;
     layout.range = state.view.plot_range.value_or(whole_plot_range(state));
     layout.left_px = side_margin * scale;
     layout.right_px = std::max(size_px.x - side_margin * scale, layout.left_px + 1.0);
     layout.top_px = heights.above_plot * scale;
-    layout.strip_px = size_px.y - heights.below_strip * scale;
+    layout.labels_px = heights.below_strip * scale;
+    layout.strip_px = size_px.y - layout.labels_px;
     layout.bottom_px = std::max(layout.strip_px - heights.below_plot * scale, layout.top_px + 1.0);
     layout.diamond_px = diamond * scale;
+    for (std::size_t k = 0; k < graph_count; ++k) {
+        const double top = size_px.y + static_cast<double>(k) * graph_px;
+        layout.graphs.push_back({{layout.left_px, top}, {layout.right_px, top + graph_px - graph_gap * scale}});
+    }
 
     const auto steps = static_cast<double>(std::max<std::size_t>(1, steps_of_highest_stack(state.active_curve())));
     const double room = std::max(1.0, heights.below_plot - diamond - stack_clearance);

@@ -1,24 +1,43 @@
 /// Where things are in the dock: the basis plot and the knot strip share one u axis.
 #pragma once
 
+#include <array>
 #include <glm/vec2.hpp>
 #include <vector>
 
 #include "app/editor/state.h"
 #include "core/base/geometry.h"
+#include "core/evaluate/quantity_graph.h"
+#include "render/pixel_box.h"
 
 namespace batten::editor {
+
+/// What can be plotted along the curve below the knot strip, from above.
+struct PlottedQuantity {
+    Overlay overlay;
+    core::Quantity quantity;
+};
+inline constexpr std::array plotted_quantities{PlottedQuantity{Overlay::curvature_plot, core::Quantity::curvature},
+                                               PlottedQuantity{Overlay::speed_plot, core::Quantity::speed}};
+
+/// The quantities that are plotted now.
+std::vector<core::Quantity> plotted_now(const View& view);
+
+/// By how many design pixels the dock is higher for them.
+double height_of_plots(const View& view);
 
 /// The axes of the dock, in pixels of its picture.
 struct PlotLayout {
     core::Interval range;  ///< parameters from left to right
     double left_px = 0.0;
     double right_px = 0.0;
-    double top_px = 0.0;      ///< where N = 1
-    double bottom_px = 0.0;   ///< where N = 0
-    double strip_px = 0.0;    ///< the axis of the knot strip, below the plot
-    double diamond_px = 8.0;  ///< half the width of a knot's diamond
-    double stack_px = 10.0;   ///< how far the diamonds of a stack are apart
+    double top_px = 0.0;                     ///< where N = 1
+    double bottom_px = 0.0;                  ///< where N = 0
+    double strip_px = 0.0;                   ///< the axis of the knot strip, below the plot
+    double labels_px = 0.0;                  ///< the height of the labels below it
+    double diamond_px = 8.0;                 ///< half the width of a knot's diamond
+    double stack_px = 10.0;                  ///< how far the diamonds of a stack are apart
+    std::vector<render::PixelBox> graphs{};  ///< below the strip, one for each shown of plotted_quantities
 
     bool operator==(const PlotLayout&) const = default;
 };

@@ -19,7 +19,8 @@ ProbeLine level_line_through(const core::Curve& curve) {
 }
 
 bool is_line(const ProbeLine& line) {
-    const double length = core::robust_length(line.second - line.first);
+    // The plain length, as everything that is computed along the line squares its coordinates.
+    const double length = core::length(line.second - line.first);
     return core::is_finite(line.first) && core::is_finite(line.second) && length > 0.0 && std::isfinite(length);
 }
 

@@ -56,6 +56,12 @@ struct HoveredOtherCurve {  ///< a curve of the document that is not active
     std::size_t index = 0;
     bool operator==(const HoveredOtherCurve&) const = default;
 };
+/// What of a teaching view can be dragged: the comb's length, the ends of the line, and the line.
+enum class ViewHandle { comb, line_first, line_second, line };
+struct HoveredHandle {
+    ViewHandle handle = ViewHandle::comb;
+    bool operator==(const HoveredHandle&) const = default;
+};
 struct HoveredBasis {  ///< the graph of N_{i,p} in the plot
     std::size_t index = 0;
     bool operator==(const HoveredBasis&) const = default;
@@ -66,8 +72,8 @@ struct HoveredBasisCell {      ///< N_{i,k} in the triangle of the recurrence
     bool operator==(const HoveredBasisCell&) const = default;
 };
 
-using Hover =
-    std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
-                 HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis, HoveredBasisCell>;
+using Hover = std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
+                           HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis,
+                           HoveredBasisCell, HoveredHandle>;
 
 }  // namespace batten::editor

@@ -14,6 +14,7 @@
 #include "app/editor/findings.h"
 #include "app/editor/history.h"
 #include "app/editor/lesson/lesson.h"
+#include "app/editor/measured.h"
 #include "app/editor/nudge_burst.h"
 #include "app/editor/selection.h"
 #include "app/editor/sketch.h"
@@ -86,6 +87,7 @@ struct EditorState {
     std::optional<core::Document> preview;  ///< what the gesture under way would make
     std::optional<Ghost> ghost;
     Derived derived;                           ///< of the curves that are shown
+    Measured measured;                         ///< of the curves that are shown, by the views of their shape
     std::optional<InsertedKnot> inserted;      ///< into the active curve
     std::optional<Findings> findings;          ///< of the committed document
     std::optional<LessonRun> lesson;           ///< that is being taken

@@ -21,6 +21,8 @@ struct HoverCheck {
     bool operator()(const HoveredParameter&) const { return true; }
     bool operator()(const HoveredCurve&) const { return true; }
 
+    bool operator()(const HoveredHandle&) const { return true; }
+
     bool operator()(const HoveredSpan& hovered) const {
         const core::KnotVector& knots = curve.knots();
         return hovered.span + 1 < knots.size() && knots[hovered.span] < knots[hovered.span + 1];
@@ -45,6 +47,11 @@ void keep_selection(Selection& selection, const core::Curve& before, const core:
     // With another count the old indices would silently mean other points or knots.
     if (before.control_points().size() != after.control_points().size()) selection.points.clear();
     if (before.knots().stored().size() != after.knots().stored().size()) selection.knot.reset();
+}
+
+// The line stays where it was seen while the curve changes.
+void keep_line(View& view, const core::Curve& before) {
+    if (view.overlays.is_shown(Overlay::variation) && !view.shape.line) view.shape.line = level_line_through(before);
 }
 
 }  // namespace
@@ -74,6 +81,7 @@ void follow_document(EditorState& state, const core::Document& before) {
         state.inserted.reset();
     } else {
         keep_selection(state.selection, *old_active->curve, *active->curve);
+        keep_line(state.view, *old_active->curve);
     }
     if (active != nullptr && state.view.level && *state.view.level > active->curve->degree()) state.view.level.reset();
 }

@@ -6,6 +6,7 @@
 
 #include "app/editor/notation.h"
 #include "app/editor/overlay.h"
+#include "app/editor/shape_view.h"
 #include "app/editor/theme.h"
 #include "core/base/geometry.h"
 #include "core/base/names.h"
@@ -58,6 +59,7 @@ struct View {
     std::optional<int> level;     ///< the last construction level drawn; none: all up to C(u)
     bool blossom_values = false;  ///< blossoms by the values of their knots, else by the indices
     Playback playback;
+    ShapeView shape;
     std::optional<core::Interval> plot_range;  ///< the parameters that the plot shows; none: all knots
     core::KnotMove knot_move = core::KnotMove::snap;
     ThemeName theme = ThemeName::dark;

@@ -97,6 +97,13 @@ struct Apply {
         assert(change.range.lower < change.range.upper);
         state.view.plot_range = change.range;
     }
+    void operator()(const SetCombFactor& change) const {
+        state.view.shape.comb_factor = comb_factors.clamp(change.factor);
+    }
+    void operator()(const SetProbeLine& change) const {
+        assert(is_line(change.line));
+        state.view.shape.line = change.line;
+    }
     void operator()(const Advance& change) const {
         assert(change.seconds >= 0.0);
         advance(state, change.seconds);

@@ -62,6 +62,16 @@ struct SetPlotRange {
     core::Interval range;
 };
 
+/// The teeth of the comb are so many times as long as by themselves.
+struct SetCombFactor {
+    double factor;
+};
+
+/// The line whose crossings are shown; of different points.
+struct SetProbeLine {
+    ProbeLine line;
+};
+
 /// So many seconds (>= 0) went by, in which a running parameter moves on.
 struct Advance {
     double seconds;
@@ -83,9 +93,9 @@ struct ShowForm {
     const CommandSpec* spec;
 };
 
-using ViewChange =
-    std::variant<SetHover, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend, SetInterfaceScale, SetInspectorWidth,
-                 SetCardsWidth, SetDockHeight, SetPlotRange, Advance, TellTime, ShowRefusal, ShowForm>;
+using ViewChange = std::variant<SetHover, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend, SetInterfaceScale,
+                                SetInspectorWidth, SetCardsWidth, SetDockHeight, SetPlotRange, SetCombFactor,
+                                SetProbeLine, Advance, TellTime, ShowRefusal, ShowForm>;
 
 /// Makes the change; sizes are brought into their ranges.
 void apply(EditorState& state, const ViewChange& change);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/plot_layout.h"
+
 namespace batten::ui {
 
 namespace {
@@ -51,9 +53,10 @@ FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale, b
                      px(has_cards ? least_canvas_width_beside_cards : least_canvas_width), px(least_inspector_width))
             : 0.0;
     const double side = cards + inspector;
-    const double dock = view.dock_is_open ? shrunk(px(view.dock_height), height, most_dock_share * height,
-                                                   px(least_canvas_height), px(least_dock_height))
-                                          : 0.0;
+    const double dock = view.dock_is_open
+                            ? shrunk(px(view.dock_height + editor::height_of_plots(view)), height,
+                                     most_dock_share * height, px(least_canvas_height), px(least_dock_height))
+                            : 0.0;
 
     FrameAreas areas;
     areas.window = {{0.0, 0.0}, size_px};

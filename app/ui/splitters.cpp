@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/plot_layout.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/shell_widgets.h"
@@ -85,7 +86,8 @@ void draw_splitters(const PanelContext& context, const FrameAreas& areas) {
     }
     if (areas.dock.size_px.y > 0.0) {
         const glm::dvec2 from = areas.dock.origin_px;
-        const double height = (from.y + areas.dock.size_px.y - mouse.y) / context.scale;
+        const double height =
+            (from.y + areas.dock.size_px.y - mouse.y) / context.scale - editor::height_of_plots(context.state.view);
         draw_edge_handle(context, {"dock edge", set_dock_height, from, from + glm::dvec2(areas.dock.size_px.x, 0.0),
                                    height, usual_dock_height, ImGuiMouseCursor_ResizeNS});
     }

@@ -12,11 +12,15 @@
 #include "app/editor/cards/by_insertion_card.h"
 #include "app/editor/cards/continuity_card.h"
 #include "app/editor/cards/corner_cutting_card.h"
+#include "app/editor/cards/curvature_card.h"
 #include "app/editor/cards/end_derivatives_card.h"
 #include "app/editor/cards/halves_card.h"
+#include "app/editor/cards/parts_card.h"
 #include "app/editor/cards/polygon_distance_card.h"
 #include "app/editor/cards/recurrence_card.h"
+#include "app/editor/cards/support_card.h"
 #include "app/editor/cards/triangle_card.h"
+#include "app/editor/cards/variation_card.h"
 
 namespace batten::editor {
 
@@ -35,7 +39,15 @@ constexpr std::array sources{CardSource{Overlay::triangle, triangle_card},
                              CardSource{Overlay::rational_basis, rational_basis_card},
                              CardSource{Overlay::basis_derivatives, basis_derivatives_card},
                              CardSource{Overlay::continuity, continuity_card},
-                             CardSource{Overlay::end_derivatives, end_derivatives_card}};
+                             CardSource{Overlay::osculating_circle, osculating_circle_card},
+                             CardSource{Overlay::tangent_normal, tangent_normal_card},
+                             CardSource{Overlay::curvature_marks, curvature_marks_card},
+                             CardSource{Overlay::equal_steps, equal_steps_card},
+                             CardSource{Overlay::equal_lengths, equal_lengths_card},
+                             CardSource{Overlay::end_derivatives, end_derivatives_card},
+                             CardSource{Overlay::span_hulls, span_hulls_card},
+                             CardSource{Overlay::support, support_card},
+                             CardSource{Overlay::variation, variation_card}};
 
 }  // namespace
 

@@ -51,6 +51,7 @@ void take_view(View& view, const core::Document& document) {
     view.level.reset();
     view.notation = document.view.notation.empty() ? view.usual_notation : notation_named(document.view.notation);
     view.plot_range.reset();
+    view.shape.line.reset();
     view.playback.is_playing = false;
     if (!document.view.overlays) return;
     const std::vector<std::string>& shown = *document.view.overlays;

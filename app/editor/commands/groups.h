@@ -39,6 +39,7 @@ void add_fitting_commands(CommandTable& table);
 void add_shape_commands(CommandTable& table);
 void add_construction_commands(CommandTable& table);
 void add_view_commands(CommandTable& table);
+void add_shape_view_commands(CommandTable& table);
 void add_overlay_commands(CommandTable& table);
 void add_lesson_commands(CommandTable& table);
 void add_help_commands(CommandTable& table);

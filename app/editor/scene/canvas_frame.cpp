@@ -1,6 +1,8 @@
 #include "app/editor/scene/canvas_frame.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "app/editor/point_hues.h"
 
@@ -35,6 +37,17 @@ CanvasFrame::CanvasFrame(const EditorState& shown_state, SceneCache& scene_cache
 
 std::size_t CanvasFrame::hue(std::size_t i) const {
     return point_hue(*state.shown().active_curve(), i);
+}
+
+void CanvasFrame::keep_free(glm::dvec2 place, double radius) {
+    const glm::dvec2 reach(pen.px(radius));
+    covered.push_back({place - reach, place + reach});
+}
+
+void CanvasFrame::keep_free(glm::dvec2 a, glm::dvec2 b, double radius) {
+    constexpr double most_boxes = 160.0;
+    const double boxes = std::clamp(std::ceil(glm::distance(a, b) / pen.px(2.0 * radius)), 1.0, most_boxes);
+    for (double k = 0.0; k <= boxes; k += 1.0) keep_free(a + k / boxes * (b - a), radius);
 }
 
 glm::dvec2 CanvasFrame::screen(core::Point world) const {

@@ -58,6 +58,10 @@ struct CanvasFrame {
     /// The place in the palette, for Theme::point(), of control point `i` of the active curve.
     std::size_t hue(std::size_t i) const;
 
+    /// No label may stand within `radius` design pixels of `place`, or of the way from `a` to `b`.
+    void keep_free(glm::dvec2 place, double radius);
+    void keep_free(glm::dvec2 a, glm::dvec2 b, double radius);
+
     /// The shown_place in the picture.
     glm::dvec2 screen(core::Point world) const;
     std::vector<glm::dvec2> screen(std::span<const core::Point> world) const;

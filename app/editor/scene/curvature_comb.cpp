@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/editor/comb_tooth.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/tessellate.h"
 
@@ -11,8 +12,6 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double tooth_length = 60.0;    // of the large curvature
-constexpr double longest_tooth = 180.0;  // near cusps
 constexpr double tooth_spacing = 9.0;
 constexpr double most_teeth = 400.0;  // in one run
 constexpr std::size_t least_teeth_of_span = 5;
@@ -42,9 +41,9 @@ double tooth_step(const CanvasFrame& frame, const core::Interval& span) {
 /// Draws teeth side by side.
 class Comb {
   public:
-    Comb(CanvasFrame& frame, double px_per_curvature)
+    Comb(CanvasFrame& frame, const CombScale& scale)
         : frame_(frame),
-          px_per_curvature_(px_per_curvature),
+          scale_(scale),
           line_{.color = frame.theme.resting_comb()},
           tips_line_{.color = frame.theme.comb, .width = 1.5} {}
 
@@ -62,18 +61,13 @@ class Comb {
     }
 
     void add_tooth(double u, core::Side side) {
-        const auto curvature = core::curvature_at(*frame_.curve, u, side);
-        if (!curvature || !std::isfinite(*curvature)) {
+        const auto tooth = tooth_at(*frame_.curve, u, side, scale_);
+        if (!tooth) {
             end_tips();
             return;
         }
-        const core::Jet at = core::derivatives_at(*frame_.curve, u, 1, side);
-        const core::Vector tangent = at[1] / core::length(at[1]);
-        const glm::dvec2 right_in_picture{tangent.y, tangent.x};
-        const double longest = frame_.pen.px(longest_tooth);
-        const double length = std::clamp(*curvature * px_per_curvature_, -longest, longest);
-        const glm::dvec2 foot = frame_.screen(at.point);
-        const glm::dvec2 tip = foot + length * right_in_picture;
+        const glm::dvec2 foot = frame_.screen(tooth->foot);
+        const glm::dvec2 tip = tooth->tip(foot);
         frame_.pen.segment(foot, tip, line_);
         tips_.push_back(tip);
     }
@@ -85,7 +79,7 @@ class Comb {
 
   private:
     CanvasFrame& frame_;
-    double px_per_curvature_;
+    CombScale scale_;
     Stroke line_;
     Stroke tips_line_;
     std::vector<glm::dvec2> tips_;
@@ -97,20 +91,19 @@ struct SeenSpan {
     std::size_t count = 1;
 };
 
-std::vector<SeenSpan> seen_spans(const CanvasFrame& frame) {
+std::vector<SeenSpan> seen_spans(const CanvasFrame& frame, double longest_px) {
     std::vector<SeenSpan> spans;
-    frame.kept->strips().visit_spans(frame.seen(frame.pen.px(longest_tooth)),
-                                     frame.pen.px(merged_teeth) / frame.state.view.camera.scale, most_candidates(frame),
-                                     [&](std::size_t span, core::Point, std::size_t count) {
+    frame.kept->strips().visit_spans(frame.seen(longest_px), frame.pen.px(merged_teeth) / frame.state.view.camera.scale,
+                                     most_candidates(frame), [&](std::size_t span, core::Point, std::size_t count) {
                                          spans.push_back({span, count});
                                      });
     return spans;
 }
 
 /// Each span by itself.
-void draw_spans(CanvasFrame& frame, Comb& comb, const std::vector<SeenSpan>& spans) {
+void draw_spans(CanvasFrame& frame, Comb& comb, const std::vector<SeenSpan>& spans, double longest_px) {
     const core::KnotVector& knots = frame.curve->knots();
-    core::TessellationRequest seen{1.0 / frame.state.view.camera.scale, frame.seen(frame.pen.px(longest_tooth)), {}};
+    core::TessellationRequest seen{1.0 / frame.state.view.camera.scale, frame.seen(longest_px), {}};
     for (const SeenSpan& at : spans) {
         seen.range = {knots[at.span], knots[at.span + 1]};
         for (const auto& run : core::tessellate(*frame.curve, seen))
@@ -138,20 +131,34 @@ std::size_t draw_starts(CanvasFrame& frame, Comb& comb, const std::vector<SeenSp
 }  // namespace
 
 Thinned draw_curvature_comb(CanvasFrame& frame) {
-    const double large = frame.state.derived.large_curvature(*frame.curve);
-    if (!(large > 0.0) || !std::isfinite(large)) return {};
-    Comb comb(frame, frame.pen.px(tooth_length) / large);
-    const std::vector<SeenSpan> spans = seen_spans(frame);
+    const auto scale = comb_scale(frame.state, *frame.curve, frame.state.view.shape.comb_factor);
+    if (!scale) return {};
+    Comb comb(frame, *scale);
+    const std::vector<SeenSpan> spans = seen_spans(frame, scale->longest_px);
     const auto most = static_cast<std::size_t>(most_teeth_per_px * frame.pen.size_px().x) + 1;
     const bool are_single = std::all_of(spans.begin(), spans.end(), [](const SeenSpan& at) { return at.count == 1; });
     Thinned thinned;
     for (const SeenSpan& at : spans) thinned.seen += at.count;
     thinned.shown = thinned.seen;
     if (are_single && least_teeth_of_span * spans.size() <= most)
-        draw_spans(frame, comb, spans);
+        draw_spans(frame, comb, spans, scale->longest_px);
     else
         thinned.shown = draw_starts(frame, comb, spans, most);
     return thinned;
+}
+
+void draw_comb_handle(CanvasFrame& frame) {
+    const auto handle = comb_handle(frame.state, frame.state.view.shape.comb_factor);
+    if (!handle) return;
+    const auto* hovered = std::get_if<HoveredHandle>(&frame.state.hover);
+    const bool is_hovered = hovered != nullptr && hovered->handle == ViewHandle::comb;
+    frame.keep_free(handle->place_px, 8.0);
+    frame.pen.segment(handle->foot_px, handle->place_px, {.color = frame.theme.comb, .width = 2.5});
+    frame.pen.symbol(handle->place_px, {.shape = render::MarkerShape::square,
+                                        .radius = is_hovered ? 7.0 : 5.5,
+                                        .fill = is_hovered ? frame.theme.accent : frame.theme.comb,
+                                        .outline = frame.theme.canvas,
+                                        .outline_width = 1.5});
 }
 
 }  // namespace batten::editor

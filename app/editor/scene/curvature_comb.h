@@ -11,4 +11,7 @@ namespace batten::editor {
 /// how many spans of how many have teeth.
 Thinned draw_curvature_comb(CanvasFrame& frame);
 
+/// The tooth at the view's parameter and the handle at its tip that makes the comb longer or shorter.
+void draw_comb_handle(CanvasFrame& frame);
+
 }  // namespace batten::editor

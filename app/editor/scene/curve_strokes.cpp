@@ -19,11 +19,6 @@ void draw_curve(CanvasFrame& frame, KeptCurve& kept, const Stroke& stroke) {
     draw_line(frame, seen_curve(frame, kept, stroke), stroke);
 }
 
-/// A part of the active curve, which should begin and end at knots.
-void draw_part(CanvasFrame& frame, core::Interval range, const Stroke& stroke) {
-    draw_line(frame, seen_part(frame, frame.kept->strips(), range, places_of_part, stroke), stroke);
-}
-
 /// What lights up belongs to one point, and has its color, or to a knot or span.
 render::Color glow_color(const CanvasFrame& frame) {
     render::Color color = frame.theme.accent;
@@ -57,6 +52,10 @@ void draw_direction(CanvasFrame& frame, render::Color color) {
 render::Color color_of(const core::DocumentCurve& item, const Theme& theme) {
     if (!item.color) return theme.curve;
     return {item.color->red, item.color->green, item.color->blue, 255};
+}
+
+void draw_part(CanvasFrame& frame, core::Interval range, const Stroke& stroke) {
+    draw_line(frame, seen_part(frame, frame.kept->strips(), range, places_of_part, stroke), stroke);
 }
 
 void draw_ghost(CanvasFrame& frame) {

@@ -186,7 +186,7 @@ void draw_knot_labels(PlotFrame& frame, std::vector<KnotStack> stacks) {
     std::stable_sort(stacks.begin(), stacks.end(), [&](const KnotStack& a, const KnotStack& b) {
         return importance(frame, a) > importance(frame, b);
     });
-    const double room = frame.pen.size_px().y - frame.layout.strip_px;
+    const double room = frame.layout.labels_px;
     TextRow values;
     TextRow details;
     for (const KnotStack& stack : stacks) {

@@ -3,18 +3,26 @@
 #include <array>
 
 #include "app/editor/scene/basis_areas.h"
+#include "app/editor/scene/bend_marks.h"
 #include "app/editor/scene/bezier_points_scene.h"
 #include "app/editor/scene/construction_views.h"
 #include "app/editor/scene/continuity_marks.h"
 #include "app/editor/scene/corner_cutting_scene.h"
+#include "app/editor/scene/curvature_comb.h"
 #include "app/editor/scene/end_marks.h"
 #include "app/editor/scene/halves.h"
 #include "app/editor/scene/hodograph_inset.h"
 #include "app/editor/scene/insets.h"
+#include "app/editor/scene/line_crossings.h"
+#include "app/editor/scene/part_dots.h"
 #include "app/editor/scene/piece_graphs.h"
 #include "app/editor/scene/polygon_distance_scene.h"
+#include "app/editor/scene/quantity_plots.h"
 #include "app/editor/scene/rational_graphs.h"
 #include "app/editor/scene/recurrence_lines.h"
+#include "app/editor/scene/shape_at_parameter.h"
+#include "app/editor/scene/span_hulls.h"
+#include "app/editor/scene/support_marks.h"
 
 namespace batten::editor {
 
@@ -35,22 +43,34 @@ struct InsetView {
     void (*draw)(CanvasFrame& frame, const render::PixelBox& box);
 };
 
-constexpr std::array views_below{
-    CanvasView{Overlay::by_insertion, draw_inserted_polygon}, CanvasView{Overlay::halves, draw_halves},
-    CanvasView{Overlay::corner_cutting, draw_cut_corners}, CanvasView{Overlay::polygon_distance, draw_polygon_rounds},
-    CanvasView{Overlay::bezier_points, draw_bezier_points}};
+constexpr std::array views_below{CanvasView{Overlay::by_insertion, draw_inserted_polygon},
+                                 CanvasView{Overlay::halves, draw_halves},
+                                 CanvasView{Overlay::corner_cutting, draw_cut_corners},
+                                 CanvasView{Overlay::polygon_distance, draw_polygon_rounds},
+                                 CanvasView{Overlay::bezier_points, draw_bezier_points},
+                                 CanvasView{Overlay::span_hulls, draw_span_hulls},
+                                 CanvasView{Overlay::support, draw_support},
+                                 CanvasView{Overlay::osculating_circle, draw_osculating_circle},
+                                 CanvasView{Overlay::variation, draw_probe_line}};
 constexpr std::array views_above{CanvasView{Overlay::halves, draw_points_of_halves},
                                  CanvasView{Overlay::blossoms, label_blossoms},
                                  CanvasView{Overlay::triangle, label_construction},
                                  CanvasView{Overlay::corner_cutting, draw_corner_cutting},
                                  CanvasView{Overlay::polygon_distance, draw_polygon_distances},
                                  CanvasView{Overlay::end_derivatives, draw_end_marks},
-                                 CanvasView{Overlay::continuity, draw_continuity_marks}};
-constexpr std::array<PlotView, 0> plot_views_below{};
+                                 CanvasView{Overlay::continuity, draw_continuity_marks},
+                                 CanvasView{Overlay::equal_steps, draw_equal_steps},
+                                 CanvasView{Overlay::equal_lengths, draw_equal_lengths},
+                                 CanvasView{Overlay::curvature_marks, draw_bend_marks},
+                                 CanvasView{Overlay::tangent_normal, draw_tangent_and_normal},
+                                 CanvasView{Overlay::variation, draw_line_crossings},
+                                 CanvasView{Overlay::curvature_comb, draw_comb_handle}};
+constexpr std::array plot_views_below{PlotView{Overlay::support, draw_support_strip}};
 constexpr std::array plot_views_above{
-    PlotView{Overlay::basis_values, draw_basis_areas}, PlotView{Overlay::rational_basis, draw_rational_graphs},
-    PlotView{Overlay::basis_pieces, draw_piece_graphs}, PlotView{Overlay::recurrence, draw_recurrence_lines},
-    PlotView{Overlay::corner_cutting, draw_cut_functions}};
+    PlotView{Overlay::basis_values, draw_basis_areas},     PlotView{Overlay::rational_basis, draw_rational_graphs},
+    PlotView{Overlay::basis_pieces, draw_piece_graphs},    PlotView{Overlay::recurrence, draw_recurrence_lines},
+    PlotView{Overlay::corner_cutting, draw_cut_functions}, PlotView{Overlay::curvature_plot, draw_curvature_plot},
+    PlotView{Overlay::speed_plot, draw_speed_plot}};
 constexpr std::array insets{InsetView{Overlay::hodograph, draw_hodograph_inset},
                             InsetView{Overlay::second_hodograph, draw_second_hodograph_inset}};
 

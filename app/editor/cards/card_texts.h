@@ -1,0 +1,21 @@
+/// Texts that many cards have.
+#pragma once
+
+#include <string>
+
+#include "app/editor/cards/card.h"
+#include "app/editor/notation.h"
+#include "core/base/geometry.h"
+
+namespace batten::editor {
+
+/// A measured number: as a fraction where that is short, else with four digits.
+std::string short_text(const Notation& notation, double value);
+
+/// "(1/2, −3)", of such numbers.
+std::string pair_text(const Notation& notation, core::Vector pair);
+
+/// The card of a view without a curve to be seen: that, and an example to begin with.
+Card without_curve(Card card);
+
+}  // namespace batten::editor

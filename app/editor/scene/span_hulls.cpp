@@ -1,0 +1,47 @@
+#include "app/editor/scene/span_hulls.h"
+
+#include "core/measure/bounds.h"
+
+namespace batten::editor {
+
+namespace {
+
+constexpr std::size_t most_hulls = 120;
+constexpr double smallest_hull = 6.0;  // design pixels
+constexpr double opacity = 0.10;
+constexpr double opacity_of_many = 0.05;
+constexpr std::size_t many = 12;
+
+std::vector<std::size_t> hulled_spans(const CanvasFrame& frame) {
+    std::vector<std::size_t> spans;
+    frame.kept->strips().visit_spans(frame.seen(0.0), frame.pen.px(smallest_hull) / frame.state.view.camera.scale,
+                                     most_candidates(frame),
+                                     [&](std::size_t span, core::Point, std::size_t) { spans.push_back(span); });
+    const std::size_t stride = spans.size() / most_hulls + 1;
+    std::vector<std::size_t> some;
+    for (std::size_t k = 0; k < spans.size(); k += stride) some.push_back(spans[k]);
+    return some;
+}
+
+std::vector<core::Point> hull_of(const core::Curve& curve, std::size_t span) {
+    const auto p = static_cast<std::size_t>(curve.degree());
+    const auto control = curve.control_points();
+    std::vector<core::Point> points;
+    for (std::size_t i = span - p; i <= span; ++i) points.push_back(control[i % control.size()]);
+    return core::convex_hull(points);
+}
+
+}  // namespace
+
+void draw_span_hulls(CanvasFrame& frame) {
+    const std::vector<std::size_t> spans = hulled_spans(frame);
+    const double share = spans.size() > many ? opacity_of_many : opacity;
+    for (const std::size_t span : spans) {
+        const render::Color color = frame.theme.level(span - static_cast<std::size_t>(frame.curve->degree()) + 1);
+        const std::vector<glm::dvec2> places = frame.screen(hull_of(*frame.curve, span));
+        frame.pen.fill(places, render::faded(color, share));
+        frame.pen.outline(places, {.color = render::faded(color, 0.7), .width = 1.25});
+    }
+}
+
+}  // namespace batten::editor
