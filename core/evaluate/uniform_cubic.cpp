@@ -22,10 +22,6 @@ Result<void> check_polynomial(const Curve& curve) {
     });
 }
 
-std::size_t segment_total(const Curve& curve) {
-    return curve.control_points().size() - (curve.is_periodic() ? 0 : 3);
-}
-
 Interval interval_of(const Curve& curve, std::size_t segment) {
     return {curve.knots()[segment + 3], curve.knots()[segment + 4]};
 }
@@ -44,37 +40,6 @@ HomogeneousPoint point_for_matrix(const Curve& curve, std::size_t i) {
     return curve.is_rational() ? curve.homogeneous_point(i) : lift(unrolled_point(curve, i), 1.0);
 }
 
-CubicSegment matrix_form(const Curve& curve, std::size_t segment) {
-    CubicSegment result{.interval = interval_of(curve, segment), .first_point = segment};
-    for (std::size_t k = 0; k < 4; ++k) {
-        HomogeneousPoint sum(0.0);
-        for (std::size_t j = 0; j < 4; ++j)
-            sum += static_cast<double>(uniform_cubic_matrix[k][j]) * point_for_matrix(curve, segment + j);
-        result.coefficients[k] = sum / 6.0;
-    }
-    return result;
-}
-
-FergusonSegment ferguson_form(const Curve& curve, std::size_t segment) {
-    std::array<Point, 4> P;
-    for (std::size_t j = 0; j < 4; ++j) P[j] = unrolled_point(curve, segment + j);
-    return {.interval = interval_of(curve, segment),
-            .start = joint(P[0], P[1], P[2]),
-            .end = joint(P[1], P[2], P[3]),
-            .start_tangent = 0.5 * (P[2] - P[0]),
-            .end_tangent = 0.5 * (P[3] - P[1])};
-}
-
-Anticentroid construction(std::size_t index, double u, Point before, Point at, Point after) {
-    return {.index = index,
-            .u = u,
-            .vertex = at,
-            .base_middle = before + 0.5 * (after - before),
-            .anticentroid = joint(before, at, after),
-            .tangent = 0.5 * (after - before),
-            .second_derivative = (before - at) + (after - at)};
-}
-
 }  // namespace
 
 bool is_uniform_cubic(const Curve& curve) {
@@ -82,17 +47,48 @@ bool is_uniform_cubic(const Curve& curve) {
     return curve.degree() == 3 && is_of_kind(curve.knots(), kind);
 }
 
+std::size_t cubic_segment_count(const Curve& curve) {
+    return curve.control_points().size() - (curve.is_periodic() ? 0 : 3);
+}
+
+std::size_t cubic_segment_index(const Curve& curve, double u) {
+    return curve.knots().span_at(curve.knots().into_domain(u)) - 3;
+}
+
+CubicSegment cubic_segment(const Curve& curve, std::size_t k) {
+    assert(curve.degree() == 3 && k < cubic_segment_count(curve));
+    CubicSegment segment{.interval = interval_of(curve, k), .first_point = k};
+    for (std::size_t row = 0; row < 4; ++row) {
+        HomogeneousPoint sum(0.0);
+        for (std::size_t j = 0; j < 4; ++j)
+            sum += static_cast<double>(uniform_cubic_matrix[row][j]) * point_for_matrix(curve, k + j);
+        segment.coefficients[row] = sum / 6.0;
+    }
+    return segment;
+}
+
 Result<std::vector<CubicSegment>> cubic_segments(const Curve& curve) {
     if (const auto check = check_uniform_cubic(curve); !check) return refuse(check.error());
     std::vector<CubicSegment> segments;
-    for (std::size_t k = 0; k < segment_total(curve); ++k) segments.push_back(matrix_form(curve, k));
+    for (std::size_t k = 0; k < cubic_segment_count(curve); ++k) segments.push_back(cubic_segment(curve, k));
     return segments;
+}
+
+FergusonSegment ferguson_segment(const Curve& curve, std::size_t k) {
+    assert(curve.degree() == 3 && !curve.is_rational() && k < cubic_segment_count(curve));
+    std::array<Point, 4> P;
+    for (std::size_t j = 0; j < 4; ++j) P[j] = unrolled_point(curve, k + j);
+    return {.interval = interval_of(curve, k),
+            .start = joint(P[0], P[1], P[2]),
+            .end = joint(P[1], P[2], P[3]),
+            .start_tangent = 0.5 * (P[2] - P[0]),
+            .end_tangent = 0.5 * (P[3] - P[1])};
 }
 
 Result<std::vector<FergusonSegment>> ferguson_segments(const Curve& curve) {
     if (const auto check = check_polynomial(curve); !check) return refuse(check.error());
     std::vector<FergusonSegment> segments;
-    for (std::size_t k = 0; k < segment_total(curve); ++k) segments.push_back(ferguson_form(curve, k));
+    for (std::size_t k = 0; k < cubic_segment_count(curve); ++k) segments.push_back(ferguson_segment(curve, k));
     return segments;
 }
 
@@ -125,21 +121,33 @@ Result<Curve> curve_from_ferguson(const std::vector<FergusonSegment>& segments) 
     return Curve::make(std::move(curve));
 }
 
+Anticentroid anticentroid_of(Point before, Point vertex, Point after) {
+    return {.before = before,
+            .vertex = vertex,
+            .after = after,
+            .base_middle = before + 0.5 * (after - before),
+            .anticentroid = joint(before, vertex, after),
+            .tangent = 0.5 * (after - before),
+            .second_derivative = (before - vertex) + (after - vertex)};
+}
+
+Anticentroid anticentroid(const Curve& curve, std::size_t i) {
+    const std::size_t n = curve.control_points().size();
+    assert(curve.degree() == 3 && !curve.is_rational() && (curve.is_periodic() || (0 < i && i + 1 < n)));
+    Anticentroid made =
+        anticentroid_of(unrolled_point(curve, i + n - 1), unrolled_point(curve, i), unrolled_point(curve, i + 1));
+    made.index = i % n;
+    // Point i is the blossom of the knots t_{i-2}, t_{i-1}, t_i of a period: its joint is at the middle one.
+    made.u = curve.knots()[made.index + 2];
+    if (curve.is_periodic()) made.u = curve.knots().into_domain(made.u, Side::right);
+    return made;
+}
+
 Result<std::vector<Anticentroid>> anticentroids(const Curve& curve) {
     if (const auto check = check_polynomial(curve); !check) return refuse(check.error());
-    const std::size_t n = curve.control_points().size();
+    const std::size_t ends = curve.is_periodic() ? 0 : 1;
     std::vector<Anticentroid> joints;
-    if (curve.is_periodic()) {
-        // Point i is the blossom of the knots t_{i-2}, t_{i-1}, t_i: its joint is at the middle one.
-        for (std::size_t i = 0; i < n; ++i)
-            joints.push_back(construction(i, curve.knots().into_domain(curve.knots()[i + 2], Side::right),
-                                          unrolled_point(curve, i + n - 1), unrolled_point(curve, i),
-                                          unrolled_point(curve, i + 1)));
-    } else {
-        for (std::size_t i = 1; i + 1 < n; ++i)
-            joints.push_back(construction(i, curve.knots()[i + 2], unrolled_point(curve, i - 1),
-                                          unrolled_point(curve, i), unrolled_point(curve, i + 1)));
-    }
+    for (std::size_t i = ends; i + ends < curve.control_points().size(); ++i) joints.push_back(anticentroid(curve, i));
     return joints;
 }
 

@@ -22,6 +22,14 @@ struct CubicSegment {
     std::array<HomogeneousPoint, 4> coefficients{};  ///< with third coordinate 1, 0, 0, 0 where all weights are equal
 };
 
+/// How many segments a uniform cubic has, and which of them `u`, brought into the domain, is on: 0, 1, ... A joint
+/// belongs to the segment that begins there, the end of the domain to the last one. Cost O(1) and O(log n).
+std::size_t cubic_segment_count(const Curve& curve);
+std::size_t cubic_segment_index(const Curve& curve, double u);
+
+/// Segment `k` (below their count) of a uniform cubic. Cost O(1).
+CubicSegment cubic_segment(const Curve& curve, std::size_t k);
+
 /// The segments in order. Error: curve_not_uniform_cubic.
 [[nodiscard]] Result<std::vector<CubicSegment>> cubic_segments(const Curve& curve);
 
@@ -34,8 +42,11 @@ struct FergusonSegment {
     Vector end_tangent{};
 };
 
-/// The segments of a uniform polynomial cubic: start = (P_0 + 4 P_1 + P_2) / 6, tangent (P_2 - P_0) / 2, and so on.
-/// Errors: curve_not_uniform_cubic; curve_rational.
+/// Segment `k` (below their count) of a uniform polynomial cubic: start = (P_0 + 4 P_1 + P_2) / 6, tangent
+/// (P_2 - P_0) / 2, and so on. Cost O(1).
+FergusonSegment ferguson_segment(const Curve& curve, std::size_t k);
+
+/// The segments in order. Errors: curve_not_uniform_cubic; curve_rational.
 [[nodiscard]] Result<std::vector<FergusonSegment>> ferguson_segments(const Curve& curve);
 
 /// The four control points of the uniform cubic segment that is this one; the inverse of ferguson_segments.
@@ -51,12 +62,21 @@ std::array<Point, 4> uniform_control_points(const FergusonSegment& segment);
 struct Anticentroid {
     std::size_t index = 0;       ///< i
     double u = 0.0;              ///< the knot at the joint
+    Point before{};              ///< P_{i-1}
     Point vertex{};              ///< P_i
+    Point after{};               ///< P_{i+1}
     Point base_middle{};         ///< M = (P_{i-1} + P_{i+1}) / 2
     Point anticentroid{};        ///< S = P_i + (M - P_i) / 3 = (P_{i-1} + 4 P_i + P_{i+1}) / 6 = C(u)
     Vector tangent{};            ///< (P_{i+1} - P_{i-1}) / 2, per knot step
     Vector second_derivative{};  ///< P_{i-1} - 2 P_i + P_{i+1} = 2 (M - P_i), per knot step squared
 };
+
+/// The construction from these three points alone, with index and u 0.
+Anticentroid anticentroid_of(Point before, Point vertex, Point after);
+
+/// The joint at control point `i` of a uniform polynomial cubic, neither the first nor the last of an open one; any
+/// `i` of a periodic one, taken mod n. Cost O(1).
+Anticentroid anticentroid(const Curve& curve, std::size_t i);
 
 /// The joints in order, i = 1..n-1, or 0..n-1 with wrapped neighbors when periodic. Errors: curve_not_uniform_cubic;
 /// curve_rational.

@@ -29,6 +29,7 @@
 #include "core/evaluate/rational_basis.h"
 #include "core/evaluate/tessellate.h"
 #include "core/evaluate/uniform_cubic.h"
+#include "core/evaluate/uniform_cubic_conditions.h"
 #include "core/make/fit.h"
 #include "core/measure/arc_length.h"
 #include "core/measure/bounds.h"
@@ -160,6 +161,14 @@ TEST(ContractsDeathTest, pieces_of_curves) {
     const FergusonSegment before{.interval = {0, 1}, .start = {0, 0}, .end = {1, 0}};
     const FergusonSegment after{.interval = {1, 2}, .start = {2, 0}, .end = {3, 0}};
     EXPECT_DEATH((void)curve_from_ferguson({before, after}), "before.end != after.start");
+    const Curve coons =
+        Curve::make({.degree = 3, .knots = {0, 1, 2, 3, 4, 5, 6, 7}, .points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}}})
+            .value();
+    EXPECT_DEATH((void)cubic_segment(coons, 1), "cubic_segment_count");
+    EXPECT_DEATH((void)ferguson_segment(coons, 1), "cubic_segment_count");
+    EXPECT_DEATH((void)anticentroid(coons, 0), "0 < i");
+    EXPECT_DEATH((void)anticentroid(coons, 3), "i \\+ 1 < n");
+    EXPECT_DEATH((void)uniform_cubic_piece(4), "j < 4");
 }
 
 TEST(ContractsDeathTest, spline_system) {

@@ -105,6 +105,50 @@ TEST(UniformCubic, anticentroids_are_the_joints) {
     }
 }
 
+TEST(UniformCubic, gives_one_segment_or_joint_by_itself) {
+    EXPECT_EQ(cubic_segment_count(coons()), 2u);
+    EXPECT_EQ(cubic_segment_index(coons(), 0.0), 0u);
+    EXPECT_EQ(cubic_segment_index(coons(), 1.0), 1u);
+    EXPECT_EQ(cubic_segment_index(coons(), 2.0), 1u);
+    // (P1 + 4 P2 + P3) / 6 and so on.
+    EXPECT_EQ(cubic_segment(coons(), 1).coefficients[0], HomogeneousPoint(22, 14, 1));
+    EXPECT_EQ(cubic_segment(coons(), 1).interval, (Interval{1, 2}));
+    EXPECT_EQ(ferguson_segment(coons(), 1).end_tangent, Vector(9, -3));
+    const Anticentroid joint = anticentroid(coons(), 2);
+    EXPECT_EQ(joint.index, 2u);
+    EXPECT_EQ(joint.u, 1.0);
+    EXPECT_EQ(joint.before, Point(6, 18));
+    EXPECT_EQ(joint.after, Point(30, -6));
+    EXPECT_EQ(joint.anticentroid, Point(22, 14));
+}
+
+TEST(UniformCubic, counts_on_past_the_seam) {
+    EXPECT_EQ(cubic_segment_count(ring()), 4u);
+    EXPECT_EQ(cubic_segment_index(ring(), 7.0), 3u);
+    EXPECT_EQ(cubic_segment_index(ring(), 8.5), 0u);
+    // The last segment has the points 3, 0, 1, 2: it begins at (P3 + 4 P0 + P1) / 6.
+    const FergusonSegment last = ferguson_segment(ring(), 3);
+    EXPECT_EQ(last.interval, (Interval{6, 8}));
+    EXPECT_EQ(last.start, Point(2, 2));
+    EXPECT_EQ(last.end, Point(10, 2));
+    EXPECT_EQ(last.start_tangent, Vector(6, -6));
+    const Anticentroid seam = anticentroid(ring(), 4);
+    EXPECT_EQ(seam.index, 0u);
+    EXPECT_EQ(seam.anticentroid, Point(2, 2));
+    EXPECT_EQ(seam.u, 6.0);
+}
+
+TEST(UniformCubic, the_anticentroid_of_three_points_needs_no_curve) {
+    const Anticentroid joint = anticentroid_of({0, 0}, {3, 9}, {12, 0});
+    EXPECT_EQ(joint.base_middle, Point(6, 0));
+    EXPECT_EQ(joint.anticentroid, Point(4, 6));
+    EXPECT_EQ(joint.tangent, Vector(6, 0));
+    EXPECT_EQ(joint.second_derivative, Vector(6, -18));
+    // Far from the origin, where equal points give themselves.
+    const Point far(1e6 + 0.1, -1e6 - 0.3);
+    EXPECT_EQ(anticentroid_of(far, far, far).anticentroid, far);
+}
+
 TEST(UniformCubic, refuses_other_curves) {
     using Code = CurveErrorCode;
     CurveDefinition clamped = coons().definition();
