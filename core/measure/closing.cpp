@@ -62,8 +62,11 @@ int measured_continuity(const Curve& curve, double tolerance) {
 }  // namespace
 
 double absolute_tolerance(const Curve& curve, double relative) {
-    assert(relative >= 0.0);
-    const Box box = control_box(curve);
+    return absolute_tolerance(control_box(curve), relative);
+}
+
+double absolute_tolerance(const Box& box, double relative) {
+    assert(relative >= 0.0 && !box.is_empty());
     const double largest =
         std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.upper.x), std::abs(box.upper.y)});
     return std::max(relative * std::max(box.size().x, box.size().y), closing_rounding * largest);

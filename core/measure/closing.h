@@ -41,4 +41,7 @@ ClosingReport closing_of(const Curve& curve, double tolerance = default_closing_
 /// never less than the rounding of their coordinates.
 double absolute_tolerance(const Curve& curve, double relative);
 
+/// The same for points in `box`, which is not empty.
+double absolute_tolerance(const Box& box, double relative);
+
 }  // namespace batten::core

@@ -122,4 +122,11 @@ std::vector<CollinearRun> collinear_runs(const Curve& curve, double tolerance) {
     return runs;
 }
 
+bool are_collinear(std::span<const Point> points, double tolerance) {
+    Box box;
+    for (const Point& point : points) box.include(point);
+    LineFollower line(points.front(), absolute_tolerance(box, tolerance));
+    return std::ranges::all_of(points, [&](Point point) { return line.accepts(point); });
+}
+
 }  // namespace batten::core

@@ -1,6 +1,7 @@
 /// Straight pieces: runs of control points on one line.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/curve/curve.h"
@@ -24,5 +25,8 @@ inline constexpr double default_collinear_tolerance = 1e-12;
 /// and the farthest one so far. In a periodic curve a run may pass the seam; if all points are collinear there is one
 /// run of n + p points, the whole curve. Runs whose knots leave no span are left out. Cost O(n).
 std::vector<CollinearRun> collinear_runs(const Curve& curve, double tolerance = default_collinear_tolerance);
+
+/// Whether these points, at least one, are on one line in the same sense, `tolerance` being of their own box.
+bool are_collinear(std::span<const Point> points, double tolerance = default_collinear_tolerance);
 
 }  // namespace batten::core
