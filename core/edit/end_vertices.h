@@ -1,8 +1,12 @@
-/// End vertices that make a uniform cubic begin or end where its polygon does (shape-changing).
+/// End vertices that make a uniform cubic begin or end where its polygon does, or where another one ends
+/// (shape-changing).
 #pragma once
+
+#include <optional>
 
 #include "core/curve/curve.h"
 #include "core/curve/curve_end.h"
+#include "core/evaluate/uniform_cubic.h"
 
 namespace batten::core {
 
@@ -25,5 +29,14 @@ enum class EndVertex {
 /// 1982, End conditions and boundary conditions for uniform B-spline curve and surface representations; Bartels,
 /// Beatty, Barsky 1987, chapter 14.
 [[nodiscard]] Result<Curve> add_end_vertex(const Curve& curve, CurveEnd end, EndVertex vertex);
+
+/// The joint with which an open uniform polynomial cubic begins or ends, or would begin or end with such a vertex;
+/// derivatives per knot step, in the sense of growing u. Its index and u are of the curve as it is. Cost O(1).
+Anticentroid end_joint(const Curve& curve, CurveEnd end, std::optional<EndVertex> vertex = {});
+
+/// The curve with the three vertices at `end` moved onto those at the other end of `other`, in their order: so the one
+/// begins where the other ends, with C2 by knot steps. Errors, of `curve` and then of `other`: curve_not_uniform_cubic,
+/// also for periodic ones; curve_rational. Cost: the copying.
+[[nodiscard]] Result<Curve> share_end_vertices(const Curve& curve, CurveEnd end, const Curve& other);
 
 }  // namespace batten::core

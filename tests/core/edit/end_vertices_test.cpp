@@ -105,9 +105,58 @@ TEST(EndVertices, are_refused_where_the_curve_is_not_a_uniform_cubic) {
         Curve::make(
             {.degree = 3, .knots = {0, 1, 2, 3, 4}, .points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .periodic = true})
             .value();
-    for (const Curve& curve : {clamped, periodic})
+    for (const Curve& curve : {clamped, periodic}) {
         EXPECT_EQ(add_end_vertex(curve, CurveEnd::start, EndVertex::doubled).error().code,
                   CurveErrorCode::curve_not_uniform_cubic);
+        EXPECT_EQ(share_end_vertices(sample(), CurveEnd::start, curve).error().code,
+                  CurveErrorCode::curve_not_uniform_cubic);
+        EXPECT_EQ(share_end_vertices(curve, CurveEnd::start, sample()).error().code,
+                  CurveErrorCode::curve_not_uniform_cubic);
+    }
+}
+
+TEST(EndVertices, the_joint_is_told_without_making_the_curve) {
+    const std::array vertices{EndVertex::doubled, EndVertex::tripled, EndVertex::phantom};
+    for (const CurveEnd end : {CurveEnd::start, CurveEnd::end}) {
+        const bool is_start = end == CurveEnd::start;
+        const auto expect_joint = [&](const Anticentroid& joint, const Curve& made) {
+            const double u = is_start ? made.domain().lower : made.domain().upper;
+            const Jet jet = derivatives_at(made, u, 2, is_start ? Side::right : Side::left);
+            expect_near(joint.anticentroid, jet.point, 1e-13);
+            expect_near(joint.tangent, jet[1], 1e-13);
+            expect_near(joint.second_derivative, jet[2], 1e-13);
+        };
+        const Anticentroid plain = end_joint(sample(), end);
+        EXPECT_EQ(plain.index, is_start ? 1u : 3u);
+        EXPECT_EQ(plain.u, is_start ? 0.0 : 2.0);
+        expect_joint(plain, sample());
+        for (const EndVertex vertex : vertices)
+            expect_joint(end_joint(sample(), end, vertex), add_end_vertex(sample(), end, vertex).value());
+    }
+    // 2 P0 - P1 is the third corner of the triangle.
+    EXPECT_EQ(end_joint(sample(), CurveEnd::start, EndVertex::phantom).before, Point(-6, -18));
+    EXPECT_EQ(end_joint(sample(), CurveEnd::end, EndVertex::doubled).after, Point(42, 12));
+}
+
+TEST(EndVertices, shared_ones_join_with_c2) {
+    const Curve other = Curve::make({.degree = 3,
+                                     .knots = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9},
+                                     .points = {{0, 0}, {9, 9}, {1, 8}, {2, 7}, {5, 3}, {7, -4}}})
+                            .value();
+    const Curve after = share_end_vertices(sample(), CurveEnd::start, other).value();
+    EXPECT_EQ(std::vector(after.control_points().begin(), after.control_points().end()),
+              (std::vector<Point>{{2, 7}, {5, 3}, {7, -4}, {30, -6}, {42, 12}}));
+    const Jet left = derivatives_at(other, 6.0, 2, Side::left);
+    const Jet right = derivatives_at(after, 0.0, 2);
+    expect_near(right.point, left.point);
+    for (std::size_t r = 1; r <= 2; ++r) expect_near(right[r], left[r], 1e-13);
+    const Curve before = share_end_vertices(sample(), CurveEnd::end, other).value();
+    EXPECT_EQ(std::vector(before.control_points().begin(), before.control_points().end()),
+              (std::vector<Point>{{0, 0}, {6, 18}, {0, 0}, {9, 9}, {1, 8}}));
+    EXPECT_EQ(share_end_vertices(sample({1, 2, 1, 1, 1}), CurveEnd::end, other).error().code,
+              CurveErrorCode::curve_rational);
+    EXPECT_EQ(share_end_vertices(other, CurveEnd::end, sample({1, 2, 1, 1, 1})).error().code,
+              CurveErrorCode::curve_rational);
 }
 
 }  // namespace batten::core
