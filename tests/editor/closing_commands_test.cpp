@@ -92,6 +92,34 @@ TEST_F(ClosingCommands, refuse_end_vertices_of_other_curves) {
               "the curve is not a uniform cubic; it must have degree 3 and equally spaced knots, without clamped ends");
 }
 
+constexpr const char* two_uniform_text = R"({"format": "batten", "version": 1, "curves": [
+    {"name": "left", "degree": 3, "knots": [0, 1, 2, 3, 4, 5, 6, 7], "points": [[0, 0], [1, 3], [4, 3], [5, -1]]},
+    {"name": "right", "degree": 3, "knots": [0, 1, 2, 3, 4, 5, 6, 7, 8],
+     "points": [[9, 0], [9, 3], [9, 6], [12, 3], [15, 0]]},
+    {"name": "arch", "degree": 2, "knots": [0, 0, 0, 1, 1, 1], "points": [[0, 0], [1, 3], [4, 3]]}]})";
+
+TEST_F(ClosingCommands, share_three_vertices_with_another_curve) {
+    open_text(editor_, two_uniform_text);
+    run(ActivateCurve{.index = 1});
+    EXPECT_TRUE(run(ShareVertices{.other = "left", .end = core::CurveEnd::start})) << state().message.text;
+    EXPECT_EQ(points(editor_), (std::vector<core::Point>{{1, 3}, {4, 3}, {5, -1}, {12, 3}, {15, 0}}));
+    EXPECT_EQ(state().history.undo_label(), "Share three vertices with 'left' (start)");
+    run(Undo{});
+    EXPECT_TRUE(type("share-vertices left end"));
+    EXPECT_EQ(points(editor_), (std::vector<core::Point>{{9, 0}, {9, 3}, {0, 0}, {1, 3}, {4, 3}}));
+    EXPECT_FALSE(type("share-vertices arch start"));
+    EXPECT_EQ(state().message.text,
+              "'arch' has no end vertices to share; it must be a uniform cubic, open and with equal weights");
+    run(ActivateCurve{.index = 2});
+    EXPECT_FALSE(type("share-vertices left start"));
+    EXPECT_EQ(state().message.text,
+              "the curve is not a uniform cubic; it must have degree 3 and equally spaced knots, without clamped ends");
+    Editor alone;
+    open_text(alone, uniform_text);
+    EXPECT_FALSE(run_typed(alone, "share-vertices coons start"));
+    EXPECT_EQ(alone.state().message.text, "there is no other curve to join; a second one is needed");
+}
+
 TEST_F(ClosingCommands, straighten_between_points) {
     open_text(editor_, bezier_text);
     EXPECT_FALSE(type("straighten"));

@@ -1,9 +1,11 @@
 #include "app/editor/commands/closing_commands.h"
 
 #include "app/editor/commands/active_curve.h"
+#include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/field_kinds.h"
+#include "core/base/sentence.h"
 #include "core/edit/end_vertices.h"
 #include "core/edit/straighten.h"
 #include "core/refine/periodic.h"
@@ -44,6 +46,17 @@ Outcome<Edit> add_end_vertex(const EditorState& state, const Command& command) {
     Outcome<Edit> edit = edit_active(state, change_ends(active_curve(state), command.end, add));
     if (edit) edit->only_adds = true;
     return edit;
+}
+
+Outcome<Edit> share_vertices(const EditorState& state, const ShareVertices& command) {
+    const Outcome<std::size_t> index = curve_named(state, command.other);
+    if (!index) return tl::unexpected(index.error());
+    const core::DocumentCurve& other = state.history.present().curves[*index];
+    if (!core::is_uniform_cubic(*other.curve) || other.curve->is_periodic() || other.curve->is_rational())
+        return tl::unexpected(core::sentence(
+            "'{name}' has no end vertices to share; it must be a uniform cubic, open and with equal weights",
+            {{"name", other.name}}));
+    return edit_active(state, core::share_end_vertices(active_curve(state), command.end, *other.curve));
 }
 
 Outcome<Edit> straighten(const EditorState& state, const Straighten& command) {
@@ -177,6 +190,28 @@ const CommandSpec& PhantomEnd::spec() {
     return spec;
 }
 
+const CommandSpec& ShareVertices::spec() {
+    static const CommandSpec spec{
+        .name = "share-vertices",
+        .title = "Share three vertices",
+        .explanation =
+            "Moves the three vertices at one end of a uniform cubic onto those at the other end of another one, so "
+            "that the two join with C².",
+        .synonyms = "join Coons continue connect",
+        .group = CommandGroup::curve,
+        .submenu = "Ends of uniform cubics",
+        .effect = ShapeEffect::changes,
+        .fields =
+            {field::curve_name<&ShareVertices::other>("other", "name of the other curve")
+                 .suggesting<suggest::next_curve_name>(),
+             field::choice<&ShareVertices::end>("end", "which end of the active curve").usually(core::CurveEnd::start)},
+        .refusal = no_other_curve,
+        .run = body_of<share_vertices>,
+        .step = "Share three vertices with {other} ({end})",
+        .done = "Shared three vertices with {other} ({end}); with equal knot steps the two join with C² there"};
+    return spec;
+}
+
 const CommandSpec& Straighten::spec() {
     static const CommandSpec spec{
         .name = "straighten",
@@ -200,7 +235,7 @@ const CommandSpec& Straighten::spec() {
 
 void add_closing_commands(CommandTable& table) {
     add_all<ToPeriodic, ToWrapped, ToClamped, MoveSeam>(table);
-    add_all<DoubleEnd, TripleEnd, PhantomEnd, Straighten>(table);
+    add_all<DoubleEnd, TripleEnd, PhantomEnd, ShareVertices, Straighten>(table);
 }
 
 }  // namespace batten::editor

@@ -1,8 +1,11 @@
 /// Commands that close curves, convert between the ways of being closed, and shape the ends of uniform cubics.
 #pragma once
 
+#include <string>
+
 #include "app/editor/command.h"
 #include "app/editor/commands/curve_ends.h"
+#include "core/curve/curve_end.h"
 
 namespace batten::editor {
 
@@ -38,6 +41,13 @@ struct TripleEnd {
 
 struct PhantomEnd {
     CurveEnds end;
+    static const CommandSpec& spec();
+};
+
+/// Begins the active curve where another one ends, or ends it where that one begins, by three common vertices.
+struct ShareVertices {
+    std::string other;  ///< the name of the other curve
+    core::CurveEnd end;
     static const CommandSpec& spec();
 };
 

@@ -22,6 +22,12 @@ Edit with_curve(const EditorState& state, const std::string& wish, core::Curve c
     return edit;
 }
 
+std::optional<Refusal> no_other_curve(const EditorState& state) {
+    if (std::optional<Refusal> refusal = no_editable_curve(state)) return refusal;
+    if (state.history.present().curves.size() > 1) return std::nullopt;
+    return "there is no other curve to join; a second one is needed";
+}
+
 Outcome<std::size_t> curve_named(const EditorState& state, const std::string& name) {
     const core::Document& document = state.history.present();
     if (const auto index = core::curve_meant_by(document, name)) return *index;

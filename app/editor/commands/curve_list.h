@@ -9,6 +9,9 @@ namespace batten::editor {
 /// The committed document with `curve` added under a free name like `wish`; it is active.
 Edit with_curve(const EditorState& state, const std::string& wish, core::Curve curve);
 
+/// Refusal: no active curve, a locked one, or no other one beside it.
+std::optional<Refusal> no_other_curve(const EditorState& state);
+
 /// The index of the committed document's curve that is meant by `name`, which may be its number; the refusal lists the
 /// names there are.
 Outcome<std::size_t> curve_named(const EditorState& state, const std::string& name);

@@ -112,12 +112,6 @@ std::optional<double> tenth_of_length(const EditorState& state) {
     return no_curve(state) ? std::nullopt : std::optional(0.1 * core::arc_length(active_curve(state)).value);
 }
 
-std::optional<Refusal> no_other_curve(const EditorState& state) {
-    if (std::optional<Refusal> refusal = no_editable_curve(state)) return refusal;
-    if (state.history.present().curves.size() > 1) return std::nullopt;
-    return "there is no other curve to join; a second one is needed";
-}
-
 template <auto member>
 Field end_field() {
     return field::choice<member>("end", "at which end").usually(core::CurveEnd::end);
