@@ -47,6 +47,13 @@ std::array<Fraction, 4> uniform_cubic_piece(std::size_t j) {
     return coefficients;
 }
 
+double uniform_cubic_value(std::size_t j, double t) {
+    assert(j < 4);
+    double sum = 0.0;
+    for (std::size_t k = 4; k-- > 0;) sum = sum * t + uniform_cubic_matrix[k][j];
+    return sum / 6.0;
+}
+
 std::array<UniformCubicCondition, 15> uniform_cubic_conditions() {
     std::array<UniformCubicCondition, 15> conditions;
     for (std::size_t i = 0; i < conditions.size(); ++i) conditions[i] = condition(i / 3, static_cast<int>(i % 3));

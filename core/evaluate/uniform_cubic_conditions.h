@@ -13,6 +13,9 @@ namespace batten::core {
 /// b_3, b_2, b_1, b_0.
 std::array<Fraction, 4> uniform_cubic_piece(std::size_t j);
 
+/// b_j(t), j = 0..3.
+double uniform_cubic_value(std::size_t j, double t);
+
 /// At a joint of the support both pieces have the same derivative; outside of the support the function is zero.
 struct UniformCubicCondition {
     std::size_t joint = 0;                ///< 0..4, a knot of the support

@@ -1,6 +1,7 @@
 #include "core/measure/cubic_joint.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/measure/closing.h"
@@ -16,13 +17,6 @@ std::array<Point, 3> vertices_of(const Anticentroid& joint) {
 
 void include(Box& box, const Anticentroid& joint) {
     for (const Point& vertex : vertices_of(joint)) box.include(vertex);
-}
-
-Result<Anticentroid> end_joint(const Curve& curve, bool is_last) {
-    if (!is_uniform_cubic(curve)) return refuse({.code = CurveErrorCode::curve_not_uniform_cubic});
-    if (curve.is_rational()) return refuse({.code = CurveErrorCode::curve_rational});
-    if (curve.is_periodic()) return refuse({.code = CurveErrorCode::curve_periodic});
-    return anticentroid(curve, is_last ? curve.control_points().size() - 2 : 1);
 }
 
 int common_derivatives(const Anticentroid& first, const Anticentroid& second) {
@@ -68,15 +62,14 @@ bool is_straight_segment(const Curve& curve, std::size_t k) {
     return are_collinear(of_segment);
 }
 
-Result<CubicMeeting> meeting_of_cubics(const Curve& first, const Curve& second) {
-    const auto last_joint = end_joint(first, true);
-    if (!last_joint) return refuse(last_joint.error());
-    const auto first_joint = end_joint(second, false);
-    if (!first_joint) return refuse(first_joint.error());
-    return CubicMeeting{.first = *last_joint,
-                        .second = *first_joint,
-                        .continuity = common_derivatives(*last_joint, *first_joint),
-                        .has_equal_steps = are_equal_steps(knot_step(first), knot_step(second))};
+CubicMeeting meeting_of_cubics(const Curve& first, const Curve& second) {
+    assert(!first.is_periodic() && !second.is_periodic());
+    const Anticentroid last_joint = anticentroid(first, first.control_points().size() - 2);
+    const Anticentroid first_joint = anticentroid(second, 1);
+    return {.first = last_joint,
+            .second = first_joint,
+            .continuity = common_derivatives(last_joint, first_joint),
+            .has_equal_steps = are_equal_steps(knot_step(first), knot_step(second))};
 }
 
 }  // namespace batten::core

@@ -45,9 +45,9 @@ struct CubicMeeting {
     bool has_equal_steps = false;  ///< of the knots, up to rounding: then the derivatives by u agree as far
 };
 
-/// Where `first` ends and `second` begins. Points may differ by default_closing_tolerance times the larger side of the
-/// box of the six vertices, vectors by six times that. Errors, of `first` and then of `second`:
-/// curve_not_uniform_cubic; curve_rational; curve_periodic. Cost O(n).
-[[nodiscard]] Result<CubicMeeting> meeting_of_cubics(const Curve& first, const Curve& second);
+/// Where `first` ends and `second` begins, both open uniform polynomial cubics. Points may differ by
+/// default_closing_tolerance times the larger side of the box of the six vertices, vectors by six times that. Cost
+/// O(1).
+CubicMeeting meeting_of_cubics(const Curve& first, const Curve& second);
 
 }  // namespace batten::core

@@ -96,6 +96,16 @@ TEST(UniformCubicConditions, have_the_pieces_of_the_lecture) {
     EXPECT_EQ(uniform_cubic_piece(3), (std::array<Fraction, 4>{{{0, 1}, {0, 1}, {0, 1}, {1, 6}}}));
 }
 
+TEST(UniformCubicConditions, have_the_values_of_the_pieces) {
+    // (1 - t)^3 / 6 and so on at t = 1/2: 1, 23, 23 and 1 of 48.
+    EXPECT_DOUBLE_EQ(uniform_cubic_value(0, 0.5), 1.0 / 48.0);
+    EXPECT_DOUBLE_EQ(uniform_cubic_value(1, 0.5), 23.0 / 48.0);
+    EXPECT_DOUBLE_EQ(uniform_cubic_value(0, 0.25), 27.0 / 384.0);
+    EXPECT_DOUBLE_EQ(uniform_cubic_value(1, 0.25), 235.0 / 384.0);
+    EXPECT_DOUBLE_EQ(uniform_cubic_value(2, 0.25), 121.0 / 384.0);
+    EXPECT_DOUBLE_EQ(uniform_cubic_value(3, 0.25), 1.0 / 384.0);
+}
+
 TEST(UniformCubicConditions, have_both_sides_with_their_numbers) {
     const std::array<Fraction, 15> expected{{{0, 1},
                                              {0, 1},
