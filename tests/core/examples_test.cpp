@@ -67,7 +67,7 @@ TEST(Examples, every_file_opens_and_is_as_the_editor_writes_it) {
         ASSERT_TRUE(document.has_value()) << entry.path() << ": " << document.error().sentence();
         EXPECT_FALSE(document->title.empty()) << entry.path();
         EXPECT_FALSE(document->description.empty()) << entry.path();
-        ASSERT_EQ(document->curves.size(), 1U) << entry.path();
+        ASSERT_EQ(document->curves.size(), entry.path().stem() == "coons-joined" ? 2U : 1U) << entry.path();
         ASSERT_TRUE(document->view.parameter.has_value()) << entry.path();
         EXPECT_TRUE(document->curves[0].curve->domain().contains(*document->view.parameter)) << entry.path();
         EXPECT_TRUE(document->unknown_members.empty()) << document->unknown_members;
@@ -77,8 +77,8 @@ TEST(Examples, every_file_opens_and_is_as_the_editor_writes_it) {
     }
     EXPECT_EQ(names,
               (std::set<std::string>{"wave", "cubic-de-boor", "quadratic-double-knot", "cubic-at-4-5", "knot-insertion",
-                                     "bezier-cubic", "coons-open", "coons-closed", "circle-nurbs", "conic-weight",
-                                     "knots-t1", "knots-t2", "knots-t3", "knots-t4"}));
+                                     "bezier-cubic", "coons-open", "coons-closed", "coons-joined", "circle-nurbs",
+                                     "conic-weight", "knots-t1", "knots-t2", "knots-t3", "knots-t4"}));
 }
 
 TEST(Examples, agree_with_the_reference_results) {
@@ -224,6 +224,18 @@ TEST(Examples, circle_is_round) {
 TEST(Examples, conic_is_an_arc_with_the_weight_it_has) {
     const Curve curve = curve_in("conic-weight");
     for (int k = 0; k <= 1000; ++k) EXPECT_NEAR(distance(point_at(curve, k / 1000.0), {}), 3.0, 3e-15);
+}
+
+TEST(Examples, two_cubics_join_with_c1_and_not_with_c2) {
+    const Document document = example("coons-joined");
+    const Curve& left = *document.curves[0].curve;
+    const Curve& right = *document.curves[1].curve;
+    const auto before = derivatives_at(left, left.domain().upper, 2, Side::left);
+    const auto after = derivatives_at(right, right.domain().lower, 2, Side::right);
+    EXPECT_LT(distance(before.point, after.point), 1e-15);
+    EXPECT_LT(length(before[1] - after[1]), 1e-15);
+    EXPECT_GT(length(before[2] - after[2]), 1.0);
+    EXPECT_TRUE(says("coons-joined", "They join with C¹"));
 }
 
 TEST(Examples, closed_curve_closes_smoothly_and_the_open_one_does_not_close) {

@@ -26,9 +26,9 @@ TEST(ExampleFiles, come_in_the_given_order_and_the_others_by_name) {
 // insertion, weights.
 TEST(ExampleFiles, of_the_program_are_in_the_order_of_a_lecture) {
     EXPECT_EQ(names_in(BATTEN_EXAMPLES),
-              (std::vector<std::string>{"bezier-cubic", "coons-open", "coons-closed", "cubic-de-boor", "cubic-at-4-5",
-                                        "knots-t1", "knots-t2", "quadratic-double-knot", "knots-t3", "knots-t4",
-                                        "knot-insertion", "conic-weight", "circle-nurbs", "wave"}));
+              (std::vector<std::string>{"bezier-cubic", "coons-open", "coons-closed", "coons-joined", "cubic-de-boor",
+                                        "cubic-at-4-5", "knots-t1", "knots-t2", "quadratic-double-knot", "knots-t3",
+                                        "knots-t4", "knot-insertion", "conic-weight", "circle-nurbs", "wave"}));
 }
 
 }  // namespace
