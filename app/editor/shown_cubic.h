@@ -5,7 +5,9 @@
 #include <optional>
 
 #include "app/editor/state.h"
+#include "core/curve/curve_end.h"
 #include "core/evaluate/uniform_cubic.h"
+#include "core/measure/cubic_joint.h"
 
 namespace batten::editor {
 
@@ -32,5 +34,16 @@ ShownCubic shown_cubic(const EditorState& state);
 
 /// Whether control point `i` of a uniform cubic has a joint: all but the first and the last of an open one.
 bool has_joint(const core::Curve& curve, std::size_t i);
+
+/// Another uniform cubic that the active one may join.
+struct JoinedCubic {
+    std::size_t index = 0;         ///< of the other curve in the shown document
+    core::CurveEnd end{};          ///< which end of the active curve is nearer to the other one
+    core::CubicMeeting meeting{};  ///< the end of one and the start of the other, in this order
+};
+
+/// The next curve of the document, after the last one the first, where both are visible open uniform cubics with equal
+/// weights. Cost as cubic_lack.
+std::optional<JoinedCubic> joined_cubic(const EditorState& state);
 
 }  // namespace batten::editor

@@ -14,14 +14,18 @@ namespace batten::editor {
 
 namespace {
 
-constexpr std::array powers{"", "t", "t^{2}", "t^{3}"};
 constexpr std::array primes{"", "′", "″"};
 
 // Of a coefficient other than 0.
-std::string term_text(int coefficient, std::size_t power) {
+std::string term_text(int coefficient, const char* t, std::size_t power) {
     const int size = std::abs(coefficient);
     if (power == 0) return fmt::format("{}", size);
-    return size == 1 ? powers[power] : fmt::format("{} {}", size, powers[power]);
+    const std::string of_t = power == 1 ? t : fmt::format("{}^{{{}}}", t, power);
+    return size == 1 ? of_t : fmt::format("{} {}", size, of_t);
+}
+
+std::string fraction_text(const Notation& notation, core::Fraction fraction) {
+    return exact_text(notation, fraction.value());
 }
 
 std::string side_text(std::optional<std::size_t> piece, int order, int t) {
@@ -31,39 +35,48 @@ std::string side_text(std::optional<std::size_t> piece, int order, int t) {
 
 }  // namespace
 
-std::string exact_text(core::Fraction fraction) {
-    const bool is_negative = fraction.numerator < 0;
-    fraction.numerator = std::abs(fraction.numerator);
-    return fmt::format("{}{}", is_negative ? true_minus : "", core::fraction_text(fraction));
+const char* local_parameter(const Notation& notation) {
+    return notation.parameter == ParameterLetter::t ? "s" : "t";
 }
 
-std::string piece_formula(std::size_t j) {
+std::string exact_place(const Notation& notation, core::Point place) {
+    return fmt::format("({}, {})", exact_text(notation, place.x), exact_text(notation, place.y));
+}
+
+std::string exact_place(const Notation& notation, core::Vector vector) {
+    return exact_place(notation, core::tip_of(vector));
+}
+
+std::string piece_formula(const Notation& notation, std::size_t j) {
+    const char* t = local_parameter(notation);
     std::string terms;
     for (std::size_t k = 0; k < 4; ++k) {
         const int coefficient = core::uniform_cubic_matrix[k][j];
         if (coefficient == 0) continue;
         const char* sign = coefficient < 0 ? true_minus : "+";
-        terms =
-            terms.empty() ? term_text(coefficient, k) : fmt::format("{} {} {}", terms, sign, term_text(coefficient, k));
+        terms = terms.empty() ? term_text(coefficient, t, k)
+                              : fmt::format("{} {} {}", terms, sign, term_text(coefficient, t, k));
     }
     const bool is_one_term = terms.find(' ') == std::string::npos;
-    return is_one_term ? fmt::format("b_{{{}}}(t) = {}/6", j, terms) : fmt::format("b_{{{}}}(t) = ({})/6", j, terms);
+    return is_one_term ? fmt::format("b_{{{}}}({}) = {}/6", j, t, terms)
+                       : fmt::format("b_{{{}}}({}) = ({})/6", j, t, terms);
 }
 
-ConditionFormula condition_formula(const core::UniformCubicCondition& condition) {
+ConditionFormula condition_formula(const Notation& notation, const core::UniformCubicCondition& condition) {
     return {.symbols = fmt::format("{} = {}", side_text(condition.before, condition.order, 1),
                                    side_text(condition.after, condition.order, 0)),
-            .numbers = fmt::format("{} = {}", exact_text(condition.left), exact_text(condition.right))};
+            .numbers = fmt::format("{} = {}", fraction_text(notation, condition.left),
+                                   fraction_text(notation, condition.right))};
 }
 
-ConditionFormula sum_formula() {
+ConditionFormula sum_formula(const Notation& notation) {
     std::vector<std::string> symbols;
     std::vector<std::string> numbers;
     for (std::size_t j = 0; j < 4; ++j) {
         symbols.push_back(side_text(j, 0, 0));
-        numbers.push_back(exact_text(core::uniform_cubic_piece(j)[0]));
+        numbers.push_back(fraction_text(notation, core::uniform_cubic_piece(j)[0]));
     }
-    const std::string sum = exact_text(core::uniform_cubic_sum()[0]);
+    const std::string sum = fraction_text(notation, core::uniform_cubic_sum()[0]);
     return {.symbols = fmt::format("{} = 1", fmt::join(symbols, " + ")),
             .numbers = fmt::format("{} = {}", fmt::join(numbers, " + "), sum)};
 }
