@@ -49,6 +49,7 @@ enum class Overlay {
     anticentroids,      ///< of uniform cubics
     ferguson,           ///< ends and end tangents of each segment
     end_vertices,       ///< double, triple, phantom, collinear
+    joined_cubics,      ///< where two of them join
     farin_points,       ///< ratios of weights on the legs
     conic,              ///< of three points
     homogeneous,        ///< the lifted curve in space
@@ -56,7 +57,7 @@ enum class Overlay {
     knot_questions,     ///< the lecture's five
     quiz                ///< makes vectors and marks answers
 };
-inline constexpr std::size_t overlay_count = 45;
+inline constexpr std::size_t overlay_count = 46;
 inline constexpr std::size_t basic_overlay_count = 9;
 
 class Overlays {
@@ -115,6 +116,7 @@ struct Names<editor::Overlay> {
                                       Named{anticentroids, "anticentroids", "anticentroids"},
                                       Named{ferguson, "ferguson", "Ferguson form"},
                                       Named{end_vertices, "end-vertices", "end vertices"},
+                                      Named{joined_cubics, "joined-cubics", "joined cubics"},
                                       Named{farin_points, "farin-points", "Farin points"},
                                       Named{conic, "conic", "conic"},
                                       Named{homogeneous, "homogeneous", "homogeneous view"},

@@ -12,6 +12,7 @@
 #include "app/editor/cards/by_insertion_card.h"
 #include "app/editor/cards/continuity_card.h"
 #include "app/editor/cards/corner_cutting_card.h"
+#include "app/editor/cards/cubic_cards.h"
 #include "app/editor/cards/curvature_card.h"
 #include "app/editor/cards/end_derivatives_card.h"
 #include "app/editor/cards/halves_card.h"
@@ -47,7 +48,13 @@ constexpr std::array sources{CardSource{Overlay::triangle, triangle_card},
                              CardSource{Overlay::end_derivatives, end_derivatives_card},
                              CardSource{Overlay::span_hulls, span_hulls_card},
                              CardSource{Overlay::support, support_card},
-                             CardSource{Overlay::variation, variation_card}};
+                             CardSource{Overlay::variation, variation_card},
+                             CardSource{Overlay::cubic_conditions, cubic_conditions_card},
+                             CardSource{Overlay::cubic_matrix, cubic_matrix_card},
+                             CardSource{Overlay::anticentroids, anticentroids_card},
+                             CardSource{Overlay::ferguson, ferguson_card},
+                             CardSource{Overlay::end_vertices, end_vertices_card},
+                             CardSource{Overlay::joined_cubics, joined_cubics_card}};
 
 }  // namespace
 
