@@ -23,6 +23,7 @@
 #include "app/editor/scene/shape_at_parameter.h"
 #include "app/editor/scene/span_hulls.h"
 #include "app/editor/scene/support_marks.h"
+#include "app/editor/scene/uniform_cubics.h"
 
 namespace batten::editor {
 
@@ -51,7 +52,8 @@ constexpr std::array views_below{CanvasView{Overlay::by_insertion, draw_inserted
                                  CanvasView{Overlay::span_hulls, draw_span_hulls},
                                  CanvasView{Overlay::support, draw_support},
                                  CanvasView{Overlay::osculating_circle, draw_osculating_circle},
-                                 CanvasView{Overlay::variation, draw_probe_line}};
+                                 CanvasView{Overlay::variation, draw_probe_line},
+                                 CanvasView{Overlay::anticentroids, draw_anticentroid_triangles}};
 constexpr std::array views_above{CanvasView{Overlay::halves, draw_points_of_halves},
                                  CanvasView{Overlay::blossoms, label_blossoms},
                                  CanvasView{Overlay::triangle, label_construction},
@@ -64,7 +66,11 @@ constexpr std::array views_above{CanvasView{Overlay::halves, draw_points_of_halv
                                  CanvasView{Overlay::curvature_marks, draw_bend_marks},
                                  CanvasView{Overlay::tangent_normal, draw_tangent_and_normal},
                                  CanvasView{Overlay::variation, draw_line_crossings},
-                                 CanvasView{Overlay::curvature_comb, draw_comb_handle}};
+                                 CanvasView{Overlay::curvature_comb, draw_comb_handle},
+                                 CanvasView{Overlay::anticentroids, draw_anticentroids},
+                                 CanvasView{Overlay::ferguson, draw_ferguson_form},
+                                 CanvasView{Overlay::end_vertices, draw_end_vertices},
+                                 CanvasView{Overlay::joined_cubics, draw_joined_cubics}};
 constexpr std::array plot_views_below{PlotView{Overlay::support, draw_support_strip}};
 constexpr std::array plot_views_above{
     PlotView{Overlay::basis_values, draw_basis_areas},     PlotView{Overlay::rational_basis, draw_rational_graphs},

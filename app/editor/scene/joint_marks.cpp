@@ -1,0 +1,84 @@
+#include "app/editor/scene/joint_marks.h"
+
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace batten::editor {
+
+namespace {
+
+constexpr double head_length = 10.0;
+constexpr double head_half_width = 4.5;
+constexpr double label_size = 14.0;
+
+/// A short line across the median.
+void draw_tick(CanvasFrame& frame, glm::dvec2 place, glm::dvec2 along, render::Color color) {
+    const glm::dvec2 across = frame.pen.px(4.0) * glm::dvec2(-along.y, along.x);
+    frame.pen.segment(place - across, place + across, {.color = color, .width = 1.5});
+}
+
+}  // namespace
+
+void draw_arrow(Pen& pen, glm::dvec2 from, glm::dvec2 to, const Stroke& stroke) {
+    const double length = glm::distance(from, to);
+    if (!(length >= 1.0)) return;
+    const glm::dvec2 along = (to - from) / length;
+    const glm::dvec2 across{-along.y, along.x};
+    const double head = std::min(pen.px(head_length), length);
+    const glm::dvec2 neck = to - head * along;
+    pen.segment(from, to - 0.6 * head * along, stroke);
+    const glm::dvec2 half = pen.px(head_half_width) * (head / pen.px(head_length)) * across;
+    pen.fill({to, neck + half, neck - half}, stroke.color);
+}
+
+LabelSide side_toward(glm::dvec2 toward) {
+    using enum LabelSide;
+    // Counted from the right, clockwise on the screen, by eighths of a turn.
+    constexpr std::array sides{right, lower_right, below, lower_left, left, upper_left, above, upper_right};
+    if (!(glm::length(toward) > 0.0)) return upper_right;
+    const double eighths = std::atan2(toward.y, toward.x) / (0.25 * M_PI);
+    return sides[static_cast<std::size_t>(std::lround(eighths) + 8) % 8];
+}
+
+void draw_vector(CanvasFrame& frame, core::Point place, core::Vector vector, render::Color color,
+                 const std::string& name) {
+    if (!core::is_finite(place) || !core::is_finite(place + vector)) return;
+    const glm::dvec2 from = frame.screen(place);
+    const glm::dvec2 to = frame.screen(place + vector);
+    draw_arrow(frame.pen, from, to, {.color = color, .width = 2.5});
+    if (glm::distance(from, to) >= frame.pen.px(head_length))
+        wish_label(frame, place + vector, name, color, side_toward(to - from));
+}
+
+void wish_label(CanvasFrame& frame, core::Point place, const std::string& text, render::Color color, LabelSide first) {
+    frame.labels.push_back({.place = frame.screen(place),
+                            .words = {{text, {.color = color, .size = label_size, .font = render::LabelFont::bold}}},
+                            .first = first,
+                            .crowding = Crowding::cover_symbols});
+}
+
+void draw_median(CanvasFrame& frame, const core::Anticentroid& joint, render::Color color) {
+    const glm::dvec2 vertex = frame.screen(joint.vertex);
+    const glm::dvec2 middle = frame.screen(joint.base_middle);
+    frame.pen.segment(frame.screen(joint.before), frame.screen(joint.after),
+                      {.color = color, .width = 1.5, .dash = 6.0, .gap = 5.0});
+    frame.pen.segment(vertex, middle, {.color = color, .width = 2.5});
+    const double length = glm::distance(vertex, middle);
+    if (!(length >= frame.pen.px(18.0)) || !(length < 1e6)) return;
+    const glm::dvec2 along = (middle - vertex) / length;
+    draw_tick(frame, vertex + 1.0 / 3.0 * (middle - vertex), along, color);
+    draw_tick(frame, vertex + 2.0 / 3.0 * (middle - vertex), along, color);
+}
+
+void draw_joint(CanvasFrame& frame, core::Point place, render::Color color) {
+    frame.pen.symbol(frame.screen(place),
+                     {.radius = 5.0, .fill = frame.theme.canvas, .outline = color, .outline_width = 2.0});
+}
+
+bool is_drawable(const core::Anticentroid& joint) {
+    return core::is_finite(joint.base_middle) && core::is_finite(joint.anticentroid) &&
+           core::is_finite(joint.tangent) && core::is_finite(joint.second_derivative);
+}
+
+}  // namespace batten::editor

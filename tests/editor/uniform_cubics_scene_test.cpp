@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/editor/scene/uniform_cubics.h"
+#include "tests/editor/pointer_driver.h"
+#include "tests/editor/scene_sample.h"
+
+namespace batten::editor {
+namespace {
+
+constexpr std::array cubic_overlays{Overlay::anticentroids, Overlay::ferguson, Overlay::end_vertices,
+                                    Overlay::joined_cubics};
+
+EditorState state_with(core::CurveDefinition definition, std::initializer_list<Overlay> overlays) {
+    EditorState state = test::scene_state(std::move(definition));
+    for (std::size_t i = 0; i < overlay_count; ++i) state.view.overlays.show(static_cast<Overlay>(i), false);
+    for (const Overlay overlay : overlays) state.view.overlays.show(overlay, true);
+    return state;
+}
+
+core::CurveDefinition coons() {
+    return {.degree = 3, .knots = {-3, -2, -1, 0, 1, 2, 3, 4}, .points = {{-3, -2}, {-2, 1}, {1, 1}, {2, -3}}};
+}
+
+render::DrawList scene_of(const EditorState& state) {
+    return test::canvas_picture(state, CanvasIdle{});
+}
+
+glm::dvec2 screen(const EditorState& state, core::Point world) {
+    return render::screen_from_world(state.view.camera, world);
+}
+
+bool has_marker(const render::DrawList& list, const EditorState& state, core::Point place, float radius_px) {
+    for (const render::Marker& marker : test::markers_of(list, render::MarkerShape::disc, radius_px))
+        if (glm::distance(glm::dvec2(marker.center), screen(state, place)) < 1e-3) return true;
+    return false;
+}
+
+/// Whether an arrow's head, a triangle, has its tip there.
+bool has_tip(const render::DrawList& list, const EditorState& state, core::Point place) {
+    for (const render::Fill& fill : test::all_of<render::Fill>(list))
+        if (fill.points.size() == 3 && glm::distance(glm::dvec2(fill.points[0]), screen(state, place)) < 1e-3)
+            return true;
+    return false;
+}
+
+bool has_segment(const render::DrawList& list, const EditorState& state, core::Point a, core::Point b) {
+    for (const render::Polyline& line : test::all_of<render::Polyline>(list))
+        if (glm::distance(glm::dvec2(line.points.front()), screen(state, a)) < 1e-3 &&
+            glm::distance(glm::dvec2(line.points.back()), screen(state, b)) < 1e-3)
+            return true;
+    return false;
+}
+
+TEST(UniformCubicsScene, anticentroids_stand_a_third_along_the_medians) {
+    EditorState state = state_with(coons(), {Overlay::anticentroids});
+    state.view.parameter = 0.25;
+    const render::DrawList list = scene_of(state);
+    // ((-3, -2) + 4 (-2, 1) + (1, 1)) / 6 and ((-2, 1) + 4 (1, 1) + (2, -3)) / 6.
+    EXPECT_TRUE(has_marker(list, state, {-10.0 / 6.0, 0.5}, 5.0F));
+    EXPECT_TRUE(has_marker(list, state, {4.0 / 6.0, 2.0 / 6.0}, 5.0F));
+    EXPECT_TRUE(has_segment(list, state, {-2, 1}, {-1, -0.5})) << "the median";
+    EXPECT_TRUE(has_segment(list, state, {-3, -2}, {1, 1})) << "the base";
+    EXPECT_TRUE(has_tip(list, state, {-10.0 / 6.0 + 2.0, 0.5 + 1.5})) << "S' is half of the base";
+    EXPECT_TRUE(has_tip(list, state, {0, -2})) << "S'' is the diagonal";
+    EXPECT_TRUE(has_segment(list, state, {-3, -2}, {0, -2})) << "a side of the parallelogram";
+    for (const char* text : {"S", "M", "S′", "S″", "1/3", "2/3"}) EXPECT_TRUE(test::has_text(list, text)) << text;
+    EXPECT_EQ(test::overlapping_labels(list), std::vector<std::string>{});
+}
+
+TEST(UniformCubicsScene, the_construction_follows_the_pointer) {
+    EditorState state = state_with(coons(), {Overlay::anticentroids});
+    state.view.parameter = 0.25;
+    state.hover = HoveredPoint{2};
+    const render::DrawList list = scene_of(state);
+    EXPECT_TRUE(has_tip(list, state, {4.0 / 6.0 + 2.0, 2.0 / 6.0 - 2.0}));
+    EXPECT_FALSE(has_tip(list, state, {-10.0 / 6.0 + 2.0, 0.5 + 1.5}));
+}
+
+TEST(UniformCubicsScene, ferguson_form_has_both_tangents) {
+    const EditorState state = state_with(coons(), {Overlay::ferguson});
+    const render::DrawList list = scene_of(state);
+    EXPECT_TRUE(has_tip(list, state, {-10.0 / 6.0 + 2.0, 0.5 + 1.5}));
+    EXPECT_TRUE(has_tip(list, state, {4.0 / 6.0 + 2.0, 2.0 / 6.0 - 2.0}));
+    for (const char* text : {"Q_{0}", "Q_{1}", "Q_{0}′", "Q_{1}′"}) EXPECT_TRUE(test::has_text(list, text)) << text;
+}
+
+TEST(UniformCubicsScene, end_vertices_show_where_the_curve_would_begin) {
+    const EditorState state = state_with(coons(), {Overlay::end_vertices});
+    const render::DrawList list = scene_of(state);
+    EXPECT_TRUE(has_marker(list, state, {-3.0 + 1.0 / 6.0, -1.5}, 5.0F)) << "double: a sixth of the leg";
+    EXPECT_TRUE(has_marker(list, state, {-3, -2}, 5.0F)) << "triple and phantom";
+    EXPECT_TRUE(has_marker(list, state, {3, -7}, 6.0F) || screen(state, {3, -7}).y > 566.0) << "2 P3 - P2";
+    // The new part leads to where the curve began.
+    EXPECT_TRUE(has_segment(list, state, {-3.0 + 1.0 / 6.0, -1.5}, {-10.0 / 6.0, 0.5}));
+    EXPECT_TRUE(has_segment(list, state, {-3, -2}, {-10.0 / 6.0, 0.5})) << "by the phantom";
+    EXPECT_TRUE(test::has_text(list, "double"));
+}
+
+TEST(UniformCubicsScene, draws_nothing_for_other_curves) {
+    for (const Overlay overlay : cubic_overlays) {
+        EditorState with = state_with(test::cubic(), {overlay});
+        EditorState without = state_with(test::cubic(), {});
+        EXPECT_EQ(scene_of(with).commands.size(), scene_of(without).commands.size());
+    }
+}
+
+TEST(UniformCubicsScene, stays_finite_and_bounded) {
+    core::CurveDefinition huge = coons();
+    for (core::Point& point : huge.points) point = {1e300 * point.x, -1e300 * point.y};
+    core::CurveDefinition far = coons();
+    for (core::Point& point : far.points) point += core::Vector(1e6, -1e6);
+    core::CurveDefinition one_place = coons();
+    one_place.points.assign(4, {1, 1});
+    core::CurveDefinition two{.degree = 3, .knots = {0, 1, 2}, .points = {{0, 0}, {1, 1}}, .periodic = true};
+    core::CurveDefinition many{.degree = 3, .points = test::scattered_points(10000, {14, 8})};
+    for (std::size_t i = 0; i < 10004; ++i) many.knots.push_back(static_cast<double>(i));
+    for (const core::CurveDefinition& definition : {coons(), huge, far, one_place, two, many}) {
+        EditorState state = state_with(
+            definition, {Overlay::anticentroids, Overlay::ferguson, Overlay::end_vertices, Overlay::joined_cubics});
+        const render::DrawList list = scene_of(state);
+        EXPECT_EQ(test::faults_of(list, state.view.camera.size_px, 2000.0), std::vector<std::string>{});
+        EXPECT_LT(list.commands.size(), 2000u);
+    }
+}
+
+}  // namespace
+}  // namespace batten::editor
