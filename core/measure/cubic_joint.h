@@ -20,12 +20,10 @@ enum class CubicJointCase {
 template <>
 struct Names<CubicJointCase> {
     using enum CubicJointCase;
-    static constexpr std::array table{Named{triangle, "triangle", "triangle"},
-                                      Named{collinear, "collinear", "collinear vertices"},
-                                      Named{centered, "centered", "vertex midway between its neighbors"},
-                                      Named{doubled, "doubled", "double vertex"},
-                                      Named{folded, "folded", "equal neighbors"},
-                                      Named{tripled, "tripled", "triple vertex"}};
+    static constexpr std::array table{
+        Named{triangle, "triangle", "triangle"},      Named{collinear, "collinear", "collinear"},
+        Named{centered, "centered", "midway vertex"}, Named{doubled, "doubled", "double vertex"},
+        Named{folded, "folded", "equal neighbors"},   Named{tripled, "tripled", "triple vertex"}};
 };
 
 /// Points are equal or on one line up to the tolerance of collinear_runs, of the box of these three.

@@ -117,7 +117,10 @@ TEST(EndVerticesCard, has_both_ends_and_what_one_can_do) {
     EXPECT_TRUE(has_line(card, "double | (5 P₀ + P₁)/6 | (P₁ − P₀)/2"));
     EXPECT_TRUE(has_line(card, "phantom | P₄ | P₄ − P₃")) << card_text(card);
     EXPECT_TRUE(has_line(card, "triple | P₄ | 0"));
-    EXPECT_TRUE(has_line(card, "Double P₁"));
+    EXPECT_FALSE(has_line(card, "Double P₁")) << "of no kind, it would not stay uniform";
+    core::CurveDefinition uniform = coons();
+    uniform.kind = core::KnotKind::uniform;
+    EXPECT_TRUE(has_line(end_vertices_card(test::scene_state(uniform)), "Double P₁"));
     core::CurveDefinition straight = coons();
     straight.points = {{0, 0}, {6, 6}, {18, 18}, {12, 12}, {12, 40}};
     EXPECT_TRUE(has_line(end_vertices_card(test::scene_state(straight)),
@@ -134,6 +137,7 @@ TEST(JoinedCubicsCard, compares_both_sides) {
         .degree = 3, .knots = {0, 1, 2, 3, 4, 5, 6, 7}, .points = {{24, 18}, {30, -6}, {42, 12}, {60, 0}}};
     const Card joined = joined_cubics_card(with_second(second));
     EXPECT_TRUE(has_line(joined, "C | (31, 1) | (31, 1) | ✓")) << card_text(joined);
+    EXPECT_TRUE(has_line(joined, " | P₂ P₃ P₄ | P₀ P₁ P₂")) << card_text(joined);
     EXPECT_TRUE(has_line(joined, "C″ | (6, 42) | (6, 42) | ✓"));
     EXPECT_TRUE(has_line(joined, "They join with C²: the three vertices are common to both."));
     second.points[0] = {24, 12};

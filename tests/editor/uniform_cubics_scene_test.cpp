@@ -99,6 +99,19 @@ TEST(UniformCubicsScene, end_vertices_show_where_the_curve_would_begin) {
     EXPECT_TRUE(test::has_text(list, "double"));
 }
 
+TEST(UniformCubicsScene, tells_of_equal_and_collinear_vertices) {
+    core::CurveDefinition definition{.degree = 3,
+                                     .points = {{-4, 0}, {-2, 2}, {-2, 2}, {1, 2}, {3, 2}, {4, 2}, {5, -1}}};
+    for (int i = 0; i < 11; ++i) definition.knots.push_back(i);
+    const EditorState state = state_with(definition, {Overlay::end_vertices});
+    const render::DrawList list = scene_of(state);
+    EXPECT_TRUE(test::has_text(list, "double vertex"));
+    EXPECT_TRUE(test::has_text(list, "collinear"));
+    EXPECT_TRUE(has_marker(list, state, {-2.0 - 2.0 / 6.0, 2.0 - 2.0 / 6.0}, 5.0F)) << "a sixth of the leg to P0";
+    // P2 to P5 are on one line: (-2 + 4 + 3) / 6 to (1 + 12 + 4) / 6.
+    EXPECT_TRUE(has_segment(list, state, {5.0 / 6.0, 2}, {17.0 / 6.0, 2}));
+}
+
 TEST(UniformCubicsScene, draws_nothing_for_other_curves) {
     for (const Overlay overlay : cubic_overlays) {
         EditorState with = state_with(test::cubic(), {overlay});

@@ -5,6 +5,7 @@
 
 #include "app/editor/cards/cubic_card_parts.h"
 #include "app/editor/cards/cubic_cards.h"
+#include "app/editor/formula.h"
 #include "app/editor/uniform_cubic_formula.h"
 
 namespace batten::editor {
@@ -78,6 +79,10 @@ class PiecesPainter {
                    .anchor = render::Anchor::center,
                    .font = render::LabelFont::bold});
         if (!look_.t) return;
+        drawing_.places.push_back({.name = fmt::format("piece {}", j),
+                                   .box = {{place(start, 0.0).x, 0.0}, place(start + 1.0, 0.0)},
+                                   .hover = HoveredPoint{look_.points[j]},
+                                   .value = plain_text(fmt::format("b_{{{}}}", j))});
         pen_.symbol(place(start + *look_.t, core::uniform_cubic_value(j, *look_.t)),
                     {.radius = 4.0, .fill = look_.theme.parameter, .outline = look_.theme.panel, .outline_width = 1.0});
     }

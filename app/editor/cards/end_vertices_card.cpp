@@ -89,8 +89,10 @@ void add_vertices(Card& card, const EditorState& state, const ShownCubic& cubic)
     if (core::is_straight_segment(curve, cubic.segment))
         card.line("The four control points of the segment at u are on one line: it is straight.", CardTone::accent);
     CardButtons buttons;
-    buttons.buttons.push_back({core::sentence("Double {point}", {{"point", names[1]}}),
-                               AddPoint{.index = i + 1, .position = cubic.focus.vertex}});
+    // A knot vector without a kind would gain a knot in the middle of a span.
+    if (curve.knots().kind() != core::KnotKind::custom)
+        buttons.buttons.push_back({core::sentence("Double {point}", {{"point", names[1]}}),
+                                   AddPoint{.index = i + 1, .position = cubic.focus.vertex}});
     if (around[0] < around[2])
         buttons.buttons.push_back(
             {core::sentence("Put {first} to {last} on a line", {{"first", names[0]}, {"last", names[2]}}),

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <utility>
 
 #include "app/editor/cards/cubic_card_parts.h"
 #include "app/editor/cards/cubic_cards.h"
@@ -18,22 +19,24 @@ CardText tick(bool holds) {
     return {.text = holds ? "✓" : "✗", .tone = holds ? CardTone::good : CardTone::bad};
 }
 
-/// The three conditions; X, Y, Z are the last vertices of the one curve and the first of the other.
+std::string vertex_names(std::size_t middle) {
+    return fmt::format("{} {} {}", point_name(middle - 1), point_name(middle), point_name(middle + 1));
+}
+
+/// The vertices on both sides, and the three conditions.
 CardTable conditions(const Notation& notation, const core::CubicMeeting& meeting) {
     const auto& [first, second, continuity, has_equal_steps] = meeting;
+    const auto row = [](const char* name, std::string left, std::string right, bool holds) -> std::vector<CardText> {
+        return {{.text = name}, {.text = std::move(left)}, {.text = std::move(right)}, tick(holds)};
+    };
     return {.rows = {{{.text = ""}, {.text = "end of the first"}, {.text = "start of the second"}, {.text = ""}},
-                     {{.text = "C"},
-                      {.text = exact_place(notation, first.anticentroid)},
-                      {.text = exact_place(notation, second.anticentroid)},
-                      tick(continuity >= 0)},
-                     {{.text = "C′"},
-                      {.text = exact_place(notation, first.tangent)},
-                      {.text = exact_place(notation, second.tangent)},
-                      tick(continuity >= 1)},
-                     {{.text = "C″"},
-                      {.text = exact_place(notation, first.second_derivative)},
-                      {.text = exact_place(notation, second.second_derivative)},
-                      tick(continuity >= 2)}},
+                     {{.text = ""}, {.text = vertex_names(first.index)}, {.text = vertex_names(second.index)}},
+                     row("C", exact_place(notation, first.anticentroid), exact_place(notation, second.anticentroid),
+                         continuity >= 0),
+                     row("C′", exact_place(notation, first.tangent), exact_place(notation, second.tangent),
+                         continuity >= 1),
+                     row("C″", exact_place(notation, first.second_derivative),
+                         exact_place(notation, second.second_derivative), continuity >= 2)},
             .has_heading = true};
 }
 

@@ -168,6 +168,28 @@ void draw_end(CanvasFrame& frame, core::CurveEnd end) {
     }
 }
 
+/// Joints at vertices that are equal or on one line, with the name of the case, and segments that are straight.
+void draw_special_joints(CanvasFrame& frame, const ShownCubic& cubic) {
+    for (const core::Anticentroid& joint : joints_around(frame, cubic)) {
+        const core::CubicJointCase kind = core::case_of(joint);
+        if (kind == core::CubicJointCase::triangle) continue;
+        const render::Color color = frame.theme.point(joint.index);
+        draw_joint(frame, joint.anticentroid, color);
+        wish_label(frame, joint.anticentroid, core::title_of(kind), color, LabelSide::lower_right);
+    }
+}
+
+void draw_straight_segments(CanvasFrame& frame, const ShownCubic& cubic) {
+    const std::size_t begin = cubic.segment > most_beside ? cubic.segment - most_beside : 0;
+    const std::size_t end = std::min(cubic.segment_count, cubic.segment + most_beside);
+    for (std::size_t k = begin; k < end; ++k) {
+        if (!core::is_straight_segment(*frame.curve, k)) continue;
+        const core::FergusonSegment segment = core::ferguson_segment(*frame.curve, k);
+        frame.pen.segment(frame.screen(segment.start), frame.screen(segment.end),
+                          {.color = render::faded(frame.theme.accent, 0.5), .width = 9.0});
+    }
+}
+
 void draw_meeting_joint(CanvasFrame& frame, const core::Anticentroid& joint, render::Color color) {
     if (!is_drawable(joint)) return;
     for (const core::Point vertex : {joint.before, joint.vertex, joint.after})
@@ -225,7 +247,11 @@ void draw_ferguson_form(CanvasFrame& frame) {
 }
 
 void draw_end_vertices(CanvasFrame& frame) {
-    if (cubic_lack(frame.state) || frame.curve->is_periodic()) return;
+    const std::optional<ShownCubic> cubic = cubic_of(frame);
+    if (!cubic) return;
+    draw_straight_segments(frame, *cubic);
+    draw_special_joints(frame, *cubic);
+    if (frame.curve->is_periodic()) return;
     draw_end(frame, core::CurveEnd::start);
     draw_end(frame, core::CurveEnd::end);
 }

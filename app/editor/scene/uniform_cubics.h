@@ -14,7 +14,8 @@ void draw_anticentroids(CanvasFrame& frame);
 /// The ends of the segment at u with the tangents there, and lightly those of the segments about it.
 void draw_ferguson_form(CanvasFrame& frame);
 
-/// How the curve would go on at its ends with double, triple and phantom vertices, and the phantom ones.
+/// How the curve would go on at its ends with double, triple and phantom vertices, and the phantom ones; joints at
+/// equal and collinear vertices, and straight segments.
 void draw_end_vertices(CanvasFrame& frame);
 
 /// The last joint of one curve and the first of the other, with their derivatives.
