@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <vector>
 
@@ -13,6 +14,9 @@
 namespace batten::editor {
 
 namespace {
+
+constexpr double great_coordinate = 1000.0;  // from there on nobody reads a fraction
+constexpr int decimals_of_great = 3;
 
 constexpr std::array primes{"", "′", "″"};
 
@@ -39,8 +43,15 @@ const char* local_parameter(const Notation& notation) {
     return notation.parameter == ParameterLetter::t ? "s" : "t";
 }
 
+std::string exact_coordinate(const Notation& notation, double value) {
+    const double size = std::abs(value);
+    if (size < great_coordinate) return exact_text(notation, value);
+    const int whole_digits = size < 1e9 ? static_cast<int>(std::log10(size)) + 1 : 1;
+    return number_text(value, whole_digits + decimals_of_great);
+}
+
 std::string exact_place(const Notation& notation, core::Point place) {
-    return fmt::format("({}, {})", exact_text(notation, place.x), exact_text(notation, place.y));
+    return fmt::format("({}, {})", exact_coordinate(notation, place.x), exact_coordinate(notation, place.y));
 }
 
 std::string exact_place(const Notation& notation, core::Vector vector) {

@@ -12,7 +12,10 @@ namespace batten::editor {
 /// The parameter that runs from 0 to 1 in each segment: "t", or "s" where t is that of the whole curve.
 const char* local_parameter(const Notation& notation);
 
-/// "(1/6, −2)".
+/// "1/6"; with three decimals from 1000 on, where a fraction tells little.
+std::string exact_coordinate(const Notation& notation, double value);
+
+/// "(1/6, −2)", of such coordinates.
 std::string exact_place(const Notation& notation, core::Point place);
 std::string exact_place(const Notation& notation, core::Vector vector);
 

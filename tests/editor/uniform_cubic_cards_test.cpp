@@ -66,9 +66,9 @@ TEST(CubicMatrixCard, has_the_matrix_and_the_points_put_in) {
     const Card card = cubic_matrix_card(coons_state(1.25));
     EXPECT_TRUE(has_line(card, "Segment 2 of 2, u from 1 to 2: t = 1/4")) << card_text(card);
     EXPECT_EQ(entries_of(card, 0),
-              (std::vector<std::string>{"C(t) = ", "1", "t", "t^{2}", "t^{3}", "1/6",   "1",     "−3",   "3",
-                                        "−1",      "4", "0", "−6",    "3",     "1",     "3",     "3",    "−3",
-                                        "0",       "0", "0", "1",     "P_{1}", "P_{2}", "P_{3}", "P_{4}"}));
+              (std::vector<std::string>{"C =", "1", "t", "t^{2}", "t^{3}", "1/6",   "1",     "−3",   "3",
+                                        "−1",  "4", "0", "−6",    "3",     "1",     "3",     "3",    "−3",
+                                        "0",   "0", "0", "1",     "P_{1}", "P_{2}", "P_{3}", "P_{4}"}));
     // Columns of the points' x and y, and of the coefficients: (P1 + 4 P2 + P3)/6, (P3 - P1)/2 and so on.
     const std::vector<std::string> numbers = entries_of(card, 1);
     ASSERT_EQ(numbers.size(), 22u);
@@ -95,7 +95,7 @@ TEST(AnticentroidsCard, tells_the_construction_with_numbers) {
     core::CurveDefinition slow = coons();
     for (double& knot : slow.knots) knot *= 2.0;
     EXPECT_TRUE(has_line(anticentroids_card(test::scene_state(slow)),
-                         "Derivatives are per knot step; by u they are divided by 2, the second by 2²."));
+                         "Derivatives are per knot step; by u the first is divided by 2, the second by 4."));
 }
 
 TEST(FergusonCard, has_ends_and_tangents) {

@@ -32,6 +32,8 @@ TEST(UniformCubicFormula, follow_the_notation) {
     EXPECT_EQ(piece_formula(notation, 3), "b_{3}(s) = s^{3}/6") << "t is taken";
     EXPECT_EQ(sum_formula(notation).numbers, "0.1667 + 0.6667 + 0.1667 + 0 = 1");
     EXPECT_EQ(exact_place({}, core::Point(1.0 / 6.0, -2.5)), "(1/6, −5/2)");
+    EXPECT_EQ(exact_place({}, core::Point(3000011.0 / 3.0, -999997.0)), "(1000003.667, −999997)");
+    EXPECT_EQ(exact_coordinate({}, 1.5e12), "1.5e12");
     EXPECT_EQ(exact_place(notation, core::Vector(1.0 / 6.0, -2.5)), "(0.1667, −2.5)");
 }
 

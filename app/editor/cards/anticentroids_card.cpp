@@ -36,9 +36,10 @@ void add_step_line(Card& card, const EditorState& state, const ShownCubic& cubic
     const double step = knots[cubic.segment + 4] - knots[cubic.segment + 3];
     const std::string text = exact_text(state.view.notation, step);
     if (text == "1") return;
-    card.line(core::sentence("Derivatives are per knot step; by u they are divided by {step}, the second by {step}².",
-                             {{"step", text}}),
-              CardTone::dim);
+    card.line(
+        core::sentence("Derivatives are per knot step; by u the first is divided by {step}, the second by {square}.",
+                       {{"step", text}, {"square", exact_text(state.view.notation, step * step)}}),
+        CardTone::dim);
 }
 
 }  // namespace

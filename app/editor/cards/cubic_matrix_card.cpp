@@ -33,15 +33,15 @@ CardPicture symbols(const EditorState& state, const ShownCubic& cubic) {
         points.back().color = theme.point_text(i);
     }
     const char* t = local_parameter(state.view.notation);
-    return formula_picture({formula_text(fmt::format("C({}) = ", t)), powers_part(t), formula_text("1/6"),
-                            matrix_part(), formula_column(std::move(points))},
-                           theme, state.view.notation, "matrix");
+    return formula_picture(
+        {formula_text("C ="), powers_part(t), formula_text("1/6"), matrix_part(), formula_column(std::move(points))},
+        theme, state.view.notation, "matrix");
 }
 
 FormulaPart coordinates_part(const Notation& notation, const std::array<core::Vector, 4>& rows) {
     FormulaPart part;
     for (const core::Vector& row : rows)
-        part.rows.push_back({{.text = exact_text(notation, row.x)}, {.text = exact_text(notation, row.y)}});
+        part.rows.push_back({{.text = exact_coordinate(notation, row.x)}, {.text = exact_coordinate(notation, row.y)}});
     return part;
 }
 

@@ -16,9 +16,9 @@ namespace {
 // Design pixels.
 constexpr double text_height = 14.0;
 constexpr double row_pitch = 21.0;
-constexpr double column_gap = 10.0;
+constexpr double column_gap = 8.0;
 constexpr double part_gap = 6.0;
-constexpr double bracket_gap = 6.0;
+constexpr double bracket_gap = 5.0;
 constexpr double bracket_tip = 4.0;
 constexpr double margin = 4.0;
 constexpr double width_error = 1.08;  // widths are known without the font, to about a tenth

@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t most_beside = 40;  // joints on each side of the segment at u that are drawn
 constexpr double least_median = 12.0;    // design pixels; shorter ones would be blots
 constexpr double light_share = 0.45;
+constexpr double least_named = 24.0;  // design pixels; smaller constructions have no names
 constexpr int steps_of_segment = 16;
 
 std::optional<ShownCubic> cubic_of(const CanvasFrame& frame) {
@@ -89,6 +90,7 @@ glm::dvec2 direction(glm::dvec2 vector) {
 void label_median(CanvasFrame& frame, const core::Anticentroid& joint) {
     const glm::dvec2 vertex = frame.screen(joint.vertex);
     const glm::dvec2 middle = frame.screen(joint.base_middle);
+    if (glm::distance(vertex, middle) < frame.pen.px(least_named)) return;
     const glm::dvec2 along = direction(middle - vertex);
     const glm::dvec2 back = direction(frame.screen(joint.before) - frame.screen(joint.after));
     wish_label(frame, joint.anticentroid, "S", frame.theme.text, side_toward(back));
@@ -142,12 +144,19 @@ std::vector<core::Point> outer_points(const core::Curve& curve, core::CurveEnd e
     return points;
 }
 
+/// Whether the leg at the end, the last one of these, is long enough.
+bool is_named(const CanvasFrame& frame, const std::vector<core::Point>& points) {
+    const std::size_t n = points.size();
+    return glm::distance(frame.screen(points[n - 2]), frame.screen(points[n - 3])) >= frame.pen.px(least_named);
+}
+
 void draw_phantom(CanvasFrame& frame, const std::vector<core::Point>& points, core::CurveEnd end, render::Color color) {
     if (!core::is_finite(points[0])) return;
     frame.pen.segment(frame.screen(points[0]), frame.screen(points[1]),
                       {.color = color, .width = 1.5, .dash = 5.0, .gap = 5.0});
     frame.pen.symbol(frame.screen(points[0]),
                      {.radius = 6.0, .fill = frame.theme.canvas, .outline = color, .outline_width = 2.0});
+    if (!is_named(frame, points)) return;
     const std::size_t last = frame.curve->control_points().size() - 1;
     const std::string text =
         end == core::CurveEnd::start ? "2 P_{0} − P_{1}" : fmt::format("2 P_{{{}}} − P_{{{}}}", last, last - 1);
@@ -164,7 +173,7 @@ void draw_end(CanvasFrame& frame, core::CurveEnd end) {
                            {.color = color, .width = 2.5, .dash = 7.0, .gap = 4.0});
         const core::Point place = core::end_joint(*frame.curve, end, look.vertex).anticentroid;
         draw_joint(frame, place, color);
-        wish_label(frame, place, look.name, color, look.side);
+        if (is_named(frame, points)) wish_label(frame, place, look.name, color, look.side);
     }
 }
 
@@ -234,10 +243,13 @@ void draw_ferguson_form(CanvasFrame& frame) {
         draw_vector(frame, joint.anticentroid, joint.tangent, light(frame, tangent_color(frame)), "");
         draw_joint(frame, joint.anticentroid, light(frame, frame.theme.text));
     }
+    const bool has_names = glm::distance(frame.screen(cubic->start.anticentroid),
+                                         frame.screen(cubic->end.anticentroid)) >= frame.pen.px(least_named);
     const auto draw = [&](const core::Anticentroid& joint, const char* place, const char* tangent) {
         if (!is_drawable(joint)) return;
         draw_vector(frame, joint.anticentroid, joint.tangent, tangent_color(frame), tangent);
         draw_joint(frame, joint.anticentroid, tangent_color(frame));
+        if (!has_names) return;
         wish_label(
             frame, joint.anticentroid, place, frame.theme.text,
             side_toward(frame.screen(joint.anticentroid - joint.second_derivative) - frame.screen(joint.anticentroid)));
