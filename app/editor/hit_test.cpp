@@ -9,6 +9,7 @@
 #include "app/editor/view_handle.h"
 #include "app/editor/weight_ring.h"
 #include "core/evaluate/evaluate.h"
+#include "core/evaluate/farin_points.h"
 
 namespace batten::editor {
 namespace {
@@ -167,7 +168,7 @@ std::optional<Hover> ActiveCurve::hit_curve() const {
 
 std::optional<Hover> ActiveCurve::hit_legs() const {
     Nearest nearest(pointer_.px(reach::leg));
-    visit_near(reach::leg, curve_.is_periodic() ? point_count() : point_count() - 1, [&](std::size_t i) {
+    visit_near(reach::leg, core::leg_count(curve_), [&](std::size_t i) {
         nearest.offer(HoveredLeg{i}, distance_to_segment(pointer_.position_px, place_of(i), place_of(i + 1)));
     });
     return nearest.found();

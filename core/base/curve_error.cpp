@@ -117,6 +117,11 @@ constexpr std::array templates{
     Template{Code::joint_turns_back,
              "one curve runs straight back along the other where they meet; a smooth joint needs a turn of less than "
              "180 degrees"},
+    Template{Code::share_out_of_range, "the share of the leg is {value}; it must be above 0 and below 1"},
+    Template{Code::legs_unequal,
+             "the legs of the piece are {value} and {upper} long; they must be equally long for an arc of a circle"},
+    Template{Code::piece_not_bezier,
+             "the piece at {value} has knots that occur only once; an arc of its own needs each of them twice"},
     Template{Code::not_computable,
              "the result cannot be computed: points, weights or knots are too far apart, too large or too small"},
 };

@@ -64,6 +64,9 @@ enum class CurveErrorCode {
     extension_too_far,           ///< value = length asked for, upper = most that keeps every weight positive
     outer_knots_too_far,         ///< value = how far knots would lie outside, upper = most that keeps weights positive
     joint_turns_back,            ///< two curves run back along each other where they should meet smoothly
+    share_out_of_range,          ///< value = share of the way along a leg, which must be between its ends
+    legs_unequal,                ///< value, upper = lengths of two legs that should be equal
+    piece_not_bezier,            ///< value = parameter; the knots around it must occur degree times
     not_computable               ///< numbers on the way are beyond what doubles can hold
 };
 

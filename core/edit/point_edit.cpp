@@ -9,6 +9,7 @@
 #include "core/curve/detail/trusted.h"
 #include "core/curve/knot_kinds.h"
 #include "core/edit/detail/gap_list.h"
+#include "core/evaluate/farin_points.h"
 
 namespace batten::core {
 
@@ -182,6 +183,20 @@ Result<Curve> set_weight(const Curve& curve, std::size_t index, double weight) {
         return tl::unexpected(check.error());
     CurveDefinition definition = curve.definition();
     definition.weights[index] = weight;
+    return over(curve.knots(), std::move(definition));
+}
+
+Result<Curve> set_farin_share(const Curve& curve, std::size_t leg, double share) {
+    if (auto check = check_point_index(leg, leg_count(curve) - 1); !check) return tl::unexpected(check.error());
+    if (!(0.0 < share && share < 1.0)) return refuse({.code = CurveErrorCode::share_out_of_range, .value = share});
+    CurveDefinition definition = curve.definition();
+    std::vector<double>& weights = definition.weights;
+    const std::size_t after = (leg + 1) % weights.size();
+    const double weight = share == 0.5 ? weights[leg] : weights[leg] * (share / (1.0 - share));
+    const double factor = weight / weights[after];
+    weights[after] = weight;
+    if (!curve.is_periodic())
+        for (std::size_t i = after + 1; i < weights.size(); ++i) weights[i] *= factor;
     return over(curve.knots(), std::move(definition));
 }
 

@@ -18,6 +18,13 @@ namespace batten::core {
 /// weight_not_positive.
 [[nodiscard]] Result<Curve> set_weight(const Curve& curve, std::size_t index, double weight);
 
+/// The curve whose Farin point of leg `leg` lies `share` (above 0, below 1) of the way along it: w_{i+1} becomes w_i
+/// share / (1 - share), where i = leg. All weights after it are multiplied alike, so that the other Farin points of an
+/// open curve stay; a periodic curve, whose ratios multiply to 1 around it, changes w_{i+1} alone, and with it the
+/// Farin point of the next leg. Errors: point_index_out_of_range; share_out_of_range; weight_not_finite or
+/// weight_not_positive where a weight would leave what doubles can hold. Source: Farin 2002, chapter 13.
+[[nodiscard]] Result<Curve> set_farin_share(const Curve& curve, std::size_t leg, double share);
+
 /// The curve with a control point at `position` inserted before point `index` (0..n+1, so also at both ends), its
 /// weight interpolated along the leg, and one knot more; all other control points stay. A special kind is regenerated
 /// over the same domain (Bézier: the degree grows by one up to max_degree). A custom vector, and a piecewise Bézier

@@ -1,5 +1,6 @@
 #include "app/editor/scene/control_polygon.h"
 
+#include "core/evaluate/farin_points.h"
 #include "core/measure/bounds.h"
 
 namespace batten::editor {
@@ -36,8 +37,7 @@ void draw_control_polygon(CanvasFrame& frame, const SeenLine& line) {
     draw_line(frame, line, stroke_of(frame));
     const auto points = frame.curve->control_points();
     const auto* leg = std::get_if<HoveredLeg>(&frame.state.hover);
-    const std::size_t leg_count = points.size() - (frame.curve->is_periodic() ? 0U : 1U);
-    if (leg != nullptr && leg->index < leg_count)
+    if (leg != nullptr && leg->index < core::leg_count(*frame.curve))
         frame.pen.segment(frame.screen(points[leg->index]), frame.screen(points[(leg->index + 1) % points.size()]),
                           {.color = frame.theme.accent, .width = 2.0});
 }

@@ -114,6 +114,16 @@ TEST(CurveError, says_what_was_found_where_and_what_is_allowed) {
     EXPECT_EQ(seen.size(), static_cast<std::size_t>(CurveErrorCode::curve_not_polynomial_piece) + 1);
 }
 
+TEST(CurveError, says_what_the_weights_of_a_leg_or_piece_lack) {
+    using Code = CurveErrorCode;
+    EXPECT_EQ(describe({.code = Code::share_out_of_range, .value = 1.5}),
+              "the share of the leg is 1.5; it must be above 0 and below 1");
+    EXPECT_EQ(describe({.code = Code::legs_unequal, .value = 3, .upper = 2}),
+              "the legs of the piece are 3 and 2 long; they must be equally long for an arc of a circle");
+    EXPECT_EQ(describe({.code = Code::piece_not_bezier, .value = 0.5}),
+              "the piece at 0.5 has knots that occur only once; an arc of its own needs each of them twice");
+}
+
 TEST(CurveError, tells_no_computed_number_that_is_not_finite) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     using Code = CurveErrorCode;
