@@ -42,6 +42,8 @@ TEST(CommandTable, has_the_agreed_commands) {
                              "move-points",
                              "set-point",
                              "set-weight",
+                             "move-farin-point",
+                             "make-circular",
                              "add-point",
                              "delete-points",
                              "nudge",
@@ -203,7 +205,7 @@ TEST(CommandTable, marks_what_commands_do_to_the_shape) {
         EXPECT_EQ(find_command(name)->effect, ShapeEffect::keeps) << name;
     for (const char* name :
          {"move-knot", "set-knot", "delete-knot", "set-knots", "set-kind", "toggle-closed", "set-degree", "reduce",
-          "move-points", "set-weight", "add-point", "delete-points", "delete"})
+          "move-points", "set-weight", "move-farin-point", "make-circular", "add-point", "delete-points", "delete"})
         EXPECT_EQ(find_command(name)->effect, ShapeEffect::changes) << name;
     for (const char* name : {"new-curve", "rename-curve", "paste", "undo", "fit"})
         EXPECT_EQ(find_command(name)->effect, ShapeEffect::none) << name;

@@ -19,6 +19,7 @@
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/shape_commands.h"
 #include "app/editor/commands/tear_commands.h"
+#include "app/editor/commands/weight_commands.h"
 
 namespace batten::editor {
 
@@ -77,7 +78,7 @@ Command RandomSession::one_of(const EditorState& state,
 
 Command RandomSession::shape_command(const EditorState& state, const core::Curve& curve) {
     const std::size_t n = curve.control_points().size();
-    switch (below(12)) {
+    switch (below(14)) {
         case 0:
             return MovePoints{.points = indices(n), .offset = vector(2)};
         case 1:
@@ -101,6 +102,10 @@ Command RandomSession::shape_command(const EditorState& state, const core::Curve
             return curve.degree() < 5 ? Command(Elevate{.by = 1}) : Command(Reduce{.by = 1});
         case 10:
             return Reduce{.by = 1};
+        case 11:
+            return MoveFarinPoint{.leg = index(n), .share = between(-0.1, 1.1)};
+        case 12:
+            return MakeCircular{.u = parameter(state)};
         default:
             return ToggleClosed{};
     }
