@@ -12,6 +12,7 @@
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/shape_commands.h"
 #include "app/editor/commands/tool_commands.h"
+#include "app/editor/edit_step.h"
 #include "app/editor/gesture.h"
 #include "app/editor/hit_test.h"
 #include "app/editor/hover_request.h"
@@ -23,22 +24,6 @@ namespace batten::editor {
 namespace {
 
 constexpr double finish_reach = 9.0;  ///< design pixels
-
-bool is_press(const Gesture& gesture) {
-    return gesture.event.action == PointerAction::press || gesture.event.action == PointerAction::double_click;
-}
-
-/// Whether the event ends a drag of the left button.
-bool is_release(const Gesture& gesture) {
-    return gesture.event.action == PointerAction::release && gesture.event.button == PointerButton::left;
-}
-
-bool is_move(const Gesture& gesture) {
-    return gesture.event.action == PointerAction::move;
-}
-bool is_escape(const Gesture& gesture) {
-    return gesture.event.action == PointerAction::escape;
-}
 
 void turn_wheel(const Gesture& gesture) {
     if (const auto pan_px = wheel_pan(gesture.state, gesture.event)) {
@@ -68,31 +53,6 @@ CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {
             return mode;
     }
     return mode;
-}
-
-/// A drag that edits: previews on moves, commits on release, is given up by Escape. `Mode` has press_px and has_moved;
-/// `ask(mode, gesture, phase)` makes the request, and `click(mode, gesture)` does what a press without movement does.
-template <class Mode, class Ask, class Click>
-CanvasMode step_edit(Mode mode, const Gesture& gesture, const Ask& ask, const Click& click) {
-    if (is_escape(gesture)) {
-        if (mode.has_moved) gesture.queue.cancel_preview();
-        return CanvasIdle{};
-    }
-    if (!is_move(gesture) && !is_release(gesture)) return mode;
-    mode.has_moved = mode.has_moved || is_drag(gesture.state, mode.press_px, gesture.event.position_px);
-    if (mode.has_moved)
-        ask(mode, gesture, is_release(gesture) ? Phase::commit : Phase::preview);
-    else if (is_release(gesture))
-        click(mode, gesture);
-    if (is_release(gesture)) return CanvasIdle{};
-    return mode;
-}
-
-void request(const Gesture& gesture, Phase phase, const Command& command) {
-    if (phase == Phase::commit)
-        gesture.queue.run(command);
-    else
-        gesture.queue.preview(command);
 }
 
 void ask_to_move_points(const DraggingPoints& mode, const Gesture& gesture, Phase phase) {
