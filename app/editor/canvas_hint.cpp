@@ -32,6 +32,10 @@ bool has_point(const core::Curve& curve, std::size_t i) {
     return i < curve.control_points().size();
 }
 
+std::size_t next_point(const core::Curve& curve, std::size_t i) {
+    return (i + 1) % curve.control_points().size();
+}
+
 /// What the select tool does to the hovered thing; empty where it does nothing special.
 struct SelectHint {
     const EditorState& state;
@@ -71,11 +75,19 @@ struct SelectHint {
         return sentence("{line} · right-click for what can be done at u",
                         {{"line", plain_text(blend_line({{curve, triangle, state.view.notation}, *place}))}});
     }
+    std::string operator()(const HoveredFarinPoint& h) const {
+        return sentence("Drag the Farin point between {point} and {next} to change the ratio of their weights",
+                        {{"point", point_text(h.leg)}, {"next", point_text(next_point(curve, h.leg))}});
+    }
+    std::string operator()(const HoveredLifted& h) const {
+        if (!h.index) return "Drag to turn the view · the wheel enlarges it";
+        return sentence("Drag the lifted {point} along its ray to change its weight",
+                        {{"point", point_text(*h.index)}});
+    }
     std::string operator()(const HoveredLeg& h) const {
         if (!has_point(curve, h.index)) return {};
-        const std::size_t next = (h.index + 1) % curve.control_points().size();
         return sentence("Double-click to add a control point between {point} and {next} (changes the shape)",
-                        {{"point", point_text(h.index)}, {"next", point_text(next)}});
+                        {{"point", point_text(h.index)}, {"next", point_text(next_point(curve, h.index))}});
     }
     std::string operator()(const HoveredHandle& h) const {
         if (h.handle == ViewHandle::comb) return "Drag to make the comb longer or shorter";
@@ -147,6 +159,21 @@ struct ModeHint {
         return sentence("Weight of {point}: {weight} · up or right raises it, down or left lowers it · Escape restores",
                         {{"point", point_text(mode.index)}, {"weight", weight_in(state, *curve, mode.index)}});
     }
+    std::string operator()(const DraggingFarinPoint& mode) const {
+        if (curve == nullptr || !has_point(*curve, mode.leg)) return {};
+        const std::size_t next = next_point(*curve, mode.leg);
+        return sentence(
+            "The weight of {next} is {ratio} times that of {point} · Ctrl keeps to twelfths · Escape restores",
+            {{"next", point_text(next)},
+             {"ratio", number_text(curve->weights()[next] / curve->weights()[mode.leg])},
+             {"point", point_text(mode.leg)}});
+    }
+    std::string operator()(const DraggingLiftedWeight& mode) const {
+        if (curve == nullptr || !has_point(*curve, mode.index)) return {};
+        return sentence("Weight of {point}: {weight} · Escape restores",
+                        {{"point", point_text(mode.index)}, {"weight", weight_in(state, *curve, mode.index)}});
+    }
+    std::string operator()(const TurningOrbit&) const { return "Turning the view"; }
     std::string operator()(const BoxSelecting&) const { return "Release to select the points in the box"; }
     std::string operator()(const Panning&) const { return "Panning"; }
     std::string operator()(const DraggingParameter&) const { return parameter_text(state); }

@@ -17,6 +17,7 @@
 #include "app/editor/hit_test.h"
 #include "app/editor/hover_request.h"
 #include "app/editor/point_drag.h"
+#include "app/editor/weight_modes.h"
 #include "core/evaluate/evaluate.h"
 #include "render/pixel_box.h"
 
@@ -26,6 +27,7 @@ namespace {
 constexpr double finish_reach = 9.0;  ///< design pixels
 
 void turn_wheel(const Gesture& gesture) {
+    if (turn_wheel_over_inset(gesture)) return;
     if (const auto pan_px = wheel_pan(gesture.state, gesture.event)) {
         gesture.queue.change(PanCamera{{*pan_px, 0.0}});
         return;
@@ -86,7 +88,8 @@ CanvasMode step(const DraggingPoints& mode, const Gesture& gesture) {
 }
 
 void ask_to_set_weight(const DraggingWeight& mode, const Gesture& gesture, Phase phase) {
-    const double weight = dragged_weight(gesture, mode.start_weight, mode.press_px);
+    const double weight =
+        caught_weight(gesture.state, mode.index, dragged_weight(gesture, mode.start_weight, mode.press_px));
     if (weight == mode.start_weight)
         gesture.queue.cancel_preview();
     else

@@ -70,6 +70,25 @@ struct DraggingHandle {
     glm::dvec2 press_px{};
 };
 
+/// A Farin point dragged along its leg. With Ctrl it keeps to twelfths of it.
+struct DraggingFarinPoint {
+    std::size_t leg = 0;
+    glm::dvec2 press_px{};
+    bool has_moved = false;
+};
+
+/// A lifted control point dragged along its ray in the homogeneous view, which changes its weight.
+struct DraggingLiftedWeight {
+    std::size_t index = 0;
+    glm::dvec2 press_px{};
+    bool has_moved = false;
+};
+
+/// The homogeneous view turned.
+struct TurningOrbit {
+    glm::dvec2 last_px{};
+};
+
 /// A new curve drawn click by click. A double click ends it, which the window also sends for Enter; so does a click on
 /// its first or last point. Escape gives it up with its tool, and so does a change of the tool.
 struct DrawingCurve {
@@ -79,7 +98,8 @@ struct DrawingCurve {
 };
 
 using CanvasMode = std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,
-                                DraggingCurveKnot, DraggingCurvePoint, DraggingHandle, DrawingCurve>;
+                                DraggingCurveKnot, DraggingCurvePoint, DraggingHandle, DraggingFarinPoint,
+                                DraggingLiftedWeight, TurningOrbit, DrawingCurve>;
 
 /// The mode that is left where the tool was changed without the pointer: a curve half drawn is given up.
 CanvasMode with_present_tool(CanvasMode mode, const EditorState& state);

@@ -10,6 +10,8 @@
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/hit_test.h"
 #include "app/editor/point_drag.h"
+#include "app/editor/scene/insets.h"
+#include "app/editor/weight_modes.h"
 
 namespace batten::editor {
 namespace {
@@ -67,6 +69,10 @@ struct SelectPress {
     }
     CanvasMode operator()(const HoveredWeightRing& hit) const { return begin_weight_drag(gesture, hit.index); }
     CanvasMode operator()(const HoveredKnot& hit) const { return begin_knot_drag(gesture, hit.index); }
+    CanvasMode operator()(const HoveredFarinPoint& hit) const {
+        if (!can_edit_curve(gesture.state)) return CanvasIdle{};
+        return DraggingFarinPoint{hit.leg, gesture.event.position_px};
+    }
     CanvasMode operator()(const HoveredCurve& hit) const {
         if (gesture.event.modifiers.shift || !can_edit_curve(gesture.state)) return begin_box(gesture);
         return DraggingCurvePoint{hit.u, gesture.event.position_px};
@@ -187,6 +193,7 @@ std::size_t best_index_for(const core::Curve& curve, core::Point position) {
 CanvasMode begin_canvas_gesture(const Gesture& gesture) {
     if (is_pan(gesture.event)) return Panning{gesture.event.position_px};
     if (gesture.event.button != PointerButton::left) return CanvasIdle{};
+    if (inset_at(gesture.state, gesture.event.position_px)) return begin_inset_gesture(gesture);
     const Hover hit = hit_canvas(gesture.state, gesture.event.position_px);
     switch (gesture.state.tool) {
         case Tool::select:

@@ -13,7 +13,9 @@ bool is_one_of(const Hover& hover) {
 Cursor select_cursor(const EditorState& state) {
     if (is_one_of<HoveredPoint, HoveredHandle>(state.hover)) return Cursor::move;
     if (is_one_of<HoveredWeightRing>(state.hover)) return Cursor::vertical;
-    const bool is_grip = is_one_of<HoveredParameter, HoveredKnot, HoveredCurve, HoveredOtherCurve>(state.hover);
+    const bool is_grip =
+        is_one_of<HoveredParameter, HoveredKnot, HoveredCurve, HoveredOtherCurve, HoveredFarinPoint, HoveredLifted>(
+            state.hover);
     return is_grip ? Cursor::hand : Cursor::arrow;
 }
 
@@ -49,6 +51,9 @@ struct CanvasCursor {
     Cursor operator()(const DrawingCurve&) const { return Cursor::crosshair; }
     Cursor operator()(const DraggingParameter&) const { return Cursor::hand; }
     Cursor operator()(const DraggingCurveKnot&) const { return Cursor::hand; }
+    Cursor operator()(const DraggingFarinPoint&) const { return Cursor::hand; }
+    Cursor operator()(const DraggingLiftedWeight&) const { return Cursor::hand; }
+    Cursor operator()(const TurningOrbit&) const { return Cursor::hand; }
 };
 
 }  // namespace

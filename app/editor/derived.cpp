@@ -32,6 +32,7 @@ CurveFacts facts_of_curve(const core::Curve& curve) {
     return {.control_box = box,
             .size = std::max(box.size().x, box.size().y),
             .weights = weight_column(curve),
+            .lightest = curve.is_rational() ? std::ranges::min(weights) : weights.front(),
             .heaviest = curve.is_rational() ? std::ranges::max(weights) : weights.front()};
 }
 

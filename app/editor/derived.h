@@ -39,6 +39,7 @@ struct CurveFacts {
     core::Box control_box;
     double size = 0.0;  ///< the longer side of the box
     NumberColumn weights;
+    double lightest = 1.0;  ///< the least weight
     double heaviest = 1.0;  ///< the greatest weight
 };
 

@@ -156,6 +156,9 @@ struct HighlightOf {
 
     Highlight operator()(const HoveredPoint& h) const { return Collector(curve).of_point(h.index); }
     Highlight operator()(const HoveredWeightRing& h) const { return Collector(curve).of_point(h.index); }
+    Highlight operator()(const HoveredLifted& h) const {
+        return h.index ? Collector(curve).of_point(*h.index) : Highlight{};
+    }
     Highlight operator()(const HoveredBasis& h) const { return Collector(curve).of_point(h.index); }
     Highlight operator()(const HoveredKnot& h) const { return Collector(curve).of_knot(h.index); }
     Highlight operator()(const HoveredSpan& h) const { return Collector(curve).of_span(h.span); }

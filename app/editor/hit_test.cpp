@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "app/editor/construction_cells.h"
+#include "app/editor/lifted_stage.h"
+#include "app/editor/scene/insets.h"
 #include "app/editor/view_handle.h"
 #include "app/editor/weight_ring.h"
 #include "core/evaluate/evaluate.h"
@@ -18,6 +20,7 @@ namespace {
 namespace reach {
 constexpr double point = 9.0;  ///< C(u) and control points
 constexpr double ring = 4.0;
+constexpr double farin_point = 8.0;
 constexpr double knot = 8.0;
 constexpr double cell = 7.0;
 constexpr double curve = 6.0;
@@ -85,6 +88,7 @@ class ActiveCurve {
   private:
     std::optional<Hover> hit_parameter_or_points() const;
     std::optional<Hover> hit_rings() const;
+    std::optional<Hover> hit_farin_points() const;
     std::optional<Hover> hit_knots() const;
     std::optional<Hover> hit_construction() const;
     std::optional<Hover> hit_curve() const;
@@ -135,6 +139,14 @@ std::optional<Hover> ActiveCurve::hit_rings() const {
     return nearest.found();
 }
 
+std::optional<Hover> ActiveCurve::hit_farin_points() const {
+    Nearest nearest(pointer_.px(reach::farin_point));
+    visit_near(reach::farin_point, core::leg_count(curve_), [&](std::size_t leg) {
+        nearest.offer(HoveredFarinPoint{leg}, pointer_.distance_to(core::farin_point(curve_, leg).point));
+    });
+    return nearest.found();
+}
+
 /// The topmost knot of each stack: it begins a span, but at the end of the domain.
 std::optional<Hover> ActiveCurve::hit_knots() const {
     Nearest nearest(pointer_.px(reach::knot));
@@ -179,6 +191,8 @@ std::optional<Hover> ActiveCurve::hit() const {
     if (const auto handle = handle_at(pointer_.state, pointer_.position_px)) return HoveredHandle{*handle};
     if (pointer_.shows(Overlay::polygon))
         if (const auto found = hit_rings()) return found;
+    if (pointer_.shows(Overlay::farin_points))
+        if (const auto found = hit_farin_points()) return found;
     if (pointer_.shows(Overlay::knots))
         if (const auto found = hit_knots()) return found;
     if (pointer_.shows(Overlay::construction))
@@ -200,9 +214,15 @@ Hover hit_other_curves(const CanvasPointer& pointer) {
     return nearest.found().value_or(HoveredNothing{});
 }
 
+Hover hit_inset(const EditorState& state, const InsetPlace& inset, glm::dvec2 position_px) {
+    if (inset.overlay != Overlay::homogeneous) return HoveredNothing{};
+    return HoveredLifted{lifted_point_at(state, lifted_stage(state, inset.box), position_px)};
+}
+
 }  // namespace
 
 Hover hit_canvas(const EditorState& state, glm::dvec2 position_px) {
+    if (const auto inset = inset_at(state, position_px)) return hit_inset(state, *inset, position_px);
     const CanvasPointer pointer{state, position_px};
     const core::DocumentCurve* active = state.shown().active_curve();
     if (active != nullptr && active->visible)

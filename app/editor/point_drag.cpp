@@ -11,8 +11,6 @@ namespace batten::editor {
 namespace {
 
 constexpr double pixels_per_half_decade = 100.0;
-constexpr double least_weight = 1e-6;
-constexpr double greatest_weight = 1e6;
 
 double grid_step(const EditorState& state) {
     return minor_grid_step(state.view.camera.scale / state.view.interface_scale);
@@ -59,7 +57,7 @@ double dragged_weight(const Gesture& gesture, double start_weight, glm::dvec2 pr
     const glm::dvec2 moved_px = gesture.event.position_px - press_px;
     const double half_decades = (moved_px.x - moved_px.y) / pixels(gesture.state, pixels_per_half_decade);
     // Through exp10 of a quotient, so that 200 pixels are exactly a factor of ten where the library's pow is.
-    return std::clamp(start_weight * std::pow(10.0, half_decades / 2.0), least_weight, greatest_weight);
+    return dragged_weights.clamp(start_weight * std::pow(10.0, half_decades / 2.0));
 }
 
 }  // namespace batten::editor

@@ -6,6 +6,9 @@
 
 namespace batten::editor {
 
+/// What a weight can be dragged to.
+inline constexpr core::Interval dragged_weights{1e-6, 1e6};
+
 /// The world point under the pointer; with Ctrl the nearest corner of the minor grid.
 core::Point pointed_at(const Gesture& gesture);
 

@@ -71,9 +71,17 @@ struct HoveredBasisCell {      ///< N_{i,k} in the triangle of the recurrence
     std::size_t degree = 0;    ///< k
     bool operator==(const HoveredBasisCell&) const = default;
 };
+struct HoveredFarinPoint {  ///< the Farin point on the leg from point `leg` to the next
+    std::size_t leg = 0;
+    bool operator==(const HoveredFarinPoint&) const = default;
+};
+struct HoveredLifted {  ///< the inset of the lifted curve, and a control point that is shown in it
+    std::optional<std::size_t> index;
+    bool operator==(const HoveredLifted&) const = default;
+};
 
 using Hover = std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
                            HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis,
-                           HoveredBasisCell, HoveredHandle>;
+                           HoveredBasisCell, HoveredHandle, HoveredFarinPoint, HoveredLifted>;
 
 }  // namespace batten::editor

@@ -38,6 +38,8 @@ struct HoverCheck {
     bool operator()(const HoveredLeg& hovered) const {
         return hovered.index + (curve.is_periodic() ? 0 : 1) < point_count();
     }
+    bool operator()(const HoveredFarinPoint& hovered) const { return (*this)(HoveredLeg{hovered.leg}); }
+    bool operator()(const HoveredLifted& hovered) const { return !hovered.index || *hovered.index < point_count(); }
     bool operator()(const HoveredOtherCurve& hovered) const {
         return hovered.index < document.curves.size() && hovered.index != document.active;
     }

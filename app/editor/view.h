@@ -47,6 +47,15 @@ struct Framing {
     render::Camera chosen;                  ///< as it was chosen last
 };
 
+/// From where the lifted curve is seen.
+struct Orbit {
+    double yaw = -0.5;   ///< radians; see render::OrbitCamera
+    double pitch = 0.4;  ///< likewise
+    double zoom = 1.0;   ///< within orbit_zooms, 1 where all of it is seen
+    bool operator==(const Orbit&) const = default;
+};
+inline constexpr core::Interval orbit_zooms{0.25, 16.0};
+
 struct View {
     render::Camera camera;
     Framing framing;
@@ -60,6 +69,7 @@ struct View {
     bool blossom_values = false;  ///< blossoms by the values of their knots, else by the indices
     Playback playback;
     ShapeView shape;
+    Orbit orbit;
     std::optional<core::Interval> plot_range;  ///< the parameters that the plot shows; none: all knots
     core::KnotMove knot_move = core::KnotMove::snap;
     ThemeName theme = ThemeName::dark;

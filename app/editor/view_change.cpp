@@ -9,6 +9,7 @@
 #include "app/editor/scene/legend.h"
 #include "app/editor/state.h"
 #include "app/editor/upkeep.h"
+#include "render/orbit_camera.h"
 
 namespace batten::editor {
 
@@ -103,6 +104,11 @@ struct Apply {
     void operator()(const SetProbeLine& change) const {
         assert(is_line(change.line));
         state.view.shape.line = change.line;
+    }
+    void operator()(const TurnOrbit& change) const {
+        Orbit& orbit = state.view.orbit;
+        const render::OrbitCamera camera = render::turned({.yaw = orbit.yaw, .pitch = orbit.pitch}, change.drag);
+        orbit = {camera.yaw, camera.pitch, orbit_zooms.clamp(orbit.zoom * change.factor)};
     }
     void operator()(const Advance& change) const {
         assert(change.seconds >= 0.0);

@@ -57,6 +57,12 @@ struct SetDockHeight {
     double height;  ///< design pixels
 };
 
+/// The lifted curve is turned by a drag of so many design pixels, and enlarged by a factor (> 0).
+struct TurnOrbit {
+    glm::dvec2 drag{0.0, 0.0};
+    double factor = 1.0;
+};
+
 /// The plot shows these parameters; not an empty interval.
 struct SetPlotRange {
     core::Interval range;
@@ -95,7 +101,7 @@ struct ShowForm {
 
 using ViewChange = std::variant<SetHover, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend, SetInterfaceScale,
                                 SetInspectorWidth, SetCardsWidth, SetDockHeight, SetPlotRange, SetCombFactor,
-                                SetProbeLine, Advance, TellTime, ShowRefusal, ShowForm>;
+                                SetProbeLine, TurnOrbit, Advance, TellTime, ShowRefusal, ShowForm>;
 
 /// Makes the change; sizes are brought into their ranges.
 void apply(EditorState& state, const ViewChange& change);

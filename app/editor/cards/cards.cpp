@@ -22,6 +22,7 @@
 #include "app/editor/cards/support_card.h"
 #include "app/editor/cards/triangle_card.h"
 #include "app/editor/cards/variation_card.h"
+#include "app/editor/cards/weight_cards.h"
 
 namespace batten::editor {
 
@@ -54,7 +55,10 @@ constexpr std::array sources{CardSource{Overlay::triangle, triangle_card},
                              CardSource{Overlay::anticentroids, anticentroids_card},
                              CardSource{Overlay::ferguson, ferguson_card},
                              CardSource{Overlay::end_vertices, end_vertices_card},
-                             CardSource{Overlay::joined_cubics, joined_cubics_card}};
+                             CardSource{Overlay::joined_cubics, joined_cubics_card},
+                             CardSource{Overlay::farin_points, farin_card},
+                             CardSource{Overlay::conic, conic_card},
+                             CardSource{Overlay::homogeneous, homogeneous_card}};
 
 }  // namespace
 

@@ -1,5 +1,8 @@
 #include "app/editor/commands/weight_commands.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
@@ -34,6 +37,26 @@ StepTexts texts_of_farin_point(const EditorState&, const MoveFarinPoint& command
 
 Outcome<Edit> make_circular(const EditorState& state, const MakeCircular& command) {
     return edit_active(state, core::make_circular(active_curve(state), command.u));
+}
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+
+Outcome<void> set_orbit(EditorState& state, const SetOrbit& command) {
+    state.view.orbit = {std::remainder(command.yaw, 360.0) / degrees_per_radian, command.pitch / degrees_per_radian,
+                        orbit_zooms.clamp(command.zoom)};
+    return {};
+}
+
+double present_yaw(const EditorState& state) {
+    return state.view.orbit.yaw * degrees_per_radian;
+}
+
+double present_pitch(const EditorState& state) {
+    return state.view.orbit.pitch * degrees_per_radian;
+}
+
+double present_zoom(const EditorState& state) {
+    return state.view.orbit.zoom;
 }
 
 }  // namespace
@@ -79,8 +102,28 @@ const CommandSpec& MakeCircular::spec() {
     return spec;
 }
 
+const CommandSpec& SetOrbit::spec() {
+    static const CommandSpec spec{
+        .name = "set-orbit",
+        .title = "Turn homogeneous view",
+        .explanation = "Sets from where the lifted curve is seen.",
+        .synonyms = "orbit camera rotate 3D projection",
+        .group = CommandGroup::view,
+        .offered = {.menu = false},
+        .fields = {field::angle<&SetOrbit::yaw>("yaw", "how far around, in degrees").suggesting<present_yaw>(),
+                   field::angle<&SetOrbit::pitch>("pitch", "how high, from -90 to 90 degrees")
+                       .at_least(-90.0)
+                       .at_most(90.0)
+                       .suggesting<present_pitch>(),
+                   field::number<&SetOrbit::zoom>("zoom", "how much enlarged, 1 where all is seen")
+                       .above(0.0)
+                       .suggesting<present_zoom>()},
+        .run = body_of<set_orbit>};
+    return spec;
+}
+
 void add_weight_commands(CommandTable& table) {
-    add_all<MoveFarinPoint, MakeCircular>(table);
+    add_all<MoveFarinPoint, MakeCircular, SetOrbit>(table);
 }
 
 }  // namespace batten::editor

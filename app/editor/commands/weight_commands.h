@@ -16,4 +16,12 @@ struct MakeCircular {
     static const CommandSpec& spec();
 };
 
+/// From where the lifted curve is seen.
+struct SetOrbit {
+    double yaw;    ///< degrees around the vertical, counterclockwise
+    double pitch;  ///< degrees of elevation, from -90 to 90
+    double zoom;   ///< 1 where all of it is seen
+    static const CommandSpec& spec();
+};
+
 }  // namespace batten::editor

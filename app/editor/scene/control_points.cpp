@@ -14,6 +14,8 @@ constexpr double hovered_radius = 8.0;
 bool is_hovered(const CanvasFrame& frame, std::size_t i) {
     const auto* point = std::get_if<HoveredPoint>(&frame.state.hover);
     const auto* basis = std::get_if<HoveredBasis>(&frame.state.hover);
+    const auto* lifted = std::get_if<HoveredLifted>(&frame.state.hover);
+    if (lifted != nullptr && lifted->index == i) return true;
     return (point != nullptr && point->index == i) || (basis != nullptr && basis->index == i);
 }
 

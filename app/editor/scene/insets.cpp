@@ -15,7 +15,8 @@ struct InsetSize {
 };
 
 constexpr std::array inset_sizes{InsetSize{Overlay::hodograph, {200.0, 150.0}},
-                                 InsetSize{Overlay::second_hodograph, {200.0, 150.0}}};
+                                 InsetSize{Overlay::second_hodograph, {200.0, 150.0}},
+                                 InsetSize{Overlay::homogeneous, {320.0, 290.0}}};
 
 constexpr double margin = 14.0;
 constexpr double gap = 8.0;

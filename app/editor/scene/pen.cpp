@@ -92,6 +92,12 @@ Pen::Pen(render::DrawList& list, glm::dvec2 size_px, double scale, const Notatio
       reach_{glm::dvec2(-margin_px * scale), size_px + glm::dvec2(margin_px * scale)},
       notation_(notation) {}
 
+Pen Pen::within(const render::PixelBox& box) const {
+    Pen pen = *this;
+    pen.reach_ = box;
+    return pen;
+}
+
 void Pen::line(std::span<const glm::dvec2> points, const Stroke& stroke, double along_px) {
     render::Polyline style{.points = {},
                            .color = stroke.color,

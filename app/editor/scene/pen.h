@@ -51,6 +51,9 @@ class Pen {
     double px(double design) const { return design * scale_; }
     const render::PixelBox& reach() const { return reach_; }
 
+    /// A pen for the same list that draws nothing outside of `box`, but for symbols and texts whose places are in it.
+    Pen within(const render::PixelBox& box) const;
+
     /// A line through `points`; the dashes begin `along_px` before its first point, wherever it is cut.
     void line(std::span<const glm::dvec2> points, const Stroke& stroke, double along_px = 0.0);
     void segment(glm::dvec2 a, glm::dvec2 b, const Stroke& stroke);

@@ -1,5 +1,7 @@
 #include "app/editor/scene/scene_cache.h"
 
+#include <cmath>
+
 #include "core/evaluate/hodograph.h"
 
 namespace batten::editor {
@@ -34,6 +36,21 @@ core::CurveStrips* KeptCurve::hodograph(std::size_t order) {
             strips.emplace(std::move(curve));
     }
     return strips ? &*strips : nullptr;
+}
+
+const std::vector<std::vector<core::LiftedSample>>& KeptCurve::lifted(const core::LiftView& view) {
+    if (lifted_curve_ != strips_.curve() || lifted_view_ != view) {
+        lifted_curve_ = strips_.curve();
+        lifted_view_ = view;
+        lifted_ = core::lifted_samples(*lifted_curve_, view, {});
+        // Where numbers on the way are too large for doubles nothing can be shown.
+        for (auto& run : lifted_)
+            std::erase_if(run, [](const core::LiftedSample& sample) {
+                return !core::is_finite(sample.point) || !std::isfinite(sample.weight);
+            });
+        std::erase_if(lifted_, [](const auto& run) { return run.empty(); });
+    }
+    return lifted_;
 }
 
 KeptCurve& SceneCache::curve(std::size_t index, const std::shared_ptr<const core::Curve>& curve) {

@@ -11,6 +11,7 @@
 #include "app/editor/scene/other_curves.h"
 #include "core/document/document.h"
 #include "core/evaluate/curve_strips.h"
+#include "core/evaluate/lifted.h"
 #include "core/evaluate/polygon_strips.h"
 
 namespace batten::editor {
@@ -39,6 +40,9 @@ class KeptCurve {
     /// refused.
     core::CurveStrips* hodograph(std::size_t order);
 
+    /// The lifted curve as it is shown in `view`, sampled when it is asked for.
+    const std::vector<std::vector<core::LiftedSample>>& lifted(const core::LiftView& view);
+
     /// How many hodographs were made so far.
     std::size_t hodograph_count() const { return hodograph_count_; }
 
@@ -49,6 +53,9 @@ class KeptCurve {
     KeptInk polygon_ink_;
     std::array<KeptHodograph, 2> hodographs_;
     std::size_t hodograph_count_ = 0;
+    std::shared_ptr<const core::Curve> lifted_curve_;  ///< the curve whose samples are there
+    core::LiftView lifted_view_;
+    std::vector<std::vector<core::LiftedSample>> lifted_;
 };
 
 /// Belongs to whoever shows pictures of one editor; what it keeps is a function of what is shown, so a new one gives

@@ -5,14 +5,17 @@
 #include "app/editor/scene/basis_areas.h"
 #include "app/editor/scene/bend_marks.h"
 #include "app/editor/scene/bezier_points_scene.h"
+#include "app/editor/scene/conic_marks.h"
 #include "app/editor/scene/construction_views.h"
 #include "app/editor/scene/continuity_marks.h"
 #include "app/editor/scene/corner_cutting_scene.h"
 #include "app/editor/scene/curvature_comb.h"
 #include "app/editor/scene/end_marks.h"
+#include "app/editor/scene/farin_marks.h"
 #include "app/editor/scene/halves.h"
 #include "app/editor/scene/hodograph_inset.h"
 #include "app/editor/scene/insets.h"
+#include "app/editor/scene/lifted_picture.h"
 #include "app/editor/scene/line_crossings.h"
 #include "app/editor/scene/part_dots.h"
 #include "app/editor/scene/piece_graphs.h"
@@ -53,7 +56,8 @@ constexpr std::array views_below{CanvasView{Overlay::by_insertion, draw_inserted
                                  CanvasView{Overlay::support, draw_support},
                                  CanvasView{Overlay::osculating_circle, draw_osculating_circle},
                                  CanvasView{Overlay::variation, draw_probe_line},
-                                 CanvasView{Overlay::anticentroids, draw_anticentroid_triangles}};
+                                 CanvasView{Overlay::anticentroids, draw_anticentroid_triangles},
+                                 CanvasView{Overlay::conic, draw_conic_below}};
 constexpr std::array views_above{CanvasView{Overlay::halves, draw_points_of_halves},
                                  CanvasView{Overlay::blossoms, label_blossoms},
                                  CanvasView{Overlay::triangle, label_construction},
@@ -70,7 +74,9 @@ constexpr std::array views_above{CanvasView{Overlay::halves, draw_points_of_halv
                                  CanvasView{Overlay::anticentroids, draw_anticentroids},
                                  CanvasView{Overlay::ferguson, draw_ferguson_form},
                                  CanvasView{Overlay::end_vertices, draw_end_vertices},
-                                 CanvasView{Overlay::joined_cubics, draw_joined_cubics}};
+                                 CanvasView{Overlay::joined_cubics, draw_joined_cubics},
+                                 CanvasView{Overlay::conic, draw_conic_above},
+                                 CanvasView{Overlay::farin_points, draw_farin_points}};
 constexpr std::array plot_views_below{PlotView{Overlay::support, draw_support_strip}};
 constexpr std::array plot_views_above{
     PlotView{Overlay::basis_values, draw_basis_areas},     PlotView{Overlay::rational_basis, draw_rational_graphs},
@@ -78,7 +84,8 @@ constexpr std::array plot_views_above{
     PlotView{Overlay::corner_cutting, draw_cut_functions}, PlotView{Overlay::curvature_plot, draw_curvature_plot},
     PlotView{Overlay::speed_plot, draw_speed_plot}};
 constexpr std::array insets{InsetView{Overlay::hodograph, draw_hodograph_inset},
-                            InsetView{Overlay::second_hodograph, draw_second_hodograph_inset}};
+                            InsetView{Overlay::second_hodograph, draw_second_hodograph_inset},
+                            InsetView{Overlay::homogeneous, draw_lifted_picture}};
 
 template <class Frame, class Views>
 void draw_shown(Frame& frame, const Views& views) {

@@ -1,0 +1,193 @@
+#include "app/editor/scene/lifted_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/editor/scene/curve_strokes.h"
+#include "app/editor/scene/panel_box.h"
+#include "core/evaluate/farin_points.h"
+
+namespace batten::editor {
+
+namespace {
+
+constexpr double plane_opacity = 0.35;
+constexpr double generator_share = 0.4;
+constexpr double ray_share = 0.55;
+constexpr double ray_beyond = 1.06;  // of the way to what is higher
+constexpr std::size_t generator_count = 32;
+constexpr int steps_of_bent_leg = 12;
+constexpr double lifted_width = 3.0;
+constexpr double inset_padding = 12.0;
+constexpr double shadow_width = 2.25;
+
+/// One picture while it is drawn.
+class LiftedPicture {
+  public:
+    LiftedPicture(CanvasFrame& frame, const render::PixelBox& box)
+        : frame_(frame),
+          stage_(lifted_stage(frame.state, box)),
+          pen_(frame.pen.within(box)),
+          samples_(frame.kept->lifted(stage_.view)),
+          is_from_above_(stage_.camera.pitch >= 0.0) {}
+
+    void draw() {
+        draw_generators();
+        draw_side(!is_from_above_);
+        draw_plane();
+        draw_shadow();
+        draw_side(is_from_above_);
+        draw_points();
+        draw_parameter();
+    }
+
+  private:
+    std::span<const core::Point> points() const { return frame_.curve->control_points(); }
+    double weight(std::size_t i) const { return frame_.curve->weights()[i]; }
+    glm::dvec2 origin() const { return render::screen_from_space(stage_.camera, {0.0, 0.0, 0.0}); }
+    glm::dvec2 shown(core::Point shadow, double weight) const { return stage_.screen(shadow, weight); }
+
+    template <class Visit>
+    void for_each_point(const Visit& visit) const {
+        for (std::size_t i = 0; i < points().size(); i += lifted_stride(*frame_.curve)) visit(i);
+    }
+
+    /// From the origin to the shadow or beyond it to the lifted point.
+    void draw_ray(core::Point shadow, double weight, render::Color color, double width) {
+        const double height = std::max(1.0, std::pow(weight, stage_.view.exponent));
+        const glm::dvec3 end = ray_beyond * height * stage_.view.place(shadow);
+        pen_.segment(origin(), render::screen_from_space(stage_.camera, end), {.color = color, .width = width});
+    }
+
+    /// Rays through points of the curve, evenly spread, which make the cone over it.
+    void draw_generators() {
+        const render::Color color = render::blended(frame_.theme.dim, generator_share, frame_.theme.panel);
+        for (const auto& run : samples_)
+            for (std::size_t k = 0; k <= generator_count; ++k) {
+                const core::LiftedSample& sample = run[k * (run.size() - 1) / generator_count];
+                draw_ray(sample.point, sample.weight, color, 1.0);
+            }
+    }
+
+    /// The polygon and the curve in space as far as they are above, or else below the plane.
+    void draw_side(bool is_above) {
+        const Stroke polygon{.color = frame_.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0};
+        if (lifted_stride(*frame_.curve) == 1)
+            for (std::size_t leg = 0; leg < core::leg_count(*frame_.curve); ++leg)
+                draw_on_side(leg_samples(leg), is_above, polygon);
+        const Stroke lifted{.color = frame_.theme.level(2), .width = lifted_width};
+        for (const auto& run : samples_) draw_on_side(run, is_above, lifted);
+    }
+
+    /// A leg, which is straight one dimension up.
+    std::vector<core::LiftedSample> leg_samples(std::size_t leg) const {
+        const std::size_t next = (leg + 1) % points().size();
+        std::vector<core::LiftedSample> samples;
+        for (int k = 0; k <= steps_of_bent_leg; ++k) {
+            const double t = static_cast<double>(k) / steps_of_bent_leg;
+            // Parts of the larger weight: no quotient or product is larger than what it is made of.
+            const double larger = std::max(weight(leg), weight(next));
+            const double pull = (1.0 - t) * (weight(leg) / larger);
+            const double pull_of_next = t * (weight(next) / larger);
+            const double sum = pull + pull_of_next;
+            const double share = sum > 0.0 ? pull_of_next / sum : t;
+            const core::Vector place =
+                (1.0 - share) * core::vector_to(points()[leg]) + share * core::vector_to(points()[next]);
+            samples.push_back({t, core::tip_of(place), (1.0 - t) * weight(leg) + t * weight(next)});
+        }
+        return samples;
+    }
+
+    void draw_on_side(const std::vector<core::LiftedSample>& run, bool is_above, const Stroke& stroke) {
+        std::vector<glm::dvec2> line;
+        const auto end_line = [&] {
+            if (line.size() > 1) pen_.line(line, stroke);
+            line.clear();
+        };
+        for (std::size_t i = 0; i + 1 < run.size(); ++i) {
+            const bool belongs = (0.5 * (run[i].weight + run[i + 1].weight) >= 1.0) == is_above;
+            if (!belongs) {
+                end_line();
+                continue;
+            }
+            if (line.empty()) line.push_back(shown(run[i].point, run[i].weight));
+            line.push_back(shown(run[i + 1].point, run[i + 1].weight));
+        }
+        end_line();
+    }
+
+    void draw_plane() {
+        std::vector<glm::dvec2> corners;
+        for (const glm::dvec3& corner : stage_.plane)
+            corners.push_back(render::screen_from_space(stage_.camera, corner));
+        pen_.fill(corners, render::faded(frame_.theme.field, plane_opacity));
+        pen_.outline(corners, {.color = frame_.theme.dim});
+        const auto highest = std::ranges::min_element(corners, {}, [](glm::dvec2 corner) { return corner.y; });
+        pen_.text(*highest - glm::dvec2(0.0, pen_.px(9.0)), "w = 1",
+                  {.color = frame_.theme.dim, .size = 12.0, .anchor = render::Anchor::center});
+    }
+
+    void draw_shadow() {
+        const Stroke polygon{.color = frame_.theme.polygon, .width = 1.0, .dash = 3.0, .gap = 3.0};
+        std::vector<glm::dvec2> line;
+        for_each_point([&](std::size_t i) { line.push_back(shown(points()[i], 1.0)); });
+        if (frame_.curve->is_periodic()) line.push_back(line.front());
+        pen_.line(line, polygon);
+        const render::Color color = color_of(*frame_.state.shown().active_curve(), frame_.theme);
+        for (const auto& run : samples_) {
+            std::vector<glm::dvec2> curve;
+            for (const core::LiftedSample& sample : run) curve.push_back(shown(sample.point, 1.0));
+            pen_.line(curve, {.color = color, .width = shadow_width});
+        }
+    }
+
+    void draw_points() {
+        for_each_point([&](std::size_t i) {
+            draw_ray(points()[i], weight(i), render::blended(frame_.theme.point(i), ray_share, frame_.theme.panel),
+                     1.25);
+        });
+        pen_.text(origin() + glm::dvec2(pen_.px(8.0), 0.0), "O", {.color = frame_.theme.dim, .size = 13.0});
+        pen_.symbol(origin(), {.radius = 3.5, .fill = frame_.theme.text, .outline = no_color});
+        const auto* hovered = std::get_if<HoveredPoint>(&frame_.state.hover);
+        const auto* lifted = std::get_if<HoveredLifted>(&frame_.state.hover);
+        for_each_point([&](std::size_t i) {
+            const render::Color color = frame_.theme.point(i);
+            pen_.symbol(shown(points()[i], 1.0),
+                        {.radius = 3.0, .fill = frame_.theme.panel, .outline = color, .outline_width = 1.5});
+            const bool is_large =
+                (hovered != nullptr && hovered->index == i) || (lifted != nullptr && lifted->index == i);
+            pen_.symbol(
+                shown(points()[i], weight(i)),
+                {.radius = is_large ? 8.0 : 6.0, .fill = color, .outline = frame_.theme.panel, .outline_width = 2.0});
+        });
+    }
+
+    void draw_parameter() {
+        const core::DeBoorCell& last = frame_.triangle->levels.back().front();
+        draw_ray(last.point, last.weight, frame_.theme.parameter, 1.75);
+        pen_.symbol(
+            shown(last.point, 1.0),
+            {.radius = 4.0, .fill = frame_.theme.panel, .outline = frame_.theme.parameter, .outline_width = 2.0});
+        pen_.symbol(
+            shown(last.point, last.weight),
+            {.radius = 5.5, .fill = frame_.theme.parameter, .outline = frame_.theme.panel, .outline_width = 1.5});
+    }
+
+    CanvasFrame& frame_;
+    LiftedStage stage_;
+    Pen pen_;
+    const std::vector<std::vector<core::LiftedSample>>& samples_;
+    bool is_from_above_;
+};
+
+}  // namespace
+
+void draw_lifted_picture(CanvasFrame& frame, const render::PixelBox& box) {
+    draw_panel_box(frame.pen, frame.theme, box);
+    const glm::dvec2 padding(frame.pen.px(inset_padding));
+    frame.pen.text(box.lower_px + padding + glm::dvec2(0.0, frame.pen.px(2.0)), "Homogeneous view",
+                   {.color = frame.theme.dim, .size = 12.0});
+    LiftedPicture(frame, box).draw();
+}
+
+}  // namespace batten::editor
