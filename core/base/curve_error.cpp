@@ -122,6 +122,12 @@ constexpr std::array templates{
              "the legs of the piece are {value} and {upper} long; they must be equally long for an arc of a circle"},
     Template{Code::piece_not_bezier,
              "the piece at {value} has knots that occur only once; an arc of its own needs each of them twice"},
+    Template{Code::map_not_finite, "a number of the map is not finite; every number must be finite"},
+    Template{Code::map_singular,
+             "the map takes the plane onto a line or a point; it must have a determinant other than 0"},
+    Template{Code::point_beyond_horizon,
+             "the map takes control point {index} to infinity or beyond, where its weight would be {value}; every "
+             "weight must stay above 0"},
     Template{Code::not_computable,
              "the result cannot be computed: points, weights or knots are too far apart, too large or too small"},
 };

@@ -67,6 +67,9 @@ enum class CurveErrorCode {
     share_out_of_range,          ///< value = share of the way along a leg, which must be between its ends
     legs_unequal,                ///< value, upper = lengths of two legs that should be equal
     piece_not_bezier,            ///< value = parameter; the knots around it must occur degree times
+    map_not_finite,              ///< a number of a map of the plane is NaN or infinite
+    map_singular,                ///< a map takes the plane onto a line or a point
+    point_beyond_horizon,        ///< index = point, value = its weight after a projective map, 0 or less
     not_computable               ///< numbers on the way are beyond what doubles can hold
 };
 
