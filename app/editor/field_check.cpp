@@ -58,6 +58,10 @@ std::optional<Refusal> check_item_count(const Field& field, std::size_t count) {
     const bool is_exact = field.limits.upper == field.limits.lower && least > 0;
     if (count >= least && !(is_exact && count > least)) return std::nullopt;
     const std::initializer_list<core::Place> places{{"name", name_of(field)}, {"least", least}};
+    if (field.kind != FieldKind::positions && is_exact)
+        return sentence({.one = "one number was found for {name}; {least} are needed",
+                         .many = "{count} numbers were found for {name}; {least} are needed"},
+                        count, places);
     if (field.kind != FieldKind::positions)
         return sentence({.one = "one number was found for {name}; at least {least} are needed",
                          .many = "{count} numbers were found for {name}; at least {least} are needed"},

@@ -97,7 +97,11 @@ Point mapped(const PlaneMap& map, Point point) {
 }
 
 double weight_factor(const PlaneMap& map, Point point) {
-    return SeenPoint(point, map.pivot).times(map.rows[2]).rounded();
+    const Row& row = map.rows[2];
+    const SeenPoint seen(point, map.pivot);
+    const double factor = seen.times(row).rounded();
+    const double size = std::abs(row[0] * seen.x.high) + std::abs(row[1] * seen.y.high) + std::abs(row[2]);
+    return std::abs(factor) <= 2.0 * std::numeric_limits<double>::epsilon() * size ? 0.0 : factor;
 }
 
 Result<void> check_map(const PlaneMap& map) {

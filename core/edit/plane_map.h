@@ -37,8 +37,8 @@ PlaneMap reflection(double degrees, Point pivot);
 /// Where the map takes `point`, rounded once; not finite where that is infinitely far, or too far for a double.
 Point mapped(const PlaneMap& map, Point point);
 
-/// W of `point`: what its weight is multiplied by. It is 0 on the line that the map takes to infinity, and of different
-/// signs on its sides; constant for an affine map.
+/// W of `point`: what its weight is multiplied by. It is 0, also where rounding of the numbers makes it a little more,
+/// on the line that the map takes to infinity, and of different signs on its sides; constant for an affine map.
 double weight_factor(const PlaneMap& map, Point point);
 
 /// Whether the map takes different points to different places. Errors, in this order: map_not_finite; map_singular

@@ -20,6 +20,7 @@
 #include "app/editor/commands/shape_commands.h"
 #include "app/editor/commands/tear_commands.h"
 #include "app/editor/commands/weight_commands.h"
+#include "app/editor/commands/transform_commands.h"
 
 namespace batten::editor {
 
@@ -280,6 +281,33 @@ Command RandomSession::moving_command(const EditorState& state, const core::Curv
     }
 }
 
+Command RandomSession::transform_command() {
+    const auto what = any<MapTarget>();
+    const Pivot pivot = below(2) == 0 ? std::nullopt : Pivot(point(9));
+    switch (below(8)) {
+        case 0:
+            return Move{.offset = vector(1), .what = what};
+        case 1:
+            return Rotate{.angle = between(-200, 200), .what = what, .pivot = pivot};
+        case 2:
+            return Scale{.factor = below(5) == 0 ? 0.0 : between(0.5, 1.5), .what = what, .pivot = pivot};
+        case 3:
+            return Stretch{.along_x = between(0.5, 1.5), .along_y = between(-1.5, 1.5), .what = what, .pivot = pivot};
+        case 4:
+            return Shear{.axis = any<ShearAxis>(), .factor = between(-1, 1), .what = what, .pivot = pivot};
+        case 5:
+            return Mirror{.angle = between(-200, 200), .what = what, .pivot = pivot};
+        case 6:
+            return MapAffinely{
+                .x_row = {1, between(-1, 1), 0}, .y_row = {between(-1, 1), 1, between(-1, 1)}, .what = what};
+        default:
+            return MapProjectively{.x_row = {1, 0, 0},
+                                   .y_row = {0, 1, 0},
+                                   .w_row = {between(-0.1, 0.1), between(-0.1, 0.1), 1},
+                                   .what = what};
+    }
+}
+
 Command RandomSession::measuring_command(const EditorState& state) {
     switch (below(6)) {
         case 0:
@@ -383,6 +411,7 @@ Command RandomSession::command(const EditorState& state) {
     if (group == 12) return closing_command(state, *active->curve);
     if (group == 14 && below(2) == 0) return measuring_command(state);
     if (group == 13) return moving_command(state, *active->curve);
+    if (group == 19 && below(2) == 0) return transform_command();
     if (group == 20) return refinement_command(state, *active->curve);
     if (group == 21) return piece_command(state, *active->curve);
     return group < 16 ? shape_command(state, *active->curve) : knot_command(state, *active->curve);

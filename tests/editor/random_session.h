@@ -51,6 +51,7 @@ class RandomSession {
     Command making_command(const EditorState& state);
     Command fitting_command();
     Command moving_command(const EditorState& state, const core::Curve& curve);
+    Command transform_command();
     Command measuring_command(const EditorState& state);
     Command document_command(const EditorState& state);
     Command view_command(const EditorState& state);

@@ -208,6 +208,9 @@ TEST(Transform, refuses_what_would_lie_at_infinity_or_beyond) {
     // Zero at x = 3, where point 2 is.
     EXPECT_EQ(transform(arch(), with_last_row(-1, 0, 3)).error(),
               (CurveError{.code = Code::point_beyond_horizon, .index = 2, .value = 0}));
+    // 1/3 as a double is a little less.
+    EXPECT_EQ(transform(arch(), with_last_row(-1.0 / 3.0, 0, 1)).error(),
+              (CurveError{.code = Code::point_beyond_horizon, .index = 2, .value = 0}));
     EXPECT_EQ(transform(arch(), with_last_row(-1, 0, 2)).error(),
               (CurveError{.code = Code::point_beyond_horizon, .index = 2, .value = -1}));
     EXPECT_EQ(describe(transform(arch(), with_last_row(-1, 0, 2)).error()),
