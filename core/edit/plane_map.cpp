@@ -85,6 +85,17 @@ PlaneMap reflection(double degrees, Point pivot) {
     return linear(doubled.x, doubled.y, doubled.y, -doubled.x, pivot);
 }
 
+PlaneMap about_origin(const PlaneMap& map) {
+    const auto [x, y] = map.pivot;
+    PlaneMap result{.rows = map.rows};
+    for (Row& row : result.rows) row[2] -= row[0] * x + row[1] * y;
+    for (std::size_t k = 0; k < 3; ++k) {
+        result.rows[0][k] += x * result.rows[2][k];
+        result.rows[1][k] += y * result.rows[2][k];
+    }
+    return result;
+}
+
 Point mapped(const PlaneMap& map, Point point) {
     const SeenPoint seen(point, map.pivot);
     const DoubleDouble w = seen.times(map.rows[2]);

@@ -34,6 +34,9 @@ PlaneMap shearing(double x_per_y, double y_per_x, Point pivot);
 /// Mirrored in the line through the pivot in the direction `degrees`.
 PlaneMap reflection(double degrees, Point pivot);
 
+/// The same map written with the pivot (0, 0), but for rounding.
+PlaneMap about_origin(const PlaneMap& map);
+
 /// Where the map takes `point`, rounded once; not finite where that is infinitely far, or too far for a double.
 Point mapped(const PlaneMap& map, Point point);
 

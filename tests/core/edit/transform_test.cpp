@@ -96,6 +96,20 @@ TEST(PlaneMap, divides_by_the_last_row_where_it_is_projective) {
     EXPECT_FALSE(is_finite(mapped(map, {-2, 4}))) << "the line x = -2 goes to infinity";
 }
 
+TEST(PlaneMap, is_written_about_the_origin) {
+    // x' = 1 + (x - 1) / (1 + (x - 1) / 2) = 2 x / (x + 1), and with y seen from 3.
+    const PlaneMap map = about_origin(with_last_row(0.5, 0, 1, {1, 3}));
+    EXPECT_EQ(map.pivot, Point(0, 0));
+    EXPECT_EQ(map.rows, (PlaneMap{.rows = {{{1.5, 0, -0.5 + 0.5}, {1.5, 1, -1.5}, {0.5, 0, 0.5}}}}.rows));
+    RandomCurves random(4);
+    for (int k = 0; k < 50; ++k) {
+        const Curve curve = random.curve();
+        const PlaneMap any = random_projective_map(random, curve);
+        for (const Point point : points(curve))
+            expect_near(mapped(about_origin(any), point), image_of(any, point), 1e-12);
+    }
+}
+
 TEST(PlaneMap, keeps_the_pivot_and_nears_to_it_far_from_zero) {
     const Point far(1e6 + 0.1, -1e6 + 0.3);
     for (const PlaneMap& map : {rotation(37, far), scaling(1e-7, 3, far), shearing(0.3, 0.7, far), reflection(11, far)})
