@@ -105,6 +105,10 @@ double Derived::large_curvature(const core::Curve& curve) const {
     return *large_curvatures_.of(curve, large_curvature_of);
 }
 
+std::shared_ptr<const KnotAnswers> Derived::answers_about(const core::KnotVector& knots) const {
+    return answers_.of(knots, editor::answers_about);
+}
+
 std::shared_ptr<const core::NearParts> Derived::near_parts(const std::shared_ptr<const core::Curve>& curve) const {
     return near_parts_.of(curve, [](const core::Curve& of) { return core::NearParts(of); });
 }

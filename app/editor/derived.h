@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/editor/kept.h"
+#include "app/editor/knot_questions.h"
 #include "app/editor/number_column.h"
 #include "app/editor/plot_basis.h"
 #include "core/curve/curve.h"
@@ -61,6 +62,9 @@ class Derived {
     /// measured.
     double large_curvature(const core::Curve& curve) const;
 
+    /// What the questions about knots are answered by.
+    std::shared_ptr<const KnotAnswers> answers_about(const core::KnotVector& knots) const;
+
     /// For what is under the pointer; of any number of curves.
     std::shared_ptr<const core::NearParts> near_parts(const std::shared_ptr<const core::Curve>& curve) const;
 
@@ -70,6 +74,7 @@ class Derived {
     Kept<core::KnotVector, PlotBasis, share_arrays> plot_bases_;
     Kept<core::Curve, double, share_arrays> large_curvatures_;
     Kept<core::Curve, std::vector<PolygonRound>, share_arrays> polygon_rounds_;
+    Kept<core::KnotVector, KnotAnswers, share_arrays> answers_;
     KeptBeside<core::Curve, core::NearParts> near_parts_;
 };
 

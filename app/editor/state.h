@@ -13,6 +13,7 @@
 #include "app/editor/derived.h"
 #include "app/editor/findings.h"
 #include "app/editor/history.h"
+#include "app/editor/knot_quiz.h"
 #include "app/editor/lesson/lesson.h"
 #include "app/editor/measured.h"
 #include "app/editor/nudge_burst.h"
@@ -97,6 +98,7 @@ struct EditorState {
     std::optional<double> now;                 ///< seconds on the clock of the desktop; none where nobody tells it
     Hover hover;
     View view;
+    std::optional<KnotQuiz> quiz;  ///< on knot vectors, while one is under way
     Tool tool = Tool::select;
     std::size_t tool_changes = 0;  ///< how often another tool was taken; what was begun with a tool is left with it
     Dialog dialog = Dialog::none;

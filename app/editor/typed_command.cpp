@@ -2,7 +2,9 @@
 
 #include "app/editor/command_reader.h"
 #include "app/editor/command_table.h"
+#include "app/editor/commands/knot_question_commands.h"
 #include "app/editor/expression.h"
+#include "app/editor/knot_text.h"
 
 namespace batten::editor {
 
@@ -32,6 +34,7 @@ Outcome<Command> parse_typed_command(const std::string& typed, const EditorState
     std::string_view rest = typed;
     skip_blanks(rest);
     if (rest.empty()) return tl::unexpected(Refusal("nothing was typed; a command is needed, like insert-knot 0.5"));
+    if (is_typed_vector(typed)) return Command(SampleCurve{.knots = typed, .degree = std::nullopt, .periodic = false});
     const std::size_t name_end = std::min(rest.find_first_of(blanks_between_words), rest.size());
     const Outcome<const CommandSpec*> spec = command_named(rest.substr(0, name_end));
     if (!spec) return tl::unexpected(spec.error());

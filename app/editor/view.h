@@ -71,6 +71,7 @@ struct View {
     ShapeView shape;
     Orbit orbit;
     std::optional<core::Interval> plot_range;  ///< the parameters that the plot shows; none: all knots
+    std::bitset<5> hidden_answers;             ///< to the questions about knots, by KnotQuestion
     core::KnotMove knot_move = core::KnotMove::snap;
     ThemeName theme = ThemeName::dark;
     double interface_scale = 1.0;  ///< pixels of the window per design pixel, from display and user together

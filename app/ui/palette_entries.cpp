@@ -6,6 +6,8 @@
 
 #include "app/editor/command_table.h"
 #include "app/editor/commands/file_commands.h"
+#include "app/editor/commands/knot_question_commands.h"
+#include "app/editor/knot_text.h"
 #include "app/ui/example_list.h"
 #include "app/ui/fuzzy_match.h"
 #include "core/base/sentence.h"
@@ -72,6 +74,7 @@ std::vector<PaletteEntry> find_entries(const PanelContext& context, const std::s
 }
 
 const CommandSpec* spec_being_typed(const std::string& typed) {
+    if (editor::is_typed_vector(typed)) return &editor::SampleCurve::spec();
     const std::size_t space = typed.find(' ');
     if (space == std::string::npos) return nullptr;
     const CommandSpec* spec = editor::find_command(typed.substr(0, space));
