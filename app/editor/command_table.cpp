@@ -33,6 +33,7 @@ CommandTable make_table() {
     add_shape_commands(table);
     add_transform_commands(table);
     add_construction_commands(table);
+    add_invariance_commands(table);
     add_knot_question_commands(table);
     add_view_commands(table);
     add_lesson_commands(table);

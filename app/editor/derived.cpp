@@ -85,6 +85,10 @@ bool share_arrays(const core::Curve& a, const core::Curve& b) {
            share_arrays(a.knots(), b.knots());
 }
 
+bool share_arrays(const MappedCurve& a, const MappedCurve& b) {
+    return a.map == b.map && share_arrays(a.curve, b.curve);
+}
+
 std::shared_ptr<const std::vector<PolygonRound>> Derived::polygon_rounds(const core::Curve& curve) const {
     return polygon_rounds_.of(curve, rounds_of);
 }
@@ -107,6 +111,10 @@ double Derived::large_curvature(const core::Curve& curve) const {
 
 std::shared_ptr<const KnotAnswers> Derived::answers_about(const core::KnotVector& knots) const {
     return answers_.of(knots, editor::answers_about);
+}
+
+std::shared_ptr<const MapCheck> Derived::map_check(const MappedCurve& mapped) const {
+    return map_checks_.of(mapped, check_map);
 }
 
 std::shared_ptr<const core::NearParts> Derived::near_parts(const std::shared_ptr<const core::Curve>& curve) const {

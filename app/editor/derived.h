@@ -8,6 +8,7 @@
 
 #include "app/editor/kept.h"
 #include "app/editor/knot_questions.h"
+#include "app/editor/map_check.h"
 #include "app/editor/number_column.h"
 #include "app/editor/plot_basis.h"
 #include "core/curve/curve.h"
@@ -19,6 +20,7 @@ namespace batten::editor {
 /// Whether both have the same arrays, not only equal ones.
 bool share_arrays(const core::KnotVector& a, const core::KnotVector& b);
 bool share_arrays(const core::Curve& a, const core::Curve& b);
+bool share_arrays(const MappedCurve& a, const MappedCurve& b);
 
 struct KnotFacts {
     std::vector<std::uint32_t> runs;  ///< where the runs of equal knots begin in stored(), for distinct_knot()
@@ -62,8 +64,9 @@ class Derived {
     /// measured.
     double large_curvature(const core::Curve& curve) const;
 
-    /// What the questions about knots are answered by.
+    /// What the questions about knots are answered by, and what a map makes of a curve.
     std::shared_ptr<const KnotAnswers> answers_about(const core::KnotVector& knots) const;
+    std::shared_ptr<const MapCheck> map_check(const MappedCurve& mapped) const;
 
     /// For what is under the pointer; of any number of curves.
     std::shared_ptr<const core::NearParts> near_parts(const std::shared_ptr<const core::Curve>& curve) const;
@@ -75,6 +78,7 @@ class Derived {
     Kept<core::Curve, double, share_arrays> large_curvatures_;
     Kept<core::Curve, std::vector<PolygonRound>, share_arrays> polygon_rounds_;
     Kept<core::KnotVector, KnotAnswers, share_arrays> answers_;
+    Kept<MappedCurve, MapCheck, share_arrays> map_checks_;
     KeptBeside<core::Curve, core::NearParts> near_parts_;
 };
 

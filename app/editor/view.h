@@ -7,6 +7,7 @@
 #include "app/editor/notation.h"
 #include "app/editor/overlay.h"
 #include "app/editor/shape_view.h"
+#include "app/editor/shown_map.h"
 #include "app/editor/theme.h"
 #include "core/base/geometry.h"
 #include "core/base/names.h"
@@ -71,6 +72,7 @@ struct View {
     ShapeView shape;
     Orbit orbit;
     std::optional<core::Interval> plot_range;  ///< the parameters that the plot shows; none: all knots
+    ShownMap shown_map;                        ///< of the view of invariance
     std::bitset<5> hidden_answers;             ///< to the questions about knots, by KnotQuestion
     core::KnotMove knot_move = core::KnotMove::snap;
     ThemeName theme = ThemeName::dark;

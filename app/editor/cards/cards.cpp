@@ -16,6 +16,7 @@
 #include "app/editor/cards/curvature_card.h"
 #include "app/editor/cards/end_derivatives_card.h"
 #include "app/editor/cards/halves_card.h"
+#include "app/editor/cards/invariance_card.h"
 #include "app/editor/cards/knot_questions_card.h"
 #include "app/editor/cards/parts_card.h"
 #include "app/editor/cards/polygon_distance_card.h"
@@ -61,6 +62,7 @@ constexpr std::array sources{CardSource{Overlay::triangle, triangle_card},
                              CardSource{Overlay::farin_points, farin_card},
                              CardSource{Overlay::conic, conic_card},
                              CardSource{Overlay::homogeneous, homogeneous_card},
+                             CardSource{Overlay::invariance, invariance_card},
                              CardSource{Overlay::knot_questions, knot_questions_card},
                              CardSource{Overlay::quiz, quiz_card}};
 

@@ -40,6 +40,7 @@ void add_fitting_commands(CommandTable& table);
 void add_shape_commands(CommandTable& table);
 void add_transform_commands(CommandTable& table);
 void add_construction_commands(CommandTable& table);
+void add_invariance_commands(CommandTable& table);
 void add_knot_question_commands(CommandTable& table);
 void add_view_commands(CommandTable& table);
 void add_shape_view_commands(CommandTable& table);

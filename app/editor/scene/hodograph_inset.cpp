@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/editor/scene/arrow.h"
+#include "app/editor/scene/inset_map.h"
 #include "app/editor/scene/panel_box.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
@@ -52,38 +53,19 @@ core::PointRuns sampled_runs(const core::Curve& curve, std::size_t order) {
     return runs;
 }
 
+// With the origin, from which all are seen.
 core::Box box_of(const core::PointRuns& runs) {
     core::Box box;
+    box.include({0.0, 0.0});
     for (const auto& run : runs)
         for (const core::Point tip : run) box.include(tip);
     return box;
 }
 
-/// Maps vectors into the box, all by one scale.
-class InsetMap {
-  public:
-    InsetMap(const render::PixelBox& area, core::Box box) {
-        box.include({0.0, 0.0});
-        const glm::dvec2 room = area.upper_px - area.lower_px;
-        // Halves first: the difference of two huge values may not be finite.
-        const core::Vector half = 0.5 * core::vector_to(box.upper) - 0.5 * core::vector_to(box.lower);
-        const double larger = std::max(half.x / room.x, half.y / room.y);
-        middle_ = core::middle(box.upper, box.lower);
-        scale_ = larger > 0.0 && std::isfinite(1.0 / larger) ? 0.5 / larger : 0.0;
-        center_ = area.lower_px + 0.5 * room;
-    }
-
-    double scale() const { return scale_; }
-
-    glm::dvec2 operator()(core::Point tip) const {
-        return center_ + scale_ * glm::dvec2(tip.x - middle_.x, middle_.y - tip.y);
-    }
-
-  private:
-    core::Point middle_{};
-    glm::dvec2 center_{};
-    double scale_ = 0.0;
-};
+core::Box with_origin(core::Box box) {
+    box.include({0.0, 0.0});
+    return box;
+}
 
 void draw_axes(Pen& pen, const Theme& theme, const render::PixelBox& area, glm::dvec2 origin) {
     pen.segment({area.lower_px.x, origin.y}, {area.upper_px.x, origin.y}, {.color = theme.line});
@@ -154,7 +136,7 @@ std::optional<core::PointRuns> hodograph_runs(const CanvasFrame& frame, const Ho
                                               const render::PixelBox& area) {
     core::CurveStrips* strips = hodograph.strips;
     if (strips == nullptr) return sampled_runs(*frame.curve, hodograph.order);
-    const InsetMap map(area, strips->box());
+    const InsetMap map(area, with_origin(strips->box()));
     const double tolerance = std::max(line_tolerance_px / std::max(map.scale(), std::numeric_limits<double>::min()),
                                       std::numeric_limits<double>::min());
     const auto most = static_cast<std::size_t>(places_per_px * frame.pen.size_px().x);
@@ -213,7 +195,7 @@ void draw_inset(CanvasFrame& frame, const render::PixelBox& box, std::size_t ord
     const render::PixelBox area{corner + glm::dvec2(0.0, pen.px(title_height - 4.0)),
                                 box.upper_px - glm::dvec2(pen.px(inset_padding))};
     const std::optional<core::PointRuns> runs = hodograph_runs(frame, hodograph, area);
-    core::Box drawn = runs ? box_of(*runs) : hodograph.strips->box();
+    core::Box drawn = runs ? box_of(*runs) : with_origin(hodograph.strips->box());
     for (const auto& run : hodograph.polygon)
         for (const core::Point point : run) drawn.include(point);
     const InsetMap map(area, drawn);
