@@ -126,6 +126,7 @@ TEST_F(InvarianceCard, draws_whatever_curve) {
         for (const ShownMapKind kind : all_shown_maps) {
             show(curve);
             type(std::string("show-map ") + core::name_of(kind));
+            EXPECT_TRUE(check().agrees()) << core::name_of(kind);
             const Card card = invariance_card(state());
             const auto& picture = std::get<CardPicture>(card.blocks.at(3));
             const CardDrawing drawing = picture.draw({320.0, 190.0}, 1.0);

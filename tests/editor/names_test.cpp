@@ -11,6 +11,8 @@
 #include "app/editor/commands/curve_ends.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/knot_question_commands.h"
+#include "app/editor/commands/transform_commands.h"
 #include "app/editor/cursor.h"
 #include "app/editor/state.h"
 #include "app/editor/theme.h"
@@ -45,7 +47,8 @@ using Enumerations =
                      Last<core::ConicType::hyperbola>, Last<core::ContactKind::ending>, Last<ShapeEffect::changes>,
                      Last<CommandGroup::gesture>, Last<Dialog::at_work>, Last<Overlay::quiz>, Last<Tool::parameter>,
                      Last<ThemeName::light>, Last<CurveEnds::both>, Last<Escapable::presentation>,
-                     Last<UnsavedAnswer::cancel>, Last<Cursor::text>>;
+                     Last<UnsavedAnswer::cancel>, Last<Cursor::text>, Last<MapTarget::all>, Last<ShearAxis::y>,
+                     Last<KnotQuestion::continuity>, Last<ShownMapKind::project>>;
 TYPED_TEST_SUITE(Names, Enumerations);
 
 TYPED_TEST(Names, of_an_enumeration_are_complete_and_differ) {

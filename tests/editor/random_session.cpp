@@ -1,5 +1,7 @@
 #include "random_session.h"
 
+#include <array>
+
 #include "app/editor/command_reader.h"
 #include "app/editor/commands/analysis_commands.h"
 #include "app/editor/commands/closing_commands.h"
@@ -10,7 +12,9 @@
 #include "app/editor/commands/fitting_commands.h"
 #include "app/editor/commands/form_commands.h"
 #include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/invariance_commands.h"
 #include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/knot_question_commands.h"
 #include "app/editor/commands/making_commands.h"
 #include "app/editor/commands/measuring_commands.h"
 #include "app/editor/commands/piece_commands.h"
@@ -308,6 +312,28 @@ Command RandomSession::transform_command() {
     }
 }
 
+Command RandomSession::question_command(const EditorState& state) {
+    constexpr std::array vectors{"0 0 0 1 2 3 3 3", "(0, ..., 7), p = 3", "T = (0, 1, 3, 4)", "0 1 0"};
+    switch (below(6)) {
+        case 0:
+            if (state.history.present().curves.size() > 6) return ShowAnswers{.shown = below(2) == 0};
+            return SampleCurve{.knots = vectors[below(vectors.size())],
+                               .degree = below(2) == 0 ? std::nullopt : std::optional(static_cast<int>(below(4))),
+                               .periodic = below(2) == 0};
+        case 1:
+            return ToggleAnswer{.question = any<KnotQuestion>()};
+        case 2:
+            return ShowMap{.kind = any<ShownMapKind>(),
+                           .amount = below(2) == 0 ? std::nullopt : std::optional(between(-1, 2))};
+        case 3:
+            return AskQuiz{.number = below(100)};
+        case 4:
+            return AnswerQuiz{.question = any<KnotQuestion>(), .answer = below(2) == 0 ? "2" : "yes"};
+        default:
+            return EndQuiz{};
+    }
+}
+
 Command RandomSession::measuring_command(const EditorState& state) {
     switch (below(6)) {
         case 0:
@@ -411,7 +437,7 @@ Command RandomSession::command(const EditorState& state) {
     if (group == 12) return closing_command(state, *active->curve);
     if (group == 14 && below(2) == 0) return measuring_command(state);
     if (group == 13) return moving_command(state, *active->curve);
-    if (group == 19 && below(2) == 0) return transform_command();
+    if (group == 19 && below(2) == 0) return below(3) == 0 ? question_command(state) : transform_command();
     if (group == 20) return refinement_command(state, *active->curve);
     if (group == 21) return piece_command(state, *active->curve);
     return group < 16 ? shape_command(state, *active->curve) : knot_command(state, *active->curve);

@@ -52,6 +52,7 @@ class RandomSession {
     Command fitting_command();
     Command moving_command(const EditorState& state, const core::Curve& curve);
     Command transform_command();
+    Command question_command(const EditorState& state);
     Command measuring_command(const EditorState& state);
     Command document_command(const EditorState& state);
     Command view_command(const EditorState& state);
