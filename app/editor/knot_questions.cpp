@@ -33,6 +33,8 @@ class StepWatch {
 };
 
 std::string why_uniform(const KnotAnswers& answers, const NumberWriter& text_of) {
+    const Place step("step", text_of(answers.domain.length() / static_cast<double>(answers.segments)));
+    if (answers.is_even) return sentence("all knots are simple and all steps between them are {step}", {step});
     if (answers.is_uniform && answers.segments == 1)
         return sentence("the domain from {lower} to {upper} is one segment, and there is no other to differ from it",
                         {{"lower", text_of(answers.domain.lower)}, {"upper", text_of(answers.domain.upper)}});
@@ -40,7 +42,7 @@ std::string why_uniform(const KnotAnswers& answers, const NumberWriter& text_of)
         return sentence(answers.is_clamped ? "inside the clamped ends the knots are simple and all steps between them "
                                              "are {step}"
                                            : "the knots of the domain are simple and all steps between them are {step}",
-                        {{"step", text_of(answers.domain.length() / static_cast<double>(answers.segments))}});
+                        {step});
     if (answers.roughest && answers.roughest->multiplicity > 1)
         return sentence("knot {u} occurs {times} times, so that a step there is 0",
                         {{"u", text_of(answers.roughest->value)}, {"times", answers.roughest->multiplicity}});
@@ -117,6 +119,7 @@ KnotAnswers answers_about(const core::KnotVector& knots) {
                         .knot_count = knots.stored().size(),
                         .is_periodic = knots.is_periodic(),
                         .is_clamped = core::is_clamped(knots),
+                        .is_even = core::is_of_kind(knots, core::KnotKind::uniform),
                         .domain = knots.domain()};
     StepWatch steps;
     for (const core::DistinctKnot& knot : core::distinct_knots(knots)) {

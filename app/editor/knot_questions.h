@@ -27,6 +27,7 @@ struct KnotAnswers {
     std::size_t knot_count = 0;  ///< of stored()
     bool is_periodic = false;
     bool is_clamped = false;
+    bool is_even = false;  ///< all knots are simple and equally spaced, also outside of the domain
     core::Interval domain{};
     std::optional<core::DistinctKnot> roughest{};   ///< the first inner knot of the highest multiplicity
     std::optional<std::array<double, 3>> uneven{};  ///< the first neighbors in the domain between which steps differ

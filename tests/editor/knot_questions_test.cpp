@@ -80,7 +80,9 @@ TEST(KnotQuestions, are_explained_for_clamped_knots) {
 
 TEST(KnotQuestions, are_explained_for_other_knots) {
     const KnotAnswers open = about(2, {0, 1, 2, 3, 4, 5, 6, 7});
-    EXPECT_EQ(explanation(open, uniform), "the knots of the domain are simple and all steps between them are 1");
+    EXPECT_EQ(explanation(open, uniform), "all knots are simple and all steps between them are 1");
+    const KnotAnswers outside = about(1, {-5, 0, 2, 4, 5});
+    EXPECT_EQ(explanation(outside, uniform), "the knots of the domain are simple and all steps between them are 2");
     EXPECT_EQ(
         explanation(open, degree),
         "p = 8 knots − 5 control points − 1 = 2; the ends are not clamped, so that the knots alone do not tell it");
