@@ -58,9 +58,10 @@ class Collector {
         return finished();
     }
 
-    /// The knots of N_{i,k}.
+    /// The knots of N_{i,k}, and for k = p all that belongs to its control point.
     Highlight of_basis_cell(std::size_t i, std::size_t k) {
         if (i + k + 1 >= knots_.size()) return {};
+        if (k == p_) return of_point(i % point_count_);
         for (std::size_t j = i; j <= i + k + 1; ++j) add_knot(j);
         return finished();
     }

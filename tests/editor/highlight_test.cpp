@@ -38,6 +38,18 @@ TEST(Highlight, of_ring_and_graph_is_that_of_the_point) {
     EXPECT_EQ(highlight_of(test::cubic(), HoveredBasis{1}).knots, (Indices{1, 2, 3, 4, 5}));
 }
 
+TEST(Highlight, of_a_function_of_the_recurrence_is_its_knots) {
+    const Highlight lit = highlight_of(test::cubic(), HoveredBasisCell{3, 1});
+    EXPECT_EQ(lit.knots, (Indices{3, 4, 5}));
+    EXPECT_TRUE(lit.points.empty());
+    EXPECT_EQ(highlight_of(test::cubic(), HoveredBasisCell{9, 0}).knots, (Indices{9, 10}));
+    EXPECT_TRUE(highlight_of(test::cubic(), HoveredBasisCell{10, 0}).is_empty());
+    EXPECT_EQ(highlight_of(test::cubic(), HoveredBasisCell{1, 3}).parts, (Parts{{0.0, 0.5}}));
+    EXPECT_EQ(highlight_of(test::cubic(), HoveredBasisCell{1, 3}).points, Indices{1});
+    // Unrolled the knots of the closed cubic begin with -3.
+    EXPECT_EQ(highlight_of(test::closed_cubic(), HoveredBasisCell{3, 0}).knots, (Indices{0, 1, 6}));
+}
+
 TEST(Highlight, of_an_unclamped_point_is_cut_to_the_domain) {
     core::CurveDefinition uniform = test::cubic();
     uniform.knots = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
