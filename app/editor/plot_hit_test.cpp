@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/editor/hit_test.h"
+#include "app/editor/scene/basis_areas.h"
 #include "core/evaluate/basis.h"
 
 namespace batten::editor {
@@ -40,6 +41,20 @@ bool hits_parameter(const EditorState& state, const PlotLayout& layout, glm::dve
            position_px.y <= layout.strip_px + plot_reach::strip * scale;
 }
 
+/// The area, of those that are stacked, that the pointer is in.
+std::optional<Hover> hit_areas(const PlotBasis& functions, double u, double value) {
+    const core::BasisValues basis = core::basis_functions(functions.knots(), u);
+    double sum = 0.0;
+    for (std::size_t j = 0; j < basis.derivatives[0].size(); ++j) {
+        const std::optional<std::size_t> function = functions.function(basis.span, j);
+        if (!function) continue;
+        const double before = sum;
+        sum += basis.derivatives[0][j];
+        if (before <= value && value < sum) return HoveredBasis{*function};
+    }
+    return std::nullopt;
+}
+
 /// The graph whose tangent at the pointer's u passes nearest to the pointer.
 std::optional<Hover> hit_graphs(const EditorState& state, const PlotLayout& layout, glm::dvec2 position_px) {
     const std::shared_ptr<const PlotBasis> functions = state.derived.plot_basis(state.active_curve()->knots());
@@ -49,8 +64,10 @@ std::optional<Hover> hit_graphs(const EditorState& state, const PlotLayout& layo
     if (!knots.domain().contains(u) || position_px.y > layout.bottom_px + plot_reach::graph * scale)
         return std::nullopt;
 
-    const core::BasisValues basis = core::basis_functions(knots, u, 1);
     const double height_px = layout.bottom_px - layout.top_px;
+    if (shows_basis_areas(state, layout))
+        return hit_areas(*functions, u, (layout.bottom_px - position_px.y) / height_px);
+    const core::BasisValues basis = core::basis_functions(knots, u, 1);
     const double px_per_unit = (layout.right_px - layout.left_px) / layout.range.length();
     double least = plot_reach::graph * scale;
     std::optional<Hover> nearest;

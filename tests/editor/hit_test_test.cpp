@@ -337,6 +337,17 @@ TEST_F(HitPlot, finds_graphs_beyond_the_domain) {
     EXPECT_EQ(hit(32.0 + 984.0 * 6.99 / 7.0, 100), Hover{HoveredNothing{}});
 }
 
+TEST_F(HitPlot, finds_the_area_where_functions_are_stacked) {
+    state.view.overlays.show(Overlay::basis_values, true);
+    // At u = 1/2 the sums are 1/6, 5/6, 1 of functions 2, 3, 4.
+    const auto at_value = [&](double value) { return hit(524, 152.0 - 108.0 * value); };
+    EXPECT_EQ(at_value(0.1), Hover{HoveredBasis{2}});
+    EXPECT_EQ(at_value(0.2), Hover{HoveredBasis{3}});
+    EXPECT_EQ(at_value(0.8), Hover{HoveredBasis{3}});
+    EXPECT_EQ(at_value(0.9), Hover{HoveredBasis{4}});
+    EXPECT_EQ(at_value(1.05), Hover{HoveredNothing{}});
+}
+
 TEST_F(HitPlot, finds_nothing_without_a_curve) {
     state = EditorState();
     EXPECT_EQ(hit(278, 206), Hover{HoveredNothing{}});

@@ -8,6 +8,7 @@
 #include "app/editor/basis_formula.h"
 #include "app/editor/scene/plot_axes.h"
 #include "app/editor/scene/plot_intervals.h"
+#include "app/editor/scene/recurrence_lines.h"
 #include "app/editor/scene/text_row.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/basis.h"
@@ -16,7 +17,7 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double spacing = 4.0;
+constexpr double spacing = 6.0;
 constexpr double overlap = 1.0;        // of areas side by side, so that nothing shines through
 constexpr double least_height = 15.0;  // of an area with a text
 constexpr double active_ink = 0.55;
@@ -142,19 +143,21 @@ class AreaDrawing {
     TextRow row_;
 };
 
-std::vector<PlotInterval> intervals_of(const PlotFrame& frame) {
-    return plot_intervals(frame.basis->knots(), frame.layout.range, frame.layout.right_px - frame.layout.left_px,
-                          frame.pen.px(spacing));
+std::vector<PlotInterval> intervals_of(const EditorState& state, const PlotLayout& layout) {
+    const std::shared_ptr<const PlotBasis> basis = state.derived.plot_basis(state.active_curve()->knots());
+    return plot_intervals(basis->knots(), layout.range, layout.right_px - layout.left_px,
+                          spacing * state.view.interface_scale);
 }
 
 }  // namespace
 
-bool shows_basis_areas(const PlotFrame& frame) {
-    return frame.state.view.overlays.is_shown(Overlay::basis_values) && !intervals_of(frame).empty();
+bool shows_basis_areas(const EditorState& state, const PlotLayout& layout) {
+    return state.view.overlays.is_shown(Overlay::basis_values) && !intervals_of(state, layout).empty();
 }
 
 void draw_basis_areas(PlotFrame& frame) {
-    const std::vector<PlotInterval> intervals = intervals_of(frame);
+    if (shows_recurrence(frame)) return;
+    const std::vector<PlotInterval> intervals = intervals_of(frame.state, frame.layout);
     if (!intervals.empty()) AreaDrawing(frame).draw(intervals);
 }
 

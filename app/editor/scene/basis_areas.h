@@ -6,9 +6,9 @@
 namespace batten::editor {
 
 /// Whether areas stand in place of the graphs: not where the functions are too many for the plot.
-bool shows_basis_areas(const PlotFrame& frame);
+bool shows_basis_areas(const EditorState& state, const PlotLayout& layout);
 
-/// The areas where they are shown; on the line at u stand the values and their sum.
+/// The areas, unless a cell of the recurrence is pointed at; on the line at u stand the values and their sum.
 void draw_basis_areas(PlotFrame& frame);
 
 }  // namespace batten::editor

@@ -43,7 +43,7 @@ render::DrawList plot_scene(const EditorState& state, const PlotMode& mode, glm:
     draw_plot_axes(frame);
     draw_knot_guides(frame, knots.stacks);
     draw_plot_views_below(frame);
-    const bool has_areas = shows_basis_areas(frame);
+    const bool has_areas = shows_basis_areas(frame.state, frame.layout) && !shows_recurrence(frame);
     if (!has_areas) draw_basis_graphs(frame, basis.graphs);
     draw_parameter_line(frame);
     if (!has_areas) draw_basis_values(frame);
