@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/editor/formula.h"
+#include "app/editor/number_column.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -15,6 +16,8 @@ namespace {
 
 constexpr std::int64_t most_denominator = 1000000;
 constexpr std::int64_t most_numerator = 100000000;
+constexpr std::int64_t most_small_numerator = 99;
+constexpr double largest_fixed = 1e12;
 
 std::string knot_name(std::size_t i) {
     return fmt::format("u_{{{}}}", i);
@@ -73,11 +76,11 @@ class RecurrenceWriter {
     std::string number(double value) const { return exact_text(notation_, value); }
 
   private:
-    std::string knot(std::size_t i) const { return in_parentheses_if_negative(number(knots_[i])); }
+    std::string place(double u) const { return in_parentheses_if_negative(knot_value_text(knots_, u, notation_)); }
 
     std::string ramp_knots(const RampEnds& ends, const core::BasisRamp& ramp) const {
         if (ramp.is_void) return "0/0";
-        return quotient(ends, in_parentheses_if_negative(number(triangle_.u)), knot(ends.zero), knot(ends.one));
+        return quotient(ends, place(triangle_.u), place(knots_[ends.zero]), place(knots_[ends.one]));
     }
 
     std::string ramp_number(const core::BasisRamp& ramp) const {
@@ -163,6 +166,13 @@ std::string decimal_polynomial(const std::vector<double>& coefficients, const st
 
 }  // namespace
 
+std::string knot_value_text(const core::KnotVector& knots, double u, const Notation& notation) {
+    const std::optional<core::Fraction> fraction = core::small_fraction(u);
+    const bool is_small = fraction && std::abs(fraction->numerator) <= most_small_numerator;
+    if (is_small || std::abs(u) >= largest_fixed) return exact_text(notation, u);
+    return without_trailing_zeros(fixed_text(u, decimals_for(knots.domain().length())));
+}
+
 std::string basis_name(std::size_t i, std::size_t k) {
     return fmt::format("N_{{{},{}}}", i, k);
 }
@@ -183,11 +193,11 @@ std::string step_formula(const core::KnotVector& knots, const core::BasisTriangl
                           : is_one    ? "{function} = 1, because u = {u} is in [{lower}, {upper}) = [{begin}, {end})"
                                    : "{function} = 0, because u = {u} is not in [{lower}, {upper}) = [{begin}, {end})";
     return core::filled_as_needed(pattern, {{"function", basis_name(i, 0)},
-                                            {"u", exact_text(notation, triangle.u)},
+                                            {"u", knot_value_text(knots, triangle.u, notation)},
                                             {"lower", knot_name(i)},
                                             {"upper", knot_name(i + 1)},
-                                            {"begin", exact_text(notation, knots[i])},
-                                            {"end", exact_text(notation, knots[i + 1])}});
+                                            {"begin", knot_value_text(knots, knots[i], notation)},
+                                            {"end", knot_value_text(knots, knots[i + 1], notation)}});
 }
 
 BasisDerivativeFormula basis_derivative_formula(const core::KnotVector& knots, std::size_t i,

@@ -11,6 +11,9 @@
 
 namespace batten::editor {
 
+/// A knot or a parameter: a fraction of small numbers, else with the decimals that tell places in the domain apart.
+std::string knot_value_text(const core::KnotVector& knots, double u, const Notation& notation);
+
 /// "N_{0,3}".
 std::string basis_name(std::size_t i, std::size_t k);
 

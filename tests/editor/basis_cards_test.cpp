@@ -143,6 +143,14 @@ TEST(BasisPiecesCard, takes_knots_of_any_sort) {
     EXPECT_TRUE(says(basis_pieces_card(state), "All its knots are one: it is 0 everywhere."));
 }
 
+TEST(BasisPiecesCard, tells_short_spans_and_far_ones_apart) {
+    EditorState state = state_of(2, {1e6, 1e6, 1e6, 1e6 + 0.25, 1e6 + 1, 1e6 + 1, 1e6 + 1}, 1e6);
+    state.selection.points = {1};
+    EXPECT_TRUE(says(basis_pieces_card(state), "N₁,₂ on [1000000, 1000000.25)")) << card_text(basis_pieces_card(state));
+    EXPECT_TRUE(says(basis_pieces_card(state), "with t = 4 (u − 1000000)"));
+    EXPECT_TRUE(says(basis_pieces_card(state), "with t = 4/3 (u − 1000000.25)"));
+}
+
 TEST(BasisValuesCard, has_the_values_and_their_sum) {
     const Card card = basis_values_card(uniform_state(3.5));
     for (const char* row : {"N₀,₃ | 1/48 | 0.0208", "N₁,₃ | 23/48 | 0.4792", "N₂,₃ | 23/48 | 0.4792",

@@ -69,6 +69,17 @@ TEST(BasisFormula, says_why_a_step_is_1_or_0) {
     EXPECT_EQ(step_formula(knots, end, 1, fractions), "N_{2,0} = 1, because u = 1 is in [u_{2}, u_{3}] = [0, 1]");
 }
 
+TEST(BasisFormula, writes_knots_so_that_they_can_be_told_apart) {
+    EXPECT_EQ(knot_value_text(lecture(), 3.5, fractions), "7/2");
+    EXPECT_EQ(knot_value_text(lecture(), 3.5, decimals), "3.5");
+    EXPECT_EQ(knot_value_text(lecture(), 3.14159, fractions), "3.142");
+    const auto far = core::KnotVector::make(1, {1e6, 1e6, 1e6 + 0.5, 1e6 + 1, 1e6 + 1}).value();
+    EXPECT_EQ(knot_value_text(far, 1e6, fractions), "1000000");
+    EXPECT_EQ(knot_value_text(far, 1e6 + 0.25, fractions), "1000000.25");
+    EXPECT_EQ(knot_value_text(far, 999.5, fractions), "999.5") << "1999/2 cannot be read at a glance";
+    EXPECT_EQ(knot_value_text(far, 1e300, fractions), "1e300");
+}
+
 TEST(BasisFormula, writes_derivatives_by_the_functions_one_degree_lower) {
     const auto knots = core::KnotVector::make(3, {0, 0, 0, 0, 0.25, 0.5, 1, 1, 1, 1}).value();
     const BasisDerivativeFormula formula = basis_derivative_formula(knots, 1, fractions);

@@ -50,7 +50,7 @@ class DerivativePicture {
 
     void draw() {
         if (lines_.empty()) {
-            pen_.text(0.5 * pen_.size_px(), "Too many functions; show fewer of them in the plot.",
+            pen_.text(0.5 * pen_.size_px(), "Too many functions: zoom the plot in.",
                       {.color = theme_.dim, .anchor = render::Anchor::center});
             return;
         }
@@ -178,8 +178,9 @@ Card basis_derivatives_card(const EditorState& state) {
     const BasisDerivativeFormula formula =
         basis_derivative_formula(curve.knots(), function->number, state.view.notation);
     card.formula(formula.symbols, CardTone::accent).formula(formula.numbers);
-    card.line(core::sentence("At u = {u}", {{"u", exact_text(state.view.notation, state.parameter())}}),
-              CardTone::parameter);
+    card.line(
+        core::sentence("At u = {u}", {{"u", knot_value_text(curve.knots(), state.parameter(), state.view.notation)}}),
+        CardTone::parameter);
     return card.add(value_table(state));
 }
 

@@ -1,5 +1,7 @@
 #include "app/editor/cards/basis_pieces_card.h"
 
+#include <cmath>
+
 #include "app/editor/basis_formula.h"
 #include "app/editor/shown_function.h"
 #include "core/base/sentence.h"
@@ -26,16 +28,19 @@ class PieceLines {
   private:
     std::string number(double value) const { return exact_text(state_.view.notation, value); }
 
+    std::string place(double u) const { return knot_value_text(knots_, u, state_.view.notation); }
+
     void add_piece(Card& card, std::size_t n, const core::BasisPiece& piece) const {
         card.add(CardLine{{.text = core::sentence("{function} on [{begin}, {end})",
                                                   {{"function", basis_name(cell_.function, cell_.degree)},
-                                                   {"begin", number(piece.interval.lower)},
-                                                   {"end", number(piece.interval.upper)}}),
+                                                   {"begin", place(piece.interval.lower)},
+                                                   {"end", place(piece.interval.upper)}}),
                            .tone = CardTone::strong,
                            .hover = HoveredSpan{piece.span},
                            .color = theme_.level(n + 1)}});
         add_form(card, piece, piece.in_u, "u");
-        if (piece.interval != core::Interval{0.0, 1.0}) add_form(card, piece, piece.in_t, variable_);
+        if (piece.interval == core::Interval{0.0, 1.0}) return;  // t is u
+        add_form(card, piece, piece.in_t, variable_);
         card.formula(substitution(piece), CardTone::dim);
     }
 
@@ -48,18 +53,24 @@ class PieceLines {
                      true});
     }
 
-    /// "t = (u − 1)/2", empty where it is u.
+    /// "with t = (u − 1)/2".
     std::string substitution(const core::BasisPiece& piece) const {
         const double begin = piece.interval.lower;
         const double length = piece.interval.length();
-        if (begin == 0.0 && length == 1.0) return " ";
-        const char* pattern = length == 1.0  ? "with {t} = u − {begin}"
-                              : begin == 0.0 ? "with {t} = u/{length}"
-                                             : "with {t} = (u − {begin})/{length}";
-        const char* negative = length == 1.0 ? "with {t} = u + {opposite}" : "with {t} = (u + {opposite})/{length}";
-        return core::filled_as_needed(
-            begin < 0.0 ? negative : pattern,
-            {{"t", variable_}, {"begin", number(begin)}, {"opposite", number(-begin)}, {"length", number(length)}});
+        return core::filled_as_needed(substitution_pattern(begin, length), {{"t", variable_},
+                                                                            {"begin", place(std::abs(begin))},
+                                                                            {"length", number(length)},
+                                                                            {"factor", number(1.0 / length)}});
+    }
+
+    static const char* substitution_pattern(double begin, double length) {
+        if (length == 1.0) return begin < 0.0 ? "with {t} = u + {begin}" : "with {t} = u − {begin}";
+        if (length != std::floor(length)) {
+            if (begin == 0.0) return "with {t} = {factor} u";
+            return begin < 0.0 ? "with {t} = {factor} (u + {begin})" : "with {t} = {factor} (u − {begin})";
+        }
+        if (begin == 0.0) return "with {t} = u/{length}";
+        return begin < 0.0 ? "with {t} = (u + {begin})/{length}" : "with {t} = (u − {begin})/{length}";
     }
 
     const EditorState& state_;

@@ -41,6 +41,8 @@ struct Functions {
 
     std::string number(double value) const { return exact_text(state.view.notation, value); }
 
+    std::string parameter() const { return knot_value_text(curve.knots(), u, state.view.notation); }
+
     const EditorState& state;
     const core::Curve& curve;
     Theme theme;
@@ -69,7 +71,7 @@ Card basis_values_card(const EditorState& state) {
     table.rows.push_back({{.text = "sum", .tone = CardTone::strong},
                           {.text = shown.number(sum), .tone = CardTone::strong},
                           {.text = fixed_text(sum, 4), .tone = CardTone::dim}});
-    card.line(core::sentence("At u = {u}", {{"u", shown.number(shown.u)}}), CardTone::parameter);
+    card.line(core::sentence("At u = {u}", {{"u", shown.parameter()}}), CardTone::parameter);
     card.add(std::move(table));
     return card.line(
         "All other functions are 0 here. In the domain the sum is always 1, so that a point of the curve "
@@ -107,7 +109,7 @@ Card rational_basis_card(const EditorState& state) {
                           {.text = ""},
                           {.text = shown.number(w), .tone = CardTone::parameter},
                           {.text = shown.number(sum_of(rational.derivatives[0])), .tone = CardTone::strong}});
-    card.line(core::sentence("At u = {u}, w(u) = {w}", {{"u", shown.number(shown.u)}, {"w", shown.number(w)}}),
+    card.line(core::sentence("At u = {u}, w(u) = {w}", {{"u", shown.parameter()}, {"w", shown.number(w)}}),
               CardTone::parameter);
     card.add(std::move(table));
     return card.line("In the plot R is dashed, beside N.", CardTone::dim);

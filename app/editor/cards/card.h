@@ -32,6 +32,9 @@ struct CardLine {
     bool is_formula = false;
 };
 
+/// The text of a line that shows nothing, where as many lines shall stand whatever is told.
+inline constexpr const char* blank_line = "\u00a0";
+
 /// Rows of cells that stand in columns, as wide as their texts; cells of the first row are headings where
 /// `has_heading`. A row of one cell beside longer ones reaches over all columns.
 struct CardTable {

@@ -20,11 +20,11 @@ constexpr double row_pitch = 46.0;
 constexpr double cell_height = 36.0;
 constexpr double largest_cell = 64.0;
 constexpr double least_cell = 50.0;
-constexpr double cell_share = 0.62;  // of a column's pitch
+constexpr double cell_share = 0.58;  // of a column's pitch
 constexpr double margin = 2.0;       // for the outlines
 constexpr double name_size = 12.0;
 constexpr double value_size = 12.0;
-constexpr double ratio_size = 11.0;
+constexpr double ratio_size = 10.5;
 constexpr int formula_lines = 5;
 
 double columns_of(std::size_t degree) {
@@ -171,15 +171,15 @@ void add_formula(Card& card, const EditorState& state, const core::BasisTriangle
     const std::size_t j = shown.function - first;
     if (shown.degree == 0) {
         card.formula(step_formula(knots, triangle, j, state.view.notation), CardTone::accent);
-        for (int line = 1; line < formula_lines; ++line) card.formula(" ");
-        card.line(" ");
+        for (int line = 1; line < formula_lines; ++line) card.formula(blank_line);
+        card.line(blank_line);
         return;
     }
     const RecurrenceFormula formula = recurrence_formula(knots, triangle, shown.degree, j, state.view.notation);
     for (const std::string& line : formula.symbols) card.formula(line, CardTone::accent);
     for (const std::string& line : formula.knots) card.formula(line);
     card.formula(formula.numbers);
-    card.line(formula.note.empty() ? " " : formula.note, CardTone::parameter);
+    card.line(formula.note.empty() ? blank_line : formula.note, CardTone::parameter);
 }
 
 }  // namespace
@@ -191,8 +191,9 @@ Card recurrence_card(const EditorState& state) {
     const core::Curve& curve = *state.active_curve();
     const auto p = static_cast<std::size_t>(curve.degree());
     const core::BasisTriangle triangle = core::basis_triangle(curve.knots(), function->number, state.parameter());
-    card.line(core::sentence("{function}(u) at u = {u}", {{"function", basis_name(function->number, p)},
-                                                          {"u", exact_text(state.view.notation, triangle.u)}}),
+    card.line(core::sentence("{function}(u) at u = {u}",
+                             {{"function", basis_name(function->number, p)},
+                              {"u", knot_value_text(curve.knots(), triangle.u, state.view.notation)}}),
               CardTone::strong);
     card.add(triangle_picture(state, triangle));
     add_formula(card, state, triangle);
