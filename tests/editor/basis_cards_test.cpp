@@ -127,6 +127,9 @@ TEST(BasisPiecesCard, writes_the_polynomials_in_u_and_in_t) {
     EXPECT_TRUE(says(card, "= (−3u³ + 21u² − 45u + 31)/6")) << card_text(card);
     EXPECT_TRUE(says(card, "= (−3t³ + 3t² + 3t + 1)/6"));
     EXPECT_TRUE(says(card, "with t = u − 2"));
+    EXPECT_TRUE(says(card, "each Nᵢ,₃(u) is N₀,₃(u − i), the first one shifted") ||
+                says(card, "each N(i,3)(u) is N₀,₃(u − i), the first one shifted"))
+        << card_text(card);
     state.view.notation.parameter = ParameterLetter::t;
     EXPECT_TRUE(says(basis_pieces_card(state), "= (−3s³ + 3s² + 3s + 1)/6"));
     state.hover = HoveredBasisCell{1, 1};
@@ -139,6 +142,7 @@ TEST(BasisPiecesCard, takes_knots_of_any_sort) {
     state.selection.points = {1};
     EXPECT_TRUE(says(basis_pieces_card(state), "with t = (u + 1)/2")) << card_text(basis_pieces_card(state));
     EXPECT_TRUE(says(basis_pieces_card(state), "with t = (u − 1)/2"));
+    EXPECT_FALSE(says(basis_pieces_card(state), "equally spaced"));
     state.hover = HoveredBasisCell{0, 1};
     EXPECT_TRUE(says(basis_pieces_card(state), "All its knots are one: it is 0 everywhere."));
 }

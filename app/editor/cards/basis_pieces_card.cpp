@@ -23,12 +23,28 @@ class PieceLines {
         const auto pieces = core::basis_pieces(knots_, cell_.function, static_cast<int>(cell_.degree));
         if (pieces.empty()) card.line("All its knots are one: it is 0 everywhere.", CardTone::dim);
         for (std::size_t n = 0; n < pieces.size(); ++n) add_piece(card, n, pieces[n]);
+        if (is_evenly_spaced()) card.line(shift_sentence(), CardTone::dim);
     }
 
   private:
     std::string number(double value) const { return exact_text(state_.view.notation, value); }
 
     std::string place(double u) const { return knot_value_text(knots_, u, state_.view.notation); }
+
+    bool is_evenly_spaced() const {
+        const core::KnotKind kind = state_.derived.of(knots_)->kind;
+        return kind == core::KnotKind::uniform || kind == core::KnotKind::periodic;
+    }
+
+    std::string shift_sentence() const {
+        const double step = knots_[1] - knots_[0];
+        const char* pattern =
+            step == 1.0
+                ? "The knots are equally spaced: each N_{{i,{k}}}(u) is N_{{0,{k}}}(u − i), the first one shifted."
+                : "The knots are equally spaced: each N_{{i,{k}}}(u) is N_{{0,{k}}}(u − i · {step}), the first one "
+                  "shifted.";
+        return core::filled_as_needed(pattern, {{"k", cell_.degree}, {"step", number(step)}});
+    }
 
     void add_piece(Card& card, std::size_t n, const core::BasisPiece& piece) const {
         card.add(CardLine{{.text = core::sentence("{function} on [{begin}, {end})",

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/editor/basis_formula.h"
+#include "app/editor/scene/plot_axes.h"
 #include "app/editor/scene/text_row.h"
 #include "app/editor/scene/text_size.h"
 #include "core/evaluate/basis_triangle.h"
@@ -17,7 +18,7 @@ namespace {
 constexpr double sample_spacing_px = 3.0;
 constexpr double most_steps = 400.0;  // in a span
 constexpr double veil = 0.72;
-constexpr double label_distance = 8.0;
+constexpr double label_distance = 10.0;
 constexpr double name_size = 13.0;
 constexpr double formula_size = 13.0;
 constexpr double title_room = 190.0;    // on the left
@@ -33,6 +34,7 @@ class CellDrawing {
 
     void draw(HoveredBasisCell cell) {
         cover();
+        draw_parameter_line(frame_);
         const std::size_t i = cell.function;
         const std::size_t k = cell.degree;
         if (k > 0) {
