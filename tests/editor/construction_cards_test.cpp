@@ -128,7 +128,8 @@ TEST(TriangleCard, of_a_high_degree_has_the_lines_of_one_level) {
     EXPECT_TRUE(says(card, "The lines of level 24;"));
     EXPECT_TRUE(says(card, "P₂₅²⁴ = 1/2 P₂₄²³ + 1/2 P₂₅²³"));
     EXPECT_FALSE(says(card, "P₁¹ ="));
-    EXPECT_EQ(drawings_of(card)[0].places.size(), 26U * 27U / 2U);
+    EXPECT_TRUE(says(card, "A triangle of 351 points is too large here"));
+    EXPECT_TRUE(drawings_of(card).empty());
 }
 
 TEST(TriangleCard, without_a_curve_offers_an_example) {
@@ -186,7 +187,7 @@ TEST(BlossomsCard, names_points_by_index_or_by_value) {
     const auto by_value = drawings_of(blossoms_card(state));
     EXPECT_EQ(place_named(by_value[0], "cell 0 0")->value, "f(0, 0, 1/4)");
     EXPECT_EQ(place_named(by_value[0], "cell 1 1")->value, "f(1/4, 1/2, t)");
-    EXPECT_TRUE(drawings_of(blossoms_card(state_at(of_degree_25(), 0.5)))[0].places.size() == 351U);
+    EXPECT_TRUE(says(blossoms_card(state_at(of_degree_25(), 0.5)), "f(u, …, u)"));
 }
 
 }  // namespace

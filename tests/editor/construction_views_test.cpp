@@ -115,10 +115,23 @@ TEST(BlossomLabels, stand_at_control_points_and_at_points_of_the_construction) {
 }
 
 TEST(ConstructionNames, stand_at_the_points_of_the_construction) {
-    const EditorState state = state_at(test::cubic(), 0.4, {Overlay::triangle});
+    EditorState state = state_at(test::cubic(), 0.4, {Overlay::triangle});
     const render::DrawList list = scene_of(state);
     for (const char* text : {"P_{2}^{1}", "P_{3}^{1}", "P_{4}^{1}", "P_{3}^{2}", "P_{4}^{2}"})
         EXPECT_TRUE(test::has_text(list, text)) << text;
+    state.view.overlays.show(Overlay::blossoms, true);
+    EXPECT_FALSE(test::has_text(scene_of(state), "P_{2}^{1}"));
+}
+
+TEST(ConstructionNames, of_a_high_degree_are_that_of_the_hovered_point) {
+    core::CurveDefinition definition{.degree = 9, .knots = std::vector<double>(20, 0.0), .points = {}};
+    std::fill(definition.knots.begin() + 10, definition.knots.end(), 1.0);
+    for (int i = 0; i < 10; ++i) definition.points.push_back({1.0 * i - 5.0, i % 2 == 0 ? -2.0 : 2.0});
+    EditorState state = state_at(definition, 0.4, {Overlay::triangle});
+    EXPECT_FALSE(test::has_text(scene_of(state), "P_{2}^{1}"));
+    state.hover = HoveredCell{1, 1};
+    EXPECT_TRUE(test::has_text(scene_of(state), "P_{2}^{1}"));
+    EXPECT_FALSE(test::has_text(scene_of(state), "P_{3}^{1}"));
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ CardButtons numbering_buttons(const Notation& notation) {
     const auto button = [&](const char* text, CellNumbering numbering) {
         return CardButton{text, numbered_by(notation, numbering), notation.triangles == numbering};
     };
-    return {{button("Index of the last parent", CellNumbering::last), button("Of the first", CellNumbering::first)}};
+    return {{button("Last parent", CellNumbering::last), button("First parent", CellNumbering::first)}};
 }
 
 std::string alpha_text(const NamedTriangle& named, core::CellPlace place) {
@@ -130,6 +130,7 @@ Card triangle_card(const EditorState& state) {
     if (state.derived.of(curve.knots())->is_bezier) card.line(ratio_sentence(shown), CardTone::dim);
     const auto name = [](const NamedTriangle& named, core::CellPlace place) { return named.point(place); };
     card.add(triangle_picture(state, {.inside = name, .below = alpha_text}));
+    card.line("A point has the index of its", CardTone::dim);
     card.add(numbering_buttons(shown.notation()));
     add_lines(card, shown);
     const core::CellPlace told = told_cell(shown);

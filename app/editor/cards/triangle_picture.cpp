@@ -7,6 +7,7 @@
 #include "app/editor/construction_cells.h"
 #include "app/editor/formula.h"
 #include "app/editor/scene/text_size.h"
+#include "core/base/sentence.h"
 
 namespace batten::editor {
 
@@ -16,6 +17,7 @@ namespace {
 constexpr double largest_cell = 66.0;
 constexpr double cell_height = 26.0;
 constexpr double row_pitch = 48.0;
+constexpr std::size_t most_degree = 8;
 constexpr double edge = 2.0;
 constexpr double name_size = 14.0;
 constexpr double least_text = 9.0;
@@ -24,6 +26,7 @@ constexpr double below_distance = 10.0;
 constexpr double corner_radius = 6.0;
 constexpr double faded_opacity = 0.3;
 constexpr double text_margin = 3.0;
+constexpr double width_error = 1.12;  // of a text that is not measured with its font
 
 /// How many widths of a cell all columns take.
 double columns_in_cells(std::size_t degree, const CellTexts& texts) {
@@ -104,7 +107,7 @@ class TrianglePainter {
         const std::string text = texts_.inside(named(), place);
         const render::Color color = place.level == degree_ ? theme_.parameter : theme_.text;
         const double room = box.upper_px.x - box.lower_px.x - 2.0 * pen_.px(text_margin);
-        const double width = text_size(text, pen_.px(name_size)).x;
+        const double width = width_error * text_size(text, pen_.px(name_size)).x;
         pen_.text(0.5 * (box.lower_px + box.upper_px), text,
                   {.color = render::blended(color, opacity(place), theme_.field),
                    .size = std::max(least_text, name_size * std::min(1.0, room / width)),
@@ -138,10 +141,14 @@ class TrianglePainter {
 
 }  // namespace
 
-CardPicture triangle_picture(const EditorState& state, CellTexts texts) {
+CardBlock triangle_picture(const EditorState& state, CellTexts texts) {
     const auto degree = static_cast<std::size_t>(state.active_curve()->degree());
+    if (degree > most_degree)
+        return CardLine{{.text = core::sentence("A triangle of {count} points is too large here; the inspector has it.",
+                                                {{"count", (degree + 1) * (degree + 2) / 2}}),
+                         .tone = CardTone::dim}};
     const double least_width = columns_in_cells(degree, texts) * texts.least_width + 2.0 * edge;
-    return {
+    return CardPicture{
         .height = static_cast<double>(degree) * row_pitch + cell_height + 2.0 * edge,
         .draw = [&state, texts = std::move(texts)](
                     glm::dvec2 size_px, double scale) { return TrianglePainter(state, texts, size_px, scale).draw(); },

@@ -19,6 +19,7 @@ struct CellTexts {
 /// Cells in columns by level, joined by lines the stronger the larger the share; in the colors that the points have on
 /// the canvas. A cell is lit with its point and lights it; levels that are not drawn there are faded. Places are "cell
 /// r j". There must be an active curve, and `state` must outlive the picture.
-CardPicture triangle_picture(const EditorState& state, CellTexts texts);
+/// Of a degree above 8 a sentence stands for it.
+CardBlock triangle_picture(const EditorState& state, CellTexts texts);
 
 }  // namespace batten::editor

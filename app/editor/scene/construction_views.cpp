@@ -15,6 +15,7 @@ constexpr double polygon_share = 0.5;  // of the level's color, in the canvas
 constexpr double name_size = 13.0;
 constexpr double blossom_size = 13.0;
 constexpr double distance = 10.0;
+constexpr std::size_t most_names = 21;     // of the construction's points; of more only the hovered one has its
 constexpr std::size_t most_blossoms = 40;  // of control points; of more those of the span
 
 NamedTriangle named_in(const CanvasFrame& frame) {
@@ -61,6 +62,14 @@ void label_control_points(CanvasFrame& frame) {
         if (!is_labeled[i]) label_control_point(frame, i);
 }
 
+/// The points that get a name.
+std::vector<core::CellPlace> named_cells(const CanvasFrame& frame) {
+    std::vector<core::CellPlace> cells = marked_cells(frame.state.view, *frame.triangle);
+    if (cells.size() > most_names)
+        std::erase_if(cells, [&](core::CellPlace cell) { return !is_lit_cell(frame.state, *frame.triangle, cell); });
+    return cells;
+}
+
 }  // namespace
 
 void draw_inserted_polygon(CanvasFrame& frame) {
@@ -76,15 +85,15 @@ void draw_inserted_polygon(CanvasFrame& frame) {
 }
 
 void label_construction(CanvasFrame& frame) {
-    for (const core::CellPlace place : marked_cells(frame.state.view, *frame.triangle))
+    if (frame.shows(Overlay::blossoms)) return;
+    for (const core::CellPlace place : named_cells(frame))
         wish(frame, frame.triangle->levels[place.level][place.index].point, named_in(frame).point(place),
              {.color = frame.theme.level(place.level), .size = name_size}, LabelSide::upper_left);
 }
 
 void label_blossoms(CanvasFrame& frame) {
     label_control_points(frame);
-    for (const core::CellPlace place : marked_cells(frame.state.view, *frame.triangle))
-        label_cell(frame, place, frame.theme.level(place.level));
+    for (const core::CellPlace place : named_cells(frame)) label_cell(frame, place, frame.theme.level(place.level));
     const std::size_t degree = frame.triangle->levels.size() - 1;
     if (shown_level(frame.state.view, frame.curve->degree()) == degree)
         label_cell(frame, {degree, 0}, frame.theme.parameter);

@@ -8,7 +8,8 @@ namespace batten::editor {
 /// The control polygon over the span after u was inserted as often as levels are shown. The frame must have a curve.
 void draw_inserted_polygon(CanvasFrame& frame);
 
-/// Names of the construction's points, as far as they have marks. The frame must have a curve.
+/// Names of the construction's points, as far as they have marks; of very many only that of the hovered one. None while
+/// blossoms name them. The frame must have a curve.
 void label_construction(CanvasFrame& frame);
 
 /// The blossoms of the control points and of the construction's points, by indices or values as the view says; of many

@@ -11,10 +11,11 @@ namespace batten::editor {
 namespace {
 
 constexpr double place_below_strip = 0.76;  // of the room below the strip's axis
-constexpr double half_height = 9.0;
+constexpr double half_height = 10.5;
 constexpr double text_size_in_bar = 13.0;
 constexpr double text_margin = 4.0;
 constexpr double cut_width = 3.0;
+constexpr double cut_beyond = 2.0;
 constexpr double part_opacity = 0.35;
 
 /// One side of the cut.
@@ -46,7 +47,8 @@ Bar bar_of(const PlotFrame& frame, const core::DeBoorTriangle& triangle, core::C
 render::PixelBox strip_box(const PlotFrame& frame, core::Interval x) {
     const double room = frame.pen.size_px().y - frame.layout.strip_px;
     const double y = frame.layout.strip_px + place_below_strip * room;
-    const double half = std::min(frame.pen.px(half_height), (1.0 - place_below_strip) * room - 1.0);
+    const double half =
+        std::min(frame.pen.px(half_height), (1.0 - place_below_strip) * room - frame.pen.px(cut_beyond));
     return {{x.lower, y - half}, {x.upper, y + half}};
 }
 
@@ -78,7 +80,7 @@ void draw_cut(PlotFrame& frame) {
     if (!frame.layout.range.contains(frame.u)) return;
     const double x = frame.x(frame.u);
     const render::PixelBox box = strip_box(frame, {x, x});
-    const double beyond = frame.pen.px(3.0);
+    const double beyond = frame.pen.px(cut_beyond);
     frame.pen.segment({x, box.lower_px.y - beyond}, {x, box.upper_px.y + beyond},
                       {.color = frame.theme.parameter, .width = cut_width});
 }
