@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t most_other_curves = 500;
 constexpr std::size_t most_meetings = 6;
 // Ends are about to meet below this share of the size of the curves.
-constexpr double near = 0.05;
+constexpr double nearly_met = 0.05;
 
 // The runs of equal knots strictly inside the domain, the seam among them.
 class InnerKnots {
@@ -111,7 +111,7 @@ std::vector<core::JoinedEnds> ends_to_compare(const core::Curve& curve, const co
     if (!meeting.empty()) return meeting;
     const auto gap = [&](core::JoinedEnds ends) { return gap_between(curve, other, ends); };
     const core::JoinedEnds nearest = *std::ranges::min_element(core::all_joined_ends, {}, gap);
-    if (gap(nearest) <= near * core::robust_length(box.size())) meeting.push_back(nearest);
+    if (gap(nearest) <= nearly_met * core::robust_length(box.size())) meeting.push_back(nearest);
     return meeting;
 }
 

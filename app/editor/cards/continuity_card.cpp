@@ -22,7 +22,7 @@ using core::sentence;
 
 constexpr std::size_t most_rows = 10;
 
-void offer_example(Card& card) {
+void offer_curve_with_knots(Card& card) {
     card.add(CardButtons{{{.text = "Open an example", .command = OpenExample{.name = "quadratic-double-knot"}}}});
 }
 
@@ -40,7 +40,7 @@ class ContinuityCard {
         card_.title = "Continuity";
         if (meter_.count == 0) {
             card_.line("No knot lies inside the domain: the curve is one piece.", CardTone::dim);
-            offer_example(card_);
+            offer_curve_with_knots(card_);
         }
         if (meter_.focus) add_focus(*meter_.focus);
         add_joints();
@@ -136,7 +136,7 @@ Card continuity_card(const EditorState& state) {
         Card card;
         card.title = "Continuity";
         card.line("There is no curve to be measured.", CardTone::dim);
-        offer_example(card);
+        offer_curve_with_knots(card);
         return card;
     }
     return ContinuityCard(state).made();

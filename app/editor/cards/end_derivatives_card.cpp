@@ -37,7 +37,7 @@ bool add_end(Card& card, const core::Curve& curve, core::CurveEnd end, const Not
     return true;
 }
 
-Card& offer_example(Card& card) {
+Card& offer_curve_with_ends(Card& card) {
     return card.add(CardButtons{{{.text = "Open an example", .command = OpenExample{.name = "bezier-cubic"}}}});
 }
 
@@ -47,8 +47,9 @@ Card end_derivatives_card(const EditorState& state) {
     Card card;
     card.title = "End derivatives";
     const core::Curve* curve = state.visible_active_curve();
-    if (curve == nullptr) return offer_example(card.line("There is no curve to be measured.", CardTone::dim));
-    if (curve->is_periodic()) return offer_example(card.line("The curve is periodic: it has no ends.", CardTone::dim));
+    if (curve == nullptr) return offer_curve_with_ends(card.line("There is no curve to be measured.", CardTone::dim));
+    if (curve->is_periodic())
+        return offer_curve_with_ends(card.line("The curve is periodic: it has no ends.", CardTone::dim));
     const bool start_is_clamped = add_end(card, *curve, core::CurveEnd::start, state.view.notation);
     const bool end_is_clamped = add_end(card, *curve, core::CurveEnd::end, state.view.notation);
     if (!start_is_clamped || !end_is_clamped)

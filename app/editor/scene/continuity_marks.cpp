@@ -13,7 +13,7 @@ namespace {
 
 constexpr double longest_velocity = 180.0;
 constexpr double longest_acceleration = 130.0;
-constexpr double text_size = 13.0;
+constexpr double joint_text_size = 13.0;
 constexpr double least_named = 6.0;
 constexpr double verdict_distance = 16.0;
 constexpr double farthest_verdict = 130.0;
@@ -51,7 +51,7 @@ class JointPainter {
 
   private:
     void write_verdict(const core::JointContinuity& joint) {
-        const TextStyle style{.color = frame_.theme.text, .size = text_size, .font = render::LabelFont::bold};
+        const TextStyle style{.color = frame_.theme.text, .size = joint_text_size, .font = render::LabelFont::bold};
         frame_.labels.push_back({.place = right_,
                                  .words = {{continuity_verdict(joint), style}},
                                  .distance = verdict_distance,
@@ -98,7 +98,7 @@ class JointPainter {
     /// At the free end of an arrow that can be seen.
     void name(glm::dvec2 joint, glm::dvec2 arrow, const char* text, render::Color color) {
         if (glm::length(arrow) < frame_.pen.px(least_named)) return;
-        frame_.labels.push_back({.place = joint + arrow, .words = {{text, {.color = color, .size = text_size}}}});
+        frame_.labels.push_back({.place = joint + arrow, .words = {{text, {.color = color, .size = joint_text_size}}}});
     }
 
     CanvasFrame& frame_;

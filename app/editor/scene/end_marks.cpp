@@ -13,16 +13,17 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double longest = 180.0;
-constexpr double text_size = 13.0;
+constexpr double longest_end_vector = 180.0;
+constexpr double end_name_size = 13.0;
 
 void draw_named(CanvasFrame& frame, glm::dvec2 from, core::Vector v, const Stroke& stroke, std::string name) {
     const glm::dvec2 whole = vector_in_picture(frame, v);
     const double length = glm::length(whole);
     if (!(length > 0.0) || !std::isfinite(length)) return;
-    const glm::dvec2 tip = from + std::min(1.0, frame.pen.px(longest) / length) * whole;
+    const glm::dvec2 tip = from + std::min(1.0, frame.pen.px(longest_end_vector) / length) * whole;
     draw_arrow(frame, from, tip, stroke);
-    frame.labels.push_back({.place = tip, .words = {{std::move(name), {.color = stroke.color, .size = text_size}}}});
+    frame.labels.push_back(
+        {.place = tip, .words = {{std::move(name), {.color = stroke.color, .size = end_name_size}}}});
 }
 
 }  // namespace
