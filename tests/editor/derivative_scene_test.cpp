@@ -185,6 +185,10 @@ TEST(Hodographs, of_rational_curves_say_their_degree_and_of_long_ones_leave_the_
     const render::DrawList list = scene_of(showing(longer, {Overlay::second_hodograph}));
     EXPECT_TRUE(test::has_text(list, "C″(u) without its polygon"));
     EXPECT_TRUE(polygon_points_of(list).empty());
+    const auto many = core::make_knots(core::KnotKind::clamped_uniform, 3, 24003).value();
+    longer.knots = {many.values().begin(), many.values().end()};
+    longer.points = test::scattered_points(24003, {8.0, 4.0});
+    EXPECT_TRUE(test::has_text(scene_of(showing(longer, {Overlay::second_hodograph})), "C″(u) on 1847 of 24000 spans"));
 }
 
 TEST(Derivatives, of_the_worst_curves_are_drawn_without_fault) {

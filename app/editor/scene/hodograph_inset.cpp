@@ -20,6 +20,7 @@ constexpr double title_height = 20.0;
 constexpr double places_per_px = 4.0;  // of the picture's width
 constexpr std::size_t most_sampled_spans = 2000;
 constexpr std::size_t most_polygon_points = 400;
+constexpr std::size_t most_accelerated_points = 20000;  // C'' of longer curves is sampled, at a bounded cost
 
 std::size_t span_count(const core::Curve& curve) {
     return curve.knots().size() - 2 * static_cast<std::size_t>(curve.degree()) - 1;
@@ -81,8 +82,9 @@ struct Hodograph {
     const char* name() const { return order == 1 ? "C′(u)" : "C″(u)"; }
 };
 
-/// The strips where all numbers are finite.
+/// The strips where all numbers are finite and the curve is not too long.
 core::CurveStrips* strips_of(const CanvasFrame& frame, std::size_t order) {
+    if (order == 2 && frame.curve->control_points().size() > most_accelerated_points) return nullptr;
     core::CurveStrips* strips = frame.kept->hodograph(order);
     return strips != nullptr && core::is_finite(strips->box().lower) && core::is_finite(strips->box().upper) ? strips
                                                                                                              : nullptr;
