@@ -23,8 +23,8 @@
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/shape_commands.h"
 #include "app/editor/commands/tear_commands.h"
-#include "app/editor/commands/weight_commands.h"
 #include "app/editor/commands/transform_commands.h"
+#include "app/editor/commands/weight_commands.h"
 
 namespace batten::editor {
 

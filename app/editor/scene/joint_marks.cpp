@@ -4,12 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/editor/scene/arrow.h"
+
 namespace batten::editor {
 
 namespace {
 
-constexpr double head_length = 10.0;
-constexpr double head_half_width = 4.5;
+constexpr double head_length = 10.0;  // of arrows, whose labels stand beyond it
 constexpr double label_size = 14.0;
 
 /// A short line across the median.
@@ -19,18 +20,6 @@ void draw_tick(CanvasFrame& frame, glm::dvec2 place, glm::dvec2 along, render::C
 }
 
 }  // namespace
-
-void draw_arrow(Pen& pen, glm::dvec2 from, glm::dvec2 to, const Stroke& stroke) {
-    const double length = glm::distance(from, to);
-    if (!(length >= 1.0)) return;
-    const glm::dvec2 along = (to - from) / length;
-    const glm::dvec2 across{-along.y, along.x};
-    const double head = std::min(pen.px(head_length), length);
-    const glm::dvec2 neck = to - head * along;
-    pen.segment(from, to - 0.6 * head * along, stroke);
-    const glm::dvec2 half = pen.px(head_half_width) * (head / pen.px(head_length)) * across;
-    pen.fill({to, neck + half, neck - half}, stroke.color);
-}
 
 LabelSide side_toward(glm::dvec2 toward) {
     using enum LabelSide;

@@ -6,9 +6,6 @@
 
 namespace batten::editor {
 
-/// A line with a head at its end; nothing where it is shorter than a pixel.
-void draw_arrow(Pen& pen, glm::dvec2 from, glm::dvec2 to, const Stroke& stroke);
-
 /// The place beside a point in the direction `toward`, in pixels; upper right where that is none.
 LabelSide side_toward(glm::dvec2 toward);
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/editor/cards/card_texts.h"
+#include "app/editor/scene/arrow.h"
 #include "core/evaluate/tangent.h"
 #include "core/measure/curvature.h"
 
@@ -17,7 +18,6 @@ namespace {
 
 constexpr double arrow_length = 84.0;
 constexpr double tangent_reach = 170.0;
-constexpr double arrow_head = 9.0;
 constexpr double name_height = 14.0;
 constexpr double sagitta_px = 0.15;  // how far the polygon of the circle may be off it
 constexpr double most_steps = 400.0;
@@ -75,14 +75,10 @@ std::optional<core::OsculatingCircle> circle_from_left(const CanvasFrame& frame,
     return apart > same_circle * std::max(left->radius, right->radius) ? left : std::nullopt;
 }
 
-void draw_arrow(CanvasFrame& frame, glm::dvec2 from, glm::dvec2 along, const char* name, const Stroke& stroke) {
+void draw_named_arrow(CanvasFrame& frame, glm::dvec2 from, glm::dvec2 along, const char* name, const Stroke& stroke) {
     const glm::dvec2 tip = from + frame.pen.px(arrow_length) * along;
-    const glm::dvec2 across{-along.y, along.x};
-    const double head = frame.pen.px(arrow_head);
     frame.keep_free(from + 0.25 * (tip - from), tip, 4.0);
-    frame.pen.segment(from, tip - 0.5 * head * along, stroke);
-    frame.pen.fill({tip, tip - head * along + 0.45 * head * across, tip - head * along - 0.45 * head * across},
-                   stroke.color);
+    draw_arrow(frame.pen, from, tip, stroke);
     frame.labels.push_back(
         {.place = tip,
          .words = {{name, {.color = frame.theme.text, .size = name_height, .font = render::LabelFont::bold}}},
@@ -119,9 +115,9 @@ void draw_tangent_and_normal(CanvasFrame& frame) {
     if (!tangent) return;
     const glm::dvec2 along = in_picture(*tangent);
     draw_line_along(frame, place, along, 0.0);
-    draw_arrow(frame, place, along, "T", {.color = frame.theme.level(1), .width = 3.0});
-    draw_arrow(frame, place, in_picture(core::turned_left(*tangent)), "N",
-               {.color = frame.theme.level(2), .width = 3.0});
+    draw_named_arrow(frame, place, along, "T", {.color = frame.theme.level(1), .width = 3.0});
+    draw_named_arrow(frame, place, in_picture(core::turned_left(*tangent)), "N",
+                     {.color = frame.theme.level(2), .width = 3.0});
 }
 
 }  // namespace batten::editor

@@ -97,10 +97,10 @@ TEST(PlaneMap, divides_by_the_last_row_where_it_is_projective) {
 }
 
 TEST(PlaneMap, is_written_about_the_origin) {
-    // x' = 1 + (x - 1) / (1 + (x - 1) / 2) = 2 x / (x + 1), and with y seen from 3.
+    // x' = 1 + (x - 1) / (1 + (x - 1) / 2) = (3 x - 1) / (x + 1), and with y seen from 3.
     const PlaneMap map = about_origin(with_last_row(0.5, 0, 1, {1, 3}));
     EXPECT_EQ(map.pivot, Point(0, 0));
-    EXPECT_EQ(map.rows, (PlaneMap{.rows = {{{1.5, 0, -0.5 + 0.5}, {1.5, 1, -1.5}, {0.5, 0, 0.5}}}}.rows));
+    EXPECT_EQ(map.rows, (PlaneMap{.rows = {{{1.5, 0, -0.5}, {1.5, 1, -1.5}, {0.5, 0, 0.5}}}}.rows));
     RandomCurves random(4);
     for (int k = 0; k < 50; ++k) {
         const Curve curve = random.curve();
