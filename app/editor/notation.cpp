@@ -10,7 +10,7 @@ namespace batten::editor {
 
 namespace {
 
-bool is_letter(char c) {
+bool is_latin_letter(char c) {
     return std::isalpha(static_cast<unsigned char>(c)) != 0;
 }
 
@@ -21,7 +21,7 @@ bool is_part_of_word(char c) {
 /// Whether the letter at `place` stands by itself; an index may follow it.
 bool stands_alone(std::string_view text, std::size_t place) {
     const bool begins = place == 0 || !is_part_of_word(text[place - 1]);
-    const bool ends = place + 1 == text.size() || !is_letter(text[place + 1]);
+    const bool ends = place + 1 == text.size() || !is_latin_letter(text[place + 1]);
     return begins && ends;
 }
 

@@ -31,13 +31,6 @@ std::optional<Result<KnotVector>> regenerated_knots(const Curve& curve, std::siz
     return knots;
 }
 
-// The Greville abscissa of control point i of the unrolled curve, not brought into the domain.
-double greville_abscissa(const KnotVector& knots, std::size_t i) {
-    double sum = 0.0;
-    for (std::size_t k = i + 1; k <= i + static_cast<std::size_t>(knots.degree()); ++k) sum += knots[k];
-    return sum / knots.degree();
-}
-
 // A span that a new knot may halve: the nearest is best, and of equally near ones the longest.
 struct SpanChoice {
     double middle = 0.0;

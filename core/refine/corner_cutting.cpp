@@ -42,7 +42,7 @@ double endless_knot(const KnotVector& knots, std::ptrdiff_t i) {
 }
 
 // The open curve of the points first..first+count-1 and the knots that belong to them; endless where `curve` is.
-Result<Curve> part_of(const Curve& curve, std::ptrdiff_t first, std::size_t count) {
+Result<Curve> local_part(const Curve& curve, std::ptrdiff_t first, std::size_t count) {
     const auto n = static_cast<std::ptrdiff_t>(curve.control_points().size());
     const auto end = first + static_cast<std::ptrdiff_t>(count);
     CurveDefinition part{.degree = curve.degree(), .tears = Tears::allow};
@@ -118,7 +118,7 @@ Result<CornerCutting> corner_cutting(const Curve& curve, double u) {
     // At the end of the domain the insertion is seen from the last span.
     const std::size_t span = std::min(place->k, curve.knots().span_at(place->u));
     const std::size_t first = span - p;
-    const auto part = part_of(curve, static_cast<std::ptrdiff_t>(first), p + 1);
+    const auto part = local_part(curve, static_cast<std::ptrdiff_t>(first), p + 1);
     if (!part) return refuse(part.error());
     auto cutting = open_cutting(*part, {place->u, place->k - first, place->m});
     if (cutting) renumber(*cutting, static_cast<std::ptrdiff_t>(first), n);
@@ -139,7 +139,7 @@ Result<UndoneCutting> corner_cutting_undone(const Curve& curve, double u) {
     const auto p = static_cast<std::size_t>(curve.degree());
     const std::size_t reach = p + place->m;
     const auto first = static_cast<std::ptrdiff_t>(place->k) - static_cast<std::ptrdiff_t>(reach);
-    const auto part = part_of(curve, first, reach + 1);
+    const auto part = local_part(curve, first, reach + 1);
     if (!part) return refuse(part.error());
     const auto removal = remove_knot(*part, place->u, 1, std::numeric_limits<double>::max());
     if (!removal) return refuse(removal.error());

@@ -14,7 +14,7 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double least_cell = 68.0;
+constexpr double least_blossom_cell = 68.0;
 constexpr double column_share = 0.87;
 
 std::string blossom_of(const NamedTriangle& named, core::CellPlace place, bool by_values) {
@@ -48,7 +48,7 @@ Card blossoms_card(const EditorState& state) {
         state, {.inside = [by_values](const NamedTriangle& shown,
                                       core::CellPlace place) { return blossom_of(shown, place, by_values); },
                 .below = [](const NamedTriangle& shown, core::CellPlace place) { return shown.point(place); },
-                .least_width = least_cell,
+                .least_width = least_blossom_cell,
                 .column_share = column_share}));
     const auto hovered = hovered_cell(state, triangle);
     const core::CellPlace told =

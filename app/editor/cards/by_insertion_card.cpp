@@ -22,7 +22,7 @@ constexpr double gap = 8.0;
 constexpr double padding = 12.0;
 constexpr double title_height = 22.0;
 constexpr double title_size = 12.5;
-constexpr double corner_radius = 6.0;
+constexpr double stage_corner_radius = 6.0;
 constexpr std::size_t most_panels = 6;  // of a higher degree the first ones and the last
 
 /// Maps what lies in a box of the world into a box of the picture, all by one scale.
@@ -93,8 +93,8 @@ class InsertionPainter {
 
   private:
     void draw_panel(const render::PixelBox& box, std::size_t times, bool is_last) {
-        pen_.fill(rounded_rectangle(box, pen_.px(corner_radius)), theme_.canvas);
-        pen_.outline(rounded_rectangle(box, pen_.px(corner_radius)),
+        pen_.fill(rounded_rectangle(box, pen_.px(stage_corner_radius)), theme_.canvas);
+        pen_.outline(rounded_rectangle(box, pen_.px(stage_corner_radius)),
                      {.color = is_last ? theme_.parameter : theme_.line, .width = is_last ? 2.0 : 1.0});
         const glm::dvec2 inset(pen_.px(padding));
         const PanelMap map({box.lower_px + inset + glm::dvec2(0.0, pen_.px(title_height - 8.0)), box.upper_px - inset},

@@ -20,7 +20,7 @@ using core::JointContinuity;
 using core::Place;
 using core::sentence;
 
-constexpr std::size_t most_rows = 10;
+constexpr std::size_t most_joint_rows = 10;
 
 void offer_curve_with_knots(Card& card) {
     card.add(CardButtons{{{.text = "Open an example", .command = OpenExample{.name = "quadratic-double-knot"}}}});
@@ -29,7 +29,7 @@ void offer_curve_with_knots(Card& card) {
 class ContinuityCard {
   public:
     explicit ContinuityCard(const EditorState& state)
-        : state_(state), notation_(state.view.notation), meter_(continuity_meter(state, most_rows)) {
+        : state_(state), notation_(state.view.notation), meter_(continuity_meter(state, most_joint_rows)) {
         for (std::size_t i = 1; i < meter_.rows.size(); ++i) {
             const double u = meter_.rows[i].joint.u;
             digits_ = std::max(digits_, digits_that_tell_apart(meter_.rows[i - 1].joint.u, u, u));

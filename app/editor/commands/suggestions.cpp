@@ -1,18 +1,10 @@
 #include "app/editor/commands/suggestions.h"
 
+#include "app/editor/gesture.h"
 #include "app/editor/grid_step.h"
 #include "core/measure/closing.h"
 
 namespace batten::editor::suggest {
-
-namespace {
-
-const core::Curve* committed_curve(const EditorState& state) {
-    const core::DocumentCurve* item = state.history.present().active_curve();
-    return item == nullptr ? nullptr : item->curve.get();
-}
-
-}  // namespace
 
 double current_parameter(const EditorState& state) {
     return state.parameter();

@@ -18,7 +18,7 @@ constexpr double new_polygon_width = 2.5;
 constexpr double ghost_width = 2.0;
 constexpr double new_point_radius = 6.0;
 constexpr double ghost_radius = 5.0;
-constexpr double name_size = 15.0;
+constexpr double cut_name_size = 15.0;
 constexpr double alpha_size = 15.0;
 constexpr double old_name_size = 13.0;
 constexpr std::size_t most_labels_at_all_costs = 5;  // more of them give way to one another
@@ -80,7 +80,7 @@ void wish_names(CanvasFrame& frame, const ShownCutting& shown) {
         names.push_back({.place = frame.screen(cuts[j].point),
                          .words = {{fmt::format("Q_{{{}}}", cuts[j].i),
                                     {.color = frame.theme.point_text(shown.cut_hues[j]),
-                                     .size = name_size,
+                                     .size = cut_name_size,
                                      .font = render::LabelFont::bold}},
                                    {alpha_text(frame.state.view.notation, cuts[j]),
                                     {.color = frame.theme.text, .size = alpha_size}}},

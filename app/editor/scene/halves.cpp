@@ -12,7 +12,7 @@ namespace {
 constexpr double band_width = 10.0;
 constexpr double band_share = 0.45;  // of the color, in the canvas
 constexpr double leg_width = 4.5;
-constexpr double outline_width = 2.5;
+constexpr double half_outline_width = 2.5;
 constexpr double point_radius = 5.5;
 constexpr double places_of_part = 0.5;  // for each pixel of the picture's width
 constexpr std::size_t most_legs = 500;  // of a polygon, to each side of the span
@@ -72,7 +72,7 @@ void draw_new_points(CanvasFrame& frame, const Part& part) {
                              {.radius = point_radius,
                               .fill = frame.theme.canvas,
                               .outline = part.color,
-                              .outline_width = outline_width});
+                              .outline_width = half_outline_width});
 }
 
 struct Halves {

@@ -20,7 +20,7 @@ constexpr std::array inset_sizes{InsetSize{Overlay::hodograph, {200.0, 150.0}},
 
 constexpr double margin = 14.0;
 constexpr double gap = 8.0;
-constexpr double bottom = 28.0;     // leaves room for the numbers of the grid
+constexpr double inset_bottom = 28.0;     // leaves room for the numbers of the grid
 constexpr double most_share = 0.6;  // of the canvas' width; the first inset is always shown
 
 }  // namespace
@@ -34,7 +34,7 @@ std::vector<InsetPlace> inset_places(const EditorState& state) {
     double column_width = 0.0;
     for (const auto& [overlay, size] : inset_sizes) {
         if (!state.view.overlays.is_shown(overlay)) continue;
-        if (column_width > 0.0 && corner.y + size.y > picture.y - bottom) {
+        if (column_width > 0.0 && corner.y + size.y > picture.y - inset_bottom) {
             corner = {corner.x - column_width - gap, margin};
             column_width = 0.0;
         }
