@@ -57,7 +57,7 @@ double large_curvature_of(const core::Curve& curve) {
 
 std::vector<PolygonRound> rounds_of(const core::Curve& curve) {
     constexpr std::size_t most_points = 1000;
-    constexpr std::size_t most_refined_points = 200;
+    constexpr std::size_t most_refined_points = 100;
     constexpr std::size_t most_rounds = 3;
     std::vector<PolygonRound> rounds;
     if (curve.control_points().size() > most_points) return rounds;
