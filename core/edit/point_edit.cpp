@@ -7,6 +7,7 @@
 
 #include "core/curve/detail/edit_checks.h"
 #include "core/curve/detail/trusted.h"
+#include "core/curve/knot_analysis.h"
 #include "core/curve/knot_kinds.h"
 #include "core/edit/detail/gap_list.h"
 #include "core/evaluate/farin_points.h"
