@@ -225,7 +225,7 @@ std::string polynomial_text(const core::PowerForm& form, const std::string& vari
         const std::int64_t numerator = (*numerators)[power];
         if (numerator != 0) terms.push_back({numerator < 0, std::to_string(std::abs(numerator)), power});
     }
-    const std::string sum = joined(terms, variable);
+    std::string sum = joined(terms, variable);
     if (denominator == 1) return sum;
     return terms.size() == 1 ? fmt::format("{}/{}", sum, denominator) : fmt::format("({})/{}", sum, denominator);
 }

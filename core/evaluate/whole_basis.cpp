@@ -10,9 +10,12 @@ namespace batten::core {
 WholeBasis whole_basis(const KnotVector& knots) {
     const std::span<const double> values = knots.values();
     const auto order = static_cast<std::size_t>(knots.degree()) + 1;
-    const auto lacking = [order](auto run) { return order - static_cast<std::size_t>(run.end() - run.begin()); };
-    const std::size_t below = lacking(std::ranges::equal_range(values, values.front()));
-    const std::size_t above = lacking(std::ranges::equal_range(values, values.back()));
+    const auto lacking = [&](double end) {
+        const auto [first, last] = std::equal_range(values.begin(), values.end(), end);
+        return order - static_cast<std::size_t>(last - first);
+    };
+    const std::size_t below = lacking(values.front());
+    const std::size_t above = lacking(values.back());
     std::vector<double> whole(below, values.front());
     whole.insert(whole.end(), values.begin(), values.end());
     whole.insert(whole.end(), above, values.back());

@@ -17,9 +17,9 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double spacing = 6.0;
-constexpr double overlap = 1.0;        // of areas side by side, so that nothing shines through
-constexpr double least_height = 15.0;  // of an area with a text
+constexpr double area_spacing = 6.0;
+constexpr double overlap = 1.0;             // of areas side by side, so that nothing shines through
+constexpr double least_area_height = 15.0;  // of an area with a text
 constexpr double active_ink = 0.55;
 constexpr double resting_ink = 0.28;
 
@@ -118,7 +118,7 @@ class AreaDrawing {
             frame_.pen.segment({x, lower}, {x, upper}, {.color = frame_.theme.point(active_[j]), .width = 6.0});
             frame_.pen.segment({x - frame_.pen.px(6.0), upper}, {x + frame_.pen.px(6.0), upper},
                                {.color = frame_.theme.text, .width = 1.5});
-            if (lower - upper < frame_.pen.px(least_height)) continue;
+            if (lower - upper < frame_.pen.px(least_area_height)) continue;
             named_.insert(active_[j]);
             row_.write(frame_.pen, {text_x, 0.5 * (lower + upper)},
                        core::sentence("{function} = {value}",
@@ -131,7 +131,7 @@ class AreaDrawing {
     }
 
     void draw_name(const NamePlace& place) {
-        if (place.height < frame_.pen.px(least_height) || named_.contains(place.index)) return;
+        if (place.height < frame_.pen.px(least_area_height) || named_.contains(place.index)) return;
         row_.write(frame_.pen, place.middle, name(place.index),
                    {.color = frame_.theme.text, .anchor = render::Anchor::center});
     }
@@ -146,7 +146,7 @@ class AreaDrawing {
 std::vector<PlotInterval> intervals_of(const EditorState& state, const PlotLayout& layout) {
     const std::shared_ptr<const PlotBasis> basis = state.derived.plot_basis(state.active_curve()->knots());
     return plot_intervals(basis->knots(), layout.range, layout.right_px - layout.left_px,
-                          spacing * state.view.interface_scale);
+                          area_spacing * state.view.interface_scale);
 }
 
 }  // namespace

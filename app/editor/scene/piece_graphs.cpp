@@ -33,7 +33,7 @@ void draw_part(PlotFrame& frame, const core::BasisPiece& piece, core::Interval t
             if (line.empty()) continue;
             break;
         }
-        line.push_back({frame.x(u), frame.y(value)});
+        line.emplace_back(frame.x(u), frame.y(value));
     }
     if (line.size() > 1) frame.pen.line(line, stroke);
 }

@@ -10,16 +10,16 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double spacing = 4.0;
+constexpr double rational_spacing = 4.0;
 constexpr double disc_radius = 3.5;
 
-using Line = std::vector<glm::dvec2>;
+using Places = std::vector<glm::dvec2>;
 
 /// The lines by the functions' numbers on the knots of the plot, so that those of a periodic curve break at its ends.
-std::map<std::size_t, Line> rational_lines(const PlotFrame& frame) {
+std::map<std::size_t, Places> rational_lines(const PlotFrame& frame) {
     const core::Interval range{std::max(frame.layout.range.lower, frame.curve.domain().lower),
                                std::min(frame.layout.range.upper, frame.curve.domain().upper)};
-    std::map<std::size_t, Line> lines;
+    std::map<std::size_t, Places> lines;
     if (!(range.lower < range.upper)) return lines;
     const auto add = [&](double u, core::Side side) {
         const core::RationalBasis basis = core::rational_basis(frame.curve, u, 0, side);
@@ -27,7 +27,7 @@ std::map<std::size_t, Line> rational_lines(const PlotFrame& frame) {
             lines[basis.first + j].push_back({frame.x(u), frame.y(basis.derivatives[0][j])});
     };
     for (const PlotInterval& interval : plot_intervals(
-             frame.curve.knots(), range, frame.x(range.upper) - frame.x(range.lower), frame.pen.px(spacing))) {
+             frame.curve.knots(), range, frame.x(range.upper) - frame.x(range.lower), frame.pen.px(rational_spacing))) {
         add(interval.u.lower, core::Side::right);
         add(interval.u.upper, core::Side::left);
     }

@@ -15,11 +15,11 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double sample_spacing_px = 3.0;
-constexpr double most_steps = 400.0;  // in a span
+constexpr double cell_sample_spacing_px = 3.0;
+constexpr double most_cell_steps = 400.0;  // in a span
 constexpr double veil = 0.72;
 constexpr double label_distance = 10.0;
-constexpr double name_size = 13.0;
+constexpr double function_name_size = 13.0;
 constexpr double formula_size = 13.0;
 constexpr double title_room = 190.0;    // on the left
 constexpr double readout_room = 150.0;  // on the right
@@ -78,7 +78,8 @@ class CellDrawing {
         const double upper = std::min(knots_[s + 1], frame_.layout.range.upper - shift);
         if (!(lower < upper)) return {};
         const double width = frame_.x(upper) - frame_.x(lower);
-        const int steps = k <= 1 ? 1 : static_cast<int>(std::clamp(width / sample_spacing_px, 4.0, most_steps));
+        const int steps =
+            k <= 1 ? 1 : static_cast<int>(std::clamp(width / cell_sample_spacing_px, 4.0, most_cell_steps));
         Line line;
         for (int n = 0; n <= steps; ++n) {
             const double u = n == steps ? upper : lower + (upper - lower) * n / steps;
@@ -143,12 +144,12 @@ class CellDrawing {
     /// On a ground of its own: lines cross there.
     void write_name(glm::dvec2 place, std::size_t i, std::size_t k) {
         const std::string name = basis_name(i, k);
-        const glm::dvec2 half = 0.5 * text_size(name, frame_.pen.px(name_size), render::LabelFont::bold) -
+        const glm::dvec2 half = 0.5 * text_size(name, frame_.pen.px(function_name_size), render::LabelFont::bold) -
                                 glm::dvec2(0.0, frame_.pen.px(2.0));
         frame_.pen.fill(corners_of({place - half, place + half}), render::faded(frame_.theme.panel, veil));
         row_.write(frame_.pen, place, name,
                    {.color = frame_.theme.point_text(i % frame_.curve.control_points().size()),
-                    .size = name_size,
+                    .size = function_name_size,
                     .anchor = render::Anchor::center,
                     .font = render::LabelFont::bold});
     }
