@@ -23,7 +23,7 @@ constexpr double picture_height = 150.0;
 constexpr double left_margin = 44.0;
 constexpr double right_margin = 8.0;
 constexpr double top_margin = 8.0;
-constexpr double derivative_spacing = 3.0;
+constexpr double derivative_spacing = 4.0;
 
 /// The least of 1, 2, 5, 10, 20, ... that is no less than `value`, so that the scale stands still while knots move.
 double round_scale(double value) {
@@ -68,7 +68,7 @@ class DerivativePicture {
         std::size_t span = 0;
         for (const PlotInterval& interval :
              plot_intervals(basis_->knots(), range_, width, pen_.px(derivative_spacing))) {
-            add(interval.span, interval.u.lower, core::Side::right, interval.span != span);
+            if (interval.span != span) add(interval.span, interval.u.lower, core::Side::right, true);
             add(interval.span, interval.u.upper, core::Side::left, false);
             span = interval.span;
         }

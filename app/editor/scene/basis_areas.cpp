@@ -31,19 +31,18 @@ struct Slice {
     core::Interval right;
 };
 
-/// The slices over one interval, from the bottom up; functions without a control point are left out.
-std::vector<Slice> slices_over(const PlotFrame& frame, const PlotInterval& interval) {
-    const core::KnotVector& knots = frame.basis->knots();
-    const core::BasisRow left = core::basis_functions(knots, interval.u.lower).derivatives[0];
-    const core::BasisRow right = core::basis_functions(knots, interval.u.upper, 0, core::Side::left).derivatives[0];
+/// The slices between the values at two neighboring samples, from the bottom up; functions without a control point are
+/// left out.
+std::vector<Slice> slices_over(const PlotFrame& frame, std::size_t span, const core::BasisRow& left,
+                               const core::BasisRow& right) {
     std::vector<Slice> slices;
     double left_sum = 0.0;
     double right_sum = 0.0;
     for (std::size_t j = 0; j < left.size(); ++j) {
-        const auto index = frame.basis->function(interval.span, j);
+        const auto index = frame.basis->function(span, j);
         if (!index) continue;
         slices.push_back({*index,
-                          interval.span + j - static_cast<std::size_t>(knots.degree()),
+                          span + j - static_cast<std::size_t>(frame.curve.degree()),
                           {left_sum, left_sum + left[j]},
                           {right_sum, right_sum + right[j]}});
         left_sum += left[j];
@@ -60,8 +59,15 @@ class AreaDrawing {
     }
 
     void draw(const std::vector<PlotInterval>& intervals) {
-        for (const PlotInterval& interval : intervals)
-            for (const Slice& slice : slices_over(frame_, interval)) draw_slice(interval, slice);
+        core::BasisRow left;
+        std::size_t span = 0;
+        for (const PlotInterval& interval : intervals) {
+            if (interval.span != span) left = values_at(interval.u.lower, core::Side::right);
+            core::BasisRow right = values_at(interval.u.upper, core::Side::left);
+            for (const Slice& slice : slices_over(frame_, interval.span, left, right)) draw_slice(interval, slice);
+            left = std::move(right);
+            span = interval.span;
+        }
         draw_parameter_line(frame_);
         if (frame_.layout.range.contains(frame_.u)) draw_values();
         for (const auto& [number, place] : widest_) draw_name(place);
@@ -73,6 +79,10 @@ class AreaDrawing {
         double height = 0.0;
         glm::dvec2 middle{};
     };
+
+    core::BasisRow values_at(double u, core::Side side) const {
+        return core::basis_functions(frame_.basis->knots(), u, 0, side).derivatives[0];
+    }
 
     std::string name(std::size_t index) const {
         return basis_name(index, static_cast<std::size_t>(frame_.curve.degree()));
