@@ -89,6 +89,17 @@ TEST(ContinuityMeter, has_the_seam_of_a_periodic_curve_and_no_ends) {
     EXPECT_EQ(continuity_meter(state, 12).focus->joint.u, 0.0);
 }
 
+TEST(ContinuityMeter, leaves_out_knots_beyond_the_domain) {
+    core::CurveDefinition uniform;
+    uniform.degree = 2;
+    uniform.knots = {0, 1, 2, 3, 4, 5, 6, 7};
+    uniform.points = {{0, 0}, {1, 2}, {4, 5}, {7, 2}, {8, 0}};
+    EditorState state = test::scene_state(uniform);
+    EXPECT_EQ(values_of(continuity_meter(state, 12)), (std::vector<double>{3, 4}));
+    state.hover = HoveredKnot{1};
+    EXPECT_EQ(continuity_meter(state, 12).focus->joint.u, 3.0);
+}
+
 TEST(ContinuityMeter, of_one_piece_has_no_rows_but_its_ends_where_they_meet) {
     core::CurveDefinition drop;
     drop.knots = {0, 0, 0, 0, 1, 1, 1, 1};
@@ -151,7 +162,7 @@ TEST(ContinuityCard, has_a_row_for_each_knot_and_the_values_at_one) {
               "C′ | (6, 0) | (12, 0)\n"
               "C″ | (0, 24) | (−24, 48)\n"
               "κ | 2/3 | 1/3\n"
-              "[C′] is how far C′ jumps there.\n"
+              "[C′] is how far C′ jumps; up to a millionth of C′ counts as none.\n"
               "[C] | [C′] | [C″] | turn | [κ]\n"
               "u = 1/2 ×3: C⁰ by its knots, G¹ by its shape\n"
               "0 | 6 | 33.94 | 0° | 1/3");

@@ -66,7 +66,7 @@ class ContinuityCard {
         if (meter_.ends) add_ends(table, {.text = sentence("Ends: {verdict}", {verdict(*meter_.ends)})}, *meter_.ends);
         for (const CurveMeeting& meeting : meter_.meetings)
             add_ends(table, {.text = meeting_text(meeting), .hover = HoveredOtherCurve{meeting.other}}, meeting.joint);
-        card_.line("[C′] is how far C′ jumps there.", CardTone::dim);
+        card_.line("[C′] is how far C′ jumps; up to a millionth of C′ counts as none.", CardTone::dim);
         card_.add(std::move(table));
     }
 
