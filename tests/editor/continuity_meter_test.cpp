@@ -151,7 +151,7 @@ TEST(ContinuityMeter, tells_the_gap_of_ends_that_are_about_to_meet) {
     EXPECT_EQ(meter.meetings[0].joint.geometric, -1);
     const std::string text = card_text(continuity_card(state));
     EXPECT_NE(text.find("End to start of 'other': the curves do not meet\n1/4 | "), std::string::npos) << text;
-    EXPECT_NE(text.find("a gap of 1/4"), std::string::npos) << text;
+    EXPECT_NE(text.find("With 'other': a gap of 1/4"), std::string::npos) << text;
 }
 
 TEST(ContinuityCard, has_a_row_for_each_knot_and_the_values_at_one) {
@@ -199,7 +199,7 @@ TEST(ContinuityCard, names_the_curves_that_are_met) {
     const std::string text = card_text(continuity_card(state));
     // 6 (1, -3) and 3 (1, -3)
     EXPECT_NE(text.find("End to start of 'other': the curves meet with G¹\n0 | 9.487 | "), std::string::npos) << text;
-    EXPECT_NE(text.find("the same direction; 1/2 times as fast behind it"), std::string::npos) << text;
+    EXPECT_NE(text.find("With 'other': the same direction; 1/2 times as fast behind it"), std::string::npos) << text;
 }
 
 TEST(ContinuityCard, of_nothing_to_measure_says_so) {

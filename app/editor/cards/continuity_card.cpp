@@ -63,12 +63,24 @@ class ContinuityCard {
         if (meter_.rows.empty() && !meter_.ends && meter_.meetings.empty()) return;
         CardTable table{.rows = {{{"[C]"}, {"[C′]"}, {"[C″]"}, {"turn"}, {"[κ]"}}}, .has_heading = true};
         for (const KnotJoint& row : meter_.rows) add_knot(table, row);
-        if (meter_.ends) add_ends(table, {.text = sentence("Ends: {verdict}", {verdict(*meter_.ends)})}, *meter_.ends);
+        if (meter_.ends) add_joint(table, {.text = sentence("Ends: {verdict}", {verdict(*meter_.ends)})}, *meter_.ends);
         for (const CurveMeeting& meeting : meter_.meetings)
-            add_ends(table, {.text = meeting_text(meeting), .hover = HoveredOtherCurve{meeting.other}}, meeting.joint);
+            add_joint(table, {.text = meeting_text(meeting), .hover = HoveredOtherCurve{meeting.other}}, meeting.joint);
         card_.line("[C′] is how far C′ jumps; up to a millionth of C′ counts as none.", CardTone::dim);
         card_.add(std::move(table));
+        add_reasons();
     }
+
+    /// Why ends meet as they do; a table would not break these lines.
+    void add_reasons() {
+        if (meter_.ends) card_.line(sentence("Ends: {reason}", {reason(*meter_.ends)}), CardTone::dim);
+        for (const CurveMeeting& meeting : meter_.meetings)
+            card_.line(sentence("With '{name}': {reason}",
+                                {{"name", state_.shown().curves[meeting.other].name}, reason(meeting.joint)}),
+                       CardTone::dim);
+    }
+
+    Place reason(const JointContinuity& joint) const { return {"reason", continuity_reason(joint, notation_)}; }
 
     static Place verdict(const JointContinuity& joint) { return {"verdict", continuity_verdict(joint)}; }
 
@@ -93,11 +105,6 @@ class ContinuityCard {
              {jump_text(joint.position, notation_), jump_text(joint.first, notation_),
               jump_text(joint.second, notation_), turn_text(joint, notation_), curvature_jump_text(joint, notation_)})
             cells.push_back({.text = text, .tone = CardTone::dim});
-    }
-
-    void add_ends(CardTable& table, CardText heading, const JointContinuity& joint) const {
-        add_joint(table, std::move(heading), joint);
-        table.rows.push_back({{.text = continuity_reason(joint, notation_), .tone = CardTone::dim}});
     }
 
     std::string meeting_text(const CurveMeeting& meeting) const {
