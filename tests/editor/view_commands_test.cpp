@@ -232,6 +232,14 @@ TEST_F(ViewCommands, zoom_the_plot) {
     EXPECT_EQ(view().plot_range, std::nullopt);
 }
 
+TEST_F(ViewCommands, write_blossoms_by_value_or_by_index) {
+    EXPECT_FALSE(view().blossom_values);
+    EXPECT_TRUE(run(SetBlossomValues{.by_value = true}));
+    EXPECT_TRUE(view().blossom_values);
+    EXPECT_TRUE(run_typed(editor_, "set-blossom-values no"));
+    EXPECT_FALSE(view().blossom_values);
+}
+
 TEST_F(ViewCommands, hover_only_what_is_there) {
     open_text(editor_, sample_text);
     const auto hovered = [this](const Hover& hover) {
