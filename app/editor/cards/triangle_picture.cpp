@@ -14,7 +14,6 @@ namespace batten::editor {
 namespace {
 
 // Design pixels.
-constexpr double largest_cell = 66.0;
 constexpr double cell_height = 26.0;
 constexpr double row_pitch = 48.0;
 constexpr std::size_t most_degree = 8;
@@ -46,7 +45,7 @@ class TrianglePainter {
           last_level_(shown_level(state.view, static_cast<int>(degree_))) {
         const double width = size_px.x / scale;
         cell_width_ = std::clamp((width - 2.0 * edge) / columns_in_cells(degree_, texts), texts.least_width,
-                                 std::max(largest_cell, texts.least_width));
+                                 2.0 * texts.least_width);
     }
 
     CardDrawing draw() {
