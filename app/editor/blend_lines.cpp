@@ -11,7 +11,7 @@ namespace batten::editor {
 
 namespace {
 
-constexpr int decimals = 3;
+constexpr int share_decimals = 3;
 constexpr double least_in_decimals = 1e-3;
 
 /// `lower_share lower + upper_share upper`, without what is nothing.
@@ -43,10 +43,10 @@ ShareTexts share_texts(const Notation& notation, double upper) {
     const bool is_fraction = core::small_fraction(lower) && core::small_fraction(upper);
     const bool is_extreme = lower < least_in_decimals || upper < least_in_decimals;
     if (is_extreme || (is_fraction && notation.numbers == NumberStyle::fractions))
-        return {exact_text(notation, lower, decimals), exact_text(notation, upper, decimals)};
-    const double thousand = std::pow(10.0, decimals);
+        return {exact_text(notation, lower, share_decimals), exact_text(notation, upper, share_decimals)};
+    const double thousand = std::pow(10.0, share_decimals);
     const double rounded = std::round(upper * thousand) / thousand;
-    return {fixed_text(1.0 - rounded, decimals), fixed_text(rounded, decimals)};
+    return {fixed_text(1.0 - rounded, share_decimals), fixed_text(rounded, share_decimals)};
 }
 
 double BlendedCell::euclidean_share() const {

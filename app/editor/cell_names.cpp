@@ -10,7 +10,7 @@ namespace batten::editor {
 
 namespace {
 
-std::string index_text(const char* symbol, std::size_t index) {
+std::string indexed_text(const char* symbol, std::size_t index) {
     return fmt::format("{}_{{{}}}", symbol, index);
 }
 
@@ -58,13 +58,13 @@ class ThreeNumbers {
 }  // namespace
 
 std::string NamedTriangle::point(core::CellPlace place) const {
-    if (place.level == 0) return index_text("P", index_of(*this, place));
+    if (place.level == 0) return indexed_text("P", index_of(*this, place));
     if (place.level + 1 == triangle.levels.size()) return "C(u)";
     return level_text("P", *this, place);
 }
 
 std::string NamedTriangle::weight(core::CellPlace place) const {
-    if (place.level == 0) return index_text("w", index_of(*this, place));
+    if (place.level == 0) return indexed_text("w", index_of(*this, place));
     if (place.level + 1 == triangle.levels.size()) return "w(u)";
     return level_text("w", *this, place);
 }
@@ -78,10 +78,10 @@ AlphaFormula alpha_formula(const NamedTriangle& named, core::CellPlace place) {
     const double u = named.triangle.u;
     const double lower = named.curve.knots()[cell.lower_knot];
     const double upper = named.curve.knots()[cell.upper_knot];
-    const std::string lower_name = index_text("u", cell.lower_knot);
+    const std::string lower_name = indexed_text("u", cell.lower_knot);
     const ThreeNumbers numbers(named.notation, u, lower, upper);
     return {.symbols = fmt::format("{} = (u − {})/({} − {})", named.alpha(place), lower_name,
-                                   index_text("u", cell.upper_knot), lower_name),
+                                   indexed_text("u", cell.upper_knot), lower_name),
             .numbers = fmt::format("= {}/{} = {}", numbers.difference(u, lower), numbers.difference(upper, lower),
                                    share_texts(named.notation, cell.alpha).upper)};
 }

@@ -8,22 +8,22 @@ namespace batten::editor {
 
 namespace {
 
-constexpr std::size_t most_names = 5;
+constexpr std::size_t most_listed_cells = 5;
 
 std::string list_of(const NamedTriangle& named, const std::vector<core::CellPlace>& places) {
     std::vector<std::string> names;
     for (const core::CellPlace place : places) names.push_back(named.point(place));
-    if (names.size() > most_names) {
+    if (names.size() > most_listed_cells) {
         names.erase(names.begin() + 2, names.end() - 1);
         names.insert(names.begin() + 2, "…");
     }
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-constexpr core::PluralPattern replaced{.one = "u inserted once: {added} take the place of {removed}",
-                                       .many = "u inserted {count} times: {added} take the place of {removed}"};
-constexpr core::PluralPattern reached{.one = "u inserted once: the new point is C(u)",
-                                      .many = "u inserted {count} times: the new point is C(u)"};
+constexpr core::PluralPattern replaced_pattern{.one = "u inserted once: {added} take the place of {removed}",
+                                               .many = "u inserted {count} times: {added} take the place of {removed}"};
+constexpr core::PluralPattern reached_pattern{.one = "u inserted once: the new point is C(u)",
+                                              .many = "u inserted {count} times: the new point is C(u)"};
 
 }  // namespace
 
@@ -39,10 +39,11 @@ std::vector<std::string> insertion_lines(const NamedTriangle& named) {
     std::vector<std::string> lines;
     for (std::size_t times = 1; times < last; ++times) {
         const core::InsertionStep step = core::insertion_step(triangle, times);
-        lines.push_back(core::sentence(
-            replaced, times, {{"added", list_of(named, step.added)}, {"removed", list_of(named, step.removed)}}));
+        lines.push_back(
+            core::sentence(replaced_pattern, times,
+                           {{"added", list_of(named, step.added)}, {"removed", list_of(named, step.removed)}}));
     }
-    lines.push_back(core::sentence(reached, last));
+    lines.push_back(core::sentence(reached_pattern, last));
     return lines;
 }
 

@@ -15,7 +15,7 @@ namespace batten::editor {
 namespace {
 
 constexpr double least_blossom_cell = 68.0;
-constexpr double column_share = 0.87;
+constexpr double blossom_column_share = 0.87;
 
 std::string blossom_of(const NamedTriangle& named, core::CellPlace place, bool by_values) {
     const core::BlossomLabel label = core::de_boor_label(named.curve.knots(), named.cell(place).index, place.level);
@@ -49,7 +49,7 @@ Card blossoms_card(const EditorState& state) {
                                       core::CellPlace place) { return blossom_of(shown, place, by_values); },
                 .below = [](const NamedTriangle& shown, core::CellPlace place) { return shown.point(place); },
                 .least_width = least_blossom_cell,
-                .column_share = column_share}));
+                .column_share = blossom_column_share}));
     const auto hovered = hovered_cell(state, triangle);
     const core::CellPlace told =
         hovered && hovered->level > 0 ? *hovered : core::CellPlace{triangle.levels.size() - 1, 0};

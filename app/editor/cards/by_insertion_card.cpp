@@ -16,13 +16,13 @@ namespace batten::editor {
 namespace {
 
 // Design pixels.
-constexpr double row_height = 118.0;
+constexpr double panel_height = 118.0;
 constexpr double least_panel = 100.0;
-constexpr double gap = 8.0;
-constexpr double padding = 12.0;
-constexpr double title_height = 22.0;
-constexpr double title_size = 12.5;
-constexpr double stage_corner_radius = 6.0;
+constexpr double panel_gap = 8.0;
+constexpr double panel_padding = 12.0;
+constexpr double panel_title_height = 22.0;
+constexpr double panel_title_size = 12.5;
+constexpr double panel_corner_radius = 6.0;
 constexpr std::size_t most_panels = 6;  // of a higher degree the first ones and the last
 
 /// Maps what lies in a box of the world into a box of the picture, all by one scale.
@@ -55,14 +55,14 @@ std::vector<std::size_t> panels_of(std::size_t last) {
 }
 
 /// Panels in rows of equal ones.
-struct Rows {
+struct PanelRows {
     std::size_t count = 0;
     std::size_t columns = 1;
 
     std::size_t rows() const { return (count + columns - 1) / columns; }
 };
 
-Rows rows_of(std::size_t count) {
+PanelRows panel_rows(std::size_t count) {
     return {count, count == 4 ? 2 : std::min<std::size_t>(count, 3)};
 }
 
@@ -80,28 +80,29 @@ class InsertionPainter {
     CardDrawing draw() {
         const std::size_t last = core::insertion_count(triangle_);
         const std::vector<std::size_t> panels = panels_of(last);
-        const Rows rows = rows_of(panels.size());
-        const double width = (pen_.size_px().x - pen_.px(gap) * static_cast<double>(rows.columns - 1)) /
+        const PanelRows rows = panel_rows(panels.size());
+        const double width = (pen_.size_px().x - pen_.px(panel_gap) * static_cast<double>(rows.columns - 1)) /
                              static_cast<double>(rows.columns);
         for (std::size_t k = 0; k < panels.size(); ++k) {
-            const glm::dvec2 corner(static_cast<double>(k % rows.columns) * (width + pen_.px(gap)),
-                                    static_cast<double>(k / rows.columns) * pen_.px(row_height + gap));
-            draw_panel({corner, corner + glm::dvec2(width, pen_.px(row_height))}, panels[k], panels[k] == last);
+            const glm::dvec2 corner(static_cast<double>(k % rows.columns) * (width + pen_.px(panel_gap)),
+                                    static_cast<double>(k / rows.columns) * pen_.px(panel_height + panel_gap));
+            draw_panel({corner, corner + glm::dvec2(width, pen_.px(panel_height))}, panels[k], panels[k] == last);
         }
         return std::move(drawing_);
     }
 
   private:
     void draw_panel(const render::PixelBox& box, std::size_t times, bool is_last) {
-        pen_.fill(rounded_rectangle(box, pen_.px(stage_corner_radius)), theme_.canvas);
-        pen_.outline(rounded_rectangle(box, pen_.px(stage_corner_radius)),
+        pen_.fill(rounded_rectangle(box, pen_.px(panel_corner_radius)), theme_.canvas);
+        pen_.outline(rounded_rectangle(box, pen_.px(panel_corner_radius)),
                      {.color = is_last ? theme_.parameter : theme_.line, .width = is_last ? 2.0 : 1.0});
-        const glm::dvec2 inset(pen_.px(padding));
-        const PanelMap map({box.lower_px + inset + glm::dvec2(0.0, pen_.px(title_height - 8.0)), box.upper_px - inset},
-                           world_);
-        pen_.text(
-            {box.lower_px.x + pen_.px(8.0), box.lower_px.y + pen_.px(12.0)}, title_of(times, is_last),
-            {.color = is_last ? theme_.parameter : theme_.text, .size = title_size, .font = render::LabelFont::bold});
+        const glm::dvec2 inset(pen_.px(panel_padding));
+        const PanelMap map(
+            {box.lower_px + inset + glm::dvec2(0.0, pen_.px(panel_title_height - 8.0)), box.upper_px - inset}, world_);
+        pen_.text({box.lower_px.x + pen_.px(8.0), box.lower_px.y + pen_.px(12.0)}, title_of(times, is_last),
+                  {.color = is_last ? theme_.parameter : theme_.text,
+                   .size = panel_title_size,
+                   .font = render::LabelFont::bold});
         draw_polygon(core::inserted_polygon(triangle_, 0), map,
                      {.color = theme_.polygon, .width = 1.25, .dash = 4.0, .gap = 3.0});
         draw_polygon(core::inserted_polygon(triangle_, times), map, {.color = theme_.level(times), .width = 2.0});
@@ -154,12 +155,12 @@ class InsertionPainter {
 };
 
 CardPicture insertion_picture(const EditorState& state, std::size_t last) {
-    const Rows rows = rows_of(panels_of(last).size());
+    const PanelRows rows = panel_rows(panels_of(last).size());
     const auto count = static_cast<double>(rows.rows());
     return {
-        .height = count * row_height + (count - 1.0) * gap,
+        .height = count * panel_height + (count - 1.0) * panel_gap,
         .draw = [&state](glm::dvec2 size_px, double scale) { return InsertionPainter(state, size_px, scale).draw(); },
-        .least_width = static_cast<double>(rows.columns) * (least_panel + gap) - gap};
+        .least_width = static_cast<double>(rows.columns) * (least_panel + panel_gap) - panel_gap};
 }
 
 }  // namespace

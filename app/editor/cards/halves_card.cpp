@@ -14,17 +14,17 @@ namespace batten::editor {
 
 namespace {
 
-constexpr std::size_t most_names = 8;
+constexpr std::size_t most_listed_points = 8;
 
-std::string joined(std::vector<std::string> names) {
-    if (names.size() > most_names) {
-        names.erase(names.begin() + most_names / 2, names.end() - most_names / 2);
-        names.insert(names.begin() + most_names / 2, "…");
+std::string joined_names(std::vector<std::string> names) {
+    if (names.size() > most_listed_points) {
+        names.erase(names.begin() + most_listed_points / 2, names.end() - most_listed_points / 2);
+        names.insert(names.begin() + most_listed_points / 2, "…");
     }
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string point_name(std::size_t i) {
+std::string name_of_point(std::size_t i) {
     return fmt::format("P_{{{}}}", i);
 }
 
@@ -34,13 +34,15 @@ std::vector<std::string> names_of_cells(const NamedTriangle& named, const std::v
     return names;
 }
 
-/// Of the points `first` to `last` - 1; of very many the first and the last, which are enough for what joined() leaves.
+/// Of the points `first` to `last` - 1; of very many the first and the last, which are enough for what joined_names()
+/// leaves.
 std::vector<std::string> names_of_points(std::size_t first, std::size_t last) {
     std::vector<std::string> names;
-    const std::size_t left_out_from = std::min(last, first + most_names);
-    for (std::size_t i = first; i < left_out_from; ++i) names.push_back(point_name(i));
-    for (std::size_t i = std::max(left_out_from, last > most_names ? last - most_names : 0); i < last; ++i)
-        names.push_back(point_name(i));
+    const std::size_t left_out_from = std::min(last, first + most_listed_points);
+    for (std::size_t i = first; i < left_out_from; ++i) names.push_back(name_of_point(i));
+    for (std::size_t i = std::max(left_out_from, last > most_listed_points ? last - most_listed_points : 0); i < last;
+         ++i)
+        names.push_back(name_of_point(i));
     return names;
 }
 
@@ -57,7 +59,7 @@ void add_half(Card& card, const Notation& notation, const Half& half) {
                                                            {"end", exact_text(notation, half.domain.upper)},
                                                            {"count", half.point_count}});
     card.add(CardLine{{.text = text, .tone = CardTone::strong, .color = half.color}});
-    card.formula(joined(half.names));
+    card.formula(joined_names(half.names));
 }
 
 void add_open_halves(Card& card, const EditorState& state, const NamedTriangle& named) {
@@ -92,9 +94,9 @@ void add_opened(Card& card, const EditorState& state, const NamedTriangle& named
     card.line("A closed curve has no two halves: it is opened at u into one curve, which begins and ends in C(u).");
     const render::Color color = half_colors(theme_of(state.view.theme)).before;
     card.add(CardLine{{.text = "It begins with", .tone = CardTone::strong, .color = color}});
-    card.formula(joined(names_of_cells(named, polygons.after)));
+    card.formula(joined_names(names_of_cells(named, polygons.after)));
     card.add(CardLine{{.text = "and ends with", .tone = CardTone::strong, .color = color}});
-    card.formula(joined(names_of_cells(named, polygons.before)));
+    card.formula(joined_names(names_of_cells(named, polygons.before)));
     card.add(CardButtons{{{.text = "Open it here", .command = Split{.u = named.triangle.u}}}});
 }
 

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t most_levels_with_lines = 5;
 
 /// What the card is about.
-struct Shown {
+struct ShownTriangle {
     const EditorState& state;
     const core::Curve& curve;
     core::DeBoorTriangle triangle;
@@ -31,7 +31,7 @@ struct Shown {
 };
 
 /// "De Boor at u = 2/5 in the span [1/4, 1/2)"; the last span holds its end too.
-std::string place_sentence(const Shown& shown) {
+std::string place_sentence(const ShownTriangle& shown) {
     const core::KnotVector& knots = shown.curve.knots();
     const std::size_t s = shown.triangle.span;
     const std::string u = exact_text(shown.notation(), shown.triangle.u);
@@ -45,7 +45,7 @@ std::string place_sentence(const Shown& shown) {
 }
 
 /// Why one ratio does for all, which it does only for a Bézier curve.
-std::string ratio_sentence(const Shown& shown) {
+std::string ratio_sentence(const ShownTriangle& shown) {
     const core::Interval domain = shown.curve.domain();
     if (domain == core::Interval{0.0, 1.0}) return "Every ratio α is u, and C(u) is the sum of B_{i,n}(u) P_{i}.";
     return core::sentence(
@@ -53,14 +53,14 @@ std::string ratio_sentence(const Shown& shown) {
         {{"begin", exact_text(shown.notation(), domain.lower)}, {"end", exact_text(shown.notation(), domain.upper)}});
 }
 
-void add_lines_of_level(Card& card, const Shown& shown, std::size_t r) {
+void add_lines_of_level(Card& card, const ShownTriangle& shown, std::size_t r) {
     for (std::size_t j = 0; j < shown.triangle.levels[r].size(); ++j)
         card.add(CardLine{
             {.text = blend_line({shown.named(), {r, j}}), .hover = HoveredCell{r, j}, .color = shown.theme.level(r)},
             true});
 }
 
-void add_lines(Card& card, const Shown& shown) {
+void add_lines(Card& card, const ShownTriangle& shown) {
     const std::size_t last = shown_level(shown.state.view, shown.curve.degree());
     if (shown.degree() <= most_levels_with_lines) {
         for (std::size_t r = 1; r <= last; ++r) add_lines_of_level(card, shown, r);
@@ -73,7 +73,7 @@ void add_lines(Card& card, const Shown& shown) {
 }
 
 /// All that makes one point, in lines that are as many for every point.
-void add_formulas(Card& card, const Shown& shown, core::CellPlace place) {
+void add_formulas(Card& card, const ShownTriangle& shown, core::CellPlace place) {
     const BlendedCell blended{shown.named(), place};
     const AlphaFormula alpha = alpha_formula(shown.named(), place);
     card.formula(alpha.symbols);
@@ -95,7 +95,7 @@ void add_formulas(Card& card, const Shown& shown, core::CellPlace place) {
 }
 
 /// The hovered point of level >= 1, else C(u).
-core::CellPlace told_cell(const Shown& shown) {
+core::CellPlace told_cell(const ShownTriangle& shown) {
     const auto hovered = hovered_cell(shown.state, shown.triangle);
     return hovered && hovered->level > 0 ? *hovered : core::CellPlace{shown.degree(), 0};
 }
@@ -124,7 +124,8 @@ std::string alpha_text(const NamedTriangle& named, core::CellPlace place) {
 Card triangle_card(const EditorState& state) {
     if (state.active_curve() == nullptr) return card_without_curve("cubic-de-boor");
     const core::Curve& curve = *state.active_curve();
-    const Shown shown{state, curve, core::de_boor_triangle(curve, state.parameter()), theme_of(state.view.theme)};
+    const ShownTriangle shown{state, curve, core::de_boor_triangle(curve, state.parameter()),
+                              theme_of(state.view.theme)};
     Card card;
     card.line(place_sentence(shown), CardTone::strong);
     if (state.derived.of(curve.knots())->is_bezier) card.line(ratio_sentence(shown), CardTone::dim);

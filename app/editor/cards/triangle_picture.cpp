@@ -14,18 +14,18 @@ namespace batten::editor {
 namespace {
 
 // Design pixels.
-constexpr double cell_height = 26.0;
-constexpr double row_pitch = 48.0;
-constexpr std::size_t most_degree = 8;
-constexpr double edge = 2.0;
-constexpr double name_size = 14.0;
-constexpr double least_text = 9.0;
-constexpr double below_size = 12.0;
-constexpr double below_distance = 10.0;
-constexpr double corner_radius = 6.0;
-constexpr double faded_opacity = 0.3;
-constexpr double text_margin = 3.0;
-constexpr double width_error = 1.12;  // of a text that is not measured with its font
+constexpr double triangle_cell_height = 26.0;
+constexpr double triangle_row_pitch = 48.0;
+constexpr std::size_t most_drawn_degree = 8;
+constexpr double picture_edge = 2.0;
+constexpr double cell_name_size = 14.0;
+constexpr double least_cell_text = 9.0;
+constexpr double below_cell_size = 12.0;
+constexpr double below_cell_distance = 10.0;
+constexpr double cell_corner_radius = 6.0;
+constexpr double faded_cell_opacity = 0.3;
+constexpr double cell_text_margin = 3.0;
+constexpr double cell_width_error = 1.12;  // of a text that is not measured with its font
 
 /// How many widths of a cell all columns take.
 double columns_in_cells(std::size_t degree, const CellTexts& texts) {
@@ -44,7 +44,7 @@ class TrianglePainter {
           degree_(triangle_.levels.size() - 1),
           last_level_(shown_level(state.view, static_cast<int>(degree_))) {
         const double width = size_px.x / scale;
-        cell_width_ = std::clamp((width - 2.0 * edge) / columns_in_cells(degree_, texts), texts.least_width,
+        cell_width_ = std::clamp((width - 2.0 * picture_edge) / columns_in_cells(degree_, texts), texts.least_width,
                                  2.0 * texts.least_width);
     }
 
@@ -62,13 +62,14 @@ class TrianglePainter {
     render::PixelBox box_of(core::CellPlace place) const {
         const auto r = static_cast<double>(place.level);
         const auto j = static_cast<double>(place.index);
-        const glm::dvec2 corner(edge + r * cell_width_ / texts_.column_share, edge + (j + 0.5 * r) * row_pitch);
+        const glm::dvec2 corner(picture_edge + r * cell_width_ / texts_.column_share,
+                                picture_edge + (j + 0.5 * r) * triangle_row_pitch);
         return {{pen_.px(corner.x), pen_.px(corner.y)},
-                {pen_.px(corner.x + cell_width_), pen_.px(corner.y + cell_height)}};
+                {pen_.px(corner.x + cell_width_), pen_.px(corner.y + triangle_cell_height)}};
     }
 
     bool is_lit(core::CellPlace place) const { return is_lit_cell(state_, triangle_, place); }
-    double opacity(core::CellPlace place) const { return place.level > last_level_ ? faded_opacity : 1.0; }
+    double opacity(core::CellPlace place) const { return place.level > last_level_ ? faded_cell_opacity : 1.0; }
 
     render::Color color_of(core::CellPlace place) const {
         if (place.level > 0) return theme_.level(place.level);
@@ -94,7 +95,7 @@ class TrianglePainter {
     void draw_cell(core::CellPlace place) {
         const render::PixelBox box = box_of(place);
         const render::Color color = color_of(place);
-        const std::vector<glm::dvec2> outline = rounded_rectangle(box, pen_.px(corner_radius));
+        const std::vector<glm::dvec2> outline = rounded_rectangle(box, pen_.px(cell_corner_radius));
         pen_.fill(outline, is_lit(place) ? render::blended(color, 0.3, theme_.field) : theme_.field);
         pen_.outline(outline, {.color = render::blended(color, opacity(place), theme_.field),
                                .width = is_lit(place) ? 2.5 : 1.5});
@@ -105,11 +106,11 @@ class TrianglePainter {
     void write_inside(core::CellPlace place, const render::PixelBox& box) {
         const std::string text = texts_.inside(named(), place);
         const render::Color color = place.level == degree_ ? theme_.parameter : theme_.text;
-        const double room = box.upper_px.x - box.lower_px.x - 2.0 * pen_.px(text_margin);
-        const double width = width_error * text_size(text, pen_.px(name_size)).x;
+        const double room = box.upper_px.x - box.lower_px.x - 2.0 * pen_.px(cell_text_margin);
+        const double width = cell_width_error * text_size(text, pen_.px(cell_name_size)).x;
         pen_.text(0.5 * (box.lower_px + box.upper_px), text,
                   {.color = render::blended(color, opacity(place), theme_.field),
-                   .size = std::max(least_text, name_size * std::min(1.0, room / width)),
+                   .size = std::max(least_cell_text, cell_name_size * std::min(1.0, room / width)),
                    .anchor = render::Anchor::center});
         drawing_.places.push_back({.name = fmt::format("cell {} {}", place.level, place.index),
                                    .box = box,
@@ -121,9 +122,9 @@ class TrianglePainter {
         if (place.level == 0) return;
         const std::string text = texts_.below(named(), place);
         if (text.empty()) return;
-        pen_.text({0.5 * (box.lower_px.x + box.upper_px.x), box.upper_px.y + pen_.px(below_distance)}, text,
+        pen_.text({0.5 * (box.lower_px.x + box.upper_px.x), box.upper_px.y + pen_.px(below_cell_distance)}, text,
                   {.color = render::blended(theme_.dim, opacity(place), theme_.panel),
-                   .size = below_size,
+                   .size = below_cell_size,
                    .anchor = render::Anchor::center});
     }
 
@@ -142,13 +143,13 @@ class TrianglePainter {
 
 CardBlock triangle_picture(const EditorState& state, CellTexts texts) {
     const auto degree = static_cast<std::size_t>(state.active_curve()->degree());
-    if (degree > most_degree)
+    if (degree > most_drawn_degree)
         return CardLine{{.text = core::sentence("A triangle of {count} points is too large here; the inspector has it.",
                                                 {{"count", (degree + 1) * (degree + 2) / 2}}),
                          .tone = CardTone::dim}};
-    const double least_width = columns_in_cells(degree, texts) * texts.least_width + 2.0 * edge;
+    const double least_width = columns_in_cells(degree, texts) * texts.least_width + 2.0 * picture_edge;
     return CardPicture{
-        .height = static_cast<double>(degree) * row_pitch + cell_height + 2.0 * edge,
+        .height = static_cast<double>(degree) * triangle_row_pitch + triangle_cell_height + 2.0 * picture_edge,
         .draw = [&state, texts = std::move(texts)](
                     glm::dvec2 size_px, double scale) { return TrianglePainter(state, texts, size_px, scale).draw(); },
         .least_width = least_width};

@@ -10,13 +10,13 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double polygon_width = 5.0;
-constexpr double polygon_share = 0.5;  // of the level's color, in the canvas
-constexpr double name_size = 13.0;
+constexpr double inserted_width = 5.0;
+constexpr double inserted_share = 0.5;  // of the level's color, in the canvas
+constexpr double construction_name_size = 13.0;
 constexpr double blossom_size = 13.0;
-constexpr double distance = 10.0;
-constexpr std::size_t most_names = 21;     // of the construction's points; of more only the hovered one has its
-constexpr std::size_t most_blossoms = 40;  // of control points; of more those of the span
+constexpr double label_distance = 10.0;
+constexpr std::size_t most_named_cells = 21;  // of the construction's points; of more only the hovered one has its
+constexpr std::size_t most_blossoms = 40;     // of control points; of more those of the span
 
 NamedTriangle named_in(const CanvasFrame& frame) {
     return {*frame.curve, *frame.triangle, frame.state.view.notation};
@@ -25,7 +25,7 @@ NamedTriangle named_in(const CanvasFrame& frame) {
 void wish(CanvasFrame& frame, core::Point point, std::string text, const TextStyle& style, LabelSide first) {
     frame.labels.push_back({.place = frame.screen(point),
                             .words = {{std::move(text), style}},
-                            .distance = distance,
+                            .distance = label_distance,
                             .first = first,
                             .crowding = Crowding::cover_symbols});
 }
@@ -65,7 +65,7 @@ void label_control_points(CanvasFrame& frame) {
 /// The points that get a name.
 std::vector<core::CellPlace> named_cells(const CanvasFrame& frame) {
     std::vector<core::CellPlace> cells = marked_cells(frame.state.view, *frame.triangle);
-    if (cells.size() > most_names)
+    if (cells.size() > most_named_cells)
         std::erase_if(cells, [&](core::CellPlace cell) { return !is_lit_cell(frame.state, *frame.triangle, cell); });
     return cells;
 }
@@ -80,15 +80,15 @@ void draw_inserted_polygon(CanvasFrame& frame) {
     std::vector<glm::dvec2> places;
     for (const auto [level, index] : core::inserted_polygon(triangle, times))
         places.push_back(frame.screen(triangle.levels[level][index].point));
-    frame.pen.line(places, {.color = render::blended(frame.theme.level(times), polygon_share, frame.theme.canvas),
-                            .width = polygon_width});
+    frame.pen.line(places, {.color = render::blended(frame.theme.level(times), inserted_share, frame.theme.canvas),
+                            .width = inserted_width});
 }
 
 void label_construction(CanvasFrame& frame) {
     if (frame.shows(Overlay::blossoms)) return;
     for (const core::CellPlace place : named_cells(frame))
         wish(frame, frame.triangle->levels[place.level][place.index].point, named_in(frame).point(place),
-             {.color = frame.theme.level(place.level), .size = name_size}, LabelSide::upper_left);
+             {.color = frame.theme.level(place.level), .size = construction_name_size}, LabelSide::upper_left);
 }
 
 void label_blossoms(CanvasFrame& frame) {

@@ -11,16 +11,16 @@ namespace {
 
 constexpr double band_width = 10.0;
 constexpr double band_share = 0.45;  // of the color, in the canvas
-constexpr double leg_width = 4.5;
+constexpr double half_leg_width = 4.5;
 constexpr double half_outline_width = 2.5;
-constexpr double point_radius = 5.5;
-constexpr double places_of_part = 0.5;  // for each pixel of the picture's width
+constexpr double half_point_radius = 5.5;
+constexpr double places_of_half = 0.5;  // for each pixel of the picture's width
 constexpr std::size_t most_legs = 500;  // of a polygon, to each side of the span
 
 using Cells = std::vector<core::CellPlace>;
 
 /// One of the two.
-struct Part {
+struct CurveHalf {
     Cells cells;
     core::Interval range;        ///< of its parameters
     core::Interval whole_spans;  ///< of these those of spans that u does not cut
@@ -45,10 +45,10 @@ std::vector<core::Point> points_after(const CanvasFrame& frame, std::size_t last
     return {all.begin() + static_cast<std::ptrdiff_t>(last + 1), all.begin() + static_cast<std::ptrdiff_t>(end)};
 }
 
-void draw_part_of_curve(CanvasFrame& frame, const Part& part) {
+void draw_part_of_curve(CanvasFrame& frame, const CurveHalf& part) {
     const Stroke stroke{.color = render::blended(part.color, band_share, frame.theme.canvas), .width = band_width};
     if (part.whole_spans.lower < part.whole_spans.upper)
-        draw_line(frame, seen_part(frame, frame.kept->strips(), part.whole_spans, places_of_part, stroke), stroke);
+        draw_line(frame, seen_part(frame, frame.kept->strips(), part.whole_spans, places_of_half, stroke), stroke);
     const core::KnotVector& knots = frame.curve->knots();
     const std::size_t s = frame.triangle->span;
     const core::Interval cut{std::max(part.range.lower, knots[s]), std::min(part.range.upper, knots[s + 1])};
@@ -62,22 +62,22 @@ void draw_part_of_curve(CanvasFrame& frame, const Part& part) {
 }
 
 void draw_polygon(CanvasFrame& frame, const std::vector<core::Point>& points, render::Color color) {
-    frame.pen.line(frame.screen(points), {.color = color, .width = leg_width});
+    frame.pen.line(frame.screen(points), {.color = color, .width = half_leg_width});
 }
 
-void draw_new_points(CanvasFrame& frame, const Part& part) {
+void draw_new_points(CanvasFrame& frame, const CurveHalf& part) {
     for (const auto [level, index] : part.cells)
         if (level > 0)
             frame.pen.symbol(frame.screen(frame.triangle->levels[level][index].point),
-                             {.radius = point_radius,
+                             {.radius = half_point_radius,
                               .fill = frame.theme.canvas,
                               .outline = part.color,
                               .outline_width = half_outline_width});
 }
 
 struct Halves {
-    Part before;
-    Part after;
+    CurveHalf before;
+    CurveHalf after;
 };
 
 Halves halves_of(const CanvasFrame& frame) {
