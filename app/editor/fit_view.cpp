@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 
 #include "app/editor/canvas_cover.h"
+#include "app/editor/cards/cards.h"
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/legend.h"
 #include "core/curve/control_box.h"
@@ -34,11 +35,19 @@ core::Box visible_box(const core::Document& document) {
     return box;
 }
 
+/// Where the cards lie on the canvas for a projector, until they are moved.
+PixelBox floating_cards_box(const View& view) {
+    const glm::dvec2 picture = view.camera.size_px;
+    const double width = std::min(view.cards_width * view.interface_scale, 0.5 * picture.x);
+    return {{picture.x - width, 0.0}, picture};
+}
+
 /// What lies over the canvas with the legend in `corner`.
 std::vector<PixelBox> panels_of(const EditorState& state, Corner corner) {
     std::vector<PixelBox> panels;
     if (has_legend(state)) panels.push_back(legend_box(state, corner));
     if (const auto insets = insets_box(state)) panels.push_back(*insets);
+    if (state.view.is_presenting && !shown_cards(state).empty()) panels.push_back(floating_cards_box(state.view));
     return panels;
 }
 

@@ -37,6 +37,9 @@ inline constexpr core::Interval cards_widths{240.0, 900.0};
 inline constexpr core::Interval dock_heights{120.0, 800.0};
 inline constexpr core::Interval user_scales{0.5, 3.0};
 
+/// How much larger everything is for a projector.
+inline constexpr double presenting_scale = 1.5;
+
 /// The corners of the canvas, in the order in which the legend prefers them.
 enum class Corner { lower_left, lower_right, upper_left, upper_right };
 inline constexpr std::array all_corners{Corner::lower_left, Corner::lower_right, Corner::upper_left,
@@ -85,7 +88,8 @@ struct View {
     bool title_is_open = true;       ///< the line with the document's title and sentence, where it has any
     double inspector_width = 340.0;  ///< within inspector_widths
     double dock_height = 260.0;      ///< within dock_heights
-    bool is_presenting = false;      ///< only the canvas and the dock
+    bool is_presenting = false;      ///< for a projector: only the canvas and the dock, larger, on the whole screen
+    bool keys_are_shown = false;     ///< the keys that were pressed last, while presenting
 };
 
 }  // namespace batten::editor

@@ -75,6 +75,7 @@ class Application {
     void open_files(const std::vector<std::filesystem::path>& files);
     bool open_whole(const std::filesystem::path& file);
     void take_window_requests();
+    void follow_presenting();
     void follow_scale();
     void follow_theme();
     void deliver_keys();
@@ -135,12 +136,17 @@ void Application::take_window_requests() {
 void Application::follow_scale() {
     const editor::View& view = editor_.state().view;
     const double display_scale = options_.display_scale.value_or(window_.display_scale());
-    const double scale = display_scale * view.user_scale;
+    const double scale = display_scale * view.user_scale * (view.is_presenting ? editor::presenting_scale : 1.0);
     if (scale != view.interface_scale) editor_.change(editor::SetInterfaceScale{scale});
     if (scale == fonts_.scale && fonts_.text != nullptr) return;
     fonts_ = ui::load_fonts(scale);
     imgui_.renew_font_texture();
     styled_theme_.reset();
+}
+
+void Application::follow_presenting() {
+    const bool is_presenting = editor_.state().view.is_presenting;
+    if (is_presenting != window_.is_full_screen()) window_.set_full_screen(is_presenting);
 }
 
 void Application::follow_theme() {
@@ -177,6 +183,7 @@ void Application::draw_frame(ui::FrameInput input, double now) {
     if (state.view.playback.is_playing && elapsed > 0.0) editor_.change(editor::Advance{elapsed});
     editor_.change(editor::TellTime{now});
     take_window_requests();
+    follow_presenting();
     follow_scale();
     follow_theme();
     imgui_.begin_frame();

@@ -125,7 +125,44 @@ double Window::frame_seconds() const {
     return 1.0 / rate;
 }
 
+namespace {
+
+/// The screen on which the middle of the window is; else the first one.
+GLFWmonitor* monitor_of(const editor::WindowGeometry& window) {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    const int x = window.x + window.width / 2;
+    const int y = window.y + window.height / 2;
+    for (int i = 0; i < count; ++i) {
+        glm::ivec2 corner{};
+        glfwGetMonitorPos(monitors[i], &corner.x, &corner.y);
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        if (mode != nullptr && corner.x <= x && x < corner.x + mode->width && corner.y <= y &&
+            y < corner.y + mode->height)
+            return monitors[i];
+    }
+    return glfwGetPrimaryMonitor();
+}
+
+}  // namespace
+
+void Window::set_full_screen(bool is_full) {
+    if (is_full == is_full_screen()) return;
+    if (!is_full) {
+        glfwSetWindowMonitor(handle_, nullptr, windowed_->x, windowed_->y, windowed_->width, windowed_->height,
+                             GLFW_DONT_CARE);
+        windowed_.reset();
+        return;
+    }
+    const editor::WindowGeometry before = geometry();
+    GLFWmonitor* monitor = monitor_of(before);
+    const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+    windowed_ = before;
+    if (mode != nullptr) glfwSetWindowMonitor(handle_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
 editor::WindowGeometry Window::geometry() const {
+    if (windowed_) return *windowed_;
     editor::WindowGeometry geometry;
     glfwGetWindowPos(handle_, &geometry.x, &geometry.y);
     glfwGetWindowSize(handle_, &geometry.width, &geometry.height);

@@ -37,6 +37,12 @@ class Window {
     double frame_seconds() const;
 
     editor::WindowGeometry geometry() const;
+    /// Whether the window covers the screen.
+    bool is_full_screen() const { return windowed_.has_value(); }
+
+    /// Covers the screen on which most of the window is, or goes back to where the window was.
+    void set_full_screen(bool is_full);
+
     void set_title(const std::string& title);
 
     /// Whether the user asked to close the window since the last call.
@@ -59,6 +65,7 @@ class Window {
     GLFWwindow* handle_;
     Input input_;
     std::string title_;
+    std::optional<editor::WindowGeometry> windowed_;  ///< where it was before it covered the screen
 };
 
 }  // namespace batten::platform

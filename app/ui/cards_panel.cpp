@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "app/editor/cards/cards.h"
 #include "app/editor/commands/overlay_commands.h"
 #include "app/ui/card_view.h"
@@ -17,6 +19,7 @@ namespace {
 constexpr double cross_size = 20.0;
 constexpr double card_gap = 14.0;
 constexpr double top_margin = 10.0;
+constexpr double floating_margin = 14.0;
 
 bool is_open(const PanelContext& context, const std::string& name) {
     const auto& cards = context.panels.cards.open_cards;
@@ -62,19 +65,7 @@ void follow_cards(const PanelContext& context, const std::vector<editor::CardSou
     context.panels.cards.shown = std::move(overlays);
 }
 
-}  // namespace
-
-void draw_cards_panel(const PanelContext& context, const Rectangle& place) {
-    if (place.size_px.x <= 0.0) return;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(window_padding), 0.0F));
-    ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, context.px(8));
-    ImGui::SetNextWindowPos(ImVec2(static_cast<float>(place.origin_px.x), static_cast<float>(place.origin_px.y)));
-    ImGui::SetNextWindowSize(ImVec2(static_cast<float>(place.size_px.x), static_cast<float>(place.size_px.y)));
-    ImGui::Begin("cards", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus);
-    const std::vector<editor::CardSource> shown = editor::shown_cards(context.state);
+void draw_cards(const PanelContext& context, const std::vector<editor::CardSource>& shown) {
     follow_cards(context, shown);
     ImGui::Indent(context.px(section_margin - window_padding));
     add_space(context, top_margin);
@@ -82,9 +73,55 @@ void draw_cards_panel(const PanelContext& context, const Rectangle& place) {
     const bool is_inside = ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows);
     note_panel_hover(context, is_inside);
     if (is_inside && asks_for_menu()) open_context_menu(context, editor::OnPanel{});
+}
+
+void push_metrics(const PanelContext& context) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(window_padding), 0.0F));
+    ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, context.px(8));
+}
+
+}  // namespace
+
+void draw_cards_panel(const PanelContext& context, const Rectangle& place) {
+    if (place.size_px.x <= 0.0) return;
+    push_metrics(context);
+    ImGui::SetNextWindowPos(ImVec2(static_cast<float>(place.origin_px.x), static_cast<float>(place.origin_px.y)));
+    ImGui::SetNextWindowSize(ImVec2(static_cast<float>(place.size_px.x), static_cast<float>(place.size_px.y)));
+    ImGui::Begin("cards", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    draw_cards(context, editor::shown_cards(context.state));
     draw_edge(context, place.origin_px + glm::dvec2(0.5, 0.0), place.origin_px + glm::dvec2(0.5, place.size_px.y));
     ImGui::End();
     ImGui::PopStyleVar(2);
+}
+
+void draw_floating_cards(const PanelContext& context, const Rectangle& canvas) {
+    const std::vector<editor::CardSource> shown = editor::shown_cards(context.state);
+    if (shown.empty()) return;
+    push_metrics(context);
+    const float margin = context.px(floating_margin);
+    const glm::vec2 corner(canvas.origin_px);
+    const glm::vec2 size(canvas.size_px);
+    const float width = std::min(context.px(context.state.view.cards_width), 0.5F * size.x);
+    // Where the screen is another one, they begin anew at its edge.
+    const bool is_new = context.panels.cards.canvas_px != canvas.size_px;
+    context.panels.cards.canvas_px = canvas.size_px;
+    const ImGuiCond when = is_new ? ImGuiCond_Always : ImGuiCond_Once;
+    ImGui::SetNextWindowPos(ImVec2(corner.x + size.x - width - margin, corner.y + margin), when);
+    ImGui::SetNextWindowSize(ImVec2(width, std::max(size.y - 2.0F * margin, margin)), when);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(8));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0F, context.px(1)));
+    ImGui::Begin("floating cards", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+    draw_cards(context, shown);
+    const ImVec2 position = ImGui::GetWindowPos();
+    context.widgets.push_back(
+        {"floating cards", {{position.x, position.y}, {ImGui::GetWindowWidth(), ImGui::GetWindowHeight()}}, {}});
+    ImGui::End();
+    ImGui::PopStyleVar(4);
 }
 
 }  // namespace batten::ui

@@ -24,6 +24,7 @@ constexpr double least_dock_height = 110.0;
 constexpr double most_inspector_share = 0.55;
 constexpr double most_cards_share = 0.5;
 constexpr double most_dock_share = 0.5;
+constexpr double most_presented_dock_share = 0.36;  // a projector is for the curve
 
 /// `wanted`, but at most `most`; nothing where that is less than `least` or leaves less than `least_canvas` of the
 /// room.
@@ -42,9 +43,9 @@ FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale, b
     const double tools = has_frame ? px(tool_width) : 0.0;
     const double height = std::max(0.0, size_px.y - menu - status);
     const double width = std::max(0.0, size_px.x - tools);
-    const double cards = has_cards ? shrunk(px(view.cards_width), width, most_cards_share * width,
-                                            px(least_canvas_width), px(least_cards_width))
-                                   : 0.0;
+    const double cards = has_cards && has_frame ? shrunk(px(view.cards_width), width, most_cards_share * width,
+                                                         px(least_canvas_width), px(least_cards_width))
+                                                : 0.0;
     // Beside cards the inspector folds away before the canvas gets too small to see what they are about.
     const double beside_cards = width - cards;
     const double inspector =
@@ -53,10 +54,10 @@ FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale, b
                      px(has_cards ? least_canvas_width_beside_cards : least_canvas_width), px(least_inspector_width))
             : 0.0;
     const double side = cards + inspector;
-    const double dock = view.dock_is_open
-                            ? shrunk(px(view.dock_height + editor::height_of_plots(view)), height,
-                                     most_dock_share * height, px(least_canvas_height), px(least_dock_height))
-                            : 0.0;
+    const double most_dock = view.is_presenting ? most_presented_dock_share : most_dock_share;
+    const double dock = view.dock_is_open ? shrunk(px(view.dock_height + editor::height_of_plots(view)), height,
+                                                   most_dock * height, px(least_canvas_height), px(least_dock_height))
+                                          : 0.0;
 
     FrameAreas areas;
     areas.window = {{0.0, 0.0}, size_px};

@@ -14,7 +14,7 @@ struct FrameAreas {
     Rectangle title_line;  ///< above the canvas
     Rectangle canvas;
     Rectangle dock;
-    Rectangle cards;  ///< between canvas and inspector
+    Rectangle cards;  ///< between canvas and inspector; while presenting they lie on the canvas
     Rectangle inspector;
     Rectangle status_bar;
 };

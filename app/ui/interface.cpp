@@ -104,10 +104,12 @@ void draw_frame_panels(const PanelContext& context, const FrameAreas& areas, con
     begin_panel_hover(context);
     if (areas.inspector.size_px.x > 0.0) draw_inspector(context, areas.inspector);
     draw_cards_panel(context, areas.cards);
+    if (context.state.view.is_presenting) draw_floating_cards(context, areas.canvas);
     settle_panel_hover(context);
 }
 
 void draw_dialogs(const PanelContext& context, const FrameAreas& areas) {
+    if (context.state.view.is_presenting) draw_presenting(context, areas.canvas);
     // Dialogs show errors themselves.
     if (context.state.dialog == Dialog::none) draw_notice(context, areas.canvas);
     draw_welcome_screen(context, areas.window);

@@ -114,6 +114,7 @@ struct PanelHover {
 struct CardsState {
     std::map<std::string, bool> open_cards;  ///< those that were folded or unfolded by hand
     std::vector<editor::Overlay> shown;      ///< the cards of the last frame
+    glm::dvec2 canvas_px{};                  ///< of the last frame in which they lay on the canvas
 };
 
 /// What the inspector remembers.
@@ -146,6 +147,7 @@ struct PanelState {
     ContextMenuState context_menu;
     std::optional<std::vector<Example>> examples;  ///< read when the welcome screen first opens
     std::string key_sheet_filter;
+    std::string shown_keys;       ///< that were pressed last, with what they do
     std::string text_at_pointer;  ///< what Ctrl+C copies in place of the curve; of this frame until its end
 };
 

@@ -51,6 +51,12 @@ double findings_height(const PanelContext& context, const Rectangle& place);
 /// The cards of the teaching views, one below the other; nothing in a place of no width.
 void draw_cards_panel(const PanelContext& context, const Rectangle& place);
 
+/// The same in a window on the canvas that can be moved and resized, for a projector.
+void draw_floating_cards(const PanelContext& context, const Rectangle& canvas);
+
+/// What a projector shows beside: a halo around the pointer, what the last action did, and the keys.
+void draw_presenting(const PanelContext& context, const Rectangle& canvas);
+
 // Sections of the inspector, drawn one below the other.
 void draw_curves_section(const PanelContext& context);
 void draw_curve_section(const PanelContext& context);

@@ -68,6 +68,18 @@ constexpr std::array sources{CardSource{Overlay::triangle, triangle_card},
 
 }  // namespace
 
+namespace {
+
+// The inspector, which has a triangle, is folded away then.
+bool is_card_shown(const EditorState& state, Overlay overlay) {
+    const Overlays& overlays = state.view.overlays;
+    const bool stands_in =
+        overlay == Overlay::triangle && state.view.is_presenting && overlays.is_shown(Overlay::construction);
+    return overlays.is_shown(overlay) || stands_in;
+}
+
+}  // namespace
+
 std::span<const CardSource> card_sources() {
     return sources;
 }
@@ -75,7 +87,7 @@ std::span<const CardSource> card_sources() {
 std::vector<CardSource> shown_cards(const EditorState& state) {
     std::vector<CardSource> shown;
     std::copy_if(sources.begin(), sources.end(), std::back_inserter(shown),
-                 [&](const CardSource& source) { return state.view.overlays.is_shown(source.overlay); });
+                 [&](const CardSource& source) { return is_card_shown(state, source.overlay); });
     return shown;
 }
 

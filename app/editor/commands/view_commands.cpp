@@ -62,6 +62,13 @@ bool is_on(const EditorState& state) {
     return state.view.*member;
 }
 
+// Everything is fitted anew into the canvas that is there then.
+Outcome<void> toggle_presenting(EditorState& state, const TogglePresenting&) {
+    state.view.is_presenting = !state.view.is_presenting;
+    state.view.fits_on_open = true;
+    return {};
+}
+
 Outcome<void> fit_plot(EditorState& state, const FitPlot&) {
     state.view.plot_range.reset();
     return {};
@@ -219,15 +226,16 @@ const CommandSpec& ToggleTitle::spec() {
 }
 
 const CommandSpec& TogglePresenting::spec() {
-    static const CommandSpec spec{.name = "present",
-                                  .title = "Present",
-                                  .explanation = "Shows only the canvas and the basis plot.",
-                                  .synonyms = "projector full screen",
-                                  .group = CommandGroup::view,
-                                  .offered = in_the_window,
-                                  .shortcut = {Key::f11, {}},
-                                  .is_checked = is_on<&View::is_presenting>,
-                                  .run = body_of<toggle_member<TogglePresenting, &View::is_presenting>>};
+    static const CommandSpec spec{
+        .name = "present",
+        .title = "Present",
+        .explanation = "Shows canvas, cards and basis plot on the whole screen, larger, for a projector.",
+        .synonyms = "projector full screen",
+        .group = CommandGroup::view,
+        .offered = in_the_window,
+        .shortcut = {Key::f11, {}},
+        .is_checked = is_on<&View::is_presenting>,
+        .run = body_of<toggle_presenting>};
     return spec;
 }
 
@@ -239,6 +247,18 @@ const CommandSpec& FitPlot::spec() {
                                   .group = CommandGroup::view,
                                   .offered = in_the_window,
                                   .run = body_of<fit_plot>};
+    return spec;
+}
+
+const CommandSpec& ToggleKeys::spec() {
+    static const CommandSpec spec{.name = "toggle-keys",
+                                  .title = "Pressed keys",
+                                  .explanation = "Shows the keys that are pressed, while presenting.",
+                                  .synonyms = "projector shortcut",
+                                  .group = CommandGroup::view,
+                                  .offered = in_the_window,
+                                  .is_checked = is_on<&View::keys_are_shown>,
+                                  .run = body_of<toggle_member<ToggleKeys, &View::keys_are_shown>>};
     return spec;
 }
 
@@ -281,8 +301,8 @@ const CommandSpec& SetKnotMove::spec() {
 void add_view_commands(CommandTable& table) {
     add_all<FitView, ZoomIn, ZoomOut>(table);
     add_overlay_commands(table);
-    add_all<ToggleTheme, ScaleUp, ScaleDown, ResetScale, ToggleInspector, ToggleDock, ToggleTitle, TogglePresenting>(
-        table);
+    add_all<ToggleTheme, ScaleUp, ScaleDown, ResetScale, ToggleInspector, ToggleDock, ToggleTitle, TogglePresenting,
+            ToggleKeys>(table);
     add_all<SetNotation, FitPlot, SetKnotMove>(table);
 }
 

@@ -53,6 +53,11 @@ struct TogglePresenting {
     static const CommandSpec& spec();
 };
 
+/// The keys that were pressed last, while presenting.
+struct ToggleKeys {
+    static const CommandSpec& spec();
+};
+
 /// The letters and numbers in which everything is told.
 struct SetNotation {
     PointLetter points;
