@@ -36,9 +36,10 @@ std::optional<Hover> hit_knot_marks(const EditorState& state, const PlotLayout& 
 bool hits_parameter(const EditorState& state, const PlotLayout& layout, glm::dvec2 position_px) {
     const double scale = state.view.interface_scale;
     const double x = x_from_parameter(layout, state.parameter());
+    const double bottom =
+        layout.graphs.empty() ? layout.strip_px + plot_reach::strip * scale : layout.graphs.back().upper_px.y;
     return std::abs(position_px.x - x) <= plot_reach::parameter * scale &&
-           position_px.y >= layout.top_px - plot_reach::graph * scale &&
-           position_px.y <= layout.strip_px + plot_reach::strip * scale;
+           position_px.y >= layout.top_px - plot_reach::graph * scale && position_px.y <= bottom;
 }
 
 /// The area, of those that are stacked, that the pointer is in.

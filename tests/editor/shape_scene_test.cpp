@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/comb_tooth.h"
+#include "app/editor/hit_test.h"
 #include "app/editor/plot_layout.h"
 #include "app/editor/scene/bend_marks.h"
 #include "core/measure/arc_length.h"
@@ -242,6 +243,41 @@ TEST(QuantityPlots, stand_below_the_strip_on_its_axis) {
     EXPECT_NEAR(graphs[1].points.front().x, x_from_parameter(layout, 1.0), 0.01);
     EXPECT_TRUE(test::has_text(list, "κ = 0.5"));
     EXPECT_TRUE(test::has_text(list, "Speed |C′(u)|"));
+}
+
+TEST(QuantityPlots, mark_inflections_and_extremes_and_take_the_parameter) {
+    // y = x^3 from -1 to 2 has x = 3u - 1; its inflection is at u = 1/3.
+    EditorState state =
+        showing({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = {{-1, -1}, {0, 2}, {1, -4}, {2, 8}}},
+                {Overlay::curvature_plot, Overlay::curvature_marks});
+    state.view.parameter = 0.75;
+    const glm::dvec2 dock(1048.0, 342.0);
+    const PlotLayout layout = plot_layout(state, dock);
+    const render::DrawList list = test::plot_picture(state, PlotIdle{}, dock);
+    std::vector<Marker> rings = test::markers_of(list, MarkerShape::disc, 4.5F);
+    std::erase_if(rings, [](const Marker& ring) { return ring.fill != dark().panel; });
+    ASSERT_EQ(rings.size(), 1U);
+    EXPECT_NEAR(rings[0].center.x, x_from_parameter(layout, 1.0 / 3.0), 0.01);
+    const auto squares = test::markers_of(list, MarkerShape::square, 4.0F);
+    ASSERT_EQ(squares.size(), 2U);
+    EXPECT_LT(squares[1].center.y, rings[0].center.y) << "the maximum is above zero, to the right";
+    EXPECT_GT(squares[0].center.y, rings[0].center.y);
+    const double y = 0.5 * (layout.graphs[0].lower_px.y + layout.graphs[0].upper_px.y);
+    EXPECT_EQ(hit_plot(state, layout, {x_from_parameter(layout, 0.75), y}), Hover(HoveredParameter{}));
+    EXPECT_EQ(hit_plot(state, layout, {x_from_parameter(layout, 0.5), y}), Hover(HoveredNothing{}));
+}
+
+TEST(PartsScene, ends_stand_on_the_axis_of_the_plot) {
+    EditorState state = showing(zigzag(), {Overlay::equal_steps});
+    state.view.shape.part_count = 6;
+    const glm::dvec2 dock(1048.0, 260.0);
+    const PlotLayout layout = plot_layout(state, dock);
+    const auto dots = test::markers_of(test::plot_picture(state, PlotIdle{}, dock), MarkerShape::disc, 4.5F);
+    ASSERT_EQ(dots.size(), 7U);
+    for (std::size_t k = 0; k < 7; ++k) {
+        EXPECT_NEAR(dots[k].center.x, x_from_parameter(layout, 0.5 * static_cast<double>(k)), 0.01);
+        EXPECT_NEAR(dots[k].center.y, layout.bottom_px, 0.01);
+    }
 }
 
 TEST(QuantityPlots, what_goes_to_a_pole_stays_in_its_box) {

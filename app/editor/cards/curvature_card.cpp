@@ -42,8 +42,10 @@ std::vector<BendRow> rows_of(const EditorState& state, const Bends& bends) {
 CardTable table_of(const core::Curve& curve, const std::vector<BendRow>& rows) {
     CardTable table{.rows = {{{.text = "u"}, {.text = "what"}, {.text = "κ"}}}, .has_heading = true};
     for (std::size_t k = 0; k < rows.size() && k < most_rows; ++k)
-        table.rows.push_back({{.text = parameter_text(curve, rows[k].u), .command = SetParameter{.u = rows[k].u}},
-                              {.text = rows[k].what},
+        table.rows.push_back({{.text = parameter_text(curve, rows[k].u),
+                               .hover = HoveredCurve{rows[k].u},
+                               .command = SetParameter{.u = rows[k].u}},
+                              {.text = rows[k].what, .hover = HoveredCurve{rows[k].u}},
                               {.text = rows[k].curvature}});
     return table;
 }

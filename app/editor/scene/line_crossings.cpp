@@ -61,7 +61,7 @@ void draw_line_crossings(CanvasFrame& frame) {
             frame.pen.symbol(frame.screen(crossing.point), {.shape = render::MarkerShape::square,
                                                             .radius = mark_radius,
                                                             .fill = frame.theme.canvas,
-                                                            .outline = frame.theme.polygon,
+                                                            .outline = frame.theme.text,
                                                             .outline_width = 2.5});
         for (const core::LineContact& contact : crossings->contacts) draw_contact(frame, contact);
     }

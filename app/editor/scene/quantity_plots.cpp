@@ -7,7 +7,7 @@
 
 #include "app/editor/formula.h"
 #include "app/editor/grid_step.h"
-#include "app/editor/number_column.h"
+#include "app/editor/scene/bend_marks.h"
 #include "app/editor/scene/text_row.h"
 
 namespace batten::editor {
@@ -36,6 +36,8 @@ class QuantityPlot {
         draw_ground();
         draw_levels();
         for (const core::GraphRun& run : graph_->runs) draw_run(run);
+        if (quantity_ == core::Quantity::curvature && frame_.state.view.overlays.is_shown(Overlay::curvature_marks))
+            draw_bends();
         draw_title();
         draw_at_parameter();
     }
@@ -74,6 +76,8 @@ class QuantityPlot {
         frame_.pen.segment(
             {left, y(value)}, {frame_.layout.right_px, y(value)},
             {.color = is_zero ? frame_.theme.dim : render::blended(frame_.theme.line, 0.7, frame_.theme.panel)});
+        // Not so high that it would run into the title.
+        if (y(value) < box_.lower_px.y + frame_.pen.px(7.0)) return;
         row.write(frame_.pen, {left - frame_.pen.px(5.0), y(value)}, number_text(value),
                   {.color = frame_.theme.dim, .size = 11.0, .anchor = render::Anchor::right});
     }
@@ -115,6 +119,27 @@ class QuantityPlot {
         return shares;
     }
 
+    /// As on the curve: rings at inflections, squares at extremes.
+    void draw_bends() {
+        if (!is_searched_whole(frame_.curve)) return;
+        const auto bends = frame_.state.measured.bends(frame_.curve, {frame_.curve.domain()});
+        for (const core::CurvatureExtremum& extremum : bends->extrema)
+            mark(extremum.u, extremum.curvature,
+                 {.shape = render::MarkerShape::square,
+                  .radius = 4.0,
+                  .fill = color(),
+                  .outline = frame_.theme.panel,
+                  .outline_width = 1.5});
+        for (const core::Inflection& inflection : bends->inflections)
+            mark(inflection.u, 0.0,
+                 {.radius = 4.5, .fill = frame_.theme.panel, .outline = color(), .outline_width = 2.0});
+    }
+
+    void mark(double u, double value, const Symbol& symbol) {
+        if (frame_.layout.range.contains(u) && values_.contains(value))
+            frame_.pen.symbol({frame_.x(u), y(value)}, symbol);
+    }
+
     void draw_title() {
         const bool is_curvature = quantity_ == core::Quantity::curvature;
         const double height = box_.lower_px.y - frame_.pen.px(0.5 * title_height);
@@ -135,9 +160,9 @@ class QuantityPlot {
         const double x = frame_.x(frame_.u);
         frame_.pen.segment({x, box_.lower_px.y}, {x, box_.upper_px.y}, {.color = frame_.theme.parameter, .width = 2.0});
         const auto value = core::quantity_at(frame_.curve, quantity_, frame_.u);
-        if (!value || *value < values_.lower || *value > values_.upper) return;
-        frame_.pen.symbol({x, y(*value)},
-                          {.radius = 4.5, .fill = color(), .outline = frame_.theme.panel, .outline_width = 1.5});
+        if (!value) return;
+        mark(frame_.u, *value,
+             {.radius = 4.5, .fill = frame_.theme.parameter, .outline = frame_.theme.panel, .outline_width = 1.5});
     }
 
     PlotFrame& frame_;

@@ -15,7 +15,7 @@ constexpr std::size_t many = 12;
 std::vector<std::size_t> hulled_spans(const CanvasFrame& frame) {
     std::vector<std::size_t> spans;
     frame.kept->strips().visit_spans(frame.seen(0.0), frame.pen.px(smallest_hull) / frame.state.view.camera.scale,
-                                     most_candidates(frame),
+                                     most_hulls,
                                      [&](std::size_t span, core::Point, std::size_t) { spans.push_back(span); });
     const std::size_t stride = spans.size() / most_hulls + 1;
     std::vector<std::size_t> some;

@@ -82,7 +82,8 @@ constexpr std::array plot_views_above{
     PlotView{Overlay::basis_values, draw_basis_areas},     PlotView{Overlay::rational_basis, draw_rational_graphs},
     PlotView{Overlay::basis_pieces, draw_piece_graphs},    PlotView{Overlay::recurrence, draw_recurrence_lines},
     PlotView{Overlay::corner_cutting, draw_cut_functions}, PlotView{Overlay::curvature_plot, draw_curvature_plot},
-    PlotView{Overlay::speed_plot, draw_speed_plot}};
+    PlotView{Overlay::speed_plot, draw_speed_plot},        PlotView{Overlay::equal_steps, draw_steps_on_axis},
+    PlotView{Overlay::equal_lengths, draw_lengths_on_axis}};
 constexpr std::array insets{InsetView{Overlay::hodograph, draw_hodograph_inset},
                             InsetView{Overlay::second_hodograph, draw_second_hodograph_inset},
                             InsetView{Overlay::homogeneous, draw_lifted_picture}};
