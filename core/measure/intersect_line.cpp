@@ -159,7 +159,7 @@ class ClearSpans {
             const int side = line.clear_side_of_corner(points[i < points.size() ? i : i % points.size()]);
             alike = side != 0 && side == before ? alike + 1 : 1;
             before = side;
-            if (i >= degree_) sides_.push_back(static_cast<signed char>(alike > degree_ ? side : 0));
+            if (i >= degree_) sides_.push_back(alike > degree_ ? side : 0);
         }
     }
 
@@ -168,13 +168,11 @@ class ClearSpans {
         return side == 0 ? std::nullopt : std::optional(side);
     }
 
-    std::size_t unclear_count() const {
-        return static_cast<std::size_t>(std::ranges::count(sides_, static_cast<signed char>(0)));
-    }
+    std::size_t unclear_count() const { return static_cast<std::size_t>(std::ranges::count(sides_, 0)); }
 
   private:
     std::size_t degree_;
-    std::vector<signed char> sides_;
+    std::vector<int> sides_;
 };
 
 std::size_t count_crossings(std::span<const LineContact> contacts) {
