@@ -8,6 +8,7 @@
 #include "app/editor/cards/card_texts.h"
 #include "app/editor/commands/shape_view_commands.h"
 #include "app/editor/formula.h"
+#include "app/editor/state.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
