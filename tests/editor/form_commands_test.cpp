@@ -59,6 +59,10 @@ TEST_F(FormCommands, ferguson_form_and_anticentroids) {
     EXPECT_EQ(rows()[0].label, "triangle at P₁");
     EXPECT_EQ(rows()[0].point, (core::Point{8, 15}));
     EXPECT_EQ(number(0, "second derivative y"), -18.0);
+    // The next edit wipes the numbers; the views stay.
+    EXPECT_TRUE(editor_.state().view.overlays.is_shown(Overlay::ferguson));
+    EXPECT_TRUE(editor_.state().view.overlays.is_shown(Overlay::anticentroids));
+    EXPECT_FALSE(editor_.state().view.overlays.is_shown(Overlay::cubic_matrix));
 }
 
 TEST_F(FormCommands, conic_form_has_type_and_equation) {

@@ -97,6 +97,7 @@ Outcome<void> find_matrix_form(EditorState& state, const FindMatrixForm&) {
         }
         rows.push_back(std::move(finding));
     }
+    state.view.overlays.show(Overlay::cubic_matrix, true);
     return show_counted_rows(
         state, "Matrix form",
         {.one = "{name} has 1 segment in matrix form", .many = "{name} has {count} segments in matrix form"},
@@ -117,6 +118,7 @@ Outcome<void> find_ferguson_form(EditorState& state, const FindFergusonForm&) {
         add_numbers(finding, "end tangent", segment.end_tangent);
         rows.push_back(std::move(finding));
     }
+    state.view.overlays.show(Overlay::ferguson, true);
     return show_counted_rows(
         state, "Ferguson form",
         {.one = "{name} has 1 segment in Ferguson form", .many = "{name} has {count} segments in Ferguson form"},
@@ -139,6 +141,7 @@ Outcome<void> find_anticentroids(EditorState& state, const FindAnticentroids&) {
         add_numbers(finding, "second derivative", joint.second_derivative);
         rows.push_back(std::move(finding));
     }
+    state.view.overlays.show(Overlay::anticentroids, true);
     return show_counted_rows(state, "Anticentroids",
                              {.one = "{name} has 1 anticentroid",
                               .many = "{name} has {count} anticentroids",
@@ -297,26 +300,28 @@ const CommandSpec& FindConicForm::spec() {
 }
 
 const CommandSpec& FindMatrixForm::spec() {
-    static const CommandSpec spec{.name = "cubic-matrix",
-                                  .title = "Matrix form",
-                                  .explanation = "Gives the coefficients of each segment of a uniform cubic.",
-                                  .synonyms = "Coons power polynomial",
-                                  .group = CommandGroup::analyze,
-                                  .submenu = "Forms",
-                                  .refusal = no_curve,
-                                  .run = body_of<find_matrix_form>};
+    static const CommandSpec spec{
+        .name = "cubic-matrix",
+        .title = "Matrix form",
+        .explanation = "Gives the coefficients of each segment of a uniform cubic, and shows the matrix.",
+        .synonyms = "Coons power polynomial",
+        .group = CommandGroup::analyze,
+        .submenu = "Forms",
+        .refusal = no_curve,
+        .run = body_of<find_matrix_form>};
     return spec;
 }
 
 const CommandSpec& FindFergusonForm::spec() {
-    static const CommandSpec spec{.name = "ferguson",
-                                  .title = "Ferguson form",
-                                  .explanation = "Gives the ends and end tangents of each segment of a uniform cubic.",
-                                  .synonyms = "Hermite",
-                                  .group = CommandGroup::analyze,
-                                  .submenu = "Forms",
-                                  .refusal = no_curve,
-                                  .run = body_of<find_ferguson_form>};
+    static const CommandSpec spec{
+        .name = "ferguson",
+        .title = "Ferguson form",
+        .explanation = "Gives the ends and end tangents of each segment of a uniform cubic, and shows them.",
+        .synonyms = "Hermite",
+        .group = CommandGroup::analyze,
+        .submenu = "Forms",
+        .refusal = no_curve,
+        .run = body_of<find_ferguson_form>};
     return spec;
 }
 
@@ -325,7 +330,7 @@ const CommandSpec& FindAnticentroids::spec() {
         .name = "anticentroids",
         .title = "Anticentroids",
         .explanation =
-            "Gives the triangles of neighboring control points of a uniform cubic, whose anticentroids are "
+            "Gives and shows the triangles of neighboring control points of a uniform cubic, whose anticentroids are "
             "its joints.",
         .synonyms = "median",
         .group = CommandGroup::analyze,
