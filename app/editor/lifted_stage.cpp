@@ -14,7 +14,7 @@ constexpr double least_plane = 0.15;
 constexpr double plane_margin = 1.2;
 constexpr double lifted_reach = 10.0;  ///< design pixels
 constexpr std::size_t most_lifted_points = 100;
-constexpr double title_room = 34.0;  ///< design pixels
+constexpr double title_room = 46.0;  ///< design pixels
 constexpr double margin = 22.0;
 
 /// Places that are to be seen: the origin, the corners of the plane and the control points.
@@ -52,7 +52,10 @@ render::OrbitCamera fitted(render::OrbitCamera camera, const std::vector<glm::dv
 }  // namespace
 
 LiftedStage lifted_stage(const EditorState& state, const render::PixelBox& box) {
-    const core::Curve& curve = *state.history.present().active_curve()->curve;
+    const auto* lifted = std::get_if<HoveredLifted>(&state.hover);
+    const bool may_be_lifting = lifted != nullptr && lifted->index;
+    const core::Document& document = may_be_lifting ? state.history.present() : state.shown();
+    const core::Curve& curve = *document.active_curve()->curve;
     const auto facts = state.derived.of(curve);
     const Orbit& orbit = state.view.orbit;
     LiftedStage stage{.view = core::lift_view(facts->control_box, {facts->lightest, facts->heaviest}),

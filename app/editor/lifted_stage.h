@@ -24,8 +24,8 @@ struct LiftedStage {
     }
 };
 
-/// The stage for the active curve, which must be there, in the inset `box`, as large as it fits there. It is that of
-/// the committed curve, so that it stands still while a weight is dragged.
+/// The stage for the active curve, which must be there, in the inset `box`, as large as it fits there: that of the
+/// committed curve while the pointer holds a lifted point, so that it stands still under it, else of the shown one.
 LiftedStage lifted_stage(const EditorState& state, const render::PixelBox& box);
 
 /// Every so manieth control point of `curve` is shown in space: 1 up to 100 of them.

@@ -7,6 +7,7 @@
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/weight_commands.h"
 #include "app/editor/edit_step.h"
+#include "app/editor/hover_request.h"
 #include "app/editor/lifted_stage.h"
 #include "app/editor/scene/insets.h"
 #include "core/evaluate/farin_points.h"
@@ -97,6 +98,7 @@ CanvasMode begin_inset_gesture(const Gesture& gesture) {
     if (!point) return TurningOrbit{gesture.event.position_px};
     if (gesture.state.selection.points != std::vector{*point}) gesture.queue.run(SelectPoints{.points = {*point}});
     if (!can_edit_curve(gesture.state)) return CanvasIdle{};
+    request_hover(HoveredLifted{point}, gesture.state, gesture.queue);
     return DraggingLiftedWeight{*point, gesture.event.position_px};
 }
 

@@ -18,6 +18,7 @@ constexpr double ray_beyond = 1.06;  // of the way to what is higher
 constexpr std::size_t generator_count = 32;
 constexpr int steps_of_bent_leg = 12;
 constexpr double lifted_width = 3.0;
+constexpr double title_height = 24.0;
 constexpr double inset_padding = 12.0;
 constexpr double shadow_width = 2.25;
 
@@ -27,7 +28,7 @@ class LiftedPicture {
     LiftedPicture(CanvasFrame& frame, const render::PixelBox& box)
         : frame_(frame),
           stage_(lifted_stage(frame.state, box)),
-          pen_(frame.pen.within(box)),
+          pen_(frame.pen.within({box.lower_px + glm::dvec2(0.0, frame.pen.px(title_height)), box.upper_px})),
           samples_(frame.kept->lifted(stage_.view)),
           is_from_above_(stage_.camera.pitch >= 0.0) {}
 
