@@ -20,8 +20,15 @@ constexpr std::array inset_sizes{InsetSize{Overlay::hodograph, {200.0, 150.0}},
 
 constexpr double margin = 14.0;
 constexpr double gap = 8.0;
-constexpr double inset_bottom = 28.0;     // leaves room for the numbers of the grid
+constexpr double inset_bottom = 28.0;  // leaves room for the numbers of the grid
+constexpr double most_width = 0.45;    // of the canvas, for one inset
+constexpr double most_height = 0.75;
 constexpr double most_share = 0.6;  // of the canvas' width; the first inset is always shown
+
+/// Smaller in a small canvas.
+glm::dvec2 fitting(glm::dvec2 size, glm::dvec2 picture) {
+    return size * std::min({1.0, most_width * picture.x / size.x, most_height * picture.y / size.y});
+}
 
 }  // namespace
 
@@ -32,8 +39,9 @@ std::vector<InsetPlace> inset_places(const EditorState& state) {
     const glm::dvec2 picture = state.view.camera.size_px / scale;
     glm::dvec2 corner{picture.x - margin, margin};  // the upper right one of the next inset
     double column_width = 0.0;
-    for (const auto& [overlay, size] : inset_sizes) {
+    for (const auto& [overlay, wanted] : inset_sizes) {
         if (!state.view.overlays.is_shown(overlay)) continue;
+        const glm::dvec2 size = fitting(wanted, picture);
         if (column_width > 0.0 && corner.y + size.y > picture.y - inset_bottom) {
             corner = {corner.x - column_width - gap, margin};
             column_width = 0.0;
