@@ -6,10 +6,12 @@
 
 #include "app/editor/command_table.h"
 #include "app/editor/commands/file_commands.h"
+#include "app/editor/commands/lesson_commands.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/example_list.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
+#include "app/ui/lesson_list.h"
 #include "app/ui/menu_entry.h"
 #include "app/ui/panels.h"
 #include "app/ui/shell_widgets.h"
@@ -74,6 +76,17 @@ void draw_examples(const PanelContext& context) {
     ImGui::EndMenu();
 }
 
+void draw_lessons(const PanelContext& context) {
+    if (!ImGui::BeginMenu("Open lesson")) return;
+    for (const LessonEntry& lesson : lessons_of(context)) {
+        ImGui::PushID(lesson.name.c_str());
+        if (ImGui::Selectable(lesson.title.c_str())) context.queue.run(editor::OpenLesson{lesson.name});
+        ImGui::PopID();
+        report_item(context, fmt::format("menu-item lesson {}", lesson.name));
+    }
+    ImGui::EndMenu();
+}
+
 /// A submenu, whose place is reported before Dear ImGui turns to what is in it.
 void draw_submenu(const PanelContext& context, const std::string& place_name,
                   const std::function<void(const PanelContext&)>& draw) {
@@ -109,6 +122,8 @@ void draw_column(const PanelContext& context, const Column& column) {
         if (!column.holds(spec)) continue;
         if (&spec == &editor::OpenExample::spec())
             draw_submenu(context, "menu-item examples", draw_examples);
+        else if (&spec == &editor::OpenLesson::spec())
+            draw_submenu(context, "menu-item open-lesson", draw_lessons);
         else
             draw_menu_entry(context, {&spec}, columns);
         if (&spec == &editor::Open::spec()) draw_submenu(context, "menu-item open-recent", draw_recent_files);

@@ -63,6 +63,12 @@ struct Example {
     core::Box box;                                ///< of lines and control points
 };
 
+/// A lesson as it is offered.
+struct LessonEntry {
+    std::string name;  ///< the file's name without ".json"
+    std::string title;
+};
+
 /// One of the pictures that are painted below the interface.
 enum class Picture { none, canvas, plot };
 
@@ -145,7 +151,8 @@ struct PanelState {
     InspectorState inspector;
     PointerState pointer;
     ContextMenuState context_menu;
-    std::optional<std::vector<Example>> examples;  ///< read when the welcome screen first opens
+    std::optional<std::vector<Example>> examples;     ///< read when the welcome screen first opens
+    std::optional<std::vector<LessonEntry>> lessons;  ///< read when the menu of lessons first opens
     std::string key_sheet_filter;
     std::string shown_keys;       ///< that were pressed last, with what they do
     std::string text_at_pointer;  ///< what Ctrl+C copies in place of the curve; of this frame until its end
