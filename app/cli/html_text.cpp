@@ -62,7 +62,7 @@ std::string html_of_label(std::string_view label) {
 }
 
 std::string html_image(std::string_view svg, std::string_view alternative) {
-    return core::sentence("<img src=\"data:image/svg+xml,{data}\" alt=\"{alternative}\">",
+    return core::sentence(R"(<img src="data:image/svg+xml,{data}" alt="{alternative}">)",
                           {{"data", percent_encoded(svg)}, {"alternative", html_text(alternative)}});
 }
 

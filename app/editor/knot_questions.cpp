@@ -18,15 +18,17 @@ class StepWatch {
   public:
     void see(double u) {
         const double tolerance = 8.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(u), std::abs(last_));
-        if (seen_ > 1 && !uneven && std::abs((u - last_) - (last_ - before_)) > tolerance) uneven = {before_, last_, u};
+        if (seen_ > 1 && !uneven_ && std::abs((u - last_) - (last_ - before_)) > tolerance)
+            uneven_ = {before_, last_, u};
         before_ = last_;
         last_ = u;
         ++seen_;
     }
 
-    std::optional<std::array<double, 3>> uneven{};
+    const std::optional<std::array<double, 3>>& uneven() const { return uneven_; }
 
   private:
+    std::optional<std::array<double, 3>> uneven_{};
     double before_ = 0.0;
     double last_ = 0.0;
     int seen_ = 0;
@@ -128,7 +130,7 @@ KnotAnswers answers_about(const core::KnotVector& knots) {
             answers.roughest = knot;
     }
     if (knots.is_periodic()) steps.see(answers.domain.upper);
-    answers.uneven = steps.uneven;
+    answers.uneven = steps.uneven();
     return answers;
 }
 

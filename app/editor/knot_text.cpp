@@ -53,7 +53,7 @@ Parts divided(std::string_view text) {
     text = without_name(text);
     if (!text.empty() && text.front() == '(') {
         // Behind the parenthesis that closes the first one.
-        const std::size_t end = std::min(text.substr(1).find_first_of(")"), text.size() - 2) + 1;
+        const std::size_t end = std::min(text.substr(1).find_first_of(')'), text.size() - 2) + 1;
         return {text.substr(1, end - 1), behind_p(text.substr(end + 1))};
     }
     const std::size_t equals = text.rfind('=');

@@ -49,7 +49,7 @@ std::vector<Paragraph> paragraphs_of(const PanelContext& context, float width) {
     const editor::LessonStep& step = run.present();
     const editor::Theme& theme = context.theme;
     std::vector<Paragraph> paragraphs;
-    const auto add = [&](const char* name, const std::string& text, ImFont* font, render::Color color,
+    const auto add = [&](const std::string& name, const std::string& text, ImFont* font, render::Color color,
                          const std::string& mark = {}) {
         if (text.empty()) return;
         const float room = mark.empty() ? width : width - context.px(mark_width);
@@ -60,9 +60,12 @@ std::vector<Paragraph> paragraphs_of(const PanelContext& context, float width) {
     if (run.step == 0) add("lesson intro", run.lesson->text, context.fonts.text, theme.dim);
     add("lesson text", step.text, context.fonts.text, theme.text);
     add("lesson task", step.task, context.fonts.bold, theme.accent);
-    for (const editor::CheckResult& result : editor::results_of(run, context.state))
-        add("lesson check", result.sentence, context.fonts.text, result.holds ? theme.text : theme.dim,
-            result.holds ? "✓" : "○");
+    const std::vector<editor::CheckResult> results = editor::results_of(run, context.state);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const editor::CheckResult& result = results[i];
+        add(fmt::format("lesson check {}", i), result.sentence, context.fonts.text,
+            result.holds ? theme.text : theme.dim, result.holds ? "✓" : "○");
+    }
     return paragraphs;
 }
 
@@ -85,7 +88,7 @@ void draw_paragraph(const PanelContext& context, const Paragraph& paragraph) {
     const float pitch = pitch_of(paragraph.font);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float indent = paragraph.mark.empty() ? 0.0F : context.px(mark_width);
-    std::string value;
+    std::string value = paragraph.mark;
     for (std::size_t i = 0; i < paragraph.lines.lines.size(); ++i) {
         const std::string& line = paragraph.lines.lines[i];
         draw_text(context, ImVec2(corner.x + indent, corner.y + (static_cast<float>(i) + 0.5F) * pitch),

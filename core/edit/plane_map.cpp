@@ -40,9 +40,11 @@ void divide_by_size(std::initializer_list<double*> numbers, double size) {
 
 // Rows and columns of the order of 1, so that products of three cannot vanish or overflow where it matters.
 Rows balanced(Rows rows) {
-    for (Row& row : rows) divide_by_size({&row[0], &row[1], &row[2]}, largest(row[0], row[1], row[2]));
-    for (std::size_t k = 0; k < 3; ++k)
-        divide_by_size({&rows[0][k], &rows[1][k], &rows[2][k]}, largest(rows[0][k], rows[1][k], rows[2][k]));
+    for (auto& [a, b, c] : rows) divide_by_size({&a, &b, &c}, largest(a, b, c));
+    for (std::size_t k = 0; k < 3; ++k) {
+        double& first = rows[0][k];
+        divide_by_size({&first, &rows[1][k], &rows[2][k]}, largest(first, rows[1][k], rows[2][k]));
+    }
     return rows;
 }
 

@@ -15,8 +15,9 @@ namespace {
 
 constexpr const char* lesson_menu = "Lessons";
 
+// What a student has done in a lesson ends with it.
 Outcome<void> open_one(EditorState& state, const OpenLesson& command) {
-    return ask_or_proceed(state, command);
+    return state.lesson ? proceed(state, command) : ask_or_proceed(state, command);
 }
 
 Outcome<void> go_on(EditorState& state, const NextStep&) {
@@ -45,7 +46,7 @@ Outcome<void> begin(EditorState& state, const RecordLesson& command) {
 
 Outcome<void> save(EditorState& state, const SaveLesson& command) {
     return native_path(command.path).and_then([&](const std::filesystem::path& path) -> Outcome<void> {
-        const Outcome<void> saved = save_lesson(recorded_lesson(state), absolute_path(path));
+        Outcome<void> saved = save_lesson(recorded_lesson(state), absolute_path(path));
         if (!saved) return saved;
         state.message = {core::sentence({.one = "Saved {file}, a lesson of one step",
                                          .many = "Saved {file}, a lesson of {count} steps"},
@@ -68,19 +69,19 @@ std::optional<Refusal> no_lesson(const EditorState& state) {
 }
 
 std::optional<Refusal> no_next_step(const EditorState& state) {
-    if (const auto refusal = no_lesson(state)) return refusal;
+    if (std::optional<Refusal> refusal = no_lesson(state)) return refusal;
     if (!state.lesson->is_last()) return std::nullopt;
     return "this is the last step of the lesson";
 }
 
 std::optional<Refusal> no_previous_step(const EditorState& state) {
-    if (const auto refusal = no_lesson(state)) return refusal;
+    if (std::optional<Refusal> refusal = no_lesson(state)) return refusal;
     if (state.lesson->step > 0) return std::nullopt;
     return "this is the first step of the lesson";
 }
 
 std::optional<Refusal> no_solution(const EditorState& state) {
-    if (const auto refusal = no_lesson(state)) return refusal;
+    if (std::optional<Refusal> refusal = no_lesson(state)) return refusal;
     if (!state.lesson->present().solution.empty()) return std::nullopt;
     return "this step of the lesson has no task that could be shown";
 }

@@ -216,7 +216,7 @@ Field row_field(const char* name, const char* meaning) {
 // What the commands have in common.
 template <class Command>
 CommandSpec transform_spec(const char* name, const char* title, const char* explanation, const char* synonyms,
-                           std::vector<Field> fields) {
+                           const std::vector<Field>& fields) {
     return {.name = name,
             .title = title,
             .explanation = explanation,

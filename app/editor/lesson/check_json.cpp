@@ -81,7 +81,7 @@ Outcome<LessonCheck> read_check(const LessonJson& json, const std::string& point
     MemberReader reader(json, pointer);
     std::string name;
     reader.required("check", name);
-    const auto found = std::find(check_names.begin(), check_names.end(), name);
+    const auto* const found = std::find(check_names.begin(), check_names.end(), name);
     if (found == check_names.end()) {
         const std::vector<std::string> names(check_names.begin(), check_names.end());
         reader.fail(reader.place("check"), core::listed_as_alternatives(names).c_str());

@@ -53,7 +53,7 @@ Outcome<void> begin_step(EditorState& state) {
     const LessonStep& step = lesson->steps[state.lesson->step];
     if (step.document) replace_document(state, *step.document);
     take_view(state.view, step.view);
-    const Outcome<void> outcome = run_acts(state, step.acts);
+    Outcome<void> outcome = run_acts(state, step.acts);
     // An act may move the parameter, which the step has a word about.
     take_view(state.view, step.view);
     state.history.mark_saved();
