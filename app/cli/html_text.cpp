@@ -13,12 +13,12 @@ namespace {
 
 // As a URL has it, but for what is safe in a quoted attribute.
 std::string percent_encoded(std::string_view text) {
-    constexpr std::string_view plain = " =:/;,.-_()!*'@?+~&";
+    constexpr std::string_view plain = " =:/;,.-_()!*@?+~";
     std::string result;
     result.reserve(text.size() + text.size() / 4);
     for (const char c : text) {
         const bool is_word = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9');
-        if (is_word || (plain.find(c) != std::string_view::npos && c != '&'))
+        if (is_word || plain.find(c) != std::string_view::npos)
             result += c;
         else
             fmt::format_to(std::back_inserter(result), "%{:02X}", static_cast<unsigned char>(c));
@@ -62,7 +62,7 @@ std::string html_of_label(std::string_view label) {
 }
 
 std::string html_image(std::string_view svg, std::string_view alternative) {
-    return core::sentence(R"(<img src="data:image/svg+xml,{data}" alt="{alternative}">)",
+    return core::sentence("<img src='data:image/svg+xml,{data}' alt='{alternative}'>",
                           {{"data", percent_encoded(svg)}, {"alternative", html_text(alternative)}});
 }
 

@@ -224,7 +224,7 @@ CommandSpec transform_spec(const char* name, const char* title, const char* expl
             .group = CommandGroup::curve,
             .submenu = "Transform",
             .effect = ShapeEffect::changes,
-            .fields = std::move(fields),
+            .fields = fields,
             .refusal = no_editable_curve,
             .run = body_of<map_by<Command>>};
 }

@@ -41,7 +41,8 @@ std::set<std::size_t> seen_legs(const CanvasFrame& frame) {
         return legs;
     }
     if (seen_point_count(frame, legs) > most_farin_points) return {};
-    if (const auto* committed = frame.state.history.present().active_curve(); count <= most_searched_legs && committed) {
+    if (const auto* committed = frame.state.history.present().active_curve();
+        count <= most_searched_legs && committed) {
         const core::Box seen = frame.seen(0.0);
         frame.state.derived.near_parts(committed->curve)
             ->visit_near(seen.center(), 0.5 * core::length(seen.size()), [&](std::size_t leg) { legs.insert(leg); });
