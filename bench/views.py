@@ -13,7 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 def overlays():
     """The names of all overlays, as files have them."""
-    return re.findall(r'Named\{\w+, "([a-z-]+)"', (ROOT / "app/editor/overlay.h").read_text())
+    return re.findall(r'Named\{\w+, "([a-z-]+)"', (ROOT / "app/editor/state/overlay.h").read_text())
 
 
 def document(shown, weights):

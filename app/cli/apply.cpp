@@ -9,8 +9,8 @@
 #include "app/cli/table_argument.h"
 #include "app/editor/command_reader.h"
 #include "app/editor/editor.h"
-#include "app/editor/native_name.h"
-#include "app/editor/wording.h"
+#include "app/editor/words/native_name.h"
+#include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 

@@ -11,7 +11,7 @@
 #include "app/cli/help_text.h"
 #include "app/cli/standard_streams.h"
 #include "app/cli/table_argument.h"
-#include "app/editor/expression.h"
+#include "app/editor/fields/expression.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/base/version.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/editor/command_table.h"
-#include "app/editor/field_text.h"
+#include "app/editor/fields/field_text.h"
 #include "core/base/sentence.h"
 
 namespace batten::cli {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/argument.h"
 #include "app/editor/command_spec.h"
+#include "app/editor/fields/argument.h"
 
 namespace batten::cli {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/gesture_script.h"
+#include "app/editor/pointer/gesture_script.h"
 #include "core/curve/knot_vector.h"
 
 namespace batten::cli {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

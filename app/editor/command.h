@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/editor/view_change.h"
+#include "app/editor/state/view_change.h"
 
 namespace batten::editor {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "app/editor/field_text.h"
-#include "app/editor/state.h"
+#include "app/editor/fields/field_text.h"
+#include "app/editor/state/state.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

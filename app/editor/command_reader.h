@@ -1,9 +1,9 @@
 /// Makes commands of arguments that were read from a text or a log.
 #pragma once
 
-#include "app/editor/argument.h"
 #include "app/editor/command.h"
 #include "app/editor/command_spec.h"
+#include "app/editor/fields/argument.h"
 
 namespace batten::editor {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/field.h"
-#include "app/editor/key.h"
-#include "app/editor/nudge_burst.h"
-#include "app/editor/selection.h"
+#include "app/editor/fields/field.h"
+#include "app/editor/state/key.h"
+#include "app/editor/state/nudge_burst.h"
+#include "app/editor/state/selection.h"
 #include "core/base/names.h"
 #include "core/document/document.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/editor/command.h"
-#include "app/editor/settings.h"
-#include "app/editor/state.h"
+#include "app/editor/state/settings.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

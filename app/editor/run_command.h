@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/editor/command.h"
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

@@ -3,8 +3,8 @@
 #include "app/editor/command_reader.h"
 #include "app/editor/command_table.h"
 #include "app/editor/commands/knot_question_commands.h"
-#include "app/editor/expression.h"
-#include "app/editor/knot_text.h"
+#include "app/editor/fields/expression.h"
+#include "app/editor/words/knot_text.h"
 
 namespace batten::editor {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/editor/command.h"
-#include "app/editor/field.h"
+#include "app/editor/fields/field.h"
 
 namespace batten::editor {
 

@@ -1,7 +1,7 @@
 /// Keeps what refers to the document (selection, hover, view) in line when the document changes.
 #pragma once
 
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

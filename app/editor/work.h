@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "app/editor/command.h"
-#include "app/editor/field.h"
-#include "app/editor/state.h"
+#include "app/editor/fields/field.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

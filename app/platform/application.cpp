@@ -15,7 +15,7 @@
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/plot_scene.h"
 #include "app/editor/session.h"
-#include "app/editor/settings.h"
+#include "app/editor/state/settings.h"
 #include "app/platform/cursors.h"
 #include "app/platform/frame_clock.h"
 #include "app/platform/imgui_layer.h"

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "app/editor/cursor.h"
+#include "app/editor/pointer/cursor.h"
 
 struct GLFWcursor;
 struct GLFWwindow;

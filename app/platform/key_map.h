@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "app/editor/key.h"
+#include "app/editor/state/key.h"
 
 namespace batten::platform {
 

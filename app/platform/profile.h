@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/gesture_script.h"
+#include "app/editor/pointer/gesture_script.h"
 #include "app/platform/frame_meter.h"
 
 namespace batten::platform {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/editor/plot_layout.h"
+#include "app/editor/pointer/plot_layout.h"
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/evaluate.h"
 

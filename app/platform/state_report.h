@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 #include "app/platform/frame_clock.h"
 #include "app/platform/input.h"
 #include "app/ui/frame.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
-#include "app/editor/settings.h"
+#include "app/editor/state/settings.h"
 #include "app/platform/input.h"
 
 struct GLFWwindow;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/formula.h"
+#include "app/editor/words/formula.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/panel_hover.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/editor/command_reader.h"
-#include "app/editor/reading_text.h"
+#include "app/editor/words/reading_text.h"
 #include "core/base/sentence.h"
 
 namespace batten::ui {

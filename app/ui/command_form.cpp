@@ -6,8 +6,8 @@
 
 #include "app/editor/command_reader.h"
 #include "app/editor/commands/help_commands.h"
-#include "app/editor/field_text.h"
-#include "app/editor/reading_text.h"
+#include "app/editor/fields/field_text.h"
+#include "app/editor/words/reading_text.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/dialog_frame.h"
 #include "app/ui/form_row.h"

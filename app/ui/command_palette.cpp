@@ -7,7 +7,7 @@
 
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
-#include "app/editor/field.h"
+#include "app/editor/fields/field.h"
 #include "app/editor/typed_command.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/dialog_frame.h"

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/blend_lines.h"
 #include "app/editor/commands/construction_commands.h"
-#include "app/editor/construction_cells.h"
-#include "app/editor/formula.h"
+#include "app/editor/derived/blend_lines.h"
+#include "app/editor/derived/construction_cells.h"
+#include "app/editor/words/formula.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"

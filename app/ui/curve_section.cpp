@@ -6,7 +6,7 @@
 #include "app/editor/commands/degree_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/tear_commands.h"
-#include "app/editor/formula.h"
+#include "app/editor/words/formula.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"

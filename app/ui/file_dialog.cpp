@@ -6,7 +6,7 @@
 
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
-#include "app/editor/native_name.h"
+#include "app/editor/words/native_name.h"
 #include "app/ui/dialog_frame.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"

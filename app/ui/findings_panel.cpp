@@ -7,7 +7,7 @@
 
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/help_commands.h"
-#include "app/editor/reading_text.h"
+#include "app/editor/words/reading_text.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/section.h"

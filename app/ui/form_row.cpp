@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/style.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/field.h"
+#include "app/editor/fields/field.h"
 #include "app/ui/panels.h"
 
 namespace batten::ui {

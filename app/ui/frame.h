@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/cursor.h"
-#include "app/editor/key.h"
-#include "app/editor/pointer.h"
+#include "app/editor/pointer/cursor.h"
+#include "app/editor/pointer/pointer.h"
+#include "app/editor/state/key.h"
 
 namespace batten::ui {
 

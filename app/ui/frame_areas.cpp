@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/plot_layout.h"
+#include "app/editor/pointer/plot_layout.h"
 
 namespace batten::ui {
 

@@ -1,7 +1,7 @@
 /// How the window is divided among menu, tools, canvas, dock, inspector and status bar.
 #pragma once
 
-#include "app/editor/view.h"
+#include "app/editor/state/view.h"
 #include "app/ui/frame.h"
 
 namespace batten::ui {

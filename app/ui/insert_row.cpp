@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/editor/commands/knot_commands.h"
-#include "app/editor/formula.h"
+#include "app/editor/words/formula.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"
 #include "app/ui/section.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/editor/formula.h"
+#include "app/editor/words/formula.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/rich_text.h"

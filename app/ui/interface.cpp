@@ -6,7 +6,7 @@
 #include "app/editor/command_table.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/lesson_commands.h"
-#include "app/editor/hit_test.h"
+#include "app/editor/pointer/hit_test.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/frame_areas.h"

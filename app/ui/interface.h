@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "app/editor/canvas_mode.h"
 #include "app/editor/editor.h"
-#include "app/editor/plot_mode.h"
+#include "app/editor/pointer/canvas_mode.h"
+#include "app/editor/pointer/plot_mode.h"
 #include "app/ui/fonts.h"
 #include "app/ui/frame.h"
 #include "render/draw_list.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/editor/commands/lesson_commands.h"
-#include "app/editor/formula.h"
+#include "app/editor/words/formula.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/section.h"

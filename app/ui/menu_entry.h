@@ -1,7 +1,7 @@
 /// The lines of menus: check mark, title, sign of the effect, shortcut, in columns.
 #pragma once
 
-#include "app/editor/context_menu.h"
+#include "app/editor/pointer/context_menu.h"
 #include "app/ui/panels.h"
 
 namespace batten::ui {

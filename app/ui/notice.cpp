@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/editor/commands/help_commands.h"
-#include "app/editor/reading_text.h"
+#include "app/editor/words/reading_text.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"

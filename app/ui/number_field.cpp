@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/expression.h"
-#include "app/editor/formula.h"
-#include "app/editor/reading_text.h"
+#include "app/editor/fields/expression.h"
+#include "app/editor/words/formula.h"
+#include "app/editor/words/reading_text.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/rich_text.h"

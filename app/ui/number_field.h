@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/number_column.h"
+#include "app/editor/words/number_column.h"
 #include "app/ui/panels.h"
 
 namespace batten::ui {

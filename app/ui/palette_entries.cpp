@@ -7,7 +7,7 @@
 #include "app/editor/command_table.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/knot_question_commands.h"
-#include "app/editor/knot_text.h"
+#include "app/editor/words/knot_text.h"
 #include "app/ui/example_list.h"
 #include "app/ui/fuzzy_match.h"
 #include "core/base/sentence.h"

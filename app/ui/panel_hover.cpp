@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "app/editor/hover_request.h"
+#include "app/editor/pointer/hover_request.h"
 
 namespace batten::ui {
 

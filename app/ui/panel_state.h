@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "app/editor/command_spec.h"
-#include "app/editor/context_menu.h"
-#include "app/editor/overlay.h"
-#include "app/editor/pointer.h"
-#include "app/editor/selection.h"
+#include "app/editor/pointer/context_menu.h"
+#include "app/editor/pointer/pointer.h"
+#include "app/editor/state/overlay.h"
+#include "app/editor/state/selection.h"
 #include "app/ui/file_choice.h"
 #include "core/document/document.h"
 

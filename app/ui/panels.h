@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/command.h"
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 #include "app/ui/fonts.h"
 #include "app/ui/frame.h"
 #include "app/ui/panel_state.h"

@@ -6,7 +6,7 @@
 
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
-#include "app/editor/point_hues.h"
+#include "app/editor/state/point_hues.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"
 #include "app/ui/panel_hover.h"

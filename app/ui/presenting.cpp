@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/editor/command_table.h"
-#include "app/editor/reading_text.h"
+#include "app/editor/words/reading_text.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/panels.h"
 #include "app/ui/shell_widgets.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/hint_text.h"
+#include "app/editor/pointer/hint_text.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/style.h"
 

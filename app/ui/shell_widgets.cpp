@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "app/editor/reading_text.h"
+#include "app/editor/words/reading_text.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/style.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/plot_layout.h"
+#include "app/editor/pointer/plot_layout.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/shell_widgets.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "app/editor/formula.h"
-#include "app/editor/reading_text.h"
+#include "app/editor/words/formula.h"
+#include "app/editor/words/reading_text.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/panels.h"

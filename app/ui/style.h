@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "app/editor/theme.h"
+#include "app/editor/state/theme.h"
 
 struct ImVec4;
 

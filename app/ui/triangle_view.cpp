@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/blend_lines.h"
-#include "app/editor/construction_cells.h"
-#include "app/editor/formula.h"
-#include "app/editor/point_hues.h"
+#include "app/editor/derived/blend_lines.h"
+#include "app/editor/derived/construction_cells.h"
+#include "app/editor/state/point_hues.h"
+#include "app/editor/words/formula.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/panel_hover.h"
 #include "app/ui/section.h"

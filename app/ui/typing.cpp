@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/editor/reading_text.h"
+#include "app/editor/words/reading_text.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/shell_widgets.h"

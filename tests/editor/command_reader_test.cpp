@@ -16,7 +16,7 @@
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "core/base/number_text.h"
-#include "sample_editor.h"
+#include "tests/editor/sample_editor.h"
 
 namespace batten::editor {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/selection_commands.h"
-#include "sample_editor.h"
+#include "tests/editor/sample_editor.h"
 
 namespace batten::editor {
 namespace {

@@ -12,8 +12,8 @@
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/view_commands.h"
-#include "app/editor/reading_text.h"
-#include "sample_editor.h"
+#include "app/editor/words/reading_text.h"
+#include "tests/editor/sample_editor.h"
 
 namespace batten::editor {
 namespace {

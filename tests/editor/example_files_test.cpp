@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sample_editor.h"
+#include "tests/editor/sample_editor.h"
 
 namespace batten::editor {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/command_spec.h"
-#include "sample_editor.h"
+#include "tests/editor/sample_editor.h"
 
 namespace batten::editor {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/commands/construction_commands.h"
-#include "sample_editor.h"
+#include "tests/editor/sample_editor.h"
 
 namespace batten::editor::test {
 

@@ -14,8 +14,8 @@
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/session.h"
 #include "app/editor/upkeep.h"
-#include "random_session.h"
-#include "sample_editor.h"
+#include "tests/editor/random_session.h"
+#include "tests/editor/sample_editor.h"
 
 namespace batten::editor {
 namespace {

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/canvas_mode.h"
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/editor.h"
-#include "app/editor/plot_mode.h"
+#include "app/editor/pointer/canvas_mode.h"
+#include "app/editor/pointer/plot_mode.h"
 
 namespace batten::editor::test {
 

@@ -1,4 +1,4 @@
-#include "random_session.h"
+#include "tests/editor/random_session.h"
 
 #include <array>
 

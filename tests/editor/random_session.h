@@ -8,7 +8,7 @@
 
 #include "app/editor/command.h"
 #include "app/editor/command_spec.h"
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

@@ -7,7 +7,7 @@
 
 #include "app/editor/scene/canvas_scene.h"
 #include "app/editor/scene/plot_scene.h"
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 #include "render/draw_list.h"
 #include "render/pixel_box.h"
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/editor/session.h"
-#include "sample_editor.h"
+#include "tests/editor/sample_editor.h"
 
 namespace batten::editor {
 namespace {

@@ -12,7 +12,7 @@
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
-#include "sample_editor.h"
+#include "tests/editor/sample_editor.h"
 
 namespace batten::editor {
 namespace {

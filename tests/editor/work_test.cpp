@@ -15,7 +15,7 @@
 #include "app/editor/typed_command.h"
 #include "core/curve/knot_kinds.h"
 #include "core/document/native_file.h"
-#include "sample_editor.h"
+#include "tests/editor/sample_editor.h"
 
 namespace batten::editor {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "app/editor/cards/cubic_card_parts.h"
 #include "app/editor/cards/cubic_cards.h"
-#include "app/editor/cubic_sentences.h"
-#include "app/editor/uniform_cubic_formula.h"
+#include "app/editor/words/cubic_sentences.h"
+#include "app/editor/words/uniform_cubic_formula.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <map>
 
-#include "app/editor/basis_formula.h"
-#include "app/editor/formula.h"
-#include "app/editor/plot_layout.h"
+#include "app/editor/derived/shown_function.h"
+#include "app/editor/pointer/plot_layout.h"
 #include "app/editor/scene/plot_intervals.h"
-#include "app/editor/shown_function.h"
+#include "app/editor/words/basis_formula.h"
+#include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/basis.h"
 

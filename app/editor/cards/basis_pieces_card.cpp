@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "app/editor/basis_formula.h"
-#include "app/editor/shown_function.h"
+#include "app/editor/derived/shown_function.h"
+#include "app/editor/words/basis_formula.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "app/editor/basis_formula.h"
 #include "app/editor/commands/file_commands.h"
-#include "app/editor/formula.h"
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
+#include "app/editor/words/basis_formula.h"
+#include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/rational_basis.h"
 

@@ -2,11 +2,11 @@
 
 #include <fmt/ranges.h>
 
-#include "app/editor/bezier_points.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/refinement_commands.h"
 #include "app/editor/commands/subdivision_commands.h"
+#include "app/editor/derived/bezier_points.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

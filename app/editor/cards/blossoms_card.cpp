@@ -2,12 +2,12 @@
 
 #include <fmt/core.h>
 
-#include "app/editor/blend_lines.h"
-#include "app/editor/blossom_text.h"
 #include "app/editor/cards/no_curve.h"
 #include "app/editor/cards/triangle_picture.h"
 #include "app/editor/commands/construction_commands.h"
-#include "app/editor/construction_cells.h"
+#include "app/editor/derived/blend_lines.h"
+#include "app/editor/derived/construction_cells.h"
+#include "app/editor/words/blossom_text.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

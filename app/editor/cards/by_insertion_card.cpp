@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "app/editor/cards/no_curve.h"
-#include "app/editor/construction_cells.h"
-#include "app/editor/insertion_lines.h"
-#include "app/editor/state.h"
+#include "app/editor/derived/construction_cells.h"
+#include "app/editor/derived/insertion_lines.h"
+#include "app/editor/state/state.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

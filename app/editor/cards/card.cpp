@@ -2,7 +2,7 @@
 
 #include <fmt/ranges.h>
 
-#include "app/editor/formula.h"
+#include "app/editor/words/formula.h"
 
 namespace batten::editor {
 

@@ -9,7 +9,7 @@
 
 #include "app/editor/command.h"
 #include "app/editor/scene/pen.h"
-#include "app/editor/selection.h"
+#include "app/editor/state/selection.h"
 
 namespace batten::editor {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/editor/commands/file_commands.h"
-#include "app/editor/formula.h"
+#include "app/editor/words/formula.h"
 
 namespace batten::editor {
 

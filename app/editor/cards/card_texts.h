@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/editor/cards/card.h"
-#include "app/editor/notation.h"
+#include "app/editor/state/notation.h"
 #include "core/base/geometry.h"
 
 namespace batten::editor {

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "app/editor/cards/card.h"
-#include "app/editor/overlay.h"
-#include "app/editor/state.h"
+#include "app/editor/state/overlay.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

@@ -1,12 +1,12 @@
 #include <fmt/core.h>
 
-#include "app/editor/active_conic.h"
 #include "app/editor/cards/weight_cards.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/weight_commands.h"
-#include "app/editor/formula.h"
-#include "app/editor/root_text.h"
+#include "app/editor/derived/active_conic.h"
+#include "app/editor/words/formula.h"
+#include "app/editor/words/root_text.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

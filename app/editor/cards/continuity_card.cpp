@@ -6,10 +6,10 @@
 
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/file_commands.h"
-#include "app/editor/continuity_meter.h"
-#include "app/editor/continuity_words.h"
-#include "app/editor/formula.h"
-#include "app/editor/state.h"
+#include "app/editor/derived/continuity_meter.h"
+#include "app/editor/state/state.h"
+#include "app/editor/words/continuity_words.h"
+#include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

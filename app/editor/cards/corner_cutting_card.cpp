@@ -10,9 +10,9 @@
 #include "app/editor/commands/refinement_commands.h"
 #include "app/editor/commands/subdivision_commands.h"
 #include "app/editor/commands/suggestions.h"
-#include "app/editor/formula.h"
-#include "app/editor/shown_cutting.h"
-#include "app/editor/wording.h"
+#include "app/editor/derived/shown_cutting.h"
+#include "app/editor/words/formula.h"
+#include "app/editor/words/wording.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

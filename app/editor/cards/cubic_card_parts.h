@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/editor/cards/card.h"
-#include "app/editor/shown_cubic.h"
+#include "app/editor/derived/shown_cubic.h"
 
 namespace batten::editor {
 

@@ -5,8 +5,8 @@
 
 #include "app/editor/cards/cubic_card_parts.h"
 #include "app/editor/cards/cubic_cards.h"
-#include "app/editor/formula.h"
-#include "app/editor/uniform_cubic_formula.h"
+#include "app/editor/words/formula.h"
+#include "app/editor/words/uniform_cubic_formula.h"
 
 namespace batten::editor {
 

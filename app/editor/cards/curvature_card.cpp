@@ -6,9 +6,9 @@
 
 #include "app/editor/cards/card_texts.h"
 #include "app/editor/commands/construction_commands.h"
-#include "app/editor/formula.h"
-#include "app/editor/number_column.h"
 #include "app/editor/scene/bend_marks.h"
+#include "app/editor/words/formula.h"
+#include "app/editor/words/number_column.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/tangent.h"

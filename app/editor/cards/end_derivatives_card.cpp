@@ -4,8 +4,8 @@
 
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/refinement_commands.h"
-#include "app/editor/end_formula.h"
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
+#include "app/editor/words/end_formula.h"
 
 namespace batten::editor {
 

@@ -6,7 +6,7 @@
 #include "app/editor/cards/cubic_cards.h"
 #include "app/editor/commands/closing_commands.h"
 #include "app/editor/commands/point_commands.h"
-#include "app/editor/cubic_sentences.h"
+#include "app/editor/words/cubic_sentences.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

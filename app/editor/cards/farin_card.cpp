@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/editor/cards/weight_cards.h"
-#include "app/editor/root_text.h"
+#include "app/editor/words/root_text.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/farin_points.h"
 

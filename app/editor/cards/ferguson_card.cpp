@@ -2,7 +2,7 @@
 
 #include "app/editor/cards/cubic_card_parts.h"
 #include "app/editor/cards/cubic_cards.h"
-#include "app/editor/uniform_cubic_formula.h"
+#include "app/editor/words/uniform_cubic_formula.h"
 
 namespace batten::editor {
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <utility>
 
-#include "app/editor/formula.h"
 #include "app/editor/scene/text_size.h"
+#include "app/editor/words/formula.h"
 
 namespace batten::editor {
 

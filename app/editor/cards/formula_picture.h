@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/editor/cards/card.h"
-#include "app/editor/theme.h"
+#include "app/editor/state/theme.h"
 
 namespace batten::editor {
 

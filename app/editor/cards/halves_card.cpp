@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "app/editor/cards/no_curve.h"
-#include "app/editor/cell_names.h"
 #include "app/editor/commands/piece_commands.h"
 #include "app/editor/scene/halves.h"
+#include "app/editor/words/cell_names.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

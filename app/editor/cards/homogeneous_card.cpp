@@ -2,8 +2,8 @@
 
 #include "app/editor/cards/weight_cards.h"
 #include "app/editor/commands/weight_commands.h"
-#include "app/editor/formula.h"
-#include "app/editor/root_text.h"
+#include "app/editor/words/formula.h"
+#include "app/editor/words/root_text.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/lifted.h"
 

@@ -6,7 +6,7 @@
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/invariance_commands.h"
 #include "app/editor/commands/transform_commands.h"
-#include "app/editor/formula.h"
+#include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 

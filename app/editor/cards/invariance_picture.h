@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "app/editor/cards/card.h"
-#include "app/editor/map_check.h"
-#include "app/editor/state.h"
+#include "app/editor/derived/map_check.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

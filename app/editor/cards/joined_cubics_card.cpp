@@ -7,8 +7,8 @@
 #include "app/editor/cards/cubic_cards.h"
 #include "app/editor/commands/closing_commands.h"
 #include "app/editor/commands/file_commands.h"
-#include "app/editor/cubic_sentences.h"
-#include "app/editor/uniform_cubic_formula.h"
+#include "app/editor/words/cubic_sentences.h"
+#include "app/editor/words/uniform_cubic_formula.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

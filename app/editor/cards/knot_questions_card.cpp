@@ -1,7 +1,7 @@
 #include "app/editor/cards/knot_questions_card.h"
 
 #include "app/editor/commands/knot_question_commands.h"
-#include "app/editor/knot_text.h"
+#include "app/editor/words/knot_text.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

@@ -7,8 +7,8 @@
 
 #include "app/editor/cards/card_texts.h"
 #include "app/editor/commands/shape_view_commands.h"
-#include "app/editor/formula.h"
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
+#include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

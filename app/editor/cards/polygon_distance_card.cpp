@@ -5,8 +5,8 @@
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/knot_commands.h"
-#include "app/editor/formula.h"
 #include "app/editor/scene/polygon_distance_scene.h"
+#include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/cards/card.h"
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/basis_formula.h"
-#include "app/editor/formula.h"
+#include "app/editor/derived/shown_function.h"
 #include "app/editor/scene/text_size.h"
-#include "app/editor/shown_function.h"
+#include "app/editor/words/basis_formula.h"
+#include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

@@ -4,9 +4,9 @@
 
 #include "app/editor/cards/card_texts.h"
 #include "app/editor/commands/selection_commands.h"
-#include "app/editor/formula.h"
-#include "app/editor/highlight.h"
-#include "app/editor/support_points.h"
+#include "app/editor/derived/support_points.h"
+#include "app/editor/pointer/highlight.h"
+#include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/basis.h"
 

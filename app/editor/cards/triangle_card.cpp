@@ -2,14 +2,14 @@
 
 #include <fmt/core.h>
 
-#include "app/editor/blend_lines.h"
 #include "app/editor/cards/no_curve.h"
 #include "app/editor/cards/triangle_picture.h"
 #include "app/editor/commands/view_commands.h"
-#include "app/editor/construction_cells.h"
-#include "app/editor/formula.h"
-#include "app/editor/number_column.h"
-#include "app/editor/state.h"
+#include "app/editor/derived/blend_lines.h"
+#include "app/editor/derived/construction_cells.h"
+#include "app/editor/state/state.h"
+#include "app/editor/words/formula.h"
+#include "app/editor/words/number_column.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "app/editor/construction_cells.h"
-#include "app/editor/formula.h"
+#include "app/editor/derived/construction_cells.h"
 #include "app/editor/scene/text_size.h"
+#include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

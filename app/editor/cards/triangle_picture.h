@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "app/editor/cards/card.h"
-#include "app/editor/cell_names.h"
+#include "app/editor/words/cell_names.h"
 
 namespace batten::editor {
 

@@ -4,7 +4,7 @@
 
 #include "app/editor/cards/card_texts.h"
 #include "app/editor/commands/shape_view_commands.h"
-#include "app/editor/view_handle.h"
+#include "app/editor/pointer/view_handle.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/editor/hint_text.h"
-#include "app/editor/point_hues.h"
+#include "app/editor/pointer/hint_text.h"
+#include "app/editor/state/point_hues.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/command_spec.h"
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

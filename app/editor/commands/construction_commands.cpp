@@ -4,8 +4,8 @@
 
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
-#include "app/editor/field_kinds.h"
-#include "app/editor/wording.h"
+#include "app/editor/fields/field_kinds.h"
+#include "app/editor/words/wording.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

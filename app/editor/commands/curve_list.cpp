@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "app/editor/commands/active_curve.h"
-#include "app/editor/formula.h"
-#include "app/editor/point_hues.h"
+#include "app/editor/state/point_hues.h"
+#include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
 #include "core/edit/point_edit.h"
 

@@ -5,7 +5,7 @@
 
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
-#include "app/editor/field_kinds.h"
+#include "app/editor/fields/field_kinds.h"
 #include "core/base/degree_range.h"
 #include "core/base/sentence.h"
 #include "core/curve/knot_analysis.h"

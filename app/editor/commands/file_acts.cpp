@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "app/editor/dialog.h"
-#include "app/editor/fit_view.h"
 #include "app/editor/lesson/lesson_steps.h"
-#include "app/editor/settings.h"
+#include "app/editor/pointer/fit_view.h"
+#include "app/editor/state/dialog.h"
+#include "app/editor/state/settings.h"
 #include "core/base/sentence.h"
 #include "core/document/native_file.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "app/editor/command_spec.h"
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

@@ -2,9 +2,9 @@
 
 #include "app/editor/commands/file_acts.h"
 #include "app/editor/commands/groups.h"
-#include "app/editor/dialog.h"
-#include "app/editor/field_kinds.h"
-#include "app/editor/native_name.h"
+#include "app/editor/fields/field_kinds.h"
+#include "app/editor/state/dialog.h"
+#include "app/editor/words/native_name.h"
 
 namespace batten::editor {
 

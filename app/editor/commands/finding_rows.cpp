@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/editor/wording.h"
+#include "app/editor/words/wording.h"
 
 namespace batten::editor {
 

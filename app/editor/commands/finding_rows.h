@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/editor/command_spec.h"
-#include "app/editor/findings.h"
-#include "app/editor/state.h"
+#include "app/editor/state/findings.h"
+#include "app/editor/state/state.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

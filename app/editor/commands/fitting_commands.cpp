@@ -6,7 +6,7 @@
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
-#include "app/editor/field_kinds.h"
+#include "app/editor/fields/field_kinds.h"
 #include "core/make/fit.h"
 #include "core/make/interpolate.h"
 

@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "app/editor/cell_names.h"
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
-#include "app/editor/field_kinds.h"
-#include "app/editor/formula.h"
-#include "app/editor/wording.h"
+#include "app/editor/fields/field_kinds.h"
+#include "app/editor/words/cell_names.h"
+#include "app/editor/words/formula.h"
+#include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
 #include "core/evaluate/blossom.h"
 #include "core/evaluate/blossom_labels.h"

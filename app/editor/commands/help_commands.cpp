@@ -1,8 +1,8 @@
 #include "app/editor/commands/help_commands.h"
 
 #include "app/editor/commands/groups.h"
-#include "app/editor/dialog.h"
-#include "app/editor/field_kinds.h"
+#include "app/editor/fields/field_kinds.h"
+#include "app/editor/state/dialog.h"
 
 namespace batten::editor {
 

@@ -1,8 +1,8 @@
 #include "app/editor/commands/invariance_commands.h"
 
 #include "app/editor/commands/groups.h"
-#include "app/editor/field_kinds.h"
-#include "app/editor/state.h"
+#include "app/editor/fields/field_kinds.h"
+#include "app/editor/state/state.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/editor/command.h"
-#include "app/editor/shown_map.h"
+#include "app/editor/state/shown_map.h"
 
 namespace batten::editor {
 

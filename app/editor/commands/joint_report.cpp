@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "app/editor/wording.h"
+#include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/editor/command.h"
-#include "app/editor/knot_questions.h"
+#include "app/editor/derived/knot_questions.h"
 
 namespace batten::editor {
 

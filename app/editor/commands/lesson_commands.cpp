@@ -2,11 +2,11 @@
 
 #include "app/editor/commands/file_acts.h"
 #include "app/editor/commands/groups.h"
-#include "app/editor/field_kinds.h"
+#include "app/editor/fields/field_kinds.h"
 #include "app/editor/lesson/lesson_file.h"
 #include "app/editor/lesson/lesson_steps.h"
 #include "app/editor/lesson/recording.h"
-#include "app/editor/native_name.h"
+#include "app/editor/words/native_name.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/editor/commands/groups.h"
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/command.h"
-#include "app/editor/overlay.h"
+#include "app/editor/state/overlay.h"
 
 namespace batten::editor {
 

@@ -5,7 +5,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/joint_report.h"
 #include "app/editor/commands/suggestions.h"
-#include "app/editor/field_kinds.h"
+#include "app/editor/fields/field_kinds.h"
 #include "core/base/sentence.h"
 #include "core/measure/arc_length.h"
 #include "core/measure/continuity.h"

@@ -5,7 +5,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
-#include "app/editor/field_kinds.h"
+#include "app/editor/fields/field_kinds.h"
 #include "app/editor/upkeep.h"
 
 namespace batten::editor {

@@ -4,7 +4,7 @@
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
-#include "app/editor/field_kinds.h"
+#include "app/editor/fields/field_kinds.h"
 #include "core/base/sentence.h"
 #include "core/edit/fair.h"
 #include "core/edit/offset.h"

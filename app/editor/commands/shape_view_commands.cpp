@@ -2,8 +2,8 @@
 
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
-#include "app/editor/field_kinds.h"
-#include "app/editor/view_handle.h"
+#include "app/editor/fields/field_kinds.h"
+#include "app/editor/pointer/view_handle.h"
 
 namespace batten::editor {
 

@@ -1,7 +1,7 @@
 #include "app/editor/commands/suggestions.h"
 
-#include "app/editor/gesture.h"
-#include "app/editor/grid_step.h"
+#include "app/editor/pointer/gesture.h"
+#include "app/editor/pointer/grid_step.h"
 #include "core/measure/closing.h"
 
 namespace batten::editor::suggest {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor::suggest {
 

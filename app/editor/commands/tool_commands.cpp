@@ -1,8 +1,8 @@
 #include "app/editor/commands/tool_commands.h"
 
 #include "app/editor/commands/groups.h"
-#include "app/editor/field_kinds.h"
-#include "app/editor/state.h"
+#include "app/editor/fields/field_kinds.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

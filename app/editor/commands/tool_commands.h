@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/command.h"
-#include "app/editor/view.h"
+#include "app/editor/state/view.h"
 
 namespace batten::editor {
 

@@ -2,9 +2,9 @@
 
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
-#include "app/editor/field_kinds.h"
-#include "app/editor/formula.h"
-#include "app/editor/wording.h"
+#include "app/editor/fields/field_kinds.h"
+#include "app/editor/words/formula.h"
+#include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/curve/control_box.h"

@@ -1,8 +1,8 @@
 /// What a typed knot may be.
 #pragma once
 
-#include "app/editor/field.h"
-#include "app/editor/state.h"
+#include "app/editor/fields/field.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

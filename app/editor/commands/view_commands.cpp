@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "app/editor/commands/groups.h"
-#include "app/editor/field_kinds.h"
-#include "app/editor/fit_view.h"
-#include "app/editor/user_scale.h"
+#include "app/editor/fields/field_kinds.h"
+#include "app/editor/pointer/fit_view.h"
+#include "app/editor/state/user_scale.h"
 
 namespace batten::editor {
 

@@ -3,7 +3,7 @@
 
 #include "app/editor/command.h"
 #include "app/editor/commands/overlay_commands.h"
-#include "app/editor/notation.h"
+#include "app/editor/state/notation.h"
 #include "core/edit/knot_edit.h"
 
 namespace batten::editor {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "app/editor/formula.h"
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
+#include "app/editor/words/formula.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/curve/knot_analysis.h"

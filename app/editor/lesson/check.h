@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/editor/overlay.h"
+#include "app/editor/state/overlay.h"
 #include "core/curve/knot_vector.h"
 #include "core/measure/conic_form.h"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/field.h"
+#include "app/editor/fields/field.h"
 #include "core/base/geometry.h"
 #include "core/base/names.h"
 #include "core/base/sentence.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

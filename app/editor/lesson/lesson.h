@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/editor/lesson/check.h"
-#include "app/editor/notation.h"
+#include "app/editor/state/notation.h"
 #include "core/document/document.h"
 
 namespace batten::editor {

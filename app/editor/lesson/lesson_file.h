@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor/field.h"
+#include "app/editor/fields/field.h"
 #include "app/editor/lesson/lesson.h"
 
 namespace batten::editor {

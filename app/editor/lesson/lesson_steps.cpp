@@ -1,8 +1,8 @@
 #include "app/editor/lesson/lesson_steps.h"
 
 #include "app/editor/commands/file_acts.h"
-#include "app/editor/fit_view.h"
 #include "app/editor/lesson/lesson_file.h"
+#include "app/editor/pointer/fit_view.h"
 #include "app/editor/run_command.h"
 #include "app/editor/session.h"
 #include "core/base/sentence.h"

@@ -1,7 +1,7 @@
 /// Going through a lesson.
 #pragma once
 
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

@@ -1,9 +1,9 @@
 #include "app/editor/lesson/recording.h"
 
 #include "app/editor/commands/edit_commands.h"
-#include "app/editor/reading_text.h"
-#include "app/editor/same_document.h"
 #include "app/editor/session.h"
+#include "app/editor/state/same_document.h"
+#include "app/editor/words/reading_text.h"
 
 namespace batten::editor {
 

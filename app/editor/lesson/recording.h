@@ -1,7 +1,7 @@
 /// Makes a lesson from what is done in the editor.
 #pragma once
 
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 
 namespace batten::editor {
 

@@ -5,11 +5,11 @@
 #include <map>
 #include <set>
 
-#include "app/editor/basis_formula.h"
 #include "app/editor/scene/plot_axes.h"
 #include "app/editor/scene/plot_intervals.h"
 #include "app/editor/scene/recurrence_lines.h"
 #include "app/editor/scene/text_row.h"
+#include "app/editor/words/basis_formula.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/basis.h"
 

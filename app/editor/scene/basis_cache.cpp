@@ -1,6 +1,6 @@
 #include "app/editor/scene/basis_cache.h"
 
-#include "app/editor/derived.h"
+#include "app/editor/derived/derived.h"
 
 namespace batten::editor {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/editor/plot_layout.h"
+#include "app/editor/pointer/plot_layout.h"
 
 namespace batten::editor {
 

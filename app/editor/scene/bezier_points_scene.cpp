@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "app/editor/bezier_points.h"
+#include "app/editor/derived/bezier_points.h"
 
 namespace batten::editor {
 

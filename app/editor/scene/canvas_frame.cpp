@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/editor/point_hues.h"
+#include "app/editor/state/point_hues.h"
 
 namespace batten::editor {
 

@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "app/editor/highlight.h"
+#include "app/editor/pointer/highlight.h"
 #include "app/editor/scene/label_layout.h"
 #include "app/editor/scene/pen.h"
 #include "app/editor/scene/scene_cache.h"
 #include "app/editor/scene/seen_line.h"
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 #include "core/evaluate/de_boor.h"
 
 namespace batten::editor {

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <functional>
 
-#include "app/editor/formula.h"
-#include "app/editor/number_column.h"
+#include "app/editor/pointer/weight_ring.h"
 #include "app/editor/scene/control_polygon.h"
 #include "app/editor/scene/label_layout.h"
 #include "app/editor/scene/text_size.h"
-#include "app/editor/weight_ring.h"
+#include "app/editor/words/formula.h"
+#include "app/editor/words/number_column.h"
 
 namespace batten::editor {
 

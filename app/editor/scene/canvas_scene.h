@@ -1,9 +1,9 @@
 /// What the canvas shows, as a picture.
 #pragma once
 
-#include "app/editor/canvas_mode.h"
+#include "app/editor/pointer/canvas_mode.h"
 #include "app/editor/scene/scene_cache.h"
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 #include "render/draw_list.h"
 
 namespace batten::editor {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/editor/active_conic.h"
+#include "app/editor/derived/active_conic.h"
 #include "app/editor/scene/curve_strokes.h"
 #include "app/editor/scene/label_side.h"
 #include "core/evaluate/tessellate.h"

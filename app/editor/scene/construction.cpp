@@ -1,6 +1,6 @@
 #include "app/editor/scene/construction.h"
 
-#include "app/editor/construction_cells.h"
+#include "app/editor/derived/construction_cells.h"
 
 namespace batten::editor {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "app/editor/blossom_text.h"
-#include "app/editor/cell_names.h"
-#include "app/editor/construction_cells.h"
+#include "app/editor/derived/construction_cells.h"
+#include "app/editor/words/blossom_text.h"
+#include "app/editor/words/cell_names.h"
 
 namespace batten::editor {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "app/editor/continuity_meter.h"
-#include "app/editor/continuity_words.h"
+#include "app/editor/derived/continuity_meter.h"
 #include "app/editor/scene/arrow.h"
+#include "app/editor/words/continuity_words.h"
 
 namespace batten::editor {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/editor/weight_ring.h"
+#include "app/editor/pointer/weight_ring.h"
 
 namespace batten::editor {
 

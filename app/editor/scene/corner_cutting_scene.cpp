@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/shown_cutting.h"
+#include "app/editor/derived/shown_cutting.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/basis.h"
 

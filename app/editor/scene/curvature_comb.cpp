@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/editor/comb_tooth.h"
+#include "app/editor/pointer/comb_tooth.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/tessellate.h"
 

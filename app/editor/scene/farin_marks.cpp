@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "app/editor/root_text.h"
 #include "app/editor/scene/label_side.h"
+#include "app/editor/words/root_text.h"
 #include "core/evaluate/farin_points.h"
 
 namespace batten::editor {

@@ -1,7 +1,7 @@
 /// What a gesture under way shows: the selection's box, or the curve that is being drawn.
 #pragma once
 
-#include "app/editor/canvas_mode.h"
+#include "app/editor/pointer/canvas_mode.h"
 #include "app/editor/scene/canvas_frame.h"
 
 namespace batten::editor {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "app/editor/formula.h"
-#include "app/editor/grid_step.h"
+#include "app/editor/pointer/grid_step.h"
 #include "app/editor/scene/text_size.h"
+#include "app/editor/words/formula.h"
 
 namespace batten::editor {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 #include "render/pixel_box.h"
 
 namespace batten::editor {

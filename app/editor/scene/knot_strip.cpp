@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string>
 
-#include "app/editor/formula.h"
 #include "app/editor/scene/ratio_bar.h"
 #include "app/editor/scene/text_row.h"
+#include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "app/editor/canvas_cover.h"
+#include "app/editor/pointer/canvas_cover.h"
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/panel_box.h"
 #include "app/editor/scene/text_size.h"

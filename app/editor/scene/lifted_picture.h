@@ -1,7 +1,7 @@
 /// The lifted curve in space over the plane w = 1, where its shadow lies.
 #pragma once
 
-#include "app/editor/lifted_stage.h"
+#include "app/editor/derived/lifted_stage.h"
 #include "app/editor/scene/canvas_frame.h"
 
 namespace batten::editor {

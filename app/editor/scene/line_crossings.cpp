@@ -2,8 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/editor/pointer/view_handle.h"
 #include "app/editor/scene/curve_strokes.h"
-#include "app/editor/view_handle.h"
 
 namespace batten::editor {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/scene/pen.h"
-#include "app/editor/theme.h"
+#include "app/editor/state/theme.h"
 
 namespace batten::editor {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/notation.h"
+#include "app/editor/state/notation.h"
 #include "render/draw_list.h"
 #include "render/pixel_box.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/editor/shown_function.h"
+#include "app/editor/derived/shown_function.h"
 #include "core/evaluate/basis_pieces.h"
 
 namespace batten::editor {

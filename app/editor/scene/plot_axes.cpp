@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "app/editor/formula.h"
-#include "app/editor/number_column.h"
 #include "app/editor/scene/text_size.h"
+#include "app/editor/words/formula.h"
+#include "app/editor/words/number_column.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {

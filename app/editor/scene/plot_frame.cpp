@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/editor/point_hues.h"
+#include "app/editor/state/point_hues.h"
 
 namespace batten::editor {
 

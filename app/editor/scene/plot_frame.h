@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "app/editor/highlight.h"
-#include "app/editor/plot_layout.h"
-#include "app/editor/plot_mode.h"
+#include "app/editor/pointer/highlight.h"
+#include "app/editor/pointer/plot_layout.h"
+#include "app/editor/pointer/plot_mode.h"
 #include "app/editor/scene/pen.h"
 
 namespace batten::editor {

@@ -1,10 +1,10 @@
 /// What the dock shows, as a picture: basis functions above, knot strip below, on one u axis.
 #pragma once
 
-#include "app/editor/plot_layout.h"
-#include "app/editor/plot_mode.h"
+#include "app/editor/pointer/plot_layout.h"
+#include "app/editor/pointer/plot_mode.h"
 #include "app/editor/scene/scene_cache.h"
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 #include "render/draw_list.h"
 
 namespace batten::editor {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "app/editor/formula.h"
+#include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/evaluate.h"

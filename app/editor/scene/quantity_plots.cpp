@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/formula.h"
-#include "app/editor/grid_step.h"
+#include "app/editor/pointer/grid_step.h"
 #include "app/editor/scene/bend_marks.h"
 #include "app/editor/scene/text_row.h"
+#include "app/editor/words/formula.h"
 
 namespace batten::editor {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/editor/blend_lines.h"
-#include "app/editor/construction_cells.h"
+#include "app/editor/derived/blend_lines.h"
+#include "app/editor/derived/construction_cells.h"
 #include "app/editor/scene/text_size.h"
 
 namespace batten::editor {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/basis_formula.h"
 #include "app/editor/scene/plot_axes.h"
 #include "app/editor/scene/text_row.h"
 #include "app/editor/scene/text_size.h"
+#include "app/editor/words/basis_formula.h"
 #include "core/evaluate/basis_triangle.h"
 
 namespace batten::editor {

@@ -1,7 +1,7 @@
 /// The canvas while a file is opened: what is read of it so far.
 #pragma once
 
-#include "app/editor/state.h"
+#include "app/editor/state/state.h"
 #include "render/draw_list.h"
 
 namespace batten::editor {

@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "app/editor/derived/support_points.h"
 #include "app/editor/scene/curve_strokes.h"
-#include "app/editor/support_points.h"
 #include "core/evaluate/evaluate.h"
 
 namespace batten::editor {

@@ -6,8 +6,8 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "app/editor/derived/shown_cubic.h"
 #include "app/editor/scene/joint_marks.h"
-#include "app/editor/shown_cubic.h"
 #include "core/edit/end_vertices.h"
 #include "core/evaluate/uniform_cubic_conditions.h"
 

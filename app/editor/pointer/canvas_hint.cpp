@@ -1,0 +1,207 @@
+#include <cmath>
+
+#include "app/editor/derived/blend_lines.h"
+#include "app/editor/derived/construction_cells.h"
+#include "app/editor/pointer/canvas_mode.h"
+#include "app/editor/pointer/gesture.h"
+#include "app/editor/pointer/hint_text.h"
+#include "app/editor/words/formula.h"
+#include "app/editor/words/number_column.h"
+#include "core/base/sentence.h"
+#include "core/evaluate/evaluate.h"
+
+namespace batten::editor {
+namespace {
+
+using core::sentence;
+
+std::string knot_value(const core::Curve& curve, std::size_t stored_index) {
+    const auto stored = curve.knots().stored();
+    return stored_index < stored.size() ? number_text(stored[stored_index], 6) : "";
+}
+
+std::string weight_in(const EditorState& state, const core::Curve& curve, std::size_t i) {
+    return weight_text(curve.weights()[i], state.derived.of(curve)->weights);
+}
+
+std::string place_in(const EditorState& state, const core::Curve& curve, core::Point place) {
+    return place_text(state.derived.of(curve)->size, place);
+}
+
+bool has_point(const core::Curve& curve, std::size_t i) {
+    return i < curve.control_points().size();
+}
+
+std::size_t next_point(const core::Curve& curve, std::size_t i) {
+    return (i + 1) % curve.control_points().size();
+}
+
+/// What the select tool does to the hovered thing; empty where it does nothing special.
+struct SelectHint {
+    const EditorState& state;
+    const core::Curve& curve;
+
+    std::string operator()(const HoveredPoint& h) const {
+        const std::size_t selected = state.selection.points.size();
+        if (selected > 1 && state.selection.contains_point(h.index))
+            return sentence("Drag to move the {count} selected points · click to select {point} alone",
+                            {{"count", selected}, {"point", point_text(h.index)}});
+        return sentence("Drag {point} to move it · hold Alt to change its weight", {{"point", point_text(h.index)}});
+    }
+    std::string operator()(const HoveredWeightRing& h) const {
+        if (!has_point(curve, h.index)) return {};
+        return sentence("Drag up or right to raise the weight of {point}, now {weight}, down or left to lower it",
+                        {{"point", point_text(h.index)}, {"weight", weight_in(state, curve, h.index)}});
+    }
+    std::string operator()(const HoveredKnot& h) const {
+        return sentence(
+            "Drag the knot {u} along the curve (changes the shape) · double-click to raise its multiplicity (keeps the "
+            "shape)",
+            {{"u", knot_value(curve, h.index)}});
+    }
+    std::string operator()(const HoveredCurve& h) const {
+        return sentence(
+            "Drag the curve to move C({u}) (changes the shape) · double-click to insert a knot there (keeps the shape)",
+            {{"u", parameter_text(curve, h.u)}});
+    }
+    std::string operator()(const HoveredParameter&) const {
+        return sentence("Drag C(u) along the curve · double-click to insert a knot at u = {u} (keeps the shape)",
+                        {{"u", parameter_text(curve, state.parameter())}});
+    }
+    std::string operator()(const HoveredCell&) const {
+        const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, state.parameter());
+        const auto place = hovered_cell(state, triangle);
+        if (!place || place->level == 0) return {};
+        return sentence("{line} · right-click for what can be done at u",
+                        {{"line", plain_text(blend_line({{curve, triangle, state.view.notation}, *place}))}});
+    }
+    std::string operator()(const HoveredFarinPoint& h) const {
+        return sentence("Drag the Farin point between {point} and {next} to change the ratio of their weights",
+                        {{"point", point_text(h.leg)}, {"next", point_text(next_point(curve, h.leg))}});
+    }
+    std::string operator()(const HoveredLifted& h) const {
+        if (!h.index) return "Drag to turn the view · the wheel enlarges it";
+        return sentence("Drag the lifted {point} along its ray to change its weight",
+                        {{"point", point_text(*h.index)}});
+    }
+    std::string operator()(const HoveredLeg& h) const {
+        if (!has_point(curve, h.index)) return {};
+        return sentence("Double-click to add a control point between {point} and {next} (changes the shape)",
+                        {{"point", point_text(h.index)}, {"next", point_text(next_point(curve, h.index))}});
+    }
+    std::string operator()(const HoveredHandle& h) const {
+        if (h.handle == ViewHandle::comb) return "Drag to make the comb longer or shorter";
+        if (h.handle == ViewHandle::line) return "Drag to move the line · Shift keeps to one axis";
+        return "Drag to turn the line · Ctrl keeps to the grid, Shift to one axis";
+    }
+    template <class Other>
+    std::string operator()(const Other&) const {
+        return {};
+    }
+};
+
+std::string select_hint(const EditorState& state) {
+    const core::DocumentCurve* active = state.shown().active_curve();
+    if (const auto* other = std::get_if<HoveredOtherCurve>(&state.hover))
+        if (other->index < state.shown().curves.size())
+            return sentence("Click to make '{name}' the active curve",
+                            {{"name", state.shown().curves[other->index].name}});
+    if (active == nullptr) return "Draw a curve with the pen (N) or open a file (Ctrl+O)";
+    if (active->locked) return locked_sentence(*active);
+    const std::string hint = std::visit(SelectHint{state, *active->curve}, state.hover);
+    return hint.empty()
+               ? "Drag to select points in a box · middle-drag or Space-drag pans · the wheel zooms, with Shift it pans"
+               : hint;
+}
+
+std::string tool_hint(const EditorState& state) {
+    if (state.tool == Tool::draw_curve)
+        return "Click to set the first point of a new curve · hold Ctrl to keep to the grid · Escape leaves the tool";
+    if (state.tool == Tool::select || !can_edit_curve(state)) return select_hint(state);
+    const bool is_on_knot = std::holds_alternative<HoveredKnot>(state.hover);
+    switch (state.tool) {
+        case Tool::add_point:
+            return "Click to add a control point to the nearest leg or end (changes the shape) · hold Ctrl to keep to "
+                   "the grid · Escape leaves the tool";
+        case Tool::insert_knot:
+            return is_on_knot
+                       ? "Click to raise the multiplicity of this knot (keeps the shape) · Escape leaves the tool"
+                       : "Click on the curve to insert a knot there (keeps the shape) · Escape leaves the tool";
+        case Tool::weight:
+            return "Drag a control point up or right to raise its weight, down or left to lower it · Escape leaves the "
+                   "tool";
+        case Tool::parameter:
+            return "Drag to set the parameter u on the curve · Escape leaves the tool";
+        case Tool::select:
+        case Tool::draw_curve:
+            break;
+    }
+    return {};
+}
+
+/// One case for each mode, telling where the drag has come to.
+struct ModeHint {
+    const EditorState& state;
+    const core::Curve* curve = state.active_curve();
+
+    std::string operator()(const CanvasIdle&) const { return tool_hint(state); }
+    std::string operator()(const DraggingPoints& mode) const {
+        if (mode.indices.size() > 1)
+            return sentence("Moving {count} points · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
+                            {{"count", mode.indices.size()}});
+        if (curve == nullptr || !has_point(*curve, mode.grabbed)) return {};
+        return sentence("{point} at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
+                        {{"point", point_text(mode.grabbed)},
+                         {"place", place_in(state, *curve, curve->control_points()[mode.grabbed])}});
+    }
+    std::string operator()(const DraggingWeight& mode) const {
+        if (curve == nullptr || !has_point(*curve, mode.index)) return {};
+        return sentence("Weight of {point}: {weight} · up or right raises it, down or left lowers it · Escape restores",
+                        {{"point", point_text(mode.index)}, {"weight", weight_in(state, *curve, mode.index)}});
+    }
+    std::string operator()(const DraggingFarinPoint& mode) const {
+        if (curve == nullptr || !has_point(*curve, mode.leg)) return {};
+        const std::size_t next = next_point(*curve, mode.leg);
+        return sentence(
+            "The weight of {next} is {ratio} times that of {point} · Ctrl keeps to twelfths · Escape restores",
+            {{"next", point_text(next)},
+             {"ratio", number_text(curve->weights()[next] / curve->weights()[mode.leg])},
+             {"point", point_text(mode.leg)}});
+    }
+    std::string operator()(const DraggingLiftedWeight& mode) const {
+        if (curve == nullptr || !has_point(*curve, mode.index)) return {};
+        return sentence("Weight of {point}: {weight} · Escape restores",
+                        {{"point", point_text(mode.index)}, {"weight", weight_in(state, *curve, mode.index)}});
+    }
+    std::string operator()(const TurningOrbit&) const { return "Turning the view"; }
+    std::string operator()(const BoxSelecting&) const { return "Release to select the points in the box"; }
+    std::string operator()(const Panning&) const { return "Panning"; }
+    std::string operator()(const DraggingParameter&) const { return parameter_text(state); }
+    std::string operator()(const DraggingCurveKnot& mode) const {
+        if (curve == nullptr) return {};
+        return sentence("Knot at {u} · Escape restores", {{"u", knot_value(*curve, moving_knot(state, mode.index))}});
+    }
+    std::string operator()(const DraggingCurvePoint& mode) const {
+        if (curve == nullptr) return {};
+        return sentence("C({u}) at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
+                        {{"u", parameter_text(*curve, mode.u)},
+                         {"place", place_in(state, *curve, core::point_at(*curve, mode.u))}});
+    }
+    std::string operator()(const DraggingHandle& mode) const {
+        return mode.start.handle == ViewHandle::comb
+                   ? "Drag away from the curve for a longer comb · Escape restores"
+                   : "Ctrl snaps to the grid · Shift keeps to an axis · Escape restores";
+    }
+    std::string operator()(const DrawingCurve& mode) const {
+        if (mode.points.size() < 2) return "Click to set the next point · Escape gives up";
+        return "Click to set the next point · double-click or Enter ends the curve · Escape gives up";
+    }
+};
+
+}  // namespace
+
+std::string canvas_hint(const CanvasMode& mode, const EditorState& state) {
+    return std::visit(ModeHint{state}, mode);
+}
+
+}  // namespace batten::editor

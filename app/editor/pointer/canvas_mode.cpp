@@ -1,0 +1,257 @@
+#include "app/editor/pointer/canvas_mode.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/shape_commands.h"
+#include "app/editor/commands/tool_commands.h"
+#include "app/editor/pointer/canvas_press.h"
+#include "app/editor/pointer/edit_step.h"
+#include "app/editor/pointer/gesture.h"
+#include "app/editor/pointer/hit_test.h"
+#include "app/editor/pointer/hover_request.h"
+#include "app/editor/pointer/point_drag.h"
+#include "app/editor/pointer/weight_modes.h"
+#include "core/evaluate/evaluate.h"
+#include "render/pixel_box.h"
+
+namespace batten::editor {
+namespace {
+
+constexpr double finish_reach = 9.0;  ///< design pixels
+
+void turn_wheel(const Gesture& gesture) {
+    if (turn_wheel_over_inset(gesture)) return;
+    if (const auto pan_px = wheel_pan(gesture.state, gesture.event)) {
+        gesture.queue.change(PanCamera{{*pan_px, 0.0}});
+        return;
+    }
+    const glm::dvec2 anchor = gesture.event.position_px;
+    gesture.queue.change(ZoomCamera{std::pow(zoom_per_notch, gesture.event.wheel), anchor});
+}
+
+CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {
+    switch (gesture.event.action) {
+        case PointerAction::press:
+        case PointerAction::double_click:
+            return begin_canvas_gesture(gesture);
+        case PointerAction::move:
+            request_hover(hit_canvas(gesture.state, gesture.event.position_px), gesture.state, gesture.queue);
+            return mode;
+        case PointerAction::leave:
+            request_hover(HoveredNothing{}, gesture.state, gesture.queue);
+            return mode;
+        case PointerAction::wheel:
+            turn_wheel(gesture);
+            return mode;
+        case PointerAction::release:
+        case PointerAction::escape:
+            return mode;
+    }
+    return mode;
+}
+
+void ask_to_move_points(const DraggingPoints& mode, const Gesture& gesture, Phase phase) {
+    const core::Curve* curve = committed_curve(gesture.state);
+    if (curve == nullptr || mode.grabbed >= curve->control_points().size()) return;
+    const core::Point start = curve->control_points()[mode.grabbed];
+    const core::Point target = dragged_position(gesture, start, mode.press_px);
+    if (target == start) {
+        gesture.queue.cancel_preview();
+    } else if (mode.indices.size() == 1) {
+        request(gesture, phase, SetPoint{.index = mode.grabbed, .position = target});
+    } else {
+        const core::Vector offset = exact_offset(start, target);
+        request(gesture, phase, MovePoints{.points = mode.indices, .offset = offset});
+    }
+}
+
+void click_on_point(const DraggingPoints& mode, const Gesture& gesture) {
+    if (!mode.was_selected) return;
+    std::vector<std::size_t> points{mode.grabbed};
+    if (gesture.event.modifiers.shift) {
+        points = mode.indices;
+        points.erase(std::remove(points.begin(), points.end(), mode.grabbed), points.end());
+    }
+    if (points != gesture.state.selection.points) gesture.queue.run(SelectPoints{.points = points});
+}
+
+CanvasMode step(const DraggingPoints& mode, const Gesture& gesture) {
+    if (!can_edit_curve(gesture.state) && is_move(gesture)) return mode;
+    return step_edit(mode, gesture, ask_to_move_points, click_on_point);
+}
+
+void ask_to_set_weight(const DraggingWeight& mode, const Gesture& gesture, Phase phase) {
+    const double weight =
+        caught_weight(gesture.state, mode.index, dragged_weight(gesture, mode.start_weight, mode.press_px));
+    if (weight == mode.start_weight)
+        gesture.queue.cancel_preview();
+    else
+        request(gesture, phase, SetWeight{.index = mode.index, .weight = weight});
+}
+
+CanvasMode step(const DraggingWeight& mode, const Gesture& gesture) {
+    return step_edit(mode, gesture, ask_to_set_weight, [](const auto&, const Gesture&) {});
+}
+
+/// The snap distance in parameter units where the curve passes u; 0 where it stands still.
+double snap_distance_at(const Gesture& gesture, const core::Curve& curve, double u) {
+    const double speed = core::length(core::derivatives_at(curve, u, 1)[1]);
+    const double px_per_parameter = speed * gesture.state.view.camera.scale;
+    return px_per_parameter > 0.0 ? pixels(gesture.state, snap_reach) / px_per_parameter : 0.0;
+}
+
+void ask_to_move_knot(const DraggingCurveKnot& mode, const Gesture& gesture, Phase phase) {
+    const core::Curve* curve = committed_curve(gesture.state);
+    if (curve == nullptr) return;
+    const double u = nearest_to_pointer(gesture).u;
+    const double snap_distance = std::min(snap_distance_at(gesture, *curve, u), curve->domain().length());
+    request(gesture, phase, dragged_knot(gesture.state, mode.index, u, snap_distance));
+    request_hover(HoveredKnot{moving_knot(gesture.state, mode.index)}, gesture.state, gesture.queue);
+}
+
+CanvasMode step(const DraggingCurveKnot& mode, const Gesture& gesture) {
+    return step_edit(mode, gesture, ask_to_move_knot, [](const auto&, const Gesture&) {});
+}
+
+void ask_to_move_curve(const DraggingCurvePoint& mode, const Gesture& gesture, Phase phase) {
+    const core::Curve* curve = committed_curve(gesture.state);
+    if (curve == nullptr) return;
+    const core::Point start = core::point_at(*curve, mode.u);
+    const core::Point target = dragged_position(gesture, start, mode.press_px);
+    if (target == start)
+        gesture.queue.cancel_preview();
+    else
+        request(gesture, phase, MoveCurvePoint{.u = mode.u, .position = target});
+}
+
+CanvasMode step(const DraggingCurvePoint& mode, const Gesture& gesture) {
+    // A click on the curve means no more than one beside it.
+    return step_edit(mode, gesture, ask_to_move_curve, [](const auto&, const Gesture& click) {
+        if (click.state.selection != Selection{}) click.queue.run(SelectNone{});
+    });
+}
+
+std::vector<std::size_t> points_in_box(const BoxSelecting& mode, const Gesture& gesture) {
+    std::vector<std::size_t> points = mode.before;
+    const core::DocumentCurve* active = gesture.state.shown().active_curve();
+    const bool shows_points = gesture.state.view.overlays.is_shown(Overlay::polygon);
+    if (active == nullptr || !active->visible || !shows_points) return points;
+    const auto box = render::PixelBox::between(mode.press_px, gesture.event.position_px);
+    const std::span<const core::Point> all = active->curve->control_points();
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (box.contains(render::screen_from_world(gesture.state.view.camera, all[i]))) points.push_back(i);
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+}
+
+void finish_box(const BoxSelecting& mode, const Gesture& gesture) {
+    const Selection& selection = gesture.state.selection;
+    if (is_drag(gesture.state, mode.press_px, gesture.event.position_px)) {
+        const std::vector<std::size_t> points = points_in_box(mode, gesture);
+        if (points != selection.points) gesture.queue.run(SelectPoints{.points = points});
+    } else if (!gesture.event.modifiers.shift && selection != Selection{}) {
+        gesture.queue.run(SelectNone{});
+    }
+}
+
+CanvasMode step(BoxSelecting mode, const Gesture& gesture) {
+    if (is_escape(gesture)) return CanvasIdle{};
+    if (is_move(gesture)) mode.position_px = gesture.event.position_px;
+    if (!is_release(gesture)) return mode;
+    finish_box(mode, gesture);
+    return CanvasIdle{};
+}
+
+CanvasMode step(const Panning& mode, const Gesture& gesture) {
+    const PointerAction action = gesture.event.action;
+    if (action == PointerAction::escape || action == PointerAction::release) return CanvasIdle{};
+    if (action != PointerAction::move) return mode;
+    const glm::dvec2 moved_px = gesture.event.position_px - mode.last_px;
+    if (moved_px != glm::dvec2(0.0)) gesture.queue.change(PanCamera{moved_px});
+    return Panning{gesture.event.position_px};
+}
+
+CanvasMode step(const DraggingParameter& mode, const Gesture& gesture) {
+    if (is_release(gesture) || committed_curve(gesture.state) == nullptr) return CanvasIdle{};
+    if (is_escape(gesture)) {
+        gesture.queue.run(SetParameter{.u = mode.start});
+        return CanvasIdle{};
+    }
+    if (is_move(gesture)) {
+        const double u = nearest_to_pointer(gesture).u;
+        if (u != gesture.state.parameter()) gesture.queue.run(SetParameter{.u = u});
+    }
+    return mode;
+}
+
+CanvasMode step(const DraggingHandle& mode, const Gesture& gesture) {
+    if (is_escape(gesture)) {
+        restore_handle(mode.start, gesture);
+        return CanvasIdle{};
+    }
+    if (is_release(gesture)) return CanvasIdle{};
+    if (is_move(gesture)) drag_handle(mode.start, gesture, mode.press_px);
+    return mode;
+}
+
+/// Whether a press at the pointer is on a point of the drawing that ends it.
+bool ends_drawing(const DrawingCurve& mode, const Gesture& gesture) {
+    const auto is_near = [&](core::Point point) {
+        const glm::dvec2 point_px = render::screen_from_world(gesture.state.view.camera, point);
+        return glm::distance(point_px, gesture.event.position_px) <= pixels(gesture.state, finish_reach);
+    };
+    const bool is_on_first = mode.points.size() >= 3 && is_near(mode.points.front());
+    return gesture.event.action == PointerAction::double_click || is_on_first || is_near(mode.points.back());
+}
+
+void finish_drawing(const DrawingCurve& mode, const Gesture& gesture) {
+    gesture.queue.run(NewCurve{.points = {mode.points.begin(), mode.points.end()}});
+    gesture.queue.run(SetTool{.tool = Tool::select});
+}
+
+CanvasMode press_while_drawing(DrawingCurve mode, const Gesture& gesture) {
+    if (gesture.event.button != PointerButton::left) return mode;
+    if (!ends_drawing(mode, gesture)) {
+        mode.points.push_back(pointed_at(gesture));
+        return mode;
+    }
+    if (mode.points.size() < 2) return mode;
+    finish_drawing(mode, gesture);
+    return CanvasIdle{};
+}
+
+CanvasMode step(DrawingCurve mode, const Gesture& gesture) {
+    if (is_escape(gesture)) {
+        gesture.queue.run(SetTool{.tool = Tool::select});
+        return CanvasIdle{};
+    }
+    if (gesture.event.action == PointerAction::wheel) turn_wheel(gesture);
+    if (is_move(gesture)) mode.next = pointed_at(gesture);
+    if (is_press(gesture)) return press_while_drawing(std::move(mode), gesture);
+    return mode;
+}
+
+}  // namespace
+
+CanvasMode with_present_tool(CanvasMode mode, const EditorState& state) {
+    const auto* drawing = std::get_if<DrawingCurve>(&mode);
+    if (drawing != nullptr && drawing->tool_changes != state.tool_changes) return CanvasIdle{};
+    return mode;
+}
+
+CanvasMode step_canvas(const CanvasMode& mode, const PointerEvent& event, const EditorState& state,
+                       CommandQueue& queue) {
+    const Gesture gesture{event, state, queue};
+    return std::visit([&gesture](const auto& current) { return step(current, gesture); },
+                      with_present_tool(mode, state));
+}
+
+}  // namespace batten::editor

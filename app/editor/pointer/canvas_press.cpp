@@ -1,0 +1,215 @@
+#include "app/editor/pointer/canvas_press.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/pointer/hit_test.h"
+#include "app/editor/pointer/point_drag.h"
+#include "app/editor/pointer/weight_modes.h"
+#include "app/editor/scene/insets.h"
+
+namespace batten::editor {
+namespace {
+
+constexpr double insertion_reach = 24.0;  ///< design pixels from the curve within which the insert-knot tool acts
+
+void select_points(const Gesture& gesture, const std::vector<std::size_t>& points) {
+    if (gesture.state.selection.points != points) gesture.queue.run(SelectPoints{.points = points});
+}
+
+std::vector<std::size_t> with_point(std::vector<std::size_t> points, std::size_t index) {
+    points.push_back(index);
+    std::sort(points.begin(), points.end());
+    return points;
+}
+
+CanvasMode begin_weight_drag(const Gesture& gesture, std::size_t index) {
+    select_points(gesture, {index});
+    if (!can_edit_curve(gesture.state)) return CanvasIdle{};
+    return DraggingWeight{index, committed_curve(gesture.state)->weights()[index], gesture.event.position_px};
+}
+
+CanvasMode begin_point_drag(const Gesture& gesture, std::size_t index) {
+    const Selection& selection = gesture.state.selection;
+    const bool was_selected = selection.contains_point(index);
+    std::vector<std::size_t> points{index};
+    if (was_selected)
+        points = selection.points;
+    else if (gesture.event.modifiers.shift)
+        points = with_point(selection.points, index);
+    select_points(gesture, points);
+    return DraggingPoints{index, std::move(points), gesture.event.position_px, was_selected};
+}
+
+CanvasMode begin_knot_drag(const Gesture& gesture, std::size_t index) {
+    gesture.queue.run(SelectKnot{.index = index});
+    if (!can_edit_curve(gesture.state)) return CanvasIdle{};
+    return DraggingCurveKnot{index, gesture.event.position_px};
+}
+
+CanvasMode begin_box(const Gesture& gesture) {
+    BoxSelecting box{gesture.event.position_px, gesture.event.position_px, {}};
+    if (gesture.event.modifiers.shift) box.before = gesture.state.selection.points;
+    return box;
+}
+
+/// What the select tool does to each thing that can be hit.
+struct SelectPress {
+    const Gesture& gesture;
+
+    CanvasMode operator()(const HoveredParameter&) const { return DraggingParameter{gesture.state.parameter()}; }
+    CanvasMode operator()(const HoveredPoint& hit) const {
+        return gesture.event.modifiers.alt ? begin_weight_drag(gesture, hit.index)
+                                           : begin_point_drag(gesture, hit.index);
+    }
+    CanvasMode operator()(const HoveredWeightRing& hit) const { return begin_weight_drag(gesture, hit.index); }
+    CanvasMode operator()(const HoveredKnot& hit) const { return begin_knot_drag(gesture, hit.index); }
+    CanvasMode operator()(const HoveredFarinPoint& hit) const {
+        if (!can_edit_curve(gesture.state)) return CanvasIdle{};
+        return DraggingFarinPoint{hit.leg, gesture.event.position_px};
+    }
+    CanvasMode operator()(const HoveredCurve& hit) const {
+        if (gesture.event.modifiers.shift || !can_edit_curve(gesture.state)) return begin_box(gesture);
+        return DraggingCurvePoint{hit.u, gesture.event.position_px};
+    }
+    CanvasMode operator()(const HoveredHandle& hit) const {
+        return DraggingHandle{start_of(gesture.state, hit.handle), gesture.event.position_px};
+    }
+    CanvasMode operator()(const HoveredOtherCurve& hit) const {
+        gesture.queue.run(ActivateCurve{.index = hit.index});
+        return CanvasIdle{};
+    }
+    template <class Other>
+    CanvasMode operator()(const Other&) const {
+        return begin_box(gesture);
+    }
+};
+
+/// What a double click of the select tool does; whether it does anything that a press does not.
+struct SelectDoubleClick {
+    const Gesture& gesture;
+
+    bool operator()(const HoveredCurve& hit) const { return insert_knot(hit.u); }
+    bool operator()(const HoveredParameter&) const { return insert_knot(gesture.state.parameter()); }
+    bool operator()(const HoveredKnot& hit) const {
+        gesture.queue.run(RaiseKnot{.index = hit.index});
+        return true;
+    }
+    bool operator()(const HoveredLeg& hit) const {
+        const core::Point position = pointed_at(gesture);
+        gesture.queue.run(AddPoint{.index = hit.index + 1, .position = position});
+        return true;
+    }
+    template <class Other>
+    bool operator()(const Other&) const {
+        return false;
+    }
+
+  private:
+    bool insert_knot(double u) const {
+        gesture.queue.run(InsertKnot{.u = u});
+        return true;
+    }
+};
+
+std::optional<std::size_t> point_of(const Hover& hit) {
+    if (const auto* point = std::get_if<HoveredPoint>(&hit)) return point->index;
+    if (const auto* ring = std::get_if<HoveredWeightRing>(&hit)) return ring->index;
+    return std::nullopt;
+}
+
+CanvasMode press_select(const Gesture& gesture, const Hover& hit) {
+    const bool is_double = gesture.event.action == PointerAction::double_click;
+    if (is_double && std::visit(SelectDoubleClick{gesture}, hit)) return CanvasIdle{};
+    return std::visit(SelectPress{gesture}, hit);
+}
+
+CanvasMode press_weight(const Gesture& gesture, const Hover& hit) {
+    if (const auto index = point_of(hit)) return begin_weight_drag(gesture, *index);
+    return begin_box(gesture);
+}
+
+CanvasMode press_add_point(const Gesture& gesture, const Hover& hit) {
+    if (const auto* point = std::get_if<HoveredPoint>(&hit)) return begin_point_drag(gesture, point->index);
+    const core::Curve* curve = committed_curve(gesture.state);
+    if (curve == nullptr) return CanvasIdle{};
+    const core::Point position = pointed_at(gesture);
+    gesture.queue.run(AddPoint{.index = best_index_for(*curve, position), .position = position});
+    return CanvasIdle{};
+}
+
+CanvasMode press_insert_knot(const Gesture& gesture, const Hover& hit) {
+    const core::Curve* curve = committed_curve(gesture.state);
+    if (curve == nullptr) return CanvasIdle{};
+    if (const auto* knot = std::get_if<HoveredKnot>(&hit)) {
+        gesture.queue.run(RaiseKnot{.index = knot->index});
+        return CanvasIdle{};
+    }
+    const render::Camera& camera = gesture.state.view.camera;
+    const glm::dvec2 pointer = gesture.event.position_px;
+    const core::CurveSample sample = nearest_to_pointer(gesture);
+    const double distance = glm::distance(pointer, render::screen_from_world(camera, sample.point));
+    if (distance <= pixels(gesture.state, insertion_reach)) gesture.queue.run(InsertKnot{.u = sample.u});
+    return CanvasIdle{};
+}
+
+CanvasMode press_parameter(const Gesture& gesture) {
+    if (committed_curve(gesture.state) == nullptr) return CanvasIdle{};
+    gesture.queue.run(SetParameter{.u = nearest_to_pointer(gesture).u});
+    return DraggingParameter{gesture.state.parameter()};
+}
+
+CanvasMode press_draw_curve(const Gesture& gesture) {
+    const core::Point position = pointed_at(gesture);
+    return DrawingCurve{{position}, position, gesture.state.tool_changes};
+}
+
+}  // namespace
+
+std::size_t best_index_for(const core::Curve& curve, core::Point position) {
+    const std::span<const core::Point> points = curve.control_points();
+    const std::size_t n = points.size();
+    const auto detour = [&](core::Point a, core::Point b) {
+        return distance(a, position) + distance(position, b) - distance(a, b);
+    };
+    std::size_t best = n;
+    double least = curve.is_periodic() ? detour(points[n - 1], points[0]) : distance(points[n - 1], position);
+    const auto offer = [&](std::size_t index, double growth) {
+        if (growth < least) {
+            least = growth;
+            best = index;
+        }
+    };
+    if (!curve.is_periodic()) offer(0, distance(points[0], position));
+    for (std::size_t i = 1; i < n; ++i) offer(i, detour(points[i - 1], points[i]));
+    return best;
+}
+
+CanvasMode begin_canvas_gesture(const Gesture& gesture) {
+    if (is_pan(gesture.event)) return Panning{gesture.event.position_px};
+    if (gesture.event.button != PointerButton::left) return CanvasIdle{};
+    if (inset_at(gesture.state, gesture.event.position_px)) return begin_inset_gesture(gesture);
+    const Hover hit = hit_canvas(gesture.state, gesture.event.position_px);
+    switch (gesture.state.tool) {
+        case Tool::select:
+            return press_select(gesture, hit);
+        case Tool::add_point:
+            return press_add_point(gesture, hit);
+        case Tool::insert_knot:
+            return press_insert_knot(gesture, hit);
+        case Tool::weight:
+            return press_weight(gesture, hit);
+        case Tool::draw_curve:
+            return press_draw_curve(gesture);
+        case Tool::parameter:
+            return press_parameter(gesture);
+    }
+    return CanvasIdle{};
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,243 @@
+#include "app/editor/pointer/context_menu.h"
+
+#include <fmt/core.h>
+
+#include "app/editor/commands/closing_commands.h"
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/degree_commands.h"
+#include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/overlay_commands.h"
+#include "app/editor/commands/piece_commands.h"
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/refinement_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/tool_commands.h"
+#include "app/editor/commands/view_commands.h"
+#include "app/editor/upkeep.h"
+
+namespace batten::editor {
+
+namespace {
+
+// Collects the entries of a menu.
+class Menu {
+  public:
+    explicit Menu(const EditorState& state) : state_(state) {}
+
+    std::vector<MenuEntry> take() { return std::move(entries_); }
+
+    void points() {
+        offer<SetPoint, SetWeight, MovePoints>();
+        group();
+        offer<Delete>();
+        group();
+        offer<SelectAll, SelectNone>();
+    }
+
+    void knot(std::size_t index) {
+        add(RaiseKnot{.index = index});
+        offer<SetKnot, RemoveKnot>();
+        add(DeleteKnot{.index = index});
+        group();
+        offer<SelectNone>();
+    }
+
+    void place_on_curve(double u) {
+        add(InsertKnot{.u = u});
+        add(Split{.u = u});
+        add(SetParameter{.u = u});
+        group();
+    }
+
+    void leg(std::size_t index, core::Point position) {
+        const std::size_t count = state_.active_curve()->control_points().size();
+        add(AddPoint{.index = index + 1, .position = position});
+        add(SelectPoints{.points = {index, (index + 1) % count}});
+        group();
+        curve();
+    }
+
+    /// The active curve as a whole.
+    void curve() {
+        offer<Cut, Copy, PasteBeside, Duplicate, DeleteCurve>();
+        group();
+        offer<RenameCurve, Reverse, Elevate, SetKind, ToggleClosed>();
+        group();
+        const core::Document& document = state_.shown();
+        if (const core::DocumentCurve* active = document.active_curve()) {
+            add(SetCurveVisible{.index = document.active, .visible = !active->visible});
+            add(SetCurveLocked{.index = document.active, .locked = !active->locked});
+        }
+    }
+
+    void canvas() {
+        offer<TakeTool<Tool::draw_curve>, TakeTool<Tool::select>, PasteBeside, SelectAll>();
+        group();
+        offer<FitView, ZoomIn, ZoomOut>();
+        group();
+        offer<ToggleOverlay<Overlay::polygon>, ToggleOverlay<Overlay::knots>, ToggleOverlay<Overlay::labels>,
+              ToggleOverlay<Overlay::grid>, ToggleOverlay<Overlay::construction>>();
+        group();
+        panels();
+    }
+
+    void plot(double u) {
+        if (state_.active_curve() != nullptr && state_.active_curve()->domain().contains(u)) place_on_curve(u);
+        offer<TogglePlay, FitPlot, SetKnotMove, ToggleDock>();
+    }
+
+    void cell(std::size_t level) {
+        add(SetLevel{.level = static_cast<int>(level)});
+        offer<PreviousLevel, NextLevel>();
+        group();
+        offer<InsertKnot, Split>();
+        group();
+        offer<ToggleOverlay<Overlay::construction>>();
+    }
+
+    void finding(const Finding& finding, const std::string& text) {
+        if (finding.parameter) place_on_curve(*finding.parameter);
+        add(CopyText{.text = text});
+        offer<ClearFindings>();
+    }
+
+    void text(const std::string& text) {
+        add(CopyText{.text = text});
+        if (text == state_.message.text && state_.message.is_error) add(DismissMessage{});
+    }
+
+    void title_line() {
+        const core::Document& document = state_.shown();
+        add(CopyText{.text = fmt::format("{}\n{}", document.title, document.description)});
+        offer<ToggleTitle>();
+    }
+
+    void tools() {
+        for (const Tool tool : all_tools) entries_.push_back({&take_tool_spec(tool)});
+        group();
+        offer<Undo, Redo>();
+        group();
+        panels();
+    }
+
+    void panels() { offer<ToggleTitle, ToggleInspector, ToggleDock, TogglePresenting>(); }
+
+    void interface() {
+        panels();
+        group();
+        offer<ToggleTheme, ScaleUp, ScaleDown, ResetScale>();
+        group();
+        offer<TogglePalette, ToggleKeySheet>();
+    }
+
+  private:
+    void group() { begins_group_ = !entries_.empty(); }
+
+    void put(MenuEntry entry) {
+        entry.begins_group = std::exchange(begins_group_, false);
+        entries_.push_back(std::move(entry));
+    }
+
+    void add(const Command& command) { put({&command.spec(), command}); }
+
+    template <class... Commands>
+    void offer() {
+        (put({&Commands::spec()}), ...);
+    }
+
+    const EditorState& state_;
+    std::vector<MenuEntry> entries_;
+    bool begins_group_ = false;
+};
+
+/// One case for each thing that can be hovered; what is no such thing says so by false.
+struct FillByHit {
+    Menu& menu;
+
+    bool operator()(const HoveredPoint&) const { return menu.points(), true; }
+    bool operator()(const HoveredWeightRing&) const { return menu.points(), true; }
+    bool operator()(const HoveredBasis&) const { return menu.points(), true; }
+    bool operator()(const HoveredKnot& hit) const { return menu.knot(hit.index), true; }
+    bool operator()(const HoveredCell& hit) const { return menu.cell(hit.level), true; }
+    template <class Other>
+    bool operator()(const Other&) const {
+        return false;
+    }
+};
+
+/// One case for each target.
+struct FillByTarget {
+    const EditorState& state;
+    Menu& menu;
+
+    void operator()(const OnCanvas& target) const {
+        if (std::holds_alternative<HoveredOtherCurve>(target.hit)) return menu.curve();
+        if (!is_in(target.hit, state.shown())) return menu.canvas();
+        if (fill_by(target.hit)) return;
+        if (const auto* leg = std::get_if<HoveredLeg>(&target.hit)) return menu.leg(leg->index, target.position);
+        if (const auto* curve = std::get_if<HoveredCurve>(&target.hit)) return place_on_curve(curve->u);
+        if (std::holds_alternative<HoveredParameter>(target.hit)) return place_on_curve(state.parameter());
+        menu.canvas();
+    }
+    void operator()(const OnPlot& target) const {
+        if (!fill_by(target.hit)) menu.plot(target.u);
+    }
+    void operator()(const OnPart& target) const {
+        if (!fill_by(target.hit)) menu.interface();
+    }
+    void operator()(const OnCurve&) const { menu.curve(); }
+    void operator()(const OnFinding& target) const {
+        if (state.findings && target.index < state.findings->rows.size())
+            menu.finding(state.findings->rows[target.index], target.text);
+        else
+            menu.interface();
+    }
+    void operator()(const OnText& target) const { menu.text(target.text); }
+    void operator()(const OnTitleLine&) const { menu.title_line(); }
+    void operator()(const OnToolBar&) const { menu.tools(); }
+    void operator()(const OnPanel&) const { menu.interface(); }
+
+  private:
+    bool fill_by(const Hover& hit) const { return is_in(hit, state.shown()) && std::visit(FillByHit{menu}, hit); }
+
+    void place_on_curve(double u) const {
+        menu.place_on_curve(u);
+        menu.curve();
+    }
+};
+
+void select_point(const EditorState& state, std::size_t index, CommandQueue& queue) {
+    if (!state.selection.contains_point(index)) queue.run(SelectPoints{.points = {index}});
+}
+
+void make_active(const EditorState& state, std::size_t index, CommandQueue& queue) {
+    if (index != state.history.present().active) queue.run(ActivateCurve{.index = index});
+}
+
+void select_hit(const EditorState& state, const Hover& hit, CommandQueue& queue) {
+    if (const auto* point = std::get_if<HoveredPoint>(&hit)) select_point(state, point->index, queue);
+    if (const auto* ring = std::get_if<HoveredWeightRing>(&hit)) select_point(state, ring->index, queue);
+    if (const auto* basis = std::get_if<HoveredBasis>(&hit)) select_point(state, basis->index, queue);
+    if (const auto* knot = std::get_if<HoveredKnot>(&hit)) queue.run(SelectKnot{.index = knot->index});
+    if (const auto* curve = std::get_if<HoveredOtherCurve>(&hit)) make_active(state, curve->index, queue);
+}
+
+}  // namespace
+
+void select_for_menu(const EditorState& state, const MenuTarget& target, CommandQueue& queue) {
+    if (const auto* canvas = std::get_if<OnCanvas>(&target)) select_hit(state, canvas->hit, queue);
+    if (const auto* plot = std::get_if<OnPlot>(&target)) select_hit(state, plot->hit, queue);
+    if (const auto* part = std::get_if<OnPart>(&target)) select_hit(state, part->hit, queue);
+    if (const auto* curve = std::get_if<OnCurve>(&target)) make_active(state, curve->index, queue);
+}
+
+std::vector<MenuEntry> context_menu(const EditorState& state, const MenuTarget& target) {
+    Menu menu(state);
+    std::visit(FillByTarget{state, menu}, target);
+    return menu.take();
+}
+
+}  // namespace batten::editor

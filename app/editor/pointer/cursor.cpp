@@ -1,0 +1,73 @@
+#include "app/editor/pointer/cursor.h"
+
+namespace batten::editor {
+
+namespace {
+
+template <class... Things>
+bool is_one_of(const Hover& hover) {
+    return (std::holds_alternative<Things>(hover) || ...);
+}
+
+// What the select tool does to the thing under the pointer.
+Cursor select_cursor(const EditorState& state) {
+    if (is_one_of<HoveredPoint, HoveredHandle>(state.hover)) return Cursor::move;
+    if (is_one_of<HoveredWeightRing>(state.hover)) return Cursor::vertical;
+    const bool is_grip =
+        is_one_of<HoveredParameter, HoveredKnot, HoveredCurve, HoveredOtherCurve, HoveredFarinPoint, HoveredLifted>(
+            state.hover);
+    return is_grip ? Cursor::hand : Cursor::arrow;
+}
+
+Cursor tool_cursor(const EditorState& state) {
+    const bool is_on_point = is_one_of<HoveredPoint, HoveredWeightRing>(state.hover);
+    switch (state.tool) {
+        case Tool::select:
+            return select_cursor(state);
+        case Tool::add_point:
+            return is_one_of<HoveredPoint>(state.hover) ? Cursor::move : Cursor::crosshair;
+        case Tool::weight:
+            return is_on_point ? Cursor::vertical : Cursor::crosshair;
+        case Tool::parameter:
+            return Cursor::hand;
+        case Tool::insert_knot:
+        case Tool::draw_curve:
+            break;
+    }
+    return Cursor::crosshair;
+}
+
+// One case for each mode of the canvas.
+struct CanvasCursor {
+    const EditorState& state;
+
+    Cursor operator()(const CanvasIdle&) const { return tool_cursor(state); }
+    Cursor operator()(const DraggingPoints&) const { return Cursor::move; }
+    Cursor operator()(const DraggingCurvePoint&) const { return Cursor::move; }
+    Cursor operator()(const Panning&) const { return Cursor::move; }
+    Cursor operator()(const DraggingHandle&) const { return Cursor::move; }
+    Cursor operator()(const DraggingWeight&) const { return Cursor::vertical; }
+    Cursor operator()(const BoxSelecting&) const { return Cursor::crosshair; }
+    Cursor operator()(const DrawingCurve&) const { return Cursor::crosshair; }
+    Cursor operator()(const DraggingParameter&) const { return Cursor::hand; }
+    Cursor operator()(const DraggingCurveKnot&) const { return Cursor::hand; }
+    Cursor operator()(const DraggingFarinPoint&) const { return Cursor::hand; }
+    Cursor operator()(const DraggingLiftedWeight&) const { return Cursor::hand; }
+    Cursor operator()(const TurningOrbit&) const { return Cursor::hand; }
+};
+
+}  // namespace
+
+Cursor canvas_cursor(const CanvasMode& mode, const EditorState& state, bool space_is_held) {
+    if (space_is_held && std::holds_alternative<CanvasIdle>(mode)) return Cursor::move;
+    return std::visit(CanvasCursor{state}, mode);
+}
+
+Cursor plot_cursor(const PlotMode& mode, const EditorState& state, bool space_is_held) {
+    const bool is_idle = std::holds_alternative<PlotIdle>(mode);
+    if (std::holds_alternative<PanningPlot>(mode) || (is_idle && space_is_held)) return Cursor::move;
+    if (!is_idle || is_one_of<HoveredKnot, HoveredParameter>(state.hover)) return Cursor::horizontal;
+    return Cursor::arrow;
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,12 @@
+/// Points the camera at the whole document.
+#pragma once
+
+#include "app/editor/state/state.h"
+
+namespace batten::editor {
+
+/// Shows all visible curves with their control points, clear of legend and inset, as large as that allows; the legend
+/// goes to the corner where it takes least. Without curves the surroundings of the origin.
+void fit_view(EditorState& state);
+
+}  // namespace batten::editor

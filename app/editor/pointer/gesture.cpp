@@ -1,0 +1,80 @@
+#include "app/editor/pointer/gesture.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace batten::editor {
+namespace {
+
+constexpr double least_drag = 3.0;
+
+}  // namespace
+
+double pixels(const EditorState& state, double design_px) {
+    return design_px * state.view.interface_scale;
+}
+
+core::Point world_at_pointer(const Gesture& gesture) {
+    return core::Point(render::world_from_screen(gesture.state.view.camera, gesture.event.position_px));
+}
+
+bool is_drag(const EditorState& state, glm::dvec2 press_px, glm::dvec2 position_px) {
+    return glm::distance(press_px, position_px) >= pixels(state, least_drag);
+}
+
+bool is_pan(const PointerEvent& event) {
+    return event.button == PointerButton::middle || (event.button == PointerButton::left && event.space_is_held);
+}
+
+std::optional<double> wheel_pan(const EditorState& state, const PointerEvent& event) {
+    // The fingers on a touchpad never move quite straight: the larger of both directions is meant.
+    const bool is_sideways = std::abs(event.sideways_wheel) > std::abs(event.wheel);
+    if (!is_sideways && !event.modifiers.shift) return std::nullopt;
+    return pixels(state, pan_per_notch) * (is_sideways ? event.sideways_wheel : event.wheel);
+}
+
+const core::Curve* committed_curve(const EditorState& state) {
+    const core::DocumentCurve* item = state.history.present().active_curve();
+    return item == nullptr ? nullptr : item->curve.get();
+}
+
+core::CurveSample nearest_to_pointer(const Gesture& gesture) {
+    const EditorState& state = gesture.state;
+    const auto& curve = state.history.present().active_curve()->curve;
+    return state.derived.near_parts(curve)->nearest(world_at_pointer(gesture)).value();
+}
+
+bool can_edit_curve(const EditorState& state) {
+    const core::DocumentCurve* item = state.history.present().active_curve();
+    return item != nullptr && item->visible && !item->locked;
+}
+
+double rounded_to_step(double value, double step) {
+    // 1/step is whole for a decimal step below 1; dividing by it rounds once, multiplying by the step would round
+    // twice.
+    if (step < 1.0) {
+        const double steps_per_unit = std::round(1.0 / step);
+        return std::round(value * steps_per_unit) / steps_per_unit;
+    }
+    return std::round(value / step) * step;
+}
+
+MoveKnot dragged_knot(const EditorState& state, std::size_t index, double u, double snap_distance) {
+    MoveKnot command{.index = index, .u = u, .mode = state.view.knot_move};
+    if (command.mode == core::KnotMove::snap) command.snap_distance = snap_distance;
+    return command;
+}
+
+std::size_t moving_knot(const EditorState& state, std::size_t index) {
+    const core::Curve* before = committed_curve(state);
+    const core::Curve* now = state.active_curve();
+    if (before == nullptr || now == nullptr) return index;
+    const std::span<const double> old_knots = before->knots().stored();
+    const std::span<const double> new_knots = now->knots().stored();
+    if (index >= old_knots.size() || new_knots.size() != old_knots.size()) return index;
+    for (std::size_t i = 0; i < old_knots.size(); ++i)
+        if (old_knots[i] == old_knots[index] && new_knots[i] != old_knots[i]) return i;
+    return index;
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,233 @@
+#include "app/editor/pointer/hit_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "app/editor/derived/construction_cells.h"
+#include "app/editor/derived/lifted_stage.h"
+#include "app/editor/pointer/view_handle.h"
+#include "app/editor/pointer/weight_ring.h"
+#include "app/editor/scene/insets.h"
+#include "core/evaluate/evaluate.h"
+#include "core/evaluate/farin_points.h"
+
+namespace batten::editor {
+namespace {
+
+/// How near the pointer must be, in design pixels.
+namespace reach {
+constexpr double point = 9.0;  ///< C(u) and control points
+constexpr double ring = 4.0;
+constexpr double farin_point = 8.0;
+constexpr double knot = 8.0;
+constexpr double cell = 7.0;
+constexpr double curve = 6.0;
+constexpr double leg = 5.0;
+}  // namespace reach
+
+/// Keeps the nearest of the things offered that are within reach, the first of equally near ones.
+class Nearest {
+  public:
+    explicit Nearest(double reach_px) : distance_(reach_px) {}
+
+    void offer(const Hover& thing, double distance) {
+        if (!(distance <= distance_) || (found_ && distance == distance_)) return;
+        distance_ = distance;
+        found_ = thing;
+    }
+    const std::optional<Hover>& found() const { return found_; }
+
+  private:
+    double distance_;
+    std::optional<Hover> found_;
+};
+
+double distance_to_segment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
+    const glm::dvec2 along = b - a;
+    const double squared = glm::dot(along, along);
+    const double t = squared > 0.0 ? std::clamp(glm::dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
+    return glm::distance(p, a + t * along);
+}
+
+/// The pointer on the canvas and what it needs to find things.
+struct CanvasPointer {
+    const EditorState& state;
+    glm::dvec2 position_px;
+
+    const render::Camera& camera() const { return state.view.camera; }
+    double px(double design_px) const { return design_px * state.view.interface_scale; }
+    bool shows(Overlay overlay) const { return state.view.overlays.is_shown(overlay); }
+    core::Point world() const { return core::Point(render::world_from_screen(camera(), position_px)); }
+    double distance_to(core::Point world) const {
+        return glm::distance(position_px, render::screen_from_world(camera(), world));
+    }
+
+    /// In the plane of the curves, with what may be lost by rounding; what is within it is measured in pixels then.
+    double world_reach(double design_px) const {
+        constexpr double rounding_px = 1.0;
+        return (px(design_px) + rounding_px) / camera().scale;
+    }
+
+    /// The nearest point of a curve, if it is within reach.
+    std::optional<core::CurveSample> on_curve(const core::NearParts& parts) const {
+        const auto sample = parts.nearest(world(), world_reach(reach::curve));
+        return sample && distance_to(sample->point) <= px(reach::curve) ? sample : std::nullopt;
+    }
+};
+
+/// The active curve on the canvas.
+class ActiveCurve {
+  public:
+    ActiveCurve(const CanvasPointer& pointer, const core::NearParts& parts)
+        : pointer_(pointer), parts_(parts), curve_(parts.curve()) {}
+
+    std::optional<Hover> hit() const;
+
+  private:
+    std::optional<Hover> hit_parameter_or_points() const;
+    std::optional<Hover> hit_rings() const;
+    std::optional<Hover> hit_farin_points() const;
+    std::optional<Hover> hit_knots() const;
+    std::optional<Hover> hit_construction() const;
+    std::optional<Hover> hit_curve() const;
+    std::optional<Hover> hit_legs() const;
+
+    std::size_t point_count() const { return curve_.control_points().size(); }
+    double distance_to(std::size_t point) const { return pointer_.distance_to(curve_.control_points()[point]); }
+    glm::dvec2 place_of(std::size_t point) const {
+        return render::screen_from_world(pointer_.camera(), curve_.control_points()[point % point_count()]);
+    }
+
+    /// Calls `visit` for the first `count` control points of the unrolled curve as far as they, or what begins with
+    /// them, may be so near; ascending.
+    template <class Visit>
+    void visit_near(double design_px, std::size_t count, const Visit& visit) const {
+        parts_.visit_near(pointer_.world(), pointer_.world_reach(design_px), [&](std::size_t i) {
+            if (i < count) visit(i);
+        });
+    }
+
+    const CanvasPointer& pointer_;
+    const core::NearParts& parts_;
+    const core::Curve& curve_;
+};
+
+/// C(u) or a control point, whichever is nearer; the point where they coincide, because at the end of a clamped curve
+/// it could not be grabbed otherwise.
+std::optional<Hover> ActiveCurve::hit_parameter_or_points() const {
+    Nearest nearest(pointer_.px(reach::point));
+    if (pointer_.shows(Overlay::polygon))
+        visit_near(reach::point, point_count(), [&](std::size_t i) { nearest.offer(HoveredPoint{i}, distance_to(i)); });
+    nearest.offer(HoveredParameter{}, pointer_.distance_to(core::point_at(curve_, pointer_.state.parameter())));
+    return nearest.found();
+}
+
+std::optional<Hover> ActiveCurve::hit_rings() const {
+    Nearest nearest(pointer_.px(reach::ring));
+    const auto offer = [&](std::size_t i) {
+        if (const auto radius = weight_ring_radius_px(pointer_.state, i))
+            nearest.offer(HoveredWeightRing{i}, std::abs(distance_to(i) - *radius));
+    };
+    const bool all_may_have_rings =
+        curve_.is_rational() || curve_.weights().front() != 1.0 || pointer_.state.tool == Tool::weight;
+    if (all_may_have_rings)
+        visit_near(greatest_ring_radius + reach::ring, point_count(), offer);
+    else if (pointer_.state.selection.points.size() == 1)
+        offer(pointer_.state.selection.points.front());
+    return nearest.found();
+}
+
+std::optional<Hover> ActiveCurve::hit_farin_points() const {
+    Nearest nearest(pointer_.px(reach::farin_point));
+    visit_near(reach::farin_point, core::leg_count(curve_), [&](std::size_t leg) {
+        nearest.offer(HoveredFarinPoint{leg}, pointer_.distance_to(core::farin_point(curve_, leg).point));
+    });
+    return nearest.found();
+}
+
+/// The topmost knot of each stack: it begins a span, but at the end of the domain.
+std::optional<Hover> ActiveCurve::hit_knots() const {
+    Nearest nearest(pointer_.px(reach::knot));
+    const core::KnotVector& knots = curve_.knots();
+    const auto p = static_cast<std::size_t>(curve_.degree());
+    const auto offer = [&](std::size_t index, double u) {
+        nearest.offer(HoveredKnot{index - knots.stored_offset()}, pointer_.distance_to(core::point_at(curve_, u)));
+    };
+    visit_near(reach::knot, knots.size() - 2 * p - 1, [&](std::size_t i) {
+        if (knots[i + p] < knots[i + p + 1]) offer(i + p, knots[i + p]);
+    });
+    const double end = knots.domain().upper;
+    const auto stored = knots.stored();
+    const auto after_end = std::upper_bound(stored.begin(), stored.end(), end);
+    offer(knots.stored_offset() + static_cast<std::size_t>(after_end - stored.begin()) - 1, end);
+    return nearest.found();
+}
+
+std::optional<Hover> ActiveCurve::hit_construction() const {
+    Nearest nearest(pointer_.px(reach::cell));
+    const core::DeBoorTriangle triangle = core::de_boor_triangle(curve_, pointer_.state.parameter());
+    for (const auto [level, index] : marked_cells(pointer_.state.view, triangle))
+        nearest.offer(HoveredCell{level, index}, pointer_.distance_to(triangle.levels[level][index].point));
+    return nearest.found();
+}
+
+std::optional<Hover> ActiveCurve::hit_curve() const {
+    const auto sample = pointer_.on_curve(parts_);
+    return sample ? std::optional<Hover>(HoveredCurve{sample->u}) : std::nullopt;
+}
+
+std::optional<Hover> ActiveCurve::hit_legs() const {
+    Nearest nearest(pointer_.px(reach::leg));
+    visit_near(reach::leg, core::leg_count(curve_), [&](std::size_t i) {
+        nearest.offer(HoveredLeg{i}, distance_to_segment(pointer_.position_px, place_of(i), place_of(i + 1)));
+    });
+    return nearest.found();
+}
+
+std::optional<Hover> ActiveCurve::hit() const {
+    if (const auto found = hit_parameter_or_points()) return found;
+    if (const auto handle = handle_at(pointer_.state, pointer_.position_px)) return HoveredHandle{*handle};
+    if (pointer_.shows(Overlay::polygon))
+        if (const auto found = hit_rings()) return found;
+    if (pointer_.shows(Overlay::farin_points))
+        if (const auto found = hit_farin_points()) return found;
+    if (pointer_.shows(Overlay::knots))
+        if (const auto found = hit_knots()) return found;
+    if (pointer_.shows(Overlay::construction))
+        if (const auto found = hit_construction()) return found;
+    if (const auto found = hit_curve()) return found;
+    if (is_on_probe_line(pointer_.state, pointer_.position_px)) return HoveredHandle{ViewHandle::line};
+    if (pointer_.shows(Overlay::polygon)) return hit_legs();
+    return std::nullopt;
+}
+
+Hover hit_other_curves(const CanvasPointer& pointer) {
+    Nearest nearest(pointer.px(reach::curve));
+    const core::Document& document = pointer.state.shown();
+    for (std::size_t i = 0; i < document.curves.size(); ++i) {
+        if (i == document.active || !document.curves[i].visible) continue;
+        if (const auto sample = pointer.on_curve(*pointer.state.derived.near_parts(document.curves[i].curve)))
+            nearest.offer(HoveredOtherCurve{i}, pointer.distance_to(sample->point));
+    }
+    return nearest.found().value_or(HoveredNothing{});
+}
+
+Hover hit_inset(const EditorState& state, const InsetPlace& inset, glm::dvec2 position_px) {
+    if (inset.overlay != Overlay::homogeneous) return HoveredNothing{};
+    return HoveredLifted{lifted_point_at(state, lifted_stage(state, inset.box), position_px)};
+}
+
+}  // namespace
+
+Hover hit_canvas(const EditorState& state, glm::dvec2 position_px) {
+    if (const auto inset = inset_at(state, position_px)) return hit_inset(state, *inset, position_px);
+    const CanvasPointer pointer{state, position_px};
+    const core::DocumentCurve* active = state.shown().active_curve();
+    if (active != nullptr && active->visible)
+        if (const auto hit = ActiveCurve(pointer, *state.derived.near_parts(active->curve)).hit()) return *hit;
+    return hit_other_curves(pointer);
+}
+
+}  // namespace batten::editor

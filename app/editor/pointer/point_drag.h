@@ -1,0 +1,25 @@
+/// Where a dragged control point goes, and how a dragged weight grows.
+#pragma once
+
+#include "app/editor/pointer/gesture.h"
+#include "core/base/geometry.h"
+
+namespace batten::editor {
+
+/// What a weight can be dragged to.
+inline constexpr core::Interval dragged_weights{1e-6, 1e6};
+
+/// The world point under the pointer; with Ctrl the nearest corner of the minor grid.
+core::Point pointed_at(const Gesture& gesture);
+
+/// Where a point that was at `start` when the pointer was pressed at `press_px` is to be now: Shift keeps it on the
+/// axis along which the pointer moved farther, Ctrl puts the coordinates that may change on the minor grid.
+core::Point dragged_position(const Gesture& gesture, core::Point start, glm::dvec2 press_px);
+
+/// An offset such that start + offset is `target` to the last bit, as far as there is one.
+core::Vector exact_offset(core::Point start, core::Point target);
+
+/// `start_weight` after the pointer moved from `press_px` to the event's position; see DraggingWeight.
+double dragged_weight(const Gesture& gesture, double start_weight, glm::dvec2 press_px);
+
+}  // namespace batten::editor

@@ -1,0 +1,46 @@
+#include "app/editor/state/document_bytes.h"
+
+#include <span>
+#include <unordered_set>
+
+namespace batten::editor {
+
+namespace {
+
+// Counts each array once, by where it is.
+class ArrayCount {
+  public:
+    void add(const core::DocumentCurve& item) {
+        add(item.curve->knots().values());
+        add(item.curve->control_points());
+        add(item.curve->weights());
+        if (item.point_hues != nullptr) add(std::span<const std::uint8_t>(*item.point_hues));
+    }
+    std::size_t bytes() const { return bytes_; }
+
+  private:
+    template <class T>
+    void add(std::span<const T> array) {
+        if (seen_.insert(array.data()).second) bytes_ += array.size_bytes();
+    }
+
+    std::unordered_set<const void*> seen_;
+    std::size_t bytes_ = 0;
+};
+
+}  // namespace
+
+std::size_t bytes_beside(const core::Document& document, const core::Document* other) {
+    ArrayCount count;
+    if (other != nullptr)
+        for (const core::DocumentCurve& item : other->curves) count.add(item);
+    const std::size_t of_other = count.bytes();
+    std::size_t entries = 0;
+    for (const core::DocumentCurve& item : document.curves) {
+        count.add(item);
+        entries += sizeof(core::DocumentCurve) + item.name.size() + item.unknown_members.size();
+    }
+    return count.bytes() - of_other + entries;
+}
+
+}  // namespace batten::editor

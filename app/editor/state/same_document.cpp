@@ -1,0 +1,27 @@
+#include "app/editor/state/same_document.h"
+
+#include <algorithm>
+
+namespace batten::editor {
+
+namespace {
+
+bool is_same_curve(const core::DocumentCurve& a, const core::DocumentCurve& b) {
+    return (a.curve == b.curve || *a.curve == *b.curve) && a.name == b.name && a.color == b.color &&
+           a.visible == b.visible && a.locked == b.locked && a.tears == b.tears &&
+           a.unknown_members == b.unknown_members;
+}
+
+}  // namespace
+
+bool has_same_content(const core::Document& a, const core::Document& b) {
+    return a.title == b.title && a.description == b.description && a.view == b.view &&
+           a.unknown_members == b.unknown_members &&
+           std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(), is_same_curve);
+}
+
+bool is_same_document(const core::Document& a, const core::Document& b) {
+    return a.active == b.active && has_same_content(a, b);
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,109 @@
+/// What changes how the document is looked at without being a command: neither undone nor logged, since it happens
+/// every frame or follows the window. A plain variant beside the command table.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <string>
+#include <variant>
+
+#include "app/editor/state/selection.h"
+#include "app/editor/state/view.h"
+#include "core/base/geometry.h"
+
+namespace batten::editor {
+
+struct CommandSpec;
+struct EditorState;
+
+/// The pointer is over something; over nothing where the shown curve does not have it.
+struct SetHover {
+    Hover hover;
+};
+
+struct PanCamera {
+    glm::dvec2 offset_px;
+};
+
+/// Enlarges the picture by `factor` (> 0) around a pixel.
+struct ZoomCamera {
+    double factor;
+    glm::dvec2 anchor_px;
+};
+
+/// What was in view stays in view, and comes back as it was with the size; a fitted camera is fitted anew.
+struct ResizeCanvas {
+    glm::dvec2 size_px;
+};
+
+/// The legend stands in this corner; which one is best, free_corner() tells.
+struct PlaceLegend {
+    Corner corner;
+};
+
+/// So many pixels of the window make a design pixel.
+struct SetInterfaceScale {
+    double scale;
+};
+
+struct SetInspectorWidth {
+    double width;  ///< design pixels
+};
+
+struct SetCardsWidth {
+    double width;  ///< design pixels
+};
+
+struct SetDockHeight {
+    double height;  ///< design pixels
+};
+
+/// The lifted curve is turned by a drag of so many design pixels, and enlarged by a factor (> 0).
+struct TurnOrbit {
+    glm::dvec2 drag{0.0, 0.0};
+    double factor = 1.0;
+};
+
+/// The plot shows these parameters; not an empty interval.
+struct SetPlotRange {
+    core::Interval range;
+};
+
+/// The teeth of the comb are so many times as long as by themselves.
+struct SetCombFactor {
+    double factor;
+};
+
+/// The line whose crossings are shown; of different points.
+struct SetProbeLine {
+    ProbeLine line;
+};
+
+/// So many seconds (>= 0) went by, in which a running parameter moves on.
+struct Advance {
+    double seconds;
+};
+
+/// The clock of the desktop stands at so many seconds.
+struct TellTime {
+    double seconds;
+};
+
+/// Why something that was asked for could not even become a command.
+struct ShowRefusal {
+    std::string sentence;
+    bool is_alarm = true;  ///< false where there just is nothing to do
+};
+
+/// Opens the form that asks for the fields of a command.
+struct ShowForm {
+    const CommandSpec* spec;
+};
+
+using ViewChange = std::variant<SetHover, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend, SetInterfaceScale,
+                                SetInspectorWidth, SetCardsWidth, SetDockHeight, SetPlotRange, SetCombFactor,
+                                SetProbeLine, TurnOrbit, Advance, TellTime, ShowRefusal, ShowForm>;
+
+/// Makes the change; sizes are brought into their ranges.
+void apply(EditorState& state, const ViewChange& change);
+
+}  // namespace batten::editor

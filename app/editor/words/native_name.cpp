@@ -1,0 +1,74 @@
+#include "app/editor/words/native_name.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/base/sentence.h"
+
+namespace batten::editor {
+
+namespace {
+
+bool is_letter(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
+bool is_letter_or_digit(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0;
+}
+
+bool is_small_letter(char c) {
+    return std::islower(static_cast<unsigned char>(c)) != 0;
+}
+
+// Endings are short, but for some words.
+constexpr std::size_t longest = 5;
+constexpr std::size_t longest_word = 10;
+
+bool is_ending(const std::string& text) {
+    if (std::all_of(text.begin(), text.end(), is_small_letter)) return text.size() <= longest_word;
+    return text.size() <= longest && std::all_of(text.begin(), text.end(), is_letter_or_digit) &&
+           std::any_of(text.begin(), text.end(), is_letter);
+}
+
+// "svg" for "wave.svg"; empty where what stands behind the last dot is no ending.
+std::string ending_of(const std::filesystem::path& path) {
+    const std::string behind = path.extension().string();
+    return behind.size() > 1 && is_ending(behind.substr(1)) ? behind.substr(1) : std::string();
+}
+
+bool is_native(std::string ending) {
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+    return ending == "json";
+}
+
+// "wave.json" for "wave.svg", and "wave.bak.json" for "wave.json.bak", which is beside "wave.json".
+std::filesystem::path native_instead(const std::filesystem::path& path) {
+    const std::filesystem::path stem = path.stem();
+    std::filesystem::path native = stem;
+    if (is_native(ending_of(stem))) native = stem.stem().concat(path.extension().string());
+    return native += ".json";
+}
+
+}  // namespace
+
+std::optional<Refusal> foreign_ending(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    if (name.starts_with('.') && name.size() <= longest + 1 && is_ending(name.substr(1)))
+        return core::sentence("'{name}' is an ending without a name; name it 'curves.json'", {{"name", name}});
+    const std::string ending = ending_of(path);
+    if (ending.empty() || is_native(ending)) return std::nullopt;
+    const std::filesystem::path native = native_instead(path);
+    return core::sentence("'{name}' ends in .{ending}, but curves are written as .json alone; name it '{native}'",
+                          {{"name", name}, {"ending", ending}, {"native", native.string()}});
+}
+
+Outcome<std::filesystem::path> native_path(const std::filesystem::path& path) {
+    if (std::optional<Refusal> refusal = foreign_ending(path)) return tl::unexpected(*std::move(refusal));
+    std::filesystem::path result = path;
+    if (!is_native(ending_of(path))) result += ".json";
+    return result;
+}
+
+}  // namespace batten::editor

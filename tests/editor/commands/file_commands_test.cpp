@@ -1,0 +1,380 @@
+#include "app/editor/commands/file_commands.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <iterator>
+
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/overlay_commands.h"
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/view_commands.h"
+#include "core/base/sentence.h"
+#include "tests/editor/sample_editor.h"
+
+namespace batten::editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FileCommands : public ::testing::Test {
+  protected:
+    FileCommands() : wave_(folder_.write("wave.json", sample_text)), arch_(folder_.write("arch.json", bezier_text)) {}
+
+    const EditorState& state() const { return editor_.state(); }
+    bool run(const Command& command) { return editor_.run(command); }
+    bool type(const std::string& text) { return run_typed(editor_, text); }
+    static std::string content(const fs::path& path) {
+        std::ifstream file(path, std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    }
+
+    TemporaryFolder folder_;
+    fs::path wave_;
+    fs::path arch_;
+    Editor editor_;
+};
+
+TEST_F(FileCommands, open_a_file) {
+    run(ToggleWelcome{});
+    EXPECT_TRUE(run(Open{.path = wave_}));
+    EXPECT_EQ(state().path, wave_);
+    EXPECT_EQ(state().file_name(), "wave.json");
+    EXPECT_EQ(document(editor_).curves.size(), 3U);
+    EXPECT_FALSE(state().is_modified());
+    EXPECT_FALSE(state().history.can_undo());
+    EXPECT_EQ(state().dialog, Dialog::none);
+    EXPECT_EQ(state().message, (Message{"Opened wave.json", false}));
+    EXPECT_EQ(state().parameter(), 0.5);
+}
+
+TEST_F(FileCommands, open_with_the_view_of_the_file) {
+    const fs::path path = folder_.write("view.json", R"({"format":"batten","version":1,"curves":[
+        {"degree":1,"knots":[0,0,2,2],"points":[[0,0],[1,1]]}], "view": {"parameter": 0.25, "overlays": ["grid","hodograph"]}})");
+    EXPECT_TRUE(run(Open{.path = path}));
+    EXPECT_EQ(state().parameter(), 0.25);
+    for (std::size_t i = 0; i < overlay_count; ++i) {
+        const auto overlay = static_cast<Overlay>(i);
+        EXPECT_EQ(state().view.overlays.is_shown(overlay), overlay == Overlay::grid || overlay == Overlay::hodograph)
+            << i;
+    }
+}
+
+TEST_F(FileCommands, a_broken_file_changes_nothing_but_the_message) {
+    run(Open{.path = wave_});
+    run(SelectPoints{.points = {2}});
+    const auto before = document(editor_).curves[0].curve;
+    const fs::path broken = folder_.write("broken.json", R"({"format":"batten","version":1,"curves":[
+        {"degree":3,"knots":[0,0,0,0,0.5,0.25,1,1,1,1],"points":[[0,0],[1,1],[2,2],[3,3],[4,4],[5,5]]}]})");
+    EXPECT_FALSE(run(Open{.path = broken}));
+    EXPECT_TRUE(state().message.is_error);
+    EXPECT_EQ(
+        state().message.text,
+        "broken.json: /curves/0/knots/5: knot 5 is 0.25, less than knot 4, which is 0.5; knots must not decrease");
+    EXPECT_EQ(document(editor_).curves[0].curve, before);
+    EXPECT_EQ(state().path, wave_);
+    EXPECT_EQ(state().selection.points, std::vector<std::size_t>{2});
+    EXPECT_FALSE(run(Open{.path = (folder_.path() / "missing.json")}));
+    EXPECT_EQ(state().message.text.rfind("missing.json: the file cannot be opened", 0), 0U) << state().message.text;
+    EXPECT_EQ(state().recent_files, std::vector<fs::path>{wave_});
+}
+
+TEST_F(FileCommands, open_without_a_path_asks_for_one) {
+    run(Open{.path = wave_});
+    run(SetWeight{.index = 0, .weight = 2.0});
+    EXPECT_TRUE(run(Open{}));
+    EXPECT_EQ(state().dialog, Dialog::open_file);
+    EXPECT_FALSE(state().pending);
+    EXPECT_TRUE(run(Open{.path = arch_}));
+    EXPECT_EQ(state().dialog, Dialog::unsaved_changes);
+}
+
+TEST_F(FileCommands, save_what_was_edited_and_no_more) {
+    run(Open{.path = wave_});
+    run(Save{});
+    const std::string first = content(wave_);
+    run(MovePoints{.points = {1}, .offset = {0.5, 0.0}});
+    EXPECT_TRUE(state().is_modified());
+    EXPECT_TRUE(run(Save{}));
+    EXPECT_FALSE(state().is_modified());
+    EXPECT_EQ(state().message, (Message{"Saved wave.json", false}));
+    const std::string second = content(wave_);
+    EXPECT_NE(first, second);
+    core::Document moved = *core::parse_document(first);
+    const auto saved = core::parse_document(second);
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved->curves[0].curve->control_points()[1].x, moved.curves[0].curve->control_points()[1].x + 0.5);
+    run(Undo{});
+    EXPECT_TRUE(state().is_modified());
+    run(Save{});
+    EXPECT_EQ(content(wave_), first);
+}
+
+TEST_F(FileCommands, save_the_view_too) {
+    run(Open{.path = wave_});
+    run(ActivateCurve{.index = 1});
+    run(SetParameter{.u = 3.5});
+    run(ToggleOverlay<Overlay::grid>{});
+    run(ToggleOverlay<Overlay::hodograph>{});
+    run(Save{});
+    Editor other;
+    other.run(Open{.path = wave_});
+    EXPECT_EQ(other.state().parameter(), 3.5);
+    EXPECT_EQ(other.state().view.overlays, state().view.overlays);
+    EXPECT_EQ(document(other).active, 1U);
+}
+
+TEST_F(FileCommands, take_the_notation_of_a_document_and_go_back_to_the_usual_one) {
+    Notation usual;
+    usual.points = PointLetter::B;
+    run(SetNotation{usual.points, usual.parameter, usual.degree, usual.triangles, usual.numbers});
+    const fs::path lecture = folder_.write("lecture.json", R"({"format": "batten", "version": 1, "curves": [],
+        "view": {"notation": {"points": "V", "parameter": "t", "color": "red"}}})");
+    run(Open{.path = lecture});
+    EXPECT_EQ(state().view.notation.points, PointLetter::V);
+    EXPECT_EQ(state().view.notation.parameter, ParameterLetter::t);
+    EXPECT_EQ(state().view.usual_notation, usual);
+    run(SaveAs{.path = lecture});
+    const auto saved = core::load_document(lecture);
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved->view.notation.at("points"), "V");
+    EXPECT_EQ(saved->view.notation.at("color"), "red");
+    run(Open{.path = folder_.write("plain.json", R"({"format": "batten", "version": 1, "curves": []})")});
+    EXPECT_EQ(state().view.notation, usual);
+}
+
+TEST_F(FileCommands, keep_overlays_of_a_later_version) {
+    const fs::path path = folder_.write("later.json", R"({"format":"batten","version":1,"curves":[],
+        "view": {"overlays": ["grid","shadow"]}})");
+    run(Open{.path = path});
+    run(Save{});
+    const auto saved = core::parse_document(content(path));
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved->view.overlays, (std::vector<std::string>{"grid", "shadow"}));
+}
+
+TEST_F(FileCommands, save_as_another_file) {
+    run(Open{.path = wave_});
+    EXPECT_TRUE(run(SaveAs{.path = (folder_.path() / "copy")}));
+    EXPECT_EQ(state().path, folder_.path() / "copy.json");
+    EXPECT_TRUE(fs::exists(folder_.path() / "copy.json"));
+    EXPECT_EQ(state().recent_files, (std::vector<fs::path>{folder_.path() / "copy.json", wave_}));
+    EXPECT_FALSE(run(SaveAs{.path = (folder_.path() / "no" / "such" / "folder.json")}));
+    EXPECT_TRUE(state().message.is_error);
+    EXPECT_EQ(state().path, folder_.path() / "copy.json");
+    EXPECT_TRUE(run(SaveAs{}));
+    EXPECT_EQ(state().dialog, Dialog::save_file);
+}
+
+TEST_F(FileCommands, a_foreign_ending_is_not_given_curves) {
+    run(Open{.path = wave_});
+    for (const char* name : {"wave.svg", "wave.PDF", "wave.txt", "wave.3dm", "wave.json.gz", "wave.geojson"}) {
+        EXPECT_FALSE(run(SaveAs{.path = folder_.path() / name})) << name;
+        EXPECT_FALSE(fs::exists(folder_.path() / name)) << name;
+    }
+    EXPECT_FALSE(run(SaveAs{.path = folder_.path() / "v1.2.svg"}));
+    EXPECT_EQ(state().message.text,
+              "'v1.2.svg' ends in .svg, but curves are written as .json alone; name it 'v1.2.json'");
+    EXPECT_EQ(state().path, wave_);
+}
+
+TEST_F(FileCommands, advice_for_a_name_is_a_name_of_its_own) {
+    run(Open{.path = wave_});
+    EXPECT_FALSE(run(SaveAs{.path = folder_.path() / "x.json.bak"}));
+    EXPECT_EQ(state().message.text,
+              "'x.json.bak' ends in .bak, but curves are written as .json alone; name it 'x.bak.json'");
+    for (const char* name : {".svg", ".json"}) {
+        EXPECT_FALSE(run(SaveAs{.path = folder_.path() / name}));
+        EXPECT_EQ(state().message.text,
+                  core::sentence("'{name}' is an ending without a name; name it 'curves.json'", {{"name", name}}));
+        EXPECT_FALSE(fs::exists(folder_.path() / name)) << name;
+    }
+}
+
+TEST_F(FileCommands, a_name_without_an_ending_is_given_one) {
+    run(Open{.path = wave_});
+    for (const auto& [typed, expected] :
+         {std::pair("wave 1.5", "wave 1.5.json"), std::pair("St. Gallen", "St. Gallen.json"),
+          std::pair("WAVE.JSON", "WAVE.JSON"), std::pair("out.Yk3xQz", "out.Yk3xQz.json"),
+          std::pair(".hidden", ".hidden.json")}) {
+        EXPECT_TRUE(run(SaveAs{.path = folder_.path() / typed})) << state().message.text;
+        EXPECT_EQ(state().path, folder_.path() / expected);
+    }
+}
+
+TEST_F(FileCommands, a_pipe_does_not_keep_the_window_waiting) {
+    const fs::path pipe = folder_.path() / "pipe.json";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    for (const bool runs : {run(Open{.path = pipe}), run(AddFile{.path = pipe})}) {
+        EXPECT_FALSE(runs);
+        EXPECT_EQ(state().message.text, "pipe.json: this is not an ordinary file, so it cannot be opened");
+    }
+}
+
+TEST_F(FileCommands, a_folder_that_is_gone_ends_nothing) {
+    const fs::path before = fs::current_path();
+    fs::create_directory(folder_.path() / "gone");
+    fs::current_path(folder_.path() / "gone");
+    fs::remove(folder_.path() / "gone");
+    EXPECT_FALSE(run(Open{.path = "wave.json"}));
+    EXPECT_FALSE(run(SaveAs{.path = "wave.json"}));
+    fs::current_path(before);
+    EXPECT_TRUE(state().message.is_error);
+}
+
+TEST_F(FileCommands, ask_about_unsaved_changes) {
+    run(Open{.path = wave_});
+    run(SetWeight{.index = 0, .weight = 2.0});
+    for (const Pending& pending :
+         std::vector<Pending>{NewDocument{}, Open{.path = arch_}, Quit{}, OpenExample{.name = "arch"}}) {
+        EXPECT_TRUE(editor_.run(std::visit([](const auto& command) { return Command(command); }, pending)));
+        EXPECT_EQ(state().dialog, Dialog::unsaved_changes);
+        ASSERT_TRUE(state().pending);
+        EXPECT_EQ(state().pending->index(), pending.index());
+        EXPECT_EQ(state().path, wave_);
+        EXPECT_TRUE(run(AnswerUnsaved{.answer = UnsavedAnswer::cancel}));
+        EXPECT_EQ(state().dialog, Dialog::none);
+        EXPECT_FALSE(state().pending);
+        EXPECT_FALSE(state().wants_quit);
+        EXPECT_TRUE(state().is_modified());
+    }
+    EXPECT_FALSE(run(AnswerUnsaved{.answer = UnsavedAnswer::discard}));
+    run(Quit{});
+    EXPECT_FALSE(type("answer-unsaved maybe"));
+    EXPECT_EQ(state().dialog, Dialog::unsaved_changes);
+    EXPECT_TRUE(run(AnswerUnsaved{.answer = UnsavedAnswer::discard}));
+    EXPECT_TRUE(state().wants_quit);
+}
+
+TEST_F(FileCommands, ask_nothing_where_the_document_is_as_it_was) {
+    Desktop desktop;
+    desktop.examples = folder_.path();
+    Editor editor(desktop);
+    editor.run(OpenExample{.name = "wave"});
+    const core::Point place = points(editor)[1];
+    for (const Command& command :
+         std::vector<Command>{SetParameter{.u = 0.7}, SelectPoints{.points = {2}}, ToggleOverlay<Overlay::hull>{},
+                              ActivateCurve{.index = 1}, ActivateCurve{.index = 0},
+                              SetPoint{.index = 1, .position = {5.0, 5.0}}, SetPoint{.index = 1, .position = place}}) {
+        ASSERT_TRUE(editor.run(command)) << editor.state().message.text;
+    }
+    EXPECT_EQ(editor.state().history.undo_count(), 2U);
+    EXPECT_FALSE(editor.state().is_modified());
+    EXPECT_TRUE(editor.run(OpenExample{.name = "arch"}));
+    EXPECT_EQ(editor.state().dialog, Dialog::none);
+    EXPECT_EQ(document(editor).curves[0].name, "arch");
+    editor.run(SetPoint{.index = 1, .position = {5.0, 5.0}});
+    EXPECT_TRUE(editor.run(OpenExample{.name = "wave"}));
+    EXPECT_EQ(editor.state().dialog, Dialog::unsaved_changes);
+}
+
+TEST_F(FileCommands, save_before_going_on) {
+    run(Open{.path = wave_});
+    run(SetWeight{.index = 0, .weight = 2.0});
+    run(Open{.path = arch_});
+    EXPECT_TRUE(run(AnswerUnsaved{.answer = UnsavedAnswer::save}));
+    EXPECT_EQ(state().path, arch_);
+    EXPECT_EQ(core::load_document(wave_)->curves[0].curve->weights()[0], 2.0);
+}
+
+TEST_F(FileCommands, save_an_untitled_document_before_going_on) {
+    run(NewCurve{.points = {{0, 0}, {1, 1}}});
+    run(Quit{});
+    EXPECT_TRUE(run(AnswerUnsaved{.answer = UnsavedAnswer::save}));
+    EXPECT_EQ(state().dialog, Dialog::save_file);
+    EXPECT_FALSE(state().wants_quit);
+    EXPECT_TRUE(run(SaveAs{.path = (folder_.path() / "line.json")}));
+    EXPECT_TRUE(state().wants_quit);
+    EXPECT_EQ(state().dialog, Dialog::none);
+}
+
+TEST_F(FileCommands, a_failed_saving_gives_up_what_waited) {
+    const fs::path path = folder_.path() / "gone" / "wave.json";
+    fs::create_directory(path.parent_path());
+    fs::copy_file(wave_, path);
+    run(Open{.path = path});
+    run(SetWeight{.index = 0, .weight = 2.0});
+    fs::remove_all(path.parent_path());
+    run(Quit{});
+    EXPECT_FALSE(run(AnswerUnsaved{.answer = UnsavedAnswer::save}));
+    EXPECT_TRUE(state().message.is_error);
+    EXPECT_TRUE(state().is_modified());
+    EXPECT_TRUE(run(SaveAs{.path = (folder_.path() / "kept.json")}));
+    EXPECT_FALSE(state().wants_quit);
+}
+
+TEST_F(FileCommands, a_failed_opening_after_discard_keeps_the_changes) {
+    run(Open{.path = wave_});
+    run(SetWeight{.index = 0, .weight = 2.0});
+    run(Open{.path = (folder_.path() / "missing.json")});
+    EXPECT_FALSE(run(AnswerUnsaved{.answer = UnsavedAnswer::discard}));
+    EXPECT_TRUE(state().message.is_error);
+    EXPECT_TRUE(state().is_modified());
+    EXPECT_EQ(curve(editor_).weights()[0], 2.0);
+}
+
+TEST_F(FileCommands, begin_a_new_document) {
+    run(Open{.path = wave_});
+    run(SelectPoints{.points = {1}});
+    EXPECT_TRUE(run(NewDocument{}));
+    EXPECT_EQ(state().active_curve(), nullptr);
+    EXPECT_EQ(state().file_name(), "untitled");
+    EXPECT_EQ(state().selection, Selection{});
+    EXPECT_FALSE(state().is_modified());
+    EXPECT_FALSE(state().history.can_undo());
+}
+
+TEST_F(FileCommands, open_an_example_as_untitled) {
+    Desktop desktop;
+    desktop.examples = folder_.path();
+    Editor editor(desktop);
+    EXPECT_TRUE(editor.run(OpenExample{.name = "arch"}));
+    EXPECT_EQ(document(editor).curves[0].name, "arch");
+    EXPECT_EQ(editor.state().path, "");
+    EXPECT_FALSE(editor.state().is_modified());
+    EXPECT_TRUE(editor.state().recent_files.empty());
+    EXPECT_TRUE(editor.run(Save{}));
+    EXPECT_EQ(editor.state().dialog, Dialog::save_file);
+    for (const std::string& name :
+         {std::string("nothing"), std::string(), std::string("../wave"), (folder_.path() / "arch").string()}) {
+        EXPECT_FALSE(editor.run(OpenExample{.name = name})) << name;
+        EXPECT_EQ(editor.state().message.text, "there is no example called '" + name + "'");
+    }
+}
+
+TEST_F(FileCommands, remember_ten_recent_files_newest_first) {
+    std::vector<fs::path> expected;
+    for (int i = 0; i < 12; ++i) {
+        const fs::path path = folder_.write("file" + std::to_string(i) + ".json", bezier_text);
+        run(Open{.path = path});
+        expected.insert(expected.begin(), path);
+    }
+    expected.resize(10);
+    EXPECT_EQ(state().recent_files, expected);
+    run(Open{.path = expected[4]});
+    EXPECT_EQ(state().recent_files.size(), 10U);
+    EXPECT_EQ(state().recent_files[0], expected[4]);
+    EXPECT_EQ(state().recent_files[1], expected[0]);
+}
+
+TEST_F(FileCommands, add_the_curves_of_a_file) {
+    run(Open{.path = arch_});
+    EXPECT_TRUE(run(AddFile{.path = wave_}));
+    EXPECT_TRUE(run(AddFile{.path = arch_}));
+    ASSERT_EQ(document(editor_).curves.size(), 5U);
+    EXPECT_EQ(document(editor_).curves[4].name, "arch 2");
+    EXPECT_EQ(document(editor_).active, 4U);
+    EXPECT_EQ(state().history.undo_label(), "Add file arch.json");
+    EXPECT_EQ(state().path, arch_);
+    EXPECT_FALSE(run(AddFile{.path = "/nowhere.json"}));
+    run(Undo{});
+    run(Undo{});
+    EXPECT_FALSE(state().is_modified());
+}
+
+}  // namespace
+}  // namespace batten::editor

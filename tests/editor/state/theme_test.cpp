@@ -1,0 +1,101 @@
+#include "app/editor/state/theme.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace batten::editor {
+namespace {
+
+using render::rgb;
+
+TEST(Theme, has_the_colors_of_the_look) {
+    const Theme dark = theme_of(ThemeName::dark);
+    EXPECT_EQ(dark.canvas, rgb(0x14161B));
+    EXPECT_EQ(dark.field, rgb(0x22262F));
+    EXPECT_EQ(dark.accent, rgb(0x5AA9FF));
+    EXPECT_EQ(dark.parameter, rgb(0xFFD166));
+    const Theme light = theme_of(ThemeName::light);
+    EXPECT_EQ(light.canvas, rgb(0xFBFBFD));
+    EXPECT_EQ(light.text, rgb(0x1B2130));
+    EXPECT_EQ(light.grid_major, rgb(0xE3E7EE));
+    EXPECT_EQ(light.curve, rgb(0x10131A));
+}
+
+/// Of WCAG 2.1: 21 for black on white, 1 for equal colors.
+double luminance(render::Color color) {
+    const auto linear = [](std::uint8_t part) {
+        const double share = part / 255.0;
+        return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(color.red) + 0.7152 * linear(color.green) + 0.0722 * linear(color.blue);
+}
+
+double contrast(render::Color a, render::Color b) {
+    const auto [darker, lighter] = std::minmax({luminance(a), luminance(b)});
+    return (lighter + 0.05) / (darker + 0.05);
+}
+
+/// On which texts and lines stand: the surfaces, the active span of the plot, a selected row.
+std::vector<render::Color> grounds_of(const Theme& theme) {
+    return {theme.canvas, theme.panel, theme.field, render::blended(theme.accent, 0.07, theme.panel)};
+}
+
+TEST(Theme, contrast_is_that_of_known_pairs) {
+    EXPECT_NEAR(contrast(rgb(0x000000), rgb(0xFFFFFF)), 21.0, 1e-12);
+    EXPECT_NEAR(contrast(rgb(0x767676), rgb(0xFFFFFF)), 4.54, 0.005);
+    EXPECT_NEAR(contrast(rgb(0xD9C93B), rgb(0xF1F3F7)), 1.53, 0.005);
+}
+
+TEST(Theme, texts_stand_out_from_every_ground) {
+    for (const ThemeName name : {ThemeName::dark, ThemeName::light}) {
+        const Theme theme = theme_of(name);
+        std::vector<render::Color> texts{theme.text, theme.dim, theme.accent, theme.parameter, theme.error};
+        texts.insert(texts.end(), theme.levels.begin(), theme.levels.end());
+        for (std::size_t i = 0; i < theme.palette.size(); ++i) texts.push_back(theme.point_text(i));
+        for (std::size_t k = 0; k < texts.size(); ++k)
+            for (const render::Color ground : grounds_of(theme))
+                EXPECT_GE(contrast(texts[k], ground), 4.5) << core::name_of(name) << ", text " << k;
+        const render::Color selected_row = render::blended(theme.accent, 0.17, theme.panel);
+        for (const render::Color text : {theme.text, theme.dim, theme.accent})
+            EXPECT_GE(contrast(text, selected_row), 4.5) << core::name_of(name);
+        EXPECT_GE(contrast(theme.canvas, theme.accent), 4.5) << "the words of a pressed button";
+    }
+}
+
+TEST(Theme, lines_and_marks_stand_out_from_every_ground) {
+    for (const ThemeName name : {ThemeName::dark, ThemeName::light}) {
+        const Theme theme = theme_of(name);
+        for (std::size_t i = 0; i < theme.palette.size(); ++i) {
+            for (const render::Color ground : grounds_of(theme))
+                EXPECT_GE(contrast(theme.point(i), ground), 3.0) << core::name_of(name) << ", point " << i;
+            EXPECT_GE(contrast(theme.resting_point(i), theme.panel), 3.0) << core::name_of(name) << ", point " << i;
+        }
+        for (const render::Color line : {theme.curve, theme.polygon, theme.comb, theme.resting_comb()})
+            EXPECT_GE(contrast(line, theme.canvas), 3.0) << core::name_of(name);
+    }
+}
+
+TEST(Theme, comb_has_a_color_of_its_own) {
+    for (const ThemeName name : {ThemeName::dark, ThemeName::light}) {
+        const Theme theme = theme_of(name);
+        for (const render::Color level : theme.levels) EXPECT_NE(theme.comb, level);
+        for (const render::Color point : theme.palette) EXPECT_NE(theme.comb, point);
+        for (const render::Color other : {theme.curve, theme.accent, theme.parameter}) EXPECT_NE(theme.comb, other);
+    }
+}
+
+TEST(Theme, cycles_levels_from_one_and_points_from_zero) {
+    const Theme theme = theme_of(ThemeName::dark);
+    EXPECT_EQ(theme.level(1), rgb(0x4FC3A1));
+    EXPECT_EQ(theme.level(3), rgb(0xEF6F8E));
+    EXPECT_EQ(theme.level(4), theme.level(1));
+    EXPECT_EQ(theme.point(0), rgb(0xE69F00));
+    EXPECT_EQ(theme.point(5), rgb(0xE8743B));
+    EXPECT_EQ(theme.point(8), theme.point(0));
+}
+
+}  // namespace
+}  // namespace batten::editor
