@@ -16,7 +16,7 @@ constexpr double closest_among_dense = 1.0 / 10.0;
 
 // The stored knots with one of them on the way to a larger value. A move to a smaller value is the same thing in the
 // mirror (all knots reversed and negated), which is exact.
-struct Row {
+struct KnotRow {
     int degree = 0;
     bool is_periodic = false;
     bool is_torn = false;
@@ -39,7 +39,7 @@ struct Row {
     double least_distance() const { return closest_approach * domain().length(); }
 };
 
-void mirror(Row& row) {
+void mirror(KnotRow& row) {
     std::reverse(row.knots.begin(), row.knots.end());
     for (double& knot : row.knots) knot = -knot;
     row.moved = row.knots.size() - 1 - row.moved;
@@ -47,7 +47,7 @@ void mirror(Row& row) {
 }
 
 // Of equal knots the last goes; across the seam the stack goes on at the other end of the period.
-void take_last_of_stack(Row& row) {
+void take_last_of_stack(KnotRow& row) {
     if (row.is_periodic && row.knots[row.moved] == row.knots.back()) {
         row.target = row.knots.front() + (row.target - row.knots.back());
         row.moved = 0;
@@ -56,7 +56,7 @@ void take_last_of_stack(Row& row) {
 }
 
 // Puts the moved knot to `u`. The seam takes the other end of the period along.
-std::vector<double> with_moved_at(const Row& row, double u) {
+std::vector<double> with_moved_at(const KnotRow& row, double u) {
     std::vector<double> knots = row.knots;
     if (row.is_seam()) {
         knots.front() = u;
@@ -67,7 +67,7 @@ std::vector<double> with_moved_at(const Row& row, double u) {
 }
 
 // Whether the moved knot can join the next stack: inside, a multiplicity above p comes about only where it is allowed.
-bool can_join(const Row& row, double next) {
+bool can_join(const KnotRow& row, double next) {
     if (!row.may_join) return false;
     const Tears tears = row.is_torn || row.may_tear ? Tears::allow : Tears::refuse;
     const auto joined = row.is_periodic
@@ -81,14 +81,14 @@ bool can_join(const Row& row, double next) {
 }
 
 // How far the moved knot comes that must stay below `next`: not at all where it is as near already.
-double limit_below(const Row& row, double next) {
+double limit_below(const KnotRow& row, double next) {
     const double knot = row.knots[row.moved];
     const double before = row.moved == 0 ? knot : row.knots[row.moved - 1];
     const double limit = next - std::min(row.least_distance(), closest_among_dense * (next - before));
     return limit < next ? std::max(knot, limit) : knot;
 }
 
-std::vector<double> stopped(const Row& row) {
+std::vector<double> stopped(const KnotRow& row) {
     if (row.moved + 1 == row.knots.size()) return with_moved_at(row, row.target);
     const double next = row.knots[row.moved + 1];
     return with_moved_at(row, std::min(row.target, can_join(row, next) ? next : limit_below(row, next)));
@@ -96,7 +96,7 @@ std::vector<double> stopped(const Row& row) {
 
 // The first knot that is not pushed: the next end of the domain, which only a knot at or outside of it moves. Past the
 // end when there is none, as for the seam, which takes both ends along.
-std::size_t first_unpushed(const Row& row) {
+std::size_t first_unpushed(const KnotRow& row) {
     const Interval domain = row.domain();
     const double knot = row.knots[row.moved];
     if (row.is_seam() || knot >= domain.upper) return row.knots.size();
@@ -104,7 +104,7 @@ std::size_t first_unpushed(const Row& row) {
     return static_cast<std::size_t>(std::lower_bound(row.knots.begin(), row.knots.end(), wall) - row.knots.begin());
 }
 
-std::vector<double> pushed(const Row& row) {
+std::vector<double> pushed(const KnotRow& row) {
     const std::size_t moved = row.moved;
     const std::size_t wall = first_unpushed(row);
     const auto kept_distance = [&](std::size_t k) {
@@ -157,14 +157,14 @@ Result<Curve> move_knot(const Curve& curve, std::size_t index, double u, KnotMov
     if (target == from) return curve;
 
     CurveDefinition definition = curve.definition();
-    Row row{curve.degree(),
-            curve.is_periodic(),
-            definition.tears == Tears::allow,
-            mode == KnotMove::snap,
-            tears == Tears::allow && !curve.is_periodic(),
-            definition.knots,
-            index,
-            target};
+    KnotRow row{curve.degree(),
+                curve.is_periodic(),
+                definition.tears == Tears::allow,
+                mode == KnotMove::snap,
+                tears == Tears::allow && !curve.is_periodic(),
+                definition.knots,
+                index,
+                target};
     if (target < from) mirror(row);
     take_last_of_stack(row);
     row.knots = mode == KnotMove::push ? pushed(row) : stopped(row);

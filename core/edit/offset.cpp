@@ -88,7 +88,7 @@ double fastest_in(const Curve& curve, std::size_t span) {
     return fastest;
 }
 
-std::vector<CurveSpan> spans_of(const Curve& curve) {
+std::vector<CurveSpan> measured_spans(const Curve& curve) {
     const auto p = static_cast<std::size_t>(curve.degree());
     const KnotVector& knots = curve.knots();
     std::vector<CurveSpan> spans;
@@ -103,7 +103,7 @@ class OffsetBuilder {
         : progress_(progress),
           curve_(curve),
           prepared_(curve),
-          spans_(spans_of(curve)),
+          spans_(measured_spans(curve)),
           distance_(distance),
           tolerance_(tolerance),
           noise_(offset_noise_in_ulps * std::numeric_limits<double>::epsilon() *

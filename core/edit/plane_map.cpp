@@ -11,8 +11,8 @@ namespace batten::core {
 
 namespace {
 
-using Row = std::array<double, 3>;
-using Rows = std::array<Row, 3>;
+using MapRow = std::array<double, 3>;
+using Rows = std::array<MapRow, 3>;
 
 PlaneMap linear(double xx, double xy, double yx, double yy, Point pivot) {
     return {.rows = {{{xx, xy, 0.0}, {yx, yy, 0.0}, {0.0, 0.0, 1.0}}}, .pivot = pivot};
@@ -25,7 +25,7 @@ struct SeenPoint {
 
     SeenPoint(Point point, Point pivot) : x(exact_sum(point.x, -pivot.x)), y(exact_sum(point.y, -pivot.y)) {}
 
-    DoubleDouble times(const Row& row) const { return row[0] * x + row[1] * y + row[2]; }
+    DoubleDouble times(const MapRow& row) const { return row[0] * x + row[1] * y + row[2]; }
 };
 
 double largest(double a, double b, double c) {
@@ -90,7 +90,7 @@ PlaneMap reflection(double degrees, Point pivot) {
 PlaneMap about_origin(const PlaneMap& map) {
     const auto [x, y] = map.pivot;
     PlaneMap result{.rows = map.rows};
-    for (Row& row : result.rows) row[2] -= row[0] * x + row[1] * y;
+    for (MapRow& row : result.rows) row[2] -= row[0] * x + row[1] * y;
     for (std::size_t k = 0; k < 3; ++k) {
         result.rows[0][k] += x * result.rows[2][k];
         result.rows[1][k] += y * result.rows[2][k];
@@ -102,7 +102,7 @@ Point mapped(const PlaneMap& map, Point point) {
     const SeenPoint seen(point, map.pivot);
     const DoubleDouble w = seen.times(map.rows[2]);
     const bool is_divided = w.high != 1.0 || w.low != 0.0;
-    const auto coordinate = [&](const Row& row, double pivot) {
+    const auto coordinate = [&](const MapRow& row, double pivot) {
         const DoubleDouble numerator = seen.times(row);
         return ((is_divided ? numerator / w : numerator) + pivot).rounded();
     };
@@ -110,7 +110,7 @@ Point mapped(const PlaneMap& map, Point point) {
 }
 
 double weight_factor(const PlaneMap& map, Point point) {
-    const Row& row = map.rows[2];
+    const MapRow& row = map.rows[2];
     const SeenPoint seen(point, map.pivot);
     const double factor = seen.times(row).rounded();
     const double size = std::abs(row[0] * seen.x.high) + std::abs(row[1] * seen.y.high) + std::abs(row[2]);
@@ -118,7 +118,7 @@ double weight_factor(const PlaneMap& map, Point point) {
 }
 
 Result<void> check_map(const PlaneMap& map) {
-    for (const Row& row : map.rows)
+    for (const MapRow& row : map.rows)
         for (const double number : row)
             if (!std::isfinite(number)) return refuse({.code = CurveErrorCode::map_not_finite});
     if (!is_finite(map.pivot)) return refuse({.code = CurveErrorCode::map_not_finite});

@@ -13,7 +13,7 @@ namespace batten::core {
 namespace {
 
 // So many points of one span are worth its polynomial.
-constexpr std::size_t enough = 4;
+constexpr std::size_t enough_samples = 4;
 
 // The span of `u`, inside of the domain, found from one that is near.
 std::size_t span_from(std::size_t s, const KnotVector& knots, double u) {
@@ -54,8 +54,8 @@ class Sampler {
             return 1;
         }
         s_ = span_from(s_, curve_.knots(), u);
-        if (i + enough <= parameters_.size()) {
-            const double later = parameters_[i + enough - 1];
+        if (i + enough_samples <= parameters_.size()) {
+            const double later = parameters_[i + enough_samples - 1];
             if (curve_.knots()[s_] <= later && later < curve_.knots()[s_ + 1]) return sample_piece_from(i);
         }
         add_lone(i);

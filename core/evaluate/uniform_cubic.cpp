@@ -15,7 +15,7 @@ Result<void> check_uniform_cubic(const Curve& curve) {
     return refuse({.code = CurveErrorCode::curve_not_uniform_cubic});
 }
 
-Result<void> check_polynomial(const Curve& curve) {
+Result<void> check_uniform_polynomial_cubic(const Curve& curve) {
     return check_uniform_cubic(curve).and_then([&]() -> Result<void> {
         if (!curve.is_rational()) return {};
         return refuse({.code = CurveErrorCode::curve_rational});
@@ -86,7 +86,7 @@ FergusonSegment ferguson_segment(const Curve& curve, std::size_t k) {
 }
 
 Result<std::vector<FergusonSegment>> ferguson_segments(const Curve& curve) {
-    if (const auto check = check_polynomial(curve); !check) return refuse(check.error());
+    if (const auto check = check_uniform_polynomial_cubic(curve); !check) return refuse(check.error());
     std::vector<FergusonSegment> segments;
     for (std::size_t k = 0; k < cubic_segment_count(curve); ++k) segments.push_back(ferguson_segment(curve, k));
     return segments;
@@ -144,7 +144,7 @@ Anticentroid anticentroid(const Curve& curve, std::size_t i) {
 }
 
 Result<std::vector<Anticentroid>> anticentroids(const Curve& curve) {
-    if (const auto check = check_polynomial(curve); !check) return refuse(check.error());
+    if (const auto check = check_uniform_polynomial_cubic(curve); !check) return refuse(check.error());
     const std::size_t ends = curve.is_periodic() ? 0 : 1;
     std::vector<Anticentroid> joints;
     for (std::size_t i = ends; i + ends < curve.control_points().size(); ++i) joints.push_back(anticentroid(curve, i));

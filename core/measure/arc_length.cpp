@@ -12,7 +12,7 @@ namespace batten::core {
 namespace {
 
 // A part whose error is less than this share of the whole length is done.
-constexpr double enough = 1e-15;
+constexpr double enough_of_length = 1e-15;
 
 constexpr double length_rounding = 8.0 * std::numeric_limits<double>::epsilon();
 // By so much of the longest that is possible rounding may exceed the bounds.
@@ -107,7 +107,7 @@ std::vector<IntegratedPart<double>> parts_of(const Pieces& pieces, std::span<con
         [&](std::size_t half, const RulePair<double>& rules) {
             return error_of(rules) + unseen_error(pieces, half, rules.interval);
         },
-        [](double error, double sum) { return !(error > enough * sum); });
+        [](double error, double sum) { return !(error > enough_of_length * sum); });
 }
 
 Integral sum_of(std::span<const IntegratedPart<double>> parts) {

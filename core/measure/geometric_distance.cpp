@@ -14,11 +14,11 @@ namespace batten::core {
 namespace {
 
 constexpr std::size_t most_differing_spans = 1000;
-constexpr std::size_t most_pair_halvings = 400;
+constexpr std::size_t most_halved_pairs = 400;
 constexpr double pair_looseness = 0.01;
 
 // What is less than this part of the deviation is not halved on for a smaller bound.
-constexpr double negligible_part = 1e-3;
+constexpr double negligible_part_of_deviation = 1e-3;
 
 constexpr int nearest_samples = 8;
 constexpr int golden_steps = 24;
@@ -52,7 +52,7 @@ double nearest_parameter(const Curve& curve, Interval part, Point query) {
 }
 
 // Parts of both curves that are passed through together; their ends are matched.
-struct Pair {
+struct PiecePair {
     double bound = 0.0;
     CommonSpan parts;
 };
@@ -80,7 +80,7 @@ class PassingTogether {
     }
 
     double run(double least) {
-        for (std::size_t count = 0; !pairs_.empty() && count < most_pair_halvings; ++count) {
+        for (std::size_t count = 0; !pairs_.empty() && count < most_halved_pairs; ++count) {
             if (pairs_.front().bound <= std::max((1.0 + pair_looseness) * found_, least)) break;
             std::pop_heap(pairs_.begin(), pairs_.end(), is_nearer);
             const CommonSpan parts = pairs_.back().parts;
@@ -91,7 +91,7 @@ class PassingTogether {
     }
 
   private:
-    static bool is_nearer(const Pair& x, const Pair& y) { return x.bound < y.bound; }
+    static bool is_nearer(const PiecePair& x, const PiecePair& y) { return x.bound < y.bound; }
 
     // The part of `a` in one span with the part of `b` matched to it, which may have knots inside.
     void add_across_knots(const CommonSpan& here, Interval part_of_b) {
@@ -128,7 +128,7 @@ class PassingTogether {
 
     const Curve& a_;
     const Curve& b_;
-    std::vector<Pair> pairs_;
+    std::vector<PiecePair> pairs_;
     double found_ = 0.0;
 };
 
@@ -152,7 +152,7 @@ double geometric_distance(const Curve& a, const Curve& b) {
     if (parts.size() > most_differing_spans || !std::isfinite(deviation)) return deviation;
     PassingTogether passing(a, b);
     for (const auto& run : runs_of(parts)) passing.add_run(run);
-    return std::min(deviation, passing.run(negligible_part * deviation));
+    return std::min(deviation, passing.run(negligible_part_of_deviation * deviation));
 }
 
 }  // namespace batten::core

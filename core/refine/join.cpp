@@ -47,37 +47,37 @@ Result<Curve> raised_to(const Curve& curve, int degree) {
 }
 
 // Both clamped where they meet, their domains one after the other.
-struct Pair {
+struct CurvePair {
     Curve first;
     Curve second;
 };
 
-Result<Pair> prepared(const Curve& first, const Curve& second) {
+Result<CurvePair> prepared(const Curve& first, const Curve& second) {
     const auto a = clamp(first, CurveEnd::end);
     if (!a) return refuse(a.error());
     return clamp_ends(second)
         .and_then([&](const Curve& b) { return shift_domain(b, a->domain().upper); })
         .map([&](const Curve& b) {
-            return Pair{*a, b};
+            return CurvePair{*a, b};
         });
 }
 
-Result<Pair> raised(const Pair& pair, int least) {
+Result<CurvePair> raised(const CurvePair& pair, int least) {
     const int degree = std::max({least, pair.first.degree(), pair.second.degree()});
     const auto first = raised_to(pair.first, degree);
     if (!first) return refuse(first.error());
-    return raised_to(pair.second, degree).map([&](const Curve& second) { return Pair{*first, second}; });
+    return raised_to(pair.second, degree).map([&](const Curve& second) { return CurvePair{*first, second}; });
 }
 
 // The second curve as it continues the first one, and up to where it was changed for that.
 struct Continuation {
-    Pair pair;
+    CurvePair pair;
     Curve changed;
     double until = 0.0;
 };
 
 // A polygon whose first straight part turns, so that it begins in `start` and no vertex in it becomes a corner.
-Result<Continuation> turned_polygon(const Pair& pair, Point start) {
+Result<Continuation> turned_polygon(const CurvePair& pair, Point start) {
     const auto joints = joint_continuity(pair.second);
     const auto corner = std::ranges::find_if(
         joints, [](const JointContinuity& joint) { return joint.kind != JointKind::ends && joint.geometric < 1; });
@@ -95,7 +95,7 @@ Result<Continuation> turned_polygon(const Pair& pair, Point start) {
 }
 
 // A smooth joint of curves that meet may not turn on the spot.
-Result<void> check_turn(const Pair& pair, const Jet& wanted) {
+Result<void> check_turn(const CurvePair& pair, const Jet& wanted) {
     constexpr double nearly_back = std::numbers::pi - 1e-3;
     constexpr double small_gap = 1e-3;
     if (wanted.derivatives.empty()) return {};
@@ -107,12 +107,12 @@ Result<void> check_turn(const Pair& pair, const Jet& wanted) {
     return {};
 }
 
-Result<Continuation> continuation(const Pair& pair, JoinContinuity continuity) {
+Result<Continuation> continuation(const CurvePair& pair, JoinContinuity continuity) {
     const auto wanted = wanted_start(pair.first, pair.second, continuity);
     if (!wanted) return refuse(wanted.error());
     const double joint = pair.first.domain().upper;
     if (begins_as(pair.second, *wanted))
-        return raised(pair, 1).map([&](const Pair& even) { return Continuation{even, even.second, joint}; });
+        return raised(pair, 1).map([&](const CurvePair& even) { return Continuation{even, even.second, joint}; });
     if (const auto check = check_turn(pair, *wanted); !check) return refuse(check.error());
     if (continuity == JoinContinuity::c0 && pair.first.degree() == 1 && pair.second.degree() == 1)
         return turned_polygon(pair, wanted->point);

@@ -14,11 +14,11 @@ namespace batten::core {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 // In one round only what costs little beside the rest, so that a dear knot is not removed before its cheap neighbors.
 constexpr double costlier_in_a_round = 8.0;
-constexpr double negligible_part = 1e-3;
+constexpr double negligible_part_of_tolerance = 1e-3;
 
 // How many of the knots `u` may go.
 Result<int> removable_count(const Curve& curve, double u) {
@@ -57,7 +57,7 @@ KnotRemoval removed_often(const Curve& curve, double u, int times, double tolera
     KnotRemoval result{.curve = curve};
     while (result.count < times) {
         auto next = without_knot(result.curve, u);
-        const double error = next ? largest_deviation(curve, *next) : infinity;
+        const double error = next ? largest_deviation(curve, *next) : unlimited;
         if (!(error <= tolerance)) {
             result.refused = error;
             break;
@@ -133,7 +133,8 @@ class Thinning {
     std::vector<RemovableKnot> chosen(const CarriedSpline& spline) const {
         std::vector<RemovableKnot> candidates = affordable(spline);
         if (candidates.empty()) return {};
-        const double limit = std::max(costlier_in_a_round * candidates.front().bound, negligible_part * tolerance_);
+        const double limit =
+            std::max(costlier_in_a_round * candidates.front().bound, negligible_part_of_tolerance * tolerance_);
         const std::size_t apart = spline.p + 2;
         std::vector<bool> is_taken(curve_.knots().stored().size() + apart, false);
         std::vector<RemovableKnot> knots;

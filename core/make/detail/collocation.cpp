@@ -18,7 +18,7 @@ constexpr std::size_t band = CubicRows::band;
 constexpr double most_roundings = 2.0;
 
 // Two numbers side by side: of row r, and of the row that is as far from the end as r is from the beginning.
-using Pair = double __attribute__((vector_size(16)));
+using DoublePair = double __attribute__((vector_size(16)));
 
 // What is wanted of an unknown: both coordinates, and how far errors of one unit in every row would move it. That is
 // the solution for a right side of alternating signs, since the inverse of a totally positive matrix has them too.
@@ -78,11 +78,11 @@ Sides<Number> substituted(const SolvedRow<Number>& row, const Sides<Number>& nex
     return without(without(row.right, row.after[1], after_next), row.after[0], next);
 }
 
-Pair larger(Pair a, Pair b) {
+DoublePair larger(DoublePair a, DoublePair b) {
     return a < b ? b : a;
 }
 
-Pair size_of(Pair a) {
+DoublePair size_of(DoublePair a) {
     return larger(a, -a);
 }
 
@@ -143,13 +143,13 @@ double sign_of(std::size_t r) {
 }
 
 // How far the control points are from the points, and what is known of them.
-struct Extremes {
-    Pair sum{};  ///< finite where all are
-    Pair away{};
-    Pair reach{};
-    Pair largest{};
+struct SolutionSizes {
+    DoublePair sum{};  ///< finite where all are
+    DoublePair away{};
+    DoublePair reach{};
+    DoublePair largest{};
 
-    void include(Pair x, Pair y, const Sides<Pair>& unknown) {
+    void include(DoublePair x, DoublePair y, const Sides<DoublePair>& unknown) {
         sum += x + y;
         away = larger(away, larger(size_of(unknown.x), size_of(unknown.y)));
         reach = larger(reach, size_of(unknown.reach));
@@ -157,7 +157,7 @@ struct Extremes {
     }
 
     bool are_sharp() const {
-        const auto greater = [](Pair pair) { return std::max(pair[0], pair[1]); };
+        const auto greater = [](DoublePair pair) { return std::max(pair[0], pair[1]); };
         return std::isfinite(sum[0] + sum[1]) && greater(reach) * greater(away) <= most_roundings * greater(largest);
     }
 };
@@ -170,7 +170,7 @@ class CubicSolver {
     }
 
     std::optional<std::vector<Point>> solve() {
-        Front<Pair> front;
+        Front<DoublePair> front;
         for (std::size_t from = 0; from < half_; from += RowBlock::capacity)
             eliminate_pairs(from, std::min(RowBlock::capacity, half_ - from), front);
         return substituted_from(middle_after(front));
@@ -183,17 +183,17 @@ class CubicSolver {
     std::size_t mirrored(std::size_t r) const { return n_ - 1 - r; }
     bool has_middle() const { return n_ % 2 == 1; }
 
-    void eliminate_pairs(std::size_t from, std::size_t count, Front<Pair>& front) {
+    void eliminate_pairs(std::size_t from, std::size_t count, Front<DoublePair>& front) {
         const RowBlock rows(given_, from, count);
         const RowBlock mirror(given_, n_ - from - count, count);
-        Front<Pair> last = front;
-        Pair reach{sign_of(from), sign_of(mirrored(from))};
+        Front<DoublePair> last = front;
+        DoublePair reach{sign_of(from), sign_of(mirrored(from))};
         for (std::size_t r = from; r < from + count; ++r) {
             const std::size_t q = mirrored(r);
-            OpenRow<Pair> row;
+            OpenRow<DoublePair> row;
             for (std::size_t j = 0; j <= 2 * band; ++j)
-                row.coefficients[j] = Pair{rows.coefficient(r, j), mirror.coefficient(q, 2 * band - j)};
-            row.right = {Pair{rows.x(r), mirror.x(q)}, Pair{rows.y(r), mirror.y(q)}, reach};
+                row.coefficients[j] = DoublePair{rows.coefficient(r, j), mirror.coefficient(q, 2 * band - j)};
+            row.right = {DoublePair{rows.x(r), mirror.x(q)}, DoublePair{rows.y(r), mirror.y(q)}, reach};
             pairs_.values()[r] = eliminated(row, last);
             reach = -reach;
         }
@@ -201,11 +201,11 @@ class CubicSolver {
     }
 
     // On from the front, over the row between the halves where there is one, to the first rows reached from the back.
-    Middle middle_after(const Front<Pair>& pairs) const {
+    Middle middle_after(const Front<DoublePair>& pairs) const {
         Front<double> front{in_front(pairs.second), in_front(pairs.first), pairs.numerator[0], pairs.pivot[0]};
         std::vector<SolvedRow<double>> rows{front.second, front.first};
         if (has_middle()) rows.push_back(eliminated(row_at(half_), front));
-        for (const SolvedRow<Pair>* const pair : {&pairs.first, &pairs.second})
+        for (const SolvedRow<DoublePair>* const pair : {&pairs.first, &pairs.second})
             rows.push_back(eliminated(in_back(*pair), front));
         Middle middle(rows.size() + band, Sides<double>{});
         for (std::size_t k = rows.size(); k-- > 0;) middle[k] = substituted(rows[k], middle[k + 1], middle[k + 2]);
@@ -220,50 +220,51 @@ class CubicSolver {
         return row;
     }
 
-    static SolvedRow<double> in_front(const SolvedRow<Pair>& rows) {
+    static SolvedRow<double> in_front(const SolvedRow<DoublePair>& rows) {
         return {{rows.after[0][0], rows.after[1][0]}, {rows.right.x[0], rows.right.y[0], rows.right.reach[0]}};
     }
 
     // Seen from the front what comes after in the mirror comes before.
-    static OpenRow<double> in_back(const SolvedRow<Pair>& rows) {
+    static OpenRow<double> in_back(const SolvedRow<DoublePair>& rows) {
         return {{rows.after[1][1], rows.after[0][1], 1.0, 0.0, 0.0},
                 {rows.right.x[1], rows.right.y[1], rows.right.reach[1]}};
     }
 
     std::optional<std::vector<Point>> substituted_from(const Middle& middle) const {
         std::vector<Point> points(n_);
-        Extremes extremes;
-        if (has_middle()) place(points, half_, both(middle[band], middle[band]), extremes);
+        SolutionSizes sizes;
+        if (has_middle()) place(points, half_, both(middle[band], middle[band]), sizes);
         const std::size_t last = middle.size() - 1;
-        Sides<Pair> next = both(middle[band], middle[last - band]);
-        Sides<Pair> after_next = both(middle[band + 1], middle[last - band - 1]);
+        Sides<DoublePair> next = both(middle[band], middle[last - band]);
+        Sides<DoublePair> after_next = both(middle[band + 1], middle[last - band - 1]);
         for (std::size_t r = half_; r-- > 0;) {
-            const Sides<Pair> unknown = substituted(pairs_.values()[r], next, after_next);
+            const Sides<DoublePair> unknown = substituted(pairs_.values()[r], next, after_next);
             after_next = next;
             next = unknown;
-            place(points, r, unknown, extremes);
+            place(points, r, unknown, sizes);
         }
-        if (!extremes.are_sharp()) return std::nullopt;
+        if (!sizes.are_sharp()) return std::nullopt;
         return points;
     }
 
-    static Sides<Pair> both(const Sides<double>& a, const Sides<double>& b) {
-        return {Pair{a.x, b.x}, Pair{a.y, b.y}, Pair{a.reach, b.reach}};
+    static Sides<DoublePair> both(const Sides<double>& a, const Sides<double>& b) {
+        return {DoublePair{a.x, b.x}, DoublePair{a.y, b.y}, DoublePair{a.reach, b.reach}};
     }
 
-    void place(std::vector<Point>& points, std::size_t r, const Sides<Pair>& unknown, Extremes& extremes) const {
+    void place(std::vector<Point>& points, std::size_t r, const Sides<DoublePair>& unknown,
+               SolutionSizes& sizes) const {
         const std::size_t q = mirrored(r);
-        const Pair x = Pair{given_.points[r].x, given_.points[q].x} + unknown.x;
-        const Pair y = Pair{given_.points[r].y, given_.points[q].y} + unknown.y;
+        const DoublePair x = DoublePair{given_.points[r].x, given_.points[q].x} + unknown.x;
+        const DoublePair y = DoublePair{given_.points[r].y, given_.points[q].y} + unknown.y;
         points[r] = {x[0], y[0]};
         points[q] = {x[1], y[1]};
-        extremes.include(x, y, unknown);
+        sizes.include(x, y, unknown);
     }
 
     const CubicCollocation& given_;
     std::size_t n_;
     std::size_t half_;
-    NewArray<SolvedRow<Pair>> pairs_;
+    NewArray<SolvedRow<DoublePair>> pairs_;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace batten::core {
 
 namespace {
 
-using Row = std::array<double, 4>;
+using CubicRow = std::array<double, 4>;
 
 // The four functions that do not vanish between the knots b and c, of a <= ... <= f around it, by de Boor's recurrence
 // with one division for all of it:
@@ -16,7 +16,7 @@ struct CubicSpan {
     double before_last, before, lower, upper, after, after_next;
 };
 
-[[gnu::always_inline]] inline Row cubic_basis(const CubicSpan& at, double u) {
+[[gnu::always_inline]] inline CubicRow cubic_basis(const CubicSpan& at, double u) {
     const double below = u - at.lower;
     const double above = at.upper - u;
     const double width = at.upper - at.lower;
@@ -53,7 +53,7 @@ BATTEN_VECTORIZED void fill_cubic_rows(CubicRows& rows, const CubicRowSource& so
         const auto either = [&](double one, double other) { return is_beyond ? other : one; };
         const CubicSpan at{either(k[-1], k[0]), either(k[0], k[1]), either(k[1], k[2]),
                            either(k[2], k[3]),  either(k[3], k[4]), either(k[4], k[5])};
-        const Row basis = cubic_basis(at, u);
+        const CubicRow basis = cubic_basis(at, u);
         c0[i] = either(basis[0], 0.0);
         c1[i] = either(basis[1], basis[0]);
         c2[i] = either(basis[2], basis[1]);

@@ -74,13 +74,13 @@ std::size_t spans_alike_at_end(const Curve& a, const Curve& b, std::size_t first
 }
 
 // The spans of both curves but those at the beginning and at the end that are written alike.
-struct Window {
+struct DifferingWindow {
     SpanRange of_a;
     SpanRange of_b;
 };
 
-Window differing_window(const Curve& a, const Curve& b) {
-    Window window{all_spans(a.knots()), all_spans(b.knots())};
+DifferingWindow differing_window(const Curve& a, const Curve& b) {
+    DifferingWindow window{all_spans(a.knots()), all_spans(b.knots())};
     if (a.degree() != b.degree() || a.is_periodic() != b.is_periodic() || a.domain() != b.domain()) return window;
     const std::size_t end = std::min(window.of_a.end, window.of_b.end);
     const std::size_t first = first_difference(a, b);
@@ -125,7 +125,7 @@ bool is_written_alike(const Curve& a, const Curve& b, const CommonSpan& common) 
 std::vector<CommonSpan> differing_spans(const Curve& a, const Curve& b) {
     const Interval of_a = a.domain();
     const Interval of_b = b.domain();
-    const Window window = differing_window(a, b);
+    const DifferingWindow window = differing_window(a, b);
     const std::vector<std::size_t> spans_of_a = spans_of(a.knots(), window.of_a);
     const std::vector<std::size_t> spans_of_b = spans_of(b.knots(), window.of_b);
     std::vector<CommonSpan> result;
