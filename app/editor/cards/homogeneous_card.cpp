@@ -34,7 +34,9 @@ CardTable points_table(const EditorState& state, const core::Curve& curve) {
 }
 
 void write_shape(Card& card, const core::Curve& curve) {
-    if (!curve.is_rational())
+    if (!curve.is_rational() && curve.weights().front() == 1.0)
+        card.line("All weights are 1: the lifted curve lies in the plane w = 1 and is its own shadow.");
+    else if (!curve.is_rational())
         card.line(
             "All weights are equal: the lifted curve lies in a plane of its own beside w = 1, and its shadow has "
             "the same shape.");

@@ -262,7 +262,8 @@ TEST(HomogeneousCard, tells_what_points_are_lifted_to) {
     const Card card = homogeneous_card(conic_state({1, 0.5, 1}));
     EXPECT_TRUE(says(card, "P₁ | 1/2 | (3/2, 3/2, 1/2)")) << card_text(card);
     EXPECT_TRUE(says(card, "parabola in space"));
-    EXPECT_TRUE(says(homogeneous_card(conic_state({2, 2, 2})), "All weights are equal"));
+    EXPECT_TRUE(says(homogeneous_card(conic_state({2, 2, 2})), "in a plane of its own beside w = 1"));
+    EXPECT_TRUE(says(homogeneous_card(conic_state({1, 1, 1})), "lies in the plane w = 1"));
     EXPECT_TRUE(says(homogeneous_card(conic_state({1e-3, 1e3, 1})), "w to the power 0.16"));
 }
 
