@@ -25,7 +25,7 @@ CardTable table_of(const EditorState& state, const std::vector<PolygonRound>& ro
         table.rows.push_back(
             {{.text = r == 0 ? "now" : core::sentence("{round}", {{"round", r}}), .color = color},
              {.text = core::sentence("{count}", {{"count", rounds[r].curve->control_points().size()}})},
-             {.text = bound_text(rounds[r].distance, 3), .tone = CardTone::strong},
+             {.text = bound_text(rounds[r].distance), .tone = CardTone::strong},
              {.text = has_ratio ? number_text(rounds[r].distance / before, 2) : ""}});
     }
     return table;
