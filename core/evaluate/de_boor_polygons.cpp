@@ -57,12 +57,18 @@ InsertionStep insertion_step(const DeBoorTriangle& triangle, std::size_t times) 
     return {difference(after, before), difference(before, after)};
 }
 
-SplitPolygons split_polygons(const DeBoorTriangle& triangle) {
+bool is_at_tear(const Curve& curve, const DeBoorTriangle& triangle) {
+    const auto p = static_cast<std::size_t>(curve.degree());
+    return triangle.span > p && curve.knots()[triangle.span - p] == triangle.u;
+}
+
+SplitPolygons split_polygons(const Curve& curve, const DeBoorTriangle& triangle) {
     SplitPolygons polygons;
     for (std::size_t r = 0; r < triangle.levels.size(); ++r) {
         polygons.before.push_back({r, 0});
         polygons.after.insert(polygons.after.begin(), {r, triangle.levels[r].size() - 1});
     }
+    if (is_at_tear(curve, triangle)) polygons.before.clear();
     return {origins_of(triangle, std::move(polygons.before)), origins_of(triangle, std::move(polygons.after))};
 }
 

@@ -37,11 +37,16 @@ struct InsertionStep {
 InsertionStep insertion_step(const DeBoorTriangle& triangle, std::size_t times);
 
 /// The control points of the part before u from P_{span-p} to C(u), and of the part after it from C(u) to P_span. Cells
-/// are origins. One of them is a point alone where u is an end of the domain to which the curve is clamped.
+/// are origins. One of them is a point alone where u is an end of the domain to which the curve is clamped. At a tear,
+/// where u has the multiplicity p+1, the part before it ends in P_{span-p-1}, which is no point of the span: there are
+/// no cells before u.
 struct SplitPolygons {
     std::vector<CellPlace> before;
     std::vector<CellPlace> after;
 };
-SplitPolygons split_polygons(const DeBoorTriangle& triangle);
+SplitPolygons split_polygons(const Curve& curve, const DeBoorTriangle& triangle);
+
+/// Whether the curve is torn at the parameter of the triangle, which is then that of the part after it.
+bool is_at_tear(const Curve& curve, const DeBoorTriangle& triangle);
 
 }  // namespace batten::core

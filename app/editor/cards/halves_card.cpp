@@ -63,7 +63,7 @@ void add_half(Card& card, const Notation& notation, const Half& half) {
 }
 
 void add_open_halves(Card& card, const EditorState& state, const NamedTriangle& named) {
-    const core::SplitPolygons polygons = core::split_polygons(named.triangle);
+    const core::SplitPolygons polygons = core::split_polygons(named.curve, named.triangle);
     const HalfColors colors = half_colors(theme_of(state.view.theme));
     const core::Interval domain = named.curve.domain();
     const std::size_t first = named.triangle.levels[0].front().index;
@@ -85,12 +85,15 @@ void add_open_halves(Card& card, const EditorState& state, const NamedTriangle& 
               polygons.after.size() + n - after_last,
               std::move(after),
               colors.after});
-    card.line("The new points are the two sides of the triangle; both polygons meet in C(u).", CardTone::dim);
+    if (core::is_at_tear(named.curve, named.triangle))
+        card.line("The curve is torn at u: each part has an end of its own there.", CardTone::dim);
+    else
+        card.line("The new points are the two sides of the triangle; both polygons meet in C(u).", CardTone::dim);
     card.add(CardButtons{{{.text = "Split here", .command = Split{.u = named.triangle.u}}}});
 }
 
 void add_opened(Card& card, const EditorState& state, const NamedTriangle& named) {
-    const core::SplitPolygons polygons = core::split_polygons(named.triangle);
+    const core::SplitPolygons polygons = core::split_polygons(named.curve, named.triangle);
     card.line("A closed curve has no two halves: it is opened at u into one curve, which begins and ends in C(u).");
     const render::Color color = half_colors(theme_of(state.view.theme)).before;
     card.add(CardLine{{.text = "It begins with", .tone = CardTone::strong, .color = color}});

@@ -82,7 +82,7 @@ struct Halves {
 
 Halves halves_of(const CanvasFrame& frame) {
     const core::DeBoorTriangle& triangle = *frame.triangle;
-    core::SplitPolygons polygons = core::split_polygons(triangle);
+    core::SplitPolygons polygons = core::split_polygons(*frame.curve, triangle);
     const core::Interval domain = frame.curve->domain();
     const core::KnotVector& knots = frame.curve->knots();
     const HalfColors colors = half_colors(frame.theme);

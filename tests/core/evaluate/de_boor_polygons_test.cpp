@@ -82,7 +82,7 @@ TEST(DeBoorPolygons, of_splitting_are_those_of_the_golden_data) {
     for (const auto& item : golden::cases("split.json")) {
         const Curve curve = golden::curve_of(item);
         const DeBoorTriangle triangle = de_boor_triangle(curve, item["u"]);
-        const SplitPolygons polygons = split_polygons(triangle);
+        const SplitPolygons polygons = split_polygons(curve, triangle);
         const std::vector<Point> left = golden::points_of(item["left"]["points"]);
         const std::vector<Point> right = golden::points_of(item["right"]["points"]);
         const std::vector<Point> before = points_at(triangle, polygons.before);
@@ -115,7 +115,7 @@ TEST(DeBoorPolygons, are_the_control_points_over_the_refined_knots) {
             ASSERT_EQ(polygon.size(), p + 1 + r);
             expect_blossoms(curve, triangle, polygon, refined_knots(curve, triangle, r));
         }
-        const SplitPolygons parts = split_polygons(triangle);
+        const SplitPolygons parts = split_polygons(curve, triangle);
         EXPECT_EQ(parts.before.back(), parts.after.front());
         EXPECT_EQ(cell_at(triangle, parts.before.back()).point, triangle.point());
         std::vector<CellPlace> joined = parts.before;
@@ -146,8 +146,8 @@ TEST(DeBoorPolygons, at_a_knot_leave_out_what_is_there_already) {
     EXPECT_EQ(origin_of(triangle, {3, 0}), (CellPlace{2, 0}));
     EXPECT_EQ(origin_of(triangle, {1, 2}), (CellPlace{0, 2}));
     EXPECT_EQ(inserted_polygon(triangle, 1), (std::vector<CellPlace>{{0, 0}, {1, 0}, {1, 1}, {0, 2}, {0, 3}}));
-    EXPECT_EQ(split_polygons(triangle).before, (std::vector<CellPlace>{{0, 0}, {1, 0}, {2, 0}}));
-    EXPECT_EQ(split_polygons(triangle).after, (std::vector<CellPlace>{{2, 0}, {1, 1}, {0, 2}, {0, 3}}));
+    EXPECT_EQ(split_polygons(uniform_cubic(), triangle).before, (std::vector<CellPlace>{{0, 0}, {1, 0}, {2, 0}}));
+    EXPECT_EQ(split_polygons(uniform_cubic(), triangle).after, (std::vector<CellPlace>{{2, 0}, {1, 1}, {0, 2}, {0, 3}}));
 }
 
 TEST(DeBoorPolygons, at_the_end_of_an_unclamped_domain_begin_with_what_is_there) {
@@ -163,11 +163,24 @@ TEST(DeBoorPolygons, at_a_clamped_end_are_the_polygon_and_its_end_point) {
         Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{0, 0}, {1, 2}, {3, 0}}}).value();
     const DeBoorTriangle at_start = de_boor_triangle(curve, 0.0);
     EXPECT_EQ(insertion_count(at_start), 0U);
-    EXPECT_EQ(split_polygons(at_start).before, (std::vector<CellPlace>{{0, 0}}));
-    EXPECT_EQ(split_polygons(at_start).after, (std::vector<CellPlace>{{0, 0}, {0, 1}, {0, 2}}));
+    EXPECT_EQ(split_polygons(curve, at_start).before, (std::vector<CellPlace>{{0, 0}}));
+    EXPECT_EQ(split_polygons(curve, at_start).after, (std::vector<CellPlace>{{0, 0}, {0, 1}, {0, 2}}));
     const DeBoorTriangle at_end = de_boor_triangle(curve, 1.0);
-    EXPECT_EQ(split_polygons(at_end).before, (std::vector<CellPlace>{{0, 0}, {0, 1}, {0, 2}}));
-    EXPECT_EQ(split_polygons(at_end).after, (std::vector<CellPlace>{{0, 2}}));
+    EXPECT_EQ(split_polygons(curve, at_end).before, (std::vector<CellPlace>{{0, 0}, {0, 1}, {0, 2}}));
+    EXPECT_EQ(split_polygons(curve, at_end).after, (std::vector<CellPlace>{{0, 2}}));
+}
+
+TEST(DeBoorPolygons, at_a_tear_have_nothing_before_it) {
+    const Curve curve = Curve::make({.degree = 2,
+                                     .knots = {0, 0, 0, 1, 1, 1, 2, 2, 2},
+                                     .points = {{0, 0}, {1, 2}, {2, 0}, {3, 0}, {4, 2}, {5, 0}},
+                                     .tears = Tears::allow})
+                            .value();
+    const DeBoorTriangle at_tear = de_boor_triangle(curve, 1.0);
+    EXPECT_TRUE(is_at_tear(curve, at_tear));
+    EXPECT_TRUE(split_polygons(curve, at_tear).before.empty());
+    EXPECT_EQ(split_polygons(curve, at_tear).after, (std::vector<CellPlace>{{0, 0}, {0, 1}, {0, 2}}));
+    for (const double u : {0.0, 0.5, 1.5, 2.0}) EXPECT_FALSE(is_at_tear(curve, de_boor_triangle(curve, u))) << u;
 }
 
 }  // namespace batten::core

@@ -147,6 +147,18 @@ TEST(HalvesCard, names_the_sides_of_the_triangle) {
         EXPECT_TRUE(says(card, line)) << line << " not in\n" << card_text(card);
 }
 
+TEST(HalvesCard, gives_each_part_its_own_points_at_a_tear) {
+    const Card card = halves_card(state_at({.degree = 2,
+                                            .knots = {0, 0, 0, 1, 1, 1, 2, 2, 2},
+                                            .points = {{0, 0}, {1, 2}, {2, 0}, {3, 0}, {4, 2}, {5, 0}},
+                                            .tears = core::Tears::allow},
+                                           1.0));
+    for (const char* line : {"Before u, over [0, 1]: 3 control points", "P₀, P₁, P₂",
+                             "After u, over [1, 2]: 3 control points", "P₃, P₄, P₅", "The curve is torn at u"})
+        EXPECT_TRUE(says(card, line)) << line << " not in\n" << card_text(card);
+    EXPECT_FALSE(says(card, "meet in C(u)"));
+}
+
 TEST(HalvesCard, shortens_long_lists_and_says_where_nothing_is_split) {
     core::CurveDefinition long_one{.degree = 2, .knots = {0, 0}, .points = {}};
     for (int i = 0; i <= 1000; ++i) long_one.points.push_back({0.01 * i, i % 2 == 0 ? 0.0 : 1.0});
