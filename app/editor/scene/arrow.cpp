@@ -28,7 +28,6 @@ void draw_arrow(Pen& pen, glm::dvec2 tail, glm::dvec2 tip, const Stroke& stroke)
 
 void draw_arrow(CanvasFrame& frame, glm::dvec2 tail, glm::dvec2 tip, const Stroke& stroke) {
     draw_arrow(frame.pen, tail, tip, stroke);
-    frame.lines.push_back({tail, tip});
     frame.marks.push_back(tip);
 }
 

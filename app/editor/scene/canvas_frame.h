@@ -50,7 +50,7 @@ struct CanvasFrame {
     SeenLine curve_line;                           ///< the active curve as far as it is seen
     std::vector<WishedLabel> labels;               ///< of views, in the order of their importance
     std::vector<render::PixelBox> covered;         ///< by views: where no label may stand
-    std::vector<std::vector<glm::dvec2>> lines;    ///< of views: labels stay off them where they can
+    std::vector<std::vector<glm::dvec2>> lines;    ///< drawn by views: labels stay off them where they can
     std::vector<glm::dvec2> marks;                 ///< of views: small ones that labels cover only where they must
 
     bool shows(Overlay overlay) const { return state.view.overlays.is_shown(overlay); }

@@ -168,7 +168,7 @@ void draw_canvas_labels(CanvasFrame& frame, const CanvasMarks& marks, const std:
     if (!has_names && frame.labels.empty()) return;
     LabelWriter writer(frame, marks, covered);
     for (const render::PixelBox& box : frame.covered) writer.layout().avoid_box(box);
-    for (const auto& line : frame.lines) writer.layout().avoid_line(line);
+    for (const auto& line : frame.lines) writer.layout().avoid_faint_line(line);
     for (const glm::dvec2 mark : frame.marks) writer.layout().avoid_symbol(mark, frame.pen.px(mark_reach));
     for (const CurveKnot& knot : marks.knots.knots)
         for (const glm::dvec2 place : knot.places) writer.layout().avoid_symbol(place, frame.pen.px(5.0));

@@ -48,24 +48,37 @@ CanvasMarks marks_of(const CanvasFrame& frame) {
     return marks;
 }
 
-void draw_lines_of_active_curve(CanvasFrame& frame, CanvasMarks& marks) {
+/// Notes the lines that were drawn from the command `first` on, for labels to stay off.
+void note_lines(CanvasFrame& frame, const render::DrawList& list, std::size_t first) {
+    for (std::size_t k = first; k < list.commands.size(); ++k)
+        if (const auto* line = std::get_if<render::Polyline>(&list.commands[k])) {
+            frame.lines.emplace_back(line->points.begin(), line->points.end());
+            if (line->is_closed) frame.lines.back().emplace_back(line->points.front());
+        }
+}
+
+void draw_lines_of_active_curve(CanvasFrame& frame, const render::DrawList& list, CanvasMarks& marks) {
     draw_hull(frame);
     draw_control_polygon(frame, marks.polygon);
     draw_dense_points(frame, marks.points);
+    const std::size_t first = list.commands.size();
     if (frame.shows(Overlay::bezier_pieces)) marks.pieces = draw_bezier_pieces(frame);
     if (frame.shows(Overlay::curvature_comb)) marks.comb_spans = draw_curvature_comb(frame);
     draw_views_below(frame);
+    note_lines(frame, list, first);
     draw_lit_parts(frame);
     draw_active_curve(frame);
 }
 
-void draw_marks_of_active_curve(CanvasFrame& frame, const CanvasMarks& marks,
+void draw_marks_of_active_curve(CanvasFrame& frame, const render::DrawList& list, const CanvasMarks& marks,
                                 const std::vector<render::PixelBox>& covered) {
     draw_curve_knots(frame, marks.knots);
     draw_hovered_place(frame);
+    const std::size_t first = list.commands.size();
     if (frame.shows(Overlay::construction)) draw_construction(frame);
     draw_control_points(frame, marks.points);
     draw_views_above(frame);
+    note_lines(frame, list, first);
     draw_curve_point(frame);
     draw_canvas_labels(frame, marks, covered);
 }
@@ -80,10 +93,10 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, 
     std::vector<CrowdNote> notes;
     if (frame.curve != nullptr) {
         CanvasMarks marks = marks_of(frame);
-        draw_lines_of_active_curve(frame, marks);
+        draw_lines_of_active_curve(frame, list, marks);
         notes = crowd_notes(frame, marks);
         for (const CrowdNote& note : notes) covered.push_back(note.box);
-        draw_marks_of_active_curve(frame, marks, covered);
+        draw_marks_of_active_curve(frame, list, marks, covered);
     }
     draw_finding_marks(frame);
     draw_gesture_marks(frame, mode);

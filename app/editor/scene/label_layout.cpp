@@ -17,7 +17,10 @@ constexpr double most_cells = 1000.0;  // across
 constexpr double impossible = std::numeric_limits<double>::infinity();
 constexpr double line_cost = 1.0;
 constexpr double symbol_cost = 4.0;
+constexpr double faint_line_cost = 0.5;
+constexpr double most_faint_cost = 2.0;
 constexpr double script_share = 0.2;  // of a line by which sub- and superscripts reach beyond it
+constexpr double gap_share = 0.25;    // of a line, beside a label
 constexpr double width_error = 0.1;   // of the width of a text that is not measured with its font
 
 constexpr std::array all_sides{LabelSide::upper_right, LabelSide::upper_left, LabelSide::lower_right,
@@ -54,6 +57,11 @@ std::size_t cells_across(double length_px, double cell_px) {
 /// Which of `count` cells a coordinate is in; the first or last one outside of the picture.
 std::size_t cell_at(double coordinate, double cell_px, std::size_t count) {
     return static_cast<std::size_t>(std::clamp(coordinate / cell_px, 0.0, static_cast<double>(count - 1)));
+}
+
+/// What a text with subscripts covers.
+render::PixelBox with_subscripts(const render::PixelBox& box) {
+    return {box.lower_px, box.upper_px + glm::dvec2(0.0, script_share * (box.upper_px.y - box.lower_px.y))};
 }
 
 LabelPlace place_at(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide side) {
@@ -94,7 +102,7 @@ LabelLayout::Cells LabelLayout::rows(double top, double bottom) const {
 }
 
 /// Into the cells that the line passes, not all those of its box.
-void LabelLayout::add_line(glm::dvec2 a, glm::dvec2 b) {
+void LabelLayout::add_line(Kind kind, glm::dvec2 a, glm::dvec2 b) {
     if (a.x > b.x) std::swap(a, b);
     const Cells across = columns(a.x, b.x);
     const double rise = b.x > a.x ? (b.y - a.y) / (b.x - a.x) : 0.0;
@@ -105,7 +113,7 @@ void LabelLayout::add_line(glm::dvec2 a, glm::dvec2 b) {
         const auto [top, bottom] = std::minmax(y_in, y_out);
         // A pixel more, since where the line enters a column is rounded.
         const Cells down = rows(top - 1.0, bottom + 1.0);
-        for (std::size_t r = down.first; r <= down.last; ++r) cell(k, r).push_back({Kind::line, a, b, down.first});
+        for (std::size_t r = down.first; r <= down.last; ++r) cell(k, r).push_back({kind, a, b, down.first});
     }
 }
 
@@ -117,13 +125,21 @@ void LabelLayout::add_block(Kind kind, const render::PixelBox& box) {
             cell(k, r).push_back({kind, box.lower_px, box.upper_px, down.first});
 }
 
-void LabelLayout::avoid_line(std::span<const glm::dvec2> points) {
+void LabelLayout::add_lines(Kind kind, std::span<const glm::dvec2> points) {
     const render::PixelBox picture{{}, size_px_};
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
         if (const auto part = render::clip_segment(picture, points[i], points[i + 1])) {
             const glm::dvec2 leg = points[i + 1] - points[i];
-            add_line(points[i] + part->first * leg, points[i] + part->last * leg);
+            add_line(kind, points[i] + part->first * leg, points[i] + part->last * leg);
         }
+}
+
+void LabelLayout::avoid_line(std::span<const glm::dvec2> points) {
+    add_lines(Kind::line, points);
+}
+
+void LabelLayout::avoid_faint_line(std::span<const glm::dvec2> points) {
+    add_lines(Kind::faint_line, points);
 }
 
 void LabelLayout::avoid_ink(std::span<const render::CoverageMap* const> maps) {
@@ -137,7 +153,7 @@ void LabelLayout::avoid_ink(std::span<const render::CoverageMap* const> maps) {
         for (int x = 0; x < size.x; ++x) {
             const int first = x;
             while (x < size.x && is_inked(x, y)) ++x;
-            if (x > first) add_line({first, y}, {x, y});
+            if (x > first) add_line(Kind::line, {first, y}, {x, y});
         }
 }
 
@@ -152,11 +168,13 @@ void LabelLayout::avoid_box(const render::PixelBox& box) {
 }
 
 double LabelLayout::cost_of(const Obstacle& obstacle, const render::PixelBox& box) {
-    if (obstacle.kind == Kind::line) {
+    if (obstacle.kind == Kind::line || obstacle.kind == Kind::faint_line) {
+        const render::PixelBox whole = with_subscripts(box);
         const auto [top, bottom] = std::minmax(obstacle.a.y, obstacle.b.y);
-        const bool is_near = box.lower_px.x <= obstacle.b.x && obstacle.a.x <= box.upper_px.x &&
-                             box.lower_px.y <= bottom && top <= box.upper_px.y;
-        return is_near && render::clip_segment(box, obstacle.a, obstacle.b) ? line_cost : 0.0;
+        const bool is_near = whole.lower_px.x <= obstacle.b.x && obstacle.a.x <= whole.upper_px.x &&
+                             whole.lower_px.y <= bottom && top <= whole.upper_px.y;
+        if (!is_near || !render::clip_segment(whole, obstacle.a, obstacle.b)) return 0.0;
+        return obstacle.kind == Kind::line ? line_cost : faint_line_cost;
     }
     if (!box.overlaps({obstacle.a, obstacle.b})) return 0.0;
     return obstacle.kind == Kind::box ? impossible : symbol_cost;
@@ -167,17 +185,20 @@ double LabelLayout::cost(const render::PixelBox& box, double limit) {
     const glm::dvec2 beyond = glm::dvec2(width_error, script_share) * (box.upper_px - box.lower_px);
     if (!picture.contains(box.lower_px - beyond) || !picture.contains(box.upper_px + beyond)) return impossible;
     const Cells across = columns(box.lower_px.x, box.upper_px.x);
-    const Cells down = rows(box.lower_px.y, box.upper_px.y);
+    const Cells down = rows(box.lower_px.y, with_subscripts(box).upper_px.y);
     double sum = 0.0;
+    double faint = 0.0;
+    const auto total = [&] { return sum + std::min(faint, most_faint_cost); };
     for (std::size_t k = across.first; k <= across.last; ++k)
         for (std::size_t r = down.first; r <= down.last; ++r)
             for (const Obstacle& obstacle : cells_[k * row_count_ + r]) {
-                if (sum >= limit) return sum;
+                if (total() >= limit) return total();
                 ++look_count_;
                 // What is in several of the rows counts once for each column.
-                if (r == std::max(obstacle.first_row, down.first)) sum += cost_of(obstacle, box);
+                if (r != std::max(obstacle.first_row, down.first)) continue;
+                (obstacle.kind == Kind::faint_line ? faint : sum) += cost_of(obstacle, box);
             }
-    return sum;
+    return total();
 }
 
 std::optional<LabelPlace> LabelLayout::place(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide first,
@@ -195,7 +216,10 @@ std::optional<LabelPlace> LabelLayout::place(glm::dvec2 point, glm::dvec2 text_p
     };
     consider(first);
     for (const LabelSide side : all_sides) consider(side);
-    if (best) avoid_box(best->box);
+    if (best) {
+        const glm::dvec2 gap(gap_share * text_px.y, 0.0);
+        avoid_box({best->box.lower_px - gap, best->box.upper_px + gap});
+    }
     return best;
 }
 

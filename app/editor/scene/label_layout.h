@@ -38,6 +38,8 @@ class LabelLayout {
     /// Makes labels stay off a line, a symbol, or (under all
     /// circumstances) a box.
     void avoid_line(std::span<const glm::dvec2> points);
+    /// Of these many count no more than few, so that a label among them is not left out.
+    void avoid_faint_line(std::span<const glm::dvec2> points);
     void avoid_symbol(glm::dvec2 center, double radius_px);
     void avoid_box(const render::PixelBox& box);
 
@@ -55,7 +57,7 @@ class LabelLayout {
     std::size_t look_count() const { return look_count_; }
 
   private:
-    enum class Kind : std::uint8_t { line, symbol, box };
+    enum class Kind : std::uint8_t { line, faint_line, symbol, box };
     struct Obstacle {
         Kind kind = Kind::line;
         glm::dvec2 a{};
@@ -72,7 +74,8 @@ class LabelLayout {
     Cells columns(double left, double right) const;
     Cells rows(double top, double bottom) const;
     std::vector<Obstacle>& cell(std::size_t column, std::size_t row) { return cells_[column * row_count_ + row]; }
-    void add_line(glm::dvec2 a, glm::dvec2 b);
+    void add_lines(Kind kind, std::span<const glm::dvec2> points);
+    void add_line(Kind kind, glm::dvec2 a, glm::dvec2 b);
     void add_block(Kind kind, const render::PixelBox& box);
     /// What `obstacle` adds to the cost of `box`.
     static double cost_of(const Obstacle& obstacle, const render::PixelBox& box);

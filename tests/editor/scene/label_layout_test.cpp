@@ -36,6 +36,43 @@ TEST(LabelLayout, makes_way_for_a_line) {
     EXPECT_LT(found->position.y, 300.0);
 }
 
+TEST(LabelLayout, makes_way_for_a_line_under_its_subscripts) {
+    // Right of the point at 10.95 below the upper place ends; subscripts reach 3.2 further.
+    for (const double below : {1.0, 4.0}) {
+        LabelLayout layout(picture);
+        const double y = place(layout)->box.upper_px.y + below;
+        LabelLayout lined(picture);
+        lined.avoid_line(std::array{glm::dvec2(405.0, y), glm::dvec2(500.0, y)});
+        const auto found = place(lined);
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->anchor, below < 3.2 ? render::Anchor::right : render::Anchor::left) << below;
+    }
+}
+
+TEST(LabelLayout, makes_way_for_faint_lines_but_never_for_their_number) {
+    LabelLayout layout(picture);
+    layout.avoid_faint_line(std::array{point, glm::dvec2(500.0, 250.0)});
+    EXPECT_EQ(place(layout)->anchor, render::Anchor::right);
+    LabelLayout dense(picture);
+    for (int k = -40; k <= 40; ++k)
+        dense.avoid_faint_line(std::array{point + glm::dvec2(3.0 * k, -100.0), point + glm::dvec2(3.0 * k, 100.0)});
+    EXPECT_TRUE(place(dense)) << "a symbol alone would be worse";
+    for (int k = -40; k <= 40; ++k)
+        dense.avoid_line(std::array{point + glm::dvec2(3.0 * k, -100.0), point + glm::dvec2(3.0 * k, 100.0)});
+    EXPECT_FALSE(place(dense)) << "unlike lines of the curve";
+}
+
+TEST(LabelLayout, keeps_labels_apart_from_one_another) {
+    LabelLayout layout(picture);
+    const auto first = place(layout);
+    const auto second =
+        layout.place(point + glm::dvec2(31.0, 0.0), text, 11.0, LabelSide::upper_right, Crowding::cover_symbols);
+    ASSERT_TRUE(first && second);
+    EXPECT_FALSE(second->box.lower_px.y == first->box.lower_px.y &&
+                 second->box.lower_px.x < first->box.upper_px.x + 4.0)
+        << "a quarter of a line between them";
+}
+
 TEST(LabelLayout, is_not_moved_by_lines_elsewhere) {
     LabelLayout empty(picture);
     LabelLayout busy(picture);
