@@ -13,6 +13,7 @@ struct CanvasMarks {
     SeenLine polygon;
     Thinned pieces;      ///< with Bézier polygons
     Thinned comb_spans;  ///< with teeth of the comb
+    Thinned hulls;       ///< of spans
 };
 
 /// "P_{2} · w 2" beside control points, "×2 C^{1}" beside multiple knots, "C(0.400)" beside the point at the parameter,

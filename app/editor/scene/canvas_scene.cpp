@@ -17,6 +17,7 @@
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/other_curves.h"
 #include "app/editor/scene/sketch_scene.h"
+#include "app/editor/scene/span_hulls.h"
 #include "app/editor/scene/views.h"
 
 namespace batten::editor {
@@ -64,6 +65,7 @@ void draw_lines_of_active_curve(CanvasFrame& frame, const render::DrawList& list
     const std::size_t first = list.commands.size();
     if (frame.shows(Overlay::bezier_pieces)) marks.pieces = draw_bezier_pieces(frame);
     if (frame.shows(Overlay::curvature_comb)) marks.comb_spans = draw_curvature_comb(frame);
+    if (frame.shows(Overlay::span_hulls)) marks.hulls = draw_span_hulls(frame);
     draw_views_below(frame);
     note_lines(frame, list, first);
     draw_lit_parts(frame);

@@ -9,8 +9,9 @@ namespace batten::editor {
 namespace {
 
 constexpr double note_side = 14.0;
-constexpr double note_bottom = 43.0;  // in the middle of the row of the legend
-constexpr double note_step = 20.0;    // from one to the next
+constexpr double note_bottom = 43.0;   // in the middle of the row of the legend
+constexpr double note_step = 20.0;     // from one to the next
+constexpr double note_distance = 6.0;  // from the legend
 constexpr double note_size = 12.5;
 constexpr double ground_opacity = 0.94;  // over what is drawn there
 
@@ -44,6 +45,7 @@ std::string thinned_text(const char* pattern, const Thinned& thinned) {
 std::vector<std::string> note_texts(const CanvasMarks& marks, double room) {
     std::vector<std::string> texts{marks_text(marks, room),
                                    thinned_text("Showing {shown} of {count} Bézier polygons", marks.pieces),
+                                   thinned_text("Showing {shown} of {count} hulls", marks.hulls),
                                    thinned_text("The comb has teeth at {shown} of {count} spans", marks.comb_spans)};
     std::erase(texts, "");
     return texts;
@@ -61,12 +63,24 @@ CrowdNote note_at(const CanvasFrame& frame, std::string text, double y) {
     return {std::move(text), {{left, y - 0.5 * size.y}, {left + size.x, y + 0.5 * size.y}}};
 }
 
+bool meets_legend(const CanvasFrame& frame, const render::PixelBox& box) {
+    if (!has_legend(frame.state)) return false;
+    const glm::dvec2 around(frame.pen.px(note_distance));
+    const render::PixelBox legend = legend_box(frame.state, frame.state.view.legend_corner);
+    return legend.overlaps({box.lower_px - around, box.upper_px + around});
+}
+
+double above_legend(const CanvasFrame& frame) {
+    return legend_box(frame.state, frame.state.view.legend_corner).lower_px.y - frame.pen.px(note_step);
+}
+
 }  // namespace
 
 std::vector<CrowdNote> crowd_notes(const CanvasFrame& frame, const CanvasMarks& marks) {
     std::vector<CrowdNote> notes;
     double y = frame.pen.size_px().y - frame.pen.px(note_bottom);
     for (std::string& text : note_texts(marks, frame.pen.size_px().x / frame.pen.px(1.0) - 2.0 * note_side)) {
+        if (meets_legend(frame, note_at(frame, text, y).box)) y = above_legend(frame);
         notes.push_back(note_at(frame, std::move(text), y));
         y -= frame.pen.px(note_step);
     }

@@ -12,14 +12,17 @@ constexpr double opacity = 0.10;
 constexpr double opacity_of_many = 0.05;
 constexpr std::size_t many = 12;
 
-std::vector<std::size_t> hulled_spans(const CanvasFrame& frame) {
+std::vector<std::size_t> hulled_spans(const CanvasFrame& frame, Thinned& hulls) {
     std::vector<std::size_t> spans;
     frame.kept->strips().visit_spans(frame.seen(0.0), frame.pen.px(smallest_hull) / frame.state.view.camera.scale,
-                                     most_hulls,
-                                     [&](std::size_t span, core::Point, std::size_t) { spans.push_back(span); });
+                                     most_hulls, [&](std::size_t span, core::Point, std::size_t count) {
+                                         spans.push_back(span);
+                                         hulls.seen += count;
+                                     });
     const std::size_t stride = spans.size() / most_hulls + 1;
     std::vector<std::size_t> some;
     for (std::size_t k = 0; k < spans.size(); k += stride) some.push_back(spans[k]);
+    hulls.shown = some.size();
     return some;
 }
 
@@ -33,8 +36,9 @@ std::vector<core::Point> hull_of(const core::Curve& curve, std::size_t span) {
 
 }  // namespace
 
-void draw_span_hulls(CanvasFrame& frame) {
-    const std::vector<std::size_t> spans = hulled_spans(frame);
+Thinned draw_span_hulls(CanvasFrame& frame) {
+    Thinned hulls;
+    const std::vector<std::size_t> spans = hulled_spans(frame, hulls);
     const double share = spans.size() > many ? opacity_of_many : opacity;
     for (const std::size_t span : spans) {
         const render::Color color = frame.theme.level(span - static_cast<std::size_t>(frame.curve->degree()) + 1);
@@ -42,6 +46,7 @@ void draw_span_hulls(CanvasFrame& frame) {
         frame.pen.fill(places, render::faded(color, share));
         frame.pen.outline(places, {.color = render::faded(color, 0.7), .width = 1.25});
     }
+    return hulls;
 }
 
 }  // namespace batten::editor

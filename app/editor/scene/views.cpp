@@ -24,7 +24,6 @@
 #include "app/editor/scene/rational_graphs.h"
 #include "app/editor/scene/recurrence_lines.h"
 #include "app/editor/scene/shape_at_parameter.h"
-#include "app/editor/scene/span_hulls.h"
 #include "app/editor/scene/support_marks.h"
 #include "app/editor/scene/uniform_cubics.h"
 
@@ -52,7 +51,6 @@ constexpr std::array views_below{CanvasView{Overlay::by_insertion, draw_inserted
                                  CanvasView{Overlay::corner_cutting, draw_cut_corners},
                                  CanvasView{Overlay::polygon_distance, draw_polygon_rounds},
                                  CanvasView{Overlay::bezier_points, draw_bezier_points},
-                                 CanvasView{Overlay::span_hulls, draw_span_hulls},
                                  CanvasView{Overlay::support, draw_support},
                                  CanvasView{Overlay::osculating_circle, draw_osculating_circle},
                                  CanvasView{Overlay::variation, draw_probe_line},

@@ -9,6 +9,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/pointer/fit_view.h"
 #include "app/editor/scene/canvas_scene.h"
+#include "app/editor/scene/legend.h"
 #include "app/editor/scene/plot_scene.h"
 #include "core/curve/knot_kinds.h"
 #include "core/evaluate/evaluate.h"
@@ -179,6 +180,32 @@ TEST(DenseScene, tells_how_many_polygons_of_pieces_and_teeth_it_shows) {
         EXPECT_TRUE(notes[1].text.ends_with(end + " spans")) << notes[1].text;
         EXPECT_TRUE(test::overlapping_labels(list).empty());
     }
+}
+
+TEST(DenseScene, tells_how_many_hulls_it_shows) {
+    for (const std::size_t count : {20U, 3000U}) {
+        EditorState state = state_of(spiral(count));
+        for (const Overlay overlay : {Overlay::polygon, Overlay::knots, Overlay::labels})
+            state.view.overlays.show(overlay, false);
+        state.view.overlays.show(Overlay::span_hulls, true);
+        std::vector<std::string> notes = test::texts_of(test::canvas_picture(state, CanvasIdle{}));
+        std::erase_if(notes, [](const std::string& text) { return !text.starts_with("Showing "); });
+        ASSERT_EQ(notes.size(), count == 20U ? 0U : 1U);
+        for (const std::string& note : notes) EXPECT_TRUE(note.ends_with(" of 2997 hulls")) << note;
+    }
+}
+
+TEST(DenseScene, notes_stand_beside_the_legend_or_above_it) {
+    EditorState state = state_of(spiral(10000));
+    for (const double width : {300.0, 430.0, 528.0, 1048.0})
+        for (const Corner corner : all_corners) {
+            state.view.camera.size_px = {width, 338.0};
+            state.view.legend_corner = corner;
+            const render::PixelBox legend = legend_box(state, corner);
+            for (const Label& label : all_of<Label>(test::canvas_picture(state, CanvasIdle{})))
+                EXPECT_FALSE(label.text.starts_with("Showing ") && test::box_of(label).overlaps(legend))
+                    << label.text << " " << width;
+        }
 }
 
 TEST(DenseScene, labels_have_a_ground_where_points_are_dense) {
