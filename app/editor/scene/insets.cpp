@@ -25,23 +25,24 @@ constexpr double most_width = 0.45;    // of the canvas, for one inset
 constexpr double most_height = 0.75;
 constexpr double most_share = 0.6;  // of the canvas' width; the first inset is always shown
 
+/// Tried one after the other until all insets have room.
+constexpr std::array shrinkings{1.0, 0.85, 0.7, 0.6};
+
 /// Smaller in a small canvas.
 glm::dvec2 fitting(glm::dvec2 size, glm::dvec2 picture) {
     return size * std::min({1.0, most_width * picture.x / size.x, most_height * picture.y / size.y});
 }
 
-}  // namespace
-
-std::vector<InsetPlace> inset_places(const EditorState& state) {
+/// Those that have room when all are made smaller by `shrinking`.
+std::vector<InsetPlace> shrunk_places(const EditorState& state, double shrinking) {
     std::vector<InsetPlace> places;
-    if (state.visible_active_curve() == nullptr) return places;
     const double scale = state.view.interface_scale;
     const glm::dvec2 picture = state.view.camera.size_px / scale;
     glm::dvec2 corner{picture.x - margin, margin};  // the upper right one of the next inset
     double column_width = 0.0;
     for (const auto& [overlay, wanted] : inset_sizes) {
         if (!state.view.overlays.is_shown(overlay)) continue;
-        const glm::dvec2 size = fitting(wanted, picture);
+        const glm::dvec2 size = shrinking * fitting(wanted, picture);
         if (column_width > 0.0 && corner.y + size.y > picture.y - inset_bottom) {
             corner = {corner.x - column_width - gap, margin};
             column_width = 0.0;
@@ -51,6 +52,21 @@ std::vector<InsetPlace> inset_places(const EditorState& state) {
         places.push_back({overlay, {scale * glm::dvec2(left, corner.y), scale * (corner + glm::dvec2(0.0, size.y))}});
         column_width = std::max(column_width, size.x);
         corner.y += size.y + gap;
+    }
+    return places;
+}
+
+}  // namespace
+
+std::vector<InsetPlace> inset_places(const EditorState& state) {
+    if (state.visible_active_curve() == nullptr) return {};
+    const auto count = std::count_if(inset_sizes.begin(), inset_sizes.end(), [&](const InsetSize& inset) {
+        return state.view.overlays.is_shown(inset.overlay);
+    });
+    std::vector<InsetPlace> places;
+    for (const double shrinking : shrinkings) {
+        places = shrunk_places(state, shrinking);
+        if (std::ssize(places) == count) break;
     }
     return places;
 }

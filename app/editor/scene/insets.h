@@ -14,7 +14,8 @@ struct InsetPlace {
     render::PixelBox box;
 };
 
-/// The insets that are shown; those for which the canvas has no room are left out. None without a visible curve.
+/// The insets that are shown, smaller where that makes room for all; those for which the canvas has none are left out.
+/// None without a visible curve.
 std::vector<InsetPlace> inset_places(const EditorState& state);
 
 /// The place of one of them; none where it is not shown.
