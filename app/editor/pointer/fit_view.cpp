@@ -7,6 +7,7 @@
 #include "app/editor/pointer/canvas_cover.h"
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/legend.h"
+#include "app/editor/scene/views.h"
 #include "core/curve/control_box.h"
 
 namespace batten::editor {
@@ -90,10 +91,24 @@ bool is_clear(const EditorState& state, const Camera& camera, const std::vector<
                        [&](const PixelBox& panel) { return covered(state, camera, panel, cache) == 0; });
 }
 
+/// With what views draw beyond `box`, as far as that is no more than a picture away on each side.
+core::Box with_views(const EditorState& state, core::Box box, SceneCache& cache) {
+    EditorState trial = state;
+    Camera& camera = trial.view.camera;
+    camera = fitted_into(state.view, box, {{}, camera.size_px});
+    camera.size_px *= 3.0;
+    const std::optional<PixelBox> reach = reach_of_views(trial, cache);
+    if (!reach) return box;
+    for (const glm::dvec2 corner : {reach->lower_px, reach->upper_px})
+        box.include(core::Point(render::world_from_screen(camera, corner)));
+    return box;
+}
+
 /// Tries all corners and ways around what lies over the canvas; the largest picture that is clear of it wins.
-void fit_box(EditorState& state, const core::Box& box) {
+void fit_box(EditorState& state, const core::Box& curves) {
     View& view = state.view;
     SceneCache cache;
+    const core::Box box = with_views(state, curves, cache);
     const PixelBox picture{{}, view.camera.size_px};
     Camera best = fitted_into(view, box, picture);
     Corner corner = all_corners.front();

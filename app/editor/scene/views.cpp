@@ -1,6 +1,9 @@
 #include "app/editor/scene/views.h"
 
+#include <algorithm>
 #include <array>
+#include <glm/common.hpp>
+#include <span>
 
 #include "app/editor/scene/basis_areas.h"
 #include "app/editor/scene/bend_marks.h"
@@ -46,6 +49,10 @@ struct InsetView {
     void (*draw)(CanvasFrame& frame, const render::PixelBox& box);
 };
 
+void draw_comb(CanvasFrame& frame) {
+    draw_curvature_comb(frame);
+}
+
 constexpr std::array views_below{CanvasView{Overlay::by_insertion, draw_inserted_polygon},
                                  CanvasView{Overlay::halves, draw_halves},
                                  CanvasView{Overlay::corner_cutting, draw_cut_corners},
@@ -75,6 +82,15 @@ constexpr std::array views_above{CanvasView{Overlay::halves, draw_points_of_halv
                                  CanvasView{Overlay::joined_cubics, draw_joined_cubics},
                                  CanvasView{Overlay::conic, draw_conic_above},
                                  CanvasView{Overlay::farin_points, draw_farin_points}};
+/// Of these a fitted picture shows all.
+constexpr std::array framed_views{CanvasView{Overlay::anticentroids, draw_anticentroid_triangles},
+                                  CanvasView{Overlay::anticentroids, draw_anticentroids},
+                                  CanvasView{Overlay::ferguson, draw_ferguson_form},
+                                  CanvasView{Overlay::end_vertices, draw_end_vertices},
+                                  CanvasView{Overlay::joined_cubics, draw_joined_cubics},
+                                  CanvasView{Overlay::end_derivatives, draw_end_marks},
+                                  CanvasView{Overlay::continuity, draw_continuity_marks},
+                                  CanvasView{Overlay::curvature_comb, draw_comb}};
 constexpr std::array plot_views_below{PlotView{Overlay::support, draw_support_strip}};
 constexpr std::array plot_views_above{
     PlotView{Overlay::basis_values, draw_basis_areas},     PlotView{Overlay::rational_basis, draw_rational_graphs},
@@ -92,7 +108,42 @@ void draw_shown(Frame& frame, const Views& views) {
         if (frame.state.view.overlays.is_shown(view.overlay)) view.draw(frame);
 }
 
+/// Takes in what is drawn of lines and symbols.
+class Reach {
+  public:
+    void operator()(const render::Polyline& line) { include(line.points, 0.0F); }
+    void operator()(const render::Fill& fill) { include(fill.points, 0.0F); }
+    void operator()(const render::Marker& marker) { include({&marker.center, 1}, marker.radius_px); }
+    void operator()(const render::Ink&) {}
+    void operator()(const render::Label&) {}
+
+    const std::optional<render::PixelBox>& box() const { return box_; }
+
+  private:
+    void include(std::span<const render::Pixel> places, float radius_px) {
+        for (const render::Pixel place : places) {
+            const glm::dvec2 lower(place - radius_px);
+            const glm::dvec2 upper(place + radius_px);
+            if (!box_) box_ = {lower, upper};
+            box_ = {glm::min(box_->lower_px, lower), glm::max(box_->upper_px, upper)};
+        }
+    }
+
+    std::optional<render::PixelBox> box_;
+};
+
 }  // namespace
+
+std::optional<render::PixelBox> reach_of_views(const EditorState& state, SceneCache& cache) {
+    const auto is_shown = [&](const CanvasView& view) { return state.view.overlays.is_shown(view.overlay); };
+    if (state.visible_active_curve() == nullptr || std::ranges::none_of(framed_views, is_shown)) return std::nullopt;
+    render::DrawList list;
+    CanvasFrame frame(state, cache, list);
+    draw_shown(frame, framed_views);
+    Reach reach;
+    for (const render::DrawCommand& command : list.commands) std::visit(reach, command);
+    return reach.box();
+}
 
 void draw_views_below(CanvasFrame& frame) {
     draw_shown(frame, views_below);

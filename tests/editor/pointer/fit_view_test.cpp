@@ -11,6 +11,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/legend.h"
+#include "app/editor/scene/views.h"
 #include "core/document/native_file.h"
 #include "core/evaluate/evaluate.h"
 #include "tests/editor/pointer_driver.h"
@@ -83,6 +84,53 @@ TEST(FitView, uses_the_whole_picture_where_nothing_is_in_the_way) {
     // A margin of 56 on both sides of the 8 units between the outer points.
     EXPECT_NEAR(editor.state().view.camera.scale, (1000.0 - 112.0) / 8.0, 1e-9);
     EXPECT_EQ(editor.state().view.camera.center, glm::dvec2(0.0, 0.0));
+}
+
+TEST(FitView, shows_the_whole_of_what_views_draw) {
+    Editor editor(example(std::filesystem::path(BATTEN_EXAMPLES) / "coons-open.json"));
+    for (const glm::dvec2 size : {glm::dvec2(868, 386), glm::dvec2(1528, 746)}) {
+        editor.change(ResizeCanvas{size});
+        editor.run(FitView{});
+        const double scale = editor.state().view.camera.scale;
+        editor.run(ToggleOverlay<Overlay::end_vertices>{});
+        editor.run(FitView{});
+        // The phantoms 2 P0 - P1 and 2 P3 - P2.
+        for (const core::Point phantom : {core::Point(-1, -3), core::Point(6, -5)})
+            EXPECT_TRUE((PixelBox{{}, size}.contains(seen(editor.state(), phantom))))
+                << size.x << " " << seen(editor.state(), phantom).x << " " << seen(editor.state(), phantom).y;
+        EXPECT_GE(editor.state().view.camera.scale, 0.33 * scale);
+        editor.run(ToggleOverlay<Overlay::end_vertices>{});
+        editor.run(FitView{});
+        EXPECT_DOUBLE_EQ(editor.state().view.camera.scale, scale);
+    }
+}
+
+TEST(FitView, makes_room_for_the_comb) {
+    Editor editor(example(std::filesystem::path(BATTEN_EXAMPLES) / "wave.json"));
+    editor.run(ToggleOverlay<Overlay::curvature_comb>{});
+    editor.change(ResizeCanvas{{868, 322}});
+    editor.run(FitView{});
+    SceneCache cache;
+    const auto reach = reach_of_views(editor.state(), cache);
+    ASSERT_TRUE(reach);
+    EXPECT_TRUE((PixelBox{{}, {868, 322}}.contains(reach->lower_px)));
+    EXPECT_TRUE((PixelBox{{}, {868, 322}}.contains(reach->upper_px)));
+}
+
+TEST(FitView, all_insets_have_room_in_a_small_canvas) {
+    Editor editor(example(std::filesystem::path(BATTEN_EXAMPLES) / "wave.json"));
+    editor.run(ToggleOverlay<Overlay::hodograph>{});
+    editor.run(ToggleOverlay<Overlay::second_hodograph>{});
+    for (const glm::dvec2 size : {glm::dvec2(528, 338), glm::dvec2(528, 290), glm::dvec2(1048, 566)}) {
+        editor.change(ResizeCanvas{size});
+        const std::vector<InsetPlace> places = inset_places(editor.state());
+        ASSERT_EQ(places.size(), 2U) << size.x;
+        EXPECT_FALSE(places[0].box.overlaps(places[1].box));
+        for (const InsetPlace& place : places)
+            EXPECT_TRUE(
+                (PixelBox{{}, size}.contains(place.box.lower_px) && PixelBox{{}, size}.contains(place.box.upper_px)));
+        EXPECT_EQ(places[0].box.upper_px.x - places[0].box.lower_px.x > 199.0, size.x > 600.0);
+    }
 }
 
 class Resizing : public testing::Test {
