@@ -9,6 +9,7 @@
 #include "app/editor/scene/plot_intervals.h"
 #include "app/editor/scene/recurrence_lines.h"
 #include "app/editor/scene/text_row.h"
+#include "app/editor/scene/text_size.h"
 #include "app/editor/words/basis_formula.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/basis.h"
@@ -20,6 +21,7 @@ namespace {
 constexpr double area_spacing = 6.0;
 constexpr double overlap = 1.0;             // of areas side by side, so that nothing shines through
 constexpr double least_area_height = 15.0;  // of an area with a text
+constexpr double least_plot_width = 120.0;  // of a plot with names
 constexpr double active_ink = 0.55;
 constexpr double resting_ink = 0.28;
 
@@ -142,8 +144,11 @@ class AreaDrawing {
 
     void draw_name(const NamePlace& place) {
         if (place.height < frame_.pen.px(least_area_height) || named_.contains(place.index)) return;
-        row_.write(frame_.pen, place.middle, name(place.index),
-                   {.color = frame_.theme.text, .anchor = render::Anchor::center});
+        if (frame_.layout.right_px - frame_.layout.left_px < frame_.pen.px(least_plot_width)) return;
+        const TextStyle style{.color = frame_.theme.text, .anchor = render::Anchor::center};
+        const double half = 0.5 * text_size(name(place.index), frame_.pen.px(style.size)).x + frame_.pen.px(4.0);
+        const double x = std::clamp(place.middle.x, frame_.layout.left_px + half, frame_.layout.right_px - half);
+        row_.write(frame_.pen, {x, place.middle.y}, name(place.index), style);
     }
 
     PlotFrame& frame_;

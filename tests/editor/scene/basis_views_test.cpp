@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "tests/editor/pointer_driver.h"
 #include "tests/editor/scene_sample.h"
 
 namespace batten::editor {
@@ -90,6 +91,19 @@ TEST(BasisViews, values_stand_on_the_line_at_u) {
     EXPECT_TRUE(test::has_text(list, "N_{2,3} = 23/48"));
     EXPECT_FALSE(test::has_text(list, "N_{0,3} = 1/48")) << "too low for a text";
     EXPECT_TRUE(test::has_text(list, "sum 1"));
+}
+
+TEST(BasisViews, names_of_areas_stay_in_the_plot) {
+    const EditorState state = shown(test::cubic(), Overlay::basis_values, 0.4);
+    const PlotLayout layout = plot_layout(state, size);
+    std::size_t count = 0;
+    for (const render::Label& label : test::all_of<render::Label>(plot_of(state))) {
+        if (label.text != "N_{0,3}" && label.text != "N_{6,3}") continue;
+        ++count;
+        EXPECT_GE(test::box_of(label).lower_px.x, layout.left_px) << label.text;
+        EXPECT_LE(test::box_of(label).upper_px.x, layout.right_px) << label.text;
+    }
+    EXPECT_EQ(count, 2U);
 }
 
 TEST(BasisViews, rational_functions_are_dashed_where_weights_differ) {
