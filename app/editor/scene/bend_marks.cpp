@@ -37,7 +37,10 @@ void name(CanvasFrame& frame, glm::dvec2 place, std::string text) {
     frame.keep_free(place, 6.0);
     frame.labels.push_back({.place = place,
                             .words = {{std::move(text), {.color = frame.theme.text, .size = text_height}}},
-                            .distance = 11.0});
+                            .distance = 11.0,
+                            .crowding = Crowding::cover_symbols,
+                            .farthest = 41.0,
+                            .has_ground = true});
 }
 
 void mark_inflection(CanvasFrame& frame, const core::Inflection& inflection, bool has_name) {
