@@ -1,7 +1,5 @@
 #include "app/editor/scene/joint_marks.h"
 
-#include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "app/editor/scene/arrow.h"
@@ -20,15 +18,6 @@ void draw_tick(CanvasFrame& frame, glm::dvec2 place, glm::dvec2 along, render::C
 }
 
 }  // namespace
-
-LabelSide side_toward(glm::dvec2 toward) {
-    using enum LabelSide;
-    // Counted from the right, clockwise on the screen, by eighths of a turn.
-    constexpr std::array sides{right, lower_right, below, lower_left, left, upper_left, above, upper_right};
-    if (!(glm::length(toward) > 0.0)) return upper_right;
-    const double eighths = std::atan2(toward.y, toward.x) / (0.25 * M_PI);
-    return sides[static_cast<std::size_t>(std::lround(eighths) + 8) % 8];
-}
 
 void draw_vector(CanvasFrame& frame, core::Point place, core::Vector vector, render::Color color,
                  const std::string& name) {

@@ -2,12 +2,10 @@
 #pragma once
 
 #include "app/editor/scene/canvas_frame.h"
+#include "app/editor/scene/label_side.h"
 #include "core/evaluate/uniform_cubic.h"
 
 namespace batten::editor {
-
-/// The place beside a point in the direction `toward`, in pixels; upper right where that is none.
-LabelSide side_toward(glm::dvec2 toward);
 
 /// An arrow by `vector` from `place`, with a label beyond its tip.
 void draw_vector(CanvasFrame& frame, core::Point place, core::Vector vector, render::Color color,

@@ -199,7 +199,21 @@ void draw_straight_segments(CanvasFrame& frame, const ShownCubic& cubic) {
     }
 }
 
-void draw_meeting_joint(CanvasFrame& frame, const core::Anticentroid& joint, render::Color color) {
+/// By what whole number the second derivatives are divided, so that none is longer than the vertices are apart.
+int shortening_of(const core::CubicMeeting& meeting) {
+    core::Box box;
+    double longest = 0.0;
+    for (const core::Anticentroid& joint : {meeting.first, meeting.second}) {
+        for (const core::Point vertex : {joint.before, joint.vertex, joint.after}) box.include(vertex);
+        longest = std::max(longest, core::robust_length(joint.second_derivative));
+    }
+    const double room = std::max(box.upper.x - box.lower.x, box.upper.y - box.lower.y);
+    for (const int by : {1, 2, 3, 4})
+        if (longest <= by * room) return by;
+    return 5;
+}
+
+void draw_meeting_joint(CanvasFrame& frame, const core::Anticentroid& joint, int shortening, render::Color color) {
     if (!is_drawable(joint)) return;
     for (const core::Point vertex : {joint.before, joint.vertex, joint.after})
         frame.pen.symbol(frame.screen(vertex), {.shape = render::MarkerShape::square,
@@ -208,8 +222,9 @@ void draw_meeting_joint(CanvasFrame& frame, const core::Anticentroid& joint, ren
                                                 .outline = color,
                                                 .outline_width = 2.0});
     draw_vector(frame, joint.anticentroid, joint.tangent, color, "C′");
-    draw_vector(frame, joint.anticentroid, joint.second_derivative, render::blended(color, 0.7, frame.theme.text),
-                "C″");
+    draw_vector(frame, joint.anticentroid, joint.second_derivative / static_cast<double>(shortening),
+                render::blended(color, 0.7, frame.theme.text),
+                shortening == 1 ? "C″" : fmt::format("C″/{}", shortening));
     draw_median(frame, joint, color);
     draw_joint(frame, joint.anticentroid, color);
 }
@@ -264,8 +279,9 @@ void draw_end_vertices(CanvasFrame& frame) {
     draw_straight_segments(frame, *cubic);
     draw_special_joints(frame, *cubic);
     if (frame.curve->is_periodic()) return;
-    draw_end(frame, core::CurveEnd::start);
-    draw_end(frame, core::CurveEnd::end);
+    // What was added before has its name by then.
+    for (const core::CurveEnd end : {core::CurveEnd::start, core::CurveEnd::end})
+        if (core::case_of(core::end_joint(*frame.curve, end)) == core::CubicJointCase::triangle) draw_end(frame, end);
 }
 
 void draw_joined_cubics(CanvasFrame& frame) {
@@ -273,8 +289,9 @@ void draw_joined_cubics(CanvasFrame& frame) {
     if (!joined) return;
     const bool is_first = joined->end == core::CurveEnd::end;
     const auto& [first, second, continuity, has_equal_steps] = joined->meeting;
-    draw_meeting_joint(frame, is_first ? second : first, frame.theme.level(2));
-    draw_meeting_joint(frame, is_first ? first : second, frame.theme.accent);
+    const int shortening = shortening_of(joined->meeting);
+    draw_meeting_joint(frame, is_first ? second : first, shortening, frame.theme.level(2));
+    draw_meeting_joint(frame, is_first ? first : second, shortening, frame.theme.accent);
 }
 
 }  // namespace batten::editor

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/scene/uniform_cubics.h"
+#include "render/clip.h"
 #include "tests/editor/pointer_driver.h"
 #include "tests/editor/scene_sample.h"
 
@@ -70,6 +71,23 @@ TEST(UniformCubicsScene, anticentroids_stand_a_third_along_the_medians) {
     EXPECT_EQ(test::overlapping_labels(list), std::vector<std::string>{});
 }
 
+TEST(UniformCubicsScene, names_stand_off_the_medians) {
+    const EditorState state = state_with({.degree = 3,
+                                          .knots = {0, 1, 2, 3, 4, 5, 6},
+                                          .points = {{4, 0}, {2.5, 3}, {-1, 2.5}, {-4, 1}, {-3, -2.5}, {1.5, -3}},
+                                          .periodic = true},
+                                         {Overlay::polygon, Overlay::labels, Overlay::anticentroids});
+    const render::DrawList list = scene_of(state);
+    for (const render::Label& label : test::all_of<render::Label>(list)) {
+        if (!label.text.starts_with("P_")) continue;
+        const render::PixelBox box = test::box_of(label);
+        for (const render::Polyline& line : test::all_of<render::Polyline>(list))
+            for (std::size_t k = 0; k + 1 < line.points.size(); ++k)
+                EXPECT_FALSE(render::clip_segment(box, line.points[k], line.points[k + 1]) && line.width_px != 1.0F)
+                    << label.text;
+    }
+}
+
 TEST(UniformCubicsScene, the_construction_follows_the_pointer) {
     EditorState state = state_with(coons(), {Overlay::anticentroids});
     state.view.parameter = 0.25;
@@ -97,6 +115,35 @@ TEST(UniformCubicsScene, end_vertices_show_where_the_curve_would_begin) {
     EXPECT_TRUE(has_segment(list, state, {-3.0 + 1.0 / 6.0, -1.5}, {-10.0 / 6.0, 0.5}));
     EXPECT_TRUE(has_segment(list, state, {-3, -2}, {-10.0 / 6.0, 0.5})) << "by the phantom";
     EXPECT_TRUE(test::has_text(list, "double"));
+}
+
+TEST(UniformCubicsScene, end_vertices_that_were_added_have_their_name) {
+    core::CurveDefinition definition = coons();
+    definition.points.insert(definition.points.begin(), {-4, -5});  // 2 (-3, -2) - (-2, 1)
+    definition.knots.insert(definition.knots.begin(), -4);
+    const render::DrawList list = scene_of(state_with(definition, {Overlay::end_vertices}));
+    const auto count_of = [&](const std::string& text) { return std::ranges::count(test::texts_of(list), text); };
+    EXPECT_EQ(count_of("midway vertex"), 1);
+    EXPECT_EQ(count_of("double"), 1) << "at the other end alone";
+    EXPECT_EQ(count_of("triple"), 1);
+}
+
+TEST(UniformCubicsScene, long_second_derivatives_are_shortened_alike) {
+    EditorState state =
+        state_with({.degree = 3, .knots = {-3, -2, -1, 0, 1, 2, 3, 4}, .points = {{-6, -2}, {-5, 2}, {-2, 3}, {0, 0}}},
+                   {Overlay::joined_cubics});
+    core::Document document = state.shown();
+    document.curves.push_back(document.curves.front());
+    document.curves.back().curve = std::make_shared<const core::Curve>(*core::Curve::make(
+        {.degree = 3, .knots = {-3, -2, -1, 0, 1, 2, 3, 4}, .points = {{-5, 0}, {-2, 4}, {0, -2}, {4, 2}}}));
+    state.preview = document;
+    const render::DrawList list = scene_of(state);
+    // C″ is (-1, -4) and (-1, -10), longer than the six vertices are apart: 5 across, 6 up.
+    const core::Point joint{-13.0 / 6.0, 7.0 / 3.0};
+    EXPECT_TRUE(has_tip(list, state, joint + core::Vector(-0.5, -2)));
+    EXPECT_TRUE(has_tip(list, state, joint + core::Vector(-0.5, -5)));
+    EXPECT_TRUE(test::has_text(list, "C″/2"));
+    EXPECT_FALSE(test::has_text(list, "C″"));
 }
 
 TEST(UniformCubicsScene, tells_of_equal_and_collinear_vertices) {
