@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
-#include "app/editor/cards/cards.h"
 #include "app/editor/pointer/canvas_cover.h"
+#include "app/editor/scene/floating_cards.h"
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/views.h"
@@ -36,19 +36,12 @@ core::Box visible_box(const core::Document& document) {
     return box;
 }
 
-/// Where the cards lie on the canvas for a projector, until they are moved.
-PixelBox floating_cards_box(const View& view) {
-    const glm::dvec2 picture = view.camera.size_px;
-    const double width = std::min(view.cards_width * view.interface_scale, 0.5 * picture.x);
-    return {{picture.x - width, 0.0}, picture};
-}
-
 /// What lies over the canvas with the legend in `corner`.
 std::vector<PixelBox> panels_of(const EditorState& state, Corner corner) {
     std::vector<PixelBox> panels;
     if (has_legend(state)) panels.push_back(legend_box(state, corner));
     if (const auto insets = insets_box(state)) panels.push_back(*insets);
-    if (state.view.is_presenting && !shown_cards(state).empty()) panels.push_back(floating_cards_box(state.view));
+    if (const auto cards = floating_cards_box(state)) panels.push_back(*cards);
     return panels;
 }
 
@@ -104,11 +97,19 @@ core::Box with_views(const EditorState& state, core::Box box, SceneCache& cache)
     return box;
 }
 
+/// Whether all of `box` is seen beside the insets.
+bool is_beside_insets(const EditorState& state, const Camera& camera, const core::Box& box) {
+    const auto insets = insets_box(state);
+    const auto place = [&](core::Point corner) { return render::screen_from_world(camera, corner); };
+    return !insets || !insets->overlaps(PixelBox::between(place(box.lower), place(box.upper)));
+}
+
 /// Tries all corners and ways around what lies over the canvas; the largest picture that is clear of it wins.
 void fit_box(EditorState& state, const core::Box& curves) {
     View& view = state.view;
     SceneCache cache;
     const core::Box box = with_views(state, curves, cache);
+    const bool has_more = box.lower != curves.lower || box.upper != curves.upper;
     const PixelBox picture{{}, view.camera.size_px};
     Camera best = fitted_into(view, box, picture);
     Corner corner = all_corners.front();
@@ -119,6 +120,7 @@ void fit_box(EditorState& state, const core::Box& curves) {
         for (const PixelBox& area : areas_beside(picture, panels)) {
             const Camera camera = fitted_into(view, box, area);
             if (camera.scale <= scale || !is_clear(state, camera, panels, cache)) continue;
+            if (has_more && !is_beside_insets(state, camera, box)) continue;
             best = camera;
             corner = tried;
             scale = camera.scale;

@@ -4,6 +4,8 @@
 #include <array>
 #include <glm/common.hpp>
 
+#include "app/editor/scene/floating_cards.h"
+
 namespace batten::editor {
 
 namespace {
@@ -37,7 +39,8 @@ glm::dvec2 fitting(glm::dvec2 size, glm::dvec2 picture) {
 std::vector<InsetPlace> shrunk_places(const EditorState& state, double shrinking) {
     std::vector<InsetPlace> places;
     const double scale = state.view.interface_scale;
-    const glm::dvec2 picture = state.view.camera.size_px / scale;
+    glm::dvec2 picture = state.view.camera.size_px / scale;
+    if (const auto cards = floating_cards_box(state)) picture.x = cards->lower_px.x / scale;
     glm::dvec2 corner{picture.x - margin, margin};  // the upper right one of the next inset
     double column_width = 0.0;
     for (const auto& [overlay, wanted] : inset_sizes) {

@@ -1,4 +1,5 @@
-/// Where the pictures in boxes over the canvas stand: below one another at its right edge, then in further columns.
+/// Where the pictures in boxes over the canvas stand: below one another at its right edge, then in further columns;
+/// beside the cards of a projector.
 #pragma once
 
 #include <optional>

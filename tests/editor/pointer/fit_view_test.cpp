@@ -9,6 +9,7 @@
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/view_commands.h"
 #include "app/editor/editor.h"
+#include "app/editor/scene/floating_cards.h"
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/views.h"
@@ -131,6 +132,35 @@ TEST(FitView, all_insets_have_room_in_a_small_canvas) {
                 (PixelBox{{}, size}.contains(place.box.lower_px) && PixelBox{{}, size}.contains(place.box.upper_px)));
         EXPECT_EQ(places[0].box.upper_px.x - places[0].box.lower_px.x > 199.0, size.x > 600.0);
     }
+}
+
+TEST(FitView, insets_stand_beside_the_cards_of_a_projector) {
+    Editor editor(example(std::filesystem::path(BATTEN_EXAMPLES) / "circle-nurbs.json"));
+    editor.change(ResizeCanvas{{1920, 690}});
+    editor.change(SetInterfaceScale{1.5});
+    editor.run(ToggleOverlay<Overlay::homogeneous>{});
+    EXPECT_FALSE(floating_cards_box(editor.state()));
+    EXPECT_GT(insets_box(editor.state())->upper_px.x, 1890.0);
+    editor.run(TogglePresenting{});
+    editor.change(SetInterfaceScale{1.5});
+    const auto cards = floating_cards_box(editor.state());
+    ASSERT_TRUE(cards);
+    EXPECT_DOUBLE_EQ(cards->lower_px.x, 1920.0 - 1.5 * (360.0 + 14.0));
+    EXPECT_LE(insets_box(editor.state())->upper_px.x, cards->lower_px.x);
+}
+
+TEST(FitView, arrows_do_not_lie_under_insets) {
+    Editor editor(example(std::filesystem::path(BATTEN_EXAMPLES) / "cubic-de-boor.json"));
+    editor.run(ToggleOverlay<Overlay::hodograph>{});
+    editor.run(ToggleOverlay<Overlay::end_derivatives>{});
+    editor.change(ResizeCanvas{{868, 386}});
+    editor.run(FitView{});
+    SceneCache cache;
+    const auto reach = reach_of_views(editor.state(), cache);
+    ASSERT_TRUE(reach);
+    EXPECT_FALSE(reach->overlaps(*insets_box(editor.state())));
+    EXPECT_TRUE((PixelBox{{}, {868, 386}}.contains(reach->lower_px)));
+    EXPECT_TRUE((PixelBox{{}, {868, 386}}.contains(reach->upper_px)));
 }
 
 class Resizing : public testing::Test {
