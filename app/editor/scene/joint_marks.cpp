@@ -25,7 +25,7 @@ void draw_vector(CanvasFrame& frame, core::Point place, core::Vector vector, ren
     const glm::dvec2 from = frame.screen(place);
     const glm::dvec2 to = frame.screen(place + vector);
     draw_arrow(frame.pen, from, to, {.color = color, .width = 2.5});
-    if (glm::distance(from, to) >= frame.pen.px(head_length))
+    if (!name.empty() && glm::distance(from, to) >= frame.pen.px(head_length))
         wish_label(frame, place + vector, name, color, side_toward(to - from));
 }
 

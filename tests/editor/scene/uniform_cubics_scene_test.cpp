@@ -103,6 +103,7 @@ TEST(UniformCubicsScene, ferguson_form_has_both_tangents) {
     EXPECT_TRUE(has_tip(list, state, {-10.0 / 6.0 + 2.0, 0.5 + 1.5}));
     EXPECT_TRUE(has_tip(list, state, {4.0 / 6.0 + 2.0, 2.0 / 6.0 - 2.0}));
     for (const char* text : {"Q_{0}", "Q_{1}", "Q_{0}′", "Q_{1}′"}) EXPECT_TRUE(test::has_text(list, text)) << text;
+    EXPECT_FALSE(test::has_text(list, "")) << "light tangents have no names, not empty ones";
 }
 
 TEST(UniformCubicsScene, end_vertices_show_where_the_curve_would_begin) {
