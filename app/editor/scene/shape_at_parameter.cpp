@@ -60,13 +60,12 @@ void draw_radius(CanvasFrame& frame, const core::OsculatingCircle& circle) {
     frame.pen.symbol(center,
                      {.radius = 4.0, .fill = frame.theme.comb, .outline = frame.theme.canvas, .outline_width = 1.5});
     const std::string text = fmt::format("ρ = {}", short_text(frame.state.view.notation, circle.radius));
-    frame.labels.push_back(
-        {.place = center,
-         .words = {{text, {.color = frame.theme.text, .size = name_height}}},
-         .distance = 10.0,
-         .crowding = Crowding::cover_symbols,
-         .farthest = 40.0,
-         .has_ground = true});
+    frame.labels.push_back({.place = center,
+                            .words = {{text, {.color = frame.theme.text, .size = name_height}}},
+                            .distance = 10.0,
+                            .crowding = Crowding::cover_symbols,
+                            .farthest = 40.0,
+                            .has_ground = true});
 }
 
 /// That from the left, where it is another one.
