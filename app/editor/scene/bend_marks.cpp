@@ -39,7 +39,7 @@ void name(CanvasFrame& frame, glm::dvec2 place, std::string text) {
                             .words = {{std::move(text), {.color = frame.theme.text, .size = text_height}}},
                             .distance = 11.0,
                             .crowding = Crowding::cover_symbols,
-                            .farthest = 41.0,
+                            .farthest = 23.0,
                             .has_ground = true});
 }
 

@@ -143,16 +143,15 @@ void avoid_construction(LabelWriter& writer, const CanvasFrame& frame) {
             writer.layout().avoid_symbol(frame.screen(cell.point), frame.pen.px(construction_reach));
 }
 
-/// The name of C(u) covers no control point, whatever else it has to cover.
+/// What views and C(u) are called covers no control point, whatever else it has to cover.
 void spare_control_points(LabelWriter& writer, const CanvasFrame& frame, const ShownPoints& points) {
     const glm::dvec2 reach(frame.pen.px(control_point_reach));
     for (const MarkPlace& point : points.large) writer.layout().avoid_box({point.place - reach, point.place + reach});
 }
 
 /// Beside C(u), or farther away when it is crowded there, before it covers a mark; the dock tells the parameter, too.
-void write_curve_point(LabelWriter& writer, CanvasFrame& frame, const ShownPoints& points) {
+void write_curve_point(LabelWriter& writer, CanvasFrame& frame) {
     avoid_construction(writer, frame);
-    spare_control_points(writer, frame, points);
     const glm::dvec2 place = frame.screen(frame.triangle->point());
     const std::string text = fmt::format("C({})", parameter_text(*frame.curve, frame.triangle->u));
     const TextStyle style{.color = frame.theme.parameter, .size = name_size, .font = render::LabelFont::bold};
@@ -173,10 +172,11 @@ void draw_canvas_labels(CanvasFrame& frame, const CanvasMarks& marks, const std:
     for (const CurveKnot& knot : marks.knots.knots)
         for (const glm::dvec2 place : knot.places) writer.layout().avoid_symbol(place, frame.pen.px(5.0));
     if (has_names) write_point_names(writer, frame, marks.points);
+    spare_control_points(writer, frame, marks.points);
     for (const WishedLabel& label : frame.labels) write_wished(writer, label);
     if (!has_names) return;
     for (const CurveKnot& knot : marks.knots.knots) write_knot(writer, frame, knot);
-    write_curve_point(writer, frame, marks.points);
+    write_curve_point(writer, frame);
 }
 
 }  // namespace batten::editor

@@ -122,6 +122,23 @@ TEST(PartsScene, equal_lengths_divide_a_circle_evenly_and_equal_steps_do_not) {
     EXPECT_TRUE(has_mark(dots, screen(state, {0.0, 3.0})));
 }
 
+TEST(CurvatureScene, extremes_are_named_within_the_comb_and_off_control_points) {
+    EditorState state =
+        showing(test::sample_state(), {Overlay::polygon, Overlay::curvature_comb, Overlay::curvature_marks});
+    for (const double scale : {25.0, 40.0, 66.0}) {
+        state.view.camera.scale = scale;
+        std::size_t extremes = 0;
+        for (const render::Label& label : test::all_of<render::Label>(test::canvas_picture(state, CanvasIdle{}))) {
+            if (label.text.find("κ = ") == std::string::npos) continue;
+            if (label.text.starts_with("m")) ++extremes;
+            for (const core::Point point : state.active_curve()->control_points())
+                EXPECT_FALSE(test::box_of(label).contains(render::screen_from_world(state.view.camera, point)))
+                    << label.text << " " << scale;
+        }
+        EXPECT_EQ(extremes, 3U) << scale;
+    }
+}
+
 TEST(CurvatureScene, osculating_circle_of_a_circle_is_the_circle) {
     EditorState state = showing(circle(2.0), {Overlay::osculating_circle});
     state.view.parameter = 0.3;
