@@ -88,6 +88,9 @@ std::vector<CardSource> shown_cards(const EditorState& state) {
     std::vector<CardSource> shown;
     std::copy_if(sources.begin(), sources.end(), std::back_inserter(shown),
                  [&](const CardSource& source) { return is_card_shown(state, source.overlay); });
+    // What was asked for comes before what stands in for a panel.
+    std::stable_partition(shown.begin(), shown.end(),
+                          [&](const CardSource& source) { return state.view.overlays.is_shown(source.overlay); });
     return shown;
 }
 

@@ -18,7 +18,7 @@ struct CardSource {
 /// Every view that has a card, in the order in which they are shown.
 std::span<const CardSource> card_sources();
 
-/// Those that are shown now.
+/// Those that are shown now; for a projector the triangle stands in for the inspector, after the others.
 std::vector<CardSource> shown_cards(const EditorState& state);
 
 }  // namespace batten::editor

@@ -4,8 +4,11 @@
 
 #include "app/editor/cards/blossoms_card.h"
 #include "app/editor/cards/by_insertion_card.h"
+#include "app/editor/cards/cards.h"
 #include "app/editor/cards/halves_card.h"
 #include "app/editor/cards/triangle_card.h"
+#include "app/editor/commands/overlay_commands.h"
+#include "app/editor/commands/view_commands.h"
 #include "tests/editor/pointer_driver.h"
 #include "tests/editor/scene_sample.h"
 
@@ -200,6 +203,18 @@ TEST(BlossomsCard, names_points_by_index_or_by_value) {
     EXPECT_EQ(place_named(by_value[0], "cell 0 0")->value, "f(0, 0, 1/4)");
     EXPECT_EQ(place_named(by_value[0], "cell 1 1")->value, "f(1/4, 1/2, t)");
     EXPECT_TRUE(says(blossoms_card(state_at(of_degree_25(), 0.5)), "f(u, …, u)"));
+}
+
+TEST(ShownCards, a_triangle_that_stands_in_comes_last) {
+    Editor editor = test::zigzag_editor();
+    editor.run(ToggleOverlay<Overlay::halves>{});
+    editor.run(TogglePresenting{});
+    const std::vector<CardSource> stood_in = shown_cards(editor.state());
+    ASSERT_EQ(stood_in.size(), 2U);
+    EXPECT_EQ(stood_in[0].overlay, Overlay::halves);
+    EXPECT_EQ(stood_in[1].overlay, Overlay::triangle);
+    editor.run(ToggleOverlay<Overlay::triangle>{});
+    EXPECT_EQ(shown_cards(editor.state())[0].overlay, Overlay::triangle) << "asked for";
 }
 
 }  // namespace
