@@ -59,13 +59,24 @@ PreciselyCarriedSpline carried_precisely(const Curve& curve) {
     return carried_as(curve, 0, precisely_carried_point);
 }
 
+namespace {
+
+// What is left of several Bézier pieces may be one.
+KnotKind kind_of(const CarriedForm& form) {
+    const bool is_one_span = !form.is_periodic && form.knots.size() == 2 * (static_cast<std::size_t>(form.degree) + 1);
+    return is_one_span && form.kind == KnotKind::piecewise_bezier ? KnotKind::bezier : form.kind;
+}
+
+}  // namespace
+
 Result<Curve> settled(const Curve& from, CarriedForm form, std::span<const CarriedPoint> points) {
+    const KnotKind kind = kind_of(form);
     const Point origin = origin_near(from);
     const bool is_rational = from.is_rational();
     CurveDefinition definition{.degree = form.degree,
                                .knots = std::move(form.knots),
                                .periodic = form.is_periodic,
-                               .kind = form.kind,
+                               .kind = kind,
                                .tears = from.is_torn() ? Tears::allow : form.tears};
     definition.points.reserve(points.size());
     definition.weights.reserve(points.size());

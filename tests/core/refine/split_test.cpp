@@ -104,6 +104,29 @@ TEST(SubCurve, refuses_parameters_outside) {
     EXPECT_TRUE(sub_curve(ring, ring.domain().upper, ring.domain().upper + 0.5 * ring.domain().length()));
 }
 
+TEST(Split, a_part_of_one_span_is_no_longer_piecewise) {
+    const auto pieces_of = [](KnotKind kind) {
+        return Curve::make({.degree = 2,
+                            .knots = {0, 0, 0, 1, 1, 2, 2, 3, 3, 3},
+                            .points = {{0, 0}, {1, 2}, {2, 0}, {3, -2}, {4, 0}, {5, 3}, {6, 0}},
+                            .kind = kind})
+            .value();
+    };
+    const auto kinds = [](const Curve& curve, double u) {
+        const auto parts = split(curve, u).value();
+        return std::pair(parts.front().knots().kind(), parts.back().knots().kind());
+    };
+    using enum KnotKind;
+    const Curve curve = pieces_of(piecewise_bezier);
+    EXPECT_EQ(kinds(curve, 1.0), std::pair(bezier, piecewise_bezier));
+    EXPECT_EQ(kinds(curve, 2.0), std::pair(piecewise_bezier, bezier));
+    EXPECT_EQ(kinds(curve, 1.5), std::pair(piecewise_bezier, piecewise_bezier));
+    EXPECT_EQ(kinds(curve, 0.5), std::pair(bezier, piecewise_bezier));
+    EXPECT_EQ(kinds(pieces_of(custom), 1.0), std::pair(custom, custom)) << "which was chosen";
+    EXPECT_EQ(sub_curve(curve, 1.0, 2.0)->knots().kind(), bezier);
+    EXPECT_EQ(sub_curve(curve, 1.25, 1.5)->knots().kind(), bezier);
+}
+
 TEST(Split, works_far_away_in_high_degrees_and_next_to_knots) {
     RandomCurves random(336);
     for (const int degree : {9, 17, 25}) {
