@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <numbers>
 
 #include "core/base/detail/unit_interval.h"
 #include "core/evaluate/evaluate.h"
@@ -33,6 +35,15 @@ std::vector<Point> control_points_of_span(const Curve& curve, std::size_t span) 
     for (std::size_t i = span - p; i <= span; ++i)
         points.push_back(curve.control_points()[i % curve.control_points().size()]);
     return points;
+}
+
+// The directions from each point to the next other one, and from the last to the first.
+std::vector<Vector> closed_legs(std::span<const Point> points) {
+    std::vector<Vector> legs;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        if (const Vector leg = points[(k + 1) % points.size()] - points[k]; leg != Vector())
+            legs.push_back(leg / robust_length(leg));
+    return legs;
 }
 
 bool contains(const Box& box, std::span<const Point> points) {
@@ -93,6 +104,22 @@ std::vector<Point> convex_hull(std::span<const Point> points) {
     for (auto point = sorted.rbegin() + 1; point != sorted.rend(); ++point) extend_chain(hull, lower_end, *point);
     hull.pop_back();
     return hull;
+}
+
+bool is_convex(std::span<const Point> points, double angle) {
+    constexpr double nearly_back = std::numbers::pi - 1e-9;
+    const std::vector<Vector> legs = closed_legs(points);
+    double whole = 0.0;
+    bool turns_left = false;
+    bool turns_right = false;
+    for (std::size_t k = 0; k < legs.size(); ++k) {
+        const double turn = angle_between(legs[k], legs[(k + 1) % legs.size()]);
+        whole += std::abs(turn);
+        if (std::abs(turn) > nearly_back) continue;  // to either side
+        turns_left = turns_left || turn > angle;
+        turns_right = turns_right || turn < -angle;
+    }
+    return !(turns_left && turns_right) && whole < 3.0 * std::numbers::pi;
 }
 
 std::vector<SpanHull> span_hulls(const Curve& curve) {

@@ -17,6 +17,11 @@ Box tight_box(const Curve& curve);
 /// come back as they are. Cost O(n log n). Source: Andrew 1979.
 std::vector<Point> convex_hull(std::span<const Point> points);
 
+/// Whether the closed polygon of `points` is convex: it goes around once and never turns back by more than `angle`
+/// (>= 0, radians). Points may repeat or lie on an edge; points on a line are convex where they go along it and back
+/// once. Cost O(n).
+bool is_convex(std::span<const Point> points, double angle = 1e-9);
+
 /// A piece of a curve and what is known to contain it.
 struct SpanHull {
     Interval interval;        ///< the piece's parameters

@@ -153,5 +153,32 @@ TEST(Bounds, hull_turns_left_everywhere_and_has_all_points_inside) {
     }
 }
 
+TEST(Bounds, a_polygon_is_convex_or_not) {
+    const auto at_scale = [](double factor, double shift, std::vector<Point> points) {
+        for (Point& point : points) point = Point(factor * point.x + shift, factor * point.y);
+        return is_convex(points);
+    };
+    for (const double factor : {1.0, -3.0, 1e-200, 1e150}) {
+        EXPECT_TRUE(at_scale(factor, 0.0, {{0, 0}, {4, 0}, {4, 2}, {0, 3}}));
+        EXPECT_TRUE(at_scale(factor, 0.0, {{0, 3}, {4, 2}, {4, 0}, {0, 0}})) << "run through the other way";
+        EXPECT_TRUE(at_scale(factor, 0.0, {{0, 0}, {2, 0}, {4, 0}, {4, 0}, {4, 2}})) << "a point on an edge, one twice";
+        EXPECT_FALSE(at_scale(factor, 0.0, {{0, 0}, {4, 0}, {1, 1}, {0, 3}})) << "a dent";
+        EXPECT_FALSE(at_scale(factor, 0.0, {{0, 0}, {3, 3}, {3, 0}, {0, 3}})) << "it crosses itself";
+        EXPECT_TRUE(at_scale(factor, 0.0, {{0, 0}, {1, 2}, {2, 4}})) << "there and back";
+        EXPECT_FALSE(at_scale(factor, 0.0, {{0, 0}, {2, 4}, {1, 2}, {3, 6}})) << "there and back, twice";
+    }
+    EXPECT_TRUE(at_scale(1.0, 1e6, {{0, 0}, {4, 0}, {4, 2}, {0, 3}}));
+    EXPECT_TRUE(is_convex({}));
+    std::vector<Point> star;
+    for (int k = 0; k < 5; ++k) star.emplace_back(std::cos(k * 2.4 * M_PI / 3.0), std::sin(k * 2.4 * M_PI / 3.0));
+    EXPECT_FALSE(is_convex(star)) << "it always turns to the left, but goes around twice";
+}
+
+TEST(Bounds, a_polygon_may_turn_back_by_an_angle) {
+    const std::vector<Point> dented{{0, 0}, {2, 1e-4}, {4, 0}, {4, 2}};
+    EXPECT_FALSE(is_convex(dented));
+    EXPECT_TRUE(is_convex(dented, 1.01e-4)) << "it turns by twice 1e-4 / 2 there";
+}
+
 }  // namespace
 }  // namespace batten::core
