@@ -1,19 +1,23 @@
 #include "app/editor/lesson/check.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
+#include "app/editor/pointer/view_handle.h"
 #include "app/editor/state/state.h"
+#include "app/editor/words/continuity_words.h"
 #include "app/editor/words/formula.h"
-#include "core/base/number_text.h"
 #include "core/base/sentence.h"
+#include "core/curve/control_box.h"
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/bezier_pieces.h"
 #include "core/evaluate/evaluate.h"
+#include "core/measure/bounds.h"
 #include "core/measure/closing.h"
+#include "core/measure/continuity.h"
 #include "core/measure/nearest.h"
+#include "core/refine/clamping.h"
+#include "core/refine/join.h"
 
 namespace batten::editor {
 
@@ -21,17 +25,13 @@ namespace {
 
 using core::Curve;
 using core::sentence;
-using core::shortest_text;
 
 constexpr int circle_samples = 200;
+constexpr int digits = 6;  // of numbers that are no small fractions
 
 template <class Found>
 CheckResult compared(bool holds, const char* yes, const char* no, Found found, Found wanted) {
     return {holds, holds ? sentence(yes, {{"found", found}}) : sentence(no, {{"found", found}, {"wanted", wanted}})};
-}
-
-std::string place_text(core::Point place) {
-    return sentence("({x}, {y})", {{"x", shortest_text(place.x)}, {"y", shortest_text(place.y)}});
 }
 
 std::string smoothness_text(int continuity) {
@@ -65,18 +65,44 @@ std::optional<Circle> circle_through(core::Point a, core::Point b, core::Point c
     return Circle{a + to_center, core::length(to_center)};
 }
 
-/// Where a curve ends and how it goes on from there, outward.
-struct End {
-    core::Point point{};
-    core::Vector derivative{};  ///< along the curve
-    bool is_upper = false;
-};
+bool has_order(const core::JointContinuity& joint, JointOrder order) {
+    switch (order) {
+        case JointOrder::C0:
+            return joint.parametric >= 0;
+        case JointOrder::C1:
+            return joint.parametric >= 1;
+        case JointOrder::C2:
+            return joint.parametric >= 2;
+        case JointOrder::G1:
+            return joint.geometric >= 1;
+        case JointOrder::G2:
+            return joint.geometric >= 2;
+    }
+    return false;
+}
 
-std::array<End, 2> ends_of(const Curve& curve) {
+CheckResult joint_result(const core::JointContinuity& joint, JointOrder order) {
+    const std::string found = continuity_verdict(joint);
+    if (has_order(joint, order)) return {true, found};
+    return {false, sentence("{found}; it shall be {order}", {{"found", found}, {"order", core::title_of(order)}})};
+}
+
+core::ContinuityTolerances tolerances_of(double within) {
+    return {within, within, within, within};
+}
+
+/// Points of the curve, as many for each of its spans; fewer where these are many.
+std::vector<core::Point> points_along(const Curve& curve) {
+    constexpr std::size_t most_points = 4000;
+    constexpr std::size_t points_per_span = 50;
+    const std::size_t count = std::min(most_points, points_per_span * core::segment_count(curve.knots()));
     const core::Interval domain = curve.domain();
-    const auto lower = core::derivatives_at(curve, domain.lower, 1, core::Side::right);
-    const auto upper = core::derivatives_at(curve, domain.upper, 1, core::Side::left);
-    return {End{lower.point, lower[1], false}, End{upper.point, upper[1], true}};
+    std::vector<core::Point> points;
+    for (std::size_t k = 0; k <= count; ++k) {
+        const double share = static_cast<double>(k) / static_cast<double>(count);
+        points.push_back(core::point_at(curve, domain.lower + share * domain.length()));
+    }
+    return points;
 }
 
 /// One case for each check; `curve` is the active one.
@@ -84,6 +110,14 @@ struct Checker {
     const EditorState& state;
     const core::Document& document;
     const Curve& curve;
+
+    std::string number(double value) const { return exact_text(state.view.notation, value, digits); }
+    std::string place_text(core::Point place) const {
+        return sentence("({x}, {y})", {{"x", number(place.x)}, {"y", number(place.y)}});
+    }
+    const core::DocumentCurve* curve_at(std::size_t index) const {
+        return index < document.curves.size() ? &document.curves[index] : nullptr;
+    }
 
     CheckResult operator()(const DegreeIs& check) const {
         return compared(curve.degree() == check.is, "the degree is {found}", "the degree is {found}, not yet {wanted}",
@@ -108,21 +142,21 @@ struct Checker {
         const core::DistinctKnot* knot = knot_at(knots, check.knot);
         const int found = knot == nullptr ? 0 : knot->multiplicity;
         if (found == check.is)
-            return {true, sentence("the multiplicity of {knot} is {is}",
-                                   {{"knot", shortest_text(check.knot)}, {"is", check.is}})};
+            return {true,
+                    sentence("the multiplicity of {knot} is {is}", {{"knot", number(check.knot)}, {"is", check.is}})};
         return {false, sentence("the multiplicity of {knot} is {found}, not yet {is}",
-                                {{"knot", shortest_text(check.knot)}, {"found", found}, {"is", check.is}})};
+                                {{"knot", number(check.knot)}, {"found", found}, {"is", check.is}})};
     }
     CheckResult operator()(const ContinuityIs& check) const {
         const auto knots = core::distinct_knots(curve.knots());
         const core::DistinctKnot* knot = knot_at(knots, check.knot);
-        if (knot == nullptr) return {false, sentence("{knot} is no knot", {{"knot", shortest_text(check.knot)}})};
+        if (knot == nullptr) return {false, sentence("{knot} is no knot", {{"knot", number(check.knot)}})};
         if (knot->continuity == check.is)
             return {true, sentence("the curve is {order} at {knot} by its knots",
-                                   {{"order", smoothness_text(check.is)}, {"knot", shortest_text(check.knot)}})};
+                                   {{"order", smoothness_text(check.is)}, {"knot", number(check.knot)}})};
         return {false, sentence("the curve is {found} at {knot} by its knots, not yet {order}",
                                 {{"found", smoothness_text(knot->continuity)},
-                                 {"knot", shortest_text(check.knot)},
+                                 {"knot", number(check.knot)},
                                  {"order", smoothness_text(check.is)}})};
     }
     CheckResult operator()(const NoInteriorKnot&) const {
@@ -148,7 +182,7 @@ struct Checker {
             check.point ? sentence("{point}", {{"point", point_text(*check.point)}}) : place_text(place);
         if (distance <= check.within) return {true, sentence("the curve passes through {place}", {{"place", name}})};
         return {false, sentence("the curve passes {place} at a distance of {distance}",
-                                {{"place", name}, {"distance", shortest_text(distance)}})};
+                                {{"place", name}, {"distance", number(distance)}})};
     }
     CheckResult operator()(const IsCircle& check) const {
         const core::Interval domain = curve.domain();
@@ -161,7 +195,7 @@ struct Checker {
                 worst,
                 std::abs(core::distance(at(k / static_cast<double>(circle_samples)), circle->center) - circle->radius));
         if (worst <= check.within * circle->radius) return {true, "the curve lies on a circle"};
-        return {false, sentence("the curve leaves the circle by {distance}", {{"distance", shortest_text(worst)}})};
+        return {false, sentence("the curve leaves the circle by {distance}", {{"distance", number(worst)}})};
     }
     CheckResult operator()(const ConicIs& check) const {
         const core::BezierPieces pieces = core::bezier_pieces(curve);
@@ -185,10 +219,10 @@ struct Checker {
         const double found = curve.weights()[check.point];
         if (std::abs(found - check.is) <= check.within)
             return {true, sentence("the weight of {point} is {is}",
-                                   {{"point", point_text(check.point)}, {"is", shortest_text(check.is)}})};
-        return {false, sentence("the weight of {point} is {found}, not yet {is}", {{"point", point_text(check.point)},
-                                                                                   {"found", shortest_text(found)},
-                                                                                   {"is", shortest_text(check.is)}})};
+                                   {{"point", point_text(check.point)}, {"is", number(check.is)}})};
+        return {false,
+                sentence("the weight of {point} is {found}, not yet {is}",
+                         {{"point", point_text(check.point)}, {"found", number(found)}, {"is", number(check.is)}})};
     }
     CheckResult operator()(const PointIsAt& check) const {
         if (check.point >= curve.control_points().size()) return no_such_point(check.point);
@@ -203,7 +237,7 @@ struct Checker {
     CheckResult operator()(const ParameterIs& check) const {
         const double found = state.parameter();
         return compared(std::abs(found - check.is) <= check.within, "u is {found}", "u is {found}, not yet {wanted}",
-                        shortest_text(found), shortest_text(check.is));
+                        number(found), number(check.is));
     }
     CheckResult operator()(const OverlayIsShown& check) const {
         const bool holds = state.view.overlays.is_shown(check.overlay);
@@ -212,41 +246,61 @@ struct Checker {
     }
     CheckResult operator()(const CurvesJoin& check) const;
     CheckResult operator()(const PointsAreCollinear& check) const;
+    CheckResult operator()(const SmoothnessIs& check) const;
+    CheckResult operator()(const IsClamped& check) const;
+    CheckResult operator()(const CrossingsAre& check) const;
+    CheckResult operator()(const IsConvex& check) const;
 };
 
 CheckResult Checker::operator()(const CurvesJoin& check) const {
-    if (check.first >= document.curves.size() || check.second >= document.curves.size())
+    if (curve_at(check.first) == nullptr || curve_at(check.second) == nullptr)
         return {false, "there are not two curves"};
-    const Curve& a = *document.curves[check.first].curve;
-    const Curve& b = *document.curves[check.second].curve;
-    End from;
-    End to;
-    double gap = std::numeric_limits<double>::infinity();
-    for (const End& one : ends_of(a))
-        for (const End& other : ends_of(b))
-            if (const double distance = core::distance(one.point, other.point); distance < gap) {
-                gap = distance;
-                from = one;
-                to = other;
-            }
-    const double size = std::max(state.derived.of(a)->size, state.derived.of(b)->size);
-    if (gap > check.within * size)
-        return {false, sentence("the ends are {distance} apart", {{"distance", shortest_text(gap)}})};
-    if (check.order == JointOrder::C0) return {true, "the curves meet: C⁰"};
-    // Along the joined curve, whichever way each of them runs.
-    const core::Vector before = from.is_upper ? from.derivative : -from.derivative;
-    const core::Vector after = to.is_upper ? -to.derivative : to.derivative;
-    const double scale = std::max(core::length(before), core::length(after));
-    const double turn = std::abs(core::cross(before, after));
-    const bool is_smooth =
-        core::dot(before, after) > 0.0 && turn <= check.within * core::length(before) * core::length(after);
-    if (!is_smooth) return {false, "the curves meet with a corner: C⁰ only"};
-    if (check.order == JointOrder::G1) return {true, "the curves have one tangent where they meet: G¹"};
-    if (core::length(after - before) <= check.within * scale)
-        return {true, "the derivatives agree where the curves meet: C¹"};
-    return {false,
-            sentence("the tangents agree, but the derivatives are {before} and {after} long: G¹ only",
-                     {{"before", shortest_text(core::length(before))}, {"after", shortest_text(core::length(after))}})};
+    const Curve& first = *curve_at(check.first)->curve;
+    const Curve& second = *curve_at(check.second)->curve;
+    if (first.is_periodic() || second.is_periodic()) return {false, "a closed curve has no ends"};
+    core::Box box = core::control_box(first);
+    for (const core::Point point : second.control_points()) box.include(point);
+    const core::JointContinuity joint =
+        core::continuity_between(first, second, core::nearest_ends(first, second), box, tolerances_of(check.within));
+    if (joint.geometric < 0)
+        return {false, sentence("the ends are {distance} apart", {{"distance", number(joint.position.size)}})};
+    return joint_result(joint, check.order);
+}
+
+CheckResult Checker::operator()(const SmoothnessIs& check) const {
+    const auto knots = core::distinct_knots(curve.knots());
+    const core::DistinctKnot* knot = knot_at(knots, check.knot);
+    if (knot == nullptr || !knot->is_interior)
+        return {false, sentence("{knot} is no inner knot", {{"knot", number(check.knot)}})};
+    return joint_result(core::joint_continuity_at(curve, *knot, core::control_box(curve), tolerances_of(check.within)),
+                        check.order);
+}
+
+CheckResult Checker::operator()(const IsClamped& check) const {
+    const bool holds = check.end ? core::is_clamped_at(curve.knots(), *check.end) : core::is_clamped(curve.knots());
+    if (!check.end) return {holds, holds ? "the curve is clamped at both ends" : "the curve is not clamped yet"};
+    return {holds, sentence(holds ? "the curve is clamped at its {end}" : "the curve is not clamped yet at its {end}",
+                            {{"end", core::title_of(*check.end)}})};
+}
+
+CheckResult Checker::operator()(const CrossingsAre& check) const {
+    const auto line = shown_probe_line(state);
+    const auto found = line ? state.measured.crossings(curve, *line) : nullptr;
+    if (!found) return {false, "there is no line to be crossed"};
+    const bool holds = check.polygon.value_or(found->polygon_crossings) == found->polygon_crossings &&
+                       check.curve.value_or(found->crossings) == found->crossings;
+    return {holds, sentence("the line crosses the polygon {polygon} times and the curve {curve} times",
+                            {{"polygon", found->polygon_crossings}, {"curve", found->crossings}})};
+}
+
+CheckResult Checker::operator()(const IsConvex& check) const {
+    constexpr double rounding = 1e-6;  // radians, between points that are near to one another
+    if (check.of == ConvexShape::polygon) {
+        const bool holds = core::is_convex(curve.control_points());
+        return {holds, holds ? "the polygon is convex" : "the polygon is not convex yet"};
+    }
+    const bool holds = core::is_convex(points_along(curve), rounding);
+    return {holds, holds ? "the curve is convex" : "the curve is not convex yet"};
 }
 
 CheckResult Checker::operator()(const PointsAreCollinear& check) const {
@@ -270,7 +324,7 @@ CheckResult Checker::operator()(const PointsAreCollinear& check) const {
         if (length > 0.0) farthest = std::max(farthest, std::abs(core::cross(line, off)) / length);
     }
     if (farthest <= check.within * length) return {true, "the points are on one line"};
-    return {false, sentence("a point is {distance} off the line", {{"distance", shortest_text(farthest)}})};
+    return {false, sentence("a point is {distance} off the line", {{"distance", number(farthest)}})};
 }
 
 }  // namespace

@@ -9,62 +9,47 @@ namespace {
 
 // In the order of LessonCheck.
 constexpr std::array<const char*, std::variant_size_v<LessonCheck>> check_names{
-    "degree",   "point-count",    "segment-count", "curve-count", "multiplicity", "continuity", "no-interior-knot",
-    "kind",     "passes-through", "circle",        "conic",       "closed",       "rational",   "weight",
-    "point-at", "parameter",      "overlay",       "joined",      "collinear"};
+    "degree",           "point-count", "segment-count",  "curve-count", "multiplicity", "continuity",
+    "no-interior-knot", "kind",        "passes-through", "circle",      "conic",        "closed",
+    "rational",         "weight",      "point-at",       "parameter",   "overlay",      "joined",
+    "collinear",        "smoothness",  "clamped",        "crossings",   "convex"};
 
-/// The members of each check, for reading and writing alike.
+/// The members of each check, for reading and writing alike: those that it has of all that there are.
 template <class Members>
 struct Describe {
     Members& members;
 
-    void operator()(DegreeIs& check) const { members.required("is", check.is); }
-    void operator()(PointCountIs& check) const { members.required("is", check.is); }
-    void operator()(SegmentCountIs& check) const { members.required("is", check.is); }
-    void operator()(CurveCountIs& check) const { members.required("is", check.is); }
-    void operator()(MultiplicityIs& check) const {
-        members.required("knot", check.knot);
-        members.required("is", check.is);
+    template <class Check>
+    void operator()(Check& check) const {
+        if constexpr (requires { check.overlay; }) put("overlay", check.overlay);
+        if constexpr (requires { check.first; }) put("first", check.first);
+        if constexpr (requires { check.second; }) put("second", check.second);
+        if constexpr (requires { check.points; }) put("points", check.points);
+        if constexpr (requires { check.point; }) put("point", check.point);
+        if constexpr (requires { check.knot; }) put("knot", check.knot);
+        if constexpr (requires { check.at; }) put("at", check.at);
+        if constexpr (requires { check.order; }) put("order", check.order);
+        if constexpr (requires { check.end; }) put("end", check.end);
+        if constexpr (requires { check.polygon; }) put("polygon", check.polygon);
+        if constexpr (requires { check.curve; }) put("curve", check.curve);
+        if constexpr (requires { check.of; }) put("of", check.of);
+        if constexpr (requires { check.is; }) put("is", check.is);
+        if constexpr (requires { check.within; }) members.optional("within", check.within);
     }
-    void operator()(ContinuityIs& check) const {
-        members.required("knot", check.knot);
-        members.required("is", check.is);
-    }
-    void operator()(NoInteriorKnot&) const {}
-    void operator()(KindIs& check) const { members.required("is", check.is); }
     void operator()(PassesThrough& check) const {
         members.optional("point", check.point);
         members.optional("at", check.at);
         members.optional("within", check.within);
     }
-    void operator()(IsCircle& check) const { members.optional("within", check.within); }
-    void operator()(ConicIs& check) const { members.required("is", check.is); }
-    void operator()(IsClosed&) const {}
-    void operator()(IsRational& check) const { members.required("is", check.is); }
-    void operator()(WeightIs& check) const {
-        members.required("point", check.point);
-        members.required("is", check.is);
-        members.optional("within", check.within);
+
+  private:
+    template <class T>
+    void put(const char* name, T& member) const {
+        members.required(name, member);
     }
-    void operator()(PointIsAt& check) const {
-        members.required("point", check.point);
-        members.required("at", check.at);
-        members.optional("within", check.within);
-    }
-    void operator()(ParameterIs& check) const {
-        members.required("is", check.is);
-        members.optional("within", check.within);
-    }
-    void operator()(OverlayIsShown& check) const { members.required("overlay", check.overlay); }
-    void operator()(CurvesJoin& check) const {
-        members.required("first", check.first);
-        members.required("second", check.second);
-        members.required("order", check.order);
-        members.optional("within", check.within);
-    }
-    void operator()(PointsAreCollinear& check) const {
-        members.required("points", check.points);
-        members.optional("within", check.within);
+    template <class T>
+    void put(const char* name, std::optional<T>& member) const {
+        members.optional(name, member);
     }
 };
 

@@ -66,7 +66,7 @@ TEST_F(LessonCommands, go_forward_through_acts_views_and_documents) {
     EXPECT_FALSE(state().view.overlays.is_shown(Overlay::knots));
     EXPECT_TRUE(run(NextStep{}));
     EXPECT_FALSE(is_done(*state().lesson, state()));
-    EXPECT_EQ(results_of(*state().lesson, state()).at(0).sentence, "the multiplicity of 0.5 is 1, not yet 2");
+    EXPECT_EQ(results_of(*state().lesson, state()).at(0).sentence, "the multiplicity of 1/2 is 1, not yet 2");
     EXPECT_TRUE(run(InsertKnot{.u = 0.5}));
     EXPECT_TRUE(is_done(*state().lesson, state()));
     EXPECT_TRUE(run(NextStep{}));

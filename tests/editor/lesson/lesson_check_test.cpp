@@ -2,6 +2,7 @@
 
 #include "app/editor/lesson/check.h"
 #include "app/editor/lesson/check_json.h"
+#include "core/make/conics.h"
 #include "core/make/shapes.h"
 #include "tests/editor/sample_editor.h"
 
@@ -46,11 +47,11 @@ TEST(LessonCheck, tells_numbers_of_the_curve) {
 
 TEST(LessonCheck, tells_multiplicities_and_continuity) {
     const EditorState state = state_of({cubic});
-    expect(MultiplicityIs{0.5, 2}, state, true, "the multiplicity of 0.5 is 2");
-    expect(MultiplicityIs{0.5, 3}, state, false, "the multiplicity of 0.5 is 2, not yet 3");
-    expect(MultiplicityIs{0.25, 1}, state, false, "the multiplicity of 0.25 is 0, not yet 1");
-    expect(ContinuityIs{0.5, 1}, state, true, "the curve is C¹ at 0.5 by its knots");
-    expect(ContinuityIs{0.5, 0}, state, false, "the curve is C¹ at 0.5 by its knots, not yet C⁰");
+    expect(MultiplicityIs{0.5, 2}, state, true, "the multiplicity of 1/2 is 2");
+    expect(MultiplicityIs{0.5, 3}, state, false, "the multiplicity of 1/2 is 2, not yet 3");
+    expect(MultiplicityIs{0.25, 1}, state, false, "the multiplicity of 1/4 is 0, not yet 1");
+    expect(ContinuityIs{0.5, 1}, state, true, "the curve is C¹ at 1/2 by its knots");
+    expect(ContinuityIs{0.5, 0}, state, false, "the curve is C¹ at 1/2 by its knots, not yet C⁰");
     expect(NoInteriorKnot{}, state, false, "there still is one interior knot");
     expect(KindIs{core::KnotKind::bezier}, state, false, "the knots are custom, not yet Bézier");
 }
@@ -60,7 +61,7 @@ TEST(LessonCheck, tells_where_the_curve_passes) {
     expect(PassesThrough{.point = 5}, state, true, "the curve passes through P₅");
     EXPECT_FALSE(result_of(PassesThrough{.point = 1}, state).holds);
     EXPECT_TRUE(result_of(PassesThrough{.at = {0, 0}}, state).holds);
-    expect(PassesThrough{.at = {-3, -4}}, state, false, "the curve passes (-3, -4) at a distance of 5");
+    expect(PassesThrough{.at = {-3, -4}}, state, false, "the curve passes (−3, −4) at a distance of 5");
     expect(PassesThrough{.point = 6}, state, false, "there is no control point P₆");
 }
 
@@ -96,8 +97,19 @@ TEST(LessonCheck, tells_how_curves_join) {
     EXPECT_FALSE(holds(pair({2, 1}), JointOrder::G1));
     EXPECT_FALSE(holds(pair({0, 0}), JointOrder::G1)) << "both come from the same side";
     expect(CurvesJoin{}, state_of({line({0, 0}, {1, 1}), line({1, 2}, {5, 5})}), false, "the ends are 1 apart");
-    expect(CurvesJoin{.order = JointOrder::C1}, pair({3, 3}), false,
-           "the tangents agree, but the derivatives are 1.4142135623730951 and 2.8284271247461903 long: G¹ only");
+    expect(CurvesJoin{.order = JointOrder::C1}, pair({3, 3}), false, "the curves meet with G²; it shall be C¹");
+    expect(CurvesJoin{.order = JointOrder::C2}, pair({2, 2}), true, "the curves meet with C²");
+    expect(CurvesJoin{.second = 2}, pair({2, 2}), false, "there are not two curves");
+    // Half circles of one radius, the second of which bends the other way: G1, not G2.
+    const auto arc = [](core::Point a, core::Point b, core::Point c, core::Point d) {
+        return curve_of(3, {0, 0, 0, 0, 1, 1, 1, 1}, {a, b, c, d});
+    };
+    const EditorState wave = state_of({arc({-2, 0}, {-2, 1}, {0, 1}, {0, 0}), arc({0, 0}, {0, -1}, {2, -1}, {2, 0})});
+    EXPECT_TRUE(holds(wave, JointOrder::C1));
+    EXPECT_FALSE(holds(wave, JointOrder::G2));
+    const EditorState even = state_of({arc({-2, 0}, {-2, 1}, {-1, 2}, {0, 2}), arc({0, 2}, {1, 2}, {2, 1}, {2, 0})});
+    EXPECT_TRUE(holds(even, JointOrder::G2)) << "a mirrored arc with equal curvature";
+    EXPECT_TRUE(holds(even, JointOrder::C2));
 }
 
 TEST(LessonCheck, tells_places_and_lines) {
@@ -109,6 +121,70 @@ TEST(LessonCheck, tells_places_and_lines) {
     expect(IsClosed{}, state, false, "the curve is still open");
     expect(ParameterIs{.is = 0.0}, state, true, "u is 0");
     expect(OverlayIsShown{Overlay::support}, state, false, "the view 'support' is not shown yet");
+}
+
+TEST(LessonCheck, tells_smoothness_of_the_shape) {
+    const double w = std::sqrt(0.5);
+    // Three quarters of a circle: equal spans, then the last one twice as long, which halves C' behind 2.
+    const auto arcs = [&](double end) {
+        return state_of(
+            {curve_of(2, {0, 0, 0, 1, 1, 2, 2, end, end, end},
+                      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}}, {1, w, 1, w, 1, w, 1})});
+    };
+    expect(SmoothnessIs{.knot = 1, .order = JointOrder::C1}, arcs(3.0), true,
+           "C⁰ by its knots, C¹ and G² by its shape");
+    expect(SmoothnessIs{.knot = 1, .order = JointOrder::C2}, arcs(3.0), false,
+           "C⁰ by its knots, C¹ and G² by its shape; it shall be C²");
+    EXPECT_TRUE(result_of(SmoothnessIs{.knot = 2, .order = JointOrder::G2}, arcs(4.0)).holds);
+    expect(SmoothnessIs{.knot = 2, .order = JointOrder::C1}, arcs(4.0), false,
+           "C⁰ by its knots, G² by its shape; it shall be C¹");
+    expect(SmoothnessIs{.knot = 0, .order = JointOrder::C0}, arcs(4.0), false, "0 is no inner knot");
+    expect(SmoothnessIs{.knot = 1.5, .order = JointOrder::C0}, arcs(4.0), false, "3/2 is no inner knot");
+    const EditorState corner = state_of({curve_of(1, {0, 0, 1, 2, 2}, {{0, 0}, {1, 0}, {1.99, 0.01}})});
+    expect(SmoothnessIs{.knot = 1, .order = JointOrder::C0}, corner, true, "C⁰ by its knots, a corner by its shape");
+    EXPECT_FALSE(result_of(SmoothnessIs{.knot = 1, .order = JointOrder::G1}, corner).holds);
+    EXPECT_TRUE(result_of(SmoothnessIs{1, JointOrder::G1, 0.02}, corner).holds) << "it turns by about 0.01";
+}
+
+TEST(LessonCheck, tells_clamped_ends) {
+    const EditorState half =
+        state_of({curve_of(3, {0, 0, 0, 0, 1, 2, 3, 4, 5}, {{0, 0}, {1, 2}, {3, 2}, {4, 0}, {6, 1}})});
+    expect(IsClamped{}, state_of({cubic}), true, "the curve is clamped at both ends");
+    expect(IsClamped{}, half, false, "the curve is not clamped yet");
+    expect(IsClamped{core::CurveEnd::start}, half, true, "the curve is clamped at its start");
+    expect(IsClamped{core::CurveEnd::end}, half, false, "the curve is not clamped yet at its end");
+}
+
+TEST(LessonCheck, counts_crossings_of_the_shown_line) {
+    EditorState state = state_of({curve_of(2, {0, 0, 0, 1, 1, 1}, {{0, 0}, {2, 4}, {4, 0}})});
+    const auto put = [&](double height) { state.view.shape.line = ProbeLine{{0, height}, {4, height}}; };
+    put(1.0);
+    expect(CrossingsAre{2, 2}, state, false, "there is no line to be crossed");
+    state.view.overlays.show(Overlay::variation, true);
+    expect(CrossingsAre{2, 2}, state, true, "the line crosses the polygon 2 times and the curve 2 times");
+    put(3.0);  // the parabola's highest point is at 2
+    expect(CrossingsAre{2, 0}, state, true, "the line crosses the polygon 2 times and the curve 0 times");
+    EXPECT_FALSE(result_of(CrossingsAre{.curve = 2}, state).holds);
+    EXPECT_FALSE(result_of(CrossingsAre{.polygon = 0}, state).holds);
+    EXPECT_TRUE(result_of(CrossingsAre{.polygon = 2}, state).holds);
+}
+
+TEST(LessonCheck, tells_what_is_convex) {
+    const auto bezier = [](std::vector<core::Point> points) {
+        return state_of({curve_of(3, {0, 0, 0, 0, 1, 1, 1, 1}, std::move(points))});
+    };
+    const EditorState arch = bezier({{0, 0}, {1, 2}, {3, 2}, {4, 0}});
+    expect(IsConvex{ConvexShape::polygon}, arch, true, "the polygon is convex");
+    expect(IsConvex{ConvexShape::curve}, arch, true, "the curve is convex");
+    const EditorState wave = bezier({{0, 0}, {1, 2}, {3, -2}, {4, 0}});
+    expect(IsConvex{ConvexShape::polygon}, wave, false, "the polygon is not convex yet");
+    expect(IsConvex{ConvexShape::curve}, wave, false, "the curve is not convex yet");
+    // The dent of the polygon is cut off by the curve: of degree 4, all of whose second differences point downward.
+    const EditorState dented =
+        state_of({curve_of(4, {0, 0, 0, 0, 0, 1, 1, 1, 1, 1}, {{0, 0}, {1, 4}, {2, 3.9}, {3, 4}, {4, 0}})});
+    EXPECT_FALSE(result_of(IsConvex{ConvexShape::polygon}, dented).holds);
+    EXPECT_TRUE(result_of(IsConvex{ConvexShape::curve}, dented).holds);
+    EXPECT_TRUE(result_of(IsConvex{ConvexShape::curve}, state_of({core::circle({1e6, 0}, 2.0).value()})).holds);
 }
 
 TEST(LessonCheck, asks_for_a_curve) {
@@ -135,7 +211,13 @@ TEST(LessonCheck, is_written_and_read_back) {
                                                              ParameterIs{0.4, 0.01},
                                                              OverlayIsShown{Overlay::grid},
                                                              CurvesJoin{0, 1, JointOrder::G1, 1e-4},
-                                                             PointsAreCollinear{{0, 1, 2}, 0.01}}) {
+                                                             PointsAreCollinear{{0, 1, 2}, 0.01},
+                                                             SmoothnessIs{0.25, JointOrder::C2, 1e-3},
+                                                             IsClamped{},
+                                                             IsClamped{core::CurveEnd::end},
+                                                             CrossingsAre{2, 0},
+                                                             CrossingsAre{.curve = 3},
+                                                             IsConvex{ConvexShape::curve}}) {
         const LessonJson json = json_of(check);
         const Outcome<LessonCheck> read = read_check(json, "/checks/0");
         ASSERT_TRUE(read) << json.dump() << read.error();
