@@ -20,6 +20,7 @@
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/lifted_picture.h"
 #include "app/editor/scene/line_crossings.h"
+#include "app/editor/scene/other_polygons.h"
 #include "app/editor/scene/part_dots.h"
 #include "app/editor/scene/piece_graphs.h"
 #include "app/editor/scene/polygon_distance_scene.h"
@@ -53,7 +54,8 @@ void draw_comb(CanvasFrame& frame) {
     draw_curvature_comb(frame);
 }
 
-constexpr std::array views_below{CanvasView{Overlay::by_insertion, draw_inserted_polygon},
+constexpr std::array views_below{CanvasView{Overlay::other_polygons, draw_other_polygons},
+                                 CanvasView{Overlay::by_insertion, draw_inserted_polygon},
                                  CanvasView{Overlay::halves, draw_halves},
                                  CanvasView{Overlay::corner_cutting, draw_cut_corners},
                                  CanvasView{Overlay::polygon_distance, draw_polygon_rounds},

@@ -44,6 +44,7 @@ enum class Overlay {
     span_hulls,         ///< the hulls of all spans
     support,            ///< what a point moves
     variation,          ///< a line and its crossings
+    other_polygons,     ///< of the curves that are not active
     cubic_conditions,   ///< the fifteen equations
     cubic_matrix,       ///< 1/6 [1 4 1 0; ...]
     anticentroids,      ///< of uniform cubics
@@ -57,7 +58,7 @@ enum class Overlay {
     knot_questions,     ///< the lecture's five
     quiz                ///< makes vectors and marks answers
 };
-inline constexpr std::size_t overlay_count = 46;
+inline constexpr std::size_t overlay_count = 47;
 inline constexpr std::size_t basic_overlay_count = 9;
 
 class Overlays {
@@ -111,6 +112,7 @@ struct Names<editor::Overlay> {
                                       Named{span_hulls, "span-hulls", "hulls of all spans"},
                                       Named{support, "support", "support"},
                                       Named{variation, "variation", "variation diminishing"},
+                                      Named{other_polygons, "other-polygons", "other polygons"},
                                       Named{cubic_conditions, "cubic-conditions", "fifteen conditions"},
                                       Named{cubic_matrix, "cubic-matrix", "matrix"},
                                       Named{anticentroids, "anticentroids", "anticentroids"},
