@@ -156,8 +156,10 @@ struct ModeHint {
     }
     std::string operator()(const DraggingWeight& mode) const {
         if (curve == nullptr || !has_point(*curve, mode.index)) return {};
-        return sentence("Weight of {point}: {weight} · up or right raises it, down or left lowers it · Escape restores",
-                        {{"point", point_text(mode.index)}, {"weight", weight_in(state, *curve, mode.index)}});
+        return sentence(
+            "Weight of {point}: {weight} · up or right raises it, down or left lowers it · Ctrl keeps to two digits · "
+            "Escape restores",
+            {{"point", point_text(mode.index)}, {"weight", weight_in(state, *curve, mode.index)}});
     }
     std::string operator()(const DraggingFarinPoint& mode) const {
         if (curve == nullptr || !has_point(*curve, mode.leg)) return {};

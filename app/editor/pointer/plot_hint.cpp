@@ -75,7 +75,8 @@ struct HoverHint {
             {{"lower", number_text(knots[h.span], 6)}, {"upper", number_text(knots[h.span + 1], 6)}});
     }
     std::string operator()(const HoveredParameter&) const {
-        return sentence("Drag to move u = {u}", {{"u", parameter_text(curve, state.parameter())}});
+        return sentence("Drag to move u = {u} · Ctrl keeps to knots and round numbers",
+                        {{"u", parameter_text(curve, state.parameter())}});
     }
     template <class Other>
     std::string operator()(const Other&) const {

@@ -61,10 +61,22 @@ void turn_wheel(const PlotGesture& gesture) {
     show_range(gesture, {u + (range.lower - u) * factor, u + (range.upper - u) * factor});
 }
 
+/// With Ctrl, the knot that is near, else a round number.
+double chosen_parameter(const PlotGesture& gesture, const core::Curve& curve) {
+    const double u = gesture.pointed_parameter();
+    if (!gesture.event.modifiers.ctrl) return u;
+    const auto knots = curve.knots().stored();
+    const auto above = std::lower_bound(knots.begin(), knots.end(), u);
+    const double reach = pixels(gesture.state, snap_reach) / gesture.px_per_unit();
+    if (above != knots.begin() && u - *(above - 1) <= reach) return *(above - 1);
+    if (above != knots.end() && *above - u <= reach) return *above;
+    return rounded_to_step(u, minor_grid_step(gesture.px_per_unit() / gesture.state.view.interface_scale));
+}
+
 void set_parameter(const PlotGesture& gesture) {
     const core::Curve* curve = gesture.state.active_curve();
     if (curve == nullptr) return;
-    const double u = curve->domain().clamp(gesture.pointed_parameter());
+    const double u = curve->domain().clamp(chosen_parameter(gesture, *curve));
     if (u != gesture.state.parameter()) gesture.queue.run(SetParameter{.u = u});
 }
 

@@ -53,11 +53,17 @@ core::Vector exact_offset(core::Point start, core::Point target) {
     return {exact_offset(start.x, target.x), exact_offset(start.y, target.y)};
 }
 
+double with_two_digits(double weight) {
+    const double units = std::pow(10.0, 1.0 - std::floor(std::log10(weight)));
+    return std::round(weight * units) / units;
+}
+
 double dragged_weight(const Gesture& gesture, double start_weight, glm::dvec2 press_px) {
     const glm::dvec2 moved_px = gesture.event.position_px - press_px;
     const double half_decades = (moved_px.x - moved_px.y) / pixels(gesture.state, pixels_per_half_decade);
     // Through exp10 of a quotient, so that 200 pixels are exactly a factor of ten where the library's pow is.
-    return dragged_weights.clamp(start_weight * std::pow(10.0, half_decades / 2.0));
+    const double weight = dragged_weights.clamp(start_weight * std::pow(10.0, half_decades / 2.0));
+    return gesture.event.modifiers.ctrl ? with_two_digits(weight) : weight;
 }
 
 }  // namespace batten::editor

@@ -189,6 +189,23 @@ TEST_F(CanvasModes, weights_grow_as_far_up_as_to_the_right_and_shrink_as_far) {
     EXPECT_NEAR(weight(1), 0.01, 1e-16);
 }
 
+TEST_F(CanvasModes, ctrl_keeps_weights_to_two_digits) {
+    pointer.modifiers = {true, false, true};
+    const auto weight_at = [&](double moved_px) {
+        pointer.press(px(-2, 2));
+        pointer.move(px(-2, 2) + glm::dvec2(moved_px, 0.0));
+        pointer.release(px(-2, 2) + glm::dvec2(moved_px, 0.0));
+        const double found = weight(1);
+        editor.run(Undo{});
+        return found;
+    };
+    EXPECT_EQ(weight_at(95.0), 3.0);     // 10^0.475 = 2.985
+    EXPECT_EQ(weight_at(-60.0), 0.5);    // 0.501
+    EXPECT_EQ(weight_at(-140.0), 0.2);   // 0.1995
+    EXPECT_EQ(weight_at(-190.0), 0.11);  // 0.1122
+    EXPECT_EQ(weight_at(230.0), 14.0);   // 14.13
+}
+
 TEST_F(CanvasModes, weights_stay_within_twelve_decades) {
     pointer.modifiers = alt;
     pointer.drag(px(-2, 2), px(-2, 2) + glm::dvec2(2000, -2000));

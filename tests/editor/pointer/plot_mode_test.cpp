@@ -155,6 +155,25 @@ TEST_F(PlotModes, ctrl_keeps_a_knot_to_round_numbers) {
     EXPECT_EQ(interior()[0], 0.34);
 }
 
+TEST_F(PlotModes, ctrl_keeps_the_parameter_to_knots_and_round_numbers) {
+    // A knot is caught within 8 px, which is 0.0085 here; minor lines are 0.02 apart.
+    pointer.modifiers = test::ctrl;
+    pointer.press(at(0.4, 20.0));
+    for (const auto& [to, u] :
+         {std::pair(0.2585, 0.25), {0.2415, 0.25}, {0.2595, 0.26}, {0.3333, 0.34}, {0.2405, 0.24}}) {
+        pointer.move(at(to, 20.0));
+        EXPECT_EQ(state().parameter(), u) << to;
+    }
+    pointer.move(at(-0.3, 20.0));
+    EXPECT_EQ(state().parameter(), 0.0);
+    pointer.move(at(1.2, 20.0));
+    EXPECT_EQ(state().parameter(), 1.0);
+    pointer.modifiers = {};
+    pointer.move(at(0.2585, 20.0));
+    EXPECT_NEAR(state().parameter(), 0.2585, 1e-12);
+    pointer.release(at(0.2585, 20.0));
+}
+
 TEST_F(PlotModes, double_click_on_a_knot_raises_it_and_keeps_the_shape) {
     const core::Curve before = committed(editor);
     pointer.double_click(at(0.5));
