@@ -131,7 +131,9 @@ Card triangle_card(const EditorState& state) {
     if (state.derived.of(curve.knots())->is_bezier) card.line(ratio_sentence(shown), CardTone::dim);
     const auto name = [](const NamedTriangle& named, core::CellPlace place) { return named.point(place); };
     card.add(triangle_picture(state, {.inside = name, .below = alpha_text}));
-    card.line("A point has the index of its", CardTone::dim);
+    card.line(shown.notation().triangles == CellNumbering::last ? "A point has the index of its last parent."
+                                                                : "A point has the index of its first parent.",
+              CardTone::dim);
     card.add(numbering_buttons(shown.notation()));
     add_lines(card, shown);
     const core::CellPlace told = told_cell(shown);
