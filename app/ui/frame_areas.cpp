@@ -72,8 +72,17 @@ FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale, b
     return areas;
 }
 
+FrameAreas with_line_over_cards(FrameAreas areas) {
+    areas.title_line.size_px.x += areas.cards.size_px.x;
+    return areas;
+}
+
 FrameAreas with_title_line(FrameAreas areas, double height_px) {
     const double height = std::min(std::ceil(height_px), areas.canvas.size_px.y);
+    if (areas.title_line.size_px.x > areas.canvas.size_px.x) {
+        areas.cards.origin_px.y += height;
+        areas.cards.size_px.y -= height;
+    }
     areas.title_line.size_px.y = height;
     areas.canvas.origin_px.y += height;
     areas.canvas.size_px.y -= height;

@@ -23,7 +23,11 @@ struct FrameAreas {
 /// give way to the canvas, and vanish before it gets too small to be of use. All edges are whole pixels.
 FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale, bool has_cards);
 
-/// The same areas with a title line of this height, in window pixels, taken from the canvas.
+/// The same areas with a title line that is as wide as canvas and cards together.
+FrameAreas with_line_over_cards(FrameAreas areas);
+
+/// The same areas with a title line of this height, in window pixels, taken from the canvas and from what else it is
+/// above.
 FrameAreas with_title_line(FrameAreas areas, double height_px);
 
 }  // namespace batten::ui

@@ -77,9 +77,10 @@ FrameAreas areas_of(const PanelContext& context) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const FrameAreas areas =
         arrange({size.x, size.y}, context.state.view, context.scale, !editor::shown_cards(context.state).empty());
-    const double height =
-        context.state.lesson ? lesson_line_height(context, areas.canvas) : title_line_height(context, areas.canvas);
-    return with_title_line(areas, height);
+    if (!context.state.lesson) return with_title_line(areas, title_line_height(context, areas.canvas));
+    const FrameAreas wide = with_line_over_cards(areas);
+    const glm::dvec2 room(wide.title_line.size_px.x, wide.canvas.size_px.y);
+    return with_title_line(wide, lesson_line_height(context, room));
 }
 
 FrameAreas place_pictures(const PanelContext& context, FrameLayout& layout) {

@@ -124,12 +124,11 @@ void draw_buttons(const PanelContext& context, const Rectangle& place) {
 
 }  // namespace
 
-double lesson_line_height(const PanelContext& context, const Rectangle& canvas) {
+double lesson_line_height(const PanelContext& context, glm::dvec2 room_px) {
     if (!context.state.lesson) return 0.0;
-    const float text = height_of(paragraphs_of(context, text_room(context, canvas.size_px.x)));
+    const float text = height_of(paragraphs_of(context, text_room(context, room_px.x)));
     const float least = context.px(button_height);
-    return std::min<double>(std::max(text, least) + 2.0F * context.px(edge_margin),
-                            std::floor(most_share * canvas.size_px.y));
+    return std::min<double>(std::max(text, least) + 2.0F * context.px(edge_margin), std::floor(most_share * room_px.y));
 }
 
 void draw_lesson_line(const PanelContext& context, const Rectangle& place) {

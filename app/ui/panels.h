@@ -39,8 +39,9 @@ double title_line_height(const PanelContext& context, const Rectangle& canvas);
 /// The step of the lesson that is being taken, in the place of the title; nothing where there is none.
 void draw_lesson_line(const PanelContext& context, const Rectangle& place);
 
-/// The height in window pixels that it needs above `canvas`; 0 where no lesson is taken.
-double lesson_line_height(const PanelContext& context, const Rectangle& canvas);
+/// The height in window pixels that it needs in a place of the width of `room_px`, of which it takes a part of the
+/// height at most; 0 where no lesson is taken.
+double lesson_line_height(const PanelContext& context, glm::dvec2 room_px);
 
 /// What a measuring command found, at the end of the inspector; nothing in a place of no height.
 void draw_findings_panel(const PanelContext& context, const Rectangle& place);
