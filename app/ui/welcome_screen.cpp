@@ -7,10 +7,12 @@
 
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/lesson_commands.h"
 #include "app/ui/dialog_frame.h"
 #include "app/ui/example_list.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
+#include "app/ui/lesson_list.h"
 #include "app/ui/panels.h"
 #include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
@@ -22,6 +24,7 @@ namespace {
 constexpr double side_width = 232.0;
 constexpr double most_dialog_width = 2400.0;  // as much as the window has, else
 constexpr double most_dialog_height = 1500.0;
+constexpr float lessons_share = 0.65F;  // of the side, beside recent files
 constexpr double card_gap = 12.0;
 constexpr double card_margin = 10.0;
 constexpr double least_card_width = 196.0;
@@ -29,20 +32,49 @@ constexpr double least_thumbnail = 80.0;
 constexpr double usual_thumbnail = 104.0;
 constexpr float thumbnail_aspect = 1.9F;
 
+/// A line of a list of the side.
+struct SideEntry {
+    std::string name;     ///< for tests
+    std::string text;     ///< shown as far as there is room
+    std::string tooltip;  ///< the whole of it
+};
+
+/// Whether it was clicked.
+bool draw_side_entry(const PanelContext& context, const SideEntry& entry) {
+    ImGui::PushID(entry.name.c_str());
+    const bool is_clicked =
+        ImGui::Selectable(elided(entry.text, context.fonts.text, context.px(side_width - 24.0)).c_str());
+    ImGui::PopID();
+    report_item(context, entry.name, entry.tooltip);
+    show_tooltip(context, entry.tooltip);
+    return is_clicked;
+}
+
+void begin_side_list(const PanelContext& context, const char* title, float height) {
+    ImGui::Dummy(ImVec2(1.0F, context.px(10)));
+    ImGui::TextDisabled("%s", title);
+    ImGui::BeginChild(title, ImVec2(0.0F, height), false, ImGuiWindowFlags_NoNav);
+}
+
 void draw_recent(const PanelContext& context) {
     if (context.state.recent_files.empty()) return;
-    ImGui::Dummy(ImVec2(1.0F, context.px(10)));
-    ImGui::TextDisabled("Recent files");
-    ImGui::BeginChild("recent", ImVec2(0.0F, 0.0F), false, ImGuiWindowFlags_NoNav);
+    begin_side_list(context, "Recent files", 0.0F);
     for (std::size_t i = 0; i < context.state.recent_files.size(); ++i) {
         const std::filesystem::path& file = context.state.recent_files[i];
-        ImGui::PushID(static_cast<int>(i));
-        const std::string name = elided(file.filename().string(), context.fonts.text, context.px(side_width - 24.0));
-        if (ImGui::Selectable(name.c_str())) context.queue.run(editor::Open{.path = file});
-        ImGui::PopID();
-        report_item(context, fmt::format("recent {}", i), file.string());
-        show_tooltip(context, file.string());
+        if (draw_side_entry(context, {fmt::format("recent {}", i), file.filename().string(), file.string()}))
+            context.queue.run(editor::Open{.path = file});
     }
+    ImGui::EndChild();
+}
+
+/// The lessons in the order of a lecture; recent files below get a part of the room.
+void draw_lessons(const PanelContext& context) {
+    if (lessons_of(context).empty()) return;
+    const float share = context.state.recent_files.empty() ? 1.0F : lessons_share;
+    begin_side_list(context, "Lessons", std::floor(share * (ImGui::GetContentRegionAvail().y - context.px(40))));
+    for (const LessonEntry& lesson : lessons_of(context))
+        if (draw_side_entry(context, {fmt::format("welcome lesson {}", lesson.name), lesson.title, lesson.title}))
+            context.queue.run(editor::OpenLesson{lesson.name});
     ImGui::EndChild();
 }
 
@@ -64,6 +96,7 @@ void draw_side(const PanelContext& context) {
         ImGui::Dummy(ImVec2(1.0F, context.px(4)));
         draw_dialog_error(context, context.state.message.text);
     }
+    draw_lessons(context);
     draw_recent(context);
     ImGui::EndChild();
 }
