@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <ostream>
 
 #include "app/cli/html_text.h"
@@ -31,6 +32,7 @@ constexpr const char* page = R"(<!DOCTYPE html>
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{name}</title>
 <style>
+* {{ box-sizing: border-box; }}
 body {{ font: 11pt/1.45 Inter, "DejaVu Sans", sans-serif; color: #1c2128; max-width: 46rem; margin: 2rem auto; padding: 0 1rem; }}
 h1 {{ font-size: 1.7em; margin-bottom: 0.2em; }}
 h2 {{ font-size: 1.1em; margin: 1.6em 0 0.3em; }}
@@ -40,7 +42,6 @@ figure img {{ display: block; width: 100%; border: 1px solid #c9ced6; border-bot
 figure img:last-child {{ border-bottom-width: 1px; }}
 .step {{ break-inside: avoid-page; }}
 .task {{ font-weight: 600; border-left: 3px solid #0b57d0; padding-left: 0.7em; }}
-.checks {{ list-style: "☐  "; margin-top: 0.2em; }}
 .card {{ border: 1px solid #c9ced6; border-radius: 6px; padding: 0.2em 0.9em 0.7em; margin: 0.6em 0; font-size: 0.92em; break-inside: avoid; }}
 .formula {{ font-family: "JetBrains Mono", "DejaVu Sans Mono", monospace; font-size: 0.92em; }}
 table {{ border-collapse: collapse; margin: 0.4em 0; }}
@@ -60,10 +61,18 @@ std::string shown(const editor::EditorState& state, const std::string& text) {
     return html_of_label(editor::notated(text, state.view.notation));
 }
 
-std::string row_html(const editor::EditorState& state, const std::vector<editor::CardText>& row, bool is_heading) {
+std::string cell_html(const editor::EditorState& state, const editor::CardText& cell, const char* tag,
+                      std::size_t columns) {
+    return sentence("<{tag} colspan=\"{columns}\">{text}</{tag}>",
+                    {{"tag", tag}, {"columns", columns}, {"text", shown(state, cell.text)}});
+}
+
+/// The last cell of a short row takes the rest of `columns`.
+std::string row_html(const editor::EditorState& state, const std::vector<editor::CardText>& row, const char* tag,
+                     std::size_t columns) {
     std::string cells;
-    for (const editor::CardText& cell : row)
-        cells += sentence(is_heading ? "<th>{text}</th>" : "<td>{text}</td>", {{"text", shown(state, cell.text)}});
+    for (std::size_t k = 0; k < row.size(); ++k)
+        cells += cell_html(state, row[k], tag, k + 1 == row.size() ? columns - k : 1);
     return sentence("<tr>{cells}</tr>\n", {{"cells", cells}});
 }
 
@@ -76,14 +85,17 @@ struct BlockHtml {
                         {{"text", shown(state, line.text.text)}});
     }
     std::string operator()(const editor::CardTable& table) const {
+        std::size_t columns = 0;
+        for (const auto& row : table.rows) columns = std::max(columns, row.size());
         std::string rows;
         for (std::size_t r = 0; r < table.rows.size(); ++r)
-            rows += row_html(state, table.rows[r], table.has_heading && r == 0);
+            rows += row_html(state, table.rows[r], table.has_heading && r == 0 ? "th" : "td", columns);
         return sentence("<table>\n{rows}</table>\n", {{"rows", rows}});
     }
     std::string operator()(const editor::CardPicture& picture) const {
         const glm::dvec2 size(std::max(least_card_width, picture.least_width), picture.height);
-        const auto svg = render::svg_text(picture.draw(size, 1.0).list, size, editor::theme_of(state.view.theme).panel);
+        const auto svg =
+            render::svg_text(picture.draw(size, 1.0).list, size, editor::theme_of(state.view.theme).canvas);
         return svg ? html_image(*svg, "picture of the card") : "";
     }
     std::string operator()(const editor::CardButtons&) const { return ""; }
