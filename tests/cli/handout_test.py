@@ -67,9 +67,9 @@ class Handout(unittest.TestCase):
         page = Page(text)
         self.assertIn("Multiplicity and continuity", page.texts["h1"])
         self.assertIn("p−m", page.texts["sup"])
-        self.assertEqual(len(re.findall('class="step"', text)), 3)
-        self.assertEqual(len(re.findall('class="task"', text)), 1)
-        self.assertEqual(len(page.pictures), 6, "curve and basis functions of each step")
+        self.assertEqual(len(re.findall('class="step"', text)), 7)
+        self.assertEqual(len(re.findall('class="task"', text)), 2)
+        self.assertEqual(len(page.pictures), 14, "curve and basis functions of each step")
 
     def test_markup_in_texts_is_text(self):
         lesson = self.folder / "odd.json"
