@@ -12,7 +12,7 @@ namespace {
 
 constexpr double most_value = 1e6;
 constexpr std::int64_t any_denominator = 30;
-constexpr std::int64_t smooth_denominator = 720;
+constexpr std::int64_t smooth_denominator = 1000;
 constexpr double units_of_rounding = 4.0;
 
 bool is_small(std::int64_t denominator) {

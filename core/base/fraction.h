@@ -17,9 +17,9 @@ struct Fraction {
 };
 
 /// The fraction of small numbers that people mean by `value`: it differs from it by rounding alone (four units in the
-/// last place of `value`, or of 1 where that is more), and its denominator is at most 30, or at most 720 with no prime
-/// factor above 7, so that 1/6, 8/15 and 1/720 are found and 203/76 is not. None where there is none, and where
-/// |value| >= 1e6. Whole numbers have the denominator 1. Cost O(log) by continued fractions (Khinchin 1964).
+/// last place of `value`, or of 1 where that is more), and its denominator is at most 30, or at most 1000 with no prime
+/// factor above 7, so that 1/6, 8/15, 307/750 and 1/720 are found and 203/76 is not. None where there is none, and
+/// where |value| >= 1e6. Whole numbers have the denominator 1. Cost O(log) by continued fractions (Khinchin 1964).
 std::optional<Fraction> small_fraction(double value);
 
 /// "-1/6", "2".

@@ -23,6 +23,9 @@ TEST(FractionTest, FindsFractionsOfFactorials) {
     EXPECT_EQ(small_fraction(-719.0 / 720.0), (Fraction{-719, 720}));
     EXPECT_EQ(small_fraction(57.0 / 120.0), (Fraction{19, 40}));
     EXPECT_EQ(small_fraction(17.0 / 49.0), (Fraction{17, 49}));
+    EXPECT_EQ(small_fraction(307.0 / 750.0), (Fraction{307, 750}));
+    EXPECT_EQ(small_fraction(1.0 / 1000.0), (Fraction{1, 1000}));
+    EXPECT_EQ(small_fraction(1.0 / 1008.0), std::nullopt);
 }
 
 TEST(FractionTest, ForgivesRoundingAlone) {
