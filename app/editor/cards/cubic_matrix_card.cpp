@@ -66,10 +66,12 @@ CardPicture numbers(const EditorState& state, const core::CubicSegment& segment,
 CardTable shares(const EditorState& state, const ShownCubic& cubic) {
     const Notation& notation = state.view.notation;
     CardTable table{.rows = {{}, {}}, .has_heading = true};
+    std::array<double, 4> values{};
+    for (const std::size_t j : four) values[j] = core::uniform_cubic_value(j, cubic.t);
+    const std::vector<std::string> texts = exact_texts(notation, values, 3);
     for (const std::size_t j : four) {
-        const double value = core::uniform_cubic_value(j, cubic.t);
         table.rows[0].push_back({.text = fmt::format("b_{{{}}}", j), .hover = HoveredPoint{cubic.points[j]}});
-        table.rows[1].push_back({.text = exact_text(notation, value, 3), .hover = HoveredPoint{cubic.points[j]}});
+        table.rows[1].push_back({.text = texts[j], .hover = HoveredPoint{cubic.points[j]}});
     }
     table.rows[0].push_back({.text = "Σ"});
     table.rows[1].push_back({.text = "1"});

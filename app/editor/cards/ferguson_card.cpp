@@ -27,12 +27,11 @@ CardTable polynomials(const Notation& notation, double t) {
     const char* name = local_parameter(notation);
     const std::array<double, 4> values{1.0 - t * t * (3.0 - 2.0 * t), t * t * (3.0 - 2.0 * t),
                                        t * (1.0 - t) * (1.0 - t), -t * t * (1.0 - t)};
-    return {
-        .rows = {
-            formula_row("F_{0}", fmt::format("1 − 3 {0}^{{2}} + 2 {0}^{{3}}", name), exact_text(notation, values[0])),
-            formula_row("F_{1}", fmt::format("3 {0}^{{2}} − 2 {0}^{{3}}", name), exact_text(notation, values[1])),
-            formula_row("F_{2}", fmt::format("{0} − 2 {0}^{{2}} + {0}^{{3}}", name), exact_text(notation, values[2])),
-            formula_row("F_{3}", fmt::format("−{0}^{{2}} + {0}^{{3}}", name), exact_text(notation, values[3]))}};
+    const std::vector<std::string> texts = exact_texts(notation, values);
+    return {.rows = {formula_row("F_{0}", fmt::format("1 − 3 {0}^{{2}} + 2 {0}^{{3}}", name), texts[0]),
+                     formula_row("F_{1}", fmt::format("3 {0}^{{2}} − 2 {0}^{{3}}", name), texts[1]),
+                     formula_row("F_{2}", fmt::format("{0} − 2 {0}^{{2}} + {0}^{{3}}", name), texts[2]),
+                     formula_row("F_{3}", fmt::format("−{0}^{{2}} + {0}^{{3}}", name), texts[3])}};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cmath>
 
 #include "app/editor/words/formula.h"
@@ -40,10 +41,12 @@ std::string weight_value(const BlendedCell& blended, core::CellPlace place) {
 
 ShareTexts share_texts(const Notation& notation, double upper) {
     const double lower = 1.0 - upper;
-    const bool is_fraction = core::small_fraction(lower) && core::small_fraction(upper);
+    const bool is_exact = core::small_fraction(lower) && core::small_fraction(upper);
     const bool is_extreme = lower < least_in_decimals || upper < least_in_decimals;
-    if (is_extreme || (is_fraction && notation.numbers == NumberStyle::fractions))
-        return {exact_text(notation, lower, share_decimals), exact_text(notation, upper, share_decimals)};
+    if (is_extreme || (is_exact && notation.numbers == NumberStyle::fractions)) {
+        const std::vector<std::string> texts = exact_texts(notation, std::array{lower, upper}, share_decimals);
+        return {texts[0], texts[1]};
+    }
     const double thousand = std::pow(10.0, share_decimals);
     const double rounded = std::round(upper * thousand) / thousand;
     return {fixed_text(1.0 - rounded, share_decimals), fixed_text(rounded, share_decimals)};

@@ -7,7 +7,8 @@
 
 namespace batten::editor {
 
-/// Two numbers whose sum is 1, alike: as "7/15" and "8/15" where both are small fractions, else as "0.467" and "0.533".
+/// Two numbers whose sum is 1, alike: as exact_texts has them, "7/15" and "8/15" or "0.65" and "0.35", where both are
+/// small fractions, else as "0.467" and "0.533".
 struct ShareTexts {
     std::string lower;
     std::string upper;

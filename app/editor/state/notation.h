@@ -3,7 +3,9 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/base/names.h"
 
@@ -27,11 +29,21 @@ struct Notation {
     bool operator==(const Notation&) const = default;
 };
 
-/// `text` with the letters of `notation`: P, u and U that stand by themselves, or have an index, become V, t and T.
+/// `text` in `notation`: P, u and U that stand by themselves, or have an index, become V, t and T, and "degree 3" tells
+/// its order, "degree 3 (k = 4)". What stands in quotes is someone's name for something and stays. Once is enough, and
+/// twice does no harm.
 std::string notated(const std::string& text, const Notation& notation);
 
-/// "1/6" where `value` is such a fraction and `notation` has fractions, else number_text with `digits`.
+/// A number as a lecture writes it. A fraction n/d in lowest terms is written as such
+/// - where it is simple: d is 2, 4 or 8 and |n| <= 20, or it is between -1 and 1 and d is 5, 10, 16, 32 or 64;
+/// - where `digits` digits would round it, if it is one of small numbers: |n| <= 99 where decimals end (27/320), else
+///   |n| <= 999 (8/15, 307/750, 1/720), with d as core::small_fraction has it.
+/// All else, and everything where `notation` has decimals, is number_text with `digits`: 2.4, 7.152, 0.216, 12.06.
 std::string exact_text(const Notation& notation, double value, int digits = 4);
+
+/// Numbers that are read together, as those of a sum or a row: all as fractions where one of them is written so by
+/// itself and none of them has |n| > 999, else all with `digits` digits.
+std::vector<std::string> exact_texts(const Notation& notation, std::span<const double> values, int digits = 4);
 
 /// The choices by name as they stand in files and settings, and back; what is missing or unknown keeps its default.
 std::map<std::string, std::string> names_of(const Notation& notation);

@@ -2,9 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <array>
+
 #include "app/editor/derived/blend_lines.h"
 #include "app/editor/words/formula.h"
-#include "core/base/fraction.h"
 
 namespace batten::editor {
 
@@ -24,36 +25,10 @@ std::string level_text(const char* symbol, const NamedTriangle& named, core::Cel
     return fmt::format("{}_{{{}}}^{{{}}}", symbol, index_of(named, place), place.level);
 }
 
-/// Four digits, or as many more as tell the three apart where they differ.
-int digits_that_tell_apart(double a, double b, double c) {
-    const auto same = [](double x, double y, int digits) {
-        return x != y && number_text(x, digits) == number_text(y, digits);
-    };
-    int digits = 4;
-    while (digits < 17 && (same(a, b, digits) || same(b, c, digits) || same(a, c, digits))) ++digits;
-    return digits;
+/// "(a − b)", or "(a − (−b))".
+std::string difference(const std::string& a, const std::string& b) {
+    return fmt::format("({} − {})", a, parenthesized_if_negative(b));
 }
-
-/// u and two knots, alike.
-class ThreeNumbers {
-  public:
-    ThreeNumbers(const Notation& notation, double u, double lower, double upper)
-        : digits_(digits_that_tell_apart(u, lower, upper)) {
-        const bool has_fractions =
-            core::small_fraction(u) && core::small_fraction(lower) && core::small_fraction(upper);
-        if (has_fractions) notation_ = notation;
-    }
-
-    std::string difference(double a, double b) const {
-        const std::string from = exact_text(notation_, a, digits_);
-        const std::string taken = exact_text(notation_, b, digits_);
-        return b < 0.0 ? fmt::format("({} − ({}))", from, taken) : fmt::format("({} − {})", from, taken);
-    }
-
-  private:
-    int digits_;
-    Notation notation_{.numbers = NumberStyle::decimals};
-};
 
 }  // namespace
 
@@ -79,11 +54,12 @@ AlphaFormula alpha_formula(const NamedTriangle& named, core::CellPlace place) {
     const double lower = named.curve.knots()[cell.lower_knot];
     const double upper = named.curve.knots()[cell.upper_knot];
     const std::string lower_name = indexed_text("u", cell.lower_knot);
-    const ThreeNumbers numbers(named.notation, u, lower, upper);
+    const std::vector<std::string> numbers =
+        exact_texts(named.notation, std::array{u, lower, upper}, digits_that_tell_apart(u, lower, upper));
     return {.symbols = fmt::format("{} = (u − {})/({} − {})", named.alpha(place), lower_name,
                                    indexed_text("u", cell.upper_knot), lower_name),
-            .numbers = fmt::format("= {}/{} = {}", numbers.difference(u, lower), numbers.difference(upper, lower),
-                                   share_texts(named.notation, cell.alpha).upper)};
+            .numbers = fmt::format("= {}/{} = {}", difference(numbers[0], numbers[1]),
+                                   difference(numbers[2], numbers[1]), share_texts(named.notation, cell.alpha).upper)};
 }
 
 }  // namespace batten::editor

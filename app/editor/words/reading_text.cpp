@@ -26,11 +26,6 @@ bool belongs_to_word(char c) {
            (static_cast<unsigned char>(c) & 0x80U) != 0;
 }
 
-bool is_opening_quote(std::string_view text, std::size_t i) {
-    return text[i] == '\'' && (i == 0 || text[i - 1] == ' ' || text[i - 1] == '(') &&
-           text.find('\'', i + 1) != std::string_view::npos;
-}
-
 /// Significant digits as they are written: neither zeros before the first other digit nor the exponent.
 std::size_t digits_of(std::string_view number) {
     const std::string_view mantissa = number.substr(0, number.find('e'));
@@ -89,8 +84,7 @@ std::string read_with(const std::string& text, int most_digits) {
     const std::string_view all = text;
     std::string result;
     for (std::size_t i = 0; i < all.size();) {
-        if (is_opening_quote(all, i)) {
-            const std::size_t end = all.find('\'', i + 1) + 1;
+        if (const std::size_t end = end_of_quote(all, i); end > i) {
             result.append(all.substr(i, end - i));
             i = end;
         } else if (const std::string_view number = number_at(all, i); !number.empty()) {
@@ -104,6 +98,12 @@ std::string read_with(const std::string& text, int most_digits) {
 }
 
 }  // namespace
+
+std::size_t end_of_quote(std::string_view text, std::size_t i) {
+    const bool may_open = text[i] == '\'' && (i == 0 || text[i - 1] == ' ' || text[i - 1] == '(');
+    const std::size_t closing = may_open ? text.find('\'', i + 1) : std::string_view::npos;
+    return closing == std::string_view::npos ? i : closing + 1;
+}
 
 std::string reading_text(const std::string& text) {
     return read_with(text, digits_to_read);

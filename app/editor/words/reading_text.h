@@ -2,7 +2,9 @@
 /// or pointed at; what is on screen has fewer digits.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace batten::editor {
 
@@ -12,5 +14,9 @@ std::string reading_text(const std::string& text);
 
 /// The same with all digits, for who wants to know exactly.
 std::string full_reading_text(const std::string& text);
+
+/// Where the text in quotes ends that begins at `i` (< size) of `text`: behind its closing quote; `i` where none
+/// begins.
+std::size_t end_of_quote(std::string_view text, std::size_t i);
 
 }  // namespace batten::editor

@@ -78,8 +78,8 @@ TEST(CubicMatrixCard, has_the_matrix_and_the_points_put_in) {
               (std::vector<std::string>{"22", "12", "−6", "3", "14", "−12", "−12", "11"}));
     EXPECT_TRUE(has_line(card, "b₀ | b₁ | b₂ | b₃ | Σ"));
     EXPECT_TRUE(has_line(card, "9/128 | 235/384 | 121/384 | 1/384 | 1")) << card_text(card);
-    // 22 + 3 - 3/8 + 3/64 and 14 - 3 - 3/4 + 11/64.
-    EXPECT_TRUE(has_line(card, "C(1/4) = (1579/64, 667/64)")) << card_text(card);
+    // 22 + 3 - 3/8 + 3/64 = 1579/64 and 14 - 3 - 3/4 + 11/64 = 667/64.
+    EXPECT_TRUE(has_line(card, "C(1/4) = (24.67, 10.42)")) << card_text(card);
 }
 
 TEST(AnticentroidsCard, tells_the_construction_with_numbers) {

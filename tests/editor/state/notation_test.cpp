@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <utility>
+
 namespace batten::editor {
 namespace {
 
@@ -32,6 +36,73 @@ TEST(Notation, writes_small_fractions_where_they_are_wanted) {
     EXPECT_EQ(exact_text({}, 3.0), "3");
     EXPECT_EQ(exact_text({}, 0.53331), "0.5333");
     EXPECT_EQ(exact_text(lecture, 8.0 / 15.0), "0.5333");
+}
+
+TEST(Notation, writes_typed_and_measured_decimals_as_such) {
+    EXPECT_EQ(exact_text({}, 2.4), "2.4");
+    EXPECT_EQ(exact_text({}, 2.35), "2.35");
+    EXPECT_EQ(exact_text({}, 0.35), "0.35");
+    EXPECT_EQ(exact_text({}, 7.152), "7.152") << "894/125";
+    EXPECT_EQ(exact_text({}, -3.7), "−3.7");
+    EXPECT_EQ(exact_text({}, 5000.5), "5000") << "10001/2";
+    EXPECT_EQ(exact_text({}, 23.5), "23.5");
+    EXPECT_EQ(exact_text({}, 193.0 / 16.0), "12.06");
+    EXPECT_EQ(exact_text({}, 0.216), "0.216");
+    EXPECT_EQ(exact_text({}, std::sqrt(2.0)), "1.414");
+    EXPECT_EQ(exact_text({}, 1e-17), "1e−17");
+}
+
+TEST(Notation, writes_what_lectures_have_as_fractions) {
+    for (const auto& [value, text] : std::initializer_list<std::pair<double, const char*>>{{0.5, "1/2"},
+                                                                                           {0.4, "2/5"},
+                                                                                           {0.25, "1/4"},
+                                                                                           {3.5, "7/2"},
+                                                                                           {-1.5, "−3/2"},
+                                                                                           {0.3, "3/10"},
+                                                                                           {7.0 / 15.0, "7/15"},
+                                                                                           {4.0 / 3.0, "4/3"},
+                                                                                           {5.0 / 6.0, "5/6"},
+                                                                                           {27.0 / 64.0, "27/64"},
+                                                                                           {23.0 / 48.0, "23/48"},
+                                                                                           {307.0 / 750.0, "307/750"},
+                                                                                           {1.0 / 720.0, "1/720"},
+                                                                                           {23.0 / 15.0, "23/15"},
+                                                                                           {1.0 / 16.0, "1/16"},
+                                                                                           {27.0 / 320.0, "27/320"}})
+        EXPECT_EQ(exact_text({}, value), text);
+    EXPECT_EQ(exact_text({}, 3001.0 / 3.0), "1000") << "not of small numbers";
+    EXPECT_EQ(exact_text({}, 0.216, 2), "27/125") << "two digits would round it";
+}
+
+TEST(Notation, writes_numbers_that_are_read_together_alike) {
+    using Texts = std::vector<std::string>;
+    EXPECT_EQ(exact_texts({}, std::array{0.216, 0.432, 0.288, 0.064}), (Texts{"0.216", "0.432", "0.288", "0.064"}));
+    EXPECT_EQ(exact_texts({}, std::array{307.0 / 750.0, 0.064, 1.0}), (Texts{"307/750", "8/125", "1"}));
+    EXPECT_EQ(exact_texts({}, std::array{1.0 / 3.0, std::sqrt(0.5)}), (Texts{"0.3333", "0.7071"}));
+    EXPECT_EQ(exact_texts(lecture, std::array{1.0 / 3.0, 2.0 / 3.0}), (Texts{"0.3333", "0.6667"}));
+    EXPECT_EQ(exact_texts({}, std::array{0.0, 1.0, 2.4}), (Texts{"0", "1", "2.4"}));
+    EXPECT_TRUE(exact_texts({}, {}).empty());
+}
+
+TEST(Notation, tells_the_order_beside_the_degree) {
+    const auto told = [](const std::string& text) { return notated(text, lecture); };
+    EXPECT_EQ(told("a curve of degree 3."), "a curve of degree 3 (k = 4).");
+    EXPECT_EQ(told("Raised degree from 3 to 4: same shape"), "Raised degree from 3 to 4 (k = 5): same shape");
+    EXPECT_EQ(told("Set degree to 2"), "Set degree to 2 (k = 3)");
+    EXPECT_EQ(told("for a curve of degree p = 3"), "for a curve of degree p = 3 (k = 4)");
+    EXPECT_EQ(told("p = 3: Moved P₅"), "p = 3, k = 4: Moved V₅");
+    EXPECT_EQ(told("Degree 25"), "Degree 25 (k = 26)");
+    for (const char* text : {"30 degrees", "the degree is 2.5", "p − 1 = 3 − 1 = 2", "degree of the curve", "degree",
+                             "'degree 3' is hidden", "degree -3", "a step = 3", "degree from 3"})
+        EXPECT_EQ(told(text), text);
+    for (const char* text : {"degree 3 to degree 4", "degree from 3 to 4", "p = 3", "P_{0} and u"})
+        EXPECT_EQ(told(told(text)), told(text));
+    EXPECT_EQ(notated("degree 3", {}), "degree 3");
+}
+
+TEST(Notation, leaves_names_in_quotes_alone) {
+    EXPECT_EQ(notated("Renamed 'u of P' to 'U', at u = 1", lecture), "Renamed 'u of P' to 'U', at t = 1");
+    EXPECT_EQ(notated("P isn't u", lecture), "V isn't t");
 }
 
 TEST(Notation, is_written_by_names_and_read_back) {
