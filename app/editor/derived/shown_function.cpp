@@ -1,5 +1,7 @@
 #include "app/editor/derived/shown_function.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "core/evaluate/basis.h"
@@ -36,6 +38,14 @@ std::optional<ShownFunction> shown_function(const EditorState& state) {
     const auto largest = static_cast<std::size_t>(std::ranges::max_element(values) - values.begin());
     const std::size_t number = basis.span - static_cast<std::size_t>(knots.degree()) + largest;
     return ShownFunction{number % n, number};
+}
+
+const char* basis_letter(const EditorState& state, const core::KnotVector& knots) {
+    return state.derived.of(knots)->is_bezier ? "B" : "N";
+}
+
+std::string function_name(const EditorState& state, const core::KnotVector& knots, std::size_t i) {
+    return fmt::format("{}_{{{},{}}}", basis_letter(state, knots), i, knots.degree());
 }
 
 std::optional<HoveredBasisCell> shown_basis_cell(const EditorState& state) {

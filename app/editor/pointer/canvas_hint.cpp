@@ -203,7 +203,7 @@ struct ModeHint {
 }  // namespace
 
 std::string canvas_hint(const CanvasMode& mode, const EditorState& state) {
-    return std::visit(ModeHint{state}, mode);
+    return notated(std::visit(ModeHint{state}, mode), state.view.notation);
 }
 
 }  // namespace batten::editor

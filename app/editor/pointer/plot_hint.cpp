@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "app/editor/derived/shown_function.h"
 #include "app/editor/pointer/gesture.h"
 #include "app/editor/pointer/hint_text.h"
 #include "app/editor/pointer/plot_mode.h"
@@ -62,8 +63,7 @@ struct HoverHint {
         return sentence(pattern_of_hover(state.view.knot_move), {{"knot", knot_text(curve.knots(), h.index)}});
     }
     std::string operator()(const HoveredBasis& h) const {
-        const char* letter = state.derived.of(curve.knots())->is_bezier ? "B" : "N";
-        const std::string basis = plain_text(fmt::format("{}_{{{},{}}}", letter, h.index, curve.degree()));
+        const std::string basis = plain_text(function_name(state, curve.knots(), h.index));
         return sentence("{basis} belongs to {point} · press to set u here",
                         {{"basis", basis}, {"point", point_text(h.index)}});
     }
@@ -106,7 +106,8 @@ struct PlotModeHint {
 
 std::string plot_hint(const PlotMode& mode, const EditorState& state) {
     const core::Curve* curve = state.active_curve();
-    return curve == nullptr ? std::string() : std::visit(PlotModeHint{state, *curve}, mode);
+    return curve == nullptr ? std::string()
+                            : notated(std::visit(PlotModeHint{state, *curve}, mode), state.view.notation);
 }
 
 }  // namespace batten::editor
