@@ -74,7 +74,7 @@ std::string command_tooltip(const editor::CommandSpec& spec, const editor::Edito
     const std::optional<std::string> refusal = refusal_of(spec, state);
     if (refusal) lines.push_back(sentence("Not now: {reason}", {{"reason", editor::reading_text(*refusal)}}));
     if (!refusal && spec.aim != nullptr) lines.push_back(editor::reading_text(spec.aim(state)));
-    return fmt::format("{}", fmt::join(lines, "\n"));
+    return editor::notated(fmt::format("{}", fmt::join(lines, "\n")), state.view.notation);
 }
 
 }  // namespace batten::ui

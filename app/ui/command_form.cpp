@@ -158,7 +158,7 @@ void draw_message(const PanelContext& context, const std::string& problem) {
     const bool only_lacks = !form.was_tried && lacks_a_text(form, context.state);
     if (!problem.empty() && !only_lacks) return draw_dialog_error(context, problem);
     ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.dim));
-    ImGui::TextWrapped("%s", (problem.empty() ? effect : problem).c_str());
+    ImGui::TextWrapped("%s", context.notated(problem.empty() ? effect : problem).c_str());
     ImGui::PopStyleColor();
     report_item(context, problem.empty() ? "form effect" : "form hint", problem.empty() ? effect : problem);
 }
@@ -197,12 +197,12 @@ void draw_rows(const PanelContext& context) {
 DialogFrame frame_of(const PanelContext& context, const Rectangle& canvas) {
     const editor::CommandSpec& spec = *context.panels.form.spec;
     const float width = context.px(form_width) - 2.0F * dialog_padding_px(context);
-    float height =
-        wrapped_height_px(spec.explanation, context.fonts.text, width) + context.px(explanation_gap + rows_gap);
+    float height = wrapped_height_px(context.notated(spec.explanation), context.fonts.text, width) +
+                   context.px(explanation_gap + rows_gap);
     for (const Field& field : spec.fields)
         if (field.is_asked) height += form_row_height_px(context, field, width);
     DialogFrame frame;
-    frame.title = spec.title;
+    frame.title = context.notated(spec.title);
     frame.size = {form_width, (height + footer_height_px(context) + dialog_head_px(context)) / context.scale};
     frame.beside = canvas;
     frame.closes_on_outside = false;
@@ -232,7 +232,7 @@ void draw_command_form(const PanelContext& context, const Rectangle& window, con
     if (form.spec != context.state.form) begin_form(form, *context.state.form, context.state);
     form.is_given_up = begin_dialog(context, window, frame_of(context, canvas));
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled("%s", form.spec->explanation);
+    ImGui::TextDisabled("%s", context.notated(form.spec->explanation).c_str());
     ImGui::PopTextWrapPos();
     ImGui::Dummy(ImVec2(1.0F, context.px(explanation_gap) - ImGui::GetStyle().ItemSpacing.y));
     draw_rows(context);

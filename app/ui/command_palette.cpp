@@ -101,7 +101,8 @@ void draw_row_texts(const PanelContext& context, const PaletteEntry& entry, cons
     const float left = static_cast<float>(place.origin_px.x) + context.px(10);
     const float right = static_cast<float>(place.origin_px.x + place.size_px.x) - context.px(10);
     const render::Color text = is_enabled ? context.theme.text : context.theme.dim;
-    list->AddText({left, y}, imgui_packed(text), entry.title.c_str());
+    const std::string title = context.notated(entry.title);
+    list->AddText({left, y}, imgui_packed(text), title.c_str());
     const std::string shortcut = editor::text_of(spec.shortcut);
     list->AddText({right - text_width(shortcut, context.fonts.text), y}, imgui_packed(context.theme.dim),
                   shortcut.c_str());
@@ -111,7 +112,7 @@ void draw_row_texts(const PanelContext& context, const PaletteEntry& entry, cons
     list->AddText(context.fonts.small, small,
                   {right - context.px(104) - text_width(side, context.fonts.small), small_y},
                   imgui_packed(context.theme.dim), side.c_str());
-    const float name_x = left + text_width(entry.title, context.fonts.text) + context.px(10);
+    const float name_x = left + text_width(title, context.fonts.text) + context.px(10);
     const float name_room = right - context.px(224) - name_x;
     const std::string name = elided(entry.name, context.fonts.small, name_room);
     if (name_room > context.px(30)) {
@@ -168,7 +169,7 @@ void draw_field(const PanelContext& context, const editor::Field& field) {
         ImGui::TextUnformatted(part.name);
         ImGui::PopFont();
         ImGui::SameLine(context.px(110));
-        ImGui::TextWrapped("%s", meaning_of(context, field, part).c_str());
+        ImGui::TextWrapped("%s", context.notated(meaning_of(context, field, part)).c_str());
     }
 }
 
@@ -177,7 +178,7 @@ void draw_explanation(const PanelContext& context, const CommandSpec* spec) {
     ImGui::Separator();
     ImGui::Dummy(ImVec2(1.0F, context.px(2)));
     if (spec != nullptr) {
-        ImGui::TextWrapped("%s", spec->explanation);
+        ImGui::TextWrapped("%s", context.notated(spec->explanation).c_str());
         ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.dim));
         for (const editor::Field& field : spec->fields) draw_field(context, field);
         ImGui::PopStyleColor();

@@ -44,6 +44,8 @@ void draw_degree_number(const PanelContext& context, const core::Curve& curve, f
     field.width_px = width_px;
     field.lowest = core::min_degree;
     field.highest = core::max_degree;
+    if (context.state.view.notation.degree == editor::DegreeOrOrder::order)
+        field.unit = core::sentence(" (k = {order})", {{"order", curve.degree() + 1}});
     field.is_enabled = is_editable(context.state);
     field.tooltip = locked_sentence(context.state);
     draw_number_field(context, field,

@@ -113,11 +113,11 @@ float dialog_head_px(const PanelContext& context) {
 void draw_dialog_error(const PanelContext& context, const std::string& sentence) {
     if (sentence.empty()) return;
     ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.error));
-    const std::string text = editor::reading_text(sentence);
+    const std::string text = context.notated(editor::reading_text(sentence));
     ImGui::TextWrapped("⚠ %s", text.c_str());
     ImGui::PopStyleColor();
     report_item(context, "dialog error", text);
-    const std::string full = editor::full_reading_text(sentence);
+    const std::string full = context.notated(editor::full_reading_text(sentence));
     if (full != text) show_tooltip(context, full);
 }
 

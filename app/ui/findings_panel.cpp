@@ -42,8 +42,11 @@ struct FindingTexts {
     std::string details;
 };
 
-FindingTexts texts_of(const editor::Findings& findings, const editor::Finding& finding) {
-    FindingTexts texts{editor::reading_text(finding.label), {}, editor::details_text(findings, finding)};
+FindingTexts texts_of(const PanelContext& context, const editor::Finding& finding) {
+    const editor::Findings& findings = *context.state.findings;
+    FindingTexts texts{context.notated(editor::reading_text(finding.label)),
+                       {},
+                       context.notated(editor::details_text(findings, finding))};
     if (finding.parameter)
         texts.parameter = fmt::format("u {}", editor::column_text(*finding.parameter, findings.columns.parameter));
     return texts;
@@ -73,7 +76,7 @@ void draw_finding_row(const PanelContext& context, std::size_t i, float width) {
     ImGui::PushID(static_cast<int>(i));
     const bool is_clicked = ImGui::InvisibleButton("finding", ImVec2(width, context.px(finding_row_height)));
     ImGui::PopID();
-    const FindingTexts texts = texts_of(*context.state.findings, finding);
+    const FindingTexts texts = texts_of(context, finding);
     report_item(context, fmt::format("finding {}", i),
                 fmt::format("{} | {} | {}", texts.label, texts.parameter, texts.details));
     if (ImGui::IsItemHovered()) {
@@ -81,7 +84,7 @@ void draw_finding_row(const PanelContext& context, std::size_t i, float width) {
         const render::Color color = render::blended(context.theme.accent, 0.08, context.theme.panel);
         ImGui::GetWindowDrawList()->AddRectFilled(origin, end, imgui_packed(color), context.px(5));
     }
-    const std::string full = editor::full_text(*context.state.findings, finding);
+    const std::string full = context.notated(editor::full_text(*context.state.findings, finding));
     show_tooltip(context, tooltip_of(*context.state.findings, finding));
     offer_copy(context, full);
     if (ImGui::IsItemHovered() && asks_for_menu()) open_context_menu(context, editor::OnFinding{i, full});
@@ -107,7 +110,7 @@ void draw_finding_rows(const PanelContext& context, double height_px) {
     const RowList list{"findings", findings.rows.size(), shown, finding_row_height, finding_overhang};
     if (list.count > 0) return draw_row_list(context, list, draw_finding_row);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + content_width(context));
-    ImGui::TextUnformatted(editor::reading_text(findings.summary).c_str());
+    ImGui::TextUnformatted(context.notated(editor::reading_text(findings.summary)).c_str());
     ImGui::PopTextWrapPos();
     const ImVec2 corner(ImGui::GetWindowPos().x - context.px(6), ImGui::GetItemRectMin().y);
     offer_full_message(context, findings.summary, {corner.x, corner.y}, {1.0, 0.0});
@@ -120,9 +123,11 @@ double findings_height(const PanelContext& context, const Rectangle& place) {
     const editor::Findings& findings = *context.state.findings;
     const std::size_t rows = rows_shown(context, place.size_px.y);
     const float width = static_cast<float>(place.size_px.x) - 2.0F * context.px(section_margin);
-    const float content =
-        rows > 0 ? static_cast<float>(rows) * context.px(finding_row_height)
-                 : ImGui::CalcTextSize(editor::reading_text(findings.summary).c_str(), nullptr, false, width).y;
+    const float content = rows > 0
+                              ? static_cast<float>(rows) * context.px(finding_row_height)
+                              : ImGui::CalcTextSize(context.notated(editor::reading_text(findings.summary)).c_str(),
+                                                    nullptr, false, width)
+                                    .y;
     return std::ceil(frame_height(context) + content);
 }
 

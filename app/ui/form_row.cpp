@@ -101,9 +101,10 @@ std::string name_of(const Field& field) {
                                    : fmt::format("{}, {}", field.parts[0].name, field.parts[1].name);
 }
 
-std::string meaning_of(const Field& field) {
-    return field.parts.size() == 1 ? field.parts[0].meaning
-                                   : fmt::format("{}; {}", field.parts[0].meaning, field.parts[1].meaning);
+std::string meaning_of(const PanelContext& context, const Field& field) {
+    return context.notated(field.parts.size() == 1
+                               ? field.parts[0].meaning
+                               : fmt::format("{}; {}", field.parts[0].meaning, field.parts[1].meaning));
 }
 
 }  // namespace
@@ -113,7 +114,8 @@ float wrapped_height_px(const std::string& text, ImFont* font, float width_px) {
 }
 
 float form_row_height_px(const PanelContext& context, const editor::Field& field, float width_px) {
-    const float meaning = wrapped_height_px(meaning_of(field), context.fonts.small, width_px - context.px(name_width));
+    const float meaning =
+        wrapped_height_px(meaning_of(context, field), context.fonts.small, width_px - context.px(name_width));
     return ImGui::GetFrameHeight() + context.px(meaning_gap) + meaning + context.px(form_row_gap);
 }
 
@@ -128,7 +130,7 @@ void draw_form_row(const PanelContext& context, const editor::Field& field, std:
     draw_inputs(context, field, texts, whole - left);
     ImGui::GetWindowDrawList()->AddText(context.fonts.small, font_height(context.fonts.small),
                                         {origin.x + left, origin.y + ImGui::GetFrameHeight() + context.px(meaning_gap)},
-                                        imgui_packed(context.theme.dim), meaning_of(field).c_str(), nullptr,
+                                        imgui_packed(context.theme.dim), meaning_of(context, field).c_str(), nullptr,
                                         whole - left);
     ImGui::SetCursorScreenPos({origin.x, origin.y + form_row_height_px(context, field, whole)});
 }

@@ -68,8 +68,9 @@ void show_cut_text(const PanelContext& context, const std::string& text, ImVec2 
 }
 
 float draw_text(const PanelContext& context, ImVec2 position, const TextLine& line) {
+    const std::string text = line.is_typed ? line.text : context.notated(line.text);
     float size_px = line.size > 0.0 ? context.px(line.size) : font_height(line.font);
-    float width_px = rich_text_size(line.text, line.font, size_px).width_px;
+    float width_px = rich_text_size(text, line.font, size_px).width_px;
     const float shrink = line.most_px > 0.0F ? std::clamp(line.most_px / width_px, least_shrink, 1.0F) : 1.0F;
     size_px *= shrink;
     width_px *= shrink;
@@ -82,10 +83,10 @@ float draw_text(const PanelContext& context, ImVec2 position, const TextLine& li
     const float y = std::round(position.y - 0.5F * size_px);
     ImDrawList* list = ImGui::GetWindowDrawList();
     if (is_cut) list->PushClipRect(ImVec2(x, y), ImVec2(x + width_px, y + size_px), true);
-    draw_rich_text(list, line.text, line.font, size_px, x, y, line.color);
+    draw_rich_text(list, text, line.font, size_px, x, y, line.color);
     if (is_cut) {
         list->PopClipRect();
-        show_cut_text(context, line.text, {x, y}, {x + width_px, y + size_px});
+        show_cut_text(context, text, {x, y}, {x + width_px, y + size_px});
     }
     return width_px;
 }
@@ -102,13 +103,17 @@ void report_item(const PanelContext& context, std::string name, std::string valu
 }
 
 // Beside the panel rather than at the pointer, so that it hides none of the fields below.
-void show_tooltip(const PanelContext& context, const std::string& text) {
+void show_typed_tooltip(const PanelContext& context, const std::string& text) {
     if (text.empty() || !ImGui::IsItemHovered()) return;
     const float right = ImGui::GetWindowPos().x - context.px(6);
     if (right < context.px(least_tooltip_room)) return draw_side_tooltip(context, text);
     const float y = ImGui::GetItemRectMin().y;
     const bool is_low = y > 0.7F * ImGui::GetIO().DisplaySize.y;
     draw_tooltip_at(context, text, {right, is_low ? ImGui::GetItemRectMax().y : y}, {1.0F, is_low ? 1.0F : 0.0F});
+}
+
+void show_tooltip(const PanelContext& context, const std::string& text) {
+    if (!text.empty() && ImGui::IsItemHovered()) show_typed_tooltip(context, context.notated(text));
 }
 
 void draw_field_frame(const PanelContext& context, ImVec2 origin, ImVec2 size, bool is_lit) {

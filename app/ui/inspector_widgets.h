@@ -17,7 +17,8 @@ struct TextLine {
     double size = 0.0;  ///< design pixels; 0: as the font was loaded
     render::Color color;
     render::Anchor anchor = render::Anchor::left;
-    float most_px = 0.0F;  ///< the text is shrunk to this width, then cut; 0: any width
+    float most_px = 0.0F;   ///< the text is shrunk to this width, then cut; 0: any width
+    bool is_typed = false;  ///< by a person; all others are shown in the notation
 };
 
 /// Draws the line centered vertically on `position` (window pixels), which is its left end, center or right end.
@@ -31,8 +32,11 @@ void show_cut_text(const PanelContext& context, const std::string& text, ImVec2 
 void report_item(const PanelContext& context, std::string name, std::string value = {});
 
 /// Shows `text` to the left of the current window, or right of it where there is no room, while the last item is
-/// hovered. Nothing for an empty text.
+/// hovered, in the notation. Nothing for an empty text.
 void show_tooltip(const PanelContext& context, const std::string& text);
+
+/// The same for a text that a person typed, as names of files are.
+void show_typed_tooltip(const PanelContext& context, const std::string& text);
 
 /// The background of a field from `origin`, lit when hovered.
 void draw_field_frame(const PanelContext& context, ImVec2 origin, ImVec2 size, bool is_lit);

@@ -134,10 +134,11 @@ void draw_block(const PanelContext& context, const Block& block, ImVec2 corner, 
     float y = corner.y + pitch;
     for (const Entry& entry : block.entries) {
         const float keys_width = text_width(entry.keys, context.fonts.text);
-        const std::string meaning = elided(entry.meaning, context.fonts.text, width_px - keys_width - context.px(10));
+        const std::string whole = context.notated(entry.meaning);
+        const std::string meaning = elided(whole, context.fonts.text, width_px - keys_width - context.px(10));
         list->AddText({corner.x, y}, imgui_packed(context.theme.dim), meaning.c_str());
-        if (meaning != entry.meaning)
-            show_cut_text(context, entry.meaning, {corner.x, y}, {corner.x + width_px - keys_width, y + pitch});
+        if (meaning != whole)
+            show_cut_text(context, whole, {corner.x, y}, {corner.x + width_px - keys_width, y + pitch});
         list->AddText({corner.x + width_px - keys_width, y}, imgui_packed(context.theme.text), entry.keys.c_str());
         y += pitch;
     }

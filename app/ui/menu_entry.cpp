@@ -19,9 +19,9 @@ namespace {
 using editor::CommandSpec;
 
 /// With an ellipsis where a form asks for more.
-std::string entry_title(const editor::MenuEntry& entry) {
+std::string entry_title(const PanelContext& context, const editor::MenuEntry& entry) {
     const bool asks = !entry.command && has_form(*entry.spec);
-    return asks ? fmt::format("{}…", entry.spec->title) : entry.spec->title;
+    return context.notated(asks ? fmt::format("{}…", entry.spec->title) : entry.spec->title);
 }
 
 void draw_check(const PanelContext& context, ImVec2 corner) {
@@ -40,7 +40,7 @@ void draw_entry_texts(const PanelContext& context, const editor::MenuEntry& entr
     const render::Color dim = is_enabled ? context.theme.dim : render::faded(context.theme.dim, 0.55);
     if (spec.is_checked != nullptr && spec.is_checked(context.state)) draw_check(context, corner);
     float x = corner.x + columns.check;
-    list->AddText({x, corner.y}, imgui_packed(text), entry_title(entry).c_str());
+    list->AddText({x, corner.y}, imgui_packed(text), entry_title(context, entry).c_str());
     x += columns.title + columns.sign;
     const char* sign = effect_sign(spec.effect);
     list->AddText({x - menu_text_width(sign), corner.y}, imgui_packed(dim), sign);
@@ -75,7 +75,7 @@ void draw_menu_entry(const PanelContext& context, const editor::MenuEntry& entry
 void make_room(const PanelContext& context, Columns& columns, const editor::MenuEntry& entry) {
     const CommandSpec& spec = *entry.spec;
     const std::string shortcut = editor::text_of(spec.shortcut);
-    columns.title = std::max(columns.title, menu_text_width(entry_title(entry)) + context.px(8));
+    columns.title = std::max(columns.title, menu_text_width(entry_title(context, entry)) + context.px(8));
     if (spec.is_checked != nullptr) columns.check = context.px(22);
     if (spec.effect != editor::ShapeEffect::none) columns.sign = context.px(32);
     if (!shortcut.empty()) columns.shortcut = std::max(columns.shortcut, menu_text_width(shortcut) + context.px(24));

@@ -44,7 +44,7 @@ Rectangle place_of(const PanelContext& context, const Rectangle& canvas, ImVec2 
 void draw_notice(const PanelContext& context, const Rectangle& canvas) {
     const editor::Message& message = context.state.message;
     if (!message.is_error || message.text.empty()) return;
-    const std::string text = editor::reading_text(message.text);
+    const std::string text = context.notated(editor::reading_text(message.text));
     const float room =
         static_cast<float>(std::min(most_width * context.scale, canvas.size_px.x - 48.0 * context.scale)) -
         context.px(2.0 * notice_padding + sign_width + cross_size + 8.0);
@@ -77,7 +77,8 @@ void draw_notice(const PanelContext& context, const Rectangle& canvas) {
                                corner.y + context.px(notice_padding - 2.0)});
     if (draw_cross_button(context, "notice dismiss", context.px(cross_size)))
         context.queue.run(editor::DismissMessage{});
-    if (ImGui::IsWindowHovered() && asks_for_menu()) open_context_menu(context, editor::OnText{message.text});
+    if (ImGui::IsWindowHovered() && asks_for_menu())
+        open_context_menu(context, editor::OnText{context.notated(message.text)});
     ImGui::End();
 }
 

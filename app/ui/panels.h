@@ -21,6 +21,9 @@ struct PanelContext {
     const FrameInput& input;
 
     float px(double design_px) const { return static_cast<float>(design_px * scale); }
+
+    /// A text of the program's, not of a person's, as it is shown.
+    std::string notated(const std::string& text) const { return editor::notated(text, state.view.notation); }
 };
 
 // Around the canvas; each fills the rectangle that it is given.

@@ -54,11 +54,11 @@ float draw_caption(const PanelContext& context, const char* name, const std::str
 std::string caption_of(const PanelContext& context) {
     const editor::Message& message = context.state.message;
     if (message.text.empty() || message.is_error) return "";
-    const std::string text = editor::notated(editor::reading_text(message.text), context.state.view.notation);
+    const std::string text = editor::reading_text(message.text);
     const core::Curve* curve = context.state.active_curve();
-    return curve == nullptr
-               ? text
-               : core::sentence("p = {degree}: {message}", {{"degree", curve->degree()}, {"message", text}});
+    return context.notated(
+        curve == nullptr ? text
+                         : core::sentence("p = {degree}: {message}", {{"degree", curve->degree()}, {"message", text}}));
 }
 
 /// Follows the keys that are pressed: they stay until others are.
@@ -68,7 +68,9 @@ std::string keys_of(const PanelContext& context) {
         const editor::CommandSpec* spec = editor::find_command(press.shortcut);
         const std::string keys = editor::text_of(press.shortcut);
         if (keys.empty()) continue;
-        shown = spec == nullptr ? keys : core::sentence("{keys}: {title}", {{"keys", keys}, {"title", spec->title}});
+        shown = spec == nullptr
+                    ? keys
+                    : core::sentence("{keys}: {title}", {{"keys", keys}, {"title", context.notated(spec->title)}});
     }
     return context.state.view.keys_are_shown ? shown : "";
 }

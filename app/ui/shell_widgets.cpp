@@ -154,10 +154,10 @@ void offer_copy(const PanelContext& context, const std::string& text) {
 
 void offer_full_message(const PanelContext& context, const std::string& message, glm::dvec2 position,
                         glm::dvec2 pivot) {
-    offer_copy(context, message);
+    offer_copy(context, context.notated(message));
     if (!ImGui::IsItemHovered()) return;
-    const std::string text =
-        core::sentence("{message}\nCtrl+C copies this", {{"message", editor::full_reading_text(message)}});
+    const std::string text = core::sentence("{message}\nCtrl+C copies this",
+                                            {{"message", context.notated(editor::full_reading_text(message))}});
     draw_tooltip_at(context, text, position, pivot);
 }
 

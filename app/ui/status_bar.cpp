@@ -232,7 +232,7 @@ void draw_status_bar(const PanelContext& context, const Rectangle& place, const 
     draw_edge(context, {place.origin_px.x, place.origin_px.y + 0.5},
               {place.origin_px.x + place.size_px.x, place.origin_px.y + 0.5});
     const editor::Message message = message_of(context.state);
-    const std::string shown = editor::reading_text(message.text);
+    const std::string shown = context.notated(editor::reading_text(message.text));
     const std::string text = message.is_error ? fmt::format("⚠ {}", shown) : shown;
     const float left = static_cast<float>(place.origin_px.x) + context.px(bar_margin);
     const float room = static_cast<float>(place.size_px.x) - 2.0F * context.px(bar_margin);

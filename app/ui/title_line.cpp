@@ -29,6 +29,11 @@ struct TitleLayout {
     float height = 0.0F;
 };
 
+/// Of an example: what someone has written into a file is shown as it stands there.
+std::string shown_of(const PanelContext& context, const std::string& text) {
+    return context.state.path.empty() ? context.notated(text) : text;
+}
+
 bool has_title_line(const editor::EditorState& state) {
     const core::Document& document = state.shown();
     return state.view.title_is_open && (!document.title.empty() || !document.description.empty());
@@ -45,12 +50,13 @@ TitleLayout lay_out_title(const PanelContext& context, float width) {
     const float top = context.px(edge_margin);
     TitleLayout layout;
     layout.title_wrap = std::max(width - 2.0F * left - context.px(title_cross + text_gap), 1.0F);
-    const glm::vec2 title = wrapped_size(context.fonts.bold, document.title, layout.title_wrap);
+    const glm::vec2 title = wrapped_size(context.fonts.bold, shown_of(context, document.title), layout.title_wrap);
     const float beside = title.x > 0.0F ? title.x + context.px(text_gap) : 0.0F;
     const bool is_below = layout.title_wrap - beside < context.px(least_sentence_width);
     layout.sentence_wrap = is_below ? layout.title_wrap : layout.title_wrap - beside;
     layout.sentence_corner = is_below ? ImVec2(left, top + title.y) : ImVec2(left + beside, top);
-    const glm::vec2 sentence = wrapped_size(context.fonts.text, document.description, layout.sentence_wrap);
+    const glm::vec2 sentence =
+        wrapped_size(context.fonts.text, shown_of(context, document.description), layout.sentence_wrap);
     layout.height = std::max(top + title.y, layout.sentence_corner.y + sentence.y) + top;
     return layout;
 }
@@ -66,9 +72,9 @@ void draw_wrapped(const PanelContext& context, const char* name, const std::stri
 
 void draw_title_texts(const PanelContext& context, const TitleLayout& layout, ImVec2 origin) {
     const core::Document& document = context.state.shown();
-    draw_wrapped(context, "title", document.title, context.fonts.bold,
+    draw_wrapped(context, "title", shown_of(context, document.title), context.fonts.bold,
                  {origin.x + context.px(side_margin), origin.y + context.px(edge_margin)}, layout.title_wrap);
-    draw_wrapped(context, "title sentence", document.description, context.fonts.text,
+    draw_wrapped(context, "title sentence", shown_of(context, document.description), context.fonts.text,
                  {origin.x + layout.sentence_corner.x, origin.y + layout.sentence_corner.y}, layout.sentence_wrap);
 }
 
@@ -99,7 +105,8 @@ void draw_title_line(const PanelContext& context, const Rectangle& place) {
     const bool is_cut = layout.height > static_cast<float>(place.size_px.y) + 1.0F;
     const core::Document& document = context.state.shown();
     if (is_cut && ImGui::IsWindowHovered())
-        draw_tooltip_at(context, document.description, place.origin_px + glm::dvec2(0.0, place.size_px.y), {0.0, 0.0});
+        draw_tooltip_at(context, shown_of(context, document.description),
+                        place.origin_px + glm::dvec2(0.0, place.size_px.y), {0.0, 0.0});
     draw_dismiss_button(context, place);
     if (ImGui::IsWindowHovered() && asks_for_menu()) open_context_menu(context, editor::OnTitleLine{});
     const double bottom = place.origin_px.y + place.size_px.y - 0.5;

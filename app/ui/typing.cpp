@@ -74,9 +74,10 @@ TextEvents shown_text(const PanelContext& context, const TextField& field, ImVec
     const render::Color color = field.is_enabled ? context.theme.text : context.theme.dim;
     const ImVec2 left(origin.x + padding, origin.y + 0.5F * size.y);
     const std::string shown = elided(field.shown, field.font, size.x - 2.0F * padding);
-    draw_text(context, left, {shown, field.font, 0.0, color});
+    draw_text(context, left, {.text = shown, .font = field.font, .color = color, .is_typed = true});
     report_item(context, field.name, field.shown);
-    show_tooltip(context, shown == field.shown ? field.tooltip : fmt::format("{}\n{}", field.shown, field.tooltip));
+    const std::string tooltip = context.notated(field.tooltip);
+    show_typed_tooltip(context, shown == field.shown ? tooltip : fmt::format("{}\n{}", field.shown, tooltip));
     const bool is_double = is_lit && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     events.begins = field.is_enabled && (field.needs_double_click ? is_double : is_clicked);
     events.is_clicked = is_clicked && !events.begins;
@@ -159,7 +160,7 @@ void set_problem(FieldState& field, unsigned id, std::string sentence) {
 void draw_problem(const PanelContext& context, unsigned id) {
     FieldState& field = context.panels.field;
     if (field.problem_id != id) return;
-    draw_note(context, editor::reading_text(field.problem));
+    draw_note(context, context.notated(editor::reading_text(field.problem)));
     // The click that ended the typing must not take the note away at once.
     const bool is_new = field.problem_frame == ImGui::GetFrameCount();
     if (!is_new && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) field.problem_id = 0;

@@ -46,7 +46,7 @@ bool draw_side_entry(const PanelContext& context, const SideEntry& entry) {
         ImGui::Selectable(elided(entry.text, context.fonts.text, context.px(side_width - 24.0)).c_str());
     ImGui::PopID();
     report_item(context, entry.name, entry.tooltip);
-    show_tooltip(context, entry.tooltip);
+    show_typed_tooltip(context, entry.tooltip);
     return is_clicked;
 }
 
