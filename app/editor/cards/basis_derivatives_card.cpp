@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "app/editor/derived/shown_function.h"
 #include "app/editor/pointer/plot_layout.h"
@@ -145,20 +146,37 @@ CardPicture picture_of(const EditorState& state, int order) {
             }};
 }
 
+/// With 0 for what is nothing but the rounding of the others.
+std::vector<double> without_rounding(std::span<const double> values) {
+    constexpr double rounding_of_largest = 1e-13;
+    double largest = 0.0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    std::vector<double> kept(values.begin(), values.end());
+    for (double& value : kept)
+        if (std::abs(value) <= rounding_of_largest * largest) value = 0.0;
+    return kept;
+}
+
 /// The values of the functions that act at u, seen from the right.
 CardTable value_table(const EditorState& state) {
     const core::Curve& curve = *state.active_curve();
     const Theme theme = theme_of(state.view.theme);
     const core::BasisValues basis = core::basis_functions(curve.knots(), state.parameter(), 2);
     const std::size_t first = basis.span - static_cast<std::size_t>(curve.degree());
-    CardTable table{.rows = {{{.text = "i"}, {.text = "N"}, {.text = "N′"}, {.text = "N″"}}}, .has_heading = true};
-    std::vector<double> sums(3);
+    const std::string letter = basis_letter(state, curve.knots());
+    CardTable table{.rows = {{{.text = "i"},
+                              {.text = letter},
+                              {.text = fmt::format("{}′", letter)},
+                              {.text = fmt::format("{}″", letter)}}},
+                    .has_heading = true};
+    std::vector<std::vector<std::string>> columns;
+    for (const core::BasisRow& values : basis.derivatives)
+        columns.push_back(exact_texts(state.view.notation, without_rounding(values)));
     for (std::size_t j = 0; j < basis.derivatives[0].size(); ++j) {
         const std::size_t index = (first + j) % curve.control_points().size();
         std::vector<CardText> row{
             {.text = std::to_string(index), .hover = HoveredBasis{index}, .color = theme.point_text(index)}};
-        for (std::size_t r = 0; r < sums.size(); ++r)
-            row.push_back({.text = exact_text(state.view.notation, basis.derivatives[r][j])});
+        for (const std::vector<std::string>& column : columns) row.push_back({.text = column[j]});
         table.rows.push_back(std::move(row));
     }
     table.rows.push_back({{.text = "sum", .tone = CardTone::strong}, {.text = "1"}, {.text = "0"}, {.text = "0"}});
@@ -172,9 +190,11 @@ Card basis_derivatives_card(const EditorState& state) {
     const std::optional<ShownFunction> function = shown_function(state);
     if (!function) return card.line("There is no curve whose basis functions could be shown.", CardTone::dim);
     const core::Curve& curve = *state.active_curve();
-    card.line(core::sentence("N′_{{i,{p}}}(u)", {{"p", curve.degree()}}), CardTone::strong).add(picture_of(state, 1));
+    const core::Place letter("letter", basis_letter(state, curve.knots()));
+    const core::Place degree("p", curve.degree());
+    card.line(core::sentence("{letter}′_{{i,{p}}}(u)", {letter, degree}), CardTone::strong).add(picture_of(state, 1));
     if (curve.degree() > 1)
-        card.line(core::sentence("N″_{{i,{p}}}(u)", {{"p", curve.degree()}}), CardTone::strong)
+        card.line(core::sentence("{letter}″_{{i,{p}}}(u)", {letter, degree}), CardTone::strong)
             .add(picture_of(state, 2));
     const BasisDerivativeFormula formula =
         basis_derivative_formula(curve.knots(), function->number, state.view.notation);

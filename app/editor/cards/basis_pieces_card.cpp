@@ -1,14 +1,22 @@
 #include "app/editor/cards/basis_pieces_card.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <cmath>
 
+#include "app/editor/commands/selection_commands.h"
 #include "app/editor/derived/shown_function.h"
 #include "app/editor/words/basis_formula.h"
+#include "app/editor/words/uniform_cubic_formula.h"
 #include "core/base/sentence.h"
+#include "core/evaluate/basis.h"
 
 namespace batten::editor {
 
 namespace {
+
+constexpr std::size_t most_functions = 12;
 
 class PieceLines {
   public:
@@ -17,7 +25,7 @@ class PieceLines {
           knots_(state.active_curve()->knots()),
           cell_(cell),
           theme_(theme_of(state.view.theme)),
-          variable_(span_parameter(state.view.notation)) {}
+          variable_(local_parameter(state.view.notation)) {}
 
     void add_to(Card& card) const {
         const auto pieces = core::basis_pieces(knots_, cell_.function, static_cast<int>(cell_.degree));
@@ -30,6 +38,11 @@ class PieceLines {
     std::string number(double value) const { return exact_text(state_.view.notation, value); }
 
     std::string place(double u) const { return knot_value_text(knots_, u, state_.view.notation); }
+
+    std::string name() const {
+        return cell_.degree == static_cast<std::size_t>(knots_.degree()) ? function_name(state_, knots_, cell_.function)
+                                                                         : basis_name(cell_.function, cell_.degree);
+    }
 
     bool is_evenly_spaced() const {
         const core::KnotKind kind = state_.derived.of(knots_)->kind;
@@ -47,8 +60,10 @@ class PieceLines {
     }
 
     void add_piece(Card& card, std::size_t n, const core::BasisPiece& piece) const {
-        card.add(CardLine{{.text = core::sentence("{function} on [{begin}, {end})",
-                                                  {{"function", basis_name(cell_.function, cell_.degree)},
+        card.add(CardLine{{.text = core::sentence("{function} on [{lower}, {upper}) = [{begin}, {end})",
+                                                  {{"function", name()},
+                                                   {"lower", fmt::format("u_{{{}}}", piece.span)},
+                                                   {"upper", fmt::format("u_{{{}}}", piece.span + 1)},
                                                    {"begin", place(piece.interval.lower)},
                                                    {"end", place(piece.interval.upper)}}),
                            .tone = CardTone::strong,
@@ -96,12 +111,28 @@ class PieceLines {
     std::string variable_;
 };
 
+/// The functions by name, each a click away: all of a few, else those of the active span.
+CardButtons function_buttons(const EditorState& state, std::size_t shown) {
+    const core::KnotVector& knots = state.active_curve()->knots();
+    const std::size_t n = knots.control_point_count();
+    const auto p = static_cast<std::size_t>(knots.degree());
+    const bool are_few = n <= most_functions;
+    const std::size_t first = are_few ? 0 : core::basis_functions(knots, state.parameter()).span - p;
+    const std::size_t count = are_few ? n : std::min(p + 1, most_functions);
+    CardButtons buttons;
+    for (std::size_t k = first; k < first + count; ++k)
+        buttons.buttons.push_back(
+            {function_name(state, knots, k % n), SelectPoints{.points = {k % n}}, k % n == shown});
+    return buttons;
+}
+
 }  // namespace
 
 Card basis_pieces_card(const EditorState& state) {
     Card card{.title = "Polynomials", .blocks = {}};
     const std::optional<HoveredBasisCell> cell = shown_basis_cell(state);
     if (!cell) return card.line("There is no curve whose basis functions could be shown.", CardTone::dim);
+    card.add(function_buttons(state, shown_function(state)->index));
     PieceLines(state, *cell).add_to(card);
     return card;
 }

@@ -2,9 +2,12 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
+#include <array>
+#include <span>
+#include <vector>
 
 #include "app/editor/commands/file_commands.h"
+#include "app/editor/derived/shown_function.h"
 #include "app/editor/state/state.h"
 #include "app/editor/words/basis_formula.h"
 #include "app/editor/words/formula.h"
@@ -33,13 +36,15 @@ struct Functions {
         return (basis.span - static_cast<std::size_t>(curve.degree()) + j) % curve.control_points().size();
     }
 
-    CardText name(std::size_t j, const char* letter) const {
-        return {.text = fmt::format("{}_{{{},{}}}", letter, index(j), curve.degree()),
-                .hover = HoveredBasis{index(j)},
-                .color = theme.point_text(index(j))};
+    CardText named(std::size_t j, std::string text) const {
+        return {.text = std::move(text), .hover = HoveredBasis{index(j)}, .color = theme.point_text(index(j))};
     }
 
     std::string number(double value) const { return exact_text(state.view.notation, value); }
+
+    std::vector<std::string> numbers(std::span<const double> values) const {
+        return exact_texts(state.view.notation, values);
+    }
 
     std::string parameter() const { return knot_value_text(curve.knots(), u, state.view.notation); }
 
@@ -50,7 +55,7 @@ struct Functions {
     core::BasisValues basis;
 };
 
-double sum_of(const core::BasisRow& values) {
+double sum_of(std::span<const double> values) {
     double sum = 0.0;
     for (const double value : values) sum += value;
     return sum;
@@ -63,9 +68,10 @@ Card basis_values_card(const EditorState& state) {
     if (state.active_curve() == nullptr) return card.line(without_curve, CardTone::dim);
     const Functions shown(state);
     CardTable table{.rows = {{{.text = "function"}, {.text = "value"}, {.text = "decimal"}}}, .has_heading = true};
-    for (std::size_t j = 0; j < shown.values().size(); ++j)
-        table.rows.push_back({shown.name(j, "N"),
-                              {.text = shown.number(shown.values()[j])},
+    const std::vector<std::string> values = shown.numbers(shown.values());
+    for (std::size_t j = 0; j < values.size(); ++j)
+        table.rows.push_back({shown.named(j, function_name(state, shown.curve.knots(), shown.index(j))),
+                              {.text = values[j]},
                               {.text = fixed_text(shown.values()[j], 4), .tone = CardTone::dim}});
     const double sum = sum_of(shown.values());
     table.rows.push_back({{.text = "sum", .tone = CardTone::strong},
@@ -84,26 +90,33 @@ Card rational_basis_card(const EditorState& state) {
     if (state.active_curve() == nullptr) return card.line(without_curve, CardTone::dim);
     const Functions shown(state);
     if (!shown.curve.is_rational()) {
-        card.line("All weights are equal, so each R_{i,p} is N_{i,p}.");
+        card.line(core::sentence("All weights are equal, so each R_{{i,p}} is {letter}_{{i,p}}.",
+                                 {{"letter", basis_letter(state, shown.curve.knots())}}));
         return card.add(CardButtons{{{.text = "Open a circle", .command = OpenExample{.name = "circle-nurbs"}}}});
     }
     const core::RationalBasis rational = core::rational_basis(shown.curve, shown.u);
-    CardTable table{
-        .rows = {{{.text = "i"}, {.text = "N"}, {.text = "w"}, {.text = "N w"}, {.text = "R = N w / w(u)"}}},
-        .has_heading = true};
-    double w = 0.0;
+    const char* letter = basis_letter(state, shown.curve.knots());
+    std::vector<double> weights;
+    std::vector<double> products;
     for (std::size_t j = 0; j < shown.values().size(); ++j) {
-        const double weight = shown.curve.weights()[shown.index(j)];
-        const double product = shown.values()[j] * weight;
-        w += product;
-        CardText index = shown.name(j, "R");
-        index.text = std::to_string(shown.index(j));
-        table.rows.push_back({std::move(index),
-                              {.text = shown.number(shown.values()[j])},
-                              {.text = shown.number(weight)},
-                              {.text = shown.number(product)},
-                              {.text = shown.number(rational.derivatives[0][j]), .tone = CardTone::strong}});
+        weights.push_back(shown.curve.weights()[shown.index(j)]);
+        products.push_back(shown.values()[j] * weights.back());
     }
+    const double w = sum_of(products);
+    CardTable table{.rows = {{{.text = "i"},
+                              {.text = letter},
+                              {.text = "w"},
+                              {.text = fmt::format("{} w", letter)},
+                              {.text = fmt::format("R = {} w / w(u)", letter)}}},
+                    .has_heading = true};
+    const std::array columns{shown.numbers(shown.values()), shown.numbers(weights), shown.numbers(products),
+                             shown.numbers(rational.derivatives[0])};
+    for (std::size_t j = 0; j < products.size(); ++j)
+        table.rows.push_back({shown.named(j, std::to_string(shown.index(j))),
+                              {.text = columns[0][j]},
+                              {.text = columns[1][j]},
+                              {.text = columns[2][j]},
+                              {.text = columns[3][j], .tone = CardTone::strong}});
     table.rows.push_back({{.text = "sum", .tone = CardTone::strong},
                           {.text = shown.number(sum_of(shown.values()))},
                           {.text = ""},
@@ -112,7 +125,7 @@ Card rational_basis_card(const EditorState& state) {
     card.line(core::sentence("At u = {u}, w(u) = {w}", {{"u", shown.parameter()}, {"w", shown.number(w)}}),
               CardTone::parameter);
     card.add(std::move(table));
-    return card.line("In the plot R is dashed, beside N.", CardTone::dim);
+    return card.line(core::sentence("In the plot R is dashed, beside {letter}.", {{"letter", letter}}), CardTone::dim);
 }
 
 }  // namespace batten::editor

@@ -191,9 +191,11 @@ Card recurrence_card(const EditorState& state) {
     const core::Curve& curve = *state.active_curve();
     const auto p = static_cast<std::size_t>(curve.degree());
     const core::BasisTriangle triangle = core::basis_triangle(curve.knots(), function->number, state.parameter());
-    card.line(core::sentence("{function}(u) at u = {u}",
-                             {{"function", basis_name(function->number, p)},
-                              {"u", knot_value_text(curve.knots(), triangle.u, state.view.notation)}}),
+    const bool is_bezier = state.derived.of(curve.knots())->is_bezier;
+    const char* pattern = is_bezier ? "{bernstein}(u) = {function}(u) at u = {u}" : "{function}(u) at u = {u}";
+    card.line(core::filled_as_needed(pattern, {{"function", basis_name(function->number, p)},
+                                               {"bernstein", function_name(state, curve.knots(), function->number)},
+                                               {"u", knot_value_text(curve.knots(), triangle.u, state.view.notation)}}),
               CardTone::strong);
     card.add(triangle_picture(state, triangle));
     add_formula(card, state, triangle);

@@ -15,16 +15,12 @@ namespace batten::editor {
 namespace {
 
 constexpr std::int64_t most_denominator = 1000000;
-constexpr std::int64_t most_numerator = 100000000;
+constexpr std::int64_t most_polynomial_numerator = 100000000;
 constexpr std::int64_t most_small_numerator = 99;
 constexpr double largest_fixed = 1e12;
 
 std::string knot_name(std::size_t i) {
     return fmt::format("u_{{{}}}", i);
-}
-
-std::string in_parentheses_if_negative(const std::string& number) {
-    return number.starts_with(true_minus) ? fmt::format("({})", number) : number;
 }
 
 /// What a ramp is made of: the knots where it is 0 and where it is 1.
@@ -63,28 +59,26 @@ class RecurrenceWriter {
         const core::BasisCell& right = triangle_.levels[level - 1][index + 1];
         const RampEnds rising = rising_ends(cell.index, level);
         const RampEnds falling = falling_ends(cell.index, level);
+        const std::vector<std::string> numbers = exact_texts(
+            notation_, std::array{value_of(cell.rising), left.value, value_of(cell.falling), right.value, cell.value});
         return {.symbols = {fmt::format("{} = {} {}", basis_name(cell.index, level), ramp_symbols(rising),
                                         basis_name(left.index, level - 1)),
                             fmt::format("+ {} {}", ramp_symbols(falling), basis_name(right.index, level - 1))},
-                .knots = {fmt::format("= {} · {}", ramp_knots(rising, cell.rising), number(left.value)),
-                          fmt::format("+ {} · {}", ramp_knots(falling, cell.falling), number(right.value))},
-                .numbers = fmt::format("= {} · {} + {} · {} = {}", ramp_number(cell.rising), number(left.value),
-                                       ramp_number(cell.falling), number(right.value), number(cell.value)),
+                .knots = {fmt::format("= {} · {}", ramp_knots(rising, cell.rising), numbers[1]),
+                          fmt::format("+ {} · {}", ramp_knots(falling, cell.falling), numbers[3])},
+                .numbers = fmt::format("= {} · {} + {} · {} = {}", parenthesized_if_negative(numbers[0]), numbers[1],
+                                       parenthesized_if_negative(numbers[2]), numbers[3], numbers[4]),
                 .note = note(cell, level)};
     }
 
-    std::string number(double value) const { return exact_text(notation_, value); }
-
   private:
-    std::string place(double u) const { return in_parentheses_if_negative(knot_value_text(knots_, u, notation_)); }
+    static double value_of(const core::BasisRamp& ramp) { return ramp.is_void ? 0.0 : ramp.value; }
+
+    std::string place(double u) const { return parenthesized_if_negative(knot_value_text(knots_, u, notation_)); }
 
     std::string ramp_knots(const RampEnds& ends, const core::BasisRamp& ramp) const {
         if (ramp.is_void) return "0/0";
         return quotient(ends, place(triangle_.u), place(knots_[ends.zero]), place(knots_[ends.one]));
-    }
-
-    std::string ramp_number(const core::BasisRamp& ramp) const {
-        return ramp.is_void ? "0" : in_parentheses_if_negative(number(ramp.value));
     }
 
     /// "u_{0} = u_{1} = u_{2}".
@@ -150,7 +144,7 @@ std::optional<std::vector<std::int64_t>> numerators_over(const std::vector<core:
     std::vector<std::int64_t> numerators;
     for (const core::Fraction& fraction : fractions) {
         const std::int64_t factor = denominator / fraction.denominator;
-        if (std::abs(fraction.numerator) > most_numerator / factor) return std::nullopt;
+        if (std::abs(fraction.numerator) > most_polynomial_numerator / factor) return std::nullopt;
         numerators.push_back(fraction.numerator * factor);
     }
     return numerators;
@@ -162,6 +156,54 @@ std::string decimal_polynomial(const std::vector<double>& coefficients, const st
         if (coefficients[power] != 0.0)
             terms.push_back({coefficients[power] < 0.0, number_text(std::abs(coefficients[power])), power});
     return joined(terms, variable);
+}
+
+/// p/(u_{first + p} − u_first), in letters.
+std::string slope_symbols(std::size_t p, std::size_t first) {
+    return fmt::format("{}/({} − {})", p, knot_name(first + p), knot_name(first));
+}
+
+std::string slope_number(const core::KnotVector& knots, std::size_t first, const Notation& notation) {
+    const auto p = static_cast<std::size_t>(knots.degree());
+    const double length = knots[first + p] - knots[first];
+    return length > 0.0 ? exact_text(notation, static_cast<double>(p) / length) : "0";
+}
+
+BasisDerivativeFormula derivative_over_knots(const core::KnotVector& knots, std::size_t i, const Notation& notation) {
+    const auto p = static_cast<std::size_t>(knots.degree());
+    const std::string left = basis_name(i, p - 1);
+    const std::string right = basis_name(i + 1, p - 1);
+    return {.symbols = fmt::format("N′_{{{},{}}} = {} {} − {} {}", i, p, slope_symbols(p, i), left,
+                                   slope_symbols(p, i + 1), right),
+            .numbers = fmt::format("= {} {} − {} {}", slope_number(knots, i, notation), left,
+                                   slope_number(knots, i + 1, notation), right)};
+}
+
+bool are_bezier(const core::KnotVector& knots) {
+    const auto p = static_cast<std::size_t>(knots.degree());
+    return !knots.is_periodic() && knots.control_point_count() == p + 1 && knots[0] == knots[p] &&
+           knots[p + 1] == knots[2 * p + 1];
+}
+
+std::string bernstein_name(std::size_t i, std::size_t n) {
+    return fmt::format("B_{{{},{}}}", i, n);
+}
+
+/// Over the knots of a Bézier curve N_{i,p-1} is B_{i-1,p-1}; N_{0,p-1} and N_{p,p-1} have no support.
+BasisDerivativeFormula bernstein_derivative(const core::KnotVector& knots, std::size_t i, const Notation& notation) {
+    const auto p = static_cast<std::size_t>(knots.degree());
+    BasisDerivativeFormula formula{fmt::format("B′_{{{},{}}} =", i, p), "="};
+    if (i > 0) {
+        formula.symbols.append(fmt::format(" {} {}", slope_symbols(p, i), bernstein_name(i - 1, p - 1)));
+        formula.numbers.append(fmt::format(" {} {}", slope_number(knots, i, notation), bernstein_name(i - 1, p - 1)));
+    }
+    if (i < p) {
+        const char* minus = i > 0 ? " − " : " −";
+        formula.symbols.append(fmt::format("{}{} {}", minus, slope_symbols(p, i + 1), bernstein_name(i, p - 1)));
+        formula.numbers.append(
+            fmt::format("{}{} {}", minus, slope_number(knots, i + 1, notation), bernstein_name(i, p - 1)));
+    }
+    return formula;
 }
 
 }  // namespace
@@ -202,16 +244,7 @@ std::string step_formula(const core::KnotVector& knots, const core::BasisTriangl
 
 BasisDerivativeFormula basis_derivative_formula(const core::KnotVector& knots, std::size_t i,
                                                 const Notation& notation) {
-    const auto p = static_cast<std::size_t>(knots.degree());
-    const auto factor = [&](std::size_t first) {
-        const double length = knots[first + p] - knots[first];
-        return length > 0.0 ? exact_text(notation, static_cast<double>(p) / length) : "0";
-    };
-    return {.symbols =
-                fmt::format("N′_{{{},{}}} = {}/({} − {}) {} − {}/({} − {}) {}", i, p, p, knot_name(i + p), knot_name(i),
-                            basis_name(i, p - 1), p, knot_name(i + p + 1), knot_name(i + 1), basis_name(i + 1, p - 1)),
-            .numbers = fmt::format("= {} {} − {} {}", factor(i), basis_name(i, p - 1), factor(i + 1),
-                                   basis_name(i + 1, p - 1))};
+    return are_bezier(knots) ? bernstein_derivative(knots, i, notation) : derivative_over_knots(knots, i, notation);
 }
 
 std::string polynomial_text(const core::PowerForm& form, const std::string& variable, const Notation& notation) {
@@ -228,10 +261,6 @@ std::string polynomial_text(const core::PowerForm& form, const std::string& vari
     std::string sum = joined(terms, variable);
     if (denominator == 1) return sum;
     return terms.size() == 1 ? fmt::format("{}/{}", sum, denominator) : fmt::format("({})/{}", sum, denominator);
-}
-
-std::string span_parameter(const Notation& notation) {
-    return notation.parameter == ParameterLetter::t ? "s" : "t";
 }
 
 }  // namespace batten::editor

@@ -36,7 +36,8 @@ std::string step_formula(const core::KnotVector& knots, const core::BasisTriangl
                          const Notation& notation);
 
 /// The derivative of N_{i,p} by the functions one degree lower, in symbols and with the factors put in:
-/// "N′_{0,3} = 3/(u_{3} − u_{0}) N_{0,2} − 3/(u_{4} − u_{1}) N_{1,2}" and "= 1 N_{0,2} − 1 N_{1,2}".
+/// "N′_{0,3} = 3/(u_{3} − u_{0}) N_{0,2} − 3/(u_{4} − u_{1}) N_{1,2}" and "= 1 N_{0,2} − 1 N_{1,2}"; of a Bézier curve
+/// "B′_{1,3} = 3/(u_{4} − u_{1}) B_{0,2} − 3/(u_{5} − u_{2}) B_{1,2}".
 struct BasisDerivativeFormula {
     std::string symbols;
     std::string numbers;
@@ -46,8 +47,5 @@ BasisDerivativeFormula basis_derivative_formula(const core::KnotVector& knots, s
 /// "(−3t^{3} + 3t^{2} + 3t + 1)/6", "u^{3}/6", "0.25u − 1.414": over one denominator where the coefficients are
 /// fractions that can be read, else with four digits.
 std::string polynomial_text(const core::PowerForm& form, const std::string& variable, const Notation& notation);
-
-/// How the parameter of one span, from 0 to 1, is called beside the parameter of the curve.
-std::string span_parameter(const Notation& notation);
 
 }  // namespace batten::editor

@@ -6,6 +6,7 @@
 #include "app/editor/cards/basis_pieces_card.h"
 #include "app/editor/cards/basis_values_card.h"
 #include "app/editor/cards/recurrence_card.h"
+#include "app/editor/commands/selection_commands.h"
 #include "app/editor/derived/shown_function.h"
 #include "tests/editor/scene_sample.h"
 
@@ -123,7 +124,7 @@ TEST(BasisPiecesCard, writes_the_polynomials_in_u_and_in_t) {
     EditorState state = uniform_state(3.5);
     state.selection.points = {1};
     const Card card = basis_pieces_card(state);
-    EXPECT_TRUE(says(card, "N₁,₃ on [2, 3)")) << card_text(card);
+    EXPECT_TRUE(says(card, "N₁,₃ on [u₂, u₃) = [2, 3)")) << card_text(card);
     EXPECT_TRUE(says(card, "= (−3u³ + 21u² − 45u + 31)/6")) << card_text(card);
     EXPECT_TRUE(says(card, "= (−3t³ + 3t² + 3t + 1)/6"));
     EXPECT_TRUE(says(card, "with t = u − 2"));
@@ -133,8 +134,24 @@ TEST(BasisPiecesCard, writes_the_polynomials_in_u_and_in_t) {
     state.view.notation.parameter = ParameterLetter::t;
     EXPECT_TRUE(says(basis_pieces_card(state), "= (−3s³ + 3s² + 3s + 1)/6"));
     state.hover = HoveredBasisCell{1, 1};
-    EXPECT_TRUE(says(basis_pieces_card(state), "N₁,₁ on [1, 2)"));
+    EXPECT_TRUE(says(basis_pieces_card(state), "N₁,₁ on [u₁, u₂) = [1, 2)"));
     EXPECT_FALSE(says(basis_pieces_card(state), "³"));
+}
+
+TEST(BasisPiecesCard, names_all_six_functions_of_a_clamped_cubic) {
+    EditorState state = state_of(3, {0, 0, 0, 0, 1, 2, 3, 3, 3, 3}, 1.5);
+    state.selection.points = {5};
+    const Card card = basis_pieces_card(state);
+    const auto* names = std::get_if<CardButtons>(&card.blocks.front());
+    ASSERT_NE(names, nullptr);
+    ASSERT_EQ(names->buttons.size(), 6U);
+    EXPECT_EQ(names->buttons[0].text, "N_{0,3}");
+    EXPECT_FALSE(names->buttons[0].is_active);
+    EXPECT_EQ(names->buttons[5].text, "N_{5,3}");
+    EXPECT_TRUE(names->buttons[5].is_active);
+    ASSERT_NE(names->buttons[4].command.as<SelectPoints>(), nullptr);
+    EXPECT_EQ(names->buttons[4].command.as<SelectPoints>()->points, std::vector<std::size_t>{4});
+    EXPECT_TRUE(says(card, "N₅,₃ on [u₅, u₆) = [2, 3)\n= u³ − 6u² + 12u − 8")) << card_text(card);
 }
 
 TEST(BasisPiecesCard, takes_knots_of_any_sort) {
@@ -150,7 +167,8 @@ TEST(BasisPiecesCard, takes_knots_of_any_sort) {
 TEST(BasisPiecesCard, tells_short_spans_and_far_ones_apart) {
     EditorState state = state_of(2, {1e6, 1e6, 1e6, 1e6 + 0.25, 1e6 + 1, 1e6 + 1, 1e6 + 1}, 1e6);
     state.selection.points = {1};
-    EXPECT_TRUE(says(basis_pieces_card(state), "N₁,₂ on [1000000, 1000000.25)")) << card_text(basis_pieces_card(state));
+    EXPECT_TRUE(says(basis_pieces_card(state), "N₁,₂ on [u₂, u₃) = [1000000, 1000000.25)"))
+        << card_text(basis_pieces_card(state));
     EXPECT_TRUE(says(basis_pieces_card(state), "with t = 4 (u − 1000000)"));
     EXPECT_TRUE(says(basis_pieces_card(state), "with t = 4/3 (u − 1000000.25)"));
 }
@@ -160,6 +178,17 @@ TEST(BasisValuesCard, has_the_values_and_their_sum) {
     for (const char* row : {"N₀,₃ | 1/48 | 0.0208", "N₁,₃ | 23/48 | 0.4792", "N₂,₃ | 23/48 | 0.4792",
                             "N₃,₃ | 1/48 | 0.0208", "sum | 1 | 1.0000"})
         EXPECT_TRUE(says(card, row)) << row << "\n" << card_text(card);
+}
+
+TEST(BasisValuesCard, has_one_form_for_all_of_a_sum) {
+    // (3/5)^3, 3 (3/5)^2 2/5, ...
+    const Card card = basis_values_card(state_of(3, {0, 0, 0, 0, 1, 1, 1, 1}, 0.4));
+    for (const char* row : {"B₀,₃ | 0.216", "B₁,₃ | 0.432", "B₂,₃ | 0.288", "B₃,₃ | 0.064"})
+        EXPECT_TRUE(says(card, row)) << row << "\n" << card_text(card);
+    const Card lecture = basis_values_card(state_of(3, {0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1}, 0.4));
+    for (const char* row : {"N₁,₃ | 2/125", "N₂,₃ | 307/750", "N₃,₃ | 202/375", "N₄,₃ | 9/250"})
+        EXPECT_TRUE(says(lecture, row)) << row << "\n" << card_text(lecture);
+    EXPECT_FALSE(says(rational_basis_card(state_of(2, {0, 0, 0, 1, 1, 1}, 0.5)), "N"));
 }
 
 TEST(BasisValuesCard, shows_how_rational_ones_come_about) {
@@ -188,6 +217,23 @@ TEST(BasisDerivativesCard, has_values_and_the_formula) {
     for (const char* row :
          {"0 | 1/48 | −1/8 | 1/2", "1 | 23/48 | −5/8 | −1/2", "2 | 23/48 | 5/8 | −1/2", "3 | 1/48 | 1/8 | 1/2"})
         EXPECT_TRUE(says(card, row)) << row << "\n" << card_text(card);
+}
+
+TEST(BasisDerivativesCard, has_no_rounding_for_zero) {
+    const Card card = basis_derivatives_card(state_of(3, {0, 0, 0, 0, 0.1, 0.4, 0.7, 1, 1, 1, 1}, 0.4));
+    EXPECT_FALSE(says(card, "e−")) << card_text(card);
+}
+
+TEST(BasisDerivativesCard, writes_those_of_bernstein_polynomials_by_lower_ones) {
+    EditorState state = state_of(3, {0, 0, 0, 0, 1, 1, 1, 1}, 0.5);
+    state.selection.points = {1};
+    EXPECT_TRUE(says(basis_derivatives_card(state), "B′₁,₃ = 3/(u₄ − u₁) B₀,₂ − 3/(u₅ − u₂) B₁,₂\n= 3 B₀,₂ − 3 B₁,₂"))
+        << card_text(basis_derivatives_card(state));
+    state.selection.points = {0};
+    EXPECT_TRUE(says(basis_derivatives_card(state), "B′₀,₃ = −3/(u₄ − u₁) B₀,₂\n= −3 B₀,₂"));
+    state.selection.points = {3};
+    EXPECT_TRUE(says(basis_derivatives_card(state), "B′₃,₃ = 3/(u₆ − u₃) B₂,₂\n= 3 B₂,₂"));
+    EXPECT_TRUE(says(basis_derivatives_card(state), "i | B | B′ | B″"));
 }
 
 TEST(BasisDerivativesCard, draws_the_derivatives_over_whole_supports) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/editor/words/uniform_cubic_formula.h"
 #include "core/curve/knot_kinds.h"
 
 namespace batten::editor {
@@ -109,8 +110,8 @@ TEST(BasisFormula, writes_decimals_where_fractions_cannot_be_read) {
 }
 
 TEST(BasisFormula, names_the_parameter_of_a_span_unlike_that_of_the_curve) {
-    EXPECT_EQ(span_parameter(fractions), "t");
-    EXPECT_EQ(span_parameter(decimals), "s");
+    EXPECT_STREQ(local_parameter(fractions), "t");
+    EXPECT_STREQ(local_parameter(decimals), "s");
 }
 
 }  // namespace
