@@ -22,6 +22,7 @@
 #include "app/editor/commands/refinement_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/shape_commands.h"
+#include "app/editor/commands/shape_view_commands.h"
 #include "app/editor/commands/tear_commands.h"
 #include "app/editor/commands/transform_commands.h"
 #include "app/editor/commands/weight_commands.h"
@@ -386,9 +387,27 @@ Command RandomSession::document_command(const EditorState& state) {
     }
 }
 
+Command RandomSession::form_command() {
+    switch (below(6)) {
+        case 0:
+            return SetBlossomValues{.by_value = below(2) == 0};
+        case 1:
+            return SetCombScale{.factor = between(0.1, 20)};
+        case 2:
+            return SetPartCount{.count = static_cast<int>(1 + below(200))};
+        case 3:
+            return PutLine{.first = point(9), .second = below(10) == 0 ? core::Point{} : point(9)};
+        case 4:
+            return LevelLine{};
+        default:
+            return SetOrbit{.yaw = between(-400, 400), .pitch = between(-90, 90), .zoom = between(0.3, 10)};
+    }
+}
+
 Command RandomSession::view_command(const EditorState& state) {
     const core::DocumentCurve* active = state.history.present().active_curve();
     const std::size_t n = active != nullptr ? active->curve->control_points().size() : 0;
+    if (below(4) == 0) return form_command();
     switch (below(9)) {
         case 0:
             return SelectPoints{.points = indices(n)};

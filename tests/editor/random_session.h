@@ -55,6 +55,7 @@ class RandomSession {
     Command question_command(const EditorState& state);
     Command measuring_command(const EditorState& state);
     Command document_command(const EditorState& state);
+    Command form_command();
     Command view_command(const EditorState& state);
     ViewChange view_change(const EditorState& state);
 

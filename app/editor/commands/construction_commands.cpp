@@ -53,7 +53,7 @@ Outcome<void> set_speed(EditorState& state, const SetSpeed& command) {
 }
 
 Outcome<void> set_level(EditorState& state, const SetLevel& command) {
-    const int p = state.active_curve()->degree();
+    const int p = active_curve(state).degree();
     if (command.level.value_or(0) > p)
         return tl::unexpected(core::sentence("there is no level {level}; the last one is {last}",
                                              {{"level", *command.level}, {"last", p}}));
@@ -64,7 +64,7 @@ Outcome<void> set_level(EditorState& state, const SetLevel& command) {
 // The last level is the same picture as all levels.
 template <class Command, int step>
 Outcome<void> step_level(EditorState& state, const Command&) {
-    const int p = state.active_curve()->degree();
+    const int p = active_curve(state).degree();
     const int level = std::clamp(state.view.level.value_or(p) + step, 0, p);
     state.view.level = level == p ? std::nullopt : std::optional(level);
     return {};
