@@ -8,6 +8,7 @@
 #include "app/editor/pointer/fit_view.h"
 #include "app/editor/state/dialog.h"
 #include "app/editor/state/settings.h"
+#include "app/editor/state/view_forms.h"
 #include "core/base/sentence.h"
 #include "core/document/native_file.h"
 
@@ -39,9 +40,16 @@ Outcome<core::Document> load(const fs::path& path, const core::Progress& progres
     if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
         return tl::unexpected(
             file_refusal(path, {path.string(), "this is not an ordinary file, so it cannot be opened"}));
-    return core::load_document(path, progress, points_read).map_error([&](const core::FileError& found) {
-        return file_refusal(path, found);
-    });
+    Outcome<core::Document> document =
+        core::load_document(path, progress, points_read).map_error([&](const core::FileError& found) {
+            return file_refusal(path, found);
+        });
+    if (!document) return document;
+    const Outcome<ViewForms> forms = read_forms(document->view.unknown_members);
+    if (!forms)
+        return tl::unexpected(
+            sentence("{file}: {what}", {{"file", path.filename().string()}, {"what", forms.error()}}));
+    return document;
 }
 
 void take_view(View& view, const core::Document& document) {
@@ -51,7 +59,7 @@ void take_view(View& view, const core::Document& document) {
     view.level.reset();
     view.notation = document.view.notation.empty() ? view.usual_notation : notation_named(document.view.notation);
     view.plot_range.reset();
-    view.shape.line.reset();
+    take_forms(view, read_forms(document.view.unknown_members).value_or(ViewForms{}));
     view.playback.is_playing = false;
     if (!document.view.overlays) return;
     const std::vector<std::string>& shown = *document.view.overlays;
@@ -169,6 +177,7 @@ Outcome<void> save_document_to(EditorState& state, const fs::path& path) {
     core::Document document = state.history.present();
     document.view.parameter = state.parameter();
     document.view.overlays = overlay_names(state);
+    document.view.unknown_members = with_forms(document.view.unknown_members, forms_of(state.view));
     if (!document.view.notation.empty() || state.view.notation != Notation{}) {
         std::map<std::string, std::string> names = names_of(state.view.notation);
         names.merge(document.view.notation);

@@ -58,6 +58,9 @@ class MemberReader {
         return std::nullopt;
     }
 
+    /// What is wrong with the members taken so far.
+    const std::optional<Refusal>& error() const { return error_; }
+
     void fail(const std::string& place, const char* allowed) {
         if (!error_)
             error_ = core::sentence("{place}: this must be {allowed}", {{"place", place}, {"allowed", allowed}});

@@ -5,6 +5,7 @@
 #include "app/editor/pointer/fit_view.h"
 #include "app/editor/run_command.h"
 #include "app/editor/session.h"
+#include "app/editor/state/view_forms.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -33,6 +34,7 @@ void replace_document(EditorState& state, const core::Document& document) {
     state.view.parameter = view.parameter;
     state.view.level = view.level;
     state.view.notation = view.notation;
+    take_forms(state.view, forms_of(view));
 }
 
 Outcome<void> run_acts(EditorState& state, const std::vector<std::string>& acts) {

@@ -9,10 +9,13 @@
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/invariance_commands.h"
 #include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/shape_view_commands.h"
 #include "app/editor/commands/view_commands.h"
+#include "app/editor/commands/weight_commands.h"
 #include "core/base/sentence.h"
 #include "tests/editor/sample_editor.h"
 
@@ -126,6 +129,36 @@ TEST_F(FileCommands, save_the_view_too) {
     EXPECT_EQ(other.state().parameter(), 3.5);
     EXPECT_EQ(other.state().view.overlays, state().view.overlays);
     EXPECT_EQ(document(other).active, 1U);
+}
+
+TEST_F(FileCommands, save_the_forms_of_views_too) {
+    run(Open{.path = wave_});
+    const std::string plain = content(wave_);
+    run(Save{});
+    EXPECT_EQ(content(wave_).find("forms"), std::string::npos) << "as they begin";
+    run(SetCombScale{.factor = 2.0});
+    run(SetPartCount{.count = 7});
+    run(PutLine{.first = {0, 1}, .second = {2, 3}});
+    run(ShowMap{.kind = ShownMapKind::shear, .amount = 0.25});
+    run(SetBlossomValues{.by_value = true});
+    run(SetOrbit{.yaw = 30.0, .pitch = 10.0, .zoom = 2.0});
+    run(Save{});
+    Editor other;
+    other.run(Open{.path = wave_});
+    const View& view = other.state().view;
+    EXPECT_EQ(view.shape.comb_factor, 2.0);
+    EXPECT_EQ(view.shape.part_count, 7);
+    EXPECT_EQ(view.shape.line, (ProbeLine{{0, 1}, {2, 3}}));
+    EXPECT_EQ(view.shown_map, (ShownMap{ShownMapKind::shear, 0.25}));
+    EXPECT_TRUE(view.blossom_values);
+    EXPECT_EQ(view.orbit, state().view.orbit);
+    other.run(Open{.path = folder_.write("plain.json", plain)});
+    EXPECT_EQ(other.state().view.shape.part_count, 10) << "every document has its own";
+    EXPECT_FALSE(other.state().view.blossom_values);
+    EXPECT_FALSE(other.run(
+        Open{.path = folder_.write("bad.json",
+                                   R"({"format":"batten","version":1,"curves":[],"view":{"forms":{"parts":0}}})")}));
+    EXPECT_EQ(other.state().message.text, "bad.json: /view/forms/parts: this must be from 1 to 200");
 }
 
 TEST_F(FileCommands, take_the_notation_of_a_document_and_go_back_to_the_usual_one) {
