@@ -44,8 +44,6 @@ void draw_degree_number(const PanelContext& context, const core::Curve& curve, f
     field.width_px = width_px;
     field.lowest = core::min_degree;
     field.highest = core::max_degree;
-    if (context.state.view.notation.degree == editor::DegreeOrOrder::order)
-        field.unit = core::sentence(" (k = {order})", {{"order", curve.degree() + 1}});
     field.is_enabled = is_editable(context.state);
     field.tooltip = locked_sentence(context.state);
     draw_number_field(context, field,
@@ -71,7 +69,9 @@ void draw_degree_buttons(const PanelContext& context, bool has_words, float widt
 }
 
 void draw_degree_row(const PanelContext& context, const core::Curve& curve) {
-    draw_row_label(context, "Degree");
+    const bool has_order = context.state.view.notation.degree == editor::DegreeOrOrder::order;
+    draw_row_label(
+        context, core::filled_as_needed(has_order ? "Degree, k = {order}" : "Degree", {{"order", curve.degree() + 1}}));
     const bool has_words = field_width(context) >= context.px(200);
     const float button_width = context.px(has_words ? 52 : 24);
     const float rest = field_width(context) - 2.0F * (button_width + context.px(24)) - 4.0F * context.px(row_gap);

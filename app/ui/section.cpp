@@ -86,7 +86,8 @@ float content_width(const PanelContext& context) {
 void draw_row_label(const PanelContext& context, const std::string& label) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     draw_text(context, ImVec2(origin.x, origin.y + context.px(12)),
-              {label, context.fonts.text, 0.0, context.theme.dim});
+              {label, context.fonts.text, 0.0, context.theme.dim, render::Anchor::left,
+               label_width(context) - context.px(row_gap)});
     ImGui::SetCursorScreenPos(ImVec2(origin.x + label_width(context), origin.y));
 }
 
