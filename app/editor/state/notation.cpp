@@ -26,9 +26,11 @@ bool is_part_of_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '\'';
 }
 
-/// Whether the letter at `place` stands by itself; an index may follow it.
+/// Whether the letter at `place` stands by itself; a factor may stand before it, as in "3u", and an index may follow.
 bool stands_alone(std::string_view text, std::size_t place) {
-    const bool begins = place == 0 || !is_part_of_word(text[place - 1]);
+    std::size_t factor = place;
+    while (factor > 0 && text[factor - 1] >= '0' && text[factor - 1] <= '9') --factor;
+    const bool begins = factor == 0 || !is_part_of_word(text[factor - 1]);
     const bool ends = place + 1 == text.size() || !is_latin_letter(text[place + 1]);
     return begins && ends;
 }
@@ -127,11 +129,11 @@ bool is_written_by(double value, int digits) {
 }
 
 constexpr std::int64_t most_numerator_of_decimal = 99;
-constexpr std::int64_t most_numerator = 999;
+constexpr std::int64_t most_fraction_numerator = 999;
 
 std::optional<core::Fraction> fraction_to_read(double value) {
     const std::optional<core::Fraction> fraction = core::small_fraction(value);
-    return fraction && std::abs(fraction->numerator) <= most_numerator ? fraction : std::nullopt;
+    return fraction && std::abs(fraction->numerator) <= most_fraction_numerator ? fraction : std::nullopt;
 }
 
 bool is_read_as_fraction(double value, core::Fraction fraction, int digits) {
@@ -141,14 +143,14 @@ bool is_read_as_fraction(double value, core::Fraction fraction, int digits) {
            (std::abs(fraction.numerator) <= most_numerator_of_decimal && !is_written_by(value, digits));
 }
 
-std::string text_of(core::Fraction fraction) {
+std::string text_of_fraction(core::Fraction fraction) {
     std::string text = core::fraction_text(fraction);
     if (text.front() == '-') text.replace(0, 1, true_minus);
     return text;
 }
 
 template <core::HasNames Enum>
-void read(const std::map<std::string, std::string>& names, const char* name, Enum& value) {
+void read_choice(const std::map<std::string, std::string>& names, const char* name, Enum& value) {
     const auto found = names.find(name);
     if (found != names.end()) value = core::value_named<Enum>(found->second).value_or(value);
 }
@@ -170,7 +172,8 @@ std::string notated(const std::string& text, const Notation& notation) {
 std::string exact_text(const Notation& notation, double value, int digits) {
     if (notation.numbers == NumberStyle::decimals) return number_text(value, digits);
     const std::optional<core::Fraction> fraction = fraction_to_read(value);
-    return fraction && is_read_as_fraction(value, *fraction, digits) ? text_of(*fraction) : number_text(value, digits);
+    return fraction && is_read_as_fraction(value, *fraction, digits) ? text_of_fraction(*fraction)
+                                                                     : number_text(value, digits);
 }
 
 std::vector<std::string> exact_texts(const Notation& notation, std::span<const double> values, int digits) {
@@ -185,7 +188,7 @@ std::vector<std::string> exact_texts(const Notation& notation, std::span<const d
         has_fraction && fractions.size() == values.size() && notation.numbers == NumberStyle::fractions;
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < values.size(); ++i)
-        texts.push_back(are_fractions && fractions[i].denominator != 1 ? text_of(fractions[i])
+        texts.push_back(are_fractions && fractions[i].denominator != 1 ? text_of_fraction(fractions[i])
                                                                        : number_text(values[i], digits));
     return texts;
 }
@@ -200,11 +203,11 @@ std::map<std::string, std::string> names_of(const Notation& notation) {
 
 Notation notation_named(const std::map<std::string, std::string>& names) {
     Notation notation;
-    read(names, "points", notation.points);
-    read(names, "parameter", notation.parameter);
-    read(names, "degree", notation.degree);
-    read(names, "triangles", notation.triangles);
-    read(names, "numbers", notation.numbers);
+    read_choice(names, "points", notation.points);
+    read_choice(names, "parameter", notation.parameter);
+    read_choice(names, "degree", notation.degree);
+    read_choice(names, "triangles", notation.triangles);
+    read_choice(names, "numbers", notation.numbers);
     return notation;
 }
 

@@ -22,6 +22,8 @@ TEST(Notation, replaces_letters_that_stand_by_themselves) {
     EXPECT_EQ(notated("C(u) = (u − u_{3})/(u_{6} − u_{3})", lecture), "C(t) = (t − t_{3})/(t_{6} − t_{3})");
     EXPECT_EQ(notated("Moved P₅ at u = 0.4 in U", lecture), "Moved V₅ at t = 0.4 in T");
     EXPECT_EQ(notated("P, C′(u); 3 P_{0}", lecture), "V, C′(t); 3 V_{0}");
+    EXPECT_EQ(notated("(−3u^{3} + 21u + 12P_{1})/6", lecture), "(−3t^{3} + 21t + 12V_{1})/6");
+    EXPECT_EQ(notated("x2u, N3u", lecture), "x2u, N3u");
 }
 
 TEST(Notation, leaves_words_alone) {

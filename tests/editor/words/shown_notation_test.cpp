@@ -21,7 +21,8 @@ constexpr Notation other{PointLetter::V, ParameterLetter::t, DegreeOrOrder::orde
 std::string left_in(const std::string& text) {
     bool is_quoted = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        const char before = i == 0 ? ' ' : text[i - 1];
+        const std::size_t factor = text.find_last_not_of("0123456789", i == 0 ? 0 : i - 1);
+        const char before = i == 0 || factor == std::string::npos ? ' ' : text[factor];
         const char after = i + 1 == text.size() ? ' ' : text[i + 1];
         if (text[i] == '\'' && (is_quoted || before == ' ' || before == '(')) is_quoted = !is_quoted;
         const bool is_letter = text[i] == 'P' || text[i] == 'u' || text[i] == 'U';
