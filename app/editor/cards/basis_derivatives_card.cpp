@@ -20,10 +20,10 @@ namespace batten::editor {
 namespace {
 
 // Design pixels.
-constexpr double picture_height = 150.0;
+constexpr double derivatives_height = 150.0;
 constexpr double left_margin = 44.0;
 constexpr double right_margin = 8.0;
-constexpr double top_margin = 8.0;
+constexpr double derivatives_top_margin = 8.0;
 constexpr double derivative_spacing = 4.0;
 
 /// The least of 1, 2, 5, 10, 20, ... that is no less than `value`, so that the scale stands still while knots move.
@@ -90,7 +90,7 @@ class DerivativePicture {
     glm::dvec2 place(glm::dvec2 at) const {
         const double left = pen_.px(left_margin);
         const double width = pen_.size_px().x - left - pen_.px(right_margin);
-        const double half = 0.5 * pen_.size_px().y - pen_.px(top_margin);
+        const double half = 0.5 * pen_.size_px().y - pen_.px(derivatives_top_margin);
         return {left + (at.x - range_.lower) / range_.length() * width, 0.5 * pen_.size_px().y - at.y / scale_ * half};
     }
 
@@ -139,7 +139,7 @@ class DerivativePicture {
 };
 
 CardPicture picture_of(const EditorState& state, int order) {
-    return {.height = picture_height, .draw = [&state, order](glm::dvec2 size_px, double scale) {
+    return {.height = derivatives_height, .draw = [&state, order](glm::dvec2 size_px, double scale) {
                 CardDrawing drawing;
                 DerivativePicture(state, order, size_px, scale, drawing.list).draw();
                 return drawing;

@@ -14,7 +14,7 @@ namespace batten::editor {
 namespace {
 
 /// "f(0, 0, 1/4)": the lower end p-k times, the upper one k times.
-std::string blossom_of(const Notation& notation, const core::BezierPiece& piece, std::size_t k) {
+std::string blossom_of_point(const Notation& notation, const core::BezierPiece& piece, std::size_t k) {
     const std::size_t p = piece.points.size() - 1;
     std::vector<std::string> arguments(p - k, exact_text(notation, piece.interval.lower));
     arguments.insert(arguments.end(), k, exact_text(notation, piece.interval.upper));
@@ -25,7 +25,7 @@ std::string place_of(const Notation& notation, core::Point place) {
     return fmt::format("({}, {})", exact_text(notation, place.x), exact_text(notation, place.y));
 }
 
-CardTable table_of(const Notation& notation, const NamedPiece& named) {
+CardTable table_of_piece(const Notation& notation, const NamedPiece& named) {
     constexpr std::size_t most_arguments = 5;  // more would not fit beside the place
     const core::BezierPiece& piece = named.piece;
     const bool has_blossoms = piece.points.size() <= most_arguments + 1;
@@ -34,7 +34,7 @@ CardTable table_of(const Notation& notation, const NamedPiece& named) {
     table.rows[0].push_back({.text = "place"});
     for (std::size_t k = 0; k < piece.points.size(); ++k) {
         std::vector<CardText> row{{.text = bezier_name(named.numbers[k]), .tone = CardTone::strong}};
-        if (has_blossoms) row.push_back({.text = blossom_of(notation, piece, k)});
+        if (has_blossoms) row.push_back({.text = blossom_of_point(notation, piece, k)});
         row.push_back({.text = place_of(notation, core::project(piece.points[k]))});
         table.rows.push_back(std::move(row));
     }
@@ -57,7 +57,7 @@ Card bezier_points_card(const EditorState& state) {
     card.line(core::sentence("The piece over [{lower}, {upper}], in which u is:",
                              {{"lower", exact_text(notation, named.piece.interval.lower)},
                               {"upper", exact_text(notation, named.piece.interval.upper)}}));
-    card.add(table_of(notation, named));
+    card.add(table_of_piece(notation, named));
     card.line(
         named.is_complete
             ? "Both ends of the piece have multiplicity p: its Bézier points are control points of the curve."

@@ -17,7 +17,7 @@ namespace {
 constexpr double least_blossom_cell = 68.0;
 constexpr double blossom_column_share = 0.87;
 
-std::string blossom_of(const NamedTriangle& named, core::CellPlace place, bool by_values) {
+std::string blossom_of_cell(const NamedTriangle& named, core::CellPlace place, bool by_values) {
     const core::BlossomLabel label = core::de_boor_label(named.curve.knots(), named.cell(place).index, place.level);
     return by_values ? blossom_by_values(label, named.notation) : blossom_by_indices(label);
 }
@@ -26,9 +26,9 @@ std::string blossom_of(const NamedTriangle& named, core::CellPlace place, bool b
 void add_affine_lines(Card& card, const NamedTriangle& named, core::CellPlace place, bool by_values) {
     const BlendedCell blended{named, place};
     const ShareTexts shares = share_texts(named.notation, blended.alpha());
-    card.formula(blossom_of(named, place, by_values));
-    card.formula(fmt::format("= {} {}", shares.lower, blossom_of(named, blended.lower(), by_values)));
-    card.formula(fmt::format("+ {} {}", shares.upper, blossom_of(named, blended.upper(), by_values)));
+    card.formula(blossom_of_cell(named, place, by_values));
+    card.formula(fmt::format("= {} {}", shares.lower, blossom_of_cell(named, blended.lower(), by_values)));
+    card.formula(fmt::format("+ {} {}", shares.upper, blossom_of_cell(named, blended.upper(), by_values)));
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ Card blossoms_card(const EditorState& state) {
                      {.text = "By value", .command = SetBlossomValues{.by_value = true}, .is_active = by_values}}});
     card.add(triangle_picture(
         state, {.inside = [by_values](const NamedTriangle& shown,
-                                      core::CellPlace place) { return blossom_of(shown, place, by_values); },
+                                      core::CellPlace place) { return blossom_of_cell(shown, place, by_values); },
                 .below = [](const NamedTriangle& shown, core::CellPlace place) { return shown.point(place); },
                 .least_width = least_blossom_cell,
                 .column_share = blossom_column_share}));

@@ -47,7 +47,7 @@ class PanelMap {
 };
 
 /// How often u is inserted in each panel.
-std::vector<std::size_t> panels_of(std::size_t last) {
+std::vector<std::size_t> insertion_panels(std::size_t last) {
     std::vector<std::size_t> times;
     for (std::size_t r = 1; r <= std::min(last, most_panels); ++r) times.push_back(r);
     if (last > most_panels) times.back() = last;
@@ -79,7 +79,7 @@ class InsertionPainter {
 
     CardDrawing draw() {
         const std::size_t last = core::insertion_count(triangle_);
-        const std::vector<std::size_t> panels = panels_of(last);
+        const std::vector<std::size_t> panels = insertion_panels(last);
         const PanelRows rows = panel_rows(panels.size());
         const double width = (pen_.size_px().x - pen_.px(panel_gap) * static_cast<double>(rows.columns - 1)) /
                              static_cast<double>(rows.columns);
@@ -155,7 +155,7 @@ class InsertionPainter {
 };
 
 CardPicture insertion_picture(const EditorState& state, std::size_t last) {
-    const PanelRows rows = panel_rows(panels_of(last).size());
+    const PanelRows rows = panel_rows(insertion_panels(last).size());
     const auto count = static_cast<double>(rows.rows());
     return {
         .height = count * panel_height + (count - 1.0) * panel_gap,

@@ -19,6 +19,10 @@ std::string pair_text(const Notation& notation, core::Vector pair) {
     return fmt::format("({}, {})", short_text(notation, pair.x), short_text(notation, pair.y));
 }
 
+CardText tick(bool holds) {
+    return {.text = holds ? "✓" : "✗", .tone = holds ? CardTone::good : CardTone::bad};
+}
+
 Card without_curve(Card card) {
     card.line("There is no visible active curve.");
     card.add(CardButtons{{{.text = "Open an example", .command = OpenExample{.name = "wave"}}}});

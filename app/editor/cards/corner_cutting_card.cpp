@@ -21,8 +21,8 @@ namespace {
 
 using core::sentence;
 
-constexpr std::size_t most_formulas = 6;   // of more new points there is a table
-constexpr double rounding_of_size = 1e-9;  // an older polygon that is nearer is the one the curve came from
+constexpr std::size_t most_formulas = 6;         // of more new points there is a table
+constexpr double least_distance_of_size = 1e-9;  // an older polygon that is nearer is the one the curve came from
 
 /// Writes about one cutting.
 class CuttingText {
@@ -125,7 +125,7 @@ class CuttingText {
     bool has_weights_;
 };
 
-void add_formulas(Card& card, const CuttingText& text, const ShownCutting& shown) {
+void add_cut_formulas(Card& card, const CuttingText& text, const ShownCutting& shown) {
     for (std::size_t j = 0; j < shown.cutting.cuts.size(); ++j) {
         card.add(CardLine{{.text = text.blend(j), .tone = CardTone::strong, .hover = text.hover(j)}, true});
         card.add(CardLine{{.text = text.alpha(j), .tone = CardTone::dim, .hover = text.hover(j)}, true});
@@ -149,7 +149,7 @@ void add_table(Card& card, const CuttingText& text, const ShownCutting& shown) {
 /// What was done to the points since, which no insertion explains.
 void add_deviation(Card& card, const EditorState& state, const ShownCutting& shown) {
     const core::Curve& curve = *state.shown().active_curve()->curve;
-    if (!shown.has_happened || is_within_tolerance(curve, shown.deviation, rounding_of_size)) return;
+    if (!shown.has_happened || is_within_tolerance(curve, shown.deviation, least_distance_of_size)) return;
     card.line(sentence("Points were moved since: no older polygon gives exactly these. The nearest one, shown as a "
                        "ghost, moves the curve by at most {deviation}.",
                        {{"deviation", bound_text(shown.deviation)}}),
@@ -185,7 +185,7 @@ Card corner_cutting_card(const EditorState& state) {
     card.line(text.headline());
     card.line(text.continuity(), CardTone::dim);
     if (shown->cutting.cuts.size() <= most_formulas)
-        add_formulas(card, text, *shown);
+        add_cut_formulas(card, text, *shown);
     else
         add_table(card, text, *shown);
     add_deviation(card, state, *shown);

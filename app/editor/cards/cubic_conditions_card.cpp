@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/editor/cards/card_texts.h"
 #include "app/editor/cards/cubic_card_parts.h"
 #include "app/editor/cards/cubic_cards.h"
 #include "app/editor/words/formula.h"
@@ -13,9 +14,9 @@ namespace batten::editor {
 namespace {
 
 // Design pixels.
-constexpr double picture_height = 118.0;
-constexpr double side_margin = 14.0;
-constexpr double top_margin = 16.0;
+constexpr double pieces_height = 118.0;
+constexpr double pieces_side_margin = 14.0;
+constexpr double pieces_top_margin = 16.0;
 constexpr double bottom_margin = 20.0;
 constexpr int steps = 24;  // of a piece
 constexpr double highest = 2.0 / 3.0;
@@ -52,8 +53,8 @@ class PiecesPainter {
 
   private:
     glm::dvec2 place(double along, double value) const {
-        const double x = side_margin + (size_.x - 2.0 * side_margin) * along / 4.0;
-        const double room = size_.y - top_margin - bottom_margin;
+        const double x = pieces_side_margin + (size_.x - 2.0 * pieces_side_margin) * along / 4.0;
+        const double room = size_.y - pieces_top_margin - bottom_margin;
         return {pen_.px(x), pen_.px(size_.y - bottom_margin - room * value / highest)};
     }
 
@@ -93,11 +94,7 @@ class PiecesPainter {
     glm::dvec2 size_;
 };
 
-CardText tick(bool holds) {
-    return {.text = holds ? "✓" : "✗", .tone = holds ? CardTone::good : CardTone::bad};
-}
-
-CardTable conditions(const Notation& notation) {
+CardTable condition_table(const Notation& notation) {
     CardTable table{.rows = {{{.text = "Joint"}, {.text = "Condition"}, {.text = "Numbers"}, {.text = ""}}},
                     .has_heading = true};
     for (const core::UniformCubicCondition& condition : core::uniform_cubic_conditions()) {
@@ -120,10 +117,10 @@ Card cubic_conditions_card(const EditorState& state) {
     card.line(
         "The basis function of the uniform cubic is made of four polynomials, zero outside of them. At each joint "
         "both sides have the same value, first and second derivative.");
-    card.add(CardPicture{.height = picture_height, .draw = [look](glm::dvec2 size_px, double scale) {
+    card.add(CardPicture{.height = pieces_height, .draw = [look](glm::dvec2 size_px, double scale) {
                              return PiecesPainter(look, size_px, scale).draw();
                          }});
-    card.add(conditions(notation));
+    card.add(condition_table(notation));
     card.line(
         "These fifteen equations leave the sixteen coefficients one common factor. It follows from the sum, which "
         "must be 1:");

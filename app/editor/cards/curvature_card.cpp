@@ -20,7 +20,7 @@ namespace {
 
 using core::sentence;
 
-constexpr std::size_t most_rows = 12;
+constexpr std::size_t most_bend_rows = 12;
 
 struct BendRow {
     double u = 0.0;
@@ -28,7 +28,7 @@ struct BendRow {
     std::string curvature;
 };
 
-std::vector<BendRow> rows_of(const EditorState& state, const Bends& bends) {
+std::vector<BendRow> bend_rows(const EditorState& state, const Bends& bends) {
     std::vector<BendRow> rows;
     for (const core::Inflection& inflection : bends.inflections)
         rows.push_back({inflection.u, "inflection", inflection.is_jump ? "jumps" : "0"});
@@ -39,9 +39,9 @@ std::vector<BendRow> rows_of(const EditorState& state, const Bends& bends) {
     return rows;
 }
 
-CardTable table_of(const core::Curve& curve, const std::vector<BendRow>& rows) {
+CardTable table_of_bends(const core::Curve& curve, const std::vector<BendRow>& rows) {
     CardTable table{.rows = {{{.text = "u"}, {.text = "what"}, {.text = "κ"}}}, .has_heading = true};
-    for (std::size_t k = 0; k < rows.size() && k < most_rows; ++k)
+    for (std::size_t k = 0; k < rows.size() && k < most_bend_rows; ++k)
         table.rows.push_back({{.text = parameter_text(curve, rows[k].u),
                                .hover = HoveredCurve{rows[k].u},
                                .command = SetParameter{.u = rows[k].u}},
@@ -117,10 +117,10 @@ Card curvature_marks_card(const EditorState& state) {
     if (!bends->extrema.empty())
         card.line(sentence({.one = "1 extreme of the curvature", .many = "{count} extremes of the curvature"},
                            bends->extrema.size()));
-    const std::vector<BendRow> rows = rows_of(state, *bends);
-    if (!rows.empty()) card.add(table_of(*curve, rows));
-    if (rows.size() > most_rows)
-        card.line(sentence("Showing {shown} of {count}", {{"shown", most_rows}, {"count", rows.size()}}),
+    const std::vector<BendRow> rows = bend_rows(state, *bends);
+    if (!rows.empty()) card.add(table_of_bends(*curve, rows));
+    if (rows.size() > most_bend_rows)
+        card.line(sentence("Showing {shown} of {count}", {{"shown", most_bend_rows}, {"count", rows.size()}}),
                   CardTone::dim);
     return card;
 }

@@ -11,7 +11,7 @@ namespace batten::editor {
 
 namespace {
 
-void add_formula(Card& card, const EndFormula& formula, const Hover& hover) {
+void add_end_formula(Card& card, const EndFormula& formula, const Hover& hover) {
     card.add(CardLine{{.text = formula.symbols, .hover = hover}});
     for (const std::string& line : formula.numbers) card.line(line, CardTone::dim);
 }
@@ -22,7 +22,7 @@ Hover leg_of(const core::EndDerivatives& at) {
 }
 
 // Returns whether the formulas hold.
-bool add_end(Card& card, const core::Curve& curve, core::CurveEnd end, const Notation& notation) {
+bool add_end_derivatives(Card& card, const core::Curve& curve, core::CurveEnd end, const Notation& notation) {
     const bool is_start = end == core::CurveEnd::start;
     card.line(is_start ? "At the start" : "At the end", CardTone::strong);
     const auto at = core::end_derivatives(curve, end);
@@ -32,8 +32,8 @@ bool add_end(Card& card, const core::Curve& curve, core::CurveEnd end, const Not
                   CardTone::dim);
         return false;
     }
-    add_formula(card, first_end_formula(*at, notation), leg_of(*at));
-    if (at->second) add_formula(card, second_end_formula(*at, notation), HoveredPoint{at->second->far_point.index});
+    add_end_formula(card, first_end_formula(*at, notation), leg_of(*at));
+    if (at->second) add_end_formula(card, second_end_formula(*at, notation), HoveredPoint{at->second->far_point.index});
     return true;
 }
 
@@ -50,8 +50,8 @@ Card end_derivatives_card(const EditorState& state) {
     if (curve == nullptr) return offer_curve_with_ends(card.line("There is no curve to be measured.", CardTone::dim));
     if (curve->is_periodic())
         return offer_curve_with_ends(card.line("The curve is periodic: it has no ends.", CardTone::dim));
-    const bool start_is_clamped = add_end(card, *curve, core::CurveEnd::start, state.view.notation);
-    const bool end_is_clamped = add_end(card, *curve, core::CurveEnd::end, state.view.notation);
+    const bool start_is_clamped = add_end_derivatives(card, *curve, core::CurveEnd::start, state.view.notation);
+    const bool end_is_clamped = add_end_derivatives(card, *curve, core::CurveEnd::end, state.view.notation);
     if (!start_is_clamped || !end_is_clamped)
         card.add(CardButtons{{{.text = "Clamp both ends", .command = Clamp{.end = CurveEnds::both}}}});
     return card;

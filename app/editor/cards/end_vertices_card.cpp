@@ -62,7 +62,7 @@ Command adding(core::EndVertex vertex, CurveEnds end) {
     return PhantomEnd{.end = end};
 }
 
-void add_end(Card& card, const core::Curve& curve, core::CurveEnd end) {
+void add_end_vertices(Card& card, const core::Curve& curve, core::CurveEnd end) {
     const bool is_start = end == core::CurveEnd::start;
     const std::array<std::string, 3> names = outer_names(curve, end);
     CardTable table{
@@ -110,8 +110,8 @@ Card end_vertices_card(const EditorState& state) {
     if (curve.is_periodic()) {
         card.line("The curve is periodic and has no ends; inner vertices can be double, triple or on a line, too.");
     } else {
-        add_end(card, curve, core::CurveEnd::start);
-        add_end(card, curve, core::CurveEnd::end);
+        add_end_vertices(card, curve, core::CurveEnd::start);
+        add_end_vertices(card, curve, core::CurveEnd::end);
         card.line(
             "With a double or a phantom vertex the curvature is 0 there; with a triple one the first span is "
             "straight.",

@@ -11,19 +11,19 @@ namespace batten::editor {
 
 namespace {
 
-constexpr std::size_t most_rows = 8;
+constexpr std::size_t most_farin_rows = 8;
 
 /// The legs between the points that act on the span of the parameter.
 std::vector<std::size_t> active_legs(const core::Curve& curve, double u) {
     const auto p = static_cast<std::size_t>(curve.degree());
     const std::size_t first = curve.knots().span_at(curve.knots().into_domain(u)) - p;
     std::vector<std::size_t> legs;
-    for (std::size_t k = 0; k < std::min(p, most_rows); ++k)
+    for (std::size_t k = 0; k < std::min(p, most_farin_rows); ++k)
         legs.push_back((first + k) % curve.control_points().size());
     return legs;
 }
 
-std::vector<CardText> row_of(const EditorState& state, const core::Curve& curve, std::size_t leg) {
+std::vector<CardText> farin_row(const EditorState& state, const core::Curve& curve, std::size_t leg) {
     const std::size_t next = (leg + 1) % curve.control_points().size();
     const auto exact = [&](double value) { return root_text(state.view.notation, value); };
     const Hover hover = HoveredFarinPoint{leg};
@@ -45,7 +45,7 @@ Card farin_card(const EditorState& state) {
     CardTable table{.rows = {{{.text = "point"}, {.text = "ratio of the weights"}, {.text = "share"}}},
                     .has_heading = true};
     for (const std::size_t leg : active_legs(*curve, state.parameter()))
-        table.rows.push_back(row_of(state, *curve, leg));
+        table.rows.push_back(farin_row(state, *curve, leg));
     card.add(std::move(table));
     card.line(
         curve->is_periodic()

@@ -46,7 +46,7 @@ std::vector<std::string> names_of_points(std::size_t first, std::size_t last) {
     return names;
 }
 
-struct Half {
+struct HalfText {
     const char* pattern;
     core::Interval domain;
     std::size_t point_count;
@@ -54,7 +54,7 @@ struct Half {
     render::Color color;
 };
 
-void add_half(Card& card, const Notation& notation, const Half& half) {
+void add_half(Card& card, const Notation& notation, const HalfText& half) {
     const std::string text = core::sentence(half.pattern, {{"begin", exact_text(notation, half.domain.lower)},
                                                            {"end", exact_text(notation, half.domain.upper)},
                                                            {"count", half.point_count}});

@@ -13,7 +13,7 @@ namespace {
 
 using core::sentence;
 
-constexpr std::size_t most_rows = 6;
+constexpr std::size_t most_lifted_rows = 6;
 
 /// The points of the active span, and what they are lifted to.
 CardTable points_table(const EditorState& state, const core::Curve& curve) {
@@ -21,7 +21,7 @@ CardTable points_table(const EditorState& state, const core::Curve& curve) {
     const auto p = static_cast<std::size_t>(curve.degree());
     const std::size_t span = curve.knots().span_at(curve.knots().into_domain(state.parameter()));
     CardTable table{.rows = {{{.text = "point"}, {.text = "w"}, {.text = "(wx, wy, w)"}}}, .has_heading = true};
-    for (std::size_t i = span - p; i <= span && i < span - p + most_rows; ++i) {
+    for (std::size_t i = span - p; i <= span && i < span - p + most_lifted_rows; ++i) {
         const std::size_t k = i % curve.control_points().size();
         const core::HomogeneousPoint lifted = curve.homogeneous_point(k);
         const Hover hover = HoveredLifted{k};

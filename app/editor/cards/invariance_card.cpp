@@ -16,7 +16,7 @@ namespace {
 
 using core::sentence;
 
-std::string place_text(const EditorState& state, core::Point point) {
+std::string mapped_place_text(const EditorState& state, core::Point point) {
     const auto text = [&](double value) { return exact_text(state.view.notation, value); };
     return sentence("({x}, {y})", {{"x", text(point.x)}, {"y", text(point.y)}});
 }
@@ -25,12 +25,13 @@ void add_both_ways(Card& card, const EditorState& state, const core::Curve& curv
                    const MapCheck& check) {
     const double u = state.parameter();
     card.line("First the point, then the map:");
-    card.formula(
-        sentence("M(C(u)) = {place}", {{"place", place_text(state, core::mapped(map, core::point_at(curve, u)))}}),
-        CardTone::parameter);
-    card.line("First the map of the polygon, then the point:");
-    card.formula(sentence("C^{{*}}(u) = {place}", {{"place", place_text(state, core::point_at(*check.image, u))}}),
+    card.formula(sentence("M(C(u)) = {place}",
+                          {{"place", mapped_place_text(state, core::mapped(map, core::point_at(curve, u)))}}),
                  CardTone::parameter);
+    card.line("First the map of the polygon, then the point:");
+    card.formula(
+        sentence("C^{{*}}(u) = {place}", {{"place", mapped_place_text(state, core::point_at(*check.image, u))}}),
+        CardTone::parameter);
 }
 
 void add_verdict(Card& card, const MapCheck& check) {

@@ -7,11 +7,11 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double picture_height = 190.0;
+constexpr double maps_height = 190.0;
 constexpr double padding = 10.0;
-constexpr double title_height = 18.0;
+constexpr double half_title_height = 18.0;
 constexpr std::size_t dot_stride = 12;  // of the compared parameters
-constexpr std::size_t most_legs = 400;
+constexpr std::size_t most_mapped_legs = 400;
 constexpr std::size_t most_large_points = 40;
 
 // What both halves are drawn from.
@@ -23,34 +23,35 @@ struct Subject {
 };
 
 // One of the two pictures.
-struct Half {
+struct PictureHalf {
     glm::dvec2 title;
     InsetMap place;
 };
 
-Half half_of(const Pen& pen, bool is_right, const core::Box& world) {
+PictureHalf half_of(const Pen& pen, bool is_right, const core::Box& world) {
     const double middle = 0.5 * pen.size_px().x;
-    const glm::dvec2 lower(is_right ? middle : 0.0, pen.px(title_height));
+    const glm::dvec2 lower(is_right ? middle : 0.0, pen.px(half_title_height));
     const glm::dvec2 upper(is_right ? pen.size_px().x : middle, pen.size_px().y);
     const render::PixelBox area{lower + pen.px(padding), upper - pen.px(padding)};
-    return {{lower.x + (is_right ? pen.px(padding) : 0.0), 0.5 * pen.px(title_height)}, InsetMap(area, world)};
+    return {{lower.x + (is_right ? pen.px(padding) : 0.0), 0.5 * pen.px(half_title_height)}, InsetMap(area, world)};
 }
 
-std::vector<glm::dvec2> places_of(std::span<const core::Point> points, const InsetMap& place, std::size_t stride = 1) {
+std::vector<glm::dvec2> mapped_places(std::span<const core::Point> points, const InsetMap& place,
+                                      std::size_t stride = 1) {
     std::vector<glm::dvec2> places;
     for (std::size_t i = 0; i < points.size(); i += stride) places.push_back(place(points[i]));
     if (!points.empty() && (points.size() - 1) % stride != 0) places.push_back(place(points.back()));
     return places;
 }
 
-std::vector<glm::dvec2> polygon_of(const core::Curve& curve, const InsetMap& place) {
+std::vector<glm::dvec2> mapped_polygon(const core::Curve& curve, const InsetMap& place) {
     const auto points = curve.control_points();
-    std::vector<glm::dvec2> places = places_of(points, place, points.size() / most_legs + 1);
+    std::vector<glm::dvec2> places = mapped_places(points, place, points.size() / most_mapped_legs + 1);
     if (curve.is_periodic()) places.push_back(places.front());
     return places;
 }
 
-void draw_title(Pen& pen, const Theme& theme, const Half& half, const char* title) {
+void draw_title(Pen& pen, const Theme& theme, const PictureHalf& half, const char* title) {
     pen.text(half.title, title, {.color = theme.text, .size = 13.0});
 }
 
@@ -68,10 +69,10 @@ void draw_dots(Pen& pen, render::Color color, std::span<const core::Point> point
 }
 
 // The points of the curve on their way to their images.
-void draw_evaluated_first(Pen& pen, const Half& half, const Subject& subject) {
+void draw_evaluated_first(Pen& pen, const PictureHalf& half, const Subject& subject) {
     const auto& [mapped, check, theme, u] = subject;
     draw_title(pen, theme, half, "evaluate, then map");
-    draw_before(pen, theme, places_of(check->points, half.place));
+    draw_before(pen, theme, mapped_places(check->points, half.place));
     for (std::size_t k = 0; k < check->points.size(); k += dot_stride)
         pen.segment(half.place(check->points[k]), half.place(check->evaluated_first[k]),
                     {.color = render::faded(theme.polygon, 0.6), .width = 1.0});
@@ -86,12 +87,12 @@ void draw_evaluated_first(Pen& pen, const Half& half, const Subject& subject) {
 
 // The polygon, its image, and the curve of that with points at the same parameters; where the weights are mapped too
 // also the points that the old weights would give.
-void draw_mapped_first(Pen& pen, const Half& half, const Subject& subject) {
+void draw_mapped_first(Pen& pen, const PictureHalf& half, const Subject& subject) {
     const auto& [mapped, check, theme, u] = subject;
     draw_title(pen, theme, half, "map, then evaluate");
-    draw_before(pen, theme, polygon_of(mapped.curve, half.place));
-    pen.line(polygon_of(*check->image, half.place), {.color = theme.polygon, .width = 1.25});
-    pen.line(places_of(check->mapped_first, half.place), {.color = theme.curve, .width = 1.75});
+    draw_before(pen, theme, mapped_polygon(mapped.curve, half.place));
+    pen.line(mapped_polygon(*check->image, half.place), {.color = theme.polygon, .width = 1.25});
+    pen.line(mapped_places(check->mapped_first, half.place), {.color = theme.curve, .width = 1.75});
     draw_dots(pen, theme.error, check->weights_kept, half.place);
     draw_dots(pen, theme.curve, check->mapped_first, half.place);
     const auto points = check->image->control_points();
@@ -114,7 +115,7 @@ CardPicture invariance_picture(const EditorState& state, const MappedCurve& mapp
         draw_mapped_first(pen, half_of(pen, true, subject.check->box), subject);
         return drawing;
     };
-    return {.height = picture_height, .draw = draw};
+    return {.height = maps_height, .draw = draw};
 }
 
 }  // namespace batten::editor

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "app/editor/cards/card_texts.h"
 #include "app/editor/cards/cubic_card_parts.h"
 #include "app/editor/cards/cubic_cards.h"
 #include "app/editor/commands/closing_commands.h"
@@ -15,16 +16,12 @@ namespace batten::editor {
 
 namespace {
 
-CardText tick(bool holds) {
-    return {.text = holds ? "✓" : "✗", .tone = holds ? CardTone::good : CardTone::bad};
-}
-
 std::string vertex_names(std::size_t middle) {
     return fmt::format("{} {} {}", point_name(middle - 1), point_name(middle), point_name(middle + 1));
 }
 
 /// The vertices on both sides, and the three conditions.
-CardTable conditions(const Notation& notation, const core::CubicMeeting& meeting) {
+CardTable joint_conditions(const Notation& notation, const core::CubicMeeting& meeting) {
     const auto& [first, second, continuity, has_equal_steps] = meeting;
     const auto row = [](const char* name, std::string left, std::string right, bool holds) -> std::vector<CardText> {
         return {{.text = name}, {.text = std::move(left)}, {.text = std::move(right)}, tick(holds)};
@@ -82,7 +79,7 @@ Card joined_cubics_card(const EditorState& state) {
     card.line(core::sentence("'{first}' ends, '{second}' begins:",
                              {{"first", is_first ? active : other}, {"second", is_first ? other : active}}),
               CardTone::strong);
-    card.add(conditions(state.view.notation, joined->meeting));
+    card.add(joint_conditions(state.view.notation, joined->meeting));
     card.line(meeting_sentence(joined->meeting), joined->meeting.continuity == 2 ? CardTone::good : CardTone::plain);
     card.add(CardButtons{{{"Share three vertices", ShareVertices{.other = other, .end = joined->end}}}});
     return card;

@@ -13,7 +13,7 @@ namespace batten::editor {
 
 namespace {
 
-CardTable table_of(const EditorState& state, const std::vector<PolygonRound>& rounds) {
+CardTable table_of_rounds(const EditorState& state, const std::vector<PolygonRound>& rounds) {
     const Theme theme = theme_of(state.view.theme);
     CardTable table{.rows = {{{.text = "round"}, {.text = "points"}, {.text = "distance"}, {.text = "ratio"}}},
                     .has_heading = true};
@@ -55,7 +55,7 @@ Card polygon_distance_card(const EditorState& state) {
               CardTone::strong);
     card.line(
         "A knot in the middle of every span brings it nearer; round by round the ratio of the distances tends to 1/4.");
-    card.add(table_of(state, *rounds));
+    card.add(table_of_rounds(state, *rounds));
     card.line("Red lines join each corner to the point of the curve at its Greville abscissa.", CardTone::dim);
     card.add(CardButtons{{{"Insert midpoint knots", InsertMidpoints{}}, {"Undo", Undo{}}}});
     return card;

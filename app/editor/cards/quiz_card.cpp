@@ -19,7 +19,7 @@ void add_vector(Card& card, const core::KnotVector& knots) {
         card.line(sentence("for a curve of degree p = {degree}", {degree}));
 }
 
-void add_question(Card& card, const KnotQuiz& quiz, KnotQuestion question) {
+void add_quiz_question(Card& card, const KnotQuiz& quiz, KnotQuestion question) {
     const std::string& given = quiz.answer_to(question);
     card.line(question_text(question), CardTone::strong);
     CardButtons options;
@@ -51,7 +51,7 @@ Card quiz_card(const EditorState& state) {
     card.line(sentence("Vector {number}", {{"number", quiz.number}}), CardTone::dim);
     add_vector(card, quiz.knots);
     for (const KnotQuestion question : all_knot_questions)
-        if (is_asked(quiz.knots, question)) add_question(card, quiz, question);
+        if (is_asked(quiz.knots, question)) add_quiz_question(card, quiz, question);
     card.line(
         sentence("Right so far: {right} of {count}", {{"right", quiz.right_count()}, {"count", quiz.given_count()}}));
     card.add(CardButtons{{{"Next vector", AskQuiz{.number = quiz.number + 1}},

@@ -16,18 +16,18 @@ namespace batten::editor {
 namespace {
 
 // Design pixels.
-constexpr double row_pitch = 46.0;
+constexpr double basis_row_pitch = 46.0;
 constexpr double cell_height = 36.0;
 constexpr double largest_cell = 64.0;
 constexpr double least_cell = 50.0;
 constexpr double cell_share = 0.58;      // of a column's pitch
 constexpr double triangle_margin = 2.0;  // for the outlines
-constexpr double cell_name_size = 12.0;
+constexpr double basis_name_size = 12.0;
 constexpr double cell_value_size = 12.0;
 constexpr double ratio_size = 10.5;
 constexpr int formula_lines = 5;
 
-double columns_of(std::size_t degree) {
+double triangle_columns(std::size_t degree) {
     return 1.0 + static_cast<double>(degree) / cell_share;
 }
 
@@ -42,7 +42,7 @@ class TrianglePicture {
           pen_(drawing.list, size_px, scale, state.view.notation),
           drawing_(drawing) {
         const double room = size_px.x / scale - 2.0 * triangle_margin;
-        cell_width_ = std::clamp(room / columns_of(triangle.levels.size() - 1), least_cell, largest_cell);
+        cell_width_ = std::clamp(room / triangle_columns(triangle.levels.size() - 1), least_cell, largest_cell);
         shown_ = shown_basis_cell(state);
     }
 
@@ -59,7 +59,7 @@ class TrianglePicture {
     /// The upper left corner, in pixels.
     glm::dvec2 corner(std::size_t k, std::size_t j) const {
         const double x = triangle_margin + static_cast<double>(k) * cell_width_ / cell_share;
-        const double y = triangle_margin + (static_cast<double>(j) + 0.5 * static_cast<double>(k)) * row_pitch;
+        const double y = triangle_margin + (static_cast<double>(j) + 0.5 * static_cast<double>(k)) * basis_row_pitch;
         return {pen_.px(x), pen_.px(y)};
     }
     glm::dvec2 left(std::size_t k, std::size_t j) const {
@@ -127,7 +127,7 @@ class TrianglePicture {
         const std::string value = number(cell(k, j).value);
         const render::Color ink = cell(k, j).value == 0.0 ? theme_.dim : theme_.text;
         pen_.text(middle - glm::dvec2(0.0, pen_.px(9.0)), name,
-                  {.color = ink, .size = cell_name_size, .anchor = render::Anchor::center});
+                  {.color = ink, .size = basis_name_size, .anchor = render::Anchor::center});
         pen_.text(
             middle + glm::dvec2(0.0, pen_.px(8.0)), value,
             {.color = ink, .size = cell_value_size, .anchor = render::Anchor::center, .font = render::LabelFont::bold});
@@ -148,18 +148,18 @@ class TrianglePicture {
 
 CardPicture triangle_picture(const EditorState& state, const core::BasisTriangle& triangle) {
     const auto p = static_cast<double>(triangle.levels.size() - 1);
-    return {.height = p * row_pitch + cell_height + 2.0 * triangle_margin,
+    return {.height = p * basis_row_pitch + cell_height + 2.0 * triangle_margin,
             .draw =
                 [&state, triangle](glm::dvec2 size_px, double scale) {
                     CardDrawing drawing;
                     TrianglePicture(state, triangle, size_px, scale, drawing).draw();
                     return drawing;
                 },
-            .least_width = columns_of(triangle.levels.size() - 1) * least_cell + 2.0 * triangle_margin};
+            .least_width = triangle_columns(triangle.levels.size() - 1) * least_cell + 2.0 * triangle_margin};
 }
 
 /// As many lines whatever the cell, so that nothing jumps.
-void add_formula(Card& card, const EditorState& state, const core::BasisTriangle& triangle) {
+void add_recurrence_formula(Card& card, const EditorState& state, const core::BasisTriangle& triangle) {
     const core::KnotVector& knots = state.active_curve()->knots();
     HoveredBasisCell shown = shown_basis_cell(state).value();
     const std::size_t first = triangle.levels[0].front().index;
@@ -198,7 +198,7 @@ Card recurrence_card(const EditorState& state) {
                                                {"u", knot_value_text(curve.knots(), triangle.u, state.view.notation)}}),
               CardTone::strong);
     card.add(triangle_picture(state, triangle));
-    add_formula(card, state, triangle);
+    add_recurrence_formula(card, state, triangle);
     card.line(
         "Point at a cell to see its two functions and ratios in the plot; select a control point for its function.",
         CardTone::dim);

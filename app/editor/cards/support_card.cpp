@@ -35,7 +35,7 @@ std::string interval_text(const EditorState& state, core::Interval interval) {
                     {{"lower", exact_text(notation, interval.lower)}, {"upper", exact_text(notation, interval.upper)}});
 }
 
-void add_point(Card& card, const EditorState& state, const core::Curve& curve, std::size_t i) {
+void add_support_of(Card& card, const EditorState& state, const core::Curve& curve, std::size_t i) {
     const core::KnotVector& knots = curve.knots();
     const std::size_t end = i + static_cast<std::size_t>(curve.degree()) + 1;
     const CardText name{.text = sentence("{point} acts on [{first}, {last}] = {support}",
@@ -88,7 +88,7 @@ Card support_card(const EditorState& state) {
             {{.text = "Select one", .command = SelectPoints{.points = {curve->control_points().size() / 2}}}}});
         return card;
     }
-    for (const std::size_t i : points) add_point(card, state, *curve, i);
+    for (const std::size_t i : points) add_support_of(card, state, *curve, i);
     card.line("Outside of these parameters its basis function is 0.", CardTone::dim);
     return card;
 }

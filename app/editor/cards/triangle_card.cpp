@@ -73,7 +73,7 @@ void add_lines(Card& card, const ShownTriangle& shown) {
 }
 
 /// All that makes one point, in lines that are as many for every point.
-void add_formulas(Card& card, const ShownTriangle& shown, core::CellPlace place) {
+void add_cell_formulas(Card& card, const ShownTriangle& shown, core::CellPlace place) {
     const BlendedCell blended{shown.named(), place};
     const AlphaFormula alpha = alpha_formula(shown.named(), place);
     card.formula(alpha.symbols);
@@ -115,7 +115,7 @@ CardButtons numbering_buttons(const Notation& notation) {
     return {{button("Last parent", CellNumbering::last), button("First parent", CellNumbering::first)}};
 }
 
-std::string alpha_text(const NamedTriangle& named, core::CellPlace place) {
+std::string cell_alpha_text(const NamedTriangle& named, core::CellPlace place) {
     return fmt::format("α {}", share_texts(named.notation, named.cell(place).alpha).upper);
 }
 
@@ -130,7 +130,7 @@ Card triangle_card(const EditorState& state) {
     card.line(place_sentence(shown), CardTone::strong);
     if (state.derived.of(curve.knots())->is_bezier) card.line(ratio_sentence(shown), CardTone::dim);
     const auto name = [](const NamedTriangle& named, core::CellPlace place) { return named.point(place); };
-    card.add(triangle_picture(state, {.inside = name, .below = alpha_text}));
+    card.add(triangle_picture(state, {.inside = name, .below = cell_alpha_text}));
     card.line(shown.notation().triangles == CellNumbering::last ? "A point has the index of its last parent."
                                                                 : "A point has the index of its first parent.",
               CardTone::dim);
@@ -138,7 +138,7 @@ Card triangle_card(const EditorState& state) {
     add_lines(card, shown);
     const core::CellPlace told = told_cell(shown);
     card.line(core::sentence("How {point} is made", {{"point", shown.named().point(told)}}), CardTone::strong);
-    add_formulas(card, shown, told);
+    add_cell_formulas(card, shown, told);
     return card;
 }
 

@@ -17,7 +17,7 @@ namespace {
 using core::sentence;
 
 // The box around the control points that are mapped; empty where there are none.
-core::Box box_of(const EditorState& state, MapTarget what) {
+core::Box box_of_target(const EditorState& state, MapTarget what) {
     if (what == MapTarget::curve) return core::control_box(active_curve(state));
     core::Box box;
     if (what == MapTarget::selection)
@@ -34,7 +34,7 @@ core::Box box_of(const EditorState& state, MapTarget what) {
 template <class Command>
 core::Point pivot_of(const EditorState& state, const Command& command) {
     if (command.pivot) return *command.pivot;
-    const core::Box box = box_of(state, command.what);
+    const core::Box box = box_of_target(state, command.what);
     return box.is_empty() ? core::Point(0.0, 0.0) : core::middle(box.lower, box.upper);
 }
 

@@ -21,7 +21,7 @@ core::Result<core::Curve> with_weights_kept(const core::Curve& curve, const core
 }
 
 // Points at even parameters.
-std::vector<core::Point> points_of(const core::Curve& curve) {
+std::vector<core::Point> control_points_of(const core::Curve& curve) {
     std::vector<core::Point> points;
     const core::Interval domain = curve.domain();
     for (int k = 0; k < compared_parameters; ++k)
@@ -45,13 +45,13 @@ MapCheck check_map(const MappedCurve& mapped) {
     const core::Box after = core::control_box(*check.image);
     check.box.include(after.lower);
     check.box.include(after.upper);
-    check.points = points_of(curve);
+    check.points = control_points_of(curve);
     for (const core::Point point : check.points) check.evaluated_first.push_back(core::mapped(map, point));
-    check.mapped_first = points_of(*check.image);
+    check.mapped_first = control_points_of(*check.image);
     check.difference = core::largest_map_difference(curve, map, *check.image, compared_parameters);
     if (map.is_affine()) return check;
     if (const auto kept = with_weights_kept(curve, *check.image)) {
-        check.weights_kept = points_of(*kept);
+        check.weights_kept = control_points_of(*kept);
         check.kept_difference = core::largest_map_difference(curve, map, *kept, compared_parameters);
     }
     return check;

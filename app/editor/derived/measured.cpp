@@ -49,7 +49,7 @@ Graph graph_of(const core::Curve& curve, const GraphRequest& request) {
 
 /// With u as a function of the share of the whole, which is 0 and 1 at the ends.
 template <class ParameterAt>
-EqualParts parts_of(const core::Curve& curve, int count, ParameterAt parameter_at) {
+EqualParts equal_parts_of(const core::Curve& curve, int count, ParameterAt parameter_at) {
     EqualParts parts;
     for (int k = 0; k <= count; ++k) {
         const double u = k == count ? curve.domain().upper : parameter_at(static_cast<double>(k) / count);
@@ -60,7 +60,7 @@ EqualParts parts_of(const core::Curve& curve, int count, ParameterAt parameter_a
 
 EqualParts steps_of(const core::Curve& curve, int count) {
     const core::Interval domain = curve.domain();
-    return parts_of(curve, count, [domain](double share) { return domain.lower + share * domain.length(); });
+    return equal_parts_of(curve, count, [domain](double share) { return domain.lower + share * domain.length(); });
 }
 
 EqualParts lengths_of(const core::Curve& curve, int count) {
@@ -68,7 +68,7 @@ EqualParts lengths_of(const core::Curve& curve, int count) {
     const core::ArcLengthTable table(curve);
     if (!core::is_sharp(table.total()) || !(table.total().value > 0.0)) return {};
     const double total = table.total().value;
-    EqualParts parts = parts_of(curve, count, [&](double share) { return table.parameter_at(share * total); });
+    EqualParts parts = equal_parts_of(curve, count, [&](double share) { return table.parameter_at(share * total); });
     parts.length = total / count;
     return parts;
 }

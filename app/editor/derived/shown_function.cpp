@@ -12,7 +12,7 @@ namespace {
 
 // Of the functions on a span that repeat `index` the first; else its first repetition whose support begins in the
 // domain.
-std::size_t number_of(const core::KnotVector& knots, std::size_t span, std::size_t index) {
+std::size_t function_number(const core::KnotVector& knots, std::size_t span, std::size_t index) {
     if (!knots.is_periodic()) return index;
     const auto p = static_cast<std::size_t>(knots.degree());
     const std::size_t n = knots.control_point_count();
@@ -33,7 +33,7 @@ std::optional<ShownFunction> shown_function(const EditorState& state) {
     const auto& selected = state.selection.points;
     const core::BasisValues basis = core::basis_functions(knots, state.parameter());
     if (!selected.empty() && selected.front() < n)
-        return ShownFunction{selected.front(), number_of(knots, basis.span, selected.front())};
+        return ShownFunction{selected.front(), function_number(knots, basis.span, selected.front())};
     const core::BasisRow& values = basis.derivatives[0];
     const auto largest = static_cast<std::size_t>(std::ranges::max_element(values) - values.begin());
     const std::size_t number = basis.span - static_cast<std::size_t>(knots.degree()) + largest;

@@ -119,7 +119,7 @@ std::string power_text(const std::string& variable, std::size_t power) {
     return power == 1 ? variable : fmt::format("{}^{{{}}}", variable, power);
 }
 
-std::string joined(const std::vector<Term>& terms, const std::string& variable) {
+std::string sum_of_terms(const std::vector<Term>& terms, const std::string& variable) {
     std::string text;
     for (const Term& term : terms) {
         if (text.empty())
@@ -155,7 +155,7 @@ std::string decimal_polynomial(const std::vector<double>& coefficients, const st
     for (std::size_t power = coefficients.size(); power-- > 0;)
         if (coefficients[power] != 0.0)
             terms.push_back({coefficients[power] < 0.0, number_text(std::abs(coefficients[power])), power});
-    return joined(terms, variable);
+    return sum_of_terms(terms, variable);
 }
 
 /// p/(u_{first + p} − u_first), in letters.
@@ -258,7 +258,7 @@ std::string polynomial_text(const core::PowerForm& form, const std::string& vari
         const std::int64_t numerator = (*numerators)[power];
         if (numerator != 0) terms.push_back({numerator < 0, std::to_string(std::abs(numerator)), power});
     }
-    std::string sum = joined(terms, variable);
+    std::string sum = sum_of_terms(terms, variable);
     if (denominator == 1) return sum;
     return terms.size() == 1 ? fmt::format("{}/{}", sum, denominator) : fmt::format("({})/{}", sum, denominator);
 }

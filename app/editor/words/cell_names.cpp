@@ -21,7 +21,7 @@ std::size_t index_of(const NamedTriangle& named, core::CellPlace place) {
     return named.notation.triangles == CellNumbering::last ? i : i - place.level;
 }
 
-std::string level_text(const char* symbol, const NamedTriangle& named, core::CellPlace place) {
+std::string cell_text(const char* symbol, const NamedTriangle& named, core::CellPlace place) {
     return fmt::format("{}_{{{}}}^{{{}}}", symbol, index_of(named, place), place.level);
 }
 
@@ -35,17 +35,17 @@ std::string difference(const std::string& a, const std::string& b) {
 std::string NamedTriangle::point(core::CellPlace place) const {
     if (place.level == 0) return indexed_text("P", index_of(*this, place));
     if (place.level + 1 == triangle.levels.size()) return "C(u)";
-    return level_text("P", *this, place);
+    return cell_text("P", *this, place);
 }
 
 std::string NamedTriangle::weight(core::CellPlace place) const {
     if (place.level == 0) return indexed_text("w", index_of(*this, place));
     if (place.level + 1 == triangle.levels.size()) return "w(u)";
-    return level_text("w", *this, place);
+    return cell_text("w", *this, place);
 }
 
 std::string NamedTriangle::alpha(core::CellPlace place) const {
-    return level_text("α", *this, place);
+    return cell_text("α", *this, place);
 }
 
 AlphaFormula alpha_formula(const NamedTriangle& named, core::CellPlace place) {

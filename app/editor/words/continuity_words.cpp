@@ -64,7 +64,7 @@ const FoundPatterns& patterns_of(const JointContinuity& joint) {
     return joint.promised < 0 ? beside_tear : beside_promise;
 }
 
-const char* pattern_of(const FoundPatterns& patterns, const JointContinuity& joint) {
+const char* found_pattern(const FoundPatterns& patterns, const JointContinuity& joint) {
     if (joint.geometric < 0) return patterns.gap;
     if (is_cusp(joint)) return patterns.cusp;
     if (joint.geometric == 0) return joint.angle ? patterns.corner : patterns.stop;
@@ -107,7 +107,7 @@ std::string acceleration_reason(const JointContinuity& joint, const Notation& no
 std::string continuity_verdict(const JointContinuity& joint) {
     const Place promised("promised", level_text("C", joint.promised));
     if (is_as_promised(joint)) return sentence("{promised} by its knots", {promised});
-    return core::filled_as_needed(pattern_of(patterns_of(joint), joint),
+    return core::filled_as_needed(found_pattern(patterns_of(joint), joint),
                                   {promised,
                                    {"level", better_level(joint)},
                                    {"parametric", level_text("C", joint.parametric)},

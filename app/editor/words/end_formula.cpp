@@ -51,7 +51,7 @@ std::string divisor_text(const Notation& notation, double value) {
     return text.find('/') == std::string::npos ? text : fmt::format("({})", text);
 }
 
-std::vector<Place> numbers_of(const EndDerivatives& at, const Notation& notation) {
+std::vector<Place> end_numbers(const EndDerivatives& at, const Notation& notation) {
     const double far_value = at.second ? at.second->far.value : at.near.value;
     const int digits = digits_that_tell_apart(at.end_knot.value, at.near.value, far_value);
     const auto knot = [&](double value) { return parenthesized_if_negative(exact_text(notation, value, digits)); };
@@ -123,7 +123,7 @@ EndFormula first_end_formula(const EndDerivatives& at, const Notation& notation)
                                    ? (is_start ? first_at_start : first_at_end)
                                    : (is_start ? weighted_first_at_start : weighted_first_at_end);
     return {filled_as_needed(patterns.symbols, letters_of(at, exact_text(notation, at.end_knot.value))),
-            {filled_as_needed(patterns.numbers, numbers_of(at, notation)), value_line(notation, at.first)}};
+            {filled_as_needed(patterns.numbers, end_numbers(at, notation)), value_line(notation, at.first)}};
 }
 
 EndFormula second_end_formula(const EndDerivatives& at, const Notation& notation) {
@@ -131,7 +131,7 @@ EndFormula second_end_formula(const EndDerivatives& at, const Notation& notation
     auto letters = letters_of(at, exact_text(notation, at.end_knot.value));
     letters.emplace_back("h", exact_text(notation, at.near.distance));
     letters.emplace_back("k", exact_text(notation, at.second->far.distance));
-    const auto numbers = numbers_of(at, notation);
+    const auto numbers = end_numbers(at, notation);
     const Patterns& whole = at.is_rational ? weighted_second : is_start ? second_at_start : second_at_end;
     EndFormula formula{filled_as_needed(whole.symbols, letters),
                        {filled_as_needed(is_start ? distances_at_start : distances_at_end, letters)}};

@@ -57,7 +57,7 @@ double last_digit(double magnitude, int digits) {
 }
 
 /// What a text of number_text without a sign says.
-double value_of(const std::string& text) {
+double value_of_text(const std::string& text) {
     const std::size_t sign = text.find(true_minus);
     const std::string ascii =
         sign == std::string::npos
@@ -138,7 +138,7 @@ std::string parenthesized_if_negative(const std::string& number) {
 std::string bound_text(double value, int digits) {
     constexpr double last_bits = 1e-12;
     std::string nearest = number_text(value, digits);
-    if (!(value > 0.0) || std::isinf(value) || value_of(nearest) >= value * (1.0 - last_bits)) return nearest;
+    if (!(value > 0.0) || std::isinf(value) || value_of_text(nearest) >= value * (1.0 - last_bits)) return nearest;
     // The nearest text is below by less than half a digit: so the next one is nearest here.
     return number_text(value + 0.75 * last_digit(value, digits), digits);
 }

@@ -27,7 +27,7 @@ bool belongs_to_word(char c) {
 }
 
 /// Significant digits as they are written: neither zeros before the first other digit nor the exponent.
-std::size_t digits_of(std::string_view number) {
+std::size_t digit_count(std::string_view number) {
     const std::string_view mantissa = number.substr(0, number.find('e'));
     const std::size_t first = mantissa.find_first_of("123456789");
     if (first == std::string_view::npos) return 1;
@@ -60,7 +60,7 @@ std::string with_true_minus(std::string_view number) {
 
 std::string shortened(std::string_view number, int most_digits, bool is_bound) {
     const bool is_whole = number.find_first_of(".e") == std::string_view::npos;
-    if (is_whole || digits_of(number) <= static_cast<std::size_t>(most_digits)) return with_true_minus(number);
+    if (is_whole || digit_count(number) <= static_cast<std::size_t>(most_digits)) return with_true_minus(number);
     double value = 0.0;
     std::from_chars(number.data(), number.data() + number.size(), value);
     return number_text(is_bound ? rounded_up(value, most_digits) : value, most_digits);
