@@ -7,9 +7,11 @@
 #include <map>
 #include <span>
 
+#include "app/editor/cards/card_texts.h"
 #include "app/editor/derived/shown_function.h"
 #include "app/editor/pointer/plot_layout.h"
 #include "app/editor/scene/plot_intervals.h"
+#include "app/editor/state/point_hues.h"
 #include "app/editor/words/basis_formula.h"
 #include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
@@ -109,10 +111,11 @@ class DerivativePicture {
         const double u = state_.parameter();
         if ((knots[number] <= u && u <= knots[number + p + 1]) != acts) return;
         const std::size_t index = index_of(number);
+        const std::size_t hue = point_hue(*state_.shown().active_curve(), index);
         for (const std::vector<glm::dvec2>& run : runs) {
             std::vector<glm::dvec2> line;
             for (const glm::dvec2 at : run) line.push_back(place(at));
-            pen_.line(line, {.color = acts ? theme_.point(index) : theme_.resting_point(index),
+            pen_.line(line, {.color = acts ? theme_.point(hue) : theme_.resting_point(hue),
                              .width = state_.hover == Hover(HoveredBasis{index}) ? 3.5
                                       : acts                                     ? 2.0
                                                                                  : 1.2});
@@ -174,8 +177,9 @@ CardTable value_table(const EditorState& state) {
         columns.push_back(exact_texts(state.view.notation, without_rounding(values)));
     for (std::size_t j = 0; j < basis.derivatives[0].size(); ++j) {
         const std::size_t index = (first + j) % curve.control_points().size();
-        std::vector<CardText> row{
-            {.text = std::to_string(index), .hover = HoveredBasis{index}, .color = theme.point_text(index)}};
+        std::vector<CardText> row{{.text = std::to_string(index),
+                                   .hover = HoveredBasis{index},
+                                   .color = theme.point_text(point_hue(*state.shown().active_curve(), index))}};
         for (const std::vector<std::string>& column : columns) row.push_back({.text = column[j]});
         table.rows.push_back(std::move(row));
     }
@@ -188,7 +192,7 @@ CardTable value_table(const EditorState& state) {
 Card basis_derivatives_card(const EditorState& state) {
     Card card{.title = "Derivatives of the basis", .blocks = {}};
     const std::optional<ShownFunction> function = shown_function(state);
-    if (!function) return card.line("There is no curve whose basis functions could be shown.", CardTone::dim);
+    if (!function) return card_without_curve(std::move(card));
     const core::Curve& curve = *state.active_curve();
     const core::Place letter("letter", basis_letter(state, curve.knots()));
     const core::Place degree("p", curve.degree());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/cards/card_texts.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/derived/shown_function.h"
 #include "app/editor/words/basis_formula.h"
@@ -131,7 +132,7 @@ CardButtons function_buttons(const EditorState& state, std::size_t shown) {
 Card basis_pieces_card(const EditorState& state) {
     Card card{.title = "Polynomials", .blocks = {}};
     const std::optional<HoveredBasisCell> cell = shown_basis_cell(state);
-    if (!cell) return card.line("There is no curve whose basis functions could be shown.", CardTone::dim);
+    if (!cell) return card_without_curve(std::move(card));
     card.add(function_buttons(state, shown_function(state)->index));
     PieceLines(state, *cell).add_to(card);
     return card;

@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "app/editor/cards/card_texts.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/derived/shown_function.h"
+#include "app/editor/state/point_hues.h"
 #include "app/editor/state/state.h"
 #include "app/editor/words/basis_formula.h"
 #include "app/editor/words/formula.h"
@@ -17,8 +19,6 @@
 namespace batten::editor {
 
 namespace {
-
-constexpr const char* without_curve = "There is no curve whose basis functions could be shown.";
 
 /// What the rows are about.
 struct Functions {
@@ -37,7 +37,9 @@ struct Functions {
     }
 
     CardText named(std::size_t j, std::string text) const {
-        return {.text = std::move(text), .hover = HoveredBasis{index(j)}, .color = theme.point_text(index(j))};
+        return {.text = std::move(text),
+                .hover = HoveredBasis{index(j)},
+                .color = theme.point_text(point_hue(*state.shown().active_curve(), index(j)))};
     }
 
     std::string number(double value) const { return exact_text(state.view.notation, value); }
@@ -65,7 +67,7 @@ double sum_of(std::span<const double> values) {
 
 Card basis_values_card(const EditorState& state) {
     Card card{.title = "Values and sum", .blocks = {}};
-    if (state.active_curve() == nullptr) return card.line(without_curve, CardTone::dim);
+    if (state.active_curve() == nullptr) return card_without_curve(std::move(card));
     const Functions shown(state);
     CardTable table{.rows = {{{.text = "function"}, {.text = "value"}, {.text = "decimal"}}}, .has_heading = true};
     const std::vector<std::string> values = shown.numbers(shown.values());
@@ -87,7 +89,7 @@ Card basis_values_card(const EditorState& state) {
 
 Card rational_basis_card(const EditorState& state) {
     Card card{.title = "Rational basis", .blocks = {}};
-    if (state.active_curve() == nullptr) return card.line(without_curve, CardTone::dim);
+    if (state.active_curve() == nullptr) return card_without_curve(std::move(card));
     const Functions shown(state);
     if (!shown.curve.is_rational()) {
         card.line(core::sentence("All weights are equal, so each R_{{i,p}} is {letter}_{{i,p}}.",

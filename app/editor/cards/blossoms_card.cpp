@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "app/editor/cards/no_curve.h"
+#include "app/editor/cards/card_texts.h"
 #include "app/editor/cards/triangle_picture.h"
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/derived/blend_lines.h"
@@ -34,7 +34,7 @@ void add_affine_lines(Card& card, const NamedTriangle& named, core::CellPlace pl
 }  // namespace
 
 Card blossoms_card(const EditorState& state) {
-    if (state.active_curve() == nullptr) return card_without_curve("cubic-de-boor");
+    if (state.active_curve() == nullptr) return card_without_curve({}, "cubic-de-boor");
     const core::Curve& curve = *state.active_curve();
     const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, state.parameter());
     const NamedTriangle named{curve, triangle, state.view.notation};

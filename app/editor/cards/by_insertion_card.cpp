@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/cards/no_curve.h"
+#include "app/editor/cards/card_texts.h"
 #include "app/editor/derived/construction_cells.h"
 #include "app/editor/derived/insertion_lines.h"
+#include "app/editor/state/point_hues.h"
 #include "app/editor/state/state.h"
 #include "core/base/sentence.h"
 
@@ -143,7 +144,9 @@ class InsertionPainter {
 
     render::Color color_of(core::CellPlace cell) const {
         if (cell.level > 0) return theme_.level(cell.level);
-        return theme_.point(triangle_.levels[0][cell.index].index % state_.active_curve()->control_points().size());
+        return theme_.point(
+            point_hue(*state_.shown().active_curve(),
+                      triangle_.levels[0][cell.index].index % state_.active_curve()->control_points().size()));
     }
 
     const EditorState& state_;
@@ -166,7 +169,7 @@ CardPicture insertion_picture(const EditorState& state, std::size_t last) {
 }  // namespace
 
 Card by_insertion_card(const EditorState& state) {
-    if (state.active_curve() == nullptr) return card_without_curve("cubic-de-boor");
+    if (state.active_curve() == nullptr) return card_without_curve({}, "cubic-de-boor");
     const core::Curve& curve = *state.active_curve();
     const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, state.parameter());
     const Theme theme = theme_of(state.view.theme);

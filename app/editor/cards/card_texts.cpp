@@ -23,9 +23,9 @@ CardText tick(bool holds) {
     return {.text = holds ? "✓" : "✗", .tone = holds ? CardTone::good : CardTone::bad};
 }
 
-Card without_curve(Card card) {
+Card card_without_curve(Card card, const char* example) {
     card.line("There is no visible active curve.");
-    card.add(CardButtons{{{.text = "Open an example", .command = OpenExample{.name = "wave"}}}});
+    card.add(CardButtons{{{.text = "Open an example", .command = OpenExample{.name = example}}}});
     return card;
 }
 

@@ -18,7 +18,7 @@ std::string pair_text(const Notation& notation, core::Vector pair);
 /// Whether a condition holds, as a green tick or a red cross.
 CardText tick(bool holds);
 
-/// The card of a view without a curve to be seen: that, and an example to begin with.
-Card without_curve(Card card);
+/// The card of a view without a curve to be seen: that, and a button that opens the example of this name.
+Card card_without_curve(Card card, const char* example = "wave");
 
 }  // namespace batten::editor

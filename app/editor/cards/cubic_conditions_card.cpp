@@ -6,6 +6,7 @@
 #include "app/editor/cards/card_texts.h"
 #include "app/editor/cards/cubic_card_parts.h"
 #include "app/editor/cards/cubic_cards.h"
+#include "app/editor/state/point_hues.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/uniform_cubic_formula.h"
 
@@ -21,11 +22,12 @@ constexpr double bottom_margin = 20.0;
 constexpr int steps = 24;  // of a piece
 constexpr double highest = 2.0 / 3.0;
 
-/// The colors of the four points that count by b_0 to b_3, and the t that is shown.
+/// The four points that count by b_0 to b_3, the places of their colors in the palette, and the t that is shown.
 struct PieceLook {
     Theme theme;
     Notation notation;
     std::array<std::size_t, 4> points{0, 1, 2, 3};
+    std::array<std::size_t, 4> hues{0, 1, 2, 3};
     std::optional<double> t{};
 };
 
@@ -34,6 +36,7 @@ PieceLook look_of(const EditorState& state) {
     if (cubic_lack(state)) return look;
     const ShownCubic cubic = shown_cubic(state);
     look.points = cubic.points;
+    for (std::size_t j = 0; j < 4; ++j) look.hues[j] = point_hue(*state.shown().active_curve(), cubic.points[j]);
     look.t = cubic.t;
     return look;
 }
@@ -72,10 +75,10 @@ class PiecesPainter {
             const double t = static_cast<double>(k) / steps;
             places.push_back(place(start + t, core::uniform_cubic_value(j, t)));
         }
-        pen_.line(places, {.color = look_.theme.point(look_.points[j]), .width = 2.5});
+        pen_.line(places, {.color = look_.theme.point(look_.hues[j]), .width = 2.5});
         const double height = j == 0 || j == 3 ? 0.25 : highest + 0.1;
         pen_.text(place(start + 0.5, height), fmt::format("b_{{{}}}", j),
-                  {.color = look_.theme.point_text(look_.points[j]),
+                  {.color = look_.theme.point_text(look_.hues[j]),
                    .size = 14.0,
                    .anchor = render::Anchor::center,
                    .font = render::LabelFont::bold});

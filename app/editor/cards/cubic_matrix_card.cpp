@@ -3,6 +3,7 @@
 #include "app/editor/cards/cubic_card_parts.h"
 #include "app/editor/cards/cubic_cards.h"
 #include "app/editor/cards/formula_picture.h"
+#include "app/editor/state/point_hues.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/uniform_cubic_formula.h"
 
@@ -30,7 +31,7 @@ CardPicture symbols(const EditorState& state, const ShownCubic& cubic) {
     std::vector<CardText> points;
     for (const std::size_t i : cubic.points) {
         points.push_back(point_cell(i));
-        points.back().color = theme.point_text(i);
+        points.back().color = theme.point_text(point_hue(*state.shown().active_curve(), i));
     }
     const char* t = local_parameter(state.view.notation);
     return formula_picture(

@@ -55,7 +55,7 @@ CardTable table_of_bends(const core::Curve& curve, const std::vector<BendRow>& r
 Card osculating_circle_card(const EditorState& state) {
     Card card{.title = "Osculating circle", .blocks = {}};
     const core::Curve* curve = state.visible_active_curve();
-    if (curve == nullptr) return without_curve(std::move(card));
+    if (curve == nullptr) return card_without_curve(std::move(card));
     const Notation& notation = state.view.notation;
     const double u = state.parameter();
     const core::Jet at = core::derivatives_at(*curve, u, 2);
@@ -81,7 +81,7 @@ Card osculating_circle_card(const EditorState& state) {
 Card tangent_normal_card(const EditorState& state) {
     Card card{.title = "Tangent and normal", .blocks = {}};
     const core::Curve* curve = state.visible_active_curve();
-    if (curve == nullptr) return without_curve(std::move(card));
+    if (curve == nullptr) return card_without_curve(std::move(card));
     const Notation& notation = state.view.notation;
     const double u = state.parameter();
     const core::Jet at = core::derivatives_at(*curve, u, 1);
@@ -101,7 +101,7 @@ Card tangent_normal_card(const EditorState& state) {
 Card curvature_marks_card(const EditorState& state) {
     Card card{.title = "Inflections and extremes", .blocks = {}};
     const core::Curve* curve = state.visible_active_curve();
-    if (curve == nullptr) return without_curve(std::move(card));
+    if (curve == nullptr) return card_without_curve(std::move(card));
     if (!is_searched_whole(*curve)) {
         card.line(sentence("The curve has more than {count} spans: what is seen is searched once it has no more.",
                            {{"count", most_bent_spans}}));

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/editor/cards/no_curve.h"
+#include "app/editor/cards/card_texts.h"
 #include "app/editor/commands/piece_commands.h"
 #include "app/editor/scene/halves.h"
 #include "app/editor/words/cell_names.h"
@@ -106,7 +106,7 @@ void add_opened(Card& card, const EditorState& state, const NamedTriangle& named
 }  // namespace
 
 Card halves_card(const EditorState& state) {
-    if (state.active_curve() == nullptr) return card_without_curve("cubic-de-boor");
+    if (state.active_curve() == nullptr) return card_without_curve({}, "cubic-de-boor");
     const core::Curve& curve = *state.active_curve();
     const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, state.parameter());
     const NamedTriangle named{curve, triangle, state.view.notation};

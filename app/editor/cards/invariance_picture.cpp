@@ -1,6 +1,7 @@
 #include "app/editor/cards/invariance_picture.h"
 
 #include "app/editor/scene/inset_map.h"
+#include "app/editor/state/point_hues.h"
 #include "core/evaluate/evaluate.h"
 
 namespace batten::editor {
@@ -20,6 +21,7 @@ struct Subject {
     std::shared_ptr<const MapCheck> check;
     Theme theme;
     double u;
+    core::DocumentCurve entry;  // for the colors of its points
 };
 
 // One of the two pictures.
@@ -70,7 +72,7 @@ void draw_dots(Pen& pen, render::Color color, std::span<const core::Point> point
 
 // The points of the curve on their way to their images.
 void draw_evaluated_first(Pen& pen, const PictureHalf& half, const Subject& subject) {
-    const auto& [mapped, check, theme, u] = subject;
+    const auto& [mapped, check, theme, u, entry] = subject;
     draw_title(pen, theme, half, "evaluate, then map");
     draw_before(pen, theme, mapped_places(check->points, half.place));
     for (std::size_t k = 0; k < check->points.size(); k += dot_stride)
@@ -88,7 +90,7 @@ void draw_evaluated_first(Pen& pen, const PictureHalf& half, const Subject& subj
 // The polygon, its image, and the curve of that with points at the same parameters; where the weights are mapped too
 // also the points that the old weights would give.
 void draw_mapped_first(Pen& pen, const PictureHalf& half, const Subject& subject) {
-    const auto& [mapped, check, theme, u] = subject;
+    const auto& [mapped, check, theme, u, entry] = subject;
     draw_title(pen, theme, half, "map, then evaluate");
     draw_before(pen, theme, mapped_polygon(mapped.curve, half.place));
     pen.line(mapped_polygon(*check->image, half.place), {.color = theme.polygon, .width = 1.25});
@@ -98,7 +100,8 @@ void draw_mapped_first(Pen& pen, const PictureHalf& half, const Subject& subject
     const auto points = check->image->control_points();
     if (points.size() <= most_large_points)
         for (std::size_t i = 0; i < points.size(); ++i)
-            pen.symbol(half.place(points[i]), {.radius = 4.0, .fill = theme.point(i), .outline = no_color});
+            pen.symbol(half.place(points[i]),
+                       {.radius = 4.0, .fill = theme.point(point_hue(entry, i)), .outline = no_color});
     draw_point_at_parameter(pen, theme, half.place(core::point_at(*check->image, u)));
 }
 
@@ -106,7 +109,8 @@ void draw_mapped_first(Pen& pen, const PictureHalf& half, const Subject& subject
 
 CardPicture invariance_picture(const EditorState& state, const MappedCurve& mapped,
                                std::shared_ptr<const MapCheck> check) {
-    const Subject subject{mapped, std::move(check), theme_of(state.view.theme), state.parameter()};
+    const Subject subject{mapped, std::move(check), theme_of(state.view.theme), state.parameter(),
+                          *state.shown().active_curve()};
     const auto draw = [subject](glm::dvec2 size_px, double scale) {
         CardDrawing drawing;
         Pen pen(drawing.list, size_px, scale);

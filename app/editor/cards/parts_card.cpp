@@ -43,7 +43,7 @@ core::Interval chords_of(const EqualParts& parts) {
 Card equal_steps_card(const EditorState& state) {
     Card card{.title = "Equal steps of u", .blocks = {}};
     const core::Curve* curve = state.visible_active_curve();
-    if (curve == nullptr) return without_curve(std::move(card));
+    if (curve == nullptr) return card_without_curve(std::move(card));
     const Notation& notation = state.view.notation;
     const int count = state.view.shape.part_count;
     card.formula(core::sentence("{count} steps of Δu = {step}",
@@ -60,7 +60,7 @@ Card equal_steps_card(const EditorState& state) {
 Card equal_lengths_card(const EditorState& state) {
     Card card{.title = "Equal lengths", .blocks = {}};
     const core::Curve* curve = state.visible_active_curve();
-    if (curve == nullptr) return without_curve(std::move(card));
+    if (curve == nullptr) return card_without_curve(std::move(card));
     const int count = state.view.shape.part_count;
     if (curve->control_points().size() > most_measured_spans) {
         card.line(core::sentence("Equal lengths are shown of curves of up to {count} points.",

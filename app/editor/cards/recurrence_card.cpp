@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/cards/card_texts.h"
 #include "app/editor/derived/shown_function.h"
 #include "app/editor/scene/text_size.h"
+#include "app/editor/state/point_hues.h"
 #include "app/editor/words/basis_formula.h"
 #include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
@@ -77,7 +79,9 @@ class TrianglePicture {
         return cell(k, j).value == 0.0 ? theme_.dim : theme_.point(function_color(cell(k, j).index));
     }
 
-    std::size_t function_color(std::size_t i) const { return i % state_.active_curve()->control_points().size(); }
+    std::size_t function_color(std::size_t i) const {
+        return point_hue(*state_.shown().active_curve(), i % state_.active_curve()->control_points().size());
+    }
 
     std::string number(double value) const { return exact_text(state_.view.notation, value, 3); }
 
@@ -187,7 +191,7 @@ void add_recurrence_formula(Card& card, const EditorState& state, const core::Ba
 Card recurrence_card(const EditorState& state) {
     const std::optional<ShownFunction> function = shown_function(state);
     Card card{.title = "Recurrence", .blocks = {}};
-    if (!function) return card.line("There is no curve whose basis functions could be shown.", CardTone::dim);
+    if (!function) return card_without_curve(std::move(card));
     const core::Curve& curve = *state.active_curve();
     const auto p = static_cast<std::size_t>(curve.degree());
     const core::BasisTriangle triangle = core::basis_triangle(curve.knots(), function->number, state.parameter());

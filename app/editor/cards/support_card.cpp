@@ -58,7 +58,7 @@ void add_support_of(Card& card, const EditorState& state, const core::Curve& cur
 Card span_hulls_card(const EditorState& state) {
     Card card{.title = "Convex hulls", .blocks = {}};
     const core::Curve* curve = state.visible_active_curve();
-    if (curve == nullptr) return without_curve(std::move(card));
+    if (curve == nullptr) return card_without_curve(std::move(card));
     const core::KnotVector& knots = curve->knots();
     const std::size_t s = knots.span_at(state.parameter());
     const auto p = static_cast<std::size_t>(curve->degree());
@@ -80,7 +80,7 @@ Card span_hulls_card(const EditorState& state) {
 Card support_card(const EditorState& state) {
     Card card{.title = "Support", .blocks = {}};
     const core::Curve* curve = state.visible_active_curve();
-    if (curve == nullptr) return without_curve(std::move(card));
+    if (curve == nullptr) return card_without_curve(std::move(card));
     const std::vector<std::size_t> points = points_with_support(state);
     if (points.empty()) {
         card.line("Select a control point, or point at one, to see what it moves.");

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "app/editor/cards/no_curve.h"
+#include "app/editor/cards/card_texts.h"
 #include "app/editor/cards/triangle_picture.h"
 #include "app/editor/commands/view_commands.h"
 #include "app/editor/derived/blend_lines.h"
@@ -122,7 +122,7 @@ std::string cell_alpha_text(const NamedTriangle& named, core::CellPlace place) {
 }  // namespace
 
 Card triangle_card(const EditorState& state) {
-    if (state.active_curve() == nullptr) return card_without_curve("cubic-de-boor");
+    if (state.active_curve() == nullptr) return card_without_curve({}, "cubic-de-boor");
     const core::Curve& curve = *state.active_curve();
     const ShownTriangle shown{state, curve, core::de_boor_triangle(curve, state.parameter()),
                               theme_of(state.view.theme)};

@@ -6,6 +6,7 @@
 
 #include "app/editor/derived/construction_cells.h"
 #include "app/editor/scene/text_size.h"
+#include "app/editor/state/point_hues.h"
 #include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
 
@@ -73,7 +74,9 @@ class TrianglePainter {
 
     render::Color color_of(core::CellPlace place) const {
         if (place.level > 0) return theme_.level(place.level);
-        return theme_.point(triangle_.levels[0][place.index].index % state_.active_curve()->control_points().size());
+        return theme_.point(
+            point_hue(*state_.shown().active_curve(),
+                      triangle_.levels[0][place.index].index % state_.active_curve()->control_points().size()));
     }
 
     void draw_lines(core::CellPlace place) {

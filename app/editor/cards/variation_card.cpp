@@ -33,7 +33,7 @@ Card variation_card(const EditorState& state) {
     Card card{.title = "Variation diminishing", .blocks = {}};
     const core::Curve* curve = state.visible_active_curve();
     const auto line = shown_probe_line(state);
-    if (curve == nullptr || !line) return without_curve(std::move(card));
+    if (curve == nullptr || !line) return card_without_curve(std::move(card));
     card.line("No line crosses the curve more often than its control polygon. Drag the line, or its ends.");
     if (const auto found = state.measured.crossings(*curve, *line)) {
         if (found->is_complete)

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/words/wording.h"
 #include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
 
 namespace batten::editor {
 
 namespace {
-
-double largest_coordinate(const core::Box& box) {
-    return std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.upper.x), std::abs(box.upper.y)});
-}
 
 // The image of the control points with the weights as they were.
 core::Result<core::Curve> with_weights_kept(const core::Curve& curve, const core::Curve& image) {
@@ -21,7 +18,7 @@ core::Result<core::Curve> with_weights_kept(const core::Curve& curve, const core
 }
 
 // Points at even parameters.
-std::vector<core::Point> control_points_of(const core::Curve& curve) {
+std::vector<core::Point> even_points(const core::Curve& curve) {
     std::vector<core::Point> points;
     const core::Interval domain = curve.domain();
     for (int k = 0; k < compared_parameters; ++k)
@@ -45,13 +42,13 @@ MapCheck check_map(const MappedCurve& mapped) {
     const core::Box after = core::control_box(*check.image);
     check.box.include(after.lower);
     check.box.include(after.upper);
-    check.points = control_points_of(curve);
+    check.points = even_points(curve);
     for (const core::Point point : check.points) check.evaluated_first.push_back(core::mapped(map, point));
-    check.mapped_first = control_points_of(*check.image);
+    check.mapped_first = even_points(*check.image);
     check.difference = core::largest_map_difference(curve, map, *check.image, compared_parameters);
     if (map.is_affine()) return check;
     if (const auto kept = with_weights_kept(curve, *check.image)) {
-        check.weights_kept = control_points_of(*kept);
+        check.weights_kept = even_points(*kept);
         check.kept_difference = core::largest_map_difference(curve, map, *kept, compared_parameters);
     }
     return check;

@@ -5,12 +5,12 @@
 #include <map>
 #include <set>
 
+#include "app/editor/derived/shown_function.h"
 #include "app/editor/scene/plot_axes.h"
 #include "app/editor/scene/plot_intervals.h"
 #include "app/editor/scene/recurrence_lines.h"
 #include "app/editor/scene/text_row.h"
 #include "app/editor/scene/text_size.h"
-#include "app/editor/words/basis_formula.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/basis.h"
 
@@ -86,16 +86,14 @@ class AreaDrawing {
         return core::basis_functions(frame_.basis->knots(), u, 0, side).derivatives[0];
     }
 
-    std::string name(std::size_t index) const {
-        return basis_name(index, static_cast<std::size_t>(frame_.curve.degree()));
-    }
+    std::string name(std::size_t index) const { return function_name(frame_.state, frame_.curve.knots(), index); }
 
     render::Color color(std::size_t index) const {
         const bool is_lit = std::ranges::binary_search(frame_.lit.basis, index);
         const double ink = is_lit                                               ? 0.85
                            : std::ranges::find(active_, index) != active_.end() ? active_ink
                                                                                 : resting_ink;
-        return render::blended(frame_.theme.point(index), ink, frame_.theme.panel);
+        return render::blended(frame_.theme.point(frame_.hue(index)), ink, frame_.theme.panel);
     }
 
     void draw_slice(const PlotInterval& interval, const Slice& slice) {
@@ -127,7 +125,8 @@ class AreaDrawing {
             const double lower = frame_.y(sum);
             sum += values[j];
             const double upper = frame_.y(sum);
-            frame_.pen.segment({x, lower}, {x, upper}, {.color = frame_.theme.point(active_[j]), .width = 6.0});
+            frame_.pen.segment({x, lower}, {x, upper},
+                               {.color = frame_.theme.point(frame_.hue(active_[j])), .width = 6.0});
             frame_.pen.segment({x - frame_.pen.px(6.0), upper}, {x + frame_.pen.px(6.0), upper},
                                {.color = frame_.theme.text, .width = 1.5});
             if (lower - upper < frame_.pen.px(least_area_height)) continue;

@@ -45,7 +45,7 @@ void label_control_point(CanvasFrame& frame, std::size_t unrolled_index) {
     const auto points = frame.curve->control_points();
     const std::size_t i = unrolled_index % points.size();
     wish(frame, points[i], blossom_of(frame, core::control_point_label(frame.curve->knots(), unrolled_index)),
-         {.color = frame.theme.point_text(i), .size = blossom_size}, LabelSide::lower_right);
+         {.color = frame.theme.point_text(frame.hue(i)), .size = blossom_size}, LabelSide::lower_right);
 }
 
 /// Those of the span have the labels that the construction has, whatever their number; so they come first.

@@ -144,15 +144,15 @@ class LiftedPicture {
 
     void draw_points() {
         for_each_point([&](std::size_t i) {
-            draw_ray(points()[i], weight(i), render::blended(frame_.theme.point(i), ray_share, frame_.theme.panel),
-                     1.25);
+            draw_ray(points()[i], weight(i),
+                     render::blended(frame_.theme.point(frame_.hue(i)), ray_share, frame_.theme.panel), 1.25);
         });
         pen_.text(origin() + glm::dvec2(pen_.px(8.0), 0.0), "O", {.color = frame_.theme.dim, .size = 13.0});
         pen_.symbol(origin(), {.radius = 3.5, .fill = frame_.theme.text, .outline = no_color});
         const auto* hovered = std::get_if<HoveredPoint>(&frame_.state.hover);
         const auto* lifted = std::get_if<HoveredLifted>(&frame_.state.hover);
         for_each_point([&](std::size_t i) {
-            const render::Color color = frame_.theme.point(i);
+            const render::Color color = frame_.theme.point(frame_.hue(i));
             pen_.symbol(shown(points()[i], 1.0),
                         {.radius = 3.0, .fill = frame_.theme.panel, .outline = color, .outline_width = 1.5});
             const bool is_large =

@@ -43,8 +43,9 @@ void draw_rational_graphs(PlotFrame& frame) {
     const std::size_t n = frame.curve.control_points().size();
     for (const auto& [number, line] : rational_lines(frame)) {
         const bool is_lit = std::ranges::binary_search(frame.lit.basis, number % n);
-        frame.pen.line(line,
-                       {.color = frame.theme.point(number % n), .width = is_lit ? 3.5 : 2.25, .dash = 6.0, .gap = 4.0});
+        frame.pen.line(
+            line,
+            {.color = frame.theme.point(frame.hue(number % n)), .width = is_lit ? 3.5 : 2.25, .dash = 6.0, .gap = 4.0});
     }
     if (!frame.layout.range.contains(frame.u)) return;
     const core::RationalBasis basis = core::rational_basis(frame.curve, frame.u);
@@ -52,7 +53,7 @@ void draw_rational_graphs(PlotFrame& frame) {
         frame.pen.symbol({frame.x(frame.u), frame.y(basis.derivatives[0][j])},
                          {.shape = render::MarkerShape::square,
                           .radius = disc_radius,
-                          .fill = frame.theme.point((basis.first + j) % n),
+                          .fill = frame.theme.point(frame.hue((basis.first + j) % n)),
                           .outline = frame.theme.panel,
                           .outline_width = 1.5});
 }

@@ -55,7 +55,9 @@ class CellDrawing {
   private:
     using Line = std::vector<glm::dvec2>;
 
-    render::Color color(std::size_t i) const { return frame_.theme.point(i % frame_.curve.control_points().size()); }
+    render::Color color(std::size_t i) const {
+        return frame_.theme.point(frame_.hue(i % frame_.curve.control_points().size()));
+    }
     Stroke thin(std::size_t i) const { return {.color = color(i), .width = 2.0, .dash = 7.0, .gap = 4.0}; }
 
     void cover() {
@@ -148,7 +150,7 @@ class CellDrawing {
                                 glm::dvec2(0.0, frame_.pen.px(2.0));
         frame_.pen.fill(corners_of({place - half, place + half}), render::faded(frame_.theme.panel, veil));
         row_.write(frame_.pen, place, name,
-                   {.color = frame_.theme.point_text(i % frame_.curve.control_points().size()),
+                   {.color = frame_.theme.point_text(frame_.hue(i % frame_.curve.control_points().size())),
                     .size = function_name_size,
                     .anchor = render::Anchor::center,
                     .font = render::LabelFont::bold});

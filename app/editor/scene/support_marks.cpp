@@ -21,13 +21,14 @@ void mark_end(CanvasFrame& frame, double u, core::Side side, std::size_t point) 
     const glm::dvec2 place = frame.screen(core::point_at(*frame.curve, u, side));
     frame.pen.symbol(place, {.radius = 0.5 * band_width,
                              .fill = frame.theme.canvas,
-                             .outline = frame.theme.point(point),
+                             .outline = frame.theme.point(frame.hue(point)),
                              .outline_width = 2.5});
     const std::string text = fmt::format("u = {}", exact_text(frame.state.view.notation, u));
-    frame.labels.push_back({.place = place,
-                            .words = {{text, {.color = frame.theme.point_text(point), .size = end_text_size}}},
-                            .distance = 12.0,
-                            .first = LabelSide::below});
+    frame.labels.push_back(
+        {.place = place,
+         .words = {{text, {.color = frame.theme.point_text(frame.hue(point)), .size = end_text_size}}},
+         .distance = 12.0,
+         .first = LabelSide::below});
 }
 
 }  // namespace
@@ -35,7 +36,8 @@ void mark_end(CanvasFrame& frame, double u, core::Side side, std::size_t point) 
 void draw_support(CanvasFrame& frame) {
     const std::vector<std::size_t> points = points_with_support(frame.state);
     for (std::size_t k = points.size(); k-- > 0;) {
-        const render::Color color = render::blended(frame.theme.point(points[k]), band_share, frame.theme.canvas);
+        const render::Color color =
+            render::blended(frame.theme.point(frame.hue(points[k])), band_share, frame.theme.canvas);
         for (const core::Interval& part : highlight_of_point(*frame.curve, points[k]).parts)
             draw_part(frame, part, {.color = color, .width = band_width + static_cast<double>(k) * band_step});
     }
@@ -52,7 +54,7 @@ void draw_support_strip(PlotFrame& frame) {
         for (const core::Interval& part : highlight_of_point(frame.curve, points[k]).parts) {
             const auto band = frame.band(part);
             if (!band) continue;
-            const render::Color color = frame.theme.point(points[k]);
+            const render::Color color = frame.theme.point(frame.hue(points[k]));
             frame.pen.fill(corners_of(*band), render::faded(color, strip_opacity));
             const double y = frame.layout.bottom_px + frame.pen.px(axis_width) * (0.5 + static_cast<double>(k));
             frame.pen.segment({band->lower_px.x, y}, {band->upper_px.x, y},

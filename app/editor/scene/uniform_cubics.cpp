@@ -61,14 +61,14 @@ void draw_light_median(CanvasFrame& frame, const core::Anticentroid& joint) {
     const glm::dvec2 vertex = frame.screen(joint.vertex);
     const glm::dvec2 middle = frame.screen(joint.base_middle);
     if (glm::distance(vertex, middle) < frame.pen.px(least_median)) return;
-    const render::Color color = light(frame, frame.theme.point(joint.index));
+    const render::Color color = light(frame, frame.theme.point(frame.hue(joint.index)));
     frame.pen.segment(vertex, middle, {.color = color, .width = 1.25});
     frame.pen.segment(frame.screen(joint.before), frame.screen(joint.after),
                       {.color = color, .width = 1.0, .dash = 4.0, .gap = 5.0});
 }
 
 void draw_triangle_in_focus(CanvasFrame& frame, const core::Anticentroid& joint) {
-    const render::Color color = frame.theme.point(joint.index);
+    const render::Color color = frame.theme.point(frame.hue(joint.index));
     const std::array corners{frame.screen(joint.before), frame.screen(joint.vertex), frame.screen(joint.after)};
     frame.pen.fill({corners.begin(), corners.end()}, render::faded(color, 0.16));
     const glm::dvec2 opposite = frame.screen(joint.vertex + joint.second_derivative);
@@ -182,7 +182,7 @@ void draw_special_joints(CanvasFrame& frame, const ShownCubic& cubic) {
     for (const core::Anticentroid& joint : joints_around(frame, cubic)) {
         const core::CubicJointCase kind = core::case_of(joint);
         if (kind == core::CubicJointCase::triangle) continue;
-        const render::Color color = frame.theme.point(joint.index);
+        const render::Color color = frame.theme.point(frame.hue(joint.index));
         draw_joint(frame, joint.anticentroid, color);
         wish_label(frame, joint.anticentroid, core::title_of(kind), color, LabelSide::lower_right);
     }
@@ -243,11 +243,11 @@ void draw_anticentroids(CanvasFrame& frame) {
     const std::optional<ShownCubic> cubic = cubic_of(frame);
     if (!cubic) return;
     for (const core::Anticentroid& joint : joints_around(frame, *cubic))
-        draw_joint(frame, joint.anticentroid, frame.theme.point(joint.index));
+        draw_joint(frame, joint.anticentroid, frame.theme.point(frame.hue(joint.index)));
     const core::Anticentroid& focus = cubic->focus;
     if (!is_drawable(focus)) return;
     draw_vector(frame, focus.anticentroid, focus.tangent, tangent_color(frame), "S′");
-    draw_joint(frame, focus.anticentroid, frame.theme.point(focus.index));
+    draw_joint(frame, focus.anticentroid, frame.theme.point(frame.hue(focus.index)));
     label_median(frame, focus);
 }
 

@@ -18,11 +18,6 @@ namespace {
 constexpr double coordinate_rounding = 4.0 * std::numeric_limits<double>::epsilon();
 
 // 0 for an empty box.
-double largest_coordinate(const core::Box& box) {
-    if (box.is_empty()) return 0.0;
-    return std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.upper.x), std::abs(box.upper.y)});
-}
-
 double tolerance_in(const core::Box& box, double relative) {
     if (box.is_empty()) return 0.0;
     return std::max(relative * std::max(box.size().x, box.size().y), coordinate_rounding * largest_coordinate(box));
@@ -71,6 +66,11 @@ StepTexts texts_of_deleted_knot(const core::Curve& before, std::size_t index, co
     return {core::sentence("Delete knot {knot}", {knot}),
             core::sentence("Deleted knot {knot} and {point}",
                            {knot, {"point", point_text(static_cast<std::size_t>(gone))}})};
+}
+
+double largest_coordinate(const core::Box& box) {
+    if (box.is_empty()) return 0.0;
+    return std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.upper.x), std::abs(box.upper.y)});
 }
 
 double coordinate_error(const core::Curve& curve) {

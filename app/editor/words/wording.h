@@ -27,6 +27,9 @@ std::string nothing_changed_sentence();
 /// How far off, as a part of its size, a computed number may be by rounding.
 inline constexpr double rounding_error = 1e-14;
 
+/// The largest |x| or |y| in a box; 0 where it is empty.
+double largest_coordinate(const core::Box& box);
+
 /// How far off a coordinate of a point on the curve may be by rounding; 0 where its box is not known.
 double coordinate_error(const core::Curve& curve);
 

@@ -6,8 +6,12 @@
 #include "app/editor/cards/basis_pieces_card.h"
 #include "app/editor/cards/basis_values_card.h"
 #include "app/editor/cards/recurrence_card.h"
+#include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/derived/shown_function.h"
+#include "app/editor/state/point_hues.h"
+#include "tests/editor/sample_editor.h"
 #include "tests/editor/scene_sample.h"
 
 namespace batten::editor {
@@ -250,6 +254,31 @@ TEST(BasisDerivativesCard, draws_the_derivatives_over_whole_supports) {
     EXPECT_LT(test::distance_to(lines, {x(3.0), y(0.0)}), 0.3);
     EXPECT_LT(test::distance_to(lines, {x(4.0), y(-0.5)}), 0.3);
     for (const char* text : {"1", "0", "−1"}) EXPECT_TRUE(test::has_text(list, text)) << text;
+}
+
+TEST(BasisCards, have_the_colors_of_points_that_others_came_between) {
+    Editor editor;
+    open_text(editor, sample_text);
+    ASSERT_TRUE(editor.run(InsertKnot{.u = 0.3}));
+    ASSERT_TRUE(editor.run(SetParameter{.u = 0.6}));
+    const EditorState& state = editor.state();
+    const Theme theme = theme_of(state.view.theme);
+    std::size_t moved = 0;
+    for (const MakeCard make : {basis_values_card, rational_basis_card, basis_derivatives_card}) {
+        const Card card = make(state);
+        for (const CardBlock& block : card.blocks) {
+            const auto* table = std::get_if<CardTable>(&block);
+            if (table == nullptr) continue;
+            for (const std::vector<CardText>& row : table->rows) {
+                const auto* basis = std::get_if<HoveredBasis>(&row.front().hover);
+                if (basis == nullptr) continue;
+                const std::size_t hue = point_hue(*state.shown().active_curve(), basis->index);
+                EXPECT_EQ(row.front().color, theme.point_text(hue));
+                moved += hue != basis->index % hue_count ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(moved, 0U);
 }
 
 TEST(BasisCards, take_every_sort_of_curve) {
