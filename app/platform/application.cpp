@@ -94,7 +94,7 @@ class Application {
     ui::Interface interface_;
     editor::SceneCache scene_cache_;
     ui::Fonts fonts_;
-    std::optional<editor::ThemeName> styled_theme_;
+    std::optional<editor::Theme> styled_theme_;
     editor::CommandQueue queue_;
     FrameClock clock_;
     Cursors cursors_;
@@ -151,9 +151,10 @@ void Application::follow_presenting() {
 
 void Application::follow_theme() {
     const editor::View& view = editor_.state().view;
-    if (styled_theme_ == view.theme) return;
-    styled_theme_ = view.theme;
-    ui::apply_style(editor::theme_of(view.theme), view.interface_scale);
+    const editor::Theme theme = editor::shown_theme(view);
+    if (styled_theme_ == theme) return;
+    styled_theme_ = theme;
+    ui::apply_style(theme, view.interface_scale);
 }
 
 void Application::paint(const render::DrawList& picture, const ui::Rectangle& place, render::Color background) {
@@ -212,7 +213,7 @@ void Application::show(const ui::FrameLayout& layout) {
     meter_.enter(FramePart::draw);
     ui::draw_labels(canvas, layout.canvas, fonts_);
     ui::draw_labels(plot, layout.plot, fonts_);
-    const editor::Theme theme = editor::theme_of(state.view.theme);
+    const editor::Theme theme = editor::shown_theme(state.view);
     cursors_.show(window_.handle(), layout.cursor);
     paint(canvas, layout.canvas, theme.canvas);
     paint(plot, layout.plot, theme.panel);

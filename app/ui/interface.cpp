@@ -147,7 +147,7 @@ Interface::~Interface() = default;
 
 PanelContext Interface::context_of(const editor::EditorState& state, const FrameInput& input, const Fonts& fonts,
                                    editor::CommandQueue& queue, FrameLayout& layout) const {
-    return {state,          fonts, editor::theme_of(state.view.theme), state.view.interface_scale, queue, *panels_,
+    return {state,          fonts, editor::shown_theme(state.view), state.view.interface_scale, queue, *panels_,
             layout.widgets, input};
 }
 

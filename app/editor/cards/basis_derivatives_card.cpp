@@ -42,7 +42,7 @@ class DerivativePicture {
   public:
     DerivativePicture(const EditorState& state, int order, glm::dvec2 size_px, double scale, render::DrawList& list)
         : state_(state),
-          theme_(theme_of(state.view.theme)),
+          theme_(shown_theme(state.view)),
           curve_(*state.active_curve()),
           basis_(state.derived.plot_basis(curve_.knots())),
           range_(state.view.plot_range.value_or(whole_plot_range(state))),
@@ -163,7 +163,7 @@ std::vector<double> without_rounding(std::span<const double> values) {
 /// The values of the functions that act at u, seen from the right.
 CardTable value_table(const EditorState& state) {
     const core::Curve& curve = *state.active_curve();
-    const Theme theme = theme_of(state.view.theme);
+    const Theme theme = shown_theme(state.view);
     const core::BasisValues basis = core::basis_functions(curve.knots(), state.parameter(), 2);
     const std::size_t first = basis.span - static_cast<std::size_t>(curve.degree());
     const std::string letter = basis_letter(state, curve.knots());

@@ -25,7 +25,7 @@ class PieceLines {
         : state_(state),
           knots_(state.active_curve()->knots()),
           cell_(cell),
-          theme_(theme_of(state.view.theme)),
+          theme_(shown_theme(state.view)),
           variable_(local_parameter(state.view.notation)) {}
 
     void add_to(Card& card) const {

@@ -25,7 +25,7 @@ struct Functions {
     explicit Functions(const EditorState& shown)
         : state(shown),
           curve(*shown.active_curve()),
-          theme(theme_of(shown.view.theme)),
+          theme(shown_theme(shown.view)),
           u(shown.parameter()),
           basis(core::basis_functions(curve.knots(), u)) {}
 

@@ -72,7 +72,7 @@ class InsertionPainter {
   public:
     InsertionPainter(const EditorState& state, glm::dvec2 size_px, double scale)
         : state_(state),
-          theme_(theme_of(state.view.theme)),
+          theme_(shown_theme(state.view)),
           triangle_(core::de_boor_triangle(*state.active_curve(), state.parameter())),
           pen_(drawing_.list, size_px, scale, state.view.notation) {
         for (const core::DeBoorCell& cell : triangle_.levels[0]) world_.include(cell.point);
@@ -172,7 +172,7 @@ Card by_insertion_card(const EditorState& state) {
     if (state.active_curve() == nullptr) return card_without_curve({}, "cubic-de-boor");
     const core::Curve& curve = *state.active_curve();
     const core::DeBoorTriangle triangle = core::de_boor_triangle(curve, state.parameter());
-    const Theme theme = theme_of(state.view.theme);
+    const Theme theme = shown_theme(state.view);
     const std::size_t last = core::insertion_count(triangle);
     Card card;
     if (last > 0) {

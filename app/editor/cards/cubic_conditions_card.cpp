@@ -32,7 +32,7 @@ struct PieceLook {
 };
 
 PieceLook look_of(const EditorState& state) {
-    PieceLook look{.theme = theme_of(state.view.theme), .notation = state.view.notation};
+    PieceLook look{.theme = shown_theme(state.view), .notation = state.view.notation};
     if (cubic_lack(state)) return look;
     const ShownCubic cubic = shown_cubic(state);
     look.points = cubic.points;

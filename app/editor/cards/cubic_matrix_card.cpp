@@ -27,7 +27,7 @@ FormulaPart powers_part(const char* t) {
 }
 
 CardPicture symbols(const EditorState& state, const ShownCubic& cubic) {
-    const Theme theme = theme_of(state.view.theme);
+    const Theme theme = shown_theme(state.view);
     std::vector<CardText> points;
     for (const std::size_t i : cubic.points) {
         points.push_back(point_cell(i));
@@ -60,7 +60,7 @@ CardPicture numbers(const EditorState& state, const core::CubicSegment& segment,
     return formula_picture(
         {formula_column(std::move(names)), formula_text("= 1/6 M"), coordinates_part(notation, points),
          formula_text("="), coordinates_part(notation, coefficients)},
-        theme_of(state.view.theme), notation, "numbers");
+        shown_theme(state.view), notation, "numbers");
 }
 
 /// The values of the four polynomials at t, which are the parts that the points have in C(t).

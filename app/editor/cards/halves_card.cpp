@@ -64,7 +64,7 @@ void add_half(Card& card, const Notation& notation, const HalfText& half) {
 
 void add_open_halves(Card& card, const EditorState& state, const NamedTriangle& named) {
     const core::SplitPolygons polygons = core::split_polygons(named.curve, named.triangle);
-    const HalfColors colors = half_colors(theme_of(state.view.theme));
+    const HalfColors colors = half_colors(shown_theme(state.view));
     const core::Interval domain = named.curve.domain();
     const std::size_t first = named.triangle.levels[0].front().index;
     const std::size_t after_last = named.triangle.levels[0].back().index + 1;
@@ -95,7 +95,7 @@ void add_open_halves(Card& card, const EditorState& state, const NamedTriangle& 
 void add_opened(Card& card, const EditorState& state, const NamedTriangle& named) {
     const core::SplitPolygons polygons = core::split_polygons(named.curve, named.triangle);
     card.line("A closed curve has no two halves: it is opened at u into one curve, which begins and ends in C(u).");
-    const render::Color color = half_colors(theme_of(state.view.theme)).before;
+    const render::Color color = half_colors(shown_theme(state.view)).before;
     card.add(CardLine{{.text = "It begins with", .tone = CardTone::strong, .color = color}});
     card.formula(joined_names(names_of_cells(named, polygons.after)));
     card.add(CardLine{{.text = "and ends with", .tone = CardTone::strong, .color = color}});

@@ -109,7 +109,7 @@ void draw_mapped_first(Pen& pen, const PictureHalf& half, const Subject& subject
 
 CardPicture invariance_picture(const EditorState& state, const MappedCurve& mapped,
                                std::shared_ptr<const MapCheck> check) {
-    const Subject subject{mapped, std::move(check), theme_of(state.view.theme), state.parameter(),
+    const Subject subject{mapped, std::move(check), shown_theme(state.view), state.parameter(),
                           *state.shown().active_curve()};
     const auto draw = [subject](glm::dvec2 size_px, double scale) {
         CardDrawing drawing;

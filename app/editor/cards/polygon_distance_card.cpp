@@ -14,7 +14,7 @@ namespace batten::editor {
 namespace {
 
 CardTable table_of_rounds(const EditorState& state, const std::vector<PolygonRound>& rounds) {
-    const Theme theme = theme_of(state.view.theme);
+    const Theme theme = shown_theme(state.view);
     CardTable table{.rows = {{{.text = "round"}, {.text = "points"}, {.text = "distance"}, {.text = "ratio"}}},
                     .has_heading = true};
     for (std::size_t r = 0; r < rounds.size(); ++r) {

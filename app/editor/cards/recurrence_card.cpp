@@ -39,7 +39,7 @@ class TrianglePicture {
     TrianglePicture(const EditorState& state, const core::BasisTriangle& triangle, glm::dvec2 size_px, double scale,
                     CardDrawing& drawing)
         : state_(state),
-          theme_(theme_of(state.view.theme)),
+          theme_(shown_theme(state.view)),
           triangle_(triangle),
           pen_(drawing.list, size_px, scale, state.view.notation),
           drawing_(drawing) {

@@ -39,7 +39,7 @@ class TrianglePainter {
     TrianglePainter(const EditorState& state, const CellTexts& texts, glm::dvec2 size_px, double scale)
         : state_(state),
           texts_(texts),
-          theme_(theme_of(state.view.theme)),
+          theme_(shown_theme(state.view)),
           triangle_(core::de_boor_triangle(*state.active_curve(), state.parameter())),
           pen_(drawing_.list, size_px, scale, state.view.notation),
           degree_(triangle_.levels.size() - 1),

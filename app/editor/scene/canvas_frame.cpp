@@ -24,7 +24,7 @@ glm::dvec2 shown_place(const render::Camera& camera, core::Point world) {
 CanvasFrame::CanvasFrame(const EditorState& shown_state, SceneCache& scene_cache, render::DrawList& list)
     : state(shown_state),
       cache(scene_cache),
-      theme(theme_of(shown_state.view.theme)),
+      theme(shown_theme(shown_state.view)),
       pen(list, shown_state.view.camera.size_px, shown_state.view.interface_scale, shown_state.view.notation),
       curve(shown_state.visible_active_curve()) {
     if (curve == nullptr) return;

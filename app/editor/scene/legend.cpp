@@ -60,7 +60,7 @@ LegendTexts texts_of(const EditorState& state, Length length) {
     const core::Curve& curve = *state.visible_active_curve();
     const auto degree = static_cast<std::size_t>(curve.degree());
     const char* title = state.derived.of(curve.knots())->is_bezier ? "de Casteljau" : "de Boor";
-    const std::size_t color_count = theme_of(state.view.theme).levels.size();
+    const std::size_t color_count = shown_theme(state.view).levels.size();
     LegendTexts texts{title, {}};
     for (std::size_t r = 1; r <= std::min(degree, color_count); ++r)
         texts.entries.push_back(entry_text(r, degree, color_count, length));

@@ -20,7 +20,7 @@ std::vector<std::size_t> chosen(const EditorState& state, const PlotMode& mode) 
 
 PlotFrame::PlotFrame(const EditorState& shown_state, const PlotMode& mode, glm::dvec2 size_px, render::DrawList& list)
     : state(shown_state),
-      theme(theme_of(shown_state.view.theme)),
+      theme(shown_theme(shown_state.view)),
       pen(list, size_px, shown_state.view.interface_scale, shown_state.view.notation),
       layout(plot_layout(shown_state, size_px)),
       curve(*shown_state.active_curve()),

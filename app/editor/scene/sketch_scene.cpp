@@ -23,7 +23,7 @@ render::DrawList sketch_scene(const EditorState& state) {
     core::Box box;
     for (const core::Point point : points) box.include(point);
     const render::Camera camera = render::fitted(state.view.camera, box.lower, box.upper, sketch_margin * scale);
-    const Symbol dot{.radius = sketch_radius, .fill = theme_of(state.view.theme).polygon, .outline = no_color};
+    const Symbol dot{.radius = sketch_radius, .fill = shown_theme(state.view).polygon, .outline = no_color};
     render::DrawList list;
     Pen pen(list, camera.size_px, scale);
     for (const core::Point point : points) pen.symbol(shown_place(camera, point), dot);

@@ -11,6 +11,10 @@ constexpr std::array bright_palette{rgb(0xE69F00), rgb(0x56B4E9), rgb(0x2FBF8F),
                                     rgb(0x4C7FE0), rgb(0xE8743B), rgb(0xD583B6), rgb(0x9B8CF2)};
 constexpr std::array deep_palette{rgb(0x9A5B00), rgb(0x1B739D), rgb(0x18825E), rgb(0x8E7D00),
                                   rgb(0x3647AE), rgb(0x9D2A10), rgb(0x863665), rgb(0x7B6ACE)};
+constexpr std::array bright_contrast_palette{rgb(0xE69F00), rgb(0x56B4E9), rgb(0x2FBF8F), rgb(0xD9C93B),
+                                             rgb(0x5988E2), rgb(0xE8743B), rgb(0xD583B6), rgb(0x9B8CF2)};
+constexpr std::array deep_contrast_palette{rgb(0x915600), rgb(0x196A90), rgb(0x157152), rgb(0x726400),
+                                           rgb(0x3647AE), rgb(0x9D2A10), rgb(0x863665), rgb(0x6557A9)};
 constexpr double share_in_text = 0.7;
 constexpr double share_at_rest = 0.9;
 constexpr double comb_share_at_rest = 0.7;
@@ -57,6 +61,43 @@ Theme light_theme() {
     return theme;
 }
 
+Theme dark_contrast_theme() {
+    Theme theme = dark_theme();
+    theme.canvas = rgb(0x000000);
+    theme.panel = rgb(0x0B0D11);
+    theme.field = rgb(0x171A21);
+    theme.line = rgb(0x4A5262);
+    theme.text = rgb(0xFFFFFF);
+    theme.dim = rgb(0xB6BBC6);
+    theme.accent = rgb(0x84BFFF);
+    theme.curve = rgb(0xFFFFFF);
+    theme.polygon = rgb(0x858D9A);
+    theme.error = rgb(0xFF8279);
+    theme.comb = rgb(0xCB98FA);
+    theme.levels = {rgb(0x4FC3A1), rgb(0xF2A65A), rgb(0xF286A0)};
+    theme.palette = bright_contrast_palette;
+    return theme;
+}
+
+Theme light_contrast_theme() {
+    Theme theme = light_theme();
+    theme.canvas = rgb(0xFFFFFF);
+    theme.panel = rgb(0xF7F8FA);
+    theme.field = rgb(0xEDEFF4);
+    theme.line = rgb(0xA7AEBC);
+    theme.text = rgb(0x000000);
+    theme.dim = rgb(0x3C424F);
+    theme.accent = rgb(0x0C3E8B);
+    theme.curve = rgb(0x000000);
+    theme.polygon = rgb(0x5D6472);
+    theme.parameter = rgb(0x7B3906);
+    theme.error = rgb(0x951D14);
+    theme.comb = rgb(0x681890);
+    theme.levels = {rgb(0x095740), rgb(0x783D09), rgb(0x8C1C45)};
+    theme.palette = deep_contrast_palette;
+    return theme;
+}
+
 }  // namespace
 
 render::Color Theme::point_text(std::size_t i) const {
@@ -73,6 +114,10 @@ render::Color Theme::resting_comb() const {
 
 Theme theme_of(ThemeName name) {
     return name == ThemeName::dark ? dark_theme() : light_theme();
+}
+
+Theme high_contrast(ThemeName name) {
+    return name == ThemeName::dark ? dark_contrast_theme() : light_contrast_theme();
 }
 
 }  // namespace batten::editor

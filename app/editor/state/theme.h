@@ -28,10 +28,15 @@ struct Theme {
     /// The colors, on the panel and on the canvas, of graphs that do not act and of the teeth of the comb.
     render::Color resting_point(std::size_t i) const;
     render::Color resting_comb() const;
+
+    bool operator==(const Theme&) const = default;
 };
 
 /// The colors of `name`.
 Theme theme_of(ThemeName name);
+
+/// The same for a projector, which washes colors out: a text has a contrast of at least 7:1, a line 4.5:1.
+Theme high_contrast(ThemeName name);
 
 }  // namespace batten::editor
 

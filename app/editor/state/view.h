@@ -92,6 +92,11 @@ struct View {
     bool keys_are_shown = false;     ///< the keys that were pressed last, while presenting
 };
 
+/// The colors in which everything is shown: of high contrast for a projector.
+inline Theme shown_theme(const View& view) {
+    return view.is_presenting ? high_contrast(view.theme) : theme_of(view.theme);
+}
+
 }  // namespace batten::editor
 
 namespace batten::core {
