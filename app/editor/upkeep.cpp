@@ -40,6 +40,9 @@ struct HoverCheck {
     }
     bool operator()(const HoveredFarinPoint& hovered) const { return (*this)(HoveredLeg{hovered.leg}); }
     bool operator()(const HoveredLifted& hovered) const { return !hovered.index || *hovered.index < point_count(); }
+    bool operator()(const HoveredHodograph& hovered) const {
+        return !hovered.index || *hovered.index + (curve.is_periodic() ? 0 : hovered.order) < point_count();
+    }
     bool operator()(const HoveredOtherCurve& hovered) const {
         return hovered.index < document.curves.size() && hovered.index != document.active;
     }

@@ -5,7 +5,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/editor/derived/lifted_stage.h"
 #include "app/editor/pointer/plot_layout.h"
+#include "app/editor/scene/insets.h"
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/evaluate.h"
 
@@ -89,6 +91,26 @@ json knots_json(const core::Curve& curve) {
     return result;
 }
 
+json insets_json(const editor::EditorState& state, const ui::Rectangle& canvas) {
+    json result = json::object();
+    for (const editor::InsetPlace& inset : editor::inset_places(state))
+        result[core::name_of(inset.overlay)] =
+            place_json({canvas.origin_px + inset.box.lower_px, inset.box.upper_px - inset.box.lower_px});
+    return result;
+}
+
+/// Where the homogeneous view shows the control points; none while it is not shown.
+json lifted_points_json(const editor::EditorState& state, const ui::Rectangle& canvas) {
+    json result = json::array();
+    const auto box = editor::inset_box(state, editor::Overlay::homogeneous);
+    if (!box) return result;
+    const editor::LiftedStage stage = editor::lifted_stage(state, *box);
+    const core::Curve& curve = *state.active_curve();
+    for (std::size_t i = 0; i < curve.control_points().size(); i += editor::lifted_stride(curve))
+        result.push_back(pixel_json(canvas.origin_px + stage.screen(curve.control_points()[i], curve.weights()[i])));
+    return result;
+}
+
 json overlay_names(const editor::Overlays& overlays) {
     json names = json::array();
     for (std::size_t i = 0; i < editor::overlay_count; ++i)
@@ -99,6 +121,9 @@ json overlay_names(const editor::Overlays& overlays) {
 
 void add_curve(json& report, const editor::EditorState& state, const ui::FrameLayout& layout) {
     report["points"] = points_json(state, layout.canvas);
+    report["weights"] = state.active_curve()->weights();
+    report["insets"] = insets_json(state, layout.canvas);
+    report["lifted_points"] = lifted_points_json(state, layout.canvas);
     report["strip_knots"] = strip_knots_json(state, layout.plot);
     report["curve_places"] = curve_places_json(state, layout.canvas);
     report["knots"] = knots_json(*state.active_curve());
@@ -137,6 +162,9 @@ void write_state_report(const ShownFrame& frame, const std::filesystem::path& pa
     report["deviation"] = state.ghost ? json(state.ghost->deviation) : json(nullptr);
     report["path"] = state.path.string();
     report["interface_scale"] = state.view.interface_scale;
+    const auto hovered = editor::hovered_u(state.hover);
+    report["hovered_u"] = hovered ? json(*hovered) : json(nullptr);
+    report["orbit"] = {{"yaw", state.view.orbit.yaw}, {"pitch", state.view.orbit.pitch}};
     report["theme"] = core::name_of(state.view.theme);
     report["overlays"] = overlay_names(state.view.overlays);
     report["is_playing"] = state.view.playback.is_playing;

@@ -22,8 +22,8 @@ struct ShownFrame {
     const FrameClock& clock;
 };
 
-/// Replaces the file by a JSON object: places of canvas, plot, widgets, control points and knots in window pixels, the
-/// labels drawn, message, dialog, history, file, parameter. The file is complete whenever it can be read.
+/// Replaces the file by a JSON object: places of canvas, plot, insets, widgets, control points and knots in window
+/// pixels, the labels drawn, message, dialog, history, file, parameter. The file is complete whenever it can be read.
 void write_state_report(const ShownFrame& frame, const std::filesystem::path& path);
 
 }  // namespace batten::platform

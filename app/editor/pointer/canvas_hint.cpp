@@ -84,6 +84,9 @@ struct SelectHint {
         return sentence("Drag the lifted {point} along its ray to change its weight",
                         {{"point", point_text(*h.index)}});
     }
+    std::string operator()(const HoveredHodograph& h) const {
+        return h.order == 1 ? "The derivative C′(u), as a curve" : "The second derivative C″(u), as a curve";
+    }
     std::string operator()(const HoveredLeg& h) const {
         if (!has_point(curve, h.index)) return {};
         return sentence("Double-click to add a control point between {point} and {next} (changes the shape)",

@@ -30,6 +30,13 @@ class Collector {
         return finished();
     }
 
+    /// The points whose difference of that order begins with point i.
+    Highlight of_difference(std::size_t i, std::size_t order) {
+        if (!knots_.is_periodic() && i + order >= point_count_) return {};
+        for (std::size_t k = i; k <= i + order; ++k) result_.points.push_back(k % point_count_);
+        return finished();
+    }
+
     Highlight of_knot(std::size_t stored_index) {
         if (stored_index >= knots_.stored().size()) return {};
         const auto [a, b] = run_around(stored_index + knots_.stored_offset());
@@ -159,6 +166,9 @@ struct HighlightOf {
     Highlight operator()(const HoveredWeightRing& h) const { return Collector(curve).of_point(h.index); }
     Highlight operator()(const HoveredLifted& h) const {
         return h.index ? Collector(curve).of_point(*h.index) : Highlight{};
+    }
+    Highlight operator()(const HoveredHodograph& h) const {
+        return h.index ? Collector(curve).of_difference(*h.index, h.order) : Highlight{};
     }
     Highlight operator()(const HoveredBasis& h) const { return Collector(curve).of_point(h.index); }
     Highlight operator()(const HoveredKnot& h) const { return Collector(curve).of_knot(h.index); }

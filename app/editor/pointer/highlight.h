@@ -31,6 +31,7 @@ struct Highlight {
 /// two
 ///   knots that make its alpha, u_i and u_{i+p-r+1}.
 /// - N_{i,k} of the recurrence: its k+2 knots u_i..u_{i+k+1}; for k = p as its control point.
+/// - Control point i of the hodograph of order r: the points i..i+r, of whose difference it is a multiple.
 /// - Span s: the points and functions s-p..s, the hull of the points, and the part [u_s, u_{s+1}].
 ///
 /// Anything else, or an index that the curve does not have: nothing.

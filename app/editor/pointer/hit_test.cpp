@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/editor/derived/construction_cells.h"
-#include "app/editor/derived/lifted_stage.h"
+#include "app/editor/pointer/inset_hit.h"
 #include "app/editor/pointer/view_handle.h"
 #include "app/editor/pointer/weight_ring.h"
 #include "app/editor/scene/insets.h"
@@ -212,11 +212,6 @@ Hover hit_other_curves(const CanvasPointer& pointer) {
             nearest.offer(HoveredOtherCurve{i}, pointer.distance_to(sample->point));
     }
     return nearest.found().value_or(HoveredNothing{});
-}
-
-Hover hit_inset(const EditorState& state, const InsetPlace& inset, glm::dvec2 position_px) {
-    if (inset.overlay != Overlay::homogeneous) return HoveredNothing{};
-    return HoveredLifted{lifted_point_at(state, lifted_stage(state, inset.box), position_px)};
 }
 
 }  // namespace

@@ -36,9 +36,9 @@ SeenLine polygon_line(const CanvasFrame& frame) {
 void draw_control_polygon(CanvasFrame& frame, const SeenLine& line) {
     draw_line(frame, line, stroke_of(frame));
     const auto points = frame.curve->control_points();
-    const auto* leg = std::get_if<HoveredLeg>(&frame.state.hover);
-    if (leg != nullptr && leg->index < core::leg_count(*frame.curve))
-        frame.pen.segment(frame.screen(points[leg->index]), frame.screen(points[(leg->index + 1) % points.size()]),
+    const auto leg = hovered_leg(frame.state.hover);
+    if (leg && *leg < core::leg_count(*frame.curve))
+        frame.pen.segment(frame.screen(points[*leg]), frame.screen(points[(*leg + 1) % points.size()]),
                           {.color = frame.theme.accent, .width = 2.0});
 }
 

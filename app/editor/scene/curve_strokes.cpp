@@ -76,16 +76,19 @@ void draw_active_curve(CanvasFrame& frame) {
     draw_part(frame, active_span(frame), {.color = frame.theme.accent, .width = span_width});
 }
 
+Symbol hovered_place_symbol(const Theme& theme) {
+    return {.radius = 4.0, .fill = theme.canvas, .outline = theme.accent, .outline_width = 2.0};
+}
+
 void draw_hovered_place(CanvasFrame& frame) {
-    const auto* place = std::get_if<HoveredCurve>(&frame.state.hover);
-    if (place == nullptr) return;
-    const bool inserts = frame.state.tool == Tool::insert_knot;
-    frame.pen.symbol(frame.screen(core::point_at(*frame.curve, place->u)),
-                     {.shape = inserts ? render::MarkerShape::diamond : render::MarkerShape::disc,
-                      .radius = inserts ? 6.0 : 4.0,
-                      .fill = frame.theme.canvas,
-                      .outline = frame.theme.accent,
-                      .outline_width = 2.0});
+    const auto u = hovered_u(frame.state.hover);
+    if (!u) return;
+    Symbol symbol = hovered_place_symbol(frame.theme);
+    if (frame.state.tool == Tool::insert_knot && std::holds_alternative<HoveredCurve>(frame.state.hover)) {
+        symbol.shape = render::MarkerShape::diamond;
+        symbol.radius = 6.0;
+    }
+    frame.pen.symbol(frame.screen(core::point_at(*frame.curve, *u)), symbol);
 }
 
 }  // namespace batten::editor

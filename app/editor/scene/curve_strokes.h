@@ -23,4 +23,7 @@ void draw_active_curve(CanvasFrame& frame);
 /// A mark where the pointer is on the curve: a diamond with the tool that inserts knots, else a disc.
 void draw_hovered_place(CanvasFrame& frame);
 
+/// How a place of the curve that the pointer is on is marked, on the canvas and in insets.
+Symbol hovered_place_symbol(const Theme& theme);
+
 }  // namespace batten::editor

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/editor/scene/arrow.h"
+#include "app/editor/scene/curve_strokes.h"
 #include "app/editor/scene/inset_map.h"
 #include "app/editor/scene/panel_box.h"
 #include "core/base/sentence.h"
@@ -16,10 +17,9 @@ namespace batten::editor {
 namespace {
 
 constexpr double inset_padding = 14.0;
-constexpr double title_height = 20.0;
+constexpr double title_height = 16.0;
 constexpr double places_per_px = 4.0;  // of the picture's width
 constexpr std::size_t most_sampled_spans = 2000;
-constexpr std::size_t most_polygon_points = 400;
 constexpr std::size_t most_accelerated_points = 20000;  // C'' of longer curves is sampled, at a bounded cost
 
 std::size_t span_count(const core::Curve& curve) {
@@ -95,7 +95,7 @@ core::PointRuns polygon_of(const core::Curve& curve) {
     const auto points = curve.control_points();
     const auto degree = static_cast<std::size_t>(curve.degree());
     core::PointRuns runs;
-    if (points.size() > most_polygon_points) return runs;
+    if (points.size() > most_hodograph_points) return runs;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool is_torn = !curve.is_periodic() && curve.knots()[i] == curve.knots()[i + degree];
         if (i == 0 || is_torn) runs.emplace_back();
@@ -153,14 +153,12 @@ void draw_inked(CanvasFrame& frame, const core::CurveStrips& strips, const Inset
     frame.pen.ink(ink, stroke.color);
 }
 
-/// The control point that the hovered leg makes, where each makes one.
+/// The control point that the hovered leg makes, where each makes one, or the hovered one itself.
 std::optional<std::size_t> lit_point(const CanvasFrame& frame, const Hodograph& hodograph) {
-    const auto* leg = std::get_if<HoveredLeg>(&frame.state.hover);
-    const std::size_t points = frame.curve->control_points().size();
-    const std::size_t legs = frame.curve->is_periodic() ? points : points - 1;
-    const bool fits = hodograph.order == 1 && !frame.curve->is_rational() &&
-                      hodograph.strips->curve()->control_points().size() == legs;
-    return leg != nullptr && fits ? std::optional(leg->index) : std::nullopt;
+    if (!has_differences(*hodograph.strips->curve(), *frame.curve, hodograph.order)) return std::nullopt;
+    const auto* hovered = std::get_if<HoveredHodograph>(&frame.state.hover);
+    if (hovered != nullptr && hovered->order == hodograph.order) return hovered->index;
+    return hodograph.order == 1 ? hovered_leg(frame.state.hover) : std::nullopt;
 }
 
 void draw_polygon(CanvasFrame& frame, const Hodograph& hodograph, const InsetMap& map) {
@@ -187,15 +185,21 @@ void draw_vector_at_parameter(CanvasFrame& frame, std::size_t order, const Inset
         map(now), {.radius = 4.5, .fill = frame.theme.parameter, .outline = frame.theme.panel, .outline_width = 1.5});
 }
 
+void draw_hovered_place(CanvasFrame& frame, std::size_t order, const InsetMap& map) {
+    const auto u = hovered_u(frame.state.hover);
+    if (!u) return;
+    const core::Vector there = derivative(*frame.curve, order, *u);
+    if (core::is_finite(there)) frame.pen.symbol(map(core::tip_of(there)), hovered_place_symbol(frame.theme));
+}
+
 void draw_inset(CanvasFrame& frame, const render::PixelBox& box, std::size_t order) {
     const Hodograph hodograph = hodograph_of(frame, order);
     Pen& pen = frame.pen;
     const Theme& theme = frame.theme;
     draw_panel_box(pen, theme, box);
-    const glm::dvec2 corner = box.lower_px + glm::dvec2(pen.px(inset_padding));
-    pen.text({corner.x, box.lower_px.y + pen.px(15.0)}, title_of(frame, hodograph), {.color = theme.dim, .size = 11.5});
-    const render::PixelBox area{corner + glm::dvec2(0.0, pen.px(title_height - 4.0)),
-                                box.upper_px - glm::dvec2(pen.px(inset_padding))};
+    const render::PixelBox area = hodograph_area(box, pen.px(1.0));
+    pen.text({area.lower_px.x, box.lower_px.y + pen.px(15.0)}, title_of(frame, hodograph),
+             {.color = theme.dim, .size = 11.5});
     const std::optional<core::PointRuns> runs = hodograph_runs(frame, hodograph, area);
     core::Box drawn = runs ? box_of(*runs) : with_origin(hodograph.strips->box());
     for (const auto& run : hodograph.polygon)
@@ -208,9 +212,21 @@ void draw_inset(CanvasFrame& frame, const render::PixelBox& box, std::size_t ord
     if (runs)
         for (const auto& run : *runs) pen.line(places_of(run, map), stroke);
     draw_vector_at_parameter(frame, order, map);
+    draw_hovered_place(frame, order, map);
 }
 
 }  // namespace
+
+render::PixelBox hodograph_area(const render::PixelBox& box, double scale) {
+    const glm::dvec2 padding(scale * inset_padding);
+    return {box.lower_px + padding + glm::dvec2(0.0, scale * title_height), box.upper_px - padding};
+}
+
+bool has_differences(const core::Curve& hodograph, const core::Curve& curve, std::size_t order) {
+    const std::size_t points = curve.control_points().size();
+    const std::size_t differences = curve.is_periodic() ? points : points - std::min(points, order);
+    return !curve.is_rational() && hodograph.control_points().size() == differences;
+}
 
 void draw_hodograph_inset(CanvasFrame& frame, const render::PixelBox& box) {
     draw_inset(frame, box, 1);

@@ -25,6 +25,12 @@ class InsetMap {
 
     double scale() const { return scale_; }
 
+    /// What is shown at `place`; the middle of the box where that is too large to be shown.
+    core::Point shown_at(glm::dvec2 place) const {
+        if (scale_ == 0.0) return middle_;
+        return {middle_.x + (place.x - center_.x) / scale_, middle_.y - (place.y - center_.y) / scale_};
+    }
+
     glm::dvec2 operator()(core::Point tip) const {
         return center_ + scale_ * glm::dvec2(tip.x - middle_.x, middle_.y - tip.y);
     }

@@ -40,6 +40,7 @@ class LiftedPicture {
         draw_side(is_from_above_);
         draw_points();
         draw_parameter();
+        draw_hovered_place();
     }
 
   private:
@@ -172,6 +173,16 @@ class LiftedPicture {
         pen_.symbol(
             shown(last.point, last.weight),
             {.radius = 5.5, .fill = frame_.theme.parameter, .outline = frame_.theme.panel, .outline_width = 1.5});
+    }
+
+    /// On the lifted curve and on its shadow.
+    void draw_hovered_place() {
+        const auto u = hovered_u(frame_.state.hover);
+        if (!u) return;
+        const core::LiftedSample there = core::lifted_at(*frame_.curve, *u);
+        if (!core::is_finite(there.point) || !std::isfinite(there.weight)) return;
+        for (const double weight : {1.0, there.weight})
+            pen_.symbol(shown(there.point, weight), hovered_place_symbol(frame_.theme));
     }
 
     CanvasFrame& frame_;

@@ -75,13 +75,26 @@ struct HoveredFarinPoint {  ///< the Farin point on the leg from point `leg` to 
     std::size_t leg = 0;
     bool operator==(const HoveredFarinPoint&) const = default;
 };
-struct HoveredLifted {  ///< the inset of the lifted curve, and a control point that is shown in it
+struct HoveredLifted {  ///< the inset of the lifted curve, and a control point or else a place of the curve in it
     std::optional<std::size_t> index;
+    std::optional<double> u{};
     bool operator==(const HoveredLifted&) const = default;
+};
+struct HoveredHodograph {  ///< the inset of a derivative, and a control point or else a place of the curve in it
+    std::size_t order = 1;
+    std::optional<std::size_t> index;
+    std::optional<double> u{};
+    bool operator==(const HoveredHodograph&) const = default;
 };
 
 using Hover = std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
                            HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis,
-                           HoveredBasisCell, HoveredHandle, HoveredFarinPoint, HoveredLifted>;
+                           HoveredBasisCell, HoveredHandle, HoveredFarinPoint, HoveredLifted, HoveredHodograph>;
+
+/// The parameter of the active curve that the pointer is on, on the curve itself or in an inset; none elsewhere.
+std::optional<double> hovered_u(const Hover& hover);
+
+/// The leg of the control polygon that the pointer is on, or on whose derivative it is; none elsewhere.
+std::optional<std::size_t> hovered_leg(const Hover& hover);
 
 }  // namespace batten::editor

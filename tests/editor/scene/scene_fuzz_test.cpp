@@ -109,7 +109,7 @@ class SceneMaker {
 
     Hover hover(const core::Curve& curve) {
         const auto some = static_cast<std::size_t>(whole(0, 6));
-        switch (whole(0, 8)) {
+        switch (whole(0, 10)) {
             case 0:
                 return HoveredPoint{some % curve.control_points().size()};
             case 1:
@@ -126,6 +126,10 @@ class SceneMaker {
                 return HoveredBasis{some % curve.control_points().size()};
             case 7:
                 return HoveredWeightRing{some % curve.control_points().size()};
+            case 8:
+                return HoveredHodograph{some % 2 + 1, some, {}};
+            case 9:
+                return HoveredLifted{std::nullopt, curve.domain().upper};
             default:
                 return HoveredNothing{};
         }
