@@ -93,4 +93,11 @@ std::optional<int> word_score(std::string_view pattern, std::string_view text) {
     return score;
 }
 
+Beginning beginning_of(std::string_view pattern, std::string_view text) {
+    const std::string begin = folded(pattern);
+    const std::string whole = folded(text);
+    if (begin.empty() || !whole.starts_with(begin)) return Beginning::none;
+    return whole.size() == begin.size() ? Beginning::whole : Beginning::prefix;
+}
+
 }  // namespace batten::ui

@@ -16,4 +16,9 @@ std::optional<int> fuzzy_score(std::string_view pattern, std::string_view text);
 /// letters mean nothing.
 std::optional<int> word_score(std::string_view pattern, std::string_view text);
 
+/// How much of `text` somebody typed who typed `pattern`, whatever its case and accents: all of it, its beginning, or
+/// neither. An empty pattern is neither.
+enum class Beginning { none, prefix, whole };
+Beginning beginning_of(std::string_view pattern, std::string_view text);
+
 }  // namespace batten::ui

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "app/editor/command_table.h"
 #include "app/editor/commands/file_commands.h"
@@ -25,7 +26,11 @@ constexpr int explanation_loss = 8;
 
 struct Match {
     PaletteEntry entry;
+    Beginning of_title;
+    Beginning of_name;
     int score;
+
+    auto rank() const { return std::tuple(std::max(of_title, of_name), of_title, score); }
 };
 
 std::vector<PaletteEntry> all_entries(const PanelContext& context) {
@@ -66,8 +71,12 @@ std::vector<PaletteEntry> find_entries(const PanelContext& context, const std::s
     if (const CommandSpec* spec = spec_being_typed(typed)) return {{spec, {}, spec->title, spec->name}};
     std::vector<Match> matches;
     for (PaletteEntry& entry : all_entries(context))
-        if (const std::optional<int> score = score_of(typed, entry)) matches.push_back({std::move(entry), *score});
-    std::stable_sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) { return a.score > b.score; });
+        if (const std::optional<int> score = score_of(typed, entry)) {
+            const Beginning of_title = beginning_of(typed, entry.title);
+            const Beginning of_name = beginning_of(typed, entry.name);
+            matches.push_back({std::move(entry), of_title, of_name, *score});
+        }
+    std::ranges::stable_sort(matches, [](const Match& a, const Match& b) { return a.rank() > b.rank(); });
     std::vector<PaletteEntry> entries;
     for (Match& match : matches) entries.push_back(std::move(match.entry));
     return entries;
