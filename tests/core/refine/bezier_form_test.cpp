@@ -7,6 +7,7 @@
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/bezier_pieces.h"
 #include "core/measure/deviation.h"
+#include "core/refine/join.h"
 #include "core/refine/split.h"
 #include "tests/core/shape_check.h"
 
@@ -85,6 +86,29 @@ TEST(JoinPieces, raises_degrees_and_keeps_corners) {
     EXPECT_EQ(stored(joined.curve), (std::vector<double>{0, 0, 0, 1, 1, 2, 2, 2}));
     EXPECT_EQ(joined.error, 0.0);
     EXPECT_EQ(joined.curve.control_points()[1], Point(1.5, 0));
+}
+
+TEST(JoinPieces, tells_one_piece_from_several) {
+    using enum KnotKind;
+    const auto piece = [](std::vector<Point> points, KnotKind kind) {
+        return Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = std::move(points), .kind = kind})
+            .value();
+    };
+    const auto kind_of = [](const std::vector<Curve>& pieces) {
+        return join_pieces(pieces, 1e-9).value().curve.knots().kind();
+    };
+    const Curve arc = piece({{0, 0}, {1, 2}, {2, 0}}, bezier);
+    const Curve next = piece({{2, 0}, {3, 2}, {4, 0}}, bezier);
+    const Curve last = piece({{4, 0}, {5, 2}, {6, 0}}, clamped_uniform);
+    const Curve again = join_pieces(split(arc, 0.25).value(), 1e-9).value().curve;
+    EXPECT_EQ(kind_by_values(again.knots()), bezier) << "one piece, as it was";
+    EXPECT_EQ(kind_of({arc, next}), piecewise_bezier);
+    EXPECT_EQ(kind_of({*join_pieces(std::vector{arc, next}, 1e-9).map(&Approximation::curve),
+                       piece({{4, 0}, {5, 2}, {6, 0}}, bezier)}),
+              piecewise_bezier);
+    EXPECT_EQ(kind_of({arc, next, last}), custom) << "which the last one is not";
+    EXPECT_EQ(join(arc, next, JoinContinuity::c0)->curve.knots().kind(), piecewise_bezier);
+    EXPECT_EQ(join(arc, next, JoinContinuity::c1)->curve.knots().kind(), custom);
 }
 
 TEST(JoinPieces, refuses_gaps_and_rings) {
