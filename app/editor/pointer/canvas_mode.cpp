@@ -179,6 +179,13 @@ CanvasMode step(const Panning& mode, const Gesture& gesture) {
     return Panning{gesture.event.position_px};
 }
 
+/// Of the place on the curve that is nearest to the pointer; with Ctrl, that of a knot that is near.
+double pointed_parameter(const Gesture& gesture, const core::Curve& curve) {
+    const double u = nearest_to_pointer(gesture).u;
+    if (!gesture.event.modifiers.ctrl) return u;
+    return knot_near(curve.knots(), u, snap_distance_at(gesture, curve, u)).value_or(u);
+}
+
 CanvasMode step(const DraggingParameter& mode, const Gesture& gesture) {
     if (is_release(gesture) || committed_curve(gesture.state) == nullptr) return CanvasIdle{};
     if (is_escape(gesture)) {
@@ -186,7 +193,7 @@ CanvasMode step(const DraggingParameter& mode, const Gesture& gesture) {
         return CanvasIdle{};
     }
     if (is_move(gesture)) {
-        const double u = nearest_to_pointer(gesture).u;
+        const double u = pointed_parameter(gesture, *committed_curve(gesture.state));
         if (u != gesture.state.parameter()) gesture.queue.run(SetParameter{.u = u});
     }
     return mode;

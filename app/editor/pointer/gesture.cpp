@@ -1,5 +1,6 @@
 #include "app/editor/pointer/gesture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -57,6 +58,15 @@ double rounded_to_step(double value, double step) {
         return std::round(value * steps_per_unit) / steps_per_unit;
     }
     return std::round(value / step) * step;
+}
+
+std::optional<double> knot_near(const core::KnotVector& knots, double u, double reach) {
+    const std::span<const double> stored = knots.stored();
+    const auto above = std::lower_bound(stored.begin(), stored.end(), u);
+    std::optional<double> nearest;
+    if (above != stored.end()) nearest = *above;
+    if (above != stored.begin() && (!nearest || u - *(above - 1) < *nearest - u)) nearest = *(above - 1);
+    return nearest && std::abs(*nearest - u) <= reach ? nearest : std::nullopt;
 }
 
 MoveKnot dragged_knot(const EditorState& state, std::size_t index, double u, double snap_distance) {

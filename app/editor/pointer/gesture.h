@@ -50,6 +50,9 @@ bool can_edit_curve(const EditorState& state);
 /// number.
 double rounded_to_step(double value, double step);
 
+/// The stored knot nearest to `u`, if that is within `reach` (>= 0, in parameter units).
+std::optional<double> knot_near(const core::KnotVector& knots, double u, double reach);
+
 /// The command that drags knot `index` to `u` as the mode that is chosen says; the distance counts where that is snap.
 MoveKnot dragged_knot(const EditorState& state, std::size_t index, double u, double snap_distance);
 

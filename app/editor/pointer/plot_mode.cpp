@@ -65,11 +65,8 @@ void turn_wheel(const PlotGesture& gesture) {
 double chosen_parameter(const PlotGesture& gesture, const core::Curve& curve) {
     const double u = gesture.pointed_parameter();
     if (!gesture.event.modifiers.ctrl) return u;
-    const auto knots = curve.knots().stored();
-    const auto above = std::lower_bound(knots.begin(), knots.end(), u);
     const double reach = pixels(gesture.state, snap_reach) / gesture.px_per_unit();
-    if (above != knots.begin() && u - *(above - 1) <= reach) return *(above - 1);
-    if (above != knots.end() && *above - u <= reach) return *above;
+    if (const auto knot = knot_near(curve.knots(), u, reach)) return *knot;
     return rounded_to_step(u, minor_grid_step(gesture.px_per_unit() / gesture.state.view.interface_scale));
 }
 

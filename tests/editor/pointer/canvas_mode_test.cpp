@@ -189,6 +189,19 @@ TEST_F(CanvasModes, weights_grow_as_far_up_as_to_the_right_and_shrink_as_far) {
     EXPECT_NEAR(weight(1), 0.01, 1e-16);
 }
 
+TEST_F(CanvasModes, ctrl_catches_the_parameter_at_a_knot) {
+    // C(1) = (-1, 0) with C'(1) = (2, -4): 8 px are 0.028 there.
+    pointer.press(px(0, -1));
+    pointer.move(px(-0.96, -0.08));
+    EXPECT_NEAR(state().parameter(), 1.02, 0.001);
+    pointer.modifiers = ctrl;
+    pointer.move(px(-0.961, -0.08));
+    EXPECT_EQ(state().parameter(), 1.0);
+    pointer.move(px(-0.8, -0.39));
+    EXPECT_NEAR(state().parameter(), 1.1, 0.01) << "too far";
+    pointer.release(px(-0.8, -0.39));
+}
+
 TEST_F(CanvasModes, ctrl_keeps_weights_to_two_digits) {
     pointer.modifiers = {true, false, true};
     const auto weight_at = [&](double moved_px) {
