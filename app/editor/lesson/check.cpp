@@ -289,7 +289,7 @@ CheckResult Checker::operator()(const CrossingsAre& check) const {
     if (!found) return {false, "there is no line to be crossed"};
     const bool holds = check.polygon.value_or(found->polygon_crossings) == found->polygon_crossings &&
                        check.curve.value_or(found->crossings) == found->crossings;
-    return {holds, sentence("the line crosses the polygon {polygon} times and the curve {curve} times",
+    return {holds, sentence("crossings of the line: {polygon} with the polygon, {curve} with the curve",
                             {{"polygon", found->polygon_crossings}, {"curve", found->crossings}})};
 }
 

@@ -7,7 +7,7 @@
 namespace batten::editor {
 
 LessonPlace place_of(const EditorState& state) {
-    return {state.history.present(), state.view.overlays, state.view.parameter, state.view.level};
+    return {state.history.present(), state.view.overlays, state.view.parameter, state.view.level, state.view.shape};
 }
 
 std::vector<CheckResult> results_of(const LessonRun& run, const EditorState& state) {

@@ -9,6 +9,7 @@
 
 #include "app/editor/lesson/check.h"
 #include "app/editor/state/notation.h"
+#include "app/editor/state/shape_view.h"
 #include "core/document/document.h"
 
 namespace batten::editor {
@@ -46,6 +47,7 @@ struct LessonPlace {
     Overlays overlays;
     double parameter = 0.0;
     std::optional<int> level{};
+    ShapeView shape{};  ///< the line of variation diminishing among it
 };
 
 /// A lesson that is being taken.

@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 
 void take_view(View& view, const LessonView& wanted) {
     if (wanted.overlays) {
-        view.overlays = {};
         for (std::size_t i = 0; i < overlay_count; ++i) view.overlays.show(static_cast<Overlay>(i), false);
         for (const Overlay overlay : *wanted.overlays) view.overlays.show(overlay, true);
     }
@@ -107,6 +106,7 @@ void go_back_a_step(EditorState& state) {
     state.view.overlays = place.overlays;
     state.view.parameter = place.parameter;
     state.view.level = place.level;
+    state.view.shape = place.shape;
 }
 
 }  // namespace batten::editor

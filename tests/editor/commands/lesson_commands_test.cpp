@@ -3,6 +3,7 @@
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/overlay_commands.h"
+#include "app/editor/commands/shape_view_commands.h"
 #include "app/editor/lesson/lesson_file.h"
 #include "tests/editor/sample_editor.h"
 
@@ -83,8 +84,10 @@ TEST_F(LessonCommands, go_back_to_what_stood_when_the_step_began) {
     run(NextStep{});
     run(InsertKnot{.u = 0.5});
     run(ToggleOverlay<Overlay::grid>{});
+    EXPECT_TRUE(run(PutLine{.first = {0, 1}, .second = {1, 1}}));
     run(NextStep{});
     run(PreviousStep{});
+    EXPECT_FALSE(state().view.shape.line) << "none was put before";
     EXPECT_EQ(state().lesson->step, 2U);
     EXPECT_EQ(curve().control_points().size(), 5U) << "as the step began";
     EXPECT_FALSE(state().view.overlays.is_shown(Overlay::grid));

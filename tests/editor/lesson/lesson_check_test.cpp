@@ -161,9 +161,9 @@ TEST(LessonCheck, counts_crossings_of_the_shown_line) {
     put(1.0);
     expect(CrossingsAre{2, 2}, state, false, "there is no line to be crossed");
     state.view.overlays.show(Overlay::variation, true);
-    expect(CrossingsAre{2, 2}, state, true, "the line crosses the polygon 2 times and the curve 2 times");
+    expect(CrossingsAre{2, 2}, state, true, "crossings of the line: 2 with the polygon, 2 with the curve");
     put(3.0);  // the parabola's highest point is at 2
-    expect(CrossingsAre{2, 0}, state, true, "the line crosses the polygon 2 times and the curve 0 times");
+    expect(CrossingsAre{2, 0}, state, true, "crossings of the line: 2 with the polygon, 0 with the curve");
     EXPECT_FALSE(result_of(CrossingsAre{.curve = 2}, state).holds);
     EXPECT_FALSE(result_of(CrossingsAre{.polygon = 0}, state).holds);
     EXPECT_TRUE(result_of(CrossingsAre{.polygon = 2}, state).holds);
