@@ -49,11 +49,21 @@ std::string_view behind_p(std::string_view text) {
     return !rest.empty() && rest.front() == '=' ? trimmed(rest.substr(1)) : text;
 }
 
+// Where the parenthesis closes that `text` begins with.
+std::size_t closing_parenthesis(std::string_view text) {
+    int depth = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '(') ++depth;
+        if (text[i] == ')' && --depth == 0) return i;
+    }
+    return std::string_view::npos;
+}
+
 Parts divided(std::string_view text) {
     text = without_name(text);
     if (!text.empty() && text.front() == '(') {
-        // Behind the parenthesis that closes the first one.
-        const std::size_t end = std::min(text.substr(1).find_first_of(')'), text.size() - 2) + 1;
+        const std::size_t end = closing_parenthesis(text);
+        if (end == std::string_view::npos) return {text, {}};
         return {text.substr(1, end - 1), behind_p(text.substr(end + 1))};
     }
     const std::size_t equals = text.rfind('=');

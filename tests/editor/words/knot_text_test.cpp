@@ -28,6 +28,7 @@ TEST(KnotText, is_read_as_people_write_it) {
     EXPECT_EQ(knots_of("U=(0,1,…,7)"), seven);
     EXPECT_EQ(knots_of("0 ... 7"), seven);
     EXPECT_EQ(knots_of("[0 1 2 3 4 5 6 7]"), seven);
+    EXPECT_EQ(knots_of("(0, (1/2), 1)"), (Knots{0, 0.5, 1}));
     EXPECT_EQ(knots_of("0 0 0 1/2 1 1 1"), (Knots{0, 0, 0, 0.5, 1, 1, 1}));
     EXPECT_EQ(knots_of("0, 0.5, ..., 2"), (Knots{0, 0.5, 1, 1.5, 2}));
     EXPECT_EQ(knots_of("-3, -2, ..., 1, 1, ..., 3"), (Knots{-3, -2, -1, 0, 1, 1, 2, 3}));
@@ -49,6 +50,8 @@ TEST(KnotText, says_what_is_wrong) {
     EXPECT_FALSE(read_vector("(0, ...)"));
     EXPECT_FALSE(read_vector("("));
     EXPECT_FALSE(read_vector("()"));
+    EXPECT_FALSE(read_vector("(0 0 1 1")) << "what is not closed lacks something";
+    EXPECT_FALSE(read_vector("(0, 1), p = 1)"));
     EXPECT_FALSE(read_vector("T ="));
     EXPECT_FALSE(read_vector("p = 3"));
     EXPECT_EQ(read_vector("0, 1, ..., 3.5").error(), "the knots from 1 do not lead to 3.5 in steps of 1");
