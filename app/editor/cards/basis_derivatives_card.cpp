@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <span>
 
 #include "app/editor/cards/card_texts.h"
 #include "app/editor/derived/shown_function.h"
@@ -14,6 +13,7 @@
 #include "app/editor/state/point_hues.h"
 #include "app/editor/words/basis_formula.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/wording.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/basis.h"
 
@@ -147,17 +147,6 @@ CardPicture picture_of(const EditorState& state, int order) {
                 DerivativePicture(state, order, size_px, scale, drawing.list).draw();
                 return drawing;
             }};
-}
-
-/// With 0 for what is nothing but the rounding of the others.
-std::vector<double> without_rounding(std::span<const double> values) {
-    constexpr double rounding_of_largest = 1e-13;
-    double largest = 0.0;
-    for (const double value : values) largest = std::max(largest, std::abs(value));
-    std::vector<double> kept(values.begin(), values.end());
-    for (double& value : kept)
-        if (std::abs(value) <= rounding_of_largest * largest) value = 0.0;
-    return kept;
 }
 
 /// The values of the functions that act at u, seen from the right.

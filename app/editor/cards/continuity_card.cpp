@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/file_commands.h"
@@ -10,6 +11,7 @@
 #include "app/editor/state/state.h"
 #include "app/editor/words/continuity_words.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/wording.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -21,6 +23,7 @@ using core::Place;
 using core::sentence;
 
 constexpr std::size_t most_joint_rows = 10;
+constexpr double least_bend = 1e-12;  // of curvature times size, which is not above its rounding
 
 void offer_curve_with_knots(Card& card) {
     card.add(CardButtons{{{.text = "Open an example", .command = OpenExample{.name = "quadratic-double-knot"}}}});
@@ -55,9 +58,17 @@ class ContinuityCard {
 
   private:
     std::string number(double value) const { return exact_text(notation_, value); }
-    std::string vector(core::Vector v) const { return fmt::format("({}, {})", number(v.x), number(v.y)); }
+    std::string vector(core::Vector v) const {
+        const core::Vector kept = without_rounding(v);
+        return fmt::format("({}, {})", number(kept.x), number(kept.y));
+    }
 
-    std::string number_or_none(const std::optional<double>& value) const { return value ? number(*value) : "–"; }
+    /// 0 where it bends the curve by no more than rounding.
+    std::string curvature(const std::optional<double>& value) const {
+        if (!value) return "–";
+        const bool is_straight = std::abs(*value) * state_.derived.of(*state_.active_curve())->size < least_bend;
+        return number(is_straight ? 0.0 : *value);
+    }
 
     void add_joints() {
         if (meter_.rows.empty() && !meter_.ends && meter_.meetings.empty()) return;
@@ -125,7 +136,7 @@ class ContinuityCard {
         CardTable table{.rows = {{{""}, {"u−"}, {"u+"}}}, .has_heading = true};
         table.rows.push_back({{"C′"}, {vector(joint.left.first)}, {vector(joint.right.first)}});
         table.rows.push_back({{"C″"}, {vector(joint.left.second)}, {vector(joint.right.second)}});
-        table.rows.push_back({{"κ"}, {number_or_none(joint.before)}, {number_or_none(joint.after)}});
+        table.rows.push_back({{"κ"}, {curvature(joint.before)}, {curvature(joint.after)}});
         card_.add(std::move(table));
     }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/editor/words/formula.h"
+#include "app/editor/words/wording.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -61,8 +62,8 @@ std::vector<Place> end_numbers(const EndDerivatives& at, const Notation& notatio
                               {"less", at.degree - 1},
                               {"end", point(at.end_point.point)},
                               {"near", point(at.near_point.point)},
-                              {"end_weight", exact_text(notation, at.end_point.weight)},
-                              {"near_weight", exact_text(notation, at.near_point.weight)},
+                              {"end_weight", divisor_text(notation, at.end_point.weight)},
+                              {"near_weight", divisor_text(notation, at.near_point.weight)},
                               {"end_knot", knot(at.end_knot.value)},
                               {"near_knot", knot(at.near.value)},
                               {"far_knot", knot(far_value)}};
@@ -80,7 +81,7 @@ std::vector<Place> end_numbers(const EndDerivatives& at, const Notation& notatio
 }
 
 std::string value_line(const Notation& notation, core::Vector value) {
-    return core::sentence("= {value}", {{"value", pair_text(notation, value)}});
+    return core::sentence("= {value}", {{"value", pair_text(notation, without_rounding(value))}});
 }
 
 // One formula, by letters and by numbers, from the start inward and before the end.

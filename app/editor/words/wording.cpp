@@ -1,6 +1,7 @@
 #include "app/editor/words/wording.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -71,6 +72,20 @@ StepTexts texts_of_deleted_knot(const core::Curve& before, std::size_t index, co
 double largest_coordinate(const core::Box& box) {
     if (box.is_empty()) return 0.0;
     return std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.upper.x), std::abs(box.upper.y)});
+}
+
+std::vector<double> without_rounding(std::span<const double> values) {
+    double largest = 0.0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    std::vector<double> kept(values.begin(), values.end());
+    for (double& value : kept)
+        if (std::abs(value) <= rounding_error * largest) value = 0.0;
+    return kept;
+}
+
+core::Vector without_rounding(core::Vector vector) {
+    const std::vector<double> kept = without_rounding(std::array{vector.x, vector.y});
+    return {kept[0], kept[1]};
 }
 
 double coordinate_error(const core::Curve& curve) {

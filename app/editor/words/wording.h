@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "app/editor/command_spec.h"
 #include "core/curve/curve.h"
@@ -29,6 +31,10 @@ inline constexpr double rounding_error = 1e-14;
 
 /// The largest |x| or |y| in a box; 0 where it is empty.
 double largest_coordinate(const core::Box& box);
+
+/// Numbers of one kind, with 0 for those that are nothing but the rounding of the largest.
+std::vector<double> without_rounding(std::span<const double> values);
+core::Vector without_rounding(core::Vector vector);
 
 /// How far off a coordinate of a point on the curve may be by rounding; 0 where its box is not known.
 double coordinate_error(const core::Curve& curve);

@@ -33,6 +33,16 @@ TEST(EndFormula, has_the_numbers_put_in) {
                                      "= 3 · 2/1 · ((3, 3)/3 − (1, 2)/1)", "= (0, −6)"}));
 }
 
+TEST(EndFormula, has_fractions_of_fractions_in_parentheses) {
+    core::CurveDefinition definition;
+    definition.degree = 2;
+    definition.knots = {0, 0, 0, 1, 1, 1};
+    definition.points = {{0, 0}, {1, 2}, {3, 2}};
+    definition.weights = {0.5, 0.75, 1};
+    const EndFormula first = first_end_formula(at(definition, core::CurveEnd::start), {});
+    EXPECT_EQ(first.numbers, (Lines{"= 2 · (3/4)/(1/2) · ((1, 2) − (0, 0))/(1 − 0)", "= (3, 6)"}));
+}
+
 TEST(EndFormula, at_the_end_runs_toward_it) {
     const auto end = at(clamped_cubic(), core::CurveEnd::end);
     EXPECT_EQ(first_end_formula(end, {}).symbols, "C′(4) = p (P_{5} − P_{4})/(u_{6} − u_{5})");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 namespace batten::editor {
@@ -37,6 +38,17 @@ TEST(Wording, is_no_more_unchanged_than_it_is) {
               "Set degree; the curve is unchanged but for rounding, at most 3e-17");
     EXPECT_EQ(done_sentence("Unclamped ends", ShapeEffect::keeps, {.error = 0.00095}),
               "Unclamped ends; the shape is kept up to rounding of far control points, error at most 0.00095");
+}
+
+TEST(Wording, takes_rounding_out_of_numbers_of_one_kind) {
+    using Numbers = std::vector<double>;
+    EXPECT_EQ(without_rounding(std::array{3.0, -2.2e-16, 0.5, 0.0}), (Numbers{3.0, 0.0, 0.5, 0.0}));
+    EXPECT_EQ(without_rounding(std::array{3e-20, 1e-20}), (Numbers{3e-20, 1e-20})) << "small ones are not rounding";
+    EXPECT_EQ(without_rounding(std::array{1.0, 1e-12}), (Numbers{1.0, 1e-12}));
+    EXPECT_TRUE(without_rounding(std::span<const double>()).empty());
+    const core::Vector vector = without_rounding(core::Vector(1.7e-15, -12.0));
+    EXPECT_EQ(vector.x, 0.0);
+    EXPECT_EQ(vector.y, -12.0);
 }
 
 }  // namespace
