@@ -18,8 +18,8 @@ struct PaletteEntry {
 };
 
 /// The entries that `typed` fits, best first: those whose title or name it is, whose title or name begins with it, then
-/// by title and name, by synonyms and by the words of explanations. All of them, in the order of menus, where nothing is
-/// typed.
+/// by title and name, by synonyms and by the words of explanations. All of them, in the order of menus, where nothing
+/// is typed.
 std::vector<PaletteEntry> find_entries(const PanelContext& context, const std::string& typed);
 
 /// The command whose name is followed by a space in `typed`: its fields are being typed; of a knot vector alone that

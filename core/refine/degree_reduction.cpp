@@ -101,15 +101,15 @@ HomogeneousPoint homogeneous_at(const Curve& curve, const Site& site) {
 }
 
 // One equation for the control points: sum values[j] P_{first + j} = right.
-struct ConditionRow {
+struct Condition {
     std::size_t first = 0;
     std::vector<double> values;
     HomogeneousPoint right{0.0};
 };
 
 // One for each site: that the splines agree there.
-std::vector<ConditionRow> agreements(const Curve& curve, const KnotVector& knots, std::span<const Site> sites) {
-    std::vector<ConditionRow> rows;
+std::vector<Condition> agreements(const Curve& curve, const KnotVector& knots, std::span<const Site> sites) {
+    std::vector<Condition> rows;
     for (const Site& site : sites) {
         BasisValues basis = basis_functions(knots, site.u, 0, site.side);
         rows.push_back({basis.span - static_cast<std::size_t>(knots.degree()), std::move(basis.derivatives[0]),
@@ -120,14 +120,14 @@ std::vector<ConditionRow> agreements(const Curve& curve, const KnotVector& knots
 
 // Both sides of a joint of the curve, for the spline over `knots`: derivative `order` behind it less sum factors[r]
 // times derivative r before it, which shall be 0.
-ConditionRow relation_at(const JointContinuity& joint, const Curve& curve, const KnotVector& knots, std::size_t order,
-                         std::span<const double> factors) {
+Condition relation_at(const JointContinuity& joint, const Curve& curve, const KnotVector& knots, std::size_t order,
+                      std::span<const double> factors) {
     const std::size_t n = knots.control_point_count();
     const BasisValues before = basis_functions(knots, parameter_before(curve, joint), 2, Side::left);
     const BasisValues after = basis_functions(knots, joint.u, 2, Side::right);
     const std::size_t count = after.derivatives[order].size();
     const std::size_t shift = (after.span + n - before.span % n) % n;
-    ConditionRow row{before.span - static_cast<std::size_t>(knots.degree()), std::vector<double>(shift + count, 0.0)};
+    Condition row{before.span - static_cast<std::size_t>(knots.degree()), std::vector<double>(shift + count, 0.0)};
     for (std::size_t j = 0; j < count; ++j) {
         row.values[shift + j] += after.derivatives[order][j];
         for (std::size_t r = 0; r < factors.size(); ++r) row.values[j] -= factors[r] * before.derivatives[r][j];
@@ -150,7 +150,7 @@ std::array<double, 3> weights_at(const Curve& curve, double u, Side side) {
 // What keeps a joint of the curve G1, and G2 for level 2, in homogeneous coordinates A = w C: with C'_+ = b C'_-,
 // C''_+ = b^2 C''_- + c C'_- and w_+ = l w_- it is A'_+ = l b A'_- + d A_- and
 // A''_+ = l b^2 A''_- + (2 b d + l c) A'_- + e A_-. Weights of ends that meet may differ, else l is 1.
-void add_relations(std::vector<ConditionRow>& rows, const Curve& curve, const KnotVector& knots,
+void add_relations(std::vector<Condition>& rows, const Curve& curve, const KnotVector& knots,
                    const JointContinuity& joint, int level) {
     const auto relation = joint_relation(curve, joint, level);
     if (!relation) return;
@@ -168,7 +168,7 @@ void add_relations(std::vector<ConditionRow>& rows, const Curve& curve, const Kn
 
 // What keeps ends that meet smooth, if beside the conditions at knots as many points stay free as one piece has: with
 // fewer the curve would shrink to a line or to its end.
-void add_relations_of_ends(std::vector<ConditionRow>& rows, const Curve& curve, const KnotVector& knots) {
+void add_relations_of_ends(std::vector<Condition>& rows, const Curve& curve, const KnotVector& knots) {
     const JointContinuity ends = continuity_of_ends(curve);
     const int level = std::min({ends.geometric, knots.degree() - 1, 2});
     if (level < 1) return;
@@ -178,15 +178,15 @@ void add_relations_of_ends(std::vector<ConditionRow>& rows, const Curve& curve, 
 
 // What keeps the curve smooth where it is so by its shape and the lower degree would not: G2 at most, and no more than
 // simple knots have in that degree.
-std::vector<ConditionRow> kept_smoothness(const Curve& curve, const KnotVector& knots) {
-    std::vector<ConditionRow> rows;
+std::vector<Condition> kept_smoothness(const Curve& curve, const KnotVector& knots) {
+    std::vector<Condition> rows;
     for (const JointContinuity& joint : joint_continuity_within(curve, curve.domain())) {
         const int multiplicity = knots.multiplicity(joint.u);
         const int level = std::min({joint.geometric, knots.degree() - 1, 2});
         if (multiplicity > 0 && level > knots.degree() - multiplicity) add_relations(rows, curve, knots, joint, level);
     }
     if (!curve.is_periodic()) add_relations_of_ends(rows, curve, knots);
-    for (ConditionRow& row : rows) {
+    for (Condition& row : rows) {
         double size = 0.0;
         for (const double value : row.values) size = std::hypot(size, value);
         for (double& value : row.values) value /= size;
@@ -194,7 +194,7 @@ std::vector<ConditionRow> kept_smoothness(const Curve& curve, const KnotVector& 
     return rows;
 }
 
-DenseEquations dense_equations(std::span<const ConditionRow> rows, std::size_t n) {
+DenseEquations dense_equations(std::span<const Condition> rows, std::size_t n) {
     DenseEquations equations{.columns = n, .matrix = std::vector<double>(rows.size() * n)};
     for (std::size_t i = 0; i < rows.size(); ++i) {
         for (std::size_t j = 0; j < rows[i].values.size(); ++j)
@@ -205,19 +205,18 @@ DenseEquations dense_equations(std::span<const ConditionRow> rows, std::size_t n
 }
 
 // The places of n unknowns in which the equations have a narrow band, even where they tie the last ones to the first.
-std::vector<std::size_t> band_order(std::span<const ConditionRow> rows, std::size_t n) {
-    const bool is_ring =
-        std::ranges::any_of(rows, [n](const ConditionRow& row) { return row.first + row.values.size() > n; });
+std::vector<std::size_t> band_order(std::span<const Condition> rows, std::size_t n) {
+    const bool is_ring = std::ranges::any_of(rows, [n](const auto& row) { return row.first + row.values.size() > n; });
     std::vector<std::size_t> places(n);
     for (std::size_t i = 0; i < n; ++i) places[i] = is_ring ? folded(i, n) : i;
     return places;
 }
 
-std::vector<BandedEquation<HomogeneousPoint>> banded_equations(std::span<const ConditionRow> rows,
+std::vector<BandedEquation<HomogeneousPoint>> banded_equations(std::span<const Condition> rows,
                                                                std::span<const std::size_t> places) {
     const std::size_t n = places.size();
     std::vector<BandedEquation<HomogeneousPoint>> equations;
-    for (const ConditionRow& row : rows) {
+    for (const Condition& row : rows) {
         std::size_t lowest = n;
         std::size_t highest = 0;
         for (std::size_t j = 0; j < row.values.size(); ++j) {
@@ -233,7 +232,7 @@ std::vector<BandedEquation<HomogeneousPoint>> banded_equations(std::span<const C
 }
 
 // The control points over `knots` that fulfill the equations.
-std::vector<HomogeneousPoint> solution_of(std::span<const ConditionRow> rows, const KnotVector& knots,
+std::vector<HomogeneousPoint> solution_of(std::span<const Condition> rows, const KnotVector& knots,
                                           const Progress& progress) {
     const std::size_t n = knots.control_point_count();
     const auto places = band_order(rows, n);
@@ -247,7 +246,7 @@ std::vector<HomogeneousPoint> solution_of(std::span<const ConditionRow> rows, co
     return solve_least_squares(dense_equations(rows, n));
 }
 
-HomogeneousPoint missed(const ConditionRow& row, std::span<const HomogeneousPoint> points) {
+HomogeneousPoint missed(const Condition& row, std::span<const HomogeneousPoint> points) {
     HomogeneousPoint sum = -row.right;
     for (std::size_t j = 0; j < row.values.size(); ++j) sum += row.values[j] * points[(row.first + j) % points.size()];
     return sum;
@@ -258,26 +257,26 @@ double largest_coordinate(const HomogeneousPoint& point) {
 }
 
 // Whether the points fulfill the equations but for rounding.
-bool are_met(std::span<const ConditionRow> rows, std::span<const HomogeneousPoint> points) {
+bool are_met(std::span<const Condition> rows, std::span<const HomogeneousPoint> points) {
     constexpr double rounding = 1e-11;
     double largest = 0.0;
     for (const HomogeneousPoint& point : points) largest = std::max(largest, largest_coordinate(point));
     return std::ranges::all_of(
-        rows, [&](const ConditionRow& row) { return largest_coordinate(missed(row, points)) <= rounding * largest; });
+        rows, [&](const Condition& row) { return largest_coordinate(missed(row, points)) <= rounding * largest; });
 }
 
 // The control points that agree with the curve as well as they can and keep `kept` exactly, by the method of
 // multipliers: each pass makes up for what the one before lacked.
-std::vector<HomogeneousPoint> constrained(std::span<const ConditionRow> agreeing, std::span<const ConditionRow> kept,
+std::vector<HomogeneousPoint> constrained(std::span<const Condition> agreeing, std::span<const Condition> kept,
                                           const KnotVector& knots, const Progress& progress) {
     constexpr int passes = 4;
     constexpr double outweighing = 1e4;
     std::vector<HomogeneousPoint> lacking(kept.size(), HomogeneousPoint(0.0));
     std::vector<HomogeneousPoint> points;
     for (int pass = 0; pass < passes; ++pass) {
-        std::vector<ConditionRow> rows(agreeing.begin(), agreeing.end());
+        std::vector<Condition> rows(agreeing.begin(), agreeing.end());
         for (std::size_t k = 0; k < kept.size(); ++k) {
-            ConditionRow row = kept[k];
+            Condition row = kept[k];
             for (double& value : row.values) value *= outweighing;
             row.right = outweighing * (kept[k].right - lacking[k]);
             rows.push_back(std::move(row));
@@ -292,8 +291,8 @@ std::vector<HomogeneousPoint> constrained(std::span<const ConditionRow> agreeing
 // at the ends, and elsewhere as well as it can.
 std::vector<HomogeneousPoint> points_at_sites(const Curve& curve, const KnotVector& knots, std::span<const Site> sites,
                                               const Progress& progress) {
-    const std::vector<ConditionRow> agreeing = agreements(curve, knots, sites);
-    std::vector<ConditionRow> kept = kept_smoothness(curve, knots);
+    const std::vector<Condition> agreeing = agreements(curve, knots, sites);
+    std::vector<Condition> kept = kept_smoothness(curve, knots);
     std::vector<HomogeneousPoint> points = solution_of(agreeing, knots, part_of(progress, 0.0, 0.5));
     if (are_met(kept, points)) return points;
     if (!knots.is_periodic()) {

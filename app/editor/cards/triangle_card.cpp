@@ -124,8 +124,7 @@ std::string cell_alpha_text(const NamedTriangle& named, core::CellPlace place) {
 Card triangle_card(const EditorState& state) {
     if (state.active_curve() == nullptr) return card_without_curve({}, "cubic-de-boor");
     const core::Curve& curve = *state.active_curve();
-    const ShownTriangle shown{state, curve, core::de_boor_triangle(curve, state.parameter()),
-                              shown_theme(state.view)};
+    const ShownTriangle shown{state, curve, core::de_boor_triangle(curve, state.parameter()), shown_theme(state.view)};
     Card card;
     card.line(place_sentence(shown), CardTone::strong);
     if (state.derived.of(curve.knots())->is_bezier) card.line(ratio_sentence(shown), CardTone::dim);

@@ -147,7 +147,8 @@ TEST(DeBoorPolygons, at_a_knot_leave_out_what_is_there_already) {
     EXPECT_EQ(origin_of(triangle, {1, 2}), (CellPlace{0, 2}));
     EXPECT_EQ(inserted_polygon(triangle, 1), (std::vector<CellPlace>{{0, 0}, {1, 0}, {1, 1}, {0, 2}, {0, 3}}));
     EXPECT_EQ(split_polygons(uniform_cubic(), triangle).before, (std::vector<CellPlace>{{0, 0}, {1, 0}, {2, 0}}));
-    EXPECT_EQ(split_polygons(uniform_cubic(), triangle).after, (std::vector<CellPlace>{{2, 0}, {1, 1}, {0, 2}, {0, 3}}));
+    EXPECT_EQ(split_polygons(uniform_cubic(), triangle).after,
+              (std::vector<CellPlace>{{2, 0}, {1, 1}, {0, 2}, {0, 3}}));
 }
 
 TEST(DeBoorPolygons, at_the_end_of_an_unclamped_domain_begin_with_what_is_there) {
