@@ -16,6 +16,7 @@
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/knot_question_commands.h"
 #include "app/editor/commands/making_commands.h"
+#include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/measuring_commands.h"
 #include "app/editor/commands/piece_commands.h"
 #include "app/editor/commands/point_commands.h"
@@ -388,7 +389,7 @@ Command RandomSession::document_command(const EditorState& state) {
 }
 
 Command RandomSession::form_command() {
-    switch (below(6)) {
+    switch (below(7)) {
         case 0:
             return SetBlossomValues{.by_value = below(2) == 0};
         case 1:
@@ -399,6 +400,8 @@ Command RandomSession::form_command() {
             return PutLine{.first = point(9), .second = below(10) == 0 ? core::Point{} : point(9)};
         case 4:
             return LevelLine{};
+        case 5:
+            return HideViews{};
         default:
             return SetOrbit{.yaw = between(-400, 400), .pitch = between(-90, 90), .zoom = between(0.3, 10)};
     }

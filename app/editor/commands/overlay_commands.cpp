@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/editor/commands/groups.h"
+#include "app/editor/pointer/fit_view.h"
 #include "app/editor/state/state.h"
 
 namespace batten::editor {
@@ -139,6 +140,25 @@ constexpr std::array<OverlayText, overlay_count> texts{{
 template <Overlay overlay>
 Outcome<void> toggle(EditorState& state, const ToggleOverlay<overlay>&) {
     state.view.overlays.show(overlay, !state.view.overlays.is_shown(overlay));
+    refit_view(state);
+    return {};
+}
+
+bool shows_views(const Overlays& overlays) {
+    for (std::size_t i = basic_overlay_count; i < overlay_count; ++i)
+        if (overlays.is_shown(static_cast<Overlay>(i))) return true;
+    return false;
+}
+
+std::optional<Refusal> no_views(const EditorState& state) {
+    if (shows_views(state.view.overlays)) return std::nullopt;
+    return "no view of the menu Watch is shown";
+}
+
+Outcome<void> hide_views(EditorState& state, const HideViews&) {
+    for (std::size_t i = basic_overlay_count; i < overlay_count; ++i)
+        state.view.overlays.show(static_cast<Overlay>(i), false);
+    refit_view(state);
     return {};
 }
 
@@ -175,8 +195,21 @@ const CommandSpec& toggle_overlay_spec(Overlay overlay) {
     return specs[static_cast<std::size_t>(overlay)];
 }
 
+const CommandSpec& HideViews::spec() {
+    static const CommandSpec spec{.name = "hide-views",
+                                  .title = "Hide all views",
+                                  .explanation = "Hides the views of this menu with their cards.",
+                                  .synonyms = "overlay off close cards clear",
+                                  .group = CommandGroup::watch,
+                                  .offered = in_the_window,
+                                  .refusal = no_views,
+                                  .run = body_of<hide_views>};
+    return spec;
+}
+
 void add_overlay_commands(CommandTable& table) {
     for (std::size_t i = 0; i < overlay_count; ++i) table.emplace_back(toggle_overlay_spec(static_cast<Overlay>(i)));
+    add_all<HideViews>(table);
 }
 
 }  // namespace batten::editor

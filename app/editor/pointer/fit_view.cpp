@@ -144,4 +144,8 @@ void fit_view(EditorState& state) {
     view.framing.fitted = view.camera;
 }
 
+void refit_view(EditorState& state) {
+    if (state.view.framing.fitted == state.view.camera) fit_view(state);
+}
+
 }  // namespace batten::editor

@@ -10,4 +10,7 @@ namespace batten::editor {
 /// of the origin.
 void fit_view(EditorState& state);
 
+/// The same if the camera is still where that put it, for what is drawn has changed.
+void refit_view(EditorState& state);
+
 }  // namespace batten::editor

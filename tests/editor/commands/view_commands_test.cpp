@@ -169,6 +169,34 @@ TEST_F(ViewCommands, toggle_overlays_one_by_one) {
     EXPECT_EQ(core::value_named<Overlay>("nothing"), std::nullopt);
 }
 
+TEST_F(ViewCommands, hide_all_views_but_not_the_polygon) {
+    EXPECT_FALSE(run(HideViews{}));
+    EXPECT_EQ(editor_.state().message.text, "no view of the menu Watch is shown");
+    const Overlays before = view().overlays;
+    for (const char* name : {"toggle-triangle", "toggle-homogeneous", "toggle-quiz"}) ASSERT_TRUE(type(name));
+    EXPECT_TRUE(run(HideViews{}));
+    for (std::size_t i = 0; i < overlay_count; ++i) {
+        const auto overlay = static_cast<Overlay>(i);
+        EXPECT_EQ(view().overlays.is_shown(overlay), i < basic_overlay_count && before.is_shown(overlay)) << i;
+    }
+    EXPECT_TRUE(view().overlays.is_shown(Overlay::polygon));
+}
+
+TEST_F(ViewCommands, an_inset_moves_a_fitted_picture_aside_but_no_chosen_one) {
+    Editor& editor = editor_;
+    editor.change(ResizeCanvas{{700.0, 500.0}});
+    run(FitView{});
+    const render::Camera before = view().camera;
+    ASSERT_TRUE(type("toggle-homogeneous"));
+    EXPECT_NE(view().camera, before);
+    ASSERT_TRUE(type("toggle-homogeneous"));
+    EXPECT_EQ(view().camera, before);
+    editor.change(PanCamera{{10.0, 5.0}});
+    const render::Camera chosen = view().camera;
+    ASSERT_TRUE(type("toggle-homogeneous"));
+    EXPECT_EQ(view().camera, chosen);
+}
+
 TEST_F(ViewCommands, scale_the_interface_in_tenths) {
     editor_.change(SetInterfaceScale{2.0});  // a display of two pixels to the point
     run(ScaleUp{});
