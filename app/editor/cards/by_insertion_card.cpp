@@ -111,7 +111,7 @@ class InsertionPainter {
         drawing_.places.push_back({.name = fmt::format("inserted {}", times),
                                    .box = box,
                                    .hover = {},
-                                   .value = core::sentence("{count} times", {{"count", times}})});
+                                   .value = times == 1 ? "once" : core::sentence("{count} times", {{"count", times}})});
     }
 
     static std::string title_of(std::size_t times, bool is_last) {

@@ -65,7 +65,7 @@ std::optional<core::UndoneCutting> last_cutting(const EditorState& state, const 
 
 Refusal reason_for_none(const core::Curve& curve, double u, const core::CurveError& error) {
     if (error.code == core::CurveErrorCode::multiplicity_full)
-        return core::sentence("{u} is a knot of multiplicity {multiplicity}: there is nothing left to cut",
+        return core::sentence("{u} has multiplicity {multiplicity} already",
                               {{"u", core::shortest_text(u)}, {"multiplicity", curve.knots().multiplicity(u)}});
     if (error.code == core::CurveErrorCode::too_few_points)
         return "the period is so short that it winds round itself, and each leg is cut more than once";

@@ -91,8 +91,8 @@ std::string speed_reason(const JointContinuity& joint, const Notation& notation)
     const auto ratio = core::speed_ratio(joint);
     if (!ratio) return "the same direction; the speed is zero on one side";
     const Place times("ratio", exact_text(notation, *ratio));
-    return joint.geometric < 2 ? sentence("the same direction; {ratio} times as fast behind it", {times})
-                               : sentence("the same direction and curvature; {ratio} times as fast behind it", {times});
+    return joint.geometric < 2 ? sentence("the same direction; {ratio} times as fast beyond it", {times})
+                               : sentence("the same direction and curvature; {ratio} times as fast beyond it", {times});
 }
 
 std::string acceleration_reason(const JointContinuity& joint, const Notation& notation) {

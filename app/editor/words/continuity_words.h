@@ -12,7 +12,7 @@ namespace batten::editor {
 /// shape". Of ends only what they have: "the ends meet with C¹ and G²". What is found goes up to 2.
 std::string continuity_verdict(const core::JointContinuity& joint);
 
-/// What agrees on both sides and what does not, with numbers: "the same direction, 2 times as fast behind the joint".
+/// What agrees on both sides and what does not, with numbers: "the same direction, 2 times as fast beyond it".
 std::string continuity_reason(const core::JointContinuity& joint, const Notation& notation);
 
 /// The length of a jump; "0" where it is nothing but rounding.

@@ -157,7 +157,7 @@ TEST(ContinuityMeter, tells_the_gap_of_ends_that_are_about_to_meet) {
 TEST(ContinuityCard, has_a_row_for_each_knot_and_the_values_at_one) {
     EXPECT_EQ(card_text(continuity_card(test::scene_state(two_cubics()))),
               "Continuity\n"
-              "At u = 1/2: the same direction; 2 times as fast behind it\n"
+              "At u = 1/2: the same direction; 2 times as fast beyond it\n"
               " | u− | u+\n"
               "C′ | (6, 0) | (12, 0)\n"
               "C″ | (0, 24) | (−24, 48)\n"
@@ -199,7 +199,7 @@ TEST(ContinuityCard, names_the_curves_that_are_met) {
     const std::string text = card_text(continuity_card(state));
     // 6 (1, -3) and 3 (1, -3)
     EXPECT_NE(text.find("End to start of 'other': the curves meet with G¹\n0 | 9.487 | "), std::string::npos) << text;
-    EXPECT_NE(text.find("With 'other': the same direction; 1/2 times as fast behind it"), std::string::npos) << text;
+    EXPECT_NE(text.find("With 'other': the same direction; 1/2 times as fast beyond it"), std::string::npos) << text;
 }
 
 TEST(ContinuityCard, of_nothing_to_measure_says_so) {

@@ -95,7 +95,7 @@ TEST_F(ShownCuttings, does_not_take_added_points_for_insertions) {
 
 TEST_F(ShownCuttings, says_why_there_is_none) {
     ASSERT_TRUE(editor_.run(SetParameter{.u = 1.0}));
-    EXPECT_EQ(shown_cutting(editor_.state()).error(), "1 is a knot of multiplicity 4: there is nothing left to cut");
+    EXPECT_EQ(shown_cutting(editor_.state()).error(), "1 has multiplicity 4 already");
     EXPECT_EQ(shown_cutting(Editor().state()).error(), "there is no curve");
 }
 

@@ -32,10 +32,10 @@ TEST(ContinuityWords, of_a_knot_of_full_multiplicity) {
     EXPECT_EQ(continuity_reason(corner, {}), "the direction turns by 90°");
     const auto bent = joint_of({5, 1}, {6, 3});
     EXPECT_EQ(continuity_verdict(bent), "C⁰ by its knots, G¹ by its shape");
-    EXPECT_EQ(continuity_reason(bent, {}), "the same direction; 2 times as fast behind it");
+    EXPECT_EQ(continuity_reason(bent, {}), "the same direction; 2 times as fast beyond it");
     const auto round = joint_of({5, 1}, {6, 5});
     EXPECT_EQ(continuity_verdict(round), "C⁰ by its knots, G² by its shape");
-    EXPECT_EQ(continuity_reason(round, {}), "the same direction and curvature; 2 times as fast behind it");
+    EXPECT_EQ(continuity_reason(round, {}), "the same direction and curvature; 2 times as fast beyond it");
     const auto quick = joint_of({4, 1}, {5, 3});
     EXPECT_EQ(continuity_verdict(quick), "C⁰ by its knots, C¹ by its shape");
     EXPECT_EQ(continuity_reason(quick, {}), "C′ agrees; the curvature jumps from 2/3 to 4/3");
@@ -63,7 +63,7 @@ TEST(ContinuityWords, of_the_circle_of_nine_points) {
     uneven.knots = {0, 0, 0, 0.125, 0.125, 0.5, 0.5, 0.75, 0.75, 1, 1, 1};
     const auto joint = first_joint(Curve::make(uneven).value());
     EXPECT_EQ(continuity_verdict(joint), "C⁰ by its knots, G² by its shape");
-    EXPECT_EQ(continuity_reason(joint, {}), "the same direction and curvature; 1/3 times as fast behind it");
+    EXPECT_EQ(continuity_reason(joint, {}), "the same direction and curvature; 1/3 times as fast beyond it");
 }
 
 TEST(ContinuityWords, of_simple_knots_and_cusps) {
@@ -104,7 +104,7 @@ TEST(ContinuityWords, of_two_curves) {
     };
     EXPECT_EQ(continuity_verdict(between({1, 3})), "the curves meet in a corner");
     EXPECT_EQ(continuity_verdict(between({3, 0})), "the curves meet with G¹");
-    EXPECT_EQ(continuity_reason(between({3, 0}), {}), "the same direction; 4 times as fast behind it");
+    EXPECT_EQ(continuity_reason(between({3, 0}), {}), "the same direction; 4 times as fast beyond it");
     EXPECT_EQ(continuity_verdict(between({1.5, 0})), "the curves meet with C¹");
     EXPECT_EQ(continuity_verdict(between({0, 0})), "the curves meet in a cusp");
 }
