@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include "app/editor/cards/card_texts.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/refinement_commands.h"
@@ -21,11 +22,7 @@ std::string blossom_of_point(const Notation& notation, const core::BezierPiece& 
     return fmt::format("f({})", fmt::join(arguments, ", "));
 }
 
-std::string place_of(const Notation& notation, core::Point place) {
-    return fmt::format("({}, {})", exact_text(notation, place.x), exact_text(notation, place.y));
-}
-
-CardTable table_of_piece(const Notation& notation, const NamedPiece& named) {
+CardTable table_of_piece(const Notation& notation, double size, const NamedPiece& named) {
     constexpr std::size_t most_arguments = 5;  // more would not fit beside the place
     const core::BezierPiece& piece = named.piece;
     const bool has_blossoms = piece.points.size() <= most_arguments + 1;
@@ -35,7 +32,7 @@ CardTable table_of_piece(const Notation& notation, const NamedPiece& named) {
     for (std::size_t k = 0; k < piece.points.size(); ++k) {
         std::vector<CardText> row{{.text = bezier_name(named.numbers[k]), .tone = CardTone::strong}};
         if (has_blossoms) row.push_back({.text = blossom_of_point(notation, piece, k)});
-        row.push_back({.text = place_of(notation, core::project(piece.points[k]))});
+        row.push_back({.text = position_text(notation, size, core::project(piece.points[k]))});
         table.rows.push_back(std::move(row));
     }
     return table;
@@ -57,7 +54,7 @@ Card bezier_points_card(const EditorState& state) {
     card.line(core::sentence("The piece over [{lower}, {upper}], in which u is:",
                              {{"lower", exact_text(notation, named.piece.interval.lower)},
                               {"upper", exact_text(notation, named.piece.interval.upper)}}));
-    card.add(table_of_piece(notation, named));
+    card.add(table_of_piece(notation, state.derived.of(*curve)->size, named));
     card.line(
         named.is_complete
             ? "Both ends of the piece have multiplicity p: its Bézier points are control points of the curve."

@@ -10,6 +10,7 @@
 #include "app/editor/words/formula.h"
 #include "app/editor/words/number_column.h"
 #include "core/base/sentence.h"
+#include "core/evaluate/de_boor_polygons.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/tangent.h"
 #include "core/measure/curvature.h"
@@ -72,7 +73,8 @@ Card osculating_circle_card(const EditorState& state) {
     const auto circle = core::osculating_circle(*curve, u);
     if (!circle) return card.line("The curve does not bend here: its circle is a straight line."), card;
     card.formula(fmt::format("ρ = 1/|κ| = {}", short_text(notation, circle->radius)), CardTone::strong);
-    card.formula(fmt::format("M = {}", pair_text(notation, core::vector_to(circle->center))));
+    card.formula(fmt::format(
+        "M = {}", position_text(notation, std::max(state.derived.of(*curve)->size, circle->radius), circle->center)));
     card.line(*curvature > 0.0 ? "The curve turns left: the center is on the left."
                                : "The curve turns right: the center is on the right.");
     return card;
@@ -93,7 +95,9 @@ Card tangent_normal_card(const EditorState& state) {
     card.formula(fmt::format("N = {}", pair_text(notation, core::turned_left(*tangent))), CardTone::strong);
     const auto left = core::tangent_at(*curve, u, core::Side::left);
     constexpr double corner = 1e-9;
-    if (left && core::length(*left - *tangent) > corner)
+    if (core::is_at_tear(*curve, core::de_boor_triangle(*curve, u)))
+        card.line("The curve is torn here; this is the tangent of the part that begins.");
+    else if (left && core::length(*left - *tangent) > corner)
         card.line("The curve has a corner here; dashed is its tangent from the left.");
     return card;
 }

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "app/editor/cards/card_texts.h"
 #include "app/editor/cards/weight_cards.h"
 #include "app/editor/commands/weight_commands.h"
 #include "app/editor/words/formula.h"
@@ -18,6 +19,12 @@ constexpr std::size_t most_lifted_rows = 6;
 /// The points of the active span, and what they are lifted to.
 CardTable points_table(const EditorState& state, const core::Curve& curve) {
     const auto exact = [&](double value) { return root_text(state.view.notation, value); };
+    // Roots are those of weights; what lies far from zero is told apart instead.
+    const double size = state.derived.of(curve)->size;
+    const auto coordinate = [&](double value, double w) {
+        constexpr double far = 1000.0;
+        return std::abs(value) < far ? exact(value) : coordinate_text(state.view.notation, w * size, value);
+    };
     const auto p = static_cast<std::size_t>(curve.degree());
     const std::size_t span = curve.knots().span_at(curve.knots().into_domain(state.parameter()));
     CardTable table{.rows = {{{.text = "point"}, {.text = "w"}, {.text = "(wx, wy, w)"}}}, .has_heading = true};
@@ -25,10 +32,11 @@ CardTable points_table(const EditorState& state, const core::Curve& curve) {
         const std::size_t k = i % curve.control_points().size();
         const core::HomogeneousPoint lifted = curve.homogeneous_point(k);
         const Hover hover = HoveredLifted{k};
-        table.rows.push_back(
-            {{.text = fmt::format("P_{{{}}}", k), .tone = CardTone::strong, .hover = hover},
-             {.text = exact(curve.weights()[k]), .hover = hover},
-             {.text = fmt::format("({}, {}, {})", exact(lifted.x), exact(lifted.y), exact(lifted.z)), .hover = hover}});
+        table.rows.push_back({{.text = fmt::format("P_{{{}}}", k), .tone = CardTone::strong, .hover = hover},
+                              {.text = exact(curve.weights()[k]), .hover = hover},
+                              {.text = fmt::format("({}, {}, {})", coordinate(lifted.x, lifted.z),
+                                                   coordinate(lifted.y, lifted.z), exact(lifted.z)),
+                               .hover = hover}});
     }
     return table;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/editor/cards/card_texts.h"
 #include "app/editor/cards/invariance_picture.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/invariance_commands.h"
@@ -16,22 +17,21 @@ namespace {
 
 using core::sentence;
 
-std::string mapped_place_text(const EditorState& state, core::Point point) {
-    const auto text = [&](double value) { return exact_text(state.view.notation, value); };
-    return sentence("({x}, {y})", {{"x", text(point.x)}, {"y", text(point.y)}});
-}
-
 void add_both_ways(Card& card, const EditorState& state, const core::Curve& curve, const core::PlaneMap& map,
                    const MapCheck& check) {
     const double u = state.parameter();
+    const double size = std::max(state.derived.of(curve)->size, state.derived.of(*check.image)->size);
+    const auto text = [&](core::Point place) { return position_text(state.view.notation, size, place); };
+    card.line(sentence("The middle of the control points, ({x}, {y}), is where the map is seen from.",
+                       {{"x", coordinate_text(state.view.notation, size, map.pivot.x)},
+                        {"y", coordinate_text(state.view.notation, size, map.pivot.y)}}),
+              CardTone::dim);
     card.line("First the point, then the map:");
-    card.formula(sentence("M(C(u)) = {place}",
-                          {{"place", mapped_place_text(state, core::mapped(map, core::point_at(curve, u)))}}),
+    card.formula(sentence("M(C(u)) = {place}", {{"place", text(core::mapped(map, core::point_at(curve, u)))}}),
                  CardTone::parameter);
     card.line("First the map of the polygon, then the point:");
-    card.formula(
-        sentence("C^{{*}}(u) = {place}", {{"place", mapped_place_text(state, core::point_at(*check.image, u))}}),
-        CardTone::parameter);
+    card.formula(sentence("C^{{*}}(u) = {place}", {{"place", text(core::point_at(*check.image, u))}}),
+                 CardTone::parameter);
 }
 
 void add_verdict(Card& card, const MapCheck& check) {

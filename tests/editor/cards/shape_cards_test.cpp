@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/editor/cards/card_texts.h"
 #include "app/editor/cards/cards.h"
 #include "app/editor/cards/curvature_card.h"
 #include "app/editor/cards/parts_card.h"
@@ -35,6 +36,16 @@ class ShapeCards : public test::CanvasFixture {
         return overlay == Overlay::variation ? "toggle-variation" : "toggle-comb";
     }
 };
+
+TEST(PositionText, tells_places_apart_however_far_from_zero) {
+    const Notation fractions;
+    EXPECT_EQ(position_text(fractions, 4.0, {0.5, 2.0}), "(1/2, 2)");
+    EXPECT_EQ(position_text(fractions, 6.0, {1000001.4687, 0.8298123}), "(1000001.469, 0.8298)");
+    EXPECT_EQ(position_text(fractions, 6.0, {1000002.0, 2.0}), "(1000002, 2)");
+    // The center of a circle of radius 1 is rounding.
+    EXPECT_EQ(position_text(fractions, 2.0, {3.3e-16, -1e-15}), "(0, 0)");
+    EXPECT_EQ(position_text(fractions, 2e-7, {3.3e-9, 1e-7}), "(3.3e−9, 1e−7)");
+}
 
 TEST_F(ShapeCards, variation_counts_polygon_and_curve) {
     show(Overlay::variation);
