@@ -11,6 +11,7 @@
 #include "app/editor/scene/curve_knots.h"
 #include "app/editor/scene/curve_strokes.h"
 #include "app/editor/scene/finding_marks.h"
+#include "app/editor/scene/floating_cards.h"
 #include "app/editor/scene/gesture_marks.h"
 #include "app/editor/scene/grid.h"
 #include "app/editor/scene/insets.h"
@@ -24,7 +25,8 @@ namespace batten::editor {
 
 namespace {
 
-/// Returns what labels must keep clear of: the numbers of the grid, legend and inset, and the marks of findings.
+/// Returns what labels must keep clear of: the numbers of the grid, legend, insets and cards, and the marks of
+/// findings.
 std::vector<render::PixelBox> draw_background(CanvasFrame& frame) {
     std::vector<render::PixelBox> covered;
     const auto legend =
@@ -35,6 +37,7 @@ std::vector<render::PixelBox> draw_background(CanvasFrame& frame) {
     }
     if (legend) covered.push_back(*legend);
     for (const InsetPlace& inset : inset_places(frame.state)) covered.push_back(inset.box);
+    if (const auto cards = floating_cards_box(frame.state)) covered.push_back(*cards);
     for (const render::PixelBox& box : finding_boxes(frame)) covered.push_back(box);
     draw_ghost(frame);
     draw_other_curves(frame);
@@ -49,13 +52,19 @@ CanvasMarks marks_of(const CanvasFrame& frame) {
     return marks;
 }
 
-/// Notes the lines that were drawn from the command `first` on, for labels to stay off.
+/// Notes the lines that were drawn from the command `first` on, and symbols like short ones, for labels to stay off.
 void note_lines(CanvasFrame& frame, const render::DrawList& list, std::size_t first) {
-    for (std::size_t k = first; k < list.commands.size(); ++k)
+    for (std::size_t k = first; k < list.commands.size(); ++k) {
         if (const auto* line = std::get_if<render::Polyline>(&list.commands[k])) {
             frame.lines.emplace_back(line->points.begin(), line->points.end());
             if (line->is_closed) frame.lines.back().emplace_back(line->points.front());
         }
+        if (const auto* marker = std::get_if<render::Marker>(&list.commands[k])) {
+            const glm::dvec2 center(marker->center);
+            const glm::dvec2 along(marker->radius_px, 0.0);
+            frame.lines.push_back({center - along, center + along});
+        }
+    }
 }
 
 void draw_lines_of_active_curve(CanvasFrame& frame, const render::DrawList& list, CanvasMarks& marks) {

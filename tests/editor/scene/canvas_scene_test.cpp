@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/editor/scene/floating_cards.h"
 #include "core/edit/point_edit.h"
 #include "core/evaluate/evaluate.h"
 #include "tests/editor/pointer_driver.h"
@@ -521,6 +522,20 @@ TEST(CanvasScene, curve_that_stands_in_one_point_is_cheap_beyond_the_resolution_
     state.view.camera.center = standing.points[0];
     state.view.camera.scale = 1.6e13;
     EXPECT_LT(scene_of(state).commands.size(), 100U);
+}
+
+TEST(CanvasScene, names_stand_beside_the_cards_of_a_projector) {
+    EditorState state = test::sample_state();
+    state.view.is_presenting = true;
+    state.view.overlays.show(Overlay::variation, true);
+    state.view.overlays.show(Overlay::grid, false);
+    const auto cards = floating_cards_box(state);
+    ASSERT_TRUE(cards);
+    for (const double shift : {0.0, 1.0, 2.0, 3.0}) {
+        state.view.camera.center.x = -shift;
+        for (const render::Label& label : test::all_of<render::Label>(test::canvas_picture(state, CanvasIdle{})))
+            EXPECT_FALSE(test::box_of(label).overlaps(*cards)) << label.text;
+    }
 }
 
 }  // namespace
