@@ -24,7 +24,7 @@ constexpr double least_dock_height = 110.0;
 constexpr double most_inspector_share = 0.55;
 constexpr double most_cards_share = 0.5;
 constexpr double most_dock_share = 0.5;
-constexpr double most_presented_dock_share = 0.36;  // a projector is for the curve
+constexpr double most_presented_dock_share = 0.36;  // a projector is for the curve, unless plots were asked for
 
 /// `wanted`, but at most `most`; nothing where that is less than `least` or leaves less than `least_canvas` of the
 /// room.
@@ -54,9 +54,10 @@ FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale, b
                      px(has_cards ? least_canvas_width_beside_cards : least_canvas_width), px(least_inspector_width))
             : 0.0;
     const double side = cards + inspector;
-    const double most_dock = view.is_presenting ? most_presented_dock_share : most_dock_share;
-    const double dock = view.dock_is_open ? shrunk(px(view.dock_height + editor::height_of_plots(view)), height,
-                                                   most_dock * height, px(least_canvas_height), px(least_dock_height))
+    const double plots = editor::height_of_plots(view);
+    const double most_dock = view.is_presenting && plots == 0.0 ? most_presented_dock_share : most_dock_share;
+    const double dock = view.dock_is_open ? shrunk(px(view.dock_height + plots), height, most_dock * height,
+                                                   px(least_canvas_height), px(least_dock_height))
                                           : 0.0;
 
     FrameAreas areas;
