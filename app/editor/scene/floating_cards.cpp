@@ -8,7 +8,7 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double margin = 14.0;  // design pixels, from the edge
+constexpr double edge_margin = 14.0;  // design pixels
 
 }  // namespace
 
@@ -17,7 +17,7 @@ std::optional<render::PixelBox> floating_cards_box(const EditorState& state) {
     if (!view.is_presenting || shown_cards(state).empty()) return std::nullopt;
     const glm::dvec2 picture = view.camera.size_px;
     const double width = std::min(view.cards_width * view.interface_scale, 0.5 * picture.x);
-    return render::PixelBox{{picture.x - width - margin * view.interface_scale, 0.0}, picture};
+    return render::PixelBox{{picture.x - width - edge_margin * view.interface_scale, 0.0}, picture};
 }
 
 }  // namespace batten::editor
