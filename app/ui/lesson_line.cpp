@@ -24,7 +24,8 @@ constexpr double edge_margin = 8.0;
 constexpr double line_share = 1.3;  // of the height of the font
 constexpr double button_width = 30.0;
 constexpr double button_height = 24.0;
-constexpr double buttons_width = 4.0 * button_width + 18.0;
+constexpr double button_gap = 6.0;
+constexpr double buttons_width = 3.0 * (button_width + button_gap) + button_height;
 constexpr double mark_width = 20.0;
 constexpr double most_share = 0.4;  // of the canvas
 constexpr std::size_t most_lines = 30;
@@ -107,18 +108,21 @@ void draw_step_button(const PanelContext& context, const char* name, const char*
     draw_command_button(context, button, command);
 }
 
+/// To the right, so that each is in the same place in every step.
 void draw_buttons(const PanelContext& context, const Rectangle& place) {
+    const bool has_solution = !context.state.lesson->present().solution.empty();
+    const double width = has_solution ? buttons_width : buttons_width - button_width - button_gap;
     const double right = place.origin_px.x + place.size_px.x - context.px(side_margin);
-    ImGui::SetCursorScreenPos(ImVec2(static_cast<float>(right) - context.px(buttons_width),
+    ImGui::SetCursorScreenPos(ImVec2(static_cast<float>(right) - context.px(width),
                                      static_cast<float>(place.origin_px.y) + context.px(edge_margin)));
-    if (!context.state.lesson->present().solution.empty()) {
+    if (has_solution) {
         draw_step_button(context, "lesson solve", "?", editor::SolveTask{});
-        stay_in_row(context, 6.0);
+        stay_in_row(context, button_gap);
     }
     draw_step_button(context, "lesson previous", "‹", editor::PreviousStep{});
-    stay_in_row(context, 6.0);
+    stay_in_row(context, button_gap);
     draw_step_button(context, "lesson next", "›", editor::NextStep{});
-    stay_in_row(context, 6.0);
+    stay_in_row(context, button_gap);
     if (draw_cross_button(context, "lesson close", context.px(button_height))) context.queue.run(editor::CloseLesson{});
 }
 
