@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/editor/cards/card_texts.h"
+#include "app/editor/cards/cell_grid.h"
 #include "app/editor/derived/shown_function.h"
 #include "app/editor/scene/text_size.h"
 #include "app/editor/state/point_hues.h"
@@ -18,20 +19,12 @@ namespace batten::editor {
 namespace {
 
 // Design pixels.
-constexpr double basis_row_pitch = 46.0;
-constexpr double cell_height = 36.0;
-constexpr double largest_cell = 64.0;
-constexpr double least_cell = 50.0;
-constexpr double cell_share = 0.58;      // of a column's pitch
-constexpr double triangle_margin = 2.0;  // for the outlines
 constexpr double basis_name_size = 12.0;
 constexpr double cell_value_size = 12.0;
 constexpr double ratio_size = 10.5;
 constexpr int formula_lines = 5;
 
-double triangle_columns(std::size_t degree) {
-    return 1.0 + static_cast<double>(degree) / cell_share;
-}
+constexpr CellShape basis_cells{.widths = {50.0, 64.0}, .height = 36.0, .row_pitch = 46.0, .column_share = 0.58};
 
 /// The triangle at one size.
 class TrianglePicture {
@@ -42,11 +35,9 @@ class TrianglePicture {
           theme_(shown_theme(state.view)),
           triangle_(triangle),
           pen_(drawing.list, size_px, scale, state.view.notation),
-          drawing_(drawing) {
-        const double room = size_px.x / scale - 2.0 * triangle_margin;
-        cell_width_ = std::clamp(room / triangle_columns(triangle.levels.size() - 1), least_cell, largest_cell);
-        shown_ = shown_basis_cell(state);
-    }
+          drawing_(drawing),
+          grid_(basis_cells.placed(triangle.levels.size() - 1, size_px.x, scale)),
+          shown_(shown_basis_cell(state)) {}
 
     void draw() {
         for (std::size_t k = 1; k < triangle_.levels.size(); ++k)
@@ -57,17 +48,6 @@ class TrianglePicture {
 
   private:
     const core::BasisCell& cell(std::size_t k, std::size_t j) const { return triangle_.levels[k][j]; }
-
-    /// The upper left corner, in pixels.
-    glm::dvec2 corner(std::size_t k, std::size_t j) const {
-        const double x = triangle_margin + static_cast<double>(k) * cell_width_ / cell_share;
-        const double y = triangle_margin + (static_cast<double>(j) + 0.5 * static_cast<double>(k)) * basis_row_pitch;
-        return {pen_.px(x), pen_.px(y)};
-    }
-    glm::dvec2 left(std::size_t k, std::size_t j) const {
-        return corner(k, j) + glm::dvec2(0.0, pen_.px(0.5 * cell_height));
-    }
-    glm::dvec2 right(std::size_t k, std::size_t j) const { return left(k, j) + glm::dvec2(pen_.px(cell_width_), 0.0); }
 
     bool is_pointed_at(std::size_t k, std::size_t j) const {
         return state_.hover == Hover(HoveredBasisCell{cell(k, j).index, k});
@@ -92,8 +72,8 @@ class TrianglePicture {
 
     /// The line from a parent with its ratio.
     void draw_line(std::size_t k, std::size_t j, std::size_t from, const core::BasisRamp& ramp) {
-        const glm::dvec2 begin = right(k - 1, from);
-        const glm::dvec2 end = left(k, j);
+        const glm::dvec2 begin = grid_.right(k - 1, from);
+        const glm::dvec2 end = grid_.left(k, j);
         const bool acts = !ramp.is_void && cell(k - 1, from).value != 0.0;
         const bool is_strong = is_shown(k, j);
         pen_.segment(begin, end,
@@ -115,8 +95,7 @@ class TrianglePicture {
     }
 
     void draw_cell(std::size_t k, std::size_t j) {
-        const glm::dvec2 lower = corner(k, j);
-        const render::PixelBox box{lower, lower + glm::dvec2(pen_.px(cell_width_), pen_.px(cell_height))};
+        const render::PixelBox box = grid_.box(k, j);
         const render::Color edge = color(k, j);
         const render::Color fill = render::blended(edge,
                                                    is_pointed_at(k, j) ? 0.3
@@ -146,20 +125,20 @@ class TrianglePicture {
     const core::BasisTriangle& triangle_;
     Pen pen_;
     CardDrawing& drawing_;
-    double cell_width_ = 0.0;
+    CellGrid grid_;
     std::optional<HoveredBasisCell> shown_;
 };
 
 CardPicture triangle_picture(const EditorState& state, const core::BasisTriangle& triangle) {
-    const auto p = static_cast<double>(triangle.levels.size() - 1);
-    return {.height = p * basis_row_pitch + cell_height + 2.0 * triangle_margin,
+    const std::size_t degree = triangle.levels.size() - 1;
+    return {.height = basis_cells.height_of_all(degree),
             .draw =
                 [&state, triangle](glm::dvec2 size_px, double scale) {
                     CardDrawing drawing;
                     TrianglePicture(state, triangle, size_px, scale, drawing).draw();
                     return drawing;
                 },
-            .least_width = triangle_columns(triangle.levels.size() - 1) * least_cell + 2.0 * triangle_margin};
+            .least_width = basis_cells.least_width_of_all(degree)};
 }
 
 /// As many lines whatever the cell, so that nothing jumps.
@@ -201,6 +180,8 @@ Card recurrence_card(const EditorState& state) {
                                                {"bernstein", function_name(state, curve.knots(), function->number)},
                                                {"u", knot_value_text(curve.knots(), triangle.u, state.view.notation)}}),
               CardTone::strong);
+    if (is_bezier && curve.domain() == core::Interval{0.0, 1.0})
+        card.formula(bernstein_recurrence(function->number, p), CardTone::parameter);
     card.add(triangle_picture(state, triangle));
     add_recurrence_formula(card, state, triangle);
     card.line(

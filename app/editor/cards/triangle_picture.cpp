@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/editor/cards/cell_grid.h"
 #include "app/editor/derived/construction_cells.h"
 #include "app/editor/scene/text_size.h"
 #include "app/editor/state/point_hues.h"
@@ -15,10 +16,7 @@ namespace batten::editor {
 namespace {
 
 // Design pixels.
-constexpr double triangle_cell_height = 26.0;
-constexpr double triangle_row_pitch = 48.0;
 constexpr std::size_t most_drawn_degree = 8;
-constexpr double picture_edge = 2.0;
 constexpr double cell_name_size = 14.0;
 constexpr double least_cell_text = 9.0;
 constexpr double below_cell_size = 12.0;
@@ -28,9 +26,11 @@ constexpr double faded_cell_opacity = 0.3;
 constexpr double cell_text_margin = 3.0;
 constexpr double cell_width_error = 1.12;  // of a text that is not measured with its font
 
-/// How many widths of a cell all columns take.
-double columns_in_cells(std::size_t degree, const CellTexts& texts) {
-    return 1.0 + static_cast<double>(degree) / texts.column_share;
+CellShape shape_for(const CellTexts& texts) {
+    return {.widths = {texts.least_width, 2.0 * texts.least_width},
+            .height = 26.0,
+            .row_pitch = 48.0,
+            .column_share = texts.column_share};
 }
 
 /// One picture while it is drawn.
@@ -43,11 +43,8 @@ class TrianglePainter {
           triangle_(core::de_boor_triangle(*state.active_curve(), state.parameter())),
           pen_(drawing_.list, size_px, scale, state.view.notation),
           degree_(triangle_.levels.size() - 1),
-          last_level_(shown_level(state.view, static_cast<int>(degree_))) {
-        const double width = size_px.x / scale;
-        cell_width_ = std::clamp((width - 2.0 * picture_edge) / columns_in_cells(degree_, texts), texts.least_width,
-                                 2.0 * texts.least_width);
-    }
+          last_level_(shown_level(state.view, static_cast<int>(degree_))),
+          grid_(shape_for(texts).placed(degree_, size_px.x, scale)) {}
 
     CardDrawing draw() {
         for (std::size_t r = 1; r <= degree_; ++r)
@@ -59,15 +56,6 @@ class TrianglePainter {
 
   private:
     NamedTriangle named() const { return {*state_.active_curve(), triangle_, state_.view.notation}; }
-
-    render::PixelBox box_of(core::CellPlace place) const {
-        const auto r = static_cast<double>(place.level);
-        const auto j = static_cast<double>(place.index);
-        const glm::dvec2 corner(picture_edge + r * cell_width_ / texts_.column_share,
-                                picture_edge + (j + 0.5 * r) * triangle_row_pitch);
-        return {{pen_.px(corner.x), pen_.px(corner.y)},
-                {pen_.px(corner.x + cell_width_), pen_.px(corner.y + triangle_cell_height)}};
-    }
 
     bool is_lit(core::CellPlace place) const { return is_lit_cell(state_, triangle_, place); }
     double opacity(core::CellPlace place) const { return place.level > last_level_ ? faded_cell_opacity : 1.0; }
@@ -86,17 +74,14 @@ class TrianglePainter {
     }
 
     void draw_line(core::CellPlace place, std::size_t from, double share) {
-        const render::PixelBox left = box_of({place.level - 1, from});
-        const render::PixelBox right = box_of(place);
         const double strength = is_lit(place) ? 1.0 : 0.3 + 0.7 * share;
-        pen_.segment({left.upper_px.x, 0.5 * (left.lower_px.y + left.upper_px.y)},
-                     {right.lower_px.x, 0.5 * (right.lower_px.y + right.upper_px.y)},
+        pen_.segment(grid_.right(place.level - 1, from), grid_.left(place.level, place.index),
                      {.color = render::blended(color_of(place), opacity(place) * strength, theme_.panel),
                       .width = (is_lit(place) ? 1.6 : 0.8) + 1.4 * share});
     }
 
     void draw_cell(core::CellPlace place) {
-        const render::PixelBox box = box_of(place);
+        const render::PixelBox box = grid_.box(place.level, place.index);
         const render::Color color = color_of(place);
         const std::vector<glm::dvec2> outline = rounded_rectangle(box, pen_.px(cell_corner_radius));
         pen_.fill(outline, is_lit(place) ? render::blended(color, 0.3, theme_.field) : theme_.field);
@@ -139,7 +124,7 @@ class TrianglePainter {
     Pen pen_;
     std::size_t degree_;
     std::size_t last_level_;
-    double cell_width_ = 0.0;
+    CellGrid grid_;
 };
 
 }  // namespace
@@ -150,12 +135,12 @@ CardBlock triangle_picture(const EditorState& state, CellTexts texts) {
         return CardLine{{.text = core::sentence("A triangle of {count} points is too large here; the inspector has it.",
                                                 {{"count", (degree + 1) * (degree + 2) / 2}}),
                          .tone = CardTone::dim}};
-    const double least_width = columns_in_cells(degree, texts) * texts.least_width + 2.0 * picture_edge;
+    const CellShape shape = shape_for(texts);
     return CardPicture{
-        .height = static_cast<double>(degree) * triangle_row_pitch + triangle_cell_height + 2.0 * picture_edge,
+        .height = shape.height_of_all(degree),
         .draw = [&state, texts = std::move(texts)](
                     glm::dvec2 size_px, double scale) { return TrianglePainter(state, texts, size_px, scale).draw(); },
-        .least_width = least_width};
+        .least_width = shape.least_width_of_all(degree)};
 }
 
 }  // namespace batten::editor

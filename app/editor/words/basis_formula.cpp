@@ -242,6 +242,13 @@ std::string step_formula(const core::KnotVector& knots, const core::BasisTriangl
                                             {"end", knot_value_text(knots, knots[i + 1], notation)}});
 }
 
+std::string bernstein_recurrence(std::size_t i, std::size_t n) {
+    if (i == 0) return fmt::format("{} = (1 − u) {}", bernstein_name(i, n), bernstein_name(i, n - 1));
+    if (i == n) return fmt::format("{} = u {}", bernstein_name(i, n), bernstein_name(i - 1, n - 1));
+    return fmt::format("{} = u {} + (1 − u) {}", bernstein_name(i, n), bernstein_name(i - 1, n - 1),
+                       bernstein_name(i, n - 1));
+}
+
 BasisDerivativeFormula basis_derivative_formula(const core::KnotVector& knots, std::size_t i,
                                                 const Notation& notation) {
     return are_bezier(knots) ? bernstein_derivative(knots, i, notation) : derivative_over_knots(knots, i, notation);

@@ -35,6 +35,9 @@ RecurrenceFormula recurrence_formula(const core::KnotVector& knots, const core::
 std::string step_formula(const core::KnotVector& knots, const core::BasisTriangle& triangle, std::size_t index,
                          const Notation& notation);
 
+/// "B_{1,3} = u B_{0,2} + (1 − u) B_{1,2}", of a Bézier curve over [0, 1] and a degree n >= 1.
+std::string bernstein_recurrence(std::size_t i, std::size_t n);
+
 /// The derivative of N_{i,p} by the functions one degree lower, in symbols and with the factors put in:
 /// "N′_{0,3} = 3/(u_{3} − u_{0}) N_{0,2} − 3/(u_{4} − u_{1}) N_{1,2}" and "= 1 N_{0,2} − 1 N_{1,2}"; of a Bézier curve
 /// "B′_{1,3} = 3/(u_{4} − u_{1}) B_{0,2} − 3/(u_{5} − u_{2}) B_{1,2}".

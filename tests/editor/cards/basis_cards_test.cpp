@@ -115,6 +115,19 @@ TEST(RecurrenceCard, says_0_over_0_where_knots_coincide) {
     EXPECT_TRUE(test::has_text(picture_of(recurrence_card(state)).list, "0/0"));
 }
 
+TEST(RecurrenceCard, tells_that_of_bernstein_polynomials) {
+    EditorState state = state_of(3, {0, 0, 0, 0, 1, 1, 1, 1}, 0.25);
+    constexpr std::array formulas{"B₀,₃ = (1 − u) B₀,₂", "B₁,₃ = u B₀,₂ + (1 − u) B₁,₂", "B₂,₃ = u B₁,₂ + (1 − u) B₂,₂",
+                                  "B₃,₃ = u B₂,₂"};
+    for (std::size_t i = 0; i < formulas.size(); ++i) {
+        state.selection.points = {i};
+        EXPECT_TRUE(says(recurrence_card(state), formulas[i])) << card_text(recurrence_card(state));
+    }
+    EXPECT_TRUE(says(recurrence_card(state), "B₃,₃(u) = N₃,₃(u) at u = 1/4"));
+    EXPECT_FALSE(says(recurrence_card(uniform_state(3.5)), "B"));
+    EXPECT_FALSE(says(recurrence_card(state_of(1, {0, 0, 2, 2}, 1.0)), "u B")) << "the domain is not [0, 1]";
+}
+
 TEST(RecurrenceCard, has_as_many_blocks_whatever_is_pointed_at) {
     EditorState state = state_of(2, {0, 0, 0, 1, 1, 1}, 0.25);
     const std::size_t count = recurrence_card(state).blocks.size();
