@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -151,6 +152,8 @@ std::optional<std::vector<std::int64_t>> numerators_over(const std::vector<core:
 }
 
 std::string decimal_polynomial(const std::vector<double>& coefficients, const std::string& variable) {
+    if (!std::ranges::all_of(coefficients, [](double c) { return std::isfinite(c); }))
+        return "a polynomial whose coefficients are too large for numbers";
     std::vector<Term> terms;
     for (std::size_t power = coefficients.size(); power-- > 0;)
         if (coefficients[power] != 0.0)

@@ -81,6 +81,7 @@ std::vector<Place> end_numbers(const EndDerivatives& at, const Notation& notatio
 }
 
 std::string value_line(const Notation& notation, core::Vector value) {
+    if (!core::is_finite(value)) return "is too large for numbers";
     return core::sentence("= {value}", {{"value", pair_text(notation, without_rounding(value))}});
 }
 

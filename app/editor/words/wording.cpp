@@ -79,7 +79,7 @@ std::vector<double> without_rounding(std::span<const double> values) {
     for (const double value : values) largest = std::max(largest, std::abs(value));
     std::vector<double> kept(values.begin(), values.end());
     for (double& value : kept)
-        if (std::abs(value) <= rounding_error * largest) value = 0.0;
+        if (std::isfinite(largest) && std::abs(value) <= rounding_error * largest) value = 0.0;
     return kept;
 }
 

@@ -32,7 +32,7 @@ inline constexpr double rounding_error = 1e-14;
 /// The largest |x| or |y| in a box; 0 where it is empty.
 double largest_coordinate(const core::Box& box);
 
-/// Numbers of one kind, with 0 for those that are nothing but the rounding of the largest.
+/// Numbers of one kind, with 0 for those that are nothing but the rounding of the largest, which is finite.
 std::vector<double> without_rounding(std::span<const double> values);
 core::Vector without_rounding(core::Vector vector);
 
