@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "app/editor/fields/quantity.h"
+#include "app/editor/words/ascii.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
@@ -15,14 +16,9 @@ namespace {
 
 using Value = tl::expected<Quantity, std::string>;
 
-constexpr std::string_view blanks = " \t\n\r";
 constexpr std::string_view minus_sign = "\u2212";
 constexpr std::string_view digits_and_marks = "0123456789.,";
 constexpr int deepest = 100;  // parentheses, signs and powers recurse: a pasted "((((..." must not exhaust the stack
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
 
 /// A parser by recursive descent: sum = product {+ product}; product = signed [unit] {* signed [unit]}; signed = [-]
 /// signed | power; power = operand [^ signed]; operand = (sum) | name (sum) | pi | number.
@@ -57,7 +53,7 @@ class Parser {
         return rest().substr(0, length);
     }
 
-    void skip_blanks() { position_ = std::min(text_.find_first_not_of(blanks, position_), text_.size()); }
+    void skip_blanks() { position_ = std::min(text_.find_first_not_of(ascii_blanks, position_), text_.size()); }
 
     bool accept(std::string_view token) {
         if (!rest().starts_with(token)) return false;
@@ -218,12 +214,6 @@ class Parser {
     int depth_ = 0;
 };
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 std::string_view without_brackets(std::string_view text) {
     const bool has_brackets = text.size() >= 2 && ((text.front() == '[' && text.back() == ']') ||
                                                    (text.front() == '{' && text.back() == '}'));
@@ -234,7 +224,7 @@ std::string_view without_brackets(std::string_view text) {
 /// separator ends the last entry.
 std::vector<std::string_view> entries_of(std::string_view text) {
     const bool has_separators = find_outside_parentheses(text, ",;") != std::string_view::npos;
-    const std::string_view separators = has_separators ? ",;" : blanks;
+    const std::string_view separators = has_separators ? ",;" : ascii_blanks;
     std::vector<std::string_view> entries;
     while (!text.empty()) {
         const std::size_t end = find_outside_parentheses(text, separators);

@@ -1,7 +1,6 @@
 #include "app/editor/state/notation.h"
 
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <limits>
@@ -9,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/editor/words/ascii.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/reading_text.h"
 #include "core/base/fraction.h"
@@ -18,20 +18,16 @@ namespace batten::editor {
 
 namespace {
 
-bool is_latin_letter(char c) {
-    return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
-
 bool is_part_of_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '\'';
+    return is_letter(c) || is_digit(c) || c == '\'';
 }
 
 /// Whether the letter at `place` stands by itself; a factor may stand before it, as in "3u", and an index may follow.
 bool stands_alone(std::string_view text, std::size_t place) {
     std::size_t factor = place;
-    while (factor > 0 && text[factor - 1] >= '0' && text[factor - 1] <= '9') --factor;
+    while (factor > 0 && is_digit(text[factor - 1])) --factor;
     const bool begins = factor == 0 || !is_part_of_word(text[factor - 1]);
-    const bool ends = place + 1 == text.size() || !is_latin_letter(text[place + 1]);
+    const bool ends = place + 1 == text.size() || !is_letter(text[place + 1]);
     return begins && ends;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/editor/fields/expression.h"
+#include "app/editor/words/ascii.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
@@ -15,18 +16,7 @@ namespace {
 
 using core::sentence;
 
-constexpr std::string_view blanks = " \t\r\n";
 constexpr std::size_t most_knots = 100000;
-
-std::string_view trimmed(std::string_view text, std::string_view set = blanks) {
-    const std::size_t first = text.find_first_not_of(set);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(set) - first + 1);
-}
-
-bool is_letter(char c) {
-    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
-}
 
 // Behind "T =", where the text begins so.
 std::string_view without_name(std::string_view text) {

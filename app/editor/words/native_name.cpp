@@ -3,18 +3,15 @@
 #include <algorithm>
 #include <cctype>
 
+#include "app/editor/words/ascii.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
 
 namespace {
 
-bool is_letter(char c) {
-    return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
-
 bool is_letter_or_digit(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0;
+    return is_letter(c) || is_digit(c);
 }
 
 bool is_small_letter(char c) {

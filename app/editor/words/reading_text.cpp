@@ -6,6 +6,7 @@
 #include <limits>
 #include <string_view>
 
+#include "app/editor/words/ascii.h"
 #include "app/editor/words/formula.h"
 
 namespace batten::editor {
@@ -16,13 +17,9 @@ constexpr int digits_to_read = 6;
 constexpr std::string_view bound_words = "at most ";
 constexpr std::string_view degree_sign = "°";
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// A character that a number is not divided from: a letter, another script's included, or a part of a name.
 bool belongs_to_word(char c) {
-    return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '.' || c == '-' ||
+    return is_digit(c) || is_letter(c) || c == '_' || c == '.' || c == '-' ||
            (static_cast<unsigned char>(c) & 0x80U) != 0;
 }
 
