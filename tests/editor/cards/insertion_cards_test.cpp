@@ -56,8 +56,7 @@ TEST_F(InsertionCards, corner_cutting_has_weights_in_its_formulas) {
 
 TEST_F(InsertionCards, corner_cutting_says_why_there_is_nothing_to_cut) {
     ASSERT_TRUE(editor_.run(SetParameter{.u = 0.0}));
-    EXPECT_TRUE(has(corner_cutting_card(state()),
-                    "Nothing to cut: 0 has multiplicity 4 already."));
+    EXPECT_TRUE(has(corner_cutting_card(state()), "Nothing to cut: 0 has multiplicity 4 already."));
     EXPECT_TRUE(has(corner_cutting_card(Editor().state()), "Nothing to cut: there is no curve."));
 }
 
