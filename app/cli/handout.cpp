@@ -5,7 +5,9 @@
 #include "app/cli/input.h"
 #include "app/cli/standard_streams.h"
 #include "app/editor/cards/cards.h"
+#include "app/editor/command_spec.h"
 #include "app/editor/commands/lesson_commands.h"
+#include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/view_commands.h"
 #include "app/editor/editor.h"
 #include "app/editor/lesson/lesson_file.h"
@@ -103,10 +105,11 @@ struct BlockHtml {
 
 std::string card_html(const editor::EditorState& state, const editor::CardSource& source) {
     const editor::Card card = source.make(state);
+    const std::string title = editor::toggle_overlay_spec(source.overlay).title;  // as in the window
     std::string blocks;
     for (const editor::CardBlock& block : card.blocks) blocks += std::visit(BlockHtml{state}, block);
     return sentence("<div class=\"card\"><h3>{title}</h3>\n{blocks}</div>\n",
-                    {{"title", shown(state, card.title)}, {"blocks", blocks}});
+                    {{"title", shown(state, title)}, {"blocks", blocks}});
 }
 
 std::string figure_html(const editor::EditorState& state) {

@@ -69,6 +69,8 @@ class Handout(unittest.TestCase):
         self.assertIn("p−m", page.texts["sup"])
         self.assertEqual(len(re.findall('class="step"', text)), 7)
         self.assertEqual(len(re.findall('class="task"', text)), 2)
+        self.assertIn("Values and sum", page.texts["h3"], "cards are called as in the window")
+        self.assertIn('<td colspan="5">', text, "verdicts stand above the columns of the jumps")
         self.assertEqual(len(page.pictures), 14, "curve and basis functions of each step")
 
     def test_markup_in_texts_is_text(self):
