@@ -31,6 +31,11 @@ class Lessons(unittest.TestCase):
     def test_example_of_the_readme_fits(self):
         self.validator.validate(self.example())
 
+    def test_readme_names_every_check(self):
+        names = [check["properties"]["check"]["const"] for check in SCHEMA["$defs"]["check"]["oneOf"]]
+        rows = re.findall(r"^\| (`.*?) \|", (LESSONS / "README.md").read_text(), re.M)
+        self.assertEqual(sorted(names), sorted(name for row in rows for name in re.findall(r"`([a-z-]+)`", row)))
+
     def test_order_names_lessons(self):
         names = (LESSONS / "order.txt").read_text().split()
         self.assertEqual(sorted(names), sorted(path.stem for path in LESSONS.glob("*.json")))
