@@ -3,6 +3,7 @@
 #include <map>
 
 #include "app/editor/lesson/check_json.h"
+#include "app/editor/state/view_forms.h"
 #include "core/document/file_text.h"
 #include "core/document/native_file.h"
 
@@ -17,11 +18,13 @@ constexpr int format_version = 1;
 
 /// A document within a lesson, by the reader of documents.
 void read_document(MemberReader& reader, const LessonJson& object, const char* name, core::Document& document) {
+    const auto refuse = [&](const std::string& what) {
+        reader.fail(sentence("{place}: {what}", {{"place", reader.place(name)}, {"what", what}}));
+    };
     const auto read = core::parse_document(object.dump());
-    if (read)
-        document = *read;
-    else
-        reader.fail(sentence("{place}: {what}", {{"place", reader.place(name)}, {"what", read.error().sentence()}}));
+    if (!read) return refuse(read.error().sentence());
+    if (const Outcome<ViewForms> forms = read_forms(read->view.unknown_members); !forms) return refuse(forms.error());
+    document = *read;
 }
 
 LessonJson json_of_document(const core::Document& document) {

@@ -237,5 +237,18 @@ TEST_F(Recording, is_one_at_a_time_and_can_be_dropped) {
     EXPECT_FALSE(state().recording);
 }
 
+TEST(LessonDocuments, keep_the_forms_of_views) {
+    const auto lesson_with = [](const std::string& forms) {
+        return parse_lesson(R"({"format": "batten-lesson", "version": 1, "title": "Parts", "text": "Parts.", "document":
+            {"format": "batten", "version": 1, "curves": [], "view": {"forms": )" +
+                                forms + R"(}}, "steps": [{"text": "See them."}]})",
+                            "parts");
+    };
+    const Outcome<Lesson> lesson = lesson_with(R"({"parts": 7})");
+    ASSERT_TRUE(lesson) << lesson.error();
+    EXPECT_NE(format_lesson(*lesson).find(R"("parts": 7)"), std::string::npos);
+    EXPECT_EQ(lesson_with(R"({"parts": 0})").error(), "/document: /view/forms/parts: this must be from 1 to 200");
+}
+
 }  // namespace
 }  // namespace batten::editor
