@@ -7,7 +7,7 @@ namespace batten::editor {
 namespace {
 
 /// How many widths of a cell all columns take.
-double cells_across(std::size_t degree, double column_share) {
+double widths_across(std::size_t degree, double column_share) {
     return 1.0 + static_cast<double>(degree) / column_share;
 }
 
@@ -28,7 +28,7 @@ glm::dvec2 CellGrid::right(std::size_t level, std::size_t index) const {
 }
 
 double CellShape::least_width_of_all(std::size_t degree) const {
-    return cells_across(degree, column_share) * widths.lower + 2.0 * margin;
+    return widths_across(degree, column_share) * widths.lower + 2.0 * margin;
 }
 
 double CellShape::height_of_all(std::size_t degree) const {
@@ -36,7 +36,7 @@ double CellShape::height_of_all(std::size_t degree) const {
 }
 
 CellGrid CellShape::placed(std::size_t degree, double width_px, double scale) const {
-    const double room = (width_px - 2.0 * margin * scale) / cells_across(degree, column_share);
+    const double room = (width_px - 2.0 * margin * scale) / widths_across(degree, column_share);
     const double width = std::floor(core::Interval{widths.lower * scale, widths.upper * scale}.clamp(room));
     return {.origin = glm::dvec2(margin * scale),
             .cell = {width, height * scale},

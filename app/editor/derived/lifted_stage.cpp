@@ -14,8 +14,8 @@ constexpr double least_plane = 0.15;
 constexpr double plane_margin = 1.2;
 constexpr double lifted_reach = 10.0;  ///< design pixels
 constexpr std::size_t most_lifted_points = 100;
-constexpr double title_room = 46.0;  ///< design pixels
-constexpr double margin = 22.0;
+constexpr double stage_title_room = 46.0;  ///< design pixels
+constexpr double stage_margin = 22.0;
 
 /// Places that are to be seen: the origin, the corners of the plane and the control points.
 std::vector<glm::dvec3> seen_places(const core::Curve& curve, const LiftedStage& stage) {
@@ -63,7 +63,8 @@ LiftedStage lifted_stage(const EditorState& state, const render::PixelBox& box) 
                       .plane = {}};
     stage.plane = plane_about(stage.view, facts->control_box);
     const double px = state.view.interface_scale;
-    const render::PixelBox room{box.lower_px + px * glm::dvec2(margin, title_room), box.upper_px - px * margin};
+    const render::PixelBox room{box.lower_px + px * glm::dvec2(stage_margin, stage_title_room),
+                                box.upper_px - px * stage_margin};
     stage.camera = fitted(stage.camera, seen_places(curve, stage), room);
     // About the middle of the box.
     const glm::dvec2 middle = 0.5 * (room.lower_px + room.upper_px);

@@ -20,7 +20,7 @@ void add_shortened(std::vector<std::string>& words, const std::vector<std::strin
 }
 
 template <class WordOf>
-std::string blossom_text(const core::BlossomLabel& label, WordOf word_of) {
+std::string label_with(const core::BlossomLabel& label, WordOf word_of) {
     std::vector<std::string> knots;
     for (std::size_t k = 0; k < label.knots.size(); ++k) knots.push_back(word_of(k));
     const std::vector<std::string> parameters(label.parameter_count, "u");
@@ -38,11 +38,11 @@ std::string blossom_text(const core::BlossomLabel& label, WordOf word_of) {
 }  // namespace
 
 std::string blossom_by_indices(const core::BlossomLabel& label) {
-    return blossom_text(label, [&](std::size_t k) { return fmt::format("u_{{{}}}", label.first_knot + k); });
+    return label_with(label, [&](std::size_t k) { return fmt::format("u_{{{}}}", label.first_knot + k); });
 }
 
 std::string blossom_by_values(const core::BlossomLabel& label, const Notation& notation) {
-    return blossom_text(label, [&](std::size_t k) { return exact_text(notation, label.knots[k]); });
+    return label_with(label, [&](std::size_t k) { return exact_text(notation, label.knots[k]); });
 }
 
 }  // namespace batten::editor

@@ -83,7 +83,7 @@ bool is_as_promised(const JointContinuity& joint) {
     return std::max(joint.parametric, joint.geometric) <= joint.promised;
 }
 
-std::string degrees_text(double radians, const Notation& notation) {
+std::string turn_in_degrees(double radians, const Notation& notation) {
     return sentence("{degrees}°", {{"degrees", exact_text(notation, std::abs(radians) * 180.0 / std::numbers::pi)}});
 }
 
@@ -119,7 +119,7 @@ std::string continuity_reason(const JointContinuity& joint, const Notation& nota
     if (is_cusp(joint) && joint.parametric > 0) return "the speed falls to zero, and the curve turns back";
     if (joint.geometric == 0 && !joint.angle) return "a piece beside it is a single point";
     if (joint.geometric == 0)
-        return sentence("the direction turns by {angle}", {{"angle", degrees_text(*joint.angle, notation)}});
+        return sentence("the direction turns by {angle}", {{"angle", turn_in_degrees(*joint.angle, notation)}});
     if (joint.parametric == 0) return speed_reason(joint, notation);
     return joint.parametric == 1 ? acceleration_reason(joint, notation) : "C′ and C″ agree";
 }
@@ -130,7 +130,7 @@ std::string jump_text(const core::Jump& jump, const Notation& notation) {
 
 std::string turn_text(const JointContinuity& joint, const Notation& notation) {
     if (!joint.angle) return "–";
-    return degrees_text(joint.geometric > 0 ? 0.0 : *joint.angle, notation);
+    return turn_in_degrees(joint.geometric > 0 ? 0.0 : *joint.angle, notation);
 }
 
 std::string curvature_jump_text(const JointContinuity& joint, const Notation& notation) {
