@@ -13,6 +13,7 @@
 #include "app/editor/state/state.h"
 #include "app/editor/words/basis_formula.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/root_text.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/rational_basis.h"
 
@@ -98,11 +99,12 @@ Card rational_basis_card(const EditorState& state) {
     }
     const core::RationalBasis rational = core::rational_basis(shown.curve, shown.u);
     const char* letter = basis_letter(state, shown.curve.knots());
-    std::vector<double> weights;
+    std::vector<std::string> weights;
     std::vector<double> products;
     for (std::size_t j = 0; j < shown.values().size(); ++j) {
-        weights.push_back(shown.curve.weights()[shown.index(j)]);
-        products.push_back(shown.values()[j] * weights.back());
+        const double weight = shown.curve.weights()[shown.index(j)];
+        weights.push_back(root_text(state.view.notation, weight));
+        products.push_back(shown.values()[j] * weight);
     }
     const double w = sum_of(products);
     CardTable table{.rows = {{{.text = "i"},
@@ -111,7 +113,7 @@ Card rational_basis_card(const EditorState& state) {
                               {.text = fmt::format("{} w", letter)},
                               {.text = fmt::format("R = {} w / w(u)", letter)}}},
                     .has_heading = true};
-    const std::array columns{shown.numbers(shown.values()), shown.numbers(weights), shown.numbers(products),
+    const std::array columns{shown.numbers(shown.values()), weights, shown.numbers(products),
                              shown.numbers(rational.derivatives[0])};
     for (std::size_t j = 0; j < products.size(); ++j)
         table.rows.push_back({shown.named(j, std::to_string(shown.index(j))),

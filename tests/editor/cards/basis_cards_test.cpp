@@ -225,6 +225,18 @@ TEST(BasisValuesCard, shows_how_rational_ones_come_about) {
         EXPECT_TRUE(says(card, row)) << row << "\n" << card_text(card);
 }
 
+TEST(BasisValuesCard, writes_weights_of_circles_as_roots) {
+    core::CurveDefinition definition;
+    definition.degree = 2;
+    definition.knots = {0, 0, 0, 1, 1, 1};
+    definition.points = {{1, 0}, {1, 1}, {0, 1}};
+    definition.weights = {1, std::sqrt(0.5), 1};
+    EditorState state = test::scene_state(definition);
+    state.view.parameter = 0.5;
+    EXPECT_TRUE(says(rational_basis_card(state), "1 | 1/2 | √2/2 | 0.3536")) << card_text(rational_basis_card(state));
+    EXPECT_TRUE(says(rational_basis_card(state), "i | B | w | B w | R = B w / w(u)"));
+}
+
 TEST(BasisDerivativesCard, has_values_and_the_formula) {
     EditorState state = uniform_state(3.5);
     state.selection.points = {1};
