@@ -36,9 +36,9 @@ bool has_dashed_ring(const Marker& marker) {
 Polyline dashed_ring(const Marker& marker, double scale) {
     const double radius = marker.radius_px;
     const double dashes = std::max(1.0, std::round(std::numbers::pi * radius / marker.dash_px));
-    // A chord of angle a stays within radius * a^2 / 8 of its arc: here within 1/50 of a framebuffer pixel.
+    // A chord of angle a stays within radius * a^2 / 8 of its arc: here within 1/12 of a framebuffer pixel.
     const double corners =
-        std::clamp(std::ceil(2.0 * std::numbers::pi * std::sqrt(radius * scale / 0.16)), 12.0, 720.0);
+        std::clamp(std::ceil(2.0 * std::numbers::pi * std::sqrt(radius * scale * 12.0 / 8.0)), 12.0, 720.0);
     const double chord = 2.0 * radius * std::sin(std::numbers::pi / corners);
 
     Polyline ring;

@@ -28,11 +28,24 @@ std::vector<std::size_t> chosen_spans(CanvasFrame& frame) {
     return spans;
 }
 
-void draw_piece(CanvasFrame& frame, const NamedPiece& named, bool is_active, std::set<std::size_t>& written) {
+/// A piece as it is drawn.
+struct ShownPiece {
+    NamedPiece named;
     std::vector<glm::dvec2> places;
-    for (const core::HomogeneousPoint& point : named.piece.points) places.push_back(frame.screen(core::project(point)));
-    const render::Color color = named.is_complete ? frame.theme.accent : frame.theme.dim;
-    frame.pen.line(places, {.color = color, .width = is_active ? 2.25 : 1.5});
+    bool is_active = false;  ///< that of the parameter
+    render::Color color;
+};
+
+ShownPiece shown_piece(const CanvasFrame& frame, const KnotFacts& facts, std::size_t span) {
+    ShownPiece piece{named_piece(*frame.curve, facts, span), {}, span == frame.triangle->span, {}};
+    for (const core::HomogeneousPoint& point : piece.named.piece.points)
+        piece.places.push_back(frame.screen(core::project(point)));
+    piece.color = piece.named.is_complete ? frame.theme.accent : frame.theme.dim;
+    return piece;
+}
+
+void draw_points(CanvasFrame& frame, const ShownPiece& piece, std::set<std::size_t>& written) {
+    const auto& [named, places, is_active, color] = piece;
     for (std::size_t k = 0; k < places.size(); ++k) {
         frame.pen.symbol(places[k], {.shape = render::MarkerShape::square,
                                      .radius = 4.0,
@@ -55,8 +68,11 @@ void draw_piece(CanvasFrame& frame, const NamedPiece& named, bool is_active, std
 void draw_bezier_points(CanvasFrame& frame) {
     const auto facts = frame.state.derived.of(frame.curve->knots());
     std::set<std::size_t> written;
-    for (const std::size_t span : chosen_spans(frame))
-        draw_piece(frame, named_piece(*frame.curve, *facts, span), span == frame.triangle->span, written);
+    std::vector<ShownPiece> pieces;
+    for (const std::size_t span : chosen_spans(frame)) pieces.push_back(shown_piece(frame, *facts, span));
+    for (const ShownPiece& piece : pieces)
+        frame.pen.line(piece.places, {.color = piece.color, .width = piece.is_active ? 2.25 : 1.5});
+    for (const ShownPiece& piece : pieces) draw_points(frame, piece, written);
 }
 
 }  // namespace batten::editor

@@ -67,9 +67,10 @@ void draw_dense_points(CanvasFrame& frame, const ShownPoints& points) {
 }
 
 void draw_control_points(CanvasFrame& frame, const ShownPoints& points) {
+    // Rings are lines: all of them, and then all points, are painted in one go.
+    for (const auto& [i, place] : points.large) draw_weight_ring(frame, place, i);
     for (const auto& [i, place] : points.large) {
         if (i == 0) draw_first_box(frame, place);
-        draw_weight_ring(frame, place, i);
         draw_control_point(frame, place, i);
     }
 }

@@ -77,13 +77,17 @@ void draw_polygon_rounds(CanvasFrame& frame) {
 void draw_polygon_distances(CanvasFrame& frame) {
     if (frame.curve->control_points().size() > most_gaps || frame.curve->degree() == 1) return;
     const std::vector<Gap> gaps = gaps_of(*frame.curve);
-    for (const Gap& gap : gaps) {
-        if (gap.length() * frame.state.view.camera.scale < frame.pen.px(1.0)) continue;
-        frame.pen.segment(frame.screen(gap.corner), frame.screen(gap.on_curve),
-                          {.color = frame.theme.error, .width = gap_width});
-        frame.pen.symbol(frame.screen(gap.on_curve),
-                         {.radius = curve_end_radius, .fill = frame.theme.error, .outline = no_color});
-    }
+    const auto is_seen = [&](const Gap& gap) {
+        return gap.length() * frame.state.view.camera.scale >= frame.pen.px(1.0);
+    };
+    for (const Gap& gap : gaps)
+        if (is_seen(gap))
+            frame.pen.segment(frame.screen(gap.corner), frame.screen(gap.on_curve),
+                              {.color = frame.theme.error, .width = gap_width});
+    for (const Gap& gap : gaps)
+        if (is_seen(gap))
+            frame.pen.symbol(frame.screen(gap.on_curve),
+                             {.radius = curve_end_radius, .fill = frame.theme.error, .outline = no_color});
     const auto longest = std::ranges::max_element(gaps, {}, &Gap::length);
     if (longest != gaps.end() && longest->length() > 0.0) wish_length(frame, *longest);
 }

@@ -11,6 +11,7 @@ constexpr double smallest_hull = 6.0;  // design pixels
 constexpr double opacity = 0.10;
 constexpr double opacity_of_many = 0.05;
 constexpr std::size_t many = 12;
+constexpr double outline_share = 0.7;
 
 std::vector<std::size_t> hulled_spans(const CanvasFrame& frame, Thinned& hulls) {
     std::vector<std::size_t> spans;
@@ -40,12 +41,16 @@ Thinned draw_span_hulls(CanvasFrame& frame) {
     Thinned hulls;
     const std::vector<std::size_t> spans = hulled_spans(frame, hulls);
     const double share = spans.size() > many ? opacity_of_many : opacity;
-    for (const std::size_t span : spans) {
-        const render::Color color = frame.theme.level(span - static_cast<std::size_t>(frame.curve->degree()) + 1);
-        const std::vector<glm::dvec2> places = frame.screen(hull_of(*frame.curve, span));
-        frame.pen.fill(places, render::faded(color, share));
-        frame.pen.outline(places, {.color = render::faded(color, 0.7), .width = 1.25});
-    }
+    std::vector<std::vector<glm::dvec2>> outlines;
+    for (const std::size_t span : spans) outlines.push_back(frame.screen(hull_of(*frame.curve, span)));
+    const auto color = [&](std::size_t k) {
+        return frame.theme.level(spans[k] - static_cast<std::size_t>(frame.curve->degree()) + 1);
+    };
+    for (std::size_t k = 0; k < outlines.size(); ++k) frame.pen.fill(outlines[k], render::faded(color(k), share));
+    // Opaque, and all after the fills: so they are painted in one go.
+    for (std::size_t k = 0; k < outlines.size(); ++k)
+        frame.pen.outline(outlines[k],
+                          {.color = render::blended(color(k), outline_share, frame.theme.canvas), .width = 1.25});
     return hulls;
 }
 
