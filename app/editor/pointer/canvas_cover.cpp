@@ -10,11 +10,11 @@ using render::Camera;
 using render::PixelBox;
 
 // Design pixels.
-constexpr double point_reach = 16.0;  // of the box around the first point
-constexpr double line_reach = 4.0;
+constexpr double cover_point_reach = 16.0;  // of the box around the first point
+constexpr double cover_line_reach = 4.0;
 constexpr double tolerance = 1.0;
 
-constexpr std::size_t most_places = 2000;  // of lines in a box; more are not counted
+constexpr std::size_t most_covered_places = 2000;  // of lines in a box; more are not counted
 
 constexpr int point_cost = 4;
 constexpr int curve_cost = 2;
@@ -42,7 +42,7 @@ int crossings(const Camera& camera, const PixelBox& box, const core::PointRuns& 
 }
 
 core::StripRequest request_in(const Camera& camera, const PixelBox& box, double tolerance_px) {
-    return {tolerance_px / camera.scale, world_box(camera, box), most_places};
+    return {tolerance_px / camera.scale, world_box(camera, box), most_covered_places};
 }
 
 bool passes(core::CurveStrips& strips, const Camera& camera, const PixelBox& box, double tolerance_px) {
@@ -54,8 +54,8 @@ bool passes(core::CurveStrips& strips, const Camera& camera, const PixelBox& box
 int covered_polygon(const core::PolygonStrips& polygon, const Camera& camera, const PixelBox& around_points,
                     const PixelBox& around_legs, double tolerance_px) {
     const auto legs = polygon.runs(request_in(camera, around_legs, tolerance_px));
-    int sum = legs ? crossings(camera, around_legs, legs->runs) : static_cast<int>(most_places);
-    polygon.visit_points(world_box(camera, around_points), 0.0, most_places,
+    int sum = legs ? crossings(camera, around_legs, legs->runs) : static_cast<int>(most_covered_places);
+    polygon.visit_points(world_box(camera, around_points), 0.0, most_covered_places,
                          [&](std::size_t, core::Point, std::size_t) { sum += point_cost; });
     return sum;
 }
@@ -64,7 +64,7 @@ int covered_polygon(const core::PolygonStrips& polygon, const Camera& camera, co
 
 int covered(const EditorState& state, const Camera& camera, const PixelBox& box, SceneCache& cache) {
     const double scale = state.view.interface_scale;
-    const PixelBox around_lines = grown(box, line_reach * scale);
+    const PixelBox around_lines = grown(box, cover_line_reach * scale);
     const core::DocumentCurve* active = state.shown().active_curve();
     int sum = 0;
     const std::vector<core::DocumentCurve>& curves = state.shown().curves;
@@ -73,7 +73,7 @@ int covered(const EditorState& state, const Camera& camera, const PixelBox& box,
         KeptCurve& kept = cache.curve(i, curves[i].curve);
         if (passes(kept.strips(), camera, around_lines, tolerance * scale)) sum += curve_cost;
         if (&curves[i] == active && state.view.overlays.is_shown(Overlay::polygon))
-            sum += covered_polygon(kept.polygon(), camera, grown(box, point_reach * scale), around_lines,
+            sum += covered_polygon(kept.polygon(), camera, grown(box, cover_point_reach * scale), around_lines,
                                    tolerance * scale);
     }
     return sum;

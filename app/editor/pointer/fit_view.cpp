@@ -18,7 +18,7 @@ using render::Camera;
 using render::PixelBox;
 
 // Design pixels.
-constexpr double margin = 56.0;  // room for the labels of points at the rim
+constexpr double fit_margin = 56.0;  // room for the labels of points at the rim
 constexpr double least_margin = 18.0;
 
 constexpr double largest_share = 0.15;  // of a small picture that the margin may take
@@ -73,7 +73,7 @@ Camera fitted_into(const View& view, const core::Box& box, const PixelBox& area)
     camera.size_px = glm::max(area.upper_px - area.lower_px, glm::dvec2(1.0));
     const double smaller_px = std::min(camera.size_px.x, camera.size_px.y);
     const double scale = view.interface_scale;
-    const double margin_px = std::clamp(largest_share * smaller_px, least_margin * scale, margin * scale);
+    const double margin_px = std::clamp(largest_share * smaller_px, least_margin * scale, fit_margin * scale);
     camera = render::fitted(camera, box.lower, box.upper, margin_px);
     camera.size_px = view.camera.size_px;
     return render::panned(camera, 0.5 * (area.lower_px + area.upper_px - camera.size_px));

@@ -17,7 +17,7 @@ constexpr double usual_height = 260.0;
 constexpr Heights least_heights{40.0, 26.0, 46.0};
 constexpr Heights usual_heights{44.0, 54.0, 54.0};
 constexpr double stack_room_growth = 0.15;  ///< of what the dock is higher than usual
-constexpr double side_margin = 32.0;
+constexpr double plot_side_margin = 32.0;
 constexpr double diamond = 8.0;
 constexpr double widest_stack_step = 10.0;
 constexpr double stack_clearance = 4.0;  ///< between the highest diamond and the plot
@@ -85,8 +85,8 @@ PlotLayout plot_layout(const EditorState& state, glm::dvec2 size_px) {
     const Heights heights = heights_for(size_px.y / scale);
     PlotLayout layout;
     layout.range = state.view.plot_range.value_or(whole_plot_range(state));
-    layout.left_px = side_margin * scale;
-    layout.right_px = std::max(size_px.x - side_margin * scale, layout.left_px + 1.0);
+    layout.left_px = plot_side_margin * scale;
+    layout.right_px = std::max(size_px.x - plot_side_margin * scale, layout.left_px + 1.0);
     layout.top_px = heights.above_plot * scale;
     layout.labels_px = heights.below_strip * scale;
     layout.strip_px = size_px.y - layout.labels_px;

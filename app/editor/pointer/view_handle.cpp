@@ -11,7 +11,7 @@ namespace batten::editor {
 namespace {
 
 constexpr double handle_reach = 9.0;
-constexpr double line_reach = 5.0;
+constexpr double probe_line_reach = 5.0;
 
 core::Point end_of(const ProbeLine& line, ViewHandle handle) {
     return handle == ViewHandle::line_second ? line.second : line.first;
@@ -61,7 +61,8 @@ bool is_on_probe_line(const EditorState& state, glm::dvec2 position_px) {
     const core::Point place(render::world_from_screen(state.view.camera, position_px));
     const core::Vector chord = line->second - line->first;
     const core::Vector along = chord / core::robust_length(chord);
-    return std::abs(core::cross(along, place - line->first)) * state.view.camera.scale <= pixels(state, line_reach);
+    return std::abs(core::cross(along, place - line->first)) * state.view.camera.scale <=
+           pixels(state, probe_line_reach);
 }
 
 HandleStart start_of(const EditorState& state, ViewHandle handle) {

@@ -18,7 +18,7 @@ namespace {
 constexpr double sample_spacing_px = 3.0;
 constexpr double least_steps = 4.0;         // in a span
 constexpr double least_steps_of_one = 2.0;  // where functions are too many
-constexpr double most_steps = 1000.0;
+constexpr double most_graph_steps = 1000.0;
 constexpr double most_functions_per_px = 0.25;  // functions for each pixel of the plot's width
 constexpr double function_cell = 10.0;          // for each of which a narrow function is shown, if they are too many
 constexpr double simplification_px = 0.15;
@@ -147,7 +147,7 @@ class GraphTracer {
         if (!(shown.lower < shown.upper)) return {};
         const double width = frame_.x(shown.upper) - frame_.x(shown.lower);
         const int steps =
-            degree() == 1 ? 1 : static_cast<int>(std::clamp(width / sample_spacing_px, least, most_steps));
+            degree() == 1 ? 1 : static_cast<int>(std::clamp(width / sample_spacing_px, least, most_graph_steps));
         std::vector<std::vector<glm::dvec2>> samples(std::min(degree() + 1, frame_.curve.control_points().size()));
         for (int k = 0; k <= steps; ++k) {
             const double u = k == steps ? shown.upper : shown.lower + shown.length() * k / steps;

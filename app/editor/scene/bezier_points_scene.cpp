@@ -9,17 +9,17 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double margin = 8.0;
-constexpr double merged_spans = 24.0;  // of sixteen spans that are shorter together one is drawn
+constexpr double bezier_margin = 8.0;
+constexpr double merged_pieces = 24.0;  // of sixteen spans that are shorter together one is drawn
 constexpr std::size_t most_pieces = 20;
-constexpr double name_size = 14.0;
+constexpr double bezier_name_size = 14.0;
 
 /// The spans in the picture, nearest to that of the parameter first.
 std::vector<std::size_t> chosen_spans(CanvasFrame& frame) {
     std::vector<std::size_t> spans;
-    frame.kept->strips().visit_spans(frame.seen(frame.pen.px(margin)),
-                                     frame.pen.px(merged_spans) / frame.state.view.camera.scale, most_candidates(frame),
-                                     [&](std::size_t span, core::Point, std::size_t) { spans.push_back(span); });
+    frame.kept->strips().visit_spans(
+        frame.seen(frame.pen.px(bezier_margin)), frame.pen.px(merged_pieces) / frame.state.view.camera.scale,
+        most_candidates(frame), [&](std::size_t span, core::Point, std::size_t) { spans.push_back(span); });
     const std::size_t now = frame.triangle->span;
     const auto distance = [now](std::size_t span) { return span > now ? span - now : now - span; };
     const std::size_t count = std::min(spans.size(), most_pieces);
@@ -56,7 +56,7 @@ void draw_points(CanvasFrame& frame, const ShownPiece& piece, std::set<std::size
         if (!written.insert(named.numbers[k]).second) continue;
         frame.labels.push_back({.place = places[k],
                                 .words = {{bezier_name(named.numbers[k]),
-                                           {.color = is_active ? frame.theme.text : color, .size = name_size}}},
+                                           {.color = is_active ? frame.theme.text : color, .size = bezier_name_size}}},
                                 .distance = 9.0,
                                 .first = LabelSide::lower_left,
                                 .crowding = is_active ? Crowding::cover_symbols : Crowding::leave_out});

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double farthest_px = 1e30;
 constexpr double candidates_per_px = 8.0;
-constexpr double least_width_px = 100.0;
+constexpr double least_frame_width_px = 100.0;
 
 }  // namespace
 
@@ -70,7 +70,8 @@ core::Box CanvasFrame::seen(double margin_px) const {
 }
 
 std::size_t most_candidates(const CanvasFrame& frame) {
-    return static_cast<std::size_t>(candidates_per_px * std::max(frame.state.view.camera.size_px.x, least_width_px));
+    return static_cast<std::size_t>(candidates_per_px *
+                                    std::max(frame.state.view.camera.size_px.x, least_frame_width_px));
 }
 
 core::Interval active_span(const CanvasFrame& frame) {

@@ -26,7 +26,7 @@ constexpr double construction_reach = 5.0;
 constexpr double mark_reach = 6.0;
 constexpr double word_gap = 4.0;
 constexpr double wished_step = 6.0;
-constexpr double width_error = 0.1;  // of the width of a text that is not measured with its font
+constexpr double ground_error = 0.1;  // of the width of a text that is not measured with its font
 constexpr double ground_margin = 2.0;
 constexpr double label_ground_opacity = 0.85;
 
@@ -81,7 +81,7 @@ class LabelWriter {
     void fill_ground(const render::PixelBox& box, bool is_from_right) {
         const glm::dvec2 around(frame_.pen.px(ground_margin));
         const double error =
-            has_grounds_ ? width_error : 0.0;  // where little is dense, the ground hides nothing beside it
+            has_grounds_ ? ground_error : 0.0;  // where little is dense, the ground hides nothing beside it
         const glm::dvec2 longer(error * (box.upper_px.x - box.lower_px.x), 0.0);
         frame_.pen.fill(corners_of({box.lower_px - around - (is_from_right ? longer : glm::dvec2(0.0)),
                                     box.upper_px + around + (is_from_right ? glm::dvec2(0.0) : longer)}),

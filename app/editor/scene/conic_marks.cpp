@@ -16,7 +16,7 @@ namespace {
 constexpr double rest_share = 0.42;
 constexpr double rest_width = 2.0;
 constexpr double angle_radius = 44.0;
-constexpr double label_size = 15.0;
+constexpr double conic_label_size = 15.0;
 
 /// The farthest that something seen is from `point`, and more than the piece is long.
 double reach_from(const CanvasFrame& frame, const core::ConicArc& arc) {
@@ -71,7 +71,7 @@ void draw_half_angle(CanvasFrame& frame, const core::ConicArc& arc) {
     }
     frame.pen.line(places, {.color = frame.theme.parameter, .width = 2.0});
     frame.labels.push_back({.place = places[steps / 2],
-                            .words = {{"a", {.color = frame.theme.parameter, .size = label_size}}},
+                            .words = {{"a", {.color = frame.theme.parameter, .size = conic_label_size}}},
                             .distance = 5.0,
                             .first = side_toward(*leg + *halving),
                             .crowding = Crowding::cover_symbols});
@@ -125,7 +125,7 @@ void draw_conic_above(CanvasFrame& frame) {
     const glm::dvec2 way = shoulder - middle;
     const glm::dvec2 chord = frame.screen(arc.points[0]) - middle;
     const auto named = [](const char* name, render::Color color) {
-        return LabelWord{name, {.color = color, .size = label_size, .font = render::LabelFont::bold}};
+        return LabelWord{name, {.color = color, .size = conic_label_size, .font = render::LabelFont::bold}};
     };
     draw_named_point(frame, arc.chord_middle, named("M", frame.theme.text), -way);
     draw_named_point(frame, arc.form.shoulder, named("X", frame.theme.level(2)), chord);

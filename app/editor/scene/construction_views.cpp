@@ -14,7 +14,7 @@ constexpr double inserted_width = 5.0;
 constexpr double inserted_share = 0.5;  // of the level's color, in the canvas
 constexpr double construction_name_size = 13.0;
 constexpr double blossom_size = 13.0;
-constexpr double label_distance = 10.0;
+constexpr double cell_label_distance = 10.0;
 constexpr std::size_t most_named_cells = 21;  // of the construction's points; of more only the hovered one has its
 constexpr std::size_t most_blossoms = 40;     // of control points; of more those of the span
 
@@ -25,7 +25,7 @@ NamedTriangle named_in(const CanvasFrame& frame) {
 void wish(CanvasFrame& frame, core::Point point, std::string text, const TextStyle& style, LabelSide first) {
     frame.labels.push_back({.place = frame.screen(point),
                             .words = {{std::move(text), style}},
-                            .distance = label_distance,
+                            .distance = cell_label_distance,
                             .first = first,
                             .crowding = Crowding::cover_symbols});
 }

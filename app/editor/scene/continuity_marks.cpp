@@ -14,7 +14,7 @@ namespace {
 constexpr double longest_velocity = 180.0;
 constexpr double longest_acceleration = 130.0;
 constexpr double joint_text_size = 13.0;
-constexpr double least_named = 6.0;
+constexpr double least_named_arrow = 6.0;
 constexpr double verdict_distance = 16.0;
 constexpr double farthest_verdict = 130.0;
 
@@ -97,7 +97,7 @@ class JointPainter {
 
     /// At the free end of an arrow that can be seen.
     void name(glm::dvec2 joint, glm::dvec2 arrow, const char* text, render::Color color) {
-        if (glm::length(arrow) < frame_.pen.px(least_named)) return;
+        if (glm::length(arrow) < frame_.pen.px(least_named_arrow)) return;
         frame_.labels.push_back({.place = joint + arrow, .words = {{text, {.color = color, .size = joint_text_size}}}});
     }
 

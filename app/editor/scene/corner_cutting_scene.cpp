@@ -23,8 +23,8 @@ constexpr double alpha_size = 15.0;
 constexpr double old_name_size = 13.0;
 constexpr std::size_t most_labels_at_all_costs = 5;  // more of them give way to one another
 constexpr double function_width = 2.0;
-constexpr double sample_spacing_px = 4.0;
-constexpr double most_steps = 300.0;  // in a span
+constexpr double cut_spacing_px = 4.0;
+constexpr double most_cut_steps = 300.0;  // in a span
 
 std::vector<core::Point> old_polygon(const core::CornerCutting& cutting) {
     std::vector<core::Point> points;
@@ -152,7 +152,7 @@ void draw_span(PlotFrame& frame, const LocalFunctions& functions, const std::vec
     if (!(lower < upper)) return;
     const auto p = static_cast<std::size_t>(functions.knots.degree());
     const double width = frame.x(upper + shift) - frame.x(lower + shift);
-    const auto steps = static_cast<std::size_t>(std::clamp(width / sample_spacing_px, 2.0, most_steps));
+    const auto steps = static_cast<std::size_t>(std::clamp(width / cut_spacing_px, 2.0, most_cut_steps));
     std::vector<std::vector<glm::dvec2>> lines(p + 1);
     for (std::size_t k = 0; k <= steps; ++k) {
         const double u =

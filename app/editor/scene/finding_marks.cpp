@@ -6,7 +6,7 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double mark_radius = 5.0;
+constexpr double finding_radius = 5.0;
 constexpr double outline_width = 2.0;
 constexpr double mark_number_size = 11.0;
 constexpr glm::dvec2 number_offset{8.0, -10.0};
@@ -34,7 +34,7 @@ std::vector<render::PixelBox> finding_boxes(const CanvasFrame& frame) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (!rows[i].point) continue;
         const glm::dvec2 place = frame.screen(*rows[i].point);
-        const glm::dvec2 reach(frame.pen.px(mark_radius + outline_width));
+        const glm::dvec2 reach(frame.pen.px(finding_radius + outline_width));
         boxes.push_back({place - reach, place + reach});
         boxes.push_back(number_box(frame, place, std::to_string(i + 1)));
     }
@@ -47,7 +47,7 @@ void draw_finding_marks(CanvasFrame& frame) {
         if (!rows[i].point) continue;
         const glm::dvec2 place = frame.screen(*rows[i].point);
         frame.pen.symbol(place, {.shape = render::MarkerShape::square,
-                                 .radius = mark_radius,
+                                 .radius = finding_radius,
                                  .fill = frame.theme.canvas,
                                  .outline = frame.theme.accent,
                                  .outline_width = outline_width});

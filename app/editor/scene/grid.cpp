@@ -13,7 +13,7 @@ namespace batten::editor {
 namespace {
 
 constexpr double number_size = 10.5;
-constexpr double edge_distance = 7.0;
+constexpr double number_edge_distance = 7.0;
 constexpr double number_gap = 18.0;
 
 /// The multiples of a step that are seen along one axis; a multiple is `index` steps, kept as a double beyond all
@@ -110,7 +110,7 @@ class NumberRow {
         const std::string text = grid_number_text(value, step);
         const glm::dvec2 size = text_px(text);
         const glm::dvec2 picture = frame_.pen.size_px();
-        const double edge = frame_.pen.px(edge_distance);
+        const double edge = frame_.pen.px(number_edge_distance);
         glm::dvec2 lower = frame_.screen(point_on_axis(axis_, value)) - 0.5 * size;
         if (axis_ == 0)
             lower.y = picture.y - edge - 0.75 * size.y;

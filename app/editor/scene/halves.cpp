@@ -9,8 +9,8 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double band_width = 10.0;
-constexpr double band_share = 0.45;  // of the color, in the canvas
+constexpr double half_band_width = 10.0;
+constexpr double half_band_share = 0.45;  // of the color, in the canvas
 constexpr double half_leg_width = 4.5;
 constexpr double half_outline_width = 2.5;
 constexpr double half_point_radius = 5.5;
@@ -46,7 +46,8 @@ std::vector<core::Point> points_after(const CanvasFrame& frame, std::size_t last
 }
 
 void draw_part_of_curve(CanvasFrame& frame, const CurveHalf& part) {
-    const Stroke stroke{.color = render::blended(part.color, band_share, frame.theme.canvas), .width = band_width};
+    const Stroke stroke{.color = render::blended(part.color, half_band_share, frame.theme.canvas),
+                        .width = half_band_width};
     if (part.whole_spans.lower < part.whole_spans.upper)
         draw_line(frame, seen_part(frame, frame.kept->strips(), part.whole_spans, places_of_half, stroke), stroke);
     const core::KnotVector& knots = frame.curve->knots();
@@ -54,7 +55,8 @@ void draw_part_of_curve(CanvasFrame& frame, const CurveHalf& part) {
     const core::Interval cut{std::max(part.range.lower, knots[s]), std::min(part.range.upper, knots[s + 1])};
     if (!(cut.lower < cut.upper)) return;
     const double tolerance = line_tolerance_px / frame.state.view.camera.scale;
-    for (const auto& run : core::tessellate(*frame.curve, {tolerance, frame.seen(frame.pen.px(band_width)), cut})) {
+    for (const auto& run :
+         core::tessellate(*frame.curve, {tolerance, frame.seen(frame.pen.px(half_band_width)), cut})) {
         std::vector<glm::dvec2> places;
         for (const core::CurveSample& sample : run) places.push_back(frame.screen(sample.point));
         frame.pen.line(places, stroke);

@@ -16,18 +16,18 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double inset_padding = 14.0;
-constexpr double title_height = 16.0;
+constexpr double hodograph_padding = 14.0;
+constexpr double hodograph_title_height = 16.0;
 constexpr double places_per_px = 4.0;  // of the picture's width
 constexpr std::size_t most_sampled_spans = 2000;
 constexpr std::size_t most_accelerated_points = 20000;  // C'' of longer curves is sampled, at a bounded cost
 
-std::size_t span_count(const core::Curve& curve) {
+std::size_t all_span_count(const core::Curve& curve) {
     return curve.knots().size() - 2 * static_cast<std::size_t>(curve.degree()) - 1;
 }
 
 std::size_t sampling_stride(const core::Curve& curve) {
-    return span_count(curve) / most_sampled_spans + 1;
+    return all_span_count(curve) / most_sampled_spans + 1;
 }
 
 core::Vector derivative(const core::Curve& curve, std::size_t order, double u, core::Side side = core::Side::right) {
@@ -39,7 +39,7 @@ core::Vector derivative(const core::Curve& curve, std::size_t order, double u, c
 core::PointRuns sampled_runs(const core::Curve& curve, std::size_t order) {
     const core::KnotVector& knots = curve.knots();
     const auto p = static_cast<std::size_t>(curve.degree());
-    const std::size_t spans = span_count(curve);
+    const std::size_t spans = all_span_count(curve);
     const int steps = std::clamp(320 / static_cast<int>(spans), 4, 40);
     core::PointRuns runs;
     for (std::size_t s = p; s < p + spans; s += sampling_stride(curve)) {
@@ -113,7 +113,7 @@ Hodograph hodograph_of(const CanvasFrame& frame, std::size_t order) {
 
 std::string title_of(const CanvasFrame& frame, const Hodograph& hodograph) {
     const core::Place name("name", hodograph.name());
-    const std::size_t spans = span_count(*frame.curve);
+    const std::size_t spans = all_span_count(*frame.curve);
     const std::size_t stride = sampling_stride(*frame.curve);
     if (hodograph.strips == nullptr && stride > 1)
         return core::sentence("{name} on {shown} of {count} spans",
@@ -218,8 +218,8 @@ void draw_inset(CanvasFrame& frame, const render::PixelBox& box, std::size_t ord
 }  // namespace
 
 render::PixelBox hodograph_area(const render::PixelBox& box, double scale) {
-    const glm::dvec2 padding(scale * inset_padding);
-    return {box.lower_px + padding + glm::dvec2(0.0, scale * title_height), box.upper_px - padding};
+    const glm::dvec2 padding(scale * hodograph_padding);
+    return {box.lower_px + padding + glm::dvec2(0.0, scale * hodograph_title_height), box.upper_px - padding};
 }
 
 bool has_differences(const core::Curve& hodograph, const core::Curve& curve, std::size_t order) {

@@ -20,7 +20,7 @@ constexpr std::array inset_sizes{InsetSize{Overlay::hodograph, {200.0, 150.0}},
                                  InsetSize{Overlay::second_hodograph, {200.0, 150.0}},
                                  InsetSize{Overlay::homogeneous, {320.0, 290.0}}};
 
-constexpr double margin = 14.0;
+constexpr double inset_margin = 14.0;
 constexpr double gap = 8.0;
 constexpr double inset_bottom = 28.0;  // leaves room for the numbers of the grid
 constexpr double most_width = 0.45;    // of the canvas, for one inset
@@ -41,13 +41,13 @@ std::vector<InsetPlace> shrunk_places(const EditorState& state, double shrinking
     const double scale = state.view.interface_scale;
     glm::dvec2 picture = state.view.camera.size_px / scale;
     if (const auto cards = floating_cards_box(state)) picture.x = cards->lower_px.x / scale;
-    glm::dvec2 corner{picture.x - margin, margin};  // the upper right one of the next inset
+    glm::dvec2 corner{picture.x - inset_margin, inset_margin};  // the upper right one of the next inset
     double column_width = 0.0;
     for (const auto& [overlay, wanted] : inset_sizes) {
         if (!state.view.overlays.is_shown(overlay)) continue;
         const glm::dvec2 size = shrinking * fitting(wanted, picture);
         if (column_width > 0.0 && corner.y + size.y > picture.y - inset_bottom) {
-            corner = {corner.x - column_width - gap, margin};
+            corner = {corner.x - column_width - gap, inset_margin};
             column_width = 0.0;
         }
         const double left = corner.x - size.x;

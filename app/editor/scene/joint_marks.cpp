@@ -8,8 +8,8 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double head_length = 10.0;  // of arrows, whose labels stand beyond it
-constexpr double label_size = 14.0;
+constexpr double least_named_vector = 10.0;  // of arrows, whose labels stand beyond it
+constexpr double joint_label_size = 14.0;
 
 /// A short line across the median.
 void draw_tick(CanvasFrame& frame, glm::dvec2 place, glm::dvec2 along, render::Color color) {
@@ -25,15 +25,16 @@ void draw_vector(CanvasFrame& frame, core::Point place, core::Vector vector, ren
     const glm::dvec2 from = frame.screen(place);
     const glm::dvec2 to = frame.screen(place + vector);
     draw_arrow(frame.pen, from, to, {.color = color, .width = 2.5});
-    if (!name.empty() && glm::distance(from, to) >= frame.pen.px(head_length))
+    if (!name.empty() && glm::distance(from, to) >= frame.pen.px(least_named_vector))
         wish_label(frame, place + vector, name, color, side_toward(to - from));
 }
 
 void wish_label(CanvasFrame& frame, core::Point place, const std::string& text, render::Color color, LabelSide first) {
-    frame.labels.push_back({.place = frame.screen(place),
-                            .words = {{text, {.color = color, .size = label_size, .font = render::LabelFont::bold}}},
-                            .first = first,
-                            .crowding = Crowding::cover_symbols});
+    frame.labels.push_back(
+        {.place = frame.screen(place),
+         .words = {{text, {.color = color, .size = joint_label_size, .font = render::LabelFont::bold}}},
+         .first = first,
+         .crowding = Crowding::cover_symbols});
 }
 
 void draw_median(CanvasFrame& frame, const core::Anticentroid& joint, render::Color color) {

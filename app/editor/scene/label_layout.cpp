@@ -19,7 +19,7 @@ constexpr double line_cost = 1.0;
 constexpr double symbol_cost = 4.0;
 constexpr double faint_line_cost = 0.5;
 constexpr double most_faint_cost = 2.0;
-constexpr double script_share = 0.2;  // of a line by which sub- and superscripts reach beyond it
+constexpr double script_reach = 0.2;  // of a line by which sub- and superscripts reach beyond it
 constexpr double gap_share = 0.25;    // of a line, beside a label
 constexpr double width_error = 0.1;   // of the width of a text that is not measured with its font
 
@@ -61,7 +61,7 @@ std::size_t cell_at(double coordinate, double cell_px, std::size_t count) {
 
 /// What a text with subscripts covers.
 render::PixelBox with_subscripts(const render::PixelBox& box) {
-    return {box.lower_px, box.upper_px + glm::dvec2(0.0, script_share * (box.upper_px.y - box.lower_px.y))};
+    return {box.lower_px, box.upper_px + glm::dvec2(0.0, script_reach * (box.upper_px.y - box.lower_px.y))};
 }
 
 LabelPlace place_at(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide side) {
@@ -182,7 +182,7 @@ double LabelLayout::cost_of(const Obstacle& obstacle, const render::PixelBox& bo
 
 double LabelLayout::cost(const render::PixelBox& box, double limit) {
     const render::PixelBox picture{{}, size_px_};
-    const glm::dvec2 beyond = glm::dvec2(width_error, script_share) * (box.upper_px - box.lower_px);
+    const glm::dvec2 beyond = glm::dvec2(width_error, script_reach) * (box.upper_px - box.lower_px);
     if (!picture.contains(box.lower_px - beyond) || !picture.contains(box.upper_px + beyond)) return impossible;
     const Cells across = columns(box.lower_px.x, box.upper_px.x);
     const Cells down = rows(box.lower_px.y, with_subscripts(box).upper_px.y);

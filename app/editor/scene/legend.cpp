@@ -13,7 +13,7 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double side_margin = 14.0;
+constexpr double legend_side_margin = 14.0;
 constexpr double bottom = 28.0;  // leaves room for the numbers of the grid
 constexpr double legend_height = 30.0;
 constexpr double legend_padding = 13.0;
@@ -69,7 +69,7 @@ LegendTexts texts_of(const EditorState& state, Length length) {
 
 /// Without words, then without its title, where the canvas is narrow.
 LegendTexts fitting_texts(const EditorState& state) {
-    const double room = state.view.camera.size_px.x / state.view.interface_scale - 2.0 * side_margin;
+    const double room = state.view.camera.size_px.x / state.view.interface_scale - 2.0 * legend_side_margin;
     LegendTexts texts = texts_of(state, Length::full);
     if (texts.width() > room) texts = texts_of(state, Length::brief);
     if (texts.width() > room) texts.title.clear();
@@ -91,8 +91,8 @@ render::PixelBox legend_box(const EditorState& state, Corner corner) {
     const bool is_lower = corner == Corner::lower_left || corner == Corner::lower_right;
     const std::optional<render::PixelBox> insets = insets_box(state);
     const double top =
-        corner == Corner::upper_right && insets ? insets->upper_px.y / scale + inset_distance : side_margin;
-    const glm::dvec2 lower{is_left ? side_margin : picture.x - side_margin - size.x,
+        corner == Corner::upper_right && insets ? insets->upper_px.y / scale + inset_distance : legend_side_margin;
+    const glm::dvec2 lower{is_left ? legend_side_margin : picture.x - legend_side_margin - size.x,
                            is_lower ? picture.y - bottom - size.y : top};
     return {scale * lower, scale * (lower + size)};
 }

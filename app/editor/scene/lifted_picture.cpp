@@ -18,8 +18,8 @@ constexpr double ray_beyond = 1.06;  // of the way to what is higher
 constexpr std::size_t generator_count = 32;
 constexpr int steps_of_bent_leg = 12;
 constexpr double lifted_width = 3.0;
-constexpr double title_height = 24.0;
-constexpr double inset_padding = 12.0;
+constexpr double lifted_title_height = 24.0;
+constexpr double lifted_padding = 12.0;
 constexpr double shadow_width = 2.25;
 
 /// One picture while it is drawn.
@@ -28,7 +28,7 @@ class LiftedPicture {
     LiftedPicture(CanvasFrame& frame, const render::PixelBox& box)
         : frame_(frame),
           stage_(lifted_stage(frame.state, box)),
-          pen_(frame.pen.within({box.lower_px + glm::dvec2(0.0, frame.pen.px(title_height)), box.upper_px})),
+          pen_(frame.pen.within({box.lower_px + glm::dvec2(0.0, frame.pen.px(lifted_title_height)), box.upper_px})),
           samples_(frame.kept->lifted(stage_.view)),
           is_from_above_(stage_.camera.pitch >= 0.0) {}
 
@@ -196,7 +196,7 @@ class LiftedPicture {
 
 void draw_lifted_picture(CanvasFrame& frame, const render::PixelBox& box) {
     draw_panel_box(frame.pen, frame.theme, box);
-    const glm::dvec2 padding(frame.pen.px(inset_padding));
+    const glm::dvec2 padding(frame.pen.px(lifted_padding));
     frame.pen.text(box.lower_px + padding + glm::dvec2(0.0, frame.pen.px(2.0)), "Homogeneous view",
                    {.color = frame.theme.dim, .size = 12.0});
     LiftedPicture(frame, box).draw();

@@ -9,7 +9,7 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double mark_radius = 6.0;
+constexpr double crossing_radius = 6.0;
 constexpr double handle_radius = 7.0;
 
 std::optional<ViewHandle> hovered_handle(const CanvasFrame& frame) {
@@ -21,7 +21,7 @@ void draw_contact(CanvasFrame& frame, const core::LineContact& contact) {
     if (contact.where.length() > 0.0 && contact.where.upper <= frame.curve->domain().upper)
         draw_part(frame, contact.where, {.color = frame.theme.parameter, .width = 8.0});
     const bool is_crossing = contact.kind == core::ContactKind::crossing;
-    frame.pen.symbol(frame.screen(contact.point), {.radius = mark_radius,
+    frame.pen.symbol(frame.screen(contact.point), {.radius = crossing_radius,
                                                    .fill = is_crossing ? frame.theme.parameter : frame.theme.canvas,
                                                    .outline = is_crossing ? frame.theme.canvas : frame.theme.parameter,
                                                    .outline_width = is_crossing ? 1.5 : 2.5});
@@ -59,7 +59,7 @@ void draw_line_crossings(CanvasFrame& frame) {
     if (const auto crossings = frame.state.measured.crossings(*frame.curve, *line)) {
         for (const core::LegCrossing& crossing : crossings->on_polygon)
             frame.pen.symbol(frame.screen(crossing.point), {.shape = render::MarkerShape::square,
-                                                            .radius = mark_radius,
+                                                            .radius = crossing_radius,
                                                             .fill = frame.theme.canvas,
                                                             .outline = frame.theme.text,
                                                             .outline_width = 2.5});

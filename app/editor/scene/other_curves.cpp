@@ -10,7 +10,7 @@ namespace batten::editor {
 namespace {
 
 constexpr double other_share = 0.55;
-constexpr double most_places = 4.0;  // of all lines, for each pixel of the picture's width
+constexpr double most_other_places = 4.0;  // of all lines, for each pixel of the picture's width
 
 /// A visible curve, by its place in the document.
 struct Other {
@@ -55,7 +55,7 @@ OtherInk inked(CanvasFrame& frame, const InkPlace& place, const std::vector<Othe
 
 /// The lines of the curves; none where they have too many places.
 std::vector<SeenLine> lines_of(CanvasFrame& frame, const std::vector<Other>& curves) {
-    const double most = most_places * frame.pen.size_px().x;
+    const double most = most_other_places * frame.pen.size_px().x;
     double places = 0.0;
     std::vector<SeenLine> lines;
     for (const Other& other : curves) {

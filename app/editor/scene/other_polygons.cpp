@@ -9,9 +9,9 @@ namespace batten::editor {
 
 namespace {
 
-constexpr std::size_t most_points = 200;
+constexpr std::size_t most_other_points = 200;
 constexpr double share_of_color = 0.6;
-constexpr double name_size = 12.0;
+constexpr double other_name_size = 12.0;
 
 /// The letters of the other curves' points; C is the curve itself.
 std::string_view letters_after(PointLetter letter) {
@@ -39,9 +39,9 @@ void draw_polygon(CanvasFrame& frame, const core::Curve& curve, char letter) {
                                      .outline_width = 1.0});
         frame.marks.push_back(places[i]);
         if (frame.shows(Overlay::labels))
-            frame.labels.push_back(
-                {.place = places[i],
-                 .words = {{fmt::format("{}_{{{}}}", letter, i), {.color = frame.theme.dim, .size = name_size}}}});
+            frame.labels.push_back({.place = places[i],
+                                    .words = {{fmt::format("{}_{{{}}}", letter, i),
+                                               {.color = frame.theme.dim, .size = other_name_size}}}});
     }
     if (curve.is_periodic()) places.push_back(places.front());
     frame.pen.line(places, {.color = render::blended(frame.theme.polygon, share_of_color, frame.theme.canvas),
@@ -58,11 +58,11 @@ void draw_other_polygons(CanvasFrame& frame) {
     const std::string_view letters = letters_after(frame.state.view.notation.points);
     std::size_t drawn = 0;
     std::size_t points = 0;
-    for (std::size_t i = 0; i < document.curves.size() && points <= most_points; ++i) {
+    for (std::size_t i = 0; i < document.curves.size() && points <= most_other_points; ++i) {
         const core::DocumentCurve& item = document.curves[i];
         if (i == document.active || !item.visible) continue;
         points += item.curve->control_points().size();
-        if (points <= most_points) draw_polygon(frame, *item.curve, letters[drawn++ % letters.size()]);
+        if (points <= most_other_points) draw_polygon(frame, *item.curve, letters[drawn++ % letters.size()]);
     }
 }
 

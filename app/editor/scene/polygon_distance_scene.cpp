@@ -16,7 +16,7 @@ namespace {
 constexpr double round_width = 1.5;
 constexpr double gap_width = 2.0;
 constexpr double curve_end_radius = 3.0;
-constexpr double label_size = 15.0;
+constexpr double gap_label_size = 15.0;
 constexpr std::size_t most_gaps = 200;
 
 /// A corner and the point of the curve at its abscissa.
@@ -50,7 +50,7 @@ void wish_length(CanvasFrame& frame, const Gap& gap) {
     frame.labels.push_back(
         {.place = middle,
          .words = {{number_text(gap.length()),
-                    {.color = frame.theme.error, .size = label_size, .font = render::LabelFont::bold}}},
+                    {.color = frame.theme.error, .size = gap_label_size, .font = render::LabelFont::bold}}},
          .distance = 12.0,
          .first = is_steep ? LabelSide::right : LabelSide::below,
          .crowding = Crowding::cover_symbols});

@@ -15,7 +15,7 @@ namespace batten::editor {
 namespace {
 
 constexpr double parameters_per_px = 0.5;  // of the picture's width
-constexpr double title_height = 17.0;
+constexpr double quantity_title_height = 17.0;
 constexpr double levels_in_grid = 5.0;  // how many times denser the numbers at the side are than those of the grid
 constexpr double head_room = 0.06;      // of the values, above and below
 
@@ -24,7 +24,7 @@ class QuantityPlot {
   public:
     QuantityPlot(PlotFrame& frame, core::Quantity quantity, render::PixelBox box)
         : frame_(frame), quantity_(quantity), box_(box) {
-        box_.lower_px.y += frame.pen.px(title_height);
+        box_.lower_px.y += frame.pen.px(quantity_title_height);
         const auto most = static_cast<std::size_t>(parameters_per_px * frame.pen.size_px().x) + 8;
         graph_ = frame.state.measured.graph(frame.curve, {quantity, frame.layout.range, most});
         const double length = graph_->values.length();
@@ -142,7 +142,7 @@ class QuantityPlot {
 
     void draw_title() {
         const bool is_curvature = quantity_ == core::Quantity::curvature;
-        const double height = box_.lower_px.y - frame_.pen.px(0.5 * title_height);
+        const double height = box_.lower_px.y - frame_.pen.px(0.5 * quantity_title_height);
         frame_.pen.text({frame_.pen.px(16.0), height}, is_curvature ? "Curvature κ(u)" : "Speed |C′(u)|",
                         {.color = frame_.theme.text, .size = 12.5, .font = render::LabelFont::bold});
         const auto value = core::quantity_at(frame_.curve, quantity_, frame_.u);

@@ -18,7 +18,7 @@ namespace {
 constexpr double cell_sample_spacing_px = 3.0;
 constexpr double most_cell_steps = 400.0;  // in a span
 constexpr double veil = 0.72;
-constexpr double label_distance = 10.0;
+constexpr double recurrence_label_distance = 10.0;
 constexpr double function_name_size = 13.0;
 constexpr double formula_size = 13.0;
 constexpr double title_room = 190.0;    // on the left
@@ -139,7 +139,7 @@ class CellDrawing {
         if (knots_[i] == knots_[i + k + 1]) return;
         for (const double shift : shifts_) {
             const glm::dvec2 top = peak(i, k, shift);
-            if (top.x >= 0.0) write_name(top - glm::dvec2(0.0, frame_.pen.px(label_distance)), i, k);
+            if (top.x >= 0.0) write_name(top - glm::dvec2(0.0, frame_.pen.px(recurrence_label_distance)), i, k);
         }
     }
 

@@ -13,11 +13,11 @@ constexpr double stroke_margin_px = 8.0;
 // A place of a stroke takes up to four vertices: with those of its parts a curve has at most eight for each pixel.
 constexpr double places_of_curve = 1.5;
 constexpr double places_of_polygon = 2.0;
-constexpr double least_width_px = 100.0;
+constexpr double least_seen_width_px = 100.0;
 
 core::StripRequest strip_request(const CanvasFrame& frame, double places_per_px) {
     const render::Camera& camera = frame.state.view.camera;
-    const double width = std::max(camera.size_px.x, least_width_px);
+    const double width = std::max(camera.size_px.x, least_seen_width_px);
     return {line_tolerance_px / camera.scale, frame.seen(frame.pen.px(stroke_margin_px)),
             static_cast<std::size_t>(places_per_px * width)};
 }

@@ -20,7 +20,7 @@ constexpr double arrow_length = 84.0;
 constexpr double tangent_reach = 170.0;
 constexpr double name_height = 14.0;
 constexpr double sagitta_px = 0.15;  // how far the polygon of the circle may be off it
-constexpr double most_steps = 400.0;
+constexpr double most_circle_steps = 400.0;
 constexpr double same_circle = 1e-9;  // relative difference of equal curvatures
 
 glm::dvec2 in_picture(core::Vector direction) {
@@ -38,7 +38,7 @@ std::vector<glm::dvec2> arc_places(const CanvasFrame& frame, const core::Osculat
     const double reach = glm::length(picture) + glm::distance(contact, 0.5 * picture);
     const double half = std::min(std::numbers::pi, 3.0 * reach / radius);
     const double steps =
-        std::clamp(std::ceil(half / std::sqrt(2.0 * sagitta_px / std::max(radius, 1.0))), 8.0, most_steps);
+        std::clamp(std::ceil(half / std::sqrt(2.0 * sagitta_px / std::max(radius, 1.0))), 8.0, most_circle_steps);
     std::vector<glm::dvec2> places;
     for (double k = -steps; k <= steps; k += 1.0) {
         const double angle = half * k / steps;

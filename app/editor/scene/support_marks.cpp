@@ -10,16 +10,16 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double band_width = 12.0;
+constexpr double support_band_width = 12.0;
 constexpr double band_step = 7.0;  // each further band is wider, so that all are seen
-constexpr double band_share = 0.45;
+constexpr double support_band_share = 0.45;
 constexpr double end_text_size = 12.5;
 constexpr double strip_opacity = 0.14;
 constexpr double axis_width = 6.0;
 
 void mark_end(CanvasFrame& frame, double u, core::Side side, std::size_t point) {
     const glm::dvec2 place = frame.screen(core::point_at(*frame.curve, u, side));
-    frame.pen.symbol(place, {.radius = 0.5 * band_width,
+    frame.pen.symbol(place, {.radius = 0.5 * support_band_width,
                              .fill = frame.theme.canvas,
                              .outline = frame.theme.point(frame.hue(point)),
                              .outline_width = 2.5});
@@ -37,9 +37,9 @@ void draw_support(CanvasFrame& frame) {
     const std::vector<std::size_t> points = points_with_support(frame.state);
     for (std::size_t k = points.size(); k-- > 0;) {
         const render::Color color =
-            render::blended(frame.theme.point(frame.hue(points[k])), band_share, frame.theme.canvas);
+            render::blended(frame.theme.point(frame.hue(points[k])), support_band_share, frame.theme.canvas);
         for (const core::Interval& part : highlight_of_point(*frame.curve, points[k]).parts)
-            draw_part(frame, part, {.color = color, .width = band_width + static_cast<double>(k) * band_step});
+            draw_part(frame, part, {.color = color, .width = support_band_width + static_cast<double>(k) * band_step});
     }
     for (const std::size_t point : points)
         for (const core::Interval& part : highlight_of_point(*frame.curve, point).parts) {

@@ -8,7 +8,7 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double edge_distance = 3.0;
+constexpr double row_edge_distance = 3.0;
 
 }  // namespace
 
@@ -18,8 +18,8 @@ bool TextRow::write(Pen& pen, glm::dvec2 position, const std::string& text, cons
                          : style.anchor == render::Anchor::center ? 0.5
                                                                   : 1.0;
     const double gap = pen.px(8.0);
-    const double least_x = share * size.x + pen.px(edge_distance);
-    const double most_x = pen.size_px().x - (1.0 - share) * size.x - pen.px(edge_distance);
+    const double least_x = share * size.x + pen.px(row_edge_distance);
+    const double most_x = pen.size_px().x - (1.0 - share) * size.x - pen.px(row_edge_distance);
     if (least_x <= most_x) position.x = std::clamp(position.x, least_x, most_x);
     const render::PixelBox box{{position.x - share * size.x, position.y - 0.5 * size.y},
                                {position.x + (1.0 - share) * size.x, position.y + 0.5 * size.y}};

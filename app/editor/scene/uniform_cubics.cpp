@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t most_beside = 40;  // joints on each side of the segment at u that are drawn
 constexpr double least_median = 12.0;    // design pixels; shorter ones would be blots
 constexpr double light_share = 0.45;
-constexpr double least_named = 24.0;  // design pixels; smaller constructions have no names
+constexpr double least_named_triangle = 24.0;  // design pixels; smaller constructions have no names
 constexpr int steps_of_segment = 16;
 
 std::optional<ShownCubic> cubic_of(const CanvasFrame& frame) {
@@ -90,7 +90,7 @@ glm::dvec2 direction(glm::dvec2 vector) {
 void label_median(CanvasFrame& frame, const core::Anticentroid& joint) {
     const glm::dvec2 vertex = frame.screen(joint.vertex);
     const glm::dvec2 middle = frame.screen(joint.base_middle);
-    if (glm::distance(vertex, middle) < frame.pen.px(least_named)) return;
+    if (glm::distance(vertex, middle) < frame.pen.px(least_named_triangle)) return;
     const glm::dvec2 along = direction(middle - vertex);
     const glm::dvec2 back = direction(frame.screen(joint.before) - frame.screen(joint.after));
     wish_label(frame, joint.anticentroid, "S", frame.theme.text, side_toward(back));
@@ -147,7 +147,8 @@ std::vector<core::Point> outer_points(const core::Curve& curve, core::CurveEnd e
 /// Whether the leg at the end, the last one of these, is long enough.
 bool is_named(const CanvasFrame& frame, const std::vector<core::Point>& points) {
     const std::size_t n = points.size();
-    return glm::distance(frame.screen(points[n - 2]), frame.screen(points[n - 3])) >= frame.pen.px(least_named);
+    return glm::distance(frame.screen(points[n - 2]), frame.screen(points[n - 3])) >=
+           frame.pen.px(least_named_triangle);
 }
 
 void draw_phantom(CanvasFrame& frame, const std::vector<core::Point>& points, core::CurveEnd end, render::Color color) {
@@ -259,7 +260,7 @@ void draw_ferguson_form(CanvasFrame& frame) {
         draw_joint(frame, joint.anticentroid, light(frame, frame.theme.text));
     }
     const bool has_names = glm::distance(frame.screen(cubic->start.anticentroid),
-                                         frame.screen(cubic->end.anticentroid)) >= frame.pen.px(least_named);
+                                         frame.screen(cubic->end.anticentroid)) >= frame.pen.px(least_named_triangle);
     const auto draw = [&](const core::Anticentroid& joint, const char* place, const char* tangent) {
         if (!is_drawable(joint)) return;
         draw_vector(frame, joint.anticentroid, joint.tangent, tangent_color(frame), tangent);
