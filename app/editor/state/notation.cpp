@@ -22,9 +22,11 @@ bool is_part_of_word(char c) {
     return is_letter(c) || is_digit(c) || c == '\'';
 }
 
-/// Whether the letter at `place` stands by itself; a factor may stand before it, as in "3u", and an index may follow.
+/// Whether the letter at `place` stands by itself; a factor may stand before it, as in "3u", or the d of "du", and an
+/// index may follow.
 bool stands_alone(std::string_view text, std::size_t place) {
     std::size_t factor = place;
+    if (text[place] == 'u' && factor > 0 && text[factor - 1] == 'd') --factor;
     while (factor > 0 && is_digit(text[factor - 1])) --factor;
     const bool begins = factor == 0 || !is_part_of_word(text[factor - 1]);
     const bool ends = place + 1 == text.size() || !is_letter(text[place + 1]);

@@ -24,6 +24,7 @@ TEST(Notation, replaces_letters_that_stand_by_themselves) {
     EXPECT_EQ(notated("P, C′(u); 3 P_{0}", lecture), "V, C′(t); 3 V_{0}");
     EXPECT_EQ(notated("(−3u^{3} + 21u + 12P_{1})/6", lecture), "(−3t^{3} + 21t + 12V_{1})/6");
     EXPECT_EQ(notated("x2u, N3u", lecture), "x2u, N3u");
+    EXPECT_EQ(notated("s = ∫ |C′(u)| du, due, Dudu", lecture), "s = ∫ |C′(t)| dt, due, Dudu");
 }
 
 TEST(Notation, leaves_words_alone) {
