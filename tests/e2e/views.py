@@ -1,6 +1,6 @@
 """The teaching views as docs/tour.md shows them: which example, which overlays, what is done, what is then on screen.
 
-views.py BINARY FOLDER [NAME...] leaves the pictures of the tour in FOLDER; scripts/tour puts them into docs/tour.
+views.py BINARY [NAME...] takes the pictures of docs/tour, and of assets/screenshots where no NAME is given; see scripts/tour.
 """
 
 import contextlib
@@ -16,7 +16,10 @@ from driver import Display, Editor
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "assets" / "examples"
 BASIC = ("polygon", "knots", "labels", "grid")
+TOUR = ROOT / "docs" / "tour"
+SCREENSHOTS = ROOT / "assets" / "screenshots"
 PICTURE_SIZE = (1280, 720)
+SCREENSHOT_SIZE = (1440, 900)
 WITHOUT_CARD = ("hull", "construction", "bezier-pieces", "curvature-comb", "hodograph", "second-hodograph", "curvature-plot", "speed-plot")
 
 
@@ -165,20 +168,33 @@ def shown(view, binary, display, artifacts):
             yield editor
 
 
-def take_picture(view, binary, display, folder):
-    with shown(view, binary, display, folder) as editor:
-        picture = editor.screenshot(view.name)
+def take_picture(editor, name):
+    picture = editor.screenshot(name)
     # A palette without dithering keeps the folder small, and the picture the same in every run.
     subprocess.run(["convert", picture, "+dither", "-colors", "128", "-strip", f"PNG8:{picture}"], check=True)
+    print(picture)
+
+
+def take_screenshots(binary):
+    """Of the editor without views: a cell of the construction lit, and two knots merged."""
+    view = View("dark", "wave", ("hull", "construction"), hover="cell 1 1", has_inspector=True)
+    with Display(*SCREENSHOT_SIZE) as display:
+        with shown(view, binary, display, SCREENSHOTS) as editor:
+            take_picture(editor, "dark")
+        with shown(dataclasses.replace(view, hover=None, is_light=True), binary, display, SCREENSHOTS) as editor:
+            editor.drag(editor.strip_knot(5), editor.strip_knot(4))
+            take_picture(editor, "light")
 
 
 def main():
-    binary, folder, *names = sys.argv[1:]
+    binary, *names = sys.argv[1:]
     with Display(*PICTURE_SIZE) as display:
         for view in VIEWS:
             if not names or view.name in names:
-                take_picture(view, binary, display, folder)
-                print(f"{folder}/{view.name}.png")
+                with shown(view, binary, display, TOUR) as editor:
+                    take_picture(editor, view.name)
+    if not names:
+        take_screenshots(binary)
 
 
 if __name__ == "__main__":

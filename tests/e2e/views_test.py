@@ -10,7 +10,7 @@ from case import WindowTest
 
 SMALL = (1280, 720)
 LARGE = (1920, 1080)
-TOUR = views.ROOT / "docs" / "tour.md"
+TOUR = views.TOUR.with_suffix(".md")
 
 
 def texts_of(state):
@@ -133,9 +133,9 @@ class TourTest(unittest.TestCase):
             self.assertIn(f"`toggle-{name}`", tour)
         pictures = re.findall(r"\]\(tour/([\w-]+)\.png\)", tour)
         self.assertEqual(sorted(pictures), sorted(view.name for view in views.VIEWS))
-        self.assertEqual({path.stem for path in (TOUR.parent / "tour").iterdir()}, set(pictures))
+        self.assertEqual({path.stem for path in views.TOUR.iterdir()}, set(pictures))
         for picture in pictures:
-            size = identified(TOUR.parent / "tour" / f"{picture}.png", "%w %h")
+            size = identified(views.TOUR / f"{picture}.png", "%w %h")
             self.assertEqual(size, "{} {}".format(*views.PICTURE_SIZE), picture)
 
 
