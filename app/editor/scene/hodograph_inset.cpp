@@ -9,6 +9,7 @@
 #include "app/editor/scene/curve_strokes.h"
 #include "app/editor/scene/inset_map.h"
 #include "app/editor/scene/panel_box.h"
+#include "app/editor/scene/text_size.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 
@@ -198,8 +199,10 @@ void draw_inset(CanvasFrame& frame, const render::PixelBox& box, std::size_t ord
     const Theme& theme = frame.theme;
     draw_panel_box(pen, theme, box);
     const render::PixelBox area = hodograph_area(box, pen.px(1.0));
-    pen.text({area.lower_px.x, box.lower_px.y + pen.px(15.0)}, title_of(frame, hodograph),
-             {.color = theme.dim, .size = 11.5});
+    const std::string title = title_of(frame, hodograph);
+    const TextStyle style{.color = theme.dim, .size = 11.5};
+    const bool has_room = text_size(title, pen.px(style.size)).x <= area.upper_px.x - area.lower_px.x;
+    pen.text({area.lower_px.x, box.lower_px.y + pen.px(15.0)}, has_room ? title : hodograph.name(), style);
     const std::optional<core::PointRuns> runs = hodograph_runs(frame, hodograph, area);
     core::Box drawn = runs ? box_of(*runs) : with_origin(hodograph.strips->box());
     for (const auto& run : hodograph.polygon)

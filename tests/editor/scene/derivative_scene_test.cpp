@@ -222,5 +222,21 @@ TEST(Derivatives, of_the_worst_curves_are_drawn_without_fault) {
     }
 }
 
+TEST(HodographScene, titles_stay_in_their_insets) {
+    EditorState state =
+        showing(two_cubics(), {Overlay::hodograph, Overlay::second_hodograph, Overlay::homogeneous, Overlay::labels});
+    for (const double width : {528.0, 1048.0}) {
+        state.view.camera.size_px = {width, 338.0};
+        const render::DrawList list = scene_of(state);
+        EXPECT_EQ(test::has_text(list, "C″(u) and its polygon"), width > 1000.0);
+        for (const render::Label& label : all_of<render::Label>(list)) {
+            if (!label.text.starts_with("C′(u)") && !label.text.starts_with("C″(u)")) continue;
+            const auto place = inset_at(state, glm::dvec2(label.position));
+            ASSERT_TRUE(place) << label.text;
+            EXPECT_LE(test::box_of(label).upper_px.x, place->box.upper_px.x) << label.text << " " << width;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace batten::editor
