@@ -5,11 +5,14 @@
 
 #include <array>
 #include <limits>
+#include <string_view>
 
 #include "app/editor/state/state.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/style.h"
+#include "core/base/number_text.h"
+#include "core/base/sentence.h"
 
 namespace batten::ui {
 
@@ -107,6 +110,17 @@ std::string meaning_of(const PanelContext& context, const Field& field) {
                                : fmt::format("{}; {}", field.parts[0].meaning, field.parts[1].meaning));
 }
 
+/// The meaning of a degree with the order that belongs to `text`, where the notation has orders.
+std::string meaning_with_order(const PanelContext& context, const Field& field, const std::string& text) {
+    const std::string meaning = meaning_of(context, field);
+    const bool has_order = context.state.view.notation.degree == editor::DegreeOrOrder::order;
+    const auto degree = core::leading_number(text);
+    if (!has_order || field.kind != FieldKind::count || std::string_view(field.parts[0].name) != "degree" || !degree)
+        return meaning;
+    return core::sentence("{meaning}; k = {order}",
+                          {{"meaning", meaning}, {"order", core::shortest_text(degree->value + 1.0)}});
+}
+
 }  // namespace
 
 float wrapped_height_px(const std::string& text, ImFont* font, float width_px) {
@@ -114,8 +128,8 @@ float wrapped_height_px(const std::string& text, ImFont* font, float width_px) {
 }
 
 float form_row_height_px(const PanelContext& context, const editor::Field& field, float width_px) {
-    const float meaning =
-        wrapped_height_px(meaning_of(context, field), context.fonts.small, width_px - context.px(name_width));
+    const float meaning = wrapped_height_px(meaning_with_order(context, field, "25"), context.fonts.small,
+                                            width_px - context.px(name_width));
     return ImGui::GetFrameHeight() + context.px(meaning_gap) + meaning + context.px(form_row_gap);
 }
 
@@ -130,7 +144,8 @@ void draw_form_row(const PanelContext& context, const editor::Field& field, std:
     draw_inputs(context, field, texts, whole - left);
     ImGui::GetWindowDrawList()->AddText(context.fonts.small, font_height(context.fonts.small),
                                         {origin.x + left, origin.y + ImGui::GetFrameHeight() + context.px(meaning_gap)},
-                                        imgui_packed(context.theme.dim), meaning_of(context, field).c_str(), nullptr,
+                                        imgui_packed(context.theme.dim),
+                                        meaning_with_order(context, field, texts.front()).c_str(), nullptr,
                                         whole - left);
     ImGui::SetCursorScreenPos({origin.x, origin.y + form_row_height_px(context, field, whole)});
 }
