@@ -9,8 +9,8 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double merged_spans = 24.0;      // of sixteen spans that are shorter together the first is drawn
-constexpr double most_piece_points = 1.0;  // for each pixel of the picture's width
+constexpr double merged_polygon_spans = 24.0;  // of sixteen spans that are shorter together the first is drawn
+constexpr double most_piece_points = 1.0;      // for each pixel of the picture's width
 constexpr double piece_margin = 8.0;
 
 /// The places of a piece's points; none where it is not seen.
@@ -43,8 +43,8 @@ Thinned draw_bezier_pieces(CanvasFrame& frame) {
     Thinned pieces;
     std::vector<std::size_t> spans;
     frame.kept->strips().visit_spans(frame.seen(frame.pen.px(piece_margin)),
-                                     frame.pen.px(merged_spans) / frame.state.view.camera.scale, most_candidates(frame),
-                                     [&](std::size_t span, core::Point, std::size_t count) {
+                                     frame.pen.px(merged_polygon_spans) / frame.state.view.camera.scale,
+                                     most_candidates(frame), [&](std::size_t span, core::Point, std::size_t count) {
                                          spans.push_back(span);
                                          pieces.seen += count;
                                      });
