@@ -27,8 +27,8 @@ constexpr double line_gap = 3.0;
 constexpr double column_gap = 14.0;
 constexpr double row_padding = 3.0;
 constexpr double button_padding = 12.0;
-constexpr double bar_height = 10.0;
-constexpr std::size_t most_lines = 12;
+constexpr double scroll_bar_height = 10.0;
+constexpr std::size_t most_text_lines = 12;
 
 render::Color color_of(const editor::Theme& theme, const CardText& text) {
     if (text.color) return *text.color;
@@ -64,7 +64,7 @@ class CardPainter {
                        : line.text.tone == CardTone::strong ? context_.fonts.bold
                                                             : context_.fonts.text;
         const std::string text = editor::notated(line.text.text, context_.state.view.notation);
-        const TextLines lines = broken_into_lines(text, font, width_, most_lines);
+        const TextLines lines = broken_into_lines(text, font, width_, most_text_lines);
         const float pitch = std::round(font_pitch(font));
         const ImVec2 size(width_, pitch * static_cast<float>(lines.lines.size()));
         begin_item(size);
@@ -127,7 +127,7 @@ class CardPainter {
     /// A part of the card that scrolls sideways where it is wider than the card.
     void begin_block(float width, float height) {
         is_wide_ = width > width_ + 0.5F;
-        const float whole = height + (is_wide_ ? context_.px(bar_height) : 0.0F);
+        const float whole = height + (is_wide_ ? context_.px(scroll_bar_height) : 0.0F);
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
         ImGui::BeginChild(fmt::format("{} block {}", name_, block_++).c_str(), ImVec2(width_, whole), false,
                           (is_wide_ ? ImGuiWindowFlags_HorizontalScrollbar : ImGuiWindowFlags_None) |

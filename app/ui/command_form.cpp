@@ -185,7 +185,7 @@ void draw_footer(const PanelContext& context) {
     if (problem.empty()) apply(context);
 }
 
-void draw_rows(const PanelContext& context) {
+void draw_form_rows(const PanelContext& context) {
     FormState& form = context.panels.form;
     ImGui::BeginChild("rows", ImVec2(0.0F, -footer_height_px(context)), false);
     for (std::size_t i = 0; i < form.spec->fields.size(); ++i)
@@ -235,7 +235,7 @@ void draw_command_form(const PanelContext& context, const Rectangle& window, con
     ImGui::TextDisabled("%s", context.notated(form.spec->explanation).c_str());
     ImGui::PopTextWrapPos();
     ImGui::Dummy(ImVec2(1.0F, context.px(explanation_gap) - ImGui::GetStyle().ItemSpacing.y));
-    draw_rows(context);
+    draw_form_rows(context);
     draw_footer(context);
     end_dialog();
     follow_texts(context);

@@ -25,7 +25,7 @@ namespace {
 
 using editor::CommandSpec;
 
-constexpr double row_height = 28.0;
+constexpr double entry_height = 28.0;
 
 /// Puts the text that the palette itself wrote into the active field, and the cursor behind it.
 int follow_replacement(ImGuiInputTextCallbackData* data) {
@@ -38,7 +38,7 @@ int follow_replacement(ImGuiInputTextCallbackData* data) {
     return 0;
 }
 
-void draw_input(const PanelContext& context) {
+void draw_palette_input(const PanelContext& context) {
     PaletteState& palette = context.panels.palette;
     if (!palette.was_open || palette.takes_focus) {
         ImGui::SetKeyboardFocusHere();
@@ -125,7 +125,7 @@ void draw_row_texts(const PanelContext& context, const PaletteEntry& entry, cons
 void draw_row(const PanelContext& context, const PaletteEntry& entry, bool is_chosen, bool follows_keys) {
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::PushID(entry.name.c_str());
-    const bool is_clicked = ImGui::InvisibleButton("##row", ImVec2(width, context.px(row_height)));
+    const bool is_clicked = ImGui::InvisibleButton("##row", ImVec2(width, context.px(entry_height)));
     ImGui::PopID();
     const Rectangle place = last_item_place();
     report_item(context, fmt::format("palette-item {}", entry.name), is_chosen ? "chosen" : "");
@@ -153,7 +153,7 @@ bool move_choice(const PanelContext& context, std::size_t count) {
 }
 
 /// "which knot (whole number; left out: 3)"
-std::string meaning_of(const PanelContext& context, const editor::Field& field, const editor::FieldPart& part) {
+std::string part_meaning(const PanelContext& context, const editor::Field& field, const editor::FieldPart& part) {
     const core::Place meaning("meaning", part.meaning);
     const core::Place kind("kind", editor::kind_text(field));
     const editor::FieldValue suggestion = field.suggestion(context.state);
@@ -169,7 +169,7 @@ void draw_field(const PanelContext& context, const editor::Field& field) {
         ImGui::TextUnformatted(part.name);
         ImGui::PopFont();
         ImGui::SameLine(context.px(110));
-        ImGui::TextWrapped("%s", context.notated(meaning_of(context, field, part)).c_str());
+        ImGui::TextWrapped("%s", context.notated(part_meaning(context, field, part)).c_str());
     }
 }
 
@@ -204,7 +204,7 @@ void draw_list(const PanelContext& context, const std::vector<PaletteEntry>& ent
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
     // While arguments are typed what they mean stands right below.
     const bool has_arguments = spec_being_typed(context.panels.palette.typed) != nullptr;
-    const float height = has_arguments ? context.px(row_height + 6.0) : -explanation_height(context, spec);
+    const float height = has_arguments ? context.px(entry_height + 6.0) : -explanation_height(context, spec);
     ImGui::BeginChild("list", ImVec2(0.0F, height), false, ImGuiWindowFlags_NoNav);
     for (std::size_t i = 0; i < entries.size(); ++i) draw_row(context, entries[i], i == chosen, follows_keys);
     ImGui::EndChild();
@@ -240,7 +240,7 @@ void draw_command_palette(const PanelContext& context, const Rectangle& window) 
     frame.is_at_top = true;
     const bool is_left =
         begin_dialog(context, window, frame) || was_pressed(context, editor::Key::p, {true, false, false});
-    draw_input(context);
+    draw_palette_input(context);
     draw_list(context, find_entries(context, palette.typed));
     end_dialog();
     if (!is_left) return;

@@ -20,7 +20,7 @@ constexpr double padding = 18.0;
 constexpr double title_gap = 12.0;
 constexpr double rounding = 10.0;
 
-Rectangle place_of(const PanelContext& context, const Rectangle& window, const DialogFrame& frame) {
+Rectangle dialog_place(const PanelContext& context, const Rectangle& window, const DialogFrame& frame) {
     const glm::dvec2 corner = frame.beside ? frame.beside->origin_px : window.origin_px;
     const glm::dvec2 room = window.origin_px + window.size_px - corner - 2.0 * margin * context.scale;
     const glm::dvec2 size(std::floor(std::min(frame.size.x * context.scale, room.x)),
@@ -81,7 +81,7 @@ bool draw_title(const PanelContext& context, const std::string& title) {
 }  // namespace
 
 bool begin_dialog(const PanelContext& context, const Rectangle& window, const DialogFrame& frame) {
-    const Rectangle place = place_of(context, window, frame);
+    const Rectangle place = dialog_place(context, window, frame);
     const bool is_clicked_outside = begin_cover(context, window, place, !frame.beside);
     const glm::vec2 corner(place.origin_px);
     const glm::vec2 size(place.size_px);

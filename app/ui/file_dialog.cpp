@@ -143,7 +143,7 @@ void scroll_to_choice(FileDialogState& dialog, float pitch_px) {
 }
 
 /// Draws the rows that are in sight; returns which one was clicked, if one was.
-std::optional<std::size_t> draw_rows(const PanelContext& context, float pitch_px) {
+std::optional<std::size_t> draw_file_rows(const PanelContext& context, float pitch_px) {
     const FileChoice& choice = context.panels.file_dialog.choice;
     std::optional<std::size_t> clicked;
     ImGuiListClipper clipper;
@@ -208,7 +208,7 @@ void draw_entries(const PanelContext& context, float height_px) {
     const float pitch = ImGui::GetTextLineHeightWithSpacing();
     move_by_keys(context, page_of(ImGui::GetContentRegionAvail().y, pitch));
     scroll_to_choice(dialog, pitch);
-    const std::optional<std::size_t> clicked = draw_rows(context, pitch);
+    const std::optional<std::size_t> clicked = draw_file_rows(context, pitch);
     if (dialog.choice.shown.empty()) ImGui::TextDisabled("%s", reason_of_no_rows(dialog.choice));
     ImGui::EndChild();
     ImGui::PopStyleVar(2);

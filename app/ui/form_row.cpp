@@ -58,7 +58,7 @@ void draw_combo(const PanelContext& context, const FieldPart& part, std::string&
     ImGui::EndCombo();
 }
 
-void draw_choice(const PanelContext& context, const Field& field, std::string& text, float width) {
+void draw_choice_field(const PanelContext& context, const Field& field, std::string& text, float width) {
     draw_combo(
         context, field.parts.front(), text, width, field.choices, [](const editor::Choice& c) { return c.name; },
         [](const editor::Choice& c) { return c.title; });
@@ -83,7 +83,7 @@ void draw_curve_names(const PanelContext& context, const Field& field, std::stri
 void draw_inputs(const PanelContext& context, const Field& field, std::vector<std::string>& texts, float width) {
     switch (field.kind) {
         case FieldKind::choice:
-            return draw_choice(context, field, texts.front(), width);
+            return draw_choice_field(context, field, texts.front(), width);
         case FieldKind::flag:
             return draw_flag(context, field, texts.front(), width);
         case FieldKind::curve_name:

@@ -193,7 +193,7 @@ BarLayout layout_of(const PanelContext& context, float room_px) {
     return layout;
 }
 
-void draw_name(const PanelContext& context) {
+void draw_document_name(const PanelContext& context) {
     ImGui::PushFont(context.fonts.bold);
     ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.accent));
     ImGui::TextUnformatted(program_name);
@@ -229,7 +229,7 @@ void draw_menu_bar(const PanelContext& context, const Rectangle& place) {
     const BarLayout layout = layout_of(context, static_cast<float>(place.size_px.x) - 2.0F * context.px(16));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(layout.gap, context.px(4)));
     if (ImGui::BeginMenuBar()) {
-        if (layout.has_name) draw_name(context);
+        if (layout.has_name) draw_document_name(context);
         for (std::size_t i = 0; i < layout.shown; ++i) draw_menu(context, menus()[i], place);
         if (layout.shown < menus().size()) draw_rest_of_menus(context, layout.shown, place);
         draw_file_name(context, place);

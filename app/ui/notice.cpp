@@ -20,7 +20,7 @@ namespace {
 constexpr double most_width = 560.0;
 constexpr double notice_padding = 12.0;
 constexpr double sign_width = 26.0;
-constexpr double cross_size = 24.0;
+constexpr double notice_cross_size = 24.0;
 
 /// A triangle with an exclamation mark.
 void draw_warning_sign(const PanelContext& context, float left, float center_y) {
@@ -32,9 +32,10 @@ void draw_warning_sign(const PanelContext& context, float left, float center_y) 
     list->AddCircleFilled(at(8, 4.8), context.px(1), color);
 }
 
-Rectangle place_of(const PanelContext& context, const Rectangle& canvas, ImVec2 text_size) {
-    const glm::dvec2 size(text_size.x + context.px(2.0 * notice_padding + sign_width + cross_size + 8.0),
-                          std::max(text_size.y, context.px(cross_size)) + context.px(2.0 * notice_padding - 4.0));
+Rectangle notice_place(const PanelContext& context, const Rectangle& canvas, ImVec2 text_size) {
+    const glm::dvec2 size(
+        text_size.x + context.px(2.0 * notice_padding + sign_width + notice_cross_size + 8.0),
+        std::max(text_size.y, context.px(notice_cross_size)) + context.px(2.0 * notice_padding - 4.0));
     return {{std::floor(canvas.origin_px.x + 0.5 * (canvas.size_px.x - size.x)), canvas.origin_px.y + context.px(16)},
             size};
 }
@@ -47,9 +48,9 @@ void draw_notice(const PanelContext& context, const Rectangle& canvas) {
     const std::string text = context.notated(editor::reading_text(message.text));
     const float room =
         static_cast<float>(std::min(most_width * context.scale, canvas.size_px.x - 48.0 * context.scale)) -
-        context.px(2.0 * notice_padding + sign_width + cross_size + 8.0);
+        context.px(2.0 * notice_padding + sign_width + notice_cross_size + 8.0);
     const ImVec2 text_size = ImGui::CalcTextSize(text.c_str(), nullptr, false, std::max(room, context.px(80)));
-    const Rectangle place = place_of(context, canvas, text_size);
+    const Rectangle place = notice_place(context, canvas, text_size);
     const glm::vec2 corner(place.origin_px);
     const glm::vec2 size(place.size_px);
     ImGui::SetNextWindowPos({corner.x, corner.y});
@@ -73,9 +74,9 @@ void draw_notice(const PanelContext& context, const Rectangle& canvas) {
     ImGui::InvisibleButton("text", text_size);
     report_item(context, "notice text", text);
     offer_full_message(context, message.text, {corner.x, corner.y + size.y + context.px(4)}, {0.0, 0.0});
-    ImGui::SetCursorScreenPos({corner.x + size.x - context.px(notice_padding + cross_size - 4.0),
+    ImGui::SetCursorScreenPos({corner.x + size.x - context.px(notice_padding + notice_cross_size - 4.0),
                                corner.y + context.px(notice_padding - 2.0)});
-    if (draw_cross_button(context, "notice dismiss", context.px(cross_size)))
+    if (draw_cross_button(context, "notice dismiss", context.px(notice_cross_size)))
         context.queue.run(editor::DismissMessage{});
     if (ImGui::IsWindowHovered() && asks_for_menu())
         open_context_menu(context, editor::OnText{context.notated(message.text)});

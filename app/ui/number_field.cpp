@@ -36,7 +36,7 @@ std::string number_of(const NumberField& field) {
 }
 
 /// The text that fits: fewer digits rather than cut ones, at last one digit and the power of ten.
-std::string shown_text(const PanelContext& context, const NumberField& field, float room_px) {
+std::string shown_number(const PanelContext& context, const NumberField& field, float room_px) {
     ImFont* font = context.fonts.number;
     const auto fits = [&](const std::string& text) {
         return rich_text_size(text, font, font_height(font)).width_px <= room_px;
@@ -48,7 +48,7 @@ std::string shown_text(const PanelContext& context, const NumberField& field, fl
 }
 
 /// What is not all on the field is in its tip.
-std::string tooltip_of(const NumberField& field, const std::string& shown) {
+std::string number_tooltip(const NumberField& field, const std::string& shown) {
     std::string full = editor::full_reading_text(core::shortest_text(field.value)) + field.unit;
     const bool is_exact = editor::without_trailing_zeros(shown) == full || shown == full;
     if (is_exact) return field.tooltip;
@@ -110,12 +110,12 @@ std::optional<NumberEdit> press(const PanelContext& context, const NumberField& 
     const bool is_clicked = ImGui::InvisibleButton(field.name.c_str(), size);
     const bool is_hovered = ImGui::IsItemHovered() && field.is_enabled;
     draw_field_frame(context, origin, size, is_hovered || ImGui::IsItemActive());
-    const std::string text = shown_text(context, field, size.x - 2.0F * context.px(number_padding));
+    const std::string text = shown_number(context, field, size.x - 2.0F * context.px(number_padding));
     const render::Color color = field.is_enabled ? context.theme.text : context.theme.dim;
     draw_text(context, ImVec2(origin.x + context.px(number_padding), origin.y + 0.5F * size.y),
               {text, context.fonts.number, 0.0, color});
     report_item(context, field.name, text);
-    if (!ImGui::IsItemActive()) show_tooltip(context, tooltip_of(field, text));
+    if (!ImGui::IsItemActive()) show_tooltip(context, number_tooltip(field, text));
     if (!field.is_enabled) return std::nullopt;
     if (is_hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
 

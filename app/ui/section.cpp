@@ -56,7 +56,7 @@ void draw_heading_texts(const PanelContext& context, const Section& section) {
                                         imgui_packed(context.theme.line), context.px(1));
 }
 
-float label_width(const PanelContext& context) {
+float row_label_room(const PanelContext& context) {
     return std::floor(std::min(context.px(row_label_width), largest_label_share * content_width(context)));
 }
 
@@ -87,12 +87,12 @@ void draw_row_label(const PanelContext& context, const std::string& label) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     draw_text(context, ImVec2(origin.x, origin.y + context.px(12)),
               {label, context.fonts.text, 0.0, context.theme.dim, render::Anchor::left,
-               label_width(context) - context.px(row_gap)});
-    ImGui::SetCursorScreenPos(ImVec2(origin.x + label_width(context), origin.y));
+               row_label_room(context) - context.px(row_gap)});
+    ImGui::SetCursorScreenPos(ImVec2(origin.x + row_label_room(context), origin.y));
 }
 
 float field_width(const PanelContext& context) {
-    return content_width(context) - label_width(context);
+    return content_width(context) - row_label_room(context);
 }
 
 void add_space(const PanelContext& context, double design_px) {

@@ -24,7 +24,7 @@ namespace {
 
 constexpr double bar_margin = 16.0;
 constexpr double gap = 20.0;
-constexpr std::size_t most_lines = 2;
+constexpr std::size_t most_hint_lines = 2;
 constexpr double straight = 1e-12;  ///< of curvature times size, which is not above its rounding
 /// The scale of the camera that is called 100 %, in design pixels for a unit.
 constexpr double full_zoom = 64.0;
@@ -54,7 +54,7 @@ std::string text_of(const Readout& readout) {
 }
 
 /// As many digits as a pixel of the canvas tells apart.
-int decimals_of(const render::Camera& camera) {
+int pixel_decimals(const render::Camera& camera) {
     return std::clamp(static_cast<int>(std::ceil(std::log10(camera.scale))), 0, 12);
 }
 
@@ -65,7 +65,7 @@ std::string coordinate_text(double value, int decimals) {
 
 void add_position(const PanelContext& context, std::vector<Readout>& readouts) {
     const render::Camera& camera = context.state.view.camera;
-    const int decimals = decimals_of(camera);
+    const int decimals = pixel_decimals(camera);
     const std::size_t columns = static_cast<std::size_t>(std::max(7, decimals + 5));
     std::string x = "–";
     std::string y = "–";
@@ -106,7 +106,7 @@ std::vector<Readout> readouts_of(const PanelContext& context, double frames_per_
     return readouts;
 }
 
-float width_of(const PanelContext& context, const std::vector<Readout>& readouts) {
+float readouts_width(const PanelContext& context, const std::vector<Readout>& readouts) {
     float width = 0.0F;
     for (const Readout& readout : readouts)
         width += text_width(text_of(readout), context.fonts.number) + context.px(gap);
@@ -154,8 +154,8 @@ StatusTexts arranged(const PanelContext& context, ImFont* font, const std::strin
                      float room_px, float share) {
     StatusTexts texts{font, {}, {}};
     const float most_px = hint.empty() ? room_px : share * room_px;
-    texts.message = broken_into_lines(message, font, most_px, most_lines);
-    texts.hint = broken_into_lines(hint, font, room_px - texts.message.width_px - context.px(gap), most_lines);
+    texts.message = broken_into_lines(message, font, most_px, most_hint_lines);
+    texts.hint = broken_into_lines(hint, font, room_px - texts.message.width_px - context.px(gap), most_hint_lines);
     return texts;
 }
 
@@ -163,7 +163,7 @@ StatusTexts arranged(const PanelContext& context, ImFont* font, const std::strin
 StatusTexts arranged(const PanelContext& context, const std::string& hint, const std::string& message,
                      std::vector<Readout>& readouts, float room_px) {
     for (;;) {
-        const float room = room_px - width_of(context, readouts);
+        const float room = room_px - readouts_width(context, readouts);
         for (const float share : {0.5F, 0.35F}) {
             StatusTexts texts = arranged(context, context.fonts.text, hint, message, room, share);
             if (texts.are_whole()) return texts;
@@ -238,7 +238,7 @@ void draw_status_bar(const PanelContext& context, const Rectangle& place, const 
     const float room = static_cast<float>(place.size_px.x) - 2.0F * context.px(bar_margin);
     std::vector<Readout> readouts = readouts_of(context, frames_per_second);
     const StatusTexts texts = arranged(context, hint, text, readouts, room);
-    const float begin = left + room - width_of(context, readouts);
+    const float begin = left + room - readouts_width(context, readouts);
     draw_readouts(context, place, readouts, begin);
     draw_status_text(context, "status message", text, texts.message, texts.font, begin - texts.message.width_px, place,
                      message.is_error ? context.theme.error : context.theme.text);

@@ -14,12 +14,12 @@ namespace batten::ui {
 
 namespace {
 
-constexpr double side_margin = 16.0;
-constexpr double edge_margin = 8.0;
+constexpr double title_side_margin = 16.0;
+constexpr double title_edge_margin = 8.0;
 constexpr double text_gap = 14.0;
 constexpr double title_cross = 22.0;
 constexpr double least_sentence_width = 260.0;  // beside the title
-constexpr double most_share = 0.4;              // of the canvas
+constexpr double title_most_share = 0.4;        // of the canvas
 
 /// Where the texts go, from the upper left corner of the line.
 struct TitleLayout {
@@ -46,8 +46,8 @@ glm::vec2 wrapped_size(ImFont* font, const std::string& text, float wrap) {
 /// The sentence stands beside the title where there is room for it, else below.
 TitleLayout lay_out_title(const PanelContext& context, float width) {
     const core::Document& document = context.state.shown();
-    const float left = context.px(side_margin);
-    const float top = context.px(edge_margin);
+    const float left = context.px(title_side_margin);
+    const float top = context.px(title_edge_margin);
     TitleLayout layout;
     layout.title_wrap = std::max(width - 2.0F * left - context.px(title_cross + text_gap), 1.0F);
     const glm::vec2 title = wrapped_size(context.fonts.bold, shown_of(context, document.title), layout.title_wrap);
@@ -73,15 +73,16 @@ void draw_wrapped(const PanelContext& context, const char* name, const std::stri
 void draw_title_texts(const PanelContext& context, const TitleLayout& layout, ImVec2 origin) {
     const core::Document& document = context.state.shown();
     draw_wrapped(context, "title", shown_of(context, document.title), context.fonts.bold,
-                 {origin.x + context.px(side_margin), origin.y + context.px(edge_margin)}, layout.title_wrap);
+                 {origin.x + context.px(title_side_margin), origin.y + context.px(title_edge_margin)},
+                 layout.title_wrap);
     draw_wrapped(context, "title sentence", shown_of(context, document.description), context.fonts.text,
                  {origin.x + layout.sentence_corner.x, origin.y + layout.sentence_corner.y}, layout.sentence_wrap);
 }
 
 void draw_dismiss_button(const PanelContext& context, const Rectangle& place) {
     const float size = context.px(title_cross);
-    const float right = static_cast<float>(place.origin_px.x + place.size_px.x) - context.px(0.5 * side_margin);
-    const float top = static_cast<float>(place.origin_px.y) + context.px(edge_margin) +
+    const float right = static_cast<float>(place.origin_px.x + place.size_px.x) - context.px(0.5 * title_side_margin);
+    const float top = static_cast<float>(place.origin_px.y) + context.px(title_edge_margin) +
                       0.5F * (font_height(context.fonts.text) - size);
     ImGui::SetCursorScreenPos({right - size, std::floor(top)});
     if (draw_cross_button(context, "title dismiss", size)) context.queue.run(editor::ToggleTitle{});
@@ -92,7 +93,7 @@ void draw_dismiss_button(const PanelContext& context, const Rectangle& place) {
 double title_line_height(const PanelContext& context, const Rectangle& canvas) {
     if (!has_title_line(context.state)) return 0.0;
     const double height = lay_out_title(context, static_cast<float>(canvas.size_px.x)).height;
-    return std::min(height, std::floor(most_share * canvas.size_px.y));
+    return std::min(height, std::floor(title_most_share * canvas.size_px.y));
 }
 
 void draw_title_line(const PanelContext& context, const Rectangle& place) {

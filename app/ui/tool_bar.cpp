@@ -24,7 +24,7 @@ constexpr double button_size = 38.0;
 constexpr double button_pitch = 43.0;
 constexpr double bar_padding = 12.0;
 constexpr double divider_height = 6.0;
-constexpr double row_height = 30.0;  // of the menu with what has no room
+constexpr double overflow_row_height = 30.0;  // of the menu with what has no room
 constexpr double row_width = 190.0;
 
 /// One button of the bar.
@@ -94,7 +94,7 @@ void draw_divider(const PanelContext& context) {
 void draw_menu_row(const PanelContext& context, const ToolButton& button) {
     const bool is_enabled = !refusal_of(button.spec, context.state);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float height = context.px(row_height);
+    const float height = context.px(overflow_row_height);
     ImGui::PushID(button.spec.name);
     const int flags = is_enabled ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
     const bool is_chosen = ImGui::Selectable("##row", button.is_active, flags, ImVec2(context.px(row_width), height));

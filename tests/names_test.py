@@ -1,0 +1,70 @@
+"""Checks that names in unnamed namespaces differ within a library, whose sources may be compiled together.
+
+names_test.py SOURCE_FOLDER. Functions may share a name where their parameters differ.
+"""
+
+import collections
+import pathlib
+import re
+import sys
+
+LIBRARIES = ("render", "app/ui", "app/cli", "app/platform")
+UNNAMED = re.compile(r"^namespace \{\n(.*?)^\}  // namespace$", re.S | re.M)
+TYPE = re.compile(r"(?:class|struct|enum class|enum) (\w+)(?=[ ;])")
+CONSTANT = re.compile(r"(?:constexpr|const|using|namespace) (?:[^(=;{]*[\s&*])?(\w+)(?: =|\{|\[|;)")
+FUNCTION = re.compile(r"(?:[\w:<>,&*\s\[\]]*[\s&*])(\w+)\(((?:[^()]|\([^()]*\))*)\)[^;]*?(?:\{|;)")
+
+
+def statements(body):
+    """What stands at the outermost level of a namespace, without comments and templates' heads."""
+    body = re.sub(r"//[^\n]*", "", body)
+    for block in re.split(r"\n(?=\S)", body):
+        text = re.sub(r"^template <.*?> ?", "", " ".join(block.split()))
+        if text and text[0] not in "})":
+            yield text
+
+
+def parameter_types(parameters):
+    """The types of parameters, without their names."""
+    parts = re.split(r",(?![^<]*>)", parameters) if parameters.strip() else []
+    return tuple(re.sub(r"\s*=.*", "", re.sub(r"(?<=[\s&*>])\w+\s*$", "", part.split("=")[0].strip())).strip() for part in parts)
+
+
+def names_in(text):
+    """What the statement names: a name alone, or with the types of parameters."""
+    if found := TYPE.match(text):
+        return found[1], None
+    if found := CONSTANT.match(text):
+        return found[1], None
+    if found := FUNCTION.match(text):
+        return found[1], parameter_types(found[2])
+    return None
+
+
+def repeated(folder):
+    """Each name that occurs in several sources, with these."""
+    places = collections.defaultdict(set)
+    for source in sorted(folder.rglob("*.cpp")):
+        for body in UNNAMED.findall(source.read_text()):
+            for text in statements(body):
+                # The same alias may stand in several sources.
+                if not text.startswith(("using ", "namespace ")) and (name := names_in(text)):
+                    places[name].add(source)
+    plain = {name for name, parameters in places if parameters is None}
+    for (name, parameters), sources in sorted(places.items(), key=str):
+        others = set().union(*(where for (other, _), where in places.items() if other == name)) if name in plain else sources
+        if len(others) > 1:
+            yield name, sorted(others)
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    found = [f"{library}: {name} in {', '.join(str(source.relative_to(root / library)) for source in sources)}"
+             for library in LIBRARIES for name, sources in repeated(root / library)]
+    for line in dict.fromkeys(found):
+        print(line)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
