@@ -68,8 +68,8 @@ void push_metrics(const PanelContext& context) {
 
 void draw_section_panel(const PanelContext& context, const Rectangle& place) {
     hold_scroll(context, static_cast<float>(place.size_px.y));
-    ImGui::SetNextWindowPos(ImVec2(static_cast<float>(place.origin_px.x), static_cast<float>(place.origin_px.y)));
-    ImGui::SetNextWindowSize(ImVec2(static_cast<float>(place.size_px.x), static_cast<float>(place.size_px.y)));
+    ImGui::SetNextWindowPos(imgui_pair(place.origin_px));
+    ImGui::SetNextWindowSize(imgui_pair(place.size_px));
     ImGui::Begin("inspector", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |

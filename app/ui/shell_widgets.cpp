@@ -55,15 +55,11 @@ constexpr double button_padding_y = 6.0;
 constexpr double least_tooltip_width = 160.0;  // of its lines
 constexpr double most_tooltip_width = 310.0;
 
-ImVec2 packed(glm::dvec2 p) {
-    return {static_cast<float>(p.x), static_cast<float>(p.y)};
-}
-
 }  // namespace
 
 void begin_panel(const char* name, const Rectangle& place, int window_flags) {
-    ImGui::SetNextWindowPos(packed(place.origin_px));
-    ImGui::SetNextWindowSize(packed(place.size_px));
+    ImGui::SetNextWindowPos(imgui_pair(place.origin_px));
+    ImGui::SetNextWindowSize(imgui_pair(place.size_px));
     ImGui::Begin(name, nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav | window_flags);
@@ -82,8 +78,8 @@ Rectangle last_item_place() {
 void draw_edge(const PanelContext& context, glm::dvec2 from, glm::dvec2 to) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     // Dear ImGui clips half of a window's padding, where edges are.
-    list->PushClipRect(packed(from - 1.0), packed(to + 1.0));
-    list->AddLine(packed(from), packed(to), imgui_packed(context.theme.line));
+    list->PushClipRect(imgui_pair(from - 1.0), imgui_pair(to + 1.0));
+    list->AddLine(imgui_pair(from), imgui_pair(to), imgui_packed(context.theme.line));
     list->PopClipRect();
 }
 
@@ -130,8 +126,8 @@ void draw_tooltip_at(const PanelContext& context, const std::string& text, glm::
     const ImVec2 text_size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
     const glm::dvec2 size = glm::dvec2(text_size.x, text_size.y) + 2.0 * padding;
     const glm::dvec2 corner = glm::clamp(position - pivot * size, glm::dvec2(0.0), glm::max(window - size, 0.0));
-    ImGui::SetNextWindowPos(packed(corner));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, packed(padding));
+    ImGui::SetNextWindowPos(imgui_pair(corner));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, imgui_pair(padding));
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(static_cast<float>(padding.x) + wrap);
     ImGui::TextUnformatted(text.c_str());

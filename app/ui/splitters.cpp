@@ -48,7 +48,7 @@ void draw_edge_handle(const PanelContext& context, const Edge& edge) {
     const Rectangle place{edge.from - grip, edge.to - edge.from + 2.0 * grip};
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
     begin_panel(edge.name, place, ImGuiWindowFlags_NoBackground);
-    ImGui::InvisibleButton("##edge", ImVec2(static_cast<float>(place.size_px.x), static_cast<float>(place.size_px.y)));
+    ImGui::InvisibleButton("##edge", imgui_pair(place.size_px));
     report_item(context, edge.name);
     draw_edge(context, edge.from, edge.to);
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {

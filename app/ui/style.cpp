@@ -101,4 +101,8 @@ std::uint32_t imgui_packed(render::Color color) {
     return IM_COL32(color.red, color.green, color.blue, color.alpha);
 }
 
+ImVec2 imgui_pair(glm::dvec2 pair) {
+    return {static_cast<float>(pair.x), static_cast<float>(pair.y)};
+}
+
 }  // namespace batten::ui
