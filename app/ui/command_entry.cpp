@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "app/editor/command_reader.h"
+#include "app/editor/command_table.h"
+#include "app/editor/commands/lesson_commands.h"
 #include "app/editor/words/reading_text.h"
 #include "core/base/sentence.h"
 
@@ -46,6 +48,15 @@ void run_command(const PanelContext& context, const editor::CommandSpec& spec) {
     } else {
         context.queue.change(editor::ShowRefusal{command.error(), !editor::is_idle(spec, context.state)});
     }
+}
+
+const editor::CommandSpec* command_of(const editor::EditorState& state, const KeyPress& press) {
+    if (state.lesson && press.shortcut == editor::Shortcut{editor::Key::page_down, {}})
+        return &editor::NextStep::spec();
+    if (state.lesson && press.shortcut == editor::Shortcut{editor::Key::page_up, {}})
+        return &editor::PreviousStep::spec();
+    const editor::CommandSpec* by_key = editor::find_command(press.shortcut);
+    return by_key != nullptr ? by_key : editor::find_command(press.printed);
 }
 
 const char* effect_sign(editor::ShapeEffect effect) {

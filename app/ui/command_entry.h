@@ -22,6 +22,10 @@ void choose_command(const PanelContext& context, const editor::CommandSpec& spec
 /// given.
 void run_command(const PanelContext& context, const editor::CommandSpec& spec);
 
+/// What a key does: the command with that shortcut, or with the sign that it prints; while a lesson is taken, the keys
+/// that presenter remotes send go through its steps. Null where it does nothing.
+const editor::CommandSpec* command_of(const editor::EditorState& state, const KeyPress& press);
+
 /// "≅" where the shape is kept, "≠" where it changes, else empty.
 const char* effect_sign(editor::ShapeEffect effect);
 

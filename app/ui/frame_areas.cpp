@@ -12,6 +12,7 @@ namespace {
 // Design pixels.
 constexpr double menu_height = 34.0;
 constexpr double status_height = 40.0;
+constexpr double caption_height = 26.0;  // in its place for a projector
 constexpr double tool_width = 52.0;
 constexpr double least_canvas_width = 200.0;
 constexpr double least_canvas_height = 130.0;
@@ -39,7 +40,7 @@ FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale, b
     const auto px = [scale](double design_px) { return std::round(design_px * scale); };
     const bool has_frame = !view.is_presenting;
     const double menu = has_frame ? px(menu_height) : 0.0;
-    const double status = has_frame ? px(status_height) : 0.0;
+    const double status = px(has_frame ? status_height : caption_height);
     const double tools = has_frame ? px(tool_width) : 0.0;
     const double height = std::max(0.0, size_px.y - menu - status);
     const double width = std::max(0.0, size_px.x - tools);

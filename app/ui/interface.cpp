@@ -3,9 +3,7 @@
 #include <imgui.h>
 
 #include "app/editor/cards/cards.h"
-#include "app/editor/command_table.h"
 #include "app/editor/commands/edit_commands.h"
-#include "app/editor/commands/lesson_commands.h"
 #include "app/editor/pointer/hit_test.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/context_popup.h"
@@ -53,20 +51,9 @@ bool is_kept_from_shortcuts(const editor::EditorState& state, const editor::Shor
     return state.dialog != Dialog::welcome || !(shortcut.modifiers.ctrl || is_function_key);
 }
 
-/// While a lesson is taken, the keys that presenter remotes send go through its steps.
-const editor::CommandSpec* lesson_command(const editor::EditorState& state, const editor::Shortcut& shortcut) {
-    if (!state.lesson) return nullptr;
-    if (shortcut == editor::Shortcut{editor::Key::page_down, {}}) return &editor::NextStep::spec();
-    if (shortcut == editor::Shortcut{editor::Key::page_up, {}}) return &editor::PreviousStep::spec();
-    return nullptr;
-}
-
 void run_shortcut(const PanelContext& context, const KeyPress& press) {
     if (is_kept_from_shortcuts(context.state, press.shortcut)) return;
-    if (const editor::CommandSpec* step = lesson_command(context.state, press.shortcut))
-        return run_command(context, *step);
-    const editor::CommandSpec* by_key = editor::find_command(press.shortcut);
-    const editor::CommandSpec* spec = by_key != nullptr ? by_key : editor::find_command(press.printed);
+    const editor::CommandSpec* spec = command_of(context.state, press);
     if (spec == &editor::Copy::spec() && !context.panels.text_at_pointer.empty())
         context.queue.run(editor::CopyText{.text = context.panels.text_at_pointer});
     else if (spec != nullptr)
@@ -105,12 +92,12 @@ void draw_frame_panels(const PanelContext& context, const FrameAreas& areas, con
     begin_panel_hover(context);
     if (areas.inspector.size_px.x > 0.0) draw_inspector(context, areas.inspector);
     draw_cards_panel(context, areas.cards);
-    if (context.state.view.is_presenting) draw_floating_cards(context, areas.canvas);
+    draw_floating_cards(context, areas.canvas);
     settle_panel_hover(context);
 }
 
 void draw_dialogs(const PanelContext& context, const FrameAreas& areas) {
-    if (context.state.view.is_presenting) draw_presenting(context, areas.canvas);
+    draw_presenting(context, areas.status_bar);
     // Dialogs show errors themselves.
     if (context.state.dialog == Dialog::none) draw_notice(context, areas.canvas);
     draw_welcome_screen(context, areas.window);

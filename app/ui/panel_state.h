@@ -14,6 +14,7 @@
 #include "app/editor/state/overlay.h"
 #include "app/editor/state/selection.h"
 #include "app/ui/file_choice.h"
+#include "app/ui/frame.h"
 #include "core/document/document.h"
 
 namespace batten::ui {
@@ -118,9 +119,12 @@ struct PanelHover {
 
 /// What the column of cards remembers.
 struct CardsState {
-    std::map<std::string, bool> open_cards;  ///< those that were folded or unfolded by hand
-    std::vector<editor::Overlay> shown;      ///< the cards of the last frame
-    glm::dvec2 canvas_px{};                  ///< of the last frame in which they lay on the canvas
+    std::map<std::string, bool> open_cards;       ///< those that were folded or unfolded by hand
+    std::map<editor::Overlay, float> heights_px;  ///< of the cards at `width_px`, as they were drawn last
+    float width_px = 0.0F;
+    std::vector<editor::Overlay> shown;     ///< the cards of the last frame
+    std::optional<editor::Overlay> wanted;  ///< the card to be brought into view
+    std::optional<Rectangle> placed;        ///< where on the canvas they were moved to by hand
 };
 
 /// What the inspector remembers.
@@ -133,6 +137,13 @@ struct InspectorState {
     std::optional<float> insert_row_y;  ///< of the row in the list of sections, while the pointer is on it
     float scroll_y = 0.0F;              ///< so far the sections may be scrolled though they end before
     float height_px = 0.0F;             ///< in which the sections were shown last
+};
+
+/// What a projector shows beside.
+struct PresentingState {
+    bool was_on = false;    ///< in the last frame
+    bool has_hint = false;  ///< until something is done
+    std::string keys{};     ///< that were pressed last, with what they do
 };
 
 /// What a right click asked for.
@@ -154,7 +165,7 @@ struct PanelState {
     std::optional<std::vector<Example>> examples;     ///< read when the welcome screen first opens
     std::optional<std::vector<LessonEntry>> lessons;  ///< read when the menu of lessons first opens
     std::string key_sheet_filter;
-    std::string shown_keys;       ///< that were pressed last, with what they do
+    PresentingState presenting;
     std::string text_at_pointer;  ///< what Ctrl+C copies in place of the curve; of this frame until its end
 };
 

@@ -58,8 +58,9 @@ void draw_cards_panel(const PanelContext& context, const Rectangle& place);
 /// The same in a window on the canvas that can be moved and resized, for a projector.
 void draw_floating_cards(const PanelContext& context, const Rectangle& canvas);
 
-/// What a projector shows beside: a halo around the pointer, what the last action did, and the keys.
-void draw_presenting(const PanelContext& context, const Rectangle& canvas);
+/// What a projector shows beside: a halo around the pointer, and in the line at `place` what the last action did, the
+/// keys, and at first how to get at what is hidden. Nothing while there is none.
+void draw_presenting(const PanelContext& context, const Rectangle& place);
 
 // Sections of the inspector, drawn one below the other.
 void draw_curves_section(const PanelContext& context);

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "app/editor/command_table.h"
+#include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/view_commands.h"
 #include "app/editor/words/reading_text.h"
-#include "app/ui/imgui_compat.h"
+#include "app/ui/command_entry.h"
+#include "app/ui/inspector_widgets.h"
 #include "app/ui/panels.h"
 #include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
@@ -18,8 +21,6 @@ namespace {
 // Design pixels.
 constexpr double halo_radius = 20.0;
 constexpr double caption_margin = 14.0;
-constexpr double caption_padding = 10.0;
-constexpr double caption_bottom = 30.0;  // above the numbers of the grid
 
 /// Around the pointer, so that it is seen from the last row.
 void draw_halo(const PanelContext& context) {
@@ -32,22 +33,27 @@ void draw_halo(const PanelContext& context) {
                     context.px(2));
 }
 
-/// A line on a ground, whose lower left corner is given. Returns its height.
-float draw_caption(const PanelContext& context, const char* name, const std::string& text, ImVec2 lower_left,
-                   float room) {
-    ImFont* font = context.fonts.bold;
-    const std::string lines = wrapped(text, font, room - 2.0F * context.px(caption_padding));
-    const glm::vec2 size = lines_size(lines, font) + 2.0F * context.px(caption_padding);
-    const ImVec2 upper(lower_left.x, std::floor(lower_left.y - size.y));
-    const ImVec2 end(lower_left.x + size.x, lower_left.y);
-    ImDrawList* list = ImGui::GetBackgroundDrawList();
-    list->AddRectFilled(upper, end, imgui_packed(render::faded(context.theme.panel, 0.92)), context.px(8));
-    list->AddRect(upper, end, imgui_packed(context.theme.line), context.px(8), 0, context.px(1));
-    list->AddText(font, font_height(font),
-                  ImVec2(upper.x + context.px(caption_padding), upper.y + context.px(caption_padding)),
-                  imgui_packed(context.theme.text), lines.c_str());
-    context.widgets.push_back({name, {{upper.x, upper.y}, {size.x, size.y}}, text});
-    return size.y;
+/// A text of the line at the foot of the window.
+struct Caption {
+    const char* name;
+    const std::string& text;
+    render::Color color;
+    float room_px;
+    render::Anchor anchor = render::Anchor::right;
+};
+
+/// Returns its width.
+float draw_caption(const PanelContext& context, const Rectangle& place, const Caption& caption) {
+    const glm::vec2 corner(place.origin_px);
+    const glm::vec2 size(place.size_px);
+    const float margin = context.px(caption_margin);
+    const bool is_left = caption.anchor == render::Anchor::left;
+    const ImVec2 start(corner.x + (is_left ? margin : size.x - margin), corner.y + 0.5F * size.y);
+    const float width = draw_text(
+        context, start, {caption.text, context.fonts.bold, 0.0, caption.color, caption.anchor, caption.room_px});
+    const double left = is_left ? start.x : start.x - width;
+    context.widgets.push_back({caption.name, {{left, corner.y}, {width, size.y}}, caption.text});
+    return width;
 }
 
 /// What the last action did, with the degree of the curve that it is about.
@@ -61,11 +67,11 @@ std::string caption_of(const PanelContext& context) {
                          : core::sentence("p = {degree}: {message}", {{"degree", curve->degree()}, {"message", text}}));
 }
 
-/// Follows the keys that are pressed: they stay until others are.
-std::string keys_of(const PanelContext& context) {
-    std::string& shown = context.panels.shown_keys;
+/// The keys that were pressed last, with what they do.
+std::string pressed_keys(const PanelContext& context) {
+    std::string& shown = context.panels.presenting.keys;
     for (const KeyPress& press : context.input.key_presses) {
-        const editor::CommandSpec* spec = editor::find_command(press.shortcut);
+        const editor::CommandSpec* spec = command_of(context.state, press);
         const std::string keys = editor::text_of(press.shortcut);
         if (keys.empty()) continue;
         shown = spec == nullptr
@@ -75,17 +81,44 @@ std::string keys_of(const PanelContext& context) {
     return context.state.view.keys_are_shown ? shown : "";
 }
 
+/// How to get at what is hidden: told at first, until something is done.
+std::string hint_of(const PanelContext& context) {
+    PresentingState& presenting = context.panels.presenting;
+    const bool acts = !context.input.key_presses.empty() || ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    presenting.has_hint = !std::exchange(presenting.was_on, true) || (presenting.has_hint && !acts);
+    if (!presenting.has_hint) return {};
+    const auto key = [](const editor::CommandSpec& spec) { return editor::text_of(spec.shortcut); };
+    return core::sentence(
+        "{present} leaves · {dock} folds the plot · {palette} finds commands · {keys} shows keys · {help} lists them",
+        {{"present", key(editor::TogglePresenting::spec())},
+         {"dock", key(editor::ToggleDock::spec())},
+         {"palette", key(editor::TogglePalette::spec())},
+         {"keys", key(editor::ToggleKeys::spec())},
+         {"help", key(editor::ToggleKeySheet::spec())}});
+}
+
 }  // namespace
 
-void draw_presenting(const PanelContext& context, const Rectangle& canvas) {
-    const glm::vec2 corner(canvas.origin_px);
-    const glm::vec2 size(canvas.size_px);
-    const float room = 0.5F * size.x;
-    ImVec2 place(corner.x + context.px(caption_margin), corner.y + size.y - context.px(caption_bottom));
-    const std::string keys = keys_of(context);
-    if (!keys.empty()) place.y -= draw_caption(context, "presented keys", keys, place, room) + context.px(6);
-    const std::string caption = caption_of(context);
-    if (!caption.empty()) draw_caption(context, "presented message", caption, place, room);
+void draw_presenting(const PanelContext& context, const Rectangle& place) {
+    if (!context.state.view.is_presenting) {
+        context.panels.presenting = {};
+        return;
+    }
+    const std::string hint = hint_of(context);
+    const std::string keys = pressed_keys(context);
+    begin_panel("presented line", place);
+    draw_edge(context, place.origin_px + glm::dvec2(0.0, 0.5), place.origin_px + glm::dvec2(place.size_px.x, 0.5));
+    const float margin = context.px(caption_margin);
+    float room = static_cast<float>(place.size_px.x) - 2.0F * margin;
+    if (!keys.empty()) {
+        const float width = draw_caption(context, place, {"presented keys", keys, context.theme.accent, room});
+        room -= width + margin;
+    }
+    if (!hint.empty())
+        draw_caption(context, place, {"presented hint", hint, context.theme.dim, room, render::Anchor::left});
+    else if (const std::string caption = caption_of(context); !caption.empty())
+        draw_caption(context, place, {"presented message", caption, context.theme.text, room, render::Anchor::left});
+    end_panel();
     draw_halo(context);
 }
 

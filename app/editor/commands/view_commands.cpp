@@ -257,6 +257,7 @@ const CommandSpec& ToggleKeys::spec() {
                                   .synonyms = "projector shortcut",
                                   .group = CommandGroup::view,
                                   .offered = in_the_window,
+                                  .shortcut = {Key::f2, {}},
                                   .is_checked = is_on<&View::keys_are_shown>,
                                   .run = body_of<toggle_member<ToggleKeys, &View::keys_are_shown>>};
     return spec;

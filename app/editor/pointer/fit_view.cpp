@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "app/editor/cards/floating_cards.h"
 #include "app/editor/pointer/canvas_cover.h"
-#include "app/editor/scene/floating_cards.h"
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/views.h"
@@ -41,7 +41,8 @@ std::vector<PixelBox> panels_of(const EditorState& state, Corner corner) {
     std::vector<PixelBox> panels;
     if (has_legend(state)) panels.push_back(legend_box(state, corner));
     if (const auto insets = insets_box(state)) panels.push_back(*insets);
-    if (const auto cards = floating_cards_box(state)) panels.push_back(*cards);
+    if (const auto cards = floating_cards_box(state))
+        panels.push_back({{cards->lower_px.x, 0.0}, state.view.camera.size_px});
     return panels;
 }
 

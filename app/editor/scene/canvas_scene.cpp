@@ -1,5 +1,6 @@
 #include "app/editor/scene/canvas_scene.h"
 
+#include "app/editor/cards/floating_cards.h"
 #include "app/editor/scene/bezier_polygons.h"
 #include "app/editor/scene/canvas_frame.h"
 #include "app/editor/scene/canvas_labels.h"
@@ -11,7 +12,6 @@
 #include "app/editor/scene/curve_knots.h"
 #include "app/editor/scene/curve_strokes.h"
 #include "app/editor/scene/finding_marks.h"
-#include "app/editor/scene/floating_cards.h"
 #include "app/editor/scene/gesture_marks.h"
 #include "app/editor/scene/grid.h"
 #include "app/editor/scene/insets.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <glm/common.hpp>
 
-#include "app/editor/scene/floating_cards.h"
+#include "app/editor/cards/floating_cards.h"
 
 namespace batten::editor {
 
@@ -25,7 +25,7 @@ constexpr double gap = 8.0;
 constexpr double inset_bottom = 28.0;  // leaves room for the numbers of the grid
 constexpr double most_width = 0.45;    // of the canvas, for one inset
 constexpr double most_height = 0.75;
-constexpr double most_share = 0.6;  // of the canvas' width; the first inset is always shown
+constexpr double most_share = 0.6;  // of the width beside cards; the first inset is always shown
 
 /// Tried one after the other until all insets have room.
 constexpr std::array shrinkings{1.0, 0.85, 0.7, 0.6};
@@ -51,7 +51,7 @@ std::vector<InsetPlace> shrunk_places(const EditorState& state, double shrinking
             column_width = 0.0;
         }
         const double left = corner.x - size.x;
-        if (!places.empty() && left < (1.0 - most_share) * picture.x) continue;
+        if (!places.empty() && left < (1.0 - most_share) * right) continue;
         places.push_back({overlay, {scale * glm::dvec2(left, corner.y), scale * (corner + glm::dvec2(0.0, size.y))}});
         column_width = std::max(column_width, size.x);
         corner.y += size.y + gap;

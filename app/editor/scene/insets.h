@@ -1,5 +1,5 @@
-/// Where the pictures in boxes over the canvas stand: below one another at its right edge, then in further columns;
-/// beside the cards of a projector.
+/// Where the pictures in boxes over the canvas stand: below one another at its right edge, or beside the cards of a
+/// projector, then in further columns.
 #pragma once
 
 #include <optional>

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <set>
 
+#include "app/editor/cards/floating_cards.h"
 #include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/view_commands.h"
 #include "app/editor/editor.h"
-#include "app/editor/scene/floating_cards.h"
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/views.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/editor/scene/floating_cards.h"
+#include "app/editor/cards/floating_cards.h"
 #include "core/edit/point_edit.h"
 #include "core/evaluate/evaluate.h"
 #include "tests/editor/pointer_driver.h"

@@ -11,10 +11,9 @@ namespace batten::editor {
 namespace {
 
 /// The sample with every view, in a canvas of one size or half as large again.
-EditorState shown(double scale, bool is_presenting) {
+EditorState shown(double scale) {
     EditorState state = test::sample_state();
     for (std::size_t i = 0; i < overlay_count; ++i) state.view.overlays.show(static_cast<Overlay>(i), true);
-    state.view.is_presenting = is_presenting;
     state.view.interface_scale = scale;
     state.view.camera.size_px *= scale;
     state.view.camera.scale *= scale;
@@ -45,19 +44,20 @@ void expect_half_as_large_again(const render::DrawList& usual, const render::Dra
 }
 
 TEST(PresentingScene, lines_marks_and_texts_of_the_canvas_are_half_as_large_again) {
-    EXPECT_GE(presenting_scale, 1.5);
-    expect_half_as_large_again(test::canvas_picture(shown(1.0, false), CanvasIdle{}),
-                               test::canvas_picture(shown(1.5, true), CanvasIdle{}));
+    EXPECT_EQ(presenting_scale, 1.5);
+    expect_half_as_large_again(test::canvas_picture(shown(1.0), CanvasIdle{}),
+                               test::canvas_picture(shown(presenting_scale), CanvasIdle{}));
 }
 
 TEST(PresentingScene, lines_marks_and_texts_of_the_plot_are_half_as_large_again) {
-    expect_half_as_large_again(test::plot_picture(shown(1.0, false), PlotIdle{}, {900, 300}),
-                               test::plot_picture(shown(1.5, true), PlotIdle{}, {1350, 450}));
+    expect_half_as_large_again(test::plot_picture(shown(1.0), PlotIdle{}, {900, 300}),
+                               test::plot_picture(shown(presenting_scale), PlotIdle{}, {1350, 450}));
 }
 
 TEST(PresentingScene, is_drawn_in_colors_of_high_contrast) {
     const Theme theme = high_contrast(ThemeName::dark);
-    const EditorState state = shown(1.5, true);
+    EditorState state = shown(presenting_scale);
+    state.view.is_presenting = true;
     const auto lines = test::all_of<render::Polyline>(test::canvas_picture(state, CanvasIdle{}));
     const auto has = [&](render::Color color) {
         return std::ranges::any_of(lines, [&](const render::Polyline& line) { return line.color == color; });

@@ -1,4 +1,4 @@
-/// Where the cards of views lie over the canvas for a projector.
+/// Where cards lie on the canvas for a projector, until they are moved.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace batten::editor {
 
-/// Their box, at the right edge and as high as the canvas, until they are moved; none where there are none.
+/// At the right edge of the canvas and as high as it, in its pixels; none where there are no cards or no projector.
 std::optional<render::PixelBox> floating_cards_box(const EditorState& state);
 
 }  // namespace batten::editor
