@@ -39,7 +39,12 @@ struct Caption {
     const std::string& text;
     render::Color color;
     float room_px;
-    render::Anchor anchor = render::Anchor::right;
+    render::Anchor anchor = render::Anchor::left;
+};
+
+struct PresentedReadout {
+    const char* name;
+    std::string text;
 };
 
 /// Returns its width.
@@ -56,15 +61,18 @@ float draw_caption(const PanelContext& context, const Rectangle& place, const Ca
     return width;
 }
 
-/// What the last action did, with the degree of the curve that it is about.
-std::string caption_of(const PanelContext& context) {
+/// What the last action did.
+std::string message_of(const PanelContext& context) {
     const editor::Message& message = context.state.message;
     if (message.text.empty() || message.is_error) return "";
-    const std::string text = editor::reading_text(message.text);
+    return context.notated(editor::brief_reading_text(message.text));
+}
+
+/// "p = 3", with the order beside it where it is asked for.
+std::string degree_of(const PanelContext& context) {
     const core::Curve* curve = context.state.active_curve();
-    return context.notated(
-        curve == nullptr ? text
-                         : core::sentence("p = {degree}: {message}", {{"degree", curve->degree()}, {"message", text}}));
+    if (curve == nullptr) return "";
+    return context.notated(core::sentence("p = {degree}", {{"degree", curve->degree()}}));
 }
 
 /// The keys that were pressed last, with what they do.
@@ -105,19 +113,23 @@ void draw_presenting(const PanelContext& context, const Rectangle& place) {
         return;
     }
     const std::string hint = hint_of(context);
-    const std::string keys = pressed_keys(context);
     begin_panel("presented line", place);
     draw_edge(context, place.origin_px + glm::dvec2(0.0, 0.5), place.origin_px + glm::dvec2(place.size_px.x, 0.5));
     const float margin = context.px(caption_margin);
-    float room = static_cast<float>(place.size_px.x) - 2.0F * margin;
-    if (!keys.empty()) {
-        const float width = draw_caption(context, place, {"presented keys", keys, context.theme.accent, room});
-        room -= width + margin;
+    Rectangle room = place;
+    for (const auto& [name, text] : {PresentedReadout{"presented degree", degree_of(context)},
+                                     PresentedReadout{"presented keys", pressed_keys(context)}}) {
+        if (text.empty()) continue;
+        const float room_px = static_cast<float>(room.size_px.x) - 2.0F * margin;
+        room.size_px.x -=
+            margin + draw_caption(context, room, {name, text, context.theme.accent, room_px, render::Anchor::right});
     }
+    const float room_px = static_cast<float>(room.size_px.x) - 2.0F * margin;
+    const std::string message = message_of(context);
     if (!hint.empty())
-        draw_caption(context, place, {"presented hint", hint, context.theme.dim, room, render::Anchor::left});
-    else if (const std::string caption = caption_of(context); !caption.empty())
-        draw_caption(context, place, {"presented message", caption, context.theme.text, room, render::Anchor::left});
+        draw_caption(context, room, {"presented hint", hint, context.theme.dim, room_px});
+    else if (!message.empty())
+        draw_caption(context, room, {"presented message", message, context.theme.text, room_px});
     end_panel();
     draw_halo(context);
 }

@@ -20,6 +20,7 @@ class PresentingTest(WindowTest):
         editor.key("ctrl+p")
         editor.wait(lambda state: state["dialog"] == "command-palette", "the palette")
         editor.type(text)
+        editor.wait(lambda state: state["widgets"].get("palette input", {}).get("value") == text and state["is_settled"], text)
         editor.key("Return")
         editor.wait(lambda state: state["dialog"] == "none" and state["is_settled"], "the end of the command")
 
@@ -90,7 +91,8 @@ class PresentingTest(WindowTest):
         self.present(editor)
         self.run_typed(editor, "insert-knot 0.5")
         caption = editor.settle()["widgets"]["presented message"]["value"]
-        self.assertTrue(caption.startswith("p = 3: Inserted knot 0.5"), caption)
+        self.assertTrue(caption.startswith("Inserted knot 0.5"), caption)
+        self.assertEqual(editor.state()["widgets"]["presented degree"]["value"], "p = 3")
         self.assertIn("C¹", caption)
         editor.key("F2")
         editor.key("h")

@@ -115,6 +115,13 @@ CardButtons numbering_buttons(const Notation& notation) {
     return {{button("Last parent", CellNumbering::last), button("First parent", CellNumbering::first)}};
 }
 
+void add_numbering(Card& card, const ShownTriangle& shown) {
+    card.line(shown.notation().triangles == CellNumbering::last ? "A point has the index of its last parent."
+                                                                : "A point has the index of its first parent.",
+              CardTone::dim);
+    card.add(numbering_buttons(shown.notation()));
+}
+
 std::string cell_alpha_text(const NamedTriangle& named, core::CellPlace place) {
     return fmt::format("α {}", share_texts(named.notation, named.cell(place).alpha).upper);
 }
@@ -130,14 +137,13 @@ Card triangle_card(const EditorState& state) {
     if (state.derived.of(curve.knots())->is_bezier) card.line(ratio_sentence(shown), CardTone::dim);
     const auto name = [](const NamedTriangle& named, core::CellPlace place) { return named.point(place); };
     card.add(triangle_picture(state, {.inside = name, .below = cell_alpha_text}));
-    card.line(shown.notation().triangles == CellNumbering::last ? "A point has the index of its last parent."
-                                                                : "A point has the index of its first parent.",
-              CardTone::dim);
-    card.add(numbering_buttons(shown.notation()));
+    if (!state.view.is_presenting) add_numbering(card, shown);
     add_lines(card, shown);
     const core::CellPlace told = told_cell(shown);
     card.line(core::sentence("How {point} is made", {{"point", shown.named().point(told)}}), CardTone::strong);
     add_cell_formulas(card, shown, told);
+    // A projector's card is low: first what is told there.
+    if (state.view.is_presenting) add_numbering(card, shown);
     return card;
 }
 

@@ -51,7 +51,7 @@ std::vector<InsetPlace> shrunk_places(const EditorState& state, double shrinking
             column_width = 0.0;
         }
         const double left = corner.x - size.x;
-        if (!places.empty() && left < (1.0 - most_share) * right) continue;
+        if (!places.empty() && left < (1.0 - most_share) * picture.x) continue;
         places.push_back({overlay, {scale * glm::dvec2(left, corner.y), scale * (corner + glm::dvec2(0.0, size.y))}});
         column_width = std::max(column_width, size.x);
         corner.y += size.y + gap;

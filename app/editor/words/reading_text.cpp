@@ -14,6 +14,7 @@ namespace batten::editor {
 namespace {
 
 constexpr int digits_to_read = 6;
+constexpr int digits_to_read_afar = 3;
 constexpr std::string_view bound_words = "at most ";
 constexpr std::string_view degree_sign = "°";
 
@@ -104,6 +105,12 @@ std::size_t end_of_quote(std::string_view text, std::size_t i) {
 
 std::string reading_text(const std::string& text) {
     return read_with(text, digits_to_read);
+}
+
+std::string brief_reading_text(const std::string& text) {
+    const std::size_t bound = text.find(bound_words);
+    const std::size_t clause = bound == std::string::npos ? bound : text.rfind("; ", bound);
+    return read_with(text.substr(0, clause), digits_to_read_afar);
 }
 
 std::string full_reading_text(const std::string& text) {

@@ -12,6 +12,10 @@ namespace batten::editor {
 /// rounded up. Whole numbers keep their digits, and what stands in quotes or is part of a name stays as it is.
 std::string reading_text(const std::string& text);
 
+/// The same with three digits, and without what follows a semicolon and bounds a distance: for who reads from the last
+/// row.
+std::string brief_reading_text(const std::string& text);
+
 /// The same with all digits, for who wants to know exactly.
 std::string full_reading_text(const std::string& text);
 

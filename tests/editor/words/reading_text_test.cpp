@@ -38,5 +38,15 @@ TEST(ReadingText, names_stay_as_they_are) {
               "P₅ and C' x \u22121, 3.00000001d, v1.23456789");
 }
 
+TEST(ReadingText, is_brief_for_a_projector) {
+    EXPECT_EQ(
+        brief_reading_text("Moved P2 from (-1.5, 3.5) to (-0.575342, 2.88356); the curve moved by at most 0.662891 at "
+                           "equal parameters, its shape by at most 0.334132"),
+        "Moved P2 from (\u22121.5, 3.5) to (\u22120.575, 2.88)");
+    EXPECT_EQ(brief_reading_text("Inserted knot 0.123456; it is there twice: C1"),
+              "Inserted knot 0.123; it is there twice: C1");
+    EXPECT_EQ(brief_reading_text("The distance is at most 0.12345"), "The distance is at most 0.124");
+}
+
 }  // namespace
 }  // namespace batten::editor
