@@ -68,7 +68,7 @@ void draw_recent(const PanelContext& context) {
 }
 
 /// The lessons in the order of a lecture; recent files below get a part of the room.
-void draw_lessons(const PanelContext& context) {
+void draw_offered_lessons(const PanelContext& context) {
     if (lessons_of(context).empty()) return;
     const float share = context.state.recent_files.empty() ? 1.0F : lessons_share;
     begin_side_list(context, "Lessons", std::floor(share * (ImGui::GetContentRegionAvail().y - context.px(40))));
@@ -96,7 +96,7 @@ void draw_side(const PanelContext& context) {
         ImGui::Dummy(ImVec2(1.0F, context.px(4)));
         draw_dialog_error(context, context.state.message.text);
     }
-    draw_lessons(context);
+    draw_offered_lessons(context);
     draw_recent(context);
     ImGui::EndChild();
 }

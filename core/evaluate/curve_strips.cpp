@@ -79,7 +79,7 @@ void take_chords(const BezierPieces& pieces, std::size_t k, const ChordRequest& 
 }
 
 // The size of what may be thin or long, for a strip whose numbers overflow.
-Strip boundless(Point first, Point last) {
+Strip boundless_strip(Point first, Point last) {
     constexpr double infinity = Box::infinity;
     return {first, last, {{-infinity, -infinity}, {infinity, infinity}}, infinity, true};
 }
@@ -212,7 +212,7 @@ Point CurveStrips::start_of(std::size_t span) const {
 Strip CurveStrips::strip_of_piece(const BezierPiece& piece, Point first) const {
     Strip strip{
         .first = first, .last = point_at(*curve_, piece.interval.upper, Side::left), .box = control_box(piece.points)};
-    if (!is_finite(strip.box.lower) || !is_finite(strip.box.upper)) return boundless(strip.first, strip.last);
+    if (!is_finite(strip.box.lower) || !is_finite(strip.box.upper)) return boundless_strip(strip.first, strip.last);
     strip.box.include(strip.first);
     strip.box.include(strip.last);
     // Where products of weights and coordinates overflow there is no bound, and no finer.
@@ -233,7 +233,7 @@ Strip CurveStrips::strip_of_stretch(std::size_t stretch) {
     for (const HomogeneousPoint& point : clamped_points(*curve_, first, last)) hull.push_back(project(point));
     hull.push_back(point_at(*curve_, knots[last + 1], Side::left));
     if (!std::all_of(hull.begin(), hull.end(), [](Point point) { return is_finite(point); }))
-        return boundless(hull.front(), hull.back());
+        return boundless_strip(hull.front(), hull.back());
     Strip strip = strip_of(hull);
     for (std::size_t s = first + 1; s <= last; ++s)
         if (knots[s] < knots[s + 1] && is_torn_at(s)) strip.is_whole = false;

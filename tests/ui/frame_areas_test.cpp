@@ -19,7 +19,7 @@ TEST(FrameAreas, a_projector_is_for_the_curve_unless_plots_were_asked_for) {
     const FrameAreas areas = arrange({1920, 1080}, presenting(true), 1.5, false);
     EXPECT_GE(areas.dock.size_px.y, 500.0);
     EXPECT_LE(areas.dock.size_px.y, 540.0);
-    EXPECT_DOUBLE_EQ(areas.canvas.size_px.y + areas.dock.size_px.y, 1080.0);
+    EXPECT_DOUBLE_EQ(areas.canvas.size_px.y + areas.dock.size_px.y + areas.status_bar.size_px.y, 1080.0);
 }
 
 }  // namespace

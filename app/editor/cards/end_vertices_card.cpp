@@ -18,10 +18,10 @@ struct EndKind {
     const char* title;
 };
 
-constexpr std::array<EndKind, 4> kinds{{{std::nullopt, "as it is"},
-                                        {core::EndVertex::doubled, "double"},
-                                        {core::EndVertex::tripled, "triple"},
-                                        {core::EndVertex::phantom, "phantom"}}};
+constexpr std::array<EndKind, 4> end_kinds{{{std::nullopt, "as it is"},
+                                            {core::EndVertex::doubled, "double"},
+                                            {core::EndVertex::tripled, "triple"},
+                                            {core::EndVertex::phantom, "phantom"}}};
 
 /// The three outer control points from the end inward.
 std::array<std::string, 3> outer_names(const core::Curve& curve, core::CurveEnd end) {
@@ -69,7 +69,7 @@ void add_end_vertices(Card& card, const core::Curve& curve, core::CurveEnd end) 
         .rows = {{{.text = is_start ? "Start" : "End"}, {.text = is_start ? "begins in" : "ends in"}, {.text = "C′"}}},
         .has_heading = true};
     CardButtons buttons;
-    for (const auto& [vertex, title] : kinds) {
+    for (const auto& [vertex, title] : end_kinds) {
         const auto [place, tangent] = formulas_of(vertex, end, names);
         table.rows.push_back({{.text = title}, {.text = place}, {.text = tangent}});
         if (vertex) buttons.buttons.push_back({title, adding(*vertex, is_start ? CurveEnds::start : CurveEnds::end)});

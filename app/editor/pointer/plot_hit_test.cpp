@@ -11,14 +11,14 @@ namespace {
 
 /// How near the pointer must be, in design pixels.
 namespace plot_reach {
-constexpr double knot = 8.0;
+constexpr double knot_diamond = 8.0;
 constexpr double parameter = 5.0;
 constexpr double graph = 6.0;
 constexpr double strip = 16.0;  ///< above and below its axis
 }  // namespace plot_reach
 
 std::optional<Hover> hit_knot_marks(const EditorState& state, const PlotLayout& layout, glm::dvec2 position_px) {
-    double least = plot_reach::knot * state.view.interface_scale;
+    double least = plot_reach::knot_diamond * state.view.interface_scale;
     std::optional<std::size_t> nearest;
     for (const KnotMark& mark : knot_marks(state, layout, {position_px.x - least, position_px.x + least})) {
         const double distance = glm::distance(position_px, mark.center_px);

@@ -18,7 +18,7 @@ constexpr Heights least_heights{40.0, 26.0, 46.0};
 constexpr Heights usual_heights{44.0, 54.0, 54.0};
 constexpr double stack_room_growth = 0.15;  ///< of what the dock is higher than usual
 constexpr double plot_side_margin = 32.0;
-constexpr double diamond = 8.0;
+constexpr double diamond_height = 8.0;
 constexpr double widest_stack_step = 10.0;
 constexpr double stack_clearance = 4.0;  ///< between the highest diamond and the plot
 
@@ -91,14 +91,14 @@ PlotLayout plot_layout(const EditorState& state, glm::dvec2 size_px) {
     layout.labels_px = heights.below_strip * scale;
     layout.strip_px = size_px.y - layout.labels_px;
     layout.bottom_px = std::max(layout.strip_px - heights.below_plot * scale, layout.top_px + 1.0);
-    layout.diamond_px = diamond * scale;
+    layout.diamond_px = diamond_height * scale;
     for (std::size_t k = 0; k < graph_count; ++k) {
         const double top = size_px.y + static_cast<double>(k) * graph_px;
         layout.graphs.push_back({{layout.left_px, top}, {layout.right_px, top + graph_px - graph_gap * scale}});
     }
 
     const auto steps = static_cast<double>(std::max<std::size_t>(1, steps_of_highest_stack(state.active_curve())));
-    const double room = std::max(1.0, heights.below_plot - diamond - stack_clearance);
+    const double room = std::max(1.0, heights.below_plot - diamond_height - stack_clearance);
     layout.stack_px = scale * std::min(widest_stack_step, room / steps);
     return layout;
 }

@@ -12,7 +12,7 @@ Symbol dot(const Frame& frame, render::Color ground) {
 }
 
 template <class Frame>
-Symbol ring(const Frame& frame, double radius) {
+Symbol ring_symbol(const Frame& frame, double radius) {
     return {.radius = radius, .fill = no_color, .outline = frame.theme.parameter, .outline_width = 2.5};
 }
 
@@ -34,7 +34,7 @@ void draw_equal_steps(CanvasFrame& frame) {
 
 void draw_equal_lengths(CanvasFrame& frame) {
     const int count = frame.state.view.shape.part_count;
-    draw_ends(frame, *frame.state.measured.equal_lengths(*frame.curve, count), ring(frame, 7.0));
+    draw_ends(frame, *frame.state.measured.equal_lengths(*frame.curve, count), ring_symbol(frame, 7.0));
 }
 
 void draw_steps_on_axis(PlotFrame& frame) {
@@ -44,7 +44,7 @@ void draw_steps_on_axis(PlotFrame& frame) {
 
 void draw_lengths_on_axis(PlotFrame& frame) {
     const int count = frame.state.view.shape.part_count;
-    draw_ends(frame, *frame.state.measured.equal_lengths(frame.curve, count), ring(frame, ring_on_axis));
+    draw_ends(frame, *frame.state.measured.equal_lengths(frame.curve, count), ring_symbol(frame, ring_on_axis));
 }
 
 }  // namespace batten::editor
