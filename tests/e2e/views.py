@@ -20,7 +20,7 @@ TOUR = ROOT / "docs" / "tour"
 SCREENSHOTS = ROOT / "assets" / "screenshots"
 PICTURE_SIZE = (1280, 720)
 SCREENSHOT_SIZE = (1440, 900)
-WITHOUT_CARD = ("hull", "construction", "bezier-pieces", "curvature-comb", "hodograph", "second-hodograph", "curvature-plot", "speed-plot")
+WITHOUT_CARD = ("hull", "construction", "bezier-pieces", "curvature-comb", "hodograph", "second-hodograph", "curvature-plot", "speed-plot", "other-polygons")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -84,10 +84,10 @@ SHAPE = (
 )
 CUBICS = (
     View("cubic-conditions", "coons-open", ("cubic-conditions",), ("1/6 = 1/6",)),
-    View("cubic-matrix", "coons-open", ("cubic-matrix",), ("9/128", "(181/96, 1067/384)"), is_light=True),
+    View("cubic-matrix", "coons-open", ("cubic-matrix",), ("9/128", "235/384"), is_light=True),
     View("anticentroids", "coons-closed", ("anticentroids",), ("S″", "2/3", "(−10/3, 2/3)")),
     View("ferguson", "coons-closed", ("ferguson",), ("Q_{0}′", "(−13/4, −1)"), is_light=True),
-    View("joined-cubics", "coons-joined", ("joined-cubics",), ("C″/2", "(−1, −10)")),
+    View("joined-cubics", "coons-joined", ("joined-cubics", "other-polygons"), ("Q_{1}", "C″/2", "(−1, −10)")),
     View("end-vertices", "coons-open", ("end-vertices",), ("2 P_{0} − P_{1}", "triple", "(5 P₀ + P₁)/6"), is_light=True),
 )
 WEIGHTS = (
