@@ -21,7 +21,8 @@ constexpr double hodograph_padding = 14.0;
 constexpr double hodograph_title_height = 16.0;
 constexpr double places_per_px = 4.0;  // of the picture's width
 constexpr std::size_t most_sampled_spans = 2000;
-constexpr std::size_t most_accelerated_points = 20000;  // C'' of longer curves is sampled, at a bounded cost
+constexpr std::size_t most_differentiated_points =
+    20000;  // large hodographs of longer curves are sampled, at a bounded cost
 
 std::size_t all_span_count(const core::Curve& curve) {
     return curve.knots().size() - 2 * static_cast<std::size_t>(curve.degree()) - 1;
@@ -85,7 +86,8 @@ struct Hodograph {
 
 /// The strips where all numbers are finite and the curve is not too long.
 core::CurveStrips* strips_of(const CanvasFrame& frame, std::size_t order) {
-    if (order == 2 && frame.curve->control_points().size() > most_accelerated_points) return nullptr;
+    const bool is_large = order == 2 || frame.curve->is_rational();  // several control points for each of the curve
+    if (is_large && frame.curve->control_points().size() > most_differentiated_points) return nullptr;
     core::CurveStrips* strips = frame.kept->hodograph(order);
     return strips != nullptr && core::is_finite(strips->box().lower) && core::is_finite(strips->box().upper) ? strips
                                                                                                              : nullptr;

@@ -189,6 +189,9 @@ TEST(Hodographs, of_rational_curves_say_their_degree_and_of_long_ones_leave_the_
     longer.knots = {many.values().begin(), many.values().end()};
     longer.points = test::scattered_points(24003, {8.0, 4.0});
     EXPECT_TRUE(test::has_text(scene_of(showing(longer, {Overlay::second_hodograph})), "C″(u) on 1847 of 24000 spans"));
+    longer.weights.assign(24003, 1.0);
+    longer.weights[1] = 2.0;
+    EXPECT_TRUE(test::has_text(scene_of(showing(longer, {Overlay::hodograph})), "C′(u) on 1847 of 24000 spans"));
 }
 
 TEST(Derivatives, of_the_worst_curves_are_drawn_without_fault) {
