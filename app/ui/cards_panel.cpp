@@ -81,14 +81,15 @@ void draw_one_card(const PanelContext& context, const editor::CardSource& source
     cards.heights_px[source.overlay] = ImGui::GetCursorPosY() - top;
 }
 
-/// A card that was just turned on is unfolded and brought into view.
+/// A card that was just turned on is unfolded and brought into view; one that a projector adds is neither.
 void follow_cards(const PanelContext& context, const std::vector<editor::CardSource>& shown) {
     CardsState& cards = context.panels.cards;
     std::vector<editor::Overlay> overlays;
     for (const editor::CardSource& source : shown) overlays.push_back(source.overlay);
     cards.wanted.reset();
     for (const editor::Overlay overlay : overlays)
-        if (std::ranges::find(cards.shown, overlay) == cards.shown.end()) {
+        if (context.state.view.overlays.is_shown(overlay) &&
+            std::ranges::find(cards.shown, overlay) == cards.shown.end()) {
             if (!cards.wanted) cards.wanted = overlay;
             cards.open_cards.erase(card_name(overlay));
         }
