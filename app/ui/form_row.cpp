@@ -112,7 +112,7 @@ std::string meaning_of(const PanelContext& context, const Field& field) {
 
 /// The meaning of a degree with the order that belongs to `text`, where the notation has orders.
 std::string meaning_with_order(const PanelContext& context, const Field& field, const std::string& text) {
-    const std::string meaning = meaning_of(context, field);
+    std::string meaning = meaning_of(context, field);
     const bool has_order = context.state.view.notation.degree == editor::DegreeOrOrder::order;
     const auto degree = core::leading_number(text);
     if (!has_order || field.kind != FieldKind::count || std::string_view(field.parts[0].name) != "degree" || !degree)

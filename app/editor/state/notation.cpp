@@ -77,7 +77,7 @@ std::optional<std::pair<std::size_t, std::string>> order_at_begin(std::string_vi
                                                        "egree is ", "egree of ",  "egree has "};
     for (const std::string_view opening : openings)
         if (text.starts_with(opening)) {
-            if (const auto found = order_behind(text, opening, " (k = {order})")) return found;
+            if (auto found = order_behind(text, opening, " (k = {order})")) return found;
         }
     constexpr std::string_view raised = "egree from ";
     if (!text.starts_with(raised)) return std::nullopt;
