@@ -27,7 +27,7 @@ using core::Curve;
 using core::sentence;
 
 constexpr int circle_samples = 200;
-constexpr int digits = 6;  // of numbers that are no small fractions
+constexpr int digits = 6;  // of numbers that are compared and no small fractions
 
 template <class Found>
 CheckResult compared(bool holds, const char* yes, const char* no, Found found, Found wanted) {
@@ -112,6 +112,7 @@ struct Checker {
     const Curve& curve;
 
     std::string number(double value) const { return exact_text(state.view.notation, value, digits); }
+    std::string length_text(double value) const { return exact_text(state.view.notation, value); }
     std::string place_text(core::Point place) const {
         return sentence("({x}, {y})", {{"x", number(place.x)}, {"y", number(place.y)}});
     }
@@ -182,7 +183,7 @@ struct Checker {
             check.point ? sentence("{point}", {{"point", point_text(*check.point)}}) : place_text(place);
         if (distance <= check.within) return {true, sentence("the curve passes through {place}", {{"place", name}})};
         return {false, sentence("the curve passes {place} at a distance of {distance}",
-                                {{"place", name}, {"distance", number(distance)}})};
+                                {{"place", name}, {"distance", length_text(distance)}})};
     }
     CheckResult operator()(const IsCircle& check) const {
         const core::Interval domain = curve.domain();
@@ -195,7 +196,7 @@ struct Checker {
                 worst,
                 std::abs(core::distance(at(k / static_cast<double>(circle_samples)), circle->center) - circle->radius));
         if (worst <= check.within * circle->radius) return {true, "the curve lies on a circle"};
-        return {false, sentence("the curve leaves the circle by {distance}", {{"distance", number(worst)}})};
+        return {false, sentence("the curve leaves the circle by {distance}", {{"distance", length_text(worst)}})};
     }
     CheckResult operator()(const ConicIs& check) const {
         const core::BezierPieces pieces = core::bezier_pieces(curve);
@@ -263,7 +264,7 @@ CheckResult Checker::operator()(const CurvesJoin& check) const {
     const core::JointContinuity joint =
         core::continuity_between(first, second, core::nearest_ends(first, second), box, tolerances_of(check.within));
     if (joint.geometric < 0)
-        return {false, sentence("the ends are {distance} apart", {{"distance", number(joint.position.size)}})};
+        return {false, sentence("the ends are {distance} apart", {{"distance", length_text(joint.position.size)}})};
     return joint_result(joint, check.order);
 }
 
@@ -324,7 +325,7 @@ CheckResult Checker::operator()(const PointsAreCollinear& check) const {
         if (length > 0.0) farthest = std::max(farthest, std::abs(core::cross(line, off)) / length);
     }
     if (farthest <= check.within * length) return {true, "the points are on one line"};
-    return {false, sentence("a point is {distance} off the line", {{"distance", number(farthest)}})};
+    return {false, sentence("a point is {distance} off the line", {{"distance", length_text(farthest)}})};
 }
 
 }  // namespace

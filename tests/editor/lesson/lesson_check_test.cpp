@@ -97,6 +97,10 @@ TEST(LessonCheck, tells_how_curves_join) {
     EXPECT_FALSE(holds(pair({2, 1}), JointOrder::G1));
     EXPECT_FALSE(holds(pair({0, 0}), JointOrder::G1)) << "both come from the same side";
     expect(CurvesJoin{}, state_of({line({0, 0}, {1, 1}), line({1, 2}, {5, 5})}), false, "the ends are 1 apart");
+    // 1/3 and the root of 2, each in as many digits as one reads.
+    expect(CurvesJoin{}, state_of({line({0, 0}, {1, 1}), line({1, 4.0 / 3.0}, {5, 5})}), false,
+           "the ends are 1/3 apart");
+    expect(CurvesJoin{}, state_of({line({-6, -2}, {-1, 1}), line({0, 0}, {6, 2})}), false, "the ends are 1.414 apart");
     expect(CurvesJoin{.order = JointOrder::C1}, pair({3, 3}), false, "the curves meet with G²; it shall be C¹");
     expect(CurvesJoin{.order = JointOrder::C2}, pair({2, 2}), true, "the curves meet with C²");
     expect(CurvesJoin{.second = 2}, pair({2, 2}), false, "there are not two curves");
@@ -117,6 +121,7 @@ TEST(LessonCheck, tells_places_and_lines) {
     expect(PointIsAt{.point = 1, .at = {1, 2}}, state, true, "P₁ is at (1, 2)");
     expect(PointIsAt{.point = 1, .at = {1, 3}}, state, false, "P₁ is at (1, 2), not yet at (1, 3)");
     expect(PointsAreCollinear{.points = {0, 4, 2}}, state, false, "a point is 2 off the line");
+    expect(PointsAreCollinear{.points = {0, 1, 3}}, state, false, "a point is 1.698 off the line");
     EXPECT_TRUE(result_of(PointsAreCollinear{.points = {1, 2, 1}}, state).holds);
     expect(IsClosed{}, state, false, "the curve is still open");
     expect(ParameterIs{.is = 0.0}, state, true, "u is 0");
