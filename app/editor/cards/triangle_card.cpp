@@ -94,10 +94,21 @@ void add_cell_formulas(Card& card, const ShownTriangle& shown, core::CellPlace p
                  CardTone::strong);
 }
 
-/// The hovered point of level >= 1, else C(u).
-core::CellPlace told_cell(const ShownTriangle& shown) {
+/// The hovered point of level >= 1, else the last one of the last level that is shown: C(u) where all are. None where
+/// not even level 1 is shown.
+std::optional<core::CellPlace> told_cell(const ShownTriangle& shown) {
     const auto hovered = hovered_cell(shown.state, shown.triangle);
-    return hovered && hovered->level > 0 ? *hovered : core::CellPlace{shown.degree(), 0};
+    if (hovered && hovered->level > 0) return hovered;
+    const std::size_t last = shown_level(shown.state.view, shown.curve.degree());
+    if (last == 0) return std::nullopt;
+    return core::CellPlace{last, shown.triangle.levels[last].size() - 1};
+}
+
+void add_told_point(Card& card, const ShownTriangle& shown) {
+    const std::optional<core::CellPlace> told = told_cell(shown);
+    if (!told) return;
+    card.line(core::sentence("How {point} is made", {{"point", shown.named().point(*told)}}), CardTone::strong);
+    add_cell_formulas(card, shown, *told);
 }
 
 SetNotation numbered_by(const Notation& notation, CellNumbering numbering) {
@@ -139,9 +150,7 @@ Card triangle_card(const EditorState& state) {
     card.add(triangle_picture(state, {.inside = name, .below = cell_alpha_text}));
     if (!state.view.is_presenting) add_numbering(card, shown);
     add_lines(card, shown);
-    const core::CellPlace told = told_cell(shown);
-    card.line(core::sentence("How {point} is made", {{"point", shown.named().point(told)}}), CardTone::strong);
-    add_cell_formulas(card, shown, told);
+    add_told_point(card, shown);
     // A projector's card is low: first what is told there.
     if (state.view.is_presenting) add_numbering(card, shown);
     return card;

@@ -85,6 +85,26 @@ TEST(TriangleCard, lights_points_from_its_lines_and_tells_of_the_hovered_one) {
     }
 }
 
+TEST(TriangleCard, tells_no_more_than_the_levels_that_are_shown) {
+    EditorState state = state_at(test::cubic(), 0.4);
+    state.view.level = 1;
+    EXPECT_TRUE(says(triangle_card(state), "How P₄¹ is made"));
+    EXPECT_TRUE(says(triangle_card(state), "= (2/5 − 1/4)/(1 − 1/4) = 1/5"));
+    EXPECT_FALSE(says(triangle_card(state), "α₄³"));
+    EXPECT_FALSE(says(triangle_card(state), "C(u) ="));
+    state.view.level = 2;
+    EXPECT_TRUE(says(triangle_card(state), "How P₄² is made"));
+    state.view.level = 0;
+    EXPECT_FALSE(says(triangle_card(state), "is made")) << "the points of level 0 are given";
+    state.hover = HoveredCell{1, 0};
+    EXPECT_TRUE(says(triangle_card(state), "How P₂¹ is made"));
+    state.hover = HoveredNothing{};
+    state.view.level = 3;
+    EXPECT_TRUE(says(triangle_card(state), "How C(u) is made"));
+    state.view.level.reset();
+    EXPECT_TRUE(says(triangle_card(state), "How C(u) is made"));
+}
+
 TEST(TriangleCard, of_a_bezier_curve_is_de_casteljau) {
     const EditorState state = state_at(bezier(), 0.25);
     const Card card = triangle_card(state);
