@@ -34,7 +34,7 @@ Outcome<void> solve(EditorState& state, const SolveTask&) {
 }
 
 Outcome<void> close(EditorState& state, const CloseLesson&) {
-    state.lesson.reset();
+    close_lesson(state);
     return {};
 }
 
@@ -161,15 +161,16 @@ const CommandSpec& SolveTask::spec() {
 }
 
 const CommandSpec& CloseLesson::spec() {
-    static const CommandSpec spec{.name = "close-lesson",
-                                  .title = "Close lesson",
-                                  .explanation = "Leaves the lesson; its curves stay.",
-                                  .synonyms = "end",
-                                  .group = CommandGroup::help,
-                                  .submenu = lesson_menu,
-                                  .offered = in_the_window,
-                                  .refusal = no_lesson,
-                                  .run = body_of<close>};
+    static const CommandSpec spec{
+        .name = "close-lesson",
+        .title = "Close lesson",
+        .explanation = "Leaves the lesson: its curves stay, and what was shown before is shown again.",
+        .synonyms = "end",
+        .group = CommandGroup::help,
+        .submenu = lesson_menu,
+        .offered = in_the_window,
+        .refusal = no_lesson,
+        .run = body_of<close>};
     return spec;
 }
 

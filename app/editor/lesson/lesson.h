@@ -50,9 +50,17 @@ struct LessonPlace {
     ShapeView shape{};  ///< the line of variation diminishing among it
 };
 
+/// What was shown before a lesson was opened, to be shown again when it is closed.
+struct ViewsBefore {
+    Overlays overlays;
+    Notation notation;
+    std::optional<int> level{};
+};
+
 /// A lesson that is being taken.
 struct LessonRun {
     std::shared_ptr<const Lesson> lesson;  ///< not null
+    ViewsBefore before{};                  ///< the first one of lessons that follow one another
     std::size_t step = 0;
     std::vector<LessonPlace> begun{};  ///< the steps up to this one as they began
 

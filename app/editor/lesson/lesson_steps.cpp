@@ -80,10 +80,13 @@ Outcome<void> open_lesson(EditorState& state, const std::string& name) {
 }
 
 Outcome<void> begin_lesson(EditorState& state, std::shared_ptr<const Lesson> lesson) {
+    const View& view = state.view;
+    const ViewsBefore before =
+        state.lesson ? state.lesson->before : ViewsBefore{view.overlays, view.notation, view.level};
     show_document(state, lesson->document, {});
     if (lesson->notation) state.view.notation = *lesson->notation;
     take_view(state.view, lesson->view);
-    state.lesson = LessonRun{std::move(lesson)};
+    state.lesson = LessonRun{std::move(lesson), before};
     return begin_step(state);
 }
 
@@ -107,6 +110,14 @@ void go_back_a_step(EditorState& state) {
     state.view.parameter = place.parameter;
     state.view.level = place.level;
     state.view.shape = place.shape;
+}
+
+void close_lesson(EditorState& state) {
+    const ViewsBefore before = state.lesson->before;
+    state.lesson.reset();
+    state.view.overlays = before.overlays;
+    state.view.notation = before.notation;
+    state.view.level = before.level;
 }
 
 }  // namespace batten::editor

@@ -21,4 +21,8 @@ Outcome<void> do_task(EditorState& state);
 /// Goes back to the step before, which there is, as it began.
 void go_back_a_step(EditorState& state);
 
+/// Ends the lesson: its document stays with its history, and the overlays, the notation and the level are again as they
+/// were before it was opened.
+void close_lesson(EditorState& state);
+
 }  // namespace batten::editor

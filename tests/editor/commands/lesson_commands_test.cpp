@@ -1,5 +1,6 @@
 #include "app/editor/commands/lesson_commands.h"
 
+#include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/overlay_commands.h"
@@ -123,6 +124,31 @@ TEST_F(LessonCommands, end_with_the_lesson_or_with_another_document) {
     open();
     run(NewDocument{});
     EXPECT_FALSE(state().lesson);
+}
+
+TEST_F(LessonCommands, show_again_what_was_shown_before) {
+    run(Open{.path = folder_.write("sample.json", sample_text)});
+    run(ToggleOverlay<Overlay::continuity>{});
+    ASSERT_TRUE(run(SetLevel{.level = 2})) << state().message.text;
+    const Overlays shown = state().view.overlays;
+    ASSERT_TRUE(shown.is_shown(Overlay::grid));
+    open();
+    run(NextStep{});
+    EXPECT_FALSE(state().view.overlays.is_shown(Overlay::continuity));
+    open();
+    run(NextStep{});
+    run(NextStep{});
+    run(InsertKnot{.u = 0.5});
+    run(ToggleOverlay<Overlay::hodograph>{});
+    run(SetLevel{.level = 1});
+    run(CloseLesson{});
+    EXPECT_EQ(state().view.overlays, shown) << "not what the lesson shown before had";
+    EXPECT_EQ(state().view.notation, Notation{});
+    EXPECT_EQ(state().view.level, 2);
+    EXPECT_EQ(curve().control_points().size(), 6U) << "the curves stay";
+    EXPECT_TRUE(run(Undo{})) << "and what was done with them";
+    EXPECT_EQ(curve().control_points().size(), 5U);
+    EXPECT_EQ(state().view.overlays, shown);
 }
 
 TEST_F(LessonCommands, refuse_what_is_no_lesson) {
