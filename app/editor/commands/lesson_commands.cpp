@@ -44,6 +44,14 @@ Outcome<void> begin(EditorState& state, const RecordLesson& command) {
     return {};
 }
 
+Outcome<void> describe(EditorState& state, const DescribeStep& command) {
+    describe_step(state, command.text);
+    state.message = {
+        core::sentence("Step {step} of the lesson has its text now", {{"step", state.recording->lesson.steps.size()}}),
+        false};
+    return {};
+}
+
 Outcome<void> save(EditorState& state, const SaveLesson& command) {
     return native_path(command.path).and_then([&](const std::filesystem::path& path) -> Outcome<void> {
         Outcome<void> saved = save_lesson(recorded_lesson(state), absolute_path(path));
@@ -188,6 +196,21 @@ const CommandSpec& RecordLesson::spec() {
     return spec;
 }
 
+const CommandSpec& DescribeStep::spec() {
+    static const CommandSpec spec{
+        .name = "describe-step",
+        .title = "Describe the step",
+        .explanation = "Gives the last step of the lesson that is recorded its text.",
+        .synonyms = "record write explain",
+        .group = CommandGroup::help,
+        .submenu = lesson_menu,
+        .offered = in_the_window,
+        .fields = {field::text<&DescribeStep::text>("text", "what is to be seen in the step")},
+        .refusal = no_recording,
+        .run = body_of<describe>};
+    return spec;
+}
+
 const CommandSpec& SaveLesson::spec() {
     static const CommandSpec spec{.name = "save-lesson",
                                   .title = "Save lesson",
@@ -216,7 +239,8 @@ const CommandSpec& DropRecording::spec() {
 }
 
 void add_lesson_commands(CommandTable& table) {
-    add_all<OpenLesson, NextStep, PreviousStep, SolveTask, CloseLesson, RecordLesson, SaveLesson, DropRecording>(table);
+    add_all<OpenLesson, NextStep, PreviousStep, SolveTask, CloseLesson, RecordLesson, DescribeStep, SaveLesson,
+            DropRecording>(table);
 }
 
 }  // namespace batten::editor

@@ -35,6 +35,11 @@ struct RecordLesson {
     static const CommandSpec& spec();
 };
 
+struct DescribeStep {
+    std::string text;  ///< in the notation of render::Label
+    static const CommandSpec& spec();
+};
+
 struct SaveLesson {
     std::filesystem::path path;
     static const CommandSpec& spec();

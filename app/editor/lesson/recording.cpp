@@ -57,15 +57,45 @@ void record_act(EditorState& state, const Command& command, const LessonPlace& n
         recording.undone.clear();
     } else if (now.overlays != recording.last.overlays) {
         steps.push_back({.text = command.spec().explanation, .view = changed_view(recording.last, now)});
-        recording.undone.clear();
     } else {
         merge(steps.back().view, changed_view(recording.last, now));
     }
 }
 
-/// Whether the last step is one that undo takes back.
-bool can_take_back(const std::vector<LessonStep>& steps) {
-    return steps.size() > 1 && !steps.back().acts.empty();
+/// The step that undo takes back: the last edit, whatever was shown since then. Never the first step.
+std::size_t undone_step(const std::vector<LessonStep>& steps) {
+    std::size_t k = steps.size() - 1;
+    while (k > 0 && steps[k].acts.empty() && !steps[k].document) --k;
+    return steps[k].acts.empty() ? 0 : k;
+}
+
+/// False where there is no such step.
+bool take_back(LessonRecording& recording) {
+    std::vector<LessonStep>& steps = recording.lesson.steps;
+    const std::size_t k = undone_step(steps);
+    if (k == 0) return false;
+    // What it showed stays.
+    merge(steps[k - 1].view, steps[k].view);
+    recording.undone.push_back(std::move(steps[k]));
+    steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(k));
+    return true;
+}
+
+void record_done(EditorState& state, const Command& command, const LessonPlace& now) {
+    LessonRecording& recording = *state.recording;
+    if (command.as<Redo>() != nullptr && !recording.undone.empty()) {
+        recording.lesson.steps.push_back(std::move(recording.undone.back()));
+        recording.undone.pop_back();
+    } else if (command.spec().run.edit != nullptr) {
+        if (!has_same_content(now.document, recording.last.document)) record_edit(state, command, now);
+    } else {
+        record_act(state, command, now);
+    }
+}
+
+// The sentence of the document says what the whole lesson is about.
+std::string first_text(const core::Document& document) {
+    return document.title.empty() ? "This is what it begins with." : document.title;
 }
 
 }  // namespace
@@ -78,27 +108,22 @@ void begin_recording(EditorState& state, const std::string& title) {
     if (state.view.notation != Notation{}) lesson.notation = state.view.notation;
     lesson.document = now.document;
     lesson.view = view_of(now);
-    lesson.steps.push_back({.text = now.document.description});
+    lesson.steps.push_back({.text = first_text(now.document)});
     state.recording = LessonRecording{.lesson = std::move(lesson), .last = now};
 }
 
 void record(EditorState& state, const Command& command) {
     if (!state.recording) return;
     LessonRecording& recording = *state.recording;
-    std::vector<LessonStep>& steps = recording.lesson.steps;
     const LessonPlace now = place_of(state);
-    if (command.as<Undo>() != nullptr && can_take_back(steps)) {
-        recording.undone.push_back(std::move(steps.back()));
-        steps.pop_back();
-    } else if (command.as<Redo>() != nullptr && !recording.undone.empty()) {
-        steps.push_back(std::move(recording.undone.back()));
-        recording.undone.pop_back();
-    } else if (command.spec().run.edit != nullptr) {
-        if (!has_same_content(now.document, recording.last.document)) record_edit(state, command, now);
-    } else {
-        record_act(state, command, now);
-    }
+    const bool is_changed = !has_same_content(now.document, recording.last.document);
+    const bool is_taken_back = command.as<Undo>() != nullptr && is_changed && take_back(recording);
+    if (!is_taken_back) record_done(state, command, now);
     recording.last = now;
+}
+
+void describe_step(EditorState& state, const std::string& text) {
+    state.recording->lesson.steps.back().text = text;
 }
 
 Lesson recorded_lesson(const EditorState& state) {

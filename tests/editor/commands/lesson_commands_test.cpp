@@ -253,6 +253,70 @@ TEST_F(Recording, keeps_what_is_shown_as_it_is_and_not_as_a_switch) {
     }
 }
 
+TEST_F(Recording, forgets_what_is_undone_after_something_else_was_shown) {
+    run(Open{.path = folder_.write("sample.json", sample_text)});
+    run(RecordLesson{"Mine"});
+    run(InsertKnot{.u = 0.3});
+    run(InsertKnot{.u = 0.4});
+    run(ToggleOverlay<Overlay::hodograph>{});
+    run(Undo{});
+    ASSERT_EQ(state().recording->lesson.steps.size(), 3U) << "the first one, a knot, the hodograph";
+    run(ToggleOverlay<Overlay::continuity>{});
+    run(Redo{});
+    const core::Document made = state().history.present();
+    const Lesson lesson = saved();
+    ASSERT_EQ(lesson.steps.size(), 5U);
+    for (const LessonStep& step : lesson.steps) EXPECT_FALSE(step.document) << step.text;
+    EXPECT_EQ(lesson.steps[1].acts, std::vector<std::string>{R"(["insert-knot",0.3])"});
+    EXPECT_TRUE(lesson.steps[2].acts.empty());
+    EXPECT_EQ(lesson.steps[4].acts, std::vector<std::string>{R"(["insert-knot",0.4])"});
+    run(OpenLesson{"recorded"});
+    for (int times = 0; times < 4; ++times) run(NextStep{});
+    EXPECT_TRUE(has_same_content(state().history.present(), made));
+}
+
+TEST_F(Recording, keeps_the_parameter_of_a_step_that_is_undone) {
+    run(Open{.path = folder_.write("sample.json", sample_text)});
+    run(RecordLesson{"Mine"});
+    run(InsertKnot{.u = 0.3});
+    run(SetParameter{.u = 0.375});
+    run(Undo{});
+    const Lesson lesson = saved();
+    ASSERT_EQ(lesson.steps.size(), 1U);
+    EXPECT_EQ(lesson.steps[0].view.parameter, 0.375);
+}
+
+TEST_F(Recording, says_what_the_lesson_is_about_once) {
+    run(Open{.path = folder_.write("sample.json", sample_text)});
+    run(RecordLesson{"Mine"});
+    EXPECT_EQ(state().recording->lesson.steps[0].text, "This is what it begins with.");
+    run(DropRecording{});
+    run(Open{.path = folder_.write("waves.json", R"({"format": "batten", "version": 1, "title": "Waves",
+        "description": "A curve that waves.", "curves": []})")});
+    run(RecordLesson{"Mine"});
+    const Lesson lesson = saved();
+    EXPECT_EQ(lesson.text, "A curve that waves.");
+    EXPECT_EQ(lesson.steps[0].text, "Waves");
+}
+
+TEST_F(Recording, gives_the_last_step_the_text_that_is_told) {
+    EXPECT_FALSE(run(DescribeStep{"Nothing."}));
+    EXPECT_EQ(state().message.text, "no lesson is being recorded");
+    run(Open{.path = folder_.write("sample.json", sample_text)});
+    run(RecordLesson{"Mine"});
+    EXPECT_TRUE(run(DescribeStep{"Before."}));
+    run(InsertKnot{.u = 0.3});
+    EXPECT_TRUE(run(DescribeStep{"A knot comes in: u_{4} = 0.3."}));
+    EXPECT_EQ(state().message.text, "Step 2 of the lesson has its text now");
+    run(InsertKnot{.u = 0.4});
+    run(Undo{});
+    const Lesson lesson = saved();
+    ASSERT_EQ(lesson.steps.size(), 2U);
+    EXPECT_EQ(lesson.steps[0].text, "Before.");
+    EXPECT_EQ(lesson.steps[1].text, "A knot comes in: u_{4} = 0.3.");
+    EXPECT_EQ(lesson.steps[1].acts, std::vector<std::string>{R"(["insert-knot",0.3])"});
+}
+
 TEST_F(Recording, is_one_at_a_time_and_can_be_dropped) {
     EXPECT_FALSE(run(SaveLesson{folder_.path() / "x.json"}));
     EXPECT_EQ(state().message.text, "no lesson is being recorded");
