@@ -35,21 +35,26 @@ constexpr const char* page = R"(<!DOCTYPE html>
 <title>{name}</title>
 <style>
 * {{ box-sizing: border-box; }}
-body {{ font: 11pt/1.45 Inter, "DejaVu Sans", sans-serif; color: #1c2128; max-width: 46rem; margin: 2rem auto; padding: 0 1rem; }}
+body {{ font: 11pt/1.45 Inter, "DejaVu Sans", sans-serif; color: #1c2128; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }}
 h1 {{ font-size: 1.7em; margin-bottom: 0.2em; }}
 h2 {{ font-size: 1.1em; margin: 1.6em 0 0.3em; }}
 h3 {{ font-size: 1em; margin: 0.8em 0 0.2em; }}
-figure {{ margin: 0.6em 0; }}
+figure {{ margin: 0.6em 0; break-inside: avoid; }}
 figure img {{ display: block; width: 100%; border: 1px solid #c9ced6; border-bottom-width: 0; }}
 figure img:last-child {{ border-bottom-width: 1px; }}
-.step {{ break-inside: avoid-page; }}
+h2, .step > p {{ break-inside: avoid; break-after: avoid; }}
+.shown {{ display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); gap: 0 1rem; align-items: start; }}
+.shown > :only-child {{ grid-column: 1 / -1; }}
 .task {{ font-weight: 600; border-left: 3px solid #0b57d0; padding-left: 0.7em; }}
 .card {{ border: 1px solid #c9ced6; border-radius: 6px; padding: 0.2em 0.9em 0.7em; margin: 0.6em 0; font-size: 0.92em; break-inside: avoid; }}
+.card img {{ max-width: 100%; height: auto; }}
 .formula {{ font-family: "JetBrains Mono", "DejaVu Sans Mono", monospace; font-size: 0.92em; }}
 table {{ border-collapse: collapse; margin: 0.4em 0; }}
 td, th {{ padding: 0.1em 0.9em 0.1em 0; text-align: left; vertical-align: baseline; }}
 sub, sup {{ font-size: 0.72em; line-height: 0; }}
-@media print {{ body {{ margin: 0; max-width: none; }} }}
+@media screen and (max-width: 40rem) {{ .shown {{ display: block; }} }}
+@media print {{ body {{ font-size: 9.5pt; margin: 0; padding: 0; max-width: none; }} }}
+@page {{ margin: 12mm; }}
 </style>
 </head>
 <body>
@@ -127,15 +132,21 @@ std::string task_html(const editor::EditorState& state) {
     return task.empty() ? "" : sentence("<p class=\"task\">{task}</p>\n", {{"task", shown(state, task)}});
 }
 
-std::string step_html(const editor::EditorState& state) {
+/// The cards beside the figure; the one without the other is as wide as the page.
+std::string shown_html(const editor::EditorState& state) {
     std::string cards;
     for (const editor::CardSource& source : editor::shown_cards(state)) cards += card_html(state, source);
-    return sentence("<section class=\"step\">\n<h2>{number}.</h2>\n<p>{text}</p>\n{task}{figure}{cards}</section>\n",
+    return sentence("<div class=\"shown\">{figure}{cards}</div>\n",
+                    {{"figure", state.active_curve() != nullptr ? figure_html(state) : ""},
+                     {"cards", cards.empty() ? "" : sentence("<div>\n{cards}</div>\n", {{"cards", cards}})}});
+}
+
+std::string step_html(const editor::EditorState& state) {
+    return sentence("<section class=\"step\">\n<h2>{number}.</h2>\n<p>{text}</p>\n{task}{shown}</section>\n",
                     {{"number", state.lesson->step + 1},
                      {"text", shown(state, state.lesson->present().text)},
                      {"task", task_html(state)},
-                     {"figure", state.active_curve() != nullptr ? figure_html(state) : ""},
-                     {"cards", cards}});
+                     {"shown", shown_html(state)}});
 }
 
 /// The whole page; the sentence says which step cannot be shown.

@@ -71,6 +71,8 @@ class Handout(unittest.TestCase):
         self.assertEqual(len(re.findall('class="task"', text)), 2)
         self.assertIn("Values and sum", page.texts["h3"], "cards are called as in the window")
         self.assertIn('<td colspan="5">', text, "verdicts stand above the columns of the jumps")
+        self.assertEqual(len(re.findall('<div class="shown"><figure>', text)), 7, "cards stand beside the figure")
+        self.assertNotIn("avoid-page", text, "a step may be longer than what is left of a page")
         self.assertEqual(len(page.pictures), 14, "curve and basis functions of each step")
 
     def test_markup_in_texts_is_text(self):
