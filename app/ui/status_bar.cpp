@@ -35,6 +35,7 @@ struct Readout {
     std::string value;
     std::size_t columns;
     std::string unit = {};
+    std::string widget = {};  ///< what it is reported as where it has no name
 };
 
 std::size_t letter_count(const std::string& text) {
@@ -94,7 +95,12 @@ std::string zoom_text(double percent) {
 Readout frame_rate(const PanelContext& context, double frames_per_second) {
     const bool is_moving = frames_per_second >= 0.5 &&
                            (context.state.view.playback.is_playing || context.panels.pointer.captured != Picture::none);
-    return {"", is_moving ? editor::fixed_text(frames_per_second, 0) : "", 3, is_moving ? " fps" : "    "};
+    return {"", is_moving ? editor::fixed_text(frames_per_second, 0) : "", 3, is_moving ? " fps" : "    ", "fps"};
+}
+
+std::string recording_text(const editor::LessonRecording& recording) {
+    return core::sentence({.one = "Recording a lesson: 1 step", .many = "Recording a lesson: {count} steps"},
+                          recording.lesson.steps.size());
 }
 
 /// From left to right; where the window is narrow the left ones are given up first.
@@ -103,6 +109,8 @@ std::vector<Readout> readouts_of(const PanelContext& context, double frames_per_
     add_position(context, readouts);
     const double zoom = 100.0 * context.state.view.camera.scale / (full_zoom * context.scale);
     readouts.push_back({"zoom", zoom_text(zoom), 5, " %"});
+    // Never given up: what runs unseen is forgotten.
+    if (context.state.recording) readouts.push_back({"", recording_text(*context.state.recording), 0, "", "recording"});
     return readouts;
 }
 
@@ -123,7 +131,7 @@ void draw_readouts(const PanelContext& context, const Rectangle& place, const st
         x += context.px(gap);
         ImGui::GetWindowDrawList()->AddText(context.fonts.number, line, {std::floor(x), std::floor(y)},
                                             imgui_packed(context.theme.dim), text.c_str());
-        context.widgets.push_back({fmt::format("status {}", readout.name.empty() ? "fps" : readout.name),
+        context.widgets.push_back({fmt::format("status {}", readout.name.empty() ? readout.widget : readout.name),
                                    {{x, y}, {width, line}},
                                    readout.value});
         x += width;
