@@ -206,16 +206,17 @@ void draw_point_table(const PanelContext& context, const core::Curve& curve) {
     const float fields = content_width(context) - context.px(point_name_width + 2.0 * coordinate_gap) - bar;
     const float field_width = std::floor(fields / 3.0F);
     const auto facts = context.state.derived.of(curve);
+    const auto weights = context.state.derived.weights_of(curve);
     const core::Box& box = facts->control_box;
     const PointTable table{
         context,
         curve,
         editor::decimals_for(facts->size),
-        std::max(2, facts->weights.decimals),
+        std::max(2, weights->column.decimals),
         content_width(context) + 2.0F * context.px(point_overhang) - bar,
         field_width,
         decimals_in(context, field_width, std::min(box.lower.x, box.lower.y), std::max(box.upper.x, box.upper.y)),
-        decimals_in(context, field_width, 0.0, facts->heaviest)};
+        decimals_in(context, field_width, 0.0, weights->heaviest)};
     draw_header(table);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(point_overhang));
     const float height = context.px(point_row_height) * static_cast<float>(std::min(count, most_point_rows));

@@ -69,8 +69,9 @@ Card homogeneous_card(const EditorState& state) {
                              root_text(state.view.notation, now.u)),
                  CardTone::parameter);
     write_shape(card, *curve);
-    const auto facts = state.derived.of(*curve);
-    const core::LiftView view = core::lift_view(facts->control_box, {facts->lightest, facts->heaviest});
+    const auto weights = state.derived.weights_of(*curve);
+    const core::LiftView view =
+        core::lift_view(state.derived.of(*curve)->control_box, {weights->lightest, weights->heaviest});
     if (view.exponent != 1.0)
         card.line(sentence("The weights differ so much that heights are drawn as w to the power {exponent}; each point "
                            "stays on its ray.",

@@ -28,10 +28,12 @@ KnotFacts facts_of_knots(const core::KnotVector& knots) {
 
 CurveFacts facts_of_curve(const core::Curve& curve) {
     const core::Box box = core::control_box(curve);
+    return {.control_box = box, .size = std::max(box.size().x, box.size().y)};
+}
+
+WeightFacts facts_of_weights(const core::Curve& curve) {
     const auto weights = curve.weights();
-    return {.control_box = box,
-            .size = std::max(box.size().x, box.size().y),
-            .weights = weight_column(curve),
+    return {.column = weight_column(curve),
             .lightest = curve.is_rational() ? std::ranges::min(weights) : weights.front(),
             .heaviest = curve.is_rational() ? std::ranges::max(weights) : weights.front()};
 }
@@ -85,6 +87,10 @@ bool share_arrays(const core::Curve& a, const core::Curve& b) {
            share_arrays(a.knots(), b.knots());
 }
 
+bool share_weights(const core::Curve& a, const core::Curve& b) {
+    return a.weights().data() == b.weights().data() && a.is_rational() == b.is_rational();
+}
+
 bool share_arrays(const MappedCurve& a, const MappedCurve& b) {
     return a.map == b.map && share_arrays(a.curve, b.curve);
 }
@@ -99,6 +105,10 @@ std::shared_ptr<const KnotFacts> Derived::of(const core::KnotVector& knots) cons
 
 std::shared_ptr<const CurveFacts> Derived::of(const core::Curve& curve) const {
     return of_curves_.of(curve, facts_of_curve);
+}
+
+std::shared_ptr<const WeightFacts> Derived::weights_of(const core::Curve& curve) const {
+    return of_weights_.of(curve, facts_of_weights);
 }
 
 std::shared_ptr<const PlotBasis> Derived::plot_basis(const core::KnotVector& knots) const {

@@ -20,6 +20,9 @@ namespace batten::editor {
 /// Whether both have the same arrays, not only equal ones.
 bool share_arrays(const core::KnotVector& a, const core::KnotVector& b);
 bool share_arrays(const core::Curve& a, const core::Curve& b);
+
+/// Whether the weights are one array.
+bool share_weights(const core::Curve& a, const core::Curve& b);
 bool share_arrays(const MappedCurve& a, const MappedCurve& b);
 
 struct KnotFacts {
@@ -41,7 +44,11 @@ struct PolygonRound {
 struct CurveFacts {
     core::Box control_box;
     double size = 0.0;  ///< the longer side of the box
-    NumberColumn weights;
+};
+
+/// What the weights of a curve say.
+struct WeightFacts {
+    NumberColumn column;
     double lightest = 1.0;  ///< the least weight
     double heaviest = 1.0;  ///< the greatest weight
 };
@@ -52,6 +59,9 @@ class Derived {
     /// Cost O(n) when first asked for.
     std::shared_ptr<const KnotFacts> of(const core::KnotVector& knots) const;
     std::shared_ptr<const CurveFacts> of(const core::Curve& curve) const;
+
+    /// The same for curves that share their weights, whatever their points. Cost O(n) when first asked for.
+    std::shared_ptr<const WeightFacts> weights_of(const core::Curve& curve) const;
 
     /// Cost as PlotBasis says when first asked for.
     std::shared_ptr<const PlotBasis> plot_basis(const core::KnotVector& knots) const;
@@ -74,6 +84,7 @@ class Derived {
   private:
     Kept<core::KnotVector, KnotFacts, share_arrays> of_knots_;
     Kept<core::Curve, CurveFacts, share_arrays> of_curves_;
+    Kept<core::Curve, WeightFacts, share_weights> of_weights_;
     Kept<core::KnotVector, PlotBasis, share_arrays> plot_bases_;
     Kept<core::Curve, double, share_arrays> large_curvatures_;
     Kept<core::Curve, std::vector<PolygonRound>, share_arrays> polygon_rounds_;

@@ -57,8 +57,9 @@ LiftedStage lifted_stage(const EditorState& state, const render::PixelBox& box) 
     const core::Document& document = may_be_lifting ? state.history.present() : state.shown();
     const core::Curve& curve = *document.active_curve()->curve;
     const auto facts = state.derived.of(curve);
+    const auto weights = state.derived.weights_of(curve);
     const Orbit& orbit = state.view.orbit;
-    LiftedStage stage{.view = core::lift_view(facts->control_box, {facts->lightest, facts->heaviest}),
+    LiftedStage stage{.view = core::lift_view(facts->control_box, {weights->lightest, weights->heaviest}),
                       .camera = {.yaw = orbit.yaw, .pitch = orbit.pitch},
                       .plane = {}};
     stage.plane = plane_about(stage.view, facts->control_box);

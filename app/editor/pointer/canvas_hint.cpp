@@ -21,7 +21,7 @@ std::string knot_value(const core::Curve& curve, std::size_t stored_index) {
 }
 
 std::string weight_in(const EditorState& state, const core::Curve& curve, std::size_t i) {
-    return weight_text(curve.weights()[i], state.derived.of(curve)->weights);
+    return weight_text(curve.weights()[i], state.derived.weights_of(curve)->column);
 }
 
 std::string place_in(const EditorState& state, const core::Curve& curve, core::Point place) {

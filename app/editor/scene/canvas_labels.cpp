@@ -112,7 +112,7 @@ void write_point_name(LabelWriter& writer, CanvasFrame& frame, NumberColumn weig
 }
 
 void write_point_names(LabelWriter& writer, CanvasFrame& frame, const ShownPoints& points) {
-    const NumberColumn weights = weight_column(*frame.curve);
+    const NumberColumn weights = frame.state.derived.weights_of(*frame.curve)->column;
     for (const MarkPlace& point : points.large) write_point_name(writer, frame, weights, point.index);
 }
 

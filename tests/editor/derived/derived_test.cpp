@@ -110,6 +110,8 @@ TEST_F(DerivedTest, is_the_same_for_copies_and_for_unchanged_knots) {
     EXPECT_EQ(derived_.of(wave.knots()), derived_.of(copy.knots()));
     EXPECT_EQ(derived_.of(wave.knots()), derived_.of(dragged.knots()));
     EXPECT_NE(derived_.of(wave), derived_.of(dragged));
+    EXPECT_EQ(derived_.weights_of(wave), derived_.weights_of(dragged));
+    EXPECT_NE(derived_.weights_of(wave), derived_.weights_of(core::set_weight(wave, 3, 5.0).value()));
     const core::Curve other = core::move_knot(wave, 5, 0.4, core::KnotMove::stop).value();
     EXPECT_NE(derived_.of(wave.knots()), derived_.of(other.knots()));
 }
@@ -129,11 +131,12 @@ TEST_F(DerivedTest, says_what_the_curve_says) {
         const auto facts = derived_.of(curve);
         EXPECT_EQ(facts->control_box.lower, core::control_box(curve).lower);
         EXPECT_EQ(facts->control_box.upper, core::control_box(curve).upper);
-        EXPECT_EQ(facts->weights, weight_column(curve));
+        EXPECT_EQ(derived_.weights_of(curve)->column, weight_column(curve));
     }
     const auto wave = derived_.of(curve(editor_));
     EXPECT_EQ(wave->size, 12.2);
-    EXPECT_EQ(wave->heaviest, 2.0);
+    EXPECT_EQ(derived_.weights_of(curve(editor_))->lightest, 1.0);
+    EXPECT_EQ(derived_.weights_of(curve(editor_))->heaviest, 2.0);
     EXPECT_EQ(*derived_.of(curve(editor_).knots())->least_continuity, 2);
 }
 
