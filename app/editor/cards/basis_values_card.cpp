@@ -64,24 +64,32 @@ double sum_of(std::span<const double> values) {
     return sum;
 }
 
+/// The values and their sum; fractions have their decimals beside them.
+CardTable values_table(const Functions& shown) {
+    CardTable table{.rows = {{{.text = "function"}, {.text = "value"}}}, .has_heading = true};
+    const std::vector<std::string> values = shown.numbers(shown.values());
+    for (std::size_t j = 0; j < values.size(); ++j)
+        table.rows.push_back(
+            {shown.named(j, function_name(shown.state, shown.curve.knots(), shown.index(j))), {.text = values[j]}});
+    const double sum = sum_of(shown.values());
+    table.rows.push_back(
+        {{.text = "sum", .tone = CardTone::strong}, {.text = shown.number(sum), .tone = CardTone::strong}});
+    if (shown.state.view.notation.numbers == NumberStyle::decimals) return table;
+    table.rows.front().push_back({.text = "decimal"});
+    for (std::size_t j = 0; j < values.size(); ++j)
+        table.rows[j + 1].push_back({.text = fixed_text(shown.values()[j], 4), .tone = CardTone::dim});
+    table.rows.back().push_back({.text = fixed_text(sum, 4), .tone = CardTone::dim});
+    return table;
+}
+
 }  // namespace
 
 Card basis_values_card(const EditorState& state) {
     Card card{.title = "Values and sum", .blocks = {}};
     if (state.active_curve() == nullptr) return card_without_curve(std::move(card));
     const Functions shown(state);
-    CardTable table{.rows = {{{.text = "function"}, {.text = "value"}, {.text = "decimal"}}}, .has_heading = true};
-    const std::vector<std::string> values = shown.numbers(shown.values());
-    for (std::size_t j = 0; j < values.size(); ++j)
-        table.rows.push_back({shown.named(j, function_name(state, shown.curve.knots(), shown.index(j))),
-                              {.text = values[j]},
-                              {.text = fixed_text(shown.values()[j], 4), .tone = CardTone::dim}});
-    const double sum = sum_of(shown.values());
-    table.rows.push_back({{.text = "sum", .tone = CardTone::strong},
-                          {.text = shown.number(sum), .tone = CardTone::strong},
-                          {.text = fixed_text(sum, 4), .tone = CardTone::dim}});
     card.line(core::sentence("At u = {u}", {{"u", shown.parameter()}}), CardTone::parameter);
-    card.add(std::move(table));
+    card.add(values_table(shown));
     return card.line(
         "All other functions are 0 here. In the domain the sum is always 1, so that a point of the curve "
         "is an average of control points.",

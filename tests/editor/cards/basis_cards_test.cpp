@@ -190,6 +190,15 @@ TEST(BasisPiecesCard, tells_short_spans_and_far_ones_apart) {
     EXPECT_TRUE(says(basis_pieces_card(state), "with t = 4/3 (u − 1000000.25)"));
 }
 
+TEST(BasisValuesCard, has_decimals_once) {
+    EditorState state = uniform_state(3.5);
+    EXPECT_NE(card_text(basis_values_card(state)).find("| 1/48 | 0.0208"), std::string::npos);
+    state.view.notation.numbers = NumberStyle::decimals;
+    const std::string text = card_text(basis_values_card(state));
+    EXPECT_NE(text.find("| 0.02083\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("decimal"), std::string::npos) << text;
+}
+
 TEST(BasisValuesCard, has_the_values_and_their_sum) {
     const Card card = basis_values_card(uniform_state(3.5));
     for (const char* row : {"N₀,₃ | 1/48 | 0.0208", "N₁,₃ | 23/48 | 0.4792", "N₂,₃ | 23/48 | 0.4792",
