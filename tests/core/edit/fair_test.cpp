@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/curve/knot_analysis.h"
 #include "core/evaluate/evaluate.h"
 #include "core/make/conics.h"
 #include "core/measure/deviation.h"
@@ -179,6 +180,52 @@ TEST(Fair, keeps_the_smoothness_across_a_seam) {
     const auto faired = fair(ring, 0.2).value();
     EXPECT_GT(faired.error, 0.0);
     EXPECT_TRUE(smoothness_losses(ring, faired.curve).empty());
+}
+
+// A quarter of the control points moves, whose Greville abscissae lie in the part.
+TEST(FairPart, moves_what_lies_in_the_part_alone) {
+    for (const bool periodic : {false, true})
+        for (const bool rational : {false, true}) {
+            const Curve curve = bumpy(periodic, rational);
+            const Interval part{4.5, 8.5};
+            const auto result = fair_part(curve, part, 0.3).value();
+            EXPECT_LE(result.error, 0.3);
+            EXPECT_LT(variation(result.curve), variation(curve));
+            EXPECT_EQ(result.curve.knots(), curve.knots());
+            std::size_t moved = 0;
+            for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
+                const double place = greville_abscissa(curve.knots(), i);
+                const bool is_inside = part.contains(place);
+                EXPECT_EQ(result.curve.control_points()[i] != curve.control_points()[i], is_inside) << i;
+                moved += is_inside ? 1 : 0;
+            }
+            EXPECT_EQ(moved, 4u);
+        }
+}
+
+TEST(FairPart, goes_over_the_seam_of_a_periodic_curve) {
+    const Curve curve = bumpy(true, false);
+    const Curve found = fair_part(curve, {14.5, 18.5}, 0.3).value().curve;
+    for (std::size_t i = 0; i < 16; ++i) {
+        double place = greville_abscissa(curve.knots(), i);
+        if (place < 10.0) place += 16.0;
+        EXPECT_EQ(found.control_points()[i] != curve.control_points()[i], 14.5 <= place && place <= 18.5) << i;
+    }
+}
+
+TEST(FairPart, a_part_without_control_points_changes_nothing_and_none_is_refused) {
+    const Curve curve = bumpy(false, false);
+    EXPECT_EQ(fair_part(curve, {8.05, 8.1}, 0.1).value().curve, curve);
+    EXPECT_EQ(fair_part(curve, {8.0, 8.0}, 0.1).error().code, CurveErrorCode::range_empty);
+    EXPECT_EQ(fair_part(curve, {7.0, 9.0}, 0.0).error().code, CurveErrorCode::tolerance_not_positive);
+}
+
+TEST(FairPart, all_of_a_curve_is_a_part) {
+    const Curve curve = bumpy(false, true);
+    const Curve whole = fair(curve, 0.1).value().curve;
+    const Curve part = fair_part(curve, curve.domain(), 0.1).value().curve;
+    for (std::size_t i = 0; i < whole.control_points().size(); ++i)
+        EXPECT_LT(distance(whole.control_points()[i], part.control_points()[i]), 1e-9);
 }
 
 }  // namespace batten::core
