@@ -20,14 +20,14 @@ PICTURE = {"render/draw_list.h", "render/camera.h", "render/clip.h", "render/col
            "render/label_runs.h", "render/orbit_camera.h", "render/pixel_box.h"}
 
 # The folders of core in the order of reading, with those before each that it may include. What measures, refines, edits and makes knows
-# each other only where an operation stands on a measurement.
+# each other only where an operation stands on another.
 CORE_FOLDERS = {
     "base": set(),
     "curve": {"base"},
     "evaluate": {"base", "curve"},
     "measure": {"base", "curve", "evaluate"},
     "refine": {"base", "curve", "evaluate", "measure"},
-    "edit": {"base", "curve", "evaluate", "measure"},
+    "edit": {"base", "curve", "evaluate", "measure", "refine"},
     "make": {"base", "curve", "evaluate"},
     "document": {"base", "curve"},
 }
