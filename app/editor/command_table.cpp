@@ -31,6 +31,7 @@ CommandTable make_table() {
     add_form_commands(table);
     add_fitting_commands(table);
     add_shape_commands(table);
+    add_fairing_commands(table);
     add_transform_commands(table);
     add_construction_commands(table);
     add_invariance_commands(table);

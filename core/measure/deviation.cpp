@@ -36,8 +36,8 @@ struct BoundedPiece {
 
 class DeviationSearch {
   public:
-    DeviationSearch(const Curve& a, const Curve& b) : a_(a), b_(b) {
-        for (const CommonSpan& common : differing_spans(a, b))
+    DeviationSearch(const Curve& a, const Curve& b, const std::vector<CommonSpan>& spans) : a_(a), b_(b) {
+        for (const CommonSpan& common : spans)
             add({boundless, difference_piece(a, b, common, Precision::plain), common});
         most_halvings_ = least_halvings + halvings_of_span * queue_.size();
     }
@@ -97,10 +97,47 @@ class DeviationSearch {
     std::size_t most_halvings_ = 0;
 };
 
+// The knots of `knots` strictly inside `part`, once each.
+std::vector<double> knots_inside(const KnotVector& knots, Interval part) {
+    std::vector<double> found;
+    const auto values = knots.values();
+    for (auto knot = std::ranges::upper_bound(values, part.lower); knot != values.end() && *knot < part.upper; ++knot)
+        if (found.empty() || found.back() != *knot) found.push_back(*knot);
+    return found;
+}
+
+// Both parts cut where either has a knot, at equal shares.
+void add_matched(std::vector<CommonSpan>& spans, const Curve& a, const Curve& b, Interval part_of_a,
+                 Interval part_of_b) {
+    std::vector<MatchedParameters> cuts{{part_of_a.lower, part_of_b.lower}};
+    for (const double u : knots_inside(a.knots(), part_of_a))
+        cuts.push_back({u, part_of_b.lower + (u - part_of_a.lower) / part_of_a.length() * part_of_b.length()});
+    for (const double v : knots_inside(b.knots(), part_of_b))
+        cuts.push_back({part_of_a.lower + (v - part_of_b.lower) / part_of_b.length() * part_of_a.length(), v});
+    cuts.push_back({part_of_a.upper, part_of_b.upper});
+    std::ranges::sort(cuts, {}, &MatchedParameters::of_a);
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+        const Interval of_a{cuts[k].of_a, cuts[k + 1].of_a};
+        const Interval of_b{cuts[k].of_b, cuts[k + 1].of_b};
+        spans.push_back({a.knots().span_at(middle(of_a)), b.knots().span_at(middle(of_b)), of_a, of_b});
+    }
+}
+
+std::vector<CommonSpan> matched_spans(const Curve& a, const Curve& b, std::span<const MatchedParameters> matches) {
+    std::vector<CommonSpan> spans;
+    for (std::size_t k = 0; k + 1 < matches.size(); ++k)
+        add_matched(spans, a, b, {matches[k].of_a, matches[k + 1].of_a}, {matches[k].of_b, matches[k + 1].of_b});
+    return spans;
+}
+
 }  // namespace
 
 double largest_deviation(const Curve& a, const Curve& b) {
-    return DeviationSearch(a, b).run();
+    return DeviationSearch(a, b, differing_spans(a, b)).run();
+}
+
+double largest_deviation(const Curve& a, const Curve& b, std::span<const MatchedParameters> matches) {
+    return DeviationSearch(a, b, matched_spans(a, b, matches)).run();
 }
 
 }  // namespace batten::core

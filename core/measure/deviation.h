@@ -1,6 +1,8 @@
 /// How far apart two curves are.
 #pragma once
 
+#include <span>
+
 #include "core/curve/curve.h"
 
 namespace batten::core {
@@ -14,5 +16,15 @@ namespace batten::core {
 /// The control points of the difference of two pieces bound it; the piece with the largest bound is halved until its
 /// bound agrees with a distance that was found. Cost O(p^2) for each span in which the curves are not written the same.
 double largest_deviation(const Curve& a, const Curve& b);
+
+/// Parameters of two curves that belong together.
+struct MatchedParameters {
+    double of_a = 0.0;
+    double of_b = 0.0;
+};
+
+/// Such a bound where the parameters are matched in another way than affinely: affinely between each of `matches`,
+/// which ascend in both, from one end of both domains to the other, and the next one.
+double largest_deviation(const Curve& a, const Curve& b, std::span<const MatchedParameters> matches);
 
 }  // namespace batten::core

@@ -9,6 +9,7 @@
 #include "app/editor/commands/degree_commands.h"
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/fairing_commands.h"
 #include "app/editor/commands/fitting_commands.h"
 #include "app/editor/commands/form_commands.h"
 #include "app/editor/commands/help_commands.h"
@@ -273,7 +274,7 @@ Command RandomSession::fitting_command() {
 
 Command RandomSession::moving_command(const EditorState& state, const core::Curve& curve) {
     if (curve.control_points().size() > 25) return DeletePoints{.points = {3}};
-    switch (below(5)) {
+    switch (below(9)) {
         case 0:
             return MoveCurvePoint{.u = parameter(state), .position = point(9)};
         case 1:
@@ -282,6 +283,14 @@ Command RandomSession::moving_command(const EditorState& state, const core::Curv
             return MovePointAndTangent{.u = parameter(state), .position = point(9), .derivative = vector(9)};
         case 3:
             return Fair{.distance = between(-0.1, 0.5)};
+        case 4:
+            return FairPart{.from = parameter(state), .to = parameter(state), .distance = between(-0.1, 0.5)};
+        case 5:
+            return Rebuild{.count = below(20), .degree = static_cast<int>(below(8))};
+        case 6:
+            return Simplify{.tolerance = between(-0.1, 0.5)};
+        case 7:
+            return DeleteAndRefit{.points = {below(30)}};
         default:
             return Offset{.distance = between(-1, 1), .tolerance = 0.05};
     }

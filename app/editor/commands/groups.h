@@ -38,6 +38,7 @@ void add_measuring_commands(CommandTable& table);
 void add_form_commands(CommandTable& table);
 void add_fitting_commands(CommandTable& table);
 void add_shape_commands(CommandTable& table);
+void add_fairing_commands(CommandTable& table);
 void add_transform_commands(CommandTable& table);
 void add_construction_commands(CommandTable& table);
 void add_invariance_commands(CommandTable& table);
