@@ -87,6 +87,7 @@ constexpr std::array templates{
              "{value} control points were asked for; at most {upper} can be determined by these points",
              "one control point was asked for; at most {upper} can be determined by these points"},
     Template{Code::smoothing_negative, "the smoothing weight is {value}; it must be 0 or above, and finite"},
+    Template{Code::points_pinned, "all control points that act at {value} are pinned; unpin one of them first"},
     Template{Code::tangent_not_free,
              "the tangent at {value} does not depend on the control points; another parameter must be taken"},
     Template{Code::curve_stands_still, "the curve has no direction at {value}; its speed must not be 0"},

@@ -47,6 +47,7 @@ enum class CurveErrorCode {
     equations_singular,          ///< points and parameters do not determine one curve
     control_points_too_many,     ///< value = count asked for, upper = most that the points can determine
     smoothing_negative,          ///< value = smoothing weight
+    points_pinned,               ///< value = parameter at which all control points that act are pinned
     tangent_not_free,            ///< value = parameter at which no control points can set the tangent
     curve_stands_still,          ///< value = parameter without a direction
     curve_has_corner,            ///< value = parameter at which the direction jumps or the curve is torn

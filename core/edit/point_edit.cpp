@@ -172,6 +172,21 @@ Result<Curve> move_control_points(const Curve& curve, std::span<const std::size_
     return Trusted::with_points(curve, std::move(points));
 }
 
+Result<Curve> soft_move(const Curve& curve, Point center, double radius, Vector offset,
+                        std::span<const std::size_t> pinned) {
+    if (!(radius > 0.0) || !std::isfinite(radius))
+        return refuse({.code = CurveErrorCode::length_not_positive, .value = radius});
+    if (!is_finite(vector_to(center)) || !is_finite(offset)) return refuse({.code = CurveErrorCode::vector_not_finite});
+    CurveDefinition definition = curve.definition();
+    for (std::size_t i = 0; i < definition.points.size(); ++i) {
+        const double share = distance(definition.points[i], center) / radius;
+        if (!(share < 1.0) || std::ranges::binary_search(pinned, i)) continue;
+        const double falloff = (1.0 - share * share) * (1.0 - share * share);
+        definition.points[i] += falloff * offset;
+    }
+    return Curve::make(std::move(definition));
+}
+
 Result<Curve> set_weight(const Curve& curve, std::size_t index, double weight) {
     if (auto check = check_point_index(index, curve.control_points().size() - 1); !check)
         return tl::unexpected(check.error());

@@ -14,6 +14,13 @@ namespace batten::core {
 [[nodiscard]] Result<Curve> move_control_points(const Curve& curve, std::span<const std::size_t> indices,
                                                 Vector offset);
 
+/// The curve with every control point P moved by
+///     (1 - (|P - center| / radius)^2)^2 * offset,
+/// nearer than `radius` (> 0) to `center`; those `pinned` (ascending) and all others keep every bit. Errors:
+/// length_not_positive; vector_not_finite.
+[[nodiscard]] Result<Curve> soft_move(const Curve& curve, Point center, double radius, Vector offset,
+                                      std::span<const std::size_t> pinned = {});
+
 /// The curve with weight `index` set to `weight`. Errors: point_index_out_of_range; weight_not_finite;
 /// weight_not_positive.
 [[nodiscard]] Result<Curve> set_weight(const Curve& curve, std::size_t index, double weight);

@@ -1,5 +1,6 @@
 #include "core/edit/shape_edit.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -32,10 +33,23 @@ std::vector<double> shares(const RationalBasis& basis, std::size_t order, std::s
     return sums;
 }
 
+// Pinned points have no share.
+void unshare(std::vector<double>& shares, const RationalBasis& basis, std::size_t n,
+             std::span<const std::size_t> pinned) {
+    for (std::size_t j = 0; j < shares.size(); ++j)
+        if (std::ranges::binary_search(pinned, (basis.first + j) % n)) shares[j] = 0.0;
+}
+
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
     double sum = 0.0;
     for (std::size_t j = 0; j < a.size(); ++j) sum += a[j] * b[j];
     return sum;
+}
+
+// Whether what is left of the shares can still move the curve.
+bool acts(const std::vector<double>& shares) {
+    constexpr double least_share = 1e-9;
+    return std::ranges::any_of(shares, [](double share) { return std::abs(share) > least_share; });
 }
 
 // The point of the curve that is one of its control points, as at a clamped end, goes to the target to the last bit.
@@ -54,8 +68,8 @@ bool has_one_end_point(const Curve& curve) {
 // The curve with what acts at u moved by `moves` so that it stays smooth at its knots, where that takes more than the
 // knots; else none, and then the least change is free.
 std::optional<Curve> kept_smooth(const Curve& curve, const RationalBasis& basis, double u, Side side, Point target,
-                                 std::span<const Vector> moves) {
-    auto moved = moved_smoothly(curve, u, side, moves);
+                                 std::span<const Vector> moves, std::span<const std::size_t> pinned) {
+    auto moved = moved_smoothly(curve, u, side, moves, pinned);
     const std::size_t n = curve.control_points().size();
     const auto only = only_share(shares(basis, 0, n));
     if (!moved || (!only && !has_one_end_point(curve))) return moved;
@@ -72,14 +86,16 @@ std::optional<Curve> kept_smooth(const Curve& curve, const RationalBasis& basis,
 
 }  // namespace
 
-Result<Curve> move_curve_point(const Curve& curve, double u, Point target) {
+Result<Curve> move_curve_point(const Curve& curve, double u, Point target, std::span<const std::size_t> pinned) {
     if (const auto check = check_move(curve, u, target, Vector{}); !check) return refuse(check.error());
     const RationalBasis basis = rational_basis(curve, u);
+    const std::size_t n = curve.control_points().size();
+    std::vector<double> values = shares(basis, 0, n);
+    unshare(values, basis, n, pinned);
+    if (!acts(values)) return refuse({.code = CurveErrorCode::points_pinned, .value = u});
     const std::array moves{target - point_at(curve, u)};
-    if (const auto smooth = kept_smooth(curve, basis, u, Side::right, target, moves)) return *smooth;
+    if (const auto smooth = kept_smooth(curve, basis, u, Side::right, target, moves, pinned)) return *smooth;
     CurveDefinition definition = curve.definition();
-    const std::size_t n = definition.points.size();
-    const std::vector<double> values = shares(basis, 0, n);
     if (const auto j = only_share(values)) {
         definition.points[(basis.first + *j) % n] = target;
         return Curve::make(std::move(definition));
@@ -90,13 +106,17 @@ Result<Curve> move_curve_point(const Curve& curve, double u, Point target) {
     return Curve::make(std::move(definition));
 }
 
-Result<Curve> move_curve_point_and_tangent(const Curve& curve, double u, Point target, Vector derivative, Side side) {
+Result<Curve> move_curve_point_and_tangent(const Curve& curve, double u, Point target, Vector derivative, Side side,
+                                           std::span<const std::size_t> pinned) {
     if (const auto check = check_move(curve, u, target, derivative); !check) return refuse(check.error());
     const RationalBasis basis = rational_basis(curve, u, 1, side);
     CurveDefinition definition = curve.definition();
     const std::size_t n = definition.points.size();
-    const std::vector<double> values = shares(basis, 0, n);
+    std::vector<double> values = shares(basis, 0, n);
     std::vector<double> slopes = shares(basis, 1, n);
+    unshare(values, basis, n, pinned);
+    unshare(slopes, basis, n, pinned);
+    if (!acts(values)) return refuse({.code = CurveErrorCode::points_pinned, .value = u});
     const double size = dot(slopes, slopes);
     // The part of the slopes that does not move the point; the two conditions are then met one after the other.
     const double along = dot(slopes, values) / dot(values, values);
@@ -108,7 +128,7 @@ Result<Curve> move_curve_point_and_tangent(const Curve& curve, double u, Point t
     const auto old = derivatives_at(curve, u, 1, side);
     const Vector move = target - old.point;
     const std::array moves{move, derivative - old[1]};
-    if (const auto smooth = kept_smooth(curve, basis, u, side, target, moves)) return *smooth;
+    if (const auto smooth = kept_smooth(curve, basis, u, side, target, moves, pinned)) return *smooth;
     const Vector turn = derivative - old[1] - along * move;
     const auto only = only_share(values);
     for (std::size_t j = 0; j < values.size(); ++j) {

@@ -20,12 +20,13 @@ namespace {
 
 using core::sentence;
 
-// The active curve replaced by what stands for it, with how far it really is off.
-Outcome<Edit> replaced_by(const EditorState& state, core::Result<core::Approximation> found,
-                          std::optional<Selection> selection = {}) {
+// The active curve replaced by what stands for it, with how far it really is off; nothing is selected of other points.
+Outcome<Edit> replaced_by(const EditorState& state, core::Result<core::Approximation> found) {
     if (!found) return tl::unexpected(core::describe(found.error()));
     const double error = found->error;
-    Outcome<Edit> edit = edit_active(state, std::move(found->curve), std::move(selection));
+    const bool has_same_points = found->curve.control_points().size() == active_curve(state).control_points().size();
+    Outcome<Edit> edit =
+        edit_active(state, std::move(found->curve), has_same_points ? std::nullopt : std::optional(Selection{}));
     if (edit) edit->error = error;
     return edit;
 }
@@ -36,27 +37,21 @@ Outcome<Edit> fair_part(const EditorState& state, const FairPart& command) {
 }
 
 Outcome<Edit> rebuild(const EditorState& state, const Rebuild& command) {
-    return replaced_by(state, core::rebuild(active_curve(state), command.count, command.degree, state.progress),
-                       Selection{});
+    return replaced_by(state, core::rebuild(active_curve(state), command.count, command.degree, state.progress));
 }
 
 Outcome<Edit> simplify(const EditorState& state, const Simplify& command) {
-    return replaced_by(state, core::simplify(active_curve(state), command.tolerance, state.progress), Selection{});
+    return replaced_by(state, core::simplify(active_curve(state), command.tolerance, state.progress));
 }
 
 Outcome<Edit> delete_and_refit(const EditorState& state, const DeleteAndRefit& command) {
     return replaced_by(state,
-                       core::delete_points_and_refit(active_curve(state), ascending(command.points), state.progress),
-                       Selection{});
+                       core::delete_points_and_refit(active_curve(state), ascending(command.points), state.progress));
 }
 
 StepTexts texts_of_simplifying(const EditorState& state, const Simplify&, const core::Curve& after) {
-    const std::size_t before = active_curve(state).control_points().size();
-    const std::size_t count = after.control_points().size();
-    const core::Place from("from", before);
-    const core::Place to("to", count);
-    if (count == before)
-        return {"Simplify curve", sentence("All {from} control points are needed for this tolerance", {from})};
+    const core::Place from("from", active_curve(state).control_points().size());
+    const core::Place to("to", after.control_points().size());
     return {"Simplify curve", sentence("Simplified from {from} to {to} control points", {from, to})};
 }
 

@@ -202,16 +202,20 @@ std::vector<MoveCondition> smoothness_conditions(const Curve& curve, Interval ra
     return conditions;
 }
 
-std::optional<Curve> moved_smoothly(const Curve& curve, double u, Side side, std::span<const Vector> moves) {
+std::optional<Curve> moved_smoothly(const Curve& curve, double u, Side side, std::span<const Vector> moves,
+                                    std::span<const std::size_t> pinned) {
     const Window window = window_around(curve, u, side);
     const auto conditions = smoothness_conditions(curve, window.range);
     const RationalBasis basis = rational_basis(curve, u, static_cast<int>(moves.size()) - 1, side);
     if (!touches(curve, conditions, basis)) return std::nullopt;
     LeastMoves least(curve, window);
+    for (const std::size_t i : pinned) least.require({i, {1.0}, Vector{}});
     for (const MoveCondition& condition : conditions) least.require(condition);
     for (std::size_t k = 0; k < moves.size(); ++k) least.require({basis.first, basis.derivatives[k], moves[k]});
-    const auto found = least.solve();
+    auto found = least.solve();
     if (!found) return std::nullopt;
+    for (const std::size_t i : pinned)
+        if (i - window.first < found->size()) (*found)[i - window.first] = Vector{};
     auto moved = with_moves(curve, window.first, *found);
     return moved ? std::optional(*std::move(moved)) : std::nullopt;
 }

@@ -36,7 +36,9 @@ std::vector<MoveCondition> smoothness_conditions(const Curve& curve, Interval ra
 /// no further from u than the p+1 functions of simple knots would; of a periodic curve, and of a closed one near whose
 /// ends u lies, all. None where the knots alone
 /// keep the smoothness of what acts at u, or where it cannot be kept.
-std::optional<Curve> moved_smoothly(const Curve& curve, double u, Side side, std::span<const Vector> moves);
+/// The control points `pinned` (ascending) stay.
+std::optional<Curve> moved_smoothly(const Curve& curve, double u, Side side, std::span<const Vector> moves,
+                                    std::span<const std::size_t> pinned = {});
 
 /// The curve with its control points moved.
 Result<Curve> with_moves(const Curve& curve, std::size_t first, std::span<const Vector> moves);

@@ -81,6 +81,8 @@ TEST(CurveError, says_what_was_found_where_and_what_is_allowed) {
          "9 control points were asked for; at most 8 can be determined by these points"},
         {{.code = Code::smoothing_negative, .value = -1},
          "the smoothing weight is -1; it must be 0 or above, and finite"},
+        {{.code = Code::points_pinned, .value = 0.5},
+         "all control points that act at 0.5 are pinned; unpin one of them first"},
         {{.code = Code::tangent_not_free, .value = 0.5},
          "the tangent at 0.5 does not depend on the control points; another parameter must be taken"},
         {{.code = Code::curve_stands_still, .value = 0.25},

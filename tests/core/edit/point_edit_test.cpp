@@ -305,4 +305,22 @@ TEST(DeleteControlPoints, deletes_each_whatever_the_order) {
 }
 
 }  // namespace
+// At half the radius a point goes (1 - 1/4)^2 = 9/16 of the way.
+TEST(SoftMove, falls_off_to_the_radius) {
+    const Curve curve =
+        Curve::make(
+            {.degree = 1, .knots = {0, 0, 1, 2, 3, 4, 4}, .points = {{0, 0}, {1, 0}, {2, 0}, {0, 1.9}, {0, -1}}})
+            .value();
+    const std::vector<std::size_t> pinned{4};
+    const Curve moved = soft_move(curve, {0, 0}, 2.0, {16, -32}, pinned).value();
+    EXPECT_EQ(moved.control_points()[0], Point(16, -32));
+    EXPECT_EQ(moved.control_points()[1], Point(1 + 9, -18));
+    EXPECT_EQ(moved.control_points()[2], Point(2, 0));
+    EXPECT_NEAR(moved.control_points()[3].x, 16 * 0.0975 * 0.0975, 1e-14);
+    EXPECT_EQ(moved.control_points()[4], Point(0, -1));
+    EXPECT_EQ(moved.knots(), curve.knots());
+    EXPECT_EQ(soft_move(curve, {0, 0}, 0.0, {1, 1}).error().code, CurveErrorCode::length_not_positive);
+    EXPECT_EQ(soft_move(curve, {0, 0}, 1.0, {1, std::nan("")}).error().code, CurveErrorCode::vector_not_finite);
+}
+
 }  // namespace batten::core

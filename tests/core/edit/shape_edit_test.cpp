@@ -288,4 +288,53 @@ TEST(MoveCurvePoint, of_a_straight_polyline_makes_the_corner_that_it_must) {
     EXPECT_EQ(smoothness_losses(straight, bent).size(), 1U);
 }
 
+// On a cubic piece at 1/2 the functions are 1/8, 3/8, 3/8, 1/8; with P_1 pinned the others move in proportion to
+// theirs, and the sum of their squares is 11/64.
+TEST(MoveCurvePoint, pinned_points_stay_and_the_others_make_up_for_them) {
+    const Curve curve =
+        Curve::make({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}}})
+            .value();
+    const std::vector<std::size_t> pinned{1};
+    const Curve moved = move_curve_point(curve, 0.5, {2.0, 2.6}, pinned).value();
+    EXPECT_EQ(moved.control_points()[1], curve.control_points()[1]);
+    EXPECT_LT(distance(point_at(moved, 0.5), {2.0, 2.6}), 1e-15);
+    const double unit = (2.6 - 1.5) / (11.0 / 64.0);
+    EXPECT_NEAR(moved.control_points()[0].y, unit / 8.0, 1e-14);
+    EXPECT_NEAR(moved.control_points()[2].y, 2.0 + 3.0 * unit / 8.0, 1e-14);
+    EXPECT_NEAR(moved.control_points()[3].y, unit / 8.0, 1e-14);
+}
+
+TEST(MoveCurvePoint, is_refused_where_all_that_act_are_pinned) {
+    const Curve curve =
+        Curve::make(
+            {.degree = 2, .knots = {0, 0, 0, 1, 2, 3, 3, 3}, .points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}, {5, 1}}})
+            .value();
+    const std::vector<std::size_t> last_three{2, 3, 4};
+    const auto refused = move_curve_point(curve, 2.5, {0, 0}, last_three);
+    EXPECT_EQ(refused.error().code, CurveErrorCode::points_pinned);
+    EXPECT_EQ(refused.error().value, 2.5);
+    EXPECT_EQ(move_curve_point_and_tangent(curve, 2.5, {0, 0}, {1, 0}, Side::right, last_three).error().code,
+              CurveErrorCode::points_pinned);
+    EXPECT_TRUE(move_curve_point(curve, 1.5, {0, 0}, last_three));
+    const std::vector<std::size_t> first{0};
+    EXPECT_EQ(move_curve_point(curve, 0.0, {0, 1}, first).error().code, CurveErrorCode::points_pinned);
+}
+
+TEST(MoveCurvePoint, pinned_points_of_any_curve_keep_every_bit) {
+    RandomCurves random(77);
+    for (int trial = 0; trial < 300; ++trial) {
+        const Curve curve = trial % 3 == 0 ? smooth_by_shape(3, 6, random) : random.curve();
+        const double u = random.parameter(curve);
+        const std::vector<std::size_t> pinned{1, curve.control_points().size() - 1};
+        const Vector tangent = derivatives_at(curve, u, 1)[1];
+        for (const auto& moved :
+             {move_curve_point(curve, u, {3.0, 4.0}, pinned),
+              move_curve_point_and_tangent(curve, u, {3.0, 4.0}, 2.0 * tangent, Side::right, pinned)}) {
+            if (!moved) continue;
+            EXPECT_LT(distance(point_at(*moved, u), {3.0, 4.0}), 1e-8 * (1.0 + size_of(*moved))) << trial;
+            for (const std::size_t i : pinned) EXPECT_EQ(moved->control_points()[i], curve.control_points()[i]);
+        }
+    }
+}
+
 }  // namespace batten::core
