@@ -129,6 +129,7 @@ constexpr std::array templates{
     Template{Code::point_beyond_horizon,
              "the map takes control point {index} to infinity or beyond, where its weight would be {value}; every "
              "weight must stay above 0"},
+    Template{Code::fit_point_index_out_of_range, "there is no fit point {index}; the last one is {upper}"},
     Template{Code::not_computable,
              "the result cannot be computed: points, weights or knots are too far apart, too large or too small"},
 };

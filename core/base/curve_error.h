@@ -71,7 +71,8 @@ enum class CurveErrorCode {
     map_not_finite,              ///< a number of a map of the plane is NaN or infinite
     map_singular,                ///< a map takes the plane onto a line or a point
     point_beyond_horizon,        ///< index = point, value = its weight after a projective map, 0 or less
-    not_computable               ///< numbers on the way are beyond what doubles can hold
+    fit_point_index_out_of_range,  ///< index = asked for, upper = last allowed
+    not_computable                 ///< numbers on the way are beyond what doubles can hold
 };
 
 /// One refusal: the code, the offending item, and the numbers that the sentence needs (see CurveErrorCode).
