@@ -2,9 +2,16 @@
 
 #include <algorithm>
 
+#include "core/make/fit_points.h"
+
 namespace batten::editor {
 
 namespace {
+
+std::size_t fit_point_count(const core::Document& document) {
+    const core::DocumentCurve* active = document.active_curve();
+    return active != nullptr && active->fit != nullptr ? active->fit->points.size() : 0;
+}
 
 // Whether the parts of a curve that hover names exist; one overload for each thing that can be hovered.
 struct HoverCheck {
@@ -43,6 +50,8 @@ struct HoverCheck {
     bool operator()(const HoveredHodograph& hovered) const {
         return !hovered.index || *hovered.index + (curve.is_periodic() ? 0 : hovered.order) < point_count();
     }
+    bool operator()(const HoveredFitPoint& hovered) const { return hovered.index < fit_point_count(document); }
+    bool operator()(const HoveredFitHandle& hovered) const { return hovered.index < fit_point_count(document); }
     bool operator()(const HoveredOtherCurve& hovered) const {
         return hovered.index < document.curves.size() && hovered.index != document.active;
     }
@@ -77,6 +86,7 @@ void follow_document(EditorState& state, const core::Document& before) {
     state.findings.reset();
     const core::Document& after = state.history.present();
 
+    if (fit_point_count(before) != fit_point_count(after)) state.selection.fit_point.reset();
     const core::DocumentCurve* old_active = before.active_curve();
     const core::DocumentCurve* active = after.active_curve();
     if (old_active == nullptr || active == nullptr || before.active != after.active ||

@@ -14,6 +14,8 @@
 
 namespace batten::core {
 
+struct FitPoints;
+
 /// A color as it stands in the file, "#4c7fe0".
 struct DocumentColor {
     std::uint8_t red = 0;
@@ -37,6 +39,7 @@ struct DocumentCurve {
     std::string unknown_members;  ///< members that this version does not know, as a JSON object; empty if none
     /// Which color of a palette each control point has, where that is not the one of its index; files do not have it.
     std::shared_ptr<const std::vector<std::uint8_t>> point_hues{};
+    std::shared_ptr<const FitPoints> fit{};  ///< of which the curve is made (core/make/fit_points.h); null for others
 };
 
 /// Whether edits may tear the curve of `entry`: where the switch says so, and where it is torn already.

@@ -52,6 +52,8 @@ CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {
             return mode;
         case PointerAction::release:
         case PointerAction::escape:
+        case PointerAction::finish:
+        case PointerAction::take_back:
             return mode;
     }
     return mode;

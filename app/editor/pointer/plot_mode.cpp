@@ -126,6 +126,8 @@ PlotMode step(const PlotIdle& mode, const PlotGesture& gesture) {
             return mode;
         case PointerAction::release:
         case PointerAction::escape:
+        case PointerAction::finish:
+        case PointerAction::take_back:
             return mode;
     }
     return mode;

@@ -7,7 +7,8 @@
 
 namespace batten::editor {
 
-enum class PointerAction { move, press, release, double_click, wheel, leave, escape };
+/// `finish` and `take_back` are keys that a drawing listens to: Enter, and Backspace or Ctrl+Z.
+enum class PointerAction { move, press, release, double_click, wheel, leave, escape, finish, take_back };
 enum class PointerButton { none, left, middle, right };
 
 /// One event, in pixels of the picture (x right, y down). A move is sent whenever position or modifiers changed. A

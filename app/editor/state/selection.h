@@ -10,8 +10,9 @@ namespace batten::editor {
 
 /// Parts of the active curve that commands without arguments act on.
 struct Selection {
-    std::vector<std::size_t> points;  ///< indices of control points, ascending, without repeats
-    std::optional<std::size_t> knot;  ///< index in KnotVector::stored()
+    std::vector<std::size_t> points;         ///< indices of control points, ascending, without repeats
+    std::optional<std::size_t> knot;         ///< index in KnotVector::stored()
+    std::optional<std::size_t> fit_point{};  ///< of the points that the curve is made to pass
 
     bool contains_point(std::size_t i) const;
     bool operator==(const Selection&) const = default;
@@ -87,9 +88,22 @@ struct HoveredHodograph {  ///< the inset of a derivative, and a control point o
     bool operator==(const HoveredHodograph&) const = default;
 };
 
-using Hover = std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
-                           HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis,
-                           HoveredBasisCell, HoveredHandle, HoveredFarinPoint, HoveredLifted, HoveredHodograph>;
+struct HoveredFitPoint {  ///< a point that the active curve is made to pass
+    std::size_t index = 0;
+    bool operator==(const HoveredFitPoint&) const = default;
+};
+/// An end of the handle of a fit point with a given tangent: the one ahead of the point, or the one behind it.
+enum class HandleEnd { ahead, behind };
+struct HoveredFitHandle {
+    std::size_t index = 0;  ///< of the fit point
+    HandleEnd end = HandleEnd::ahead;
+    bool operator==(const HoveredFitHandle&) const = default;
+};
+
+using Hover =
+    std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
+                 HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis, HoveredBasisCell,
+                 HoveredHandle, HoveredFarinPoint, HoveredLifted, HoveredHodograph, HoveredFitPoint, HoveredFitHandle>;
 
 /// The parameter of the active curve that the pointer is on, on the curve itself or in an inset; none elsewhere.
 std::optional<double> hovered_u(const Hover& hover);

@@ -7,6 +7,7 @@
 
 #include "app/editor/state/notation.h"
 #include "app/editor/state/overlay.h"
+#include "app/editor/state/pen_mode.h"
 #include "app/editor/state/shape_view.h"
 #include "app/editor/state/shown_map.h"
 #include "app/editor/state/theme.h"
@@ -79,6 +80,7 @@ struct View {
     ShownMap shown_map;                        ///< of the view of invariance
     std::bitset<5> hidden_answers;             ///< to the questions about knots, by KnotQuestion
     core::KnotMove knot_move = core::KnotMove::snap;
+    PenMode pen_mode = PenMode::control_points;
     ThemeName theme = ThemeName::dark;
     double interface_scale = 1.0;  ///< pixels of the window per design pixel, from display and user together
     double user_scale = 1.0;       ///< the user's part of it, within user_scales
