@@ -29,7 +29,7 @@ CORE_FOLDERS = {
     "refine": {"base", "curve", "evaluate", "measure"},
     "edit": {"base", "curve", "evaluate", "measure", "refine"},
     "make": {"base", "curve", "evaluate"},
-    "document": {"base", "curve"},
+    "document": {"base", "curve", "make"},
 }
 
 # Outside headers that only these places may include.

@@ -3,6 +3,8 @@
 #include <span>
 #include <unordered_set>
 
+#include "core/make/fit_points.h"
+
 namespace batten::editor {
 
 namespace {
@@ -14,6 +16,10 @@ class ArrayCount {
         add(item.curve->knots().values());
         add(item.curve->control_points());
         add(item.curve->weights());
+        if (item.fit != nullptr) {
+            add(std::span<const core::FitPoint>(item.fit->points));
+            add(std::span<const double>(item.fit->parameters));
+        }
         if (item.point_hues != nullptr) add(std::span<const std::uint8_t>(*item.point_hues));
     }
     std::size_t bytes() const { return bytes_; }

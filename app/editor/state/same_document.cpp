@@ -2,14 +2,20 @@
 
 #include <algorithm>
 
+#include "core/make/fit_points.h"
+
 namespace batten::editor {
 
 namespace {
 
+bool is_same_fit(const std::shared_ptr<const core::FitPoints>& a, const std::shared_ptr<const core::FitPoints>& b) {
+    return a == b || (a != nullptr && b != nullptr && *a == *b);
+}
+
 bool is_same_curve(const core::DocumentCurve& a, const core::DocumentCurve& b) {
     return (a.curve == b.curve || *a.curve == *b.curve) && a.name == b.name && a.color == b.color &&
            a.visible == b.visible && a.locked == b.locked && a.tears == b.tears &&
-           a.unknown_members == b.unknown_members;
+           a.unknown_members == b.unknown_members && is_same_fit(a.fit, b.fit);
 }
 
 }  // namespace

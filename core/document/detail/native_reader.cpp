@@ -6,6 +6,7 @@
 
 #include "core/base/sentence.h"
 #include "core/curve/knot_analysis.h"
+#include "core/document/detail/fit_member.h"
 #include "core/document/detail/json_text.h"
 #include "core/document/detail/native_format.h"
 #include "core/document/detail/object_reader.h"
@@ -13,20 +14,6 @@
 namespace batten::core {
 
 namespace {
-
-// "\"uniform\", \"clamped-uniform\" ... or \"custom\""
-std::string allowed_kinds() {
-    std::vector<std::string> names;
-    for (const Named<KnotKind>& kind : Names<KnotKind>::table) names.push_back(fmt::format("\"{}\"", kind.name));
-    return listed_as_alternatives(names);
-}
-
-std::optional<FileError> take(const Json& value, const std::string& pointer, KnotKind& target) {
-    const auto kind = value.is_string() ? value_named<KnotKind>(value.get<std::string>()) : std::nullopt;
-    if (!kind) return wrong_value(pointer, value, allowed_kinds());
-    target = *kind;
-    return std::nullopt;
-}
 
 std::optional<FileError> take(const Json& value, const std::string& pointer, DocumentColor& target) {
     const auto color = value.is_string() ? color_of_text(value.get<std::string>()) : std::nullopt;
@@ -123,6 +110,12 @@ FileResult<DocumentCurve> read_curve(Json& object, const std::string& pointer) {
     auto curve = make_curve(std::move(definition), kind);
     if (!curve) return tl::unexpected(FileError{place_of(pointer, curve.error()), describe(curve.error())});
     entry.curve = std::make_shared<const Curve>(std::move(*curve));
+    if (Json* value = reader.find("fit")) {
+        auto fit = read_fit(*value, reader.place("fit"));
+        if (!fit) return tl::unexpected(fit.error());
+        // The curve is what counts: where it was changed without its points, it is made of them no more.
+        if (is_curve_of(*fit, *entry.curve)) entry.fit = std::make_shared<const FitPoints>(*std::move(fit));
+    }
     entry.unknown_members = reader.unknown_members();
     return entry;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/number_text.h"
+#include "core/document/detail/fit_member.h"
 #include "core/document/detail/native_format.h"
 #include "core/document/detail/number_list.h"
 #include "core/document/native_file.h"
@@ -38,6 +39,7 @@ Json json_of(const DocumentCurve& entry) {
     object["periodic"] = curve.is_periodic();
     object["kind"] = name_of(curve.knots().kind());
     if (tears_of(entry) == Tears::allow) object["tears"] = true;
+    if (entry.fit != nullptr) object["fit"] = json_of_fit(*entry.fit);
     if (entry.color) object["color"] = color_text(*entry.color);
     object["visible"] = entry.visible;
     object["locked"] = entry.locked;

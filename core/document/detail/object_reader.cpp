@@ -40,6 +40,12 @@ FileError wrong_value(const std::string& pointer, const Json& found, const std::
             sentence("found {found}, but it must be {allowed}", {{"found", quotation(found)}, {"allowed", allowed}})};
 }
 
+FileError wrong_choice(const std::string& pointer, const Json& found, const std::vector<std::string>& names) {
+    std::vector<std::string> quoted;
+    for (const std::string& name : names) quoted.push_back(fmt::format("\"{}\"", name));
+    return wrong_value(pointer, found, listed_as_alternatives(quoted));
+}
+
 std::optional<FileError> take(const Json& value, const std::string& pointer, bool& target) {
     if (!value.is_boolean()) return wrong_value(pointer, value, "true or false");
     target = value.get<bool>();

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/names.h"
 #include "core/document/detail/native_format.h"
 #include "core/document/detail/number_list.h"
 #include "core/document/native_file.h"
@@ -22,6 +23,9 @@ FileError missing_member(const std::string& pointer, std::string_view name);
 /// "found 2.5, but it must be <allowed>" at `pointer`.
 FileError wrong_value(const std::string& pointer, const Json& found, const std::string& allowed);
 
+/// The error of a text that should be one of these names.
+FileError wrong_choice(const std::string& pointer, const Json& found, const std::vector<std::string>& names);
+
 /// Each take() stores `value` in `target`, or gives the reason why it cannot.
 std::optional<FileError> take(const Json& value, const std::string& pointer, bool& target);
 std::optional<FileError> take(const Json& value, const std::string& pointer, double& target);
@@ -29,6 +33,19 @@ std::optional<FileError> take(const Json& value, const std::string& pointer, std
 std::optional<FileError> take(const Json& value, const std::string& pointer, Point& target);
 std::optional<FileError> take(const Json& value, const std::string& pointer,
                               std::map<std::string, std::string>& target);
+
+/// One of an enumeration, by its name.
+template <HasNames Enum>
+std::optional<FileError> take(const Json& value, const std::string& pointer, Enum& target) {
+    const auto found = value.is_string() ? value_named<Enum>(value.get<std::string>()) : std::nullopt;
+    if (found) {
+        target = *found;
+        return std::nullopt;
+    }
+    std::vector<std::string> names;
+    for (const auto& entry : Names<Enum>::table) names.emplace_back(entry.name);
+    return wrong_choice(pointer, value, names);
+}
 
 /// The items of a list may be packed, as number_list.h says; those are let go once they are stored.
 template <class T>
