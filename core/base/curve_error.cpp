@@ -130,6 +130,22 @@ constexpr std::array templates{
              "the map takes control point {index} to infinity or beyond, where its weight would be {value}; every "
              "weight must stay above 0"},
     Template{Code::fit_point_index_out_of_range, "there is no fit point {index}; the last one is {upper}"},
+    Template{Code::tension_not_positive, "the tension is {value}; it must be above 0"},
+    Template{Code::ends_meet, "the two ends are one point; a curve between them needs some room"},
+    Template{Code::end_stands_still,
+             "an end has no direction or no curvature to go on with; a smooth joint needs a curve that does not stand "
+             "still there"},
+    Template{Code::fillet_too_large,
+             "the radius {value} is too large for an arc that touches both sides here; {upper} is the most"},
+    Template{Code::fillet_not_possible,
+             "no arc of radius {value} touches both sides here; a radius from {lower} to {upper} does"},
+    Template{Code::no_fillet, "no arc touches both sides here, whatever its radius"},
+    Template{Code::no_corner, "the curves do not meet here; a chamfer needs a corner"},
+    Template{Code::chamfer_too_long, "the distance from the corner is {value}; the side is only {upper} long"},
+    Template{Code::nothing_crosses,
+             "nothing crosses the curve here; what goes must be bounded by a crossing with another curve or with "
+             "itself"},
+    Template{Code::other_not_reached, "the curve does not reach the other one, however far it is extended"},
     Template{Code::not_computable,
              "the result cannot be computed: points, weights or knots are too far apart, too large or too small"},
 };

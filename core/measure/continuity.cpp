@@ -1,72 +1,19 @@
 #include "core/measure/continuity.h"
 
-#include <array>
 #include <cassert>
 #include <cmath>
 
 #include "core/curve/control_box.h"
-#include "core/curve/detail/bspline.h"
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/evaluate.h"
-#include "core/evaluate/tangent.h"
+#include "core/measure/detail/one_side.h"
 
 namespace batten::core {
 
 namespace {
 
-constexpr int derivative_count = 2;
-
 // Of a derivative, relative: some operations more than its degree has.
 constexpr double rounding_of_values = 64.0 * std::numeric_limits<double>::epsilon();
-
-// What can be said of the curve on one side of a joint.
-struct OneSide {
-    Jet jet;
-    std::array<double, derivative_count + 1> noise{};  // errors of the jet that rounded coordinates explain
-    std::optional<Vector> tangent;
-    std::optional<double> curvature;
-};
-
-// The points' rounding of a few units, carried through the derivatives.
-std::array<double, derivative_count + 1> noise_of_derivatives(const Curve& curve, double rounding, double u,
-                                                              Side side) {
-    const auto [inside, at] = located(curve.knots(), u, side);
-    LocalPoints<double> errors{};
-    LocalPoints<double> weights{};
-    for (std::size_t j = 0; j <= at.p; ++j) {
-        weights[j] = curve.weights()[(at.s - at.p + j) % curve.weights().size()];
-        errors[j] = rounding * weights[j];
-    }
-    const double weight = de_boor(weights, at, inside);
-    std::array<double, derivative_count + 1> noise{rounding, 0.0, 0.0};
-    for (std::size_t r = 1; r <= std::min<std::size_t>(derivative_count, at.p); ++r) {
-        const auto factor = static_cast<double>(at.p - r + 1);
-        for (std::size_t j = at.p; j >= r; --j)
-            errors[j] = factor / (at.upper(j, r) - at.lower(j)) * (errors[j] + errors[j - 1]);
-        noise[r] = *std::max_element(errors.begin() + static_cast<std::ptrdiff_t>(r),
-                                     errors.begin() + static_cast<std::ptrdiff_t>(at.p) + 1) /
-                   weight;
-    }
-    return noise;
-}
-
-// The piece of the span in which `u` lies alone: what lies elsewhere costs nothing.
-Curve piece_at(const Curve& curve, double u, Side side) {
-    const SpanKnots at = located(curve.knots(), u, side).at;
-    const auto knots = at.knots.subspan(at.s - at.p, 2 * at.p + 2);
-    std::vector<Point> points;
-    std::vector<double> weights;
-    for (std::size_t i = at.s - at.p; i <= at.s; ++i) {
-        points.push_back(curve.control_points()[i % curve.control_points().size()]);
-        weights.push_back(curve.weights()[i % curve.weights().size()]);
-    }
-    return Curve::make({.degree = curve.degree(),
-                        .knots = {knots.begin(), knots.end()},
-                        .points = std::move(points),
-                        .weights = std::move(weights),
-                        .tears = Tears::allow})
-        .value();
-}
 
 // The side as it is run through the other way.
 OneSide turned(OneSide side) {
@@ -82,22 +29,13 @@ class JointMeter {
         : tolerances_(tolerances),
           origin_(middle(box.lower, box.upper)),
           size_(robust_length(seen_from(box.upper, origin_) - seen_from(box.lower, origin_))),
-          rounding_(
-              2.0 * std::numeric_limits<double>::epsilon() *
-              std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.upper.x), std::abs(box.upper.y)})) {
+          rounding_(rounding_in(box)) {
         assert(tolerances.position >= 0.0 && tolerances.derivative >= 0.0);
         assert(tolerances.angle >= 0.0 && tolerances.curvature >= 0.0);
     }
 
     OneSide look(const Curve& curve, double u, Side side) const {
-        const Curve piece = seen_from(piece_at(curve, u, side), origin_);
-        const double inside = curve.knots().into_domain(u, side);
-        OneSide view;
-        view.jet = derivatives_at(piece, inside, derivative_count, side);
-        view.noise = noise_of_derivatives(piece, rounding_, inside, side);
-        view.tangent = tangent_at(piece, inside, side);
-        view.curvature = curvature_at(piece, inside, side);
-        return view;
+        return look_at_side(curve, u, side, origin_, rounding_);
     }
 
     JointContinuity measure(JointKind kind, double u, const OneSide& left, const OneSide& right) const {

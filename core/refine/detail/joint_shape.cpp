@@ -34,6 +34,10 @@ CurveError no_direction(double u) {
     return {.code = CurveErrorCode::curve_stands_still, .value = u};
 }
 
+bool is_geometric(JoinContinuity continuity) {
+    return continuity == JoinContinuity::g1 || continuity == JoinContinuity::g2 || continuity == JoinContinuity::g3;
+}
+
 // Chords from the start on, by the parameter at their ends.
 struct Walk {
     std::vector<double> parameters{};
@@ -100,23 +104,6 @@ double speed_of_start(const Curve& curve, double speed) {
     return length / (walk.parameter_at(length) - curve.domain().lower);
 }
 
-Result<Jet> geometric_start(const Curve& first, const Curve& second, int order) {
-    const double joint = first.domain().upper;
-    const auto tangent = tangent_at(first, joint, Side::left);
-    const auto own_tangent = tangent_at(second, second.domain().lower, Side::right);
-    if (!tangent || !own_tangent) return refuse(no_direction(joint));
-    const Jet own = derivatives_at(second, second.domain().lower, order);
-    const double turn = severity(*own_tangent, *tangent);
-    const double speed = speed_of_start(second, robust_length(own[1])) * (1.0 + further_share_of_speed * turn);
-    Jet wanted{first.control_points().back(), {speed * *tangent}};
-    if (order < 2) return wanted;
-    const auto curvature = curvature_at(first, joint, Side::left);
-    if (!curvature) return refuse(no_direction(joint));
-    wanted.derivatives.push_back(dot(own[2], *own_tangent) * *tangent +
-                                 *curvature * speed * speed * turned_left(*tangent));
-    return wanted;
-}
-
 // Where the part ends that is as long as wanted.
 double end_by_length(const Curve& second, const Walk& walk, double length, double gap) {
     const double end = walk.parameter_at(length);
@@ -153,25 +140,48 @@ int order_of(JoinContinuity continuity) {
         case JoinContinuity::c2:
         case JoinContinuity::g2:
             return 2;
+        case JoinContinuity::g3:
+            return 3;
     }
     return 0;
 }
 
-Meeting meeting_of(const Curve& first, double end, const Curve& second, double start) {
-    Meeting meeting{.gap = robust_length(point_at(second, start) - point_at(first, end, Side::left)),
-                    .angle = std::nullopt};
-    const auto before = tangent_at(first, end, Side::left);
-    const auto after = tangent_at(second, start, Side::right);
-    if (before && after) meeting.angle = angle_between(*before, *after);
-    meeting.before = curvature_at(first, end, Side::left);
-    meeting.after = curvature_at(second, start, Side::right);
-    return meeting;
+// With v = |C'|, its derivatives a and b, the unit tangent t and its normal n: C' = v t, C'' = a t + k v^2 n,
+// C''' = (b - k^2 v^3) t + (3 k v a + k' v^3) n for the curvature k and k' = dk/ds.
+Result<Jet> start_after(const Passing& side, const Curve& second, int order) {
+    Jet wanted{side.point, {}};
+    if (order == 0) return wanted;
+    const double start = second.domain().lower;
+    const auto own_tangent = tangent_at(second, start, Side::right);
+    if (!side.direction || !own_tangent) return refuse(no_direction(start));
+    const Vector tangent = *side.direction;
+    const Vector normal = turned_left(tangent);
+    const Jet own = derivatives_at(second, start, order);
+    const double own_speed = robust_length(own[1]);
+    const double speed =
+        speed_of_start(second, own_speed) * (1.0 + further_share_of_speed * severity(*own_tangent, tangent));
+    wanted.derivatives.push_back(speed * tangent);
+    if (order < 2) return wanted;
+    if (!side.curvature) return refuse(no_direction(start));
+    const double bend = *side.curvature * speed;
+    const double along = dot(own[2], *own_tangent);
+    wanted.derivatives.push_back(along * tangent + bend * speed * normal);
+    if (order < 3) return wanted;
+    if (!side.change) return refuse(no_direction(start));
+    const double own_bend = curvature_at(second, start, Side::right).value_or(0.0) * own_speed;
+    const double third = dot(own[3], *own_tangent) + own_bend * own_bend * own_speed;
+    wanted.derivatives.push_back((third - bend * bend * speed) * tangent +
+                                 (3.0 * bend * along + *side.change * speed * speed * speed) * normal);
+    return wanted;
 }
 
 Result<Jet> wanted_start(const Curve& first, const Curve& second, JoinContinuity continuity) {
     const int order = order_of(continuity);
-    if (continuity == JoinContinuity::g1 || continuity == JoinContinuity::g2)
-        return geometric_start(first, second, order);
+    if (is_geometric(continuity)) {
+        Passing side = passing_at(first, CurveEnd::end);
+        side.point = first.control_points().back();
+        return start_after(side, second, order);
+    }
     Jet wanted = derivatives_at(first, first.domain().upper, order, Side::left);
     wanted.point = first.control_points().back();
     if (continuity == JoinContinuity::c1) bend_slow_start(first, second, wanted);
@@ -213,6 +223,11 @@ double end_of_change(const Curve& second, const Jet& wanted) {
         const double bend = robust_length(wanted[2] - found[2]);
         const double speed = std::max(robust_length(wanted[1]), robust_length(found[1]));
         if (bend > 0.0 && speed > 0.0) reach = std::min(reach, velocities_astray * speed / bend);
+    }
+    if (order >= 3) {
+        const double jerk = robust_length(wanted[3] - found[3]);
+        const double speed = std::max(robust_length(wanted[1]), robust_length(found[1]));
+        if (jerk > 0.0 && speed > 0.0) reach = std::min(reach, std::sqrt(2.0 * velocities_astray * speed / jerk));
     }
     reach *= std::max(1.0, static_cast<double>(second.degree()) / even_degree);
     return std::min(upper, lower + std::max(reach, least_reach(second.domain())));

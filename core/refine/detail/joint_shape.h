@@ -9,11 +9,13 @@ namespace batten::core {
 /// How many derivatives, or directions and curvatures, must agree.
 int order_of(JoinContinuity continuity);
 
-/// What `first`, up to `end`, and `second`, from `start` on, are to each other there; they may be the same curve.
-Meeting meeting_of(const Curve& first, double end, const Curve& second, double start);
+/// The start that a curve which begins like `second` must have to continue `side` with this many of its direction,
+/// curvature and change of curvature: with the speed that it has, and with its acceleration along the tangent. Error:
+/// curve_stands_still.
+[[nodiscard]] Result<Jet> start_after(const Passing& side, const Curve& second, int order);
 
-/// The start that `second` must have to continue `first`: with the same derivatives for C; for G with the speed that it
-/// has, and with its acceleration along the tangent. Error: curve_stands_still.
+/// The start that `second` must have to continue `first`: with the same derivatives for C; for G as start_after() says.
+/// Error: curve_stands_still.
 [[nodiscard]] Result<Jet> wanted_start(const Curve& first, const Curve& second, JoinContinuity continuity);
 
 /// Whether `second` begins as `wanted`, but for what rounding leaves in its first control points.

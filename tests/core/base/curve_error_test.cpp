@@ -126,6 +126,17 @@ TEST(CurveError, says_what_the_weights_of_a_leg_or_piece_lack) {
               "the piece at 0.5 has knots that occur only once; an arc of its own needs each of them twice");
 }
 
+TEST(CurveError, says_what_joints_need) {
+    using Code = CurveErrorCode;
+    EXPECT_EQ(describe({.code = Code::tension_not_positive, .value = -1}), "the tension is -1; it must be above 0");
+    EXPECT_EQ(describe({.code = Code::fillet_too_large, .value = 3, .upper = 1.5}),
+              "the radius 3 is too large for an arc that touches both sides here; 1.5 is the most");
+    EXPECT_EQ(describe({.code = Code::fillet_not_possible, .value = 3, .lower = 0.5, .upper = 1.5}),
+              "no arc of radius 3 touches both sides here; a radius from 0.5 to 1.5 does");
+    EXPECT_EQ(describe({.code = Code::chamfer_too_long, .value = 3, .upper = 1.5}),
+              "the distance from the corner is 3; the side is only 1.5 long");
+}
+
 TEST(CurveError, tells_no_computed_number_that_is_not_finite) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     using Code = CurveErrorCode;
