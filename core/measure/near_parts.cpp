@@ -97,6 +97,38 @@ std::vector<std::size_t> NearParts::stretches_near(Point place, double distance,
     return near;
 }
 
+bool NearParts::is_crowded(Point place, double distance, std::size_t most) const {
+    std::size_t points = 0;
+    boxes_.visit_near(
+        place, [&](double squared) { return points > most || squared > distance * distance; },
+        [&](std::size_t) { points += points_per_stretch; });
+    return points > most;
+}
+
+std::optional<std::vector<Curve>> NearParts::parts_near(Point place, double distance, std::size_t most_spans) const {
+    const std::size_t most_points = most_spans + 32 * points_per_stretch;
+    if (is_crowded(place, distance, most_points)) return std::nullopt;
+    const std::size_t p = degree();
+    std::vector<std::pair<std::size_t, std::size_t>> runs;
+    std::size_t count = 0;
+    visit_near(place, distance, [&](std::size_t i) {
+        const std::size_t span = i + p;
+        if (span + p + 1 >= curve_.knots().size() || curve_.knots()[span] == curve_.knots()[span + 1]) return;
+        Box box;
+        for (const Point& point : points_of(i, span + 1)) box.include(point);
+        if (squared_distance(box, place) > distance * distance) return;
+        ++count;
+        if (!runs.empty() && curve_.knots()[runs.back().second + 1] == curve_.knots()[span])
+            runs.back().second = span;
+        else
+            runs.emplace_back(span, span);
+    });
+    if (count > most_spans) return std::nullopt;
+    std::vector<Curve> parts;
+    for (const auto& [first, last] : runs) parts.push_back(curve_over_spans(curve_, first, last));
+    return parts;
+}
+
 std::optional<CurveSample> NearParts::nearest(Point query, double reach, std::size_t* looks) const {
     assert(is_finite(query));
     Search search(*this, query, reach);

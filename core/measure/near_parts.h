@@ -29,6 +29,15 @@ class NearParts {
             for (std::size_t i = stretch * points_per_stretch; i < end_of(stretch); ++i) visit(i);
     }
 
+    /// Whether more than `most` control points, legs or spans may come within `distance` of `place`. Cost O(log n +
+    /// most).
+    bool is_crowded(Point place, double distance, std::size_t most) const;
+
+    /// The parts of the curve whose control points come within `distance` of `place`: open curves over runs of
+    /// neighboring spans, with the same parameters, in order. None where these are more than `most_spans` spans, or
+    /// where the place is crowded by some hundred more. Cost O(log n) and that of what is found.
+    std::optional<std::vector<Curve>> parts_near(Point place, double distance, std::size_t most_spans) const;
+
     /// What nearest_point says of `query`, which is finite; none where that is farther than `reach`. Cost O(log n)
     /// boxes and a few stretches of O(p^2) for a point, and where many are nearly as near, one more for each of these.
     std::optional<CurveSample> nearest(Point query, double reach = Box::infinity, std::size_t* looks = nullptr) const;
