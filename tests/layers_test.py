@@ -29,6 +29,7 @@ CORE_FOLDERS = {
     "refine": {"base", "curve", "evaluate", "measure"},
     "edit": {"base", "curve", "evaluate", "measure", "refine"},
     "make": {"base", "curve", "evaluate"},
+    "shape": {"base", "curve", "evaluate", "measure", "refine", "edit", "make"},
     "document": {"base", "curve", "make"},
 }
 

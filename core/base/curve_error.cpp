@@ -146,6 +146,11 @@ constexpr std::array templates{
              "nothing crosses the curve here; what goes must be bounded by a crossing with another curve or with "
              "itself"},
     Template{Code::other_not_reached, "the curve does not reach the other one, however far it is extended"},
+    Template{Code::shapes_not_decided,
+             "the curves run along each other too closely to tell what is inside; they must coincide or be farther "
+             "apart"},
+    Template{Code::shape_vanishes,
+             "nothing is left at the distance {value}; it must be less than half of the width of the shape"},
     Template{Code::not_computable,
              "the result cannot be computed: points, weights or knots are too far apart, too large or too small"},
 };

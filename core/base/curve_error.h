@@ -83,6 +83,8 @@ enum class CurveErrorCode {
     chamfer_too_long,            ///< value = distance from the corner, upper = most that there is
     nothing_crosses,             ///< nothing bounds the part that shall go
     other_not_reached,           ///< a curve that is extended does not come to the other one
+    shapes_not_decided,          ///< curves run along each other too closely to tell what lies inside
+    shape_vanishes,              ///< nothing is left of a shape; value = the distance of an offset
     not_computable               ///< numbers on the way are beyond what doubles can hold
 };
 
