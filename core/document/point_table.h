@@ -1,0 +1,54 @@
+/// Points from tables as people have them: pasted from a spreadsheet, CSV files, coordinates of airfoils.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/base/names.h"
+#include "core/document/file_text.h"
+
+namespace batten::core {
+
+/// What stands between two cells of a line.
+enum class TableSeparator { tab, semicolon, comma, blank };
+
+/// Which columns hold x and y, counted from 1.
+struct TableColumns {
+    std::size_t x = 1;
+    std::size_t y = 2;
+};
+
+struct PointTable {
+    std::vector<Point> points;
+    std::string title;                  ///< a line above the numbers that names no columns, as of an airfoil
+    std::vector<std::string> headings;  ///< of the columns; empty where the table has none
+    std::size_t column_count = 0;       ///< of the first line with numbers
+    TableColumns columns;               ///< those that were read
+    TableSeparator separator = TableSeparator::tab;
+    bool has_decimal_commas = false;
+    bool is_two_sided = false;  ///< the two sides of an airfoil, each from its nose, became one way around it
+};
+
+/// The points in `text`, one a line. Between cells stand tabs, semicolons, commas or blanks, and decimals have a point
+/// or a comma: which of them, the whole table decides, as what makes most of its lines numbers throughout. Cells may be
+/// quoted. Left out are empty lines, what stands behind #, and lines above the numbers that are none: headings, titles.
+/// `columns` left out are the first two that hold numbers. An airfoil may be given around (Selig), or as two numbers of
+/// points and then its upper and its lower side from the nose (Lednicer); the latter becomes the former. Line ends of
+/// all systems, a byte order mark, typographic minus signs and blanks do no harm. The error names line and column: a
+/// cell that is empty or no finite number, a column that the line does not have; or there are no two columns of
+/// numbers. Cost O(n).
+[[nodiscard]] FileResult<PointTable> read_point_table(std::string_view text,
+                                                      std::optional<TableColumns> columns = std::nullopt);
+
+template <>
+struct Names<TableSeparator> {
+    using enum TableSeparator;
+    static constexpr std::array table{Named{tab, "tab", "tabs"}, Named{semicolon, "semicolon", "semicolons"},
+                                      Named{comma, "comma", "commas"}, Named{blank, "blank", "blanks"}};
+};
+
+}  // namespace batten::core
