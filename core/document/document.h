@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/curve/curve.h"
+#include "core/document/picture.h"
 
 namespace batten::core {
 
@@ -59,7 +60,8 @@ struct Document {
     std::string title;        ///< shown where the document is offered; may be empty
     std::string description;  ///< one sentence saying what to try; may be empty
     std::vector<DocumentCurve> curves;
-    std::size_t active = 0;  ///< index of the curve that edits go to; 0 when there is none
+    std::size_t active = 0;         ///< index of the curve that edits go to; 0 when there is none
+    std::vector<Picture> pictures;  ///< below the curves, the first one lowest
     DocumentView view;
     std::string unknown_members;
 

@@ -13,6 +13,27 @@ FileResult<Document> read_file(InputFile& file, const Progress& progress, const 
     return read_document(text, points_read);
 }
 
+// The paths of pictures are told from the folder of the document.
+fs::path folder_of(const fs::path& path) {
+    std::error_code error;
+    const fs::path whole = fs::absolute(path, error);
+    return (error ? path : whole).parent_path();
+}
+
+Document with_absolute_pictures(Document document, const fs::path& path) {
+    for (Picture& picture : document.pictures) picture.path = (folder_of(path) / picture.path).lexically_normal();
+    return document;
+}
+
+// A file elsewhere in the same file system has such a path; another one keeps its own.
+Document with_relative_pictures(Document document, const fs::path& path) {
+    for (Picture& picture : document.pictures) {
+        const fs::path relative = picture.path.lexically_relative(folder_of(path));
+        if (picture.path.is_absolute() && !relative.empty()) picture.path = relative;
+    }
+    return document;
+}
+
 }  // namespace
 
 FileResult<Curve> load_curve(const fs::path& path) {
@@ -37,7 +58,9 @@ FileResult<Document> parse_document(std::string_view text) {
 }
 
 FileResult<Document> load_document(const fs::path& path, const Progress& progress, const PointsRead& points_read) {
-    return InputFile::open(path).and_then([&](InputFile file) { return read_file(file, progress, points_read); });
+    return InputFile::open(path)
+        .and_then([&](InputFile file) { return read_file(file, progress, points_read); })
+        .map([&](Document document) { return with_absolute_pictures(std::move(document), path); });
 }
 
 FileResult<Document> load_document(int descriptor, const std::string& name) {
@@ -46,7 +69,8 @@ FileResult<Document> load_document(int descriptor, const std::string& name) {
 }
 
 FileResult<void> save_document(const Document& document, const fs::path& path, const Progress& progress) {
-    return replace_text(path, format_document(document, progress));
+    if (document.pictures.empty()) return replace_text(path, format_document(document, progress));
+    return replace_text(path, format_document(with_relative_pictures(document, path), progress));
 }
 
 }  // namespace batten::core

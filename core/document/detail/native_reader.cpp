@@ -144,6 +144,53 @@ void read_curves(ObjectReader& reader, std::vector<DocumentCurve>& curves) {
     }
 }
 
+// A number of a picture that must be above 0, or lie from 0 to 1.
+void check_number(ObjectReader& reader, const char* name, double value, bool is_good, const char* allowed) {
+    if (!reader.error() && !is_good) reader.note(wrong_value(reader.place(name), value, allowed));
+}
+
+void read_pixels(ObjectReader& reader, const char* name, int& target) {
+    constexpr int most = 1'000'000;
+    double value = 0.0;
+    reader.required(name, value);
+    const bool is_good = value >= 1.0 && value <= most && std::trunc(value) == value;
+    check_number(reader, name, value, is_good, "a whole number from 1 to 1000000");
+    if (is_good) target = static_cast<int>(value);
+}
+
+FileResult<Picture> read_picture(Json& object, const std::string& pointer) {
+    ObjectReader reader(object, pointer);
+    Picture picture;
+    std::string path;
+    reader.required("path", path);
+    picture.path = path;
+    read_pixels(reader, "width", picture.width);
+    read_pixels(reader, "height", picture.height);
+    reader.optional("position", picture.position);
+    reader.optional("scale", picture.scale);
+    check_number(reader, "scale", picture.scale, picture.scale > 0.0, "a number above 0");
+    reader.optional("rotation", picture.rotation);
+    reader.optional("opacity", picture.opacity);
+    check_number(reader, "opacity", picture.opacity, Interval{0.0, 1.0}.contains(picture.opacity),
+                 "a number from 0 to 1");
+    reader.optional("visible", picture.visible);
+    reader.optional("locked", picture.locked);
+    picture.unknown_members = reader.unknown_members();
+    if (reader.error()) return tl::unexpected(*reader.error());
+    return picture;
+}
+
+void read_pictures(ObjectReader& reader, std::vector<Picture>& pictures) {
+    Json* list = reader.find("pictures");
+    if (!list) return;
+    if (!list->is_array()) return reader.note(wrong_value(reader.place("pictures"), *list, "a list of pictures"));
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        auto picture = read_picture((*list)[i], place_in(reader.place("pictures"), i));
+        if (!picture) return reader.note(picture.error());
+        pictures.push_back(std::move(*picture));
+    }
+}
+
 // A name, or a place where names are not distinct. The view is a mere convenience, so one that names no curve is not an
 // error.
 std::size_t find_active(const Json& active, const std::vector<DocumentCurve>& curves) {
@@ -175,6 +222,7 @@ FileResult<Document> read_document(TextStream& text, const PointsRead& points_re
     reader.optional("title", document.title);
     reader.optional("description", document.description);
     read_curves(reader, document.curves);
+    read_pictures(reader, document.pictures);
     read_view(reader, document);
     document.unknown_members = reader.unknown_members();
     if (reader.error()) return tl::unexpected(*reader.error());

@@ -47,6 +47,21 @@ Json json_of(const DocumentCurve& entry) {
     return object;
 }
 
+Json json_of(const Picture& picture) {
+    Json object = Json::object();
+    object["path"] = picture.path.generic_string();
+    object["width"] = picture.width;
+    object["height"] = picture.height;
+    object["position"] = Json::array({number(picture.position.x), number(picture.position.y)});
+    object["scale"] = number(picture.scale);
+    object["rotation"] = number(picture.rotation);
+    object["opacity"] = number(picture.opacity);
+    object["visible"] = picture.visible;
+    object["locked"] = picture.locked;
+    add_unknown_members(object, picture.unknown_members);
+    return object;
+}
+
 // The active curve by its name, or by its place where an earlier curve has the same name.
 Json active_member(const Document& document) {
     const std::string& name = document.curves[document.active].name;
@@ -74,6 +89,7 @@ Json json_of(const Document& document) {
     if (!document.description.empty()) object["description"] = document.description;
     object["curves"] = Json::array();
     for (const DocumentCurve& curve : document.curves) object["curves"].push_back(json_of(curve));
+    for (const Picture& picture : document.pictures) object["pictures"].push_back(json_of(picture));
     if (Json view = json_of_view(document); !view.empty()) object["view"] = std::move(view);
     add_unknown_members(object, document.unknown_members);
     return object;
