@@ -72,20 +72,19 @@ enum class CurveErrorCode {
     map_singular,                ///< a map takes the plane onto a line or a point
     point_beyond_horizon,        ///< index = point, value = its weight after a projective map, 0 or less
     fit_point_index_out_of_range,  ///< index = asked for, upper = last allowed
+    tension_not_positive,          ///< value = tension found
+    ends_meet,                     ///< two ends are one point where a curve shall lie between them
+    end_stands_still,              ///< an end without the direction or curvature that is needed
+    fillet_too_large,              ///< value = radius, upper = greatest radius of an arc that touches both sides
+    fillet_not_possible,           ///< value = radius, lower, upper = least and greatest radius of an arc that touches
+    no_fillet,                     ///< no arc touches both curves
+    no_corner,                     ///< curves that do not meet where a corner is needed
+    chamfer_too_long,              ///< value = distance from the corner, upper = most that there is
+    nothing_crosses,               ///< nothing bounds the part that shall go
+    other_not_reached,             ///< a curve that is extended does not come to the other one
+    shapes_not_decided,            ///< curves run along each other too closely to tell what lies inside
+    shape_vanishes,                ///< nothing is left of a shape; value = the distance of an offset
     not_computable                 ///< numbers on the way are beyond what doubles can hold
-    tension_not_positive,        ///< value = tension found
-    ends_meet,                   ///< two ends are one point where a curve shall lie between them
-    end_stands_still,            ///< an end without the direction or curvature that is needed
-    fillet_too_large,            ///< value = radius, upper = greatest radius of an arc that touches both sides
-    fillet_not_possible,         ///< value = radius, lower, upper = least and greatest radius of an arc that touches
-    no_fillet,                   ///< no arc touches both curves
-    no_corner,                   ///< curves that do not meet where a corner is needed
-    chamfer_too_long,            ///< value = distance from the corner, upper = most that there is
-    nothing_crosses,             ///< nothing bounds the part that shall go
-    other_not_reached,           ///< a curve that is extended does not come to the other one
-    shapes_not_decided,          ///< curves run along each other too closely to tell what lies inside
-    shape_vanishes,              ///< nothing is left of a shape; value = the distance of an offset
-    not_computable               ///< numbers on the way are beyond what doubles can hold
 };
 
 /// One refusal: the code, the offending item, and the numbers that the sentence needs (see CurveErrorCode).
