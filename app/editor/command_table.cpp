@@ -16,6 +16,7 @@ CommandTable make_table() {
     add_selection_commands(table);
     add_tool_commands(table);
     add_point_commands(table);
+    add_pin_commands(table);
     add_weight_commands(table);
     add_degree_commands(table);
     add_knot_commands(table);

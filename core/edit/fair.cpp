@@ -71,6 +71,11 @@ std::vector<bool> held_outside(const Curve& curve, Interval part) {
     return is_held;
 }
 
+std::vector<bool> with_pinned(std::vector<bool> is_held, std::span<const std::size_t> pinned) {
+    for (const std::size_t i : pinned) is_held[i] = true;
+    return is_held;
+}
+
 // What speaks of none of the points that move says nothing.
 void forget_held(std::vector<MoveCondition>& goals, const std::vector<bool>& is_held) {
     std::erase_if(goals, [&](const MoveCondition& goal) {
@@ -85,7 +90,7 @@ Result<Approximation> fair_all_but(const Curve& curve, std::vector<bool> is_held
     if (const auto check = check_tolerance(distance); !check) return refuse(check.error());
     Approximation best{curve, 0.0};
     auto goals = curve.degree() >= 3 ? third_derivatives(curve) : jumps(curve);
-    if (!is_held.empty()) forget_held(goals, is_held);
+    forget_held(goals, is_held);
     if (goals.empty()) return best;
     const SmoothMoves moves(curve, std::move(goals), std::move(is_held));
     int trial = 0;
@@ -111,14 +116,17 @@ Result<Approximation> fair_all_but(const Curve& curve, std::vector<bool> is_held
 
 }  // namespace
 
-Result<Approximation> fair(const Curve& curve, double distance, const Progress& progress) {
-    return fair_all_but(curve, {}, distance, progress);
+Result<Approximation> fair(const Curve& curve, double distance, const Progress& progress,
+                           std::span<const std::size_t> pinned) {
+    return fair_all_but(curve, with_pinned(std::vector<bool>(curve.control_points().size(), false), pinned), distance,
+                        progress);
 }
 
-Result<Approximation> fair_part(const Curve& curve, Interval part, double distance, const Progress& progress) {
+Result<Approximation> fair_part(const Curve& curve, Interval part, double distance, const Progress& progress,
+                                std::span<const std::size_t> pinned) {
     if (!(part.lower < part.upper))
         return refuse({.code = CurveErrorCode::range_empty, .lower = part.lower, .upper = part.upper});
-    return fair_all_but(curve, held_outside(curve, part), distance, progress);
+    return fair_all_but(curve, with_pinned(held_outside(curve, part), pinned), distance, progress);
 }
 
 }  // namespace batten::core

@@ -1,7 +1,7 @@
 /// Makes a curve fairer: its curvature varies less, and it stays near where it was (shape-changing).
 #pragma once
 
-#include <optional>
+#include <span>
 
 #include "core/base/progress.h"
 #include "core/curve/approximation.h"
@@ -16,13 +16,15 @@ namespace batten::core {
 /// bound of the largest distance. A curve that cannot become fairer comes back as it is. Error: tolerance_not_positive.
 /// Cost O(n p^2) for each of 17 trials. Source: Kjellander 1983 and Eck and Hadenfeld 1995, with all knots at
 /// once.
-[[nodiscard]] Result<Approximation> fair(const Curve& curve, double distance, const Progress& progress = {});
+/// Control points `pinned` keep every bit.
+[[nodiscard]] Result<Approximation> fair(const Curve& curve, double distance, const Progress& progress = {},
+                                         std::span<const std::size_t> pinned = {});
 
 /// The same for a part of the curve: only control points move whose Greville abscissae lie in `part`, so that all spans
 /// on which none of them acts keep every bit, and the curve its continuity. Of a periodic curve the part may go on over
 /// the seam, up to one period beyond the domain's upper end. Where no control point lies in it, the curve comes back as
 /// it is. Errors: range_empty unless part.lower < part.upper; those of fair.
 [[nodiscard]] Result<Approximation> fair_part(const Curve& curve, Interval part, double distance,
-                                              const Progress& progress = {});
+                                              const Progress& progress = {}, std::span<const std::size_t> pinned = {});
 
 }  // namespace batten::core

@@ -20,6 +20,7 @@
 #include "app/editor/commands/measuring_commands.h"
 #include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/piece_commands.h"
+#include "app/editor/commands/pin_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/refinement_commands.h"
 #include "app/editor/commands/selection_commands.h"
@@ -86,7 +87,13 @@ Command RandomSession::one_of(const EditorState& state,
 
 Command RandomSession::shape_command(const EditorState& state, const core::Curve& curve) {
     const std::size_t n = curve.control_points().size();
-    switch (below(14)) {
+    switch (below(17)) {
+        case 14:
+            return PinPoints{.points = {index(n)}};
+        case 15:
+            return UnpinPoints{.points = indices(n)};
+        case 16:
+            return SoftMove{.center = point(9), .offset = vector(1), .radius = between(-0.2, 9)};
         case 0:
             return MovePoints{.points = indices(n), .offset = vector(2)};
         case 1:

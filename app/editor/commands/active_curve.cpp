@@ -1,9 +1,11 @@
 #include "app/editor/commands/active_curve.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "app/editor/pointer/hint_text.h"
 #include "app/editor/state/point_hues.h"
+#include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -31,6 +33,20 @@ std::optional<Refusal> no_editable_points(const EditorState& state) {
 
 const core::Curve& active_curve(const EditorState& state) {
     return *state.history.present().active_curve()->curve;
+}
+
+const std::vector<std::size_t>& pinned_points(const EditorState& state) {
+    return state.history.present().active_curve()->pinned;
+}
+
+Outcome<std::vector<std::size_t>> free_points(const EditorState& state, const std::vector<std::size_t>& points) {
+    const std::vector<std::size_t> wanted = ascending(points);
+    std::vector<std::size_t> found;
+    std::ranges::set_difference(wanted, pinned_points(state), std::back_inserter(found));
+    if (!found.empty() || wanted.empty()) return found;
+    const core::Place place("points", points_text(wanted));
+    return tl::unexpected(wanted.size() == 1 ? core::sentence("{points} is pinned; unpin it first", {place})
+                                             : core::sentence("{points} are pinned; unpin them first", {place}));
 }
 
 std::vector<std::size_t> ascending(std::vector<std::size_t> indices) {

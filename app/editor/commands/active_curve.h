@@ -17,6 +17,12 @@ std::optional<Refusal> locked(const core::DocumentCurve& curve);
 /// The committed active curve; there must be one.
 const core::Curve& active_curve(const EditorState& state);
 
+/// Its pinned control points, ascending.
+const std::vector<std::size_t>& pinned_points(const EditorState& state);
+
+/// Those of `points` that are not pinned, ascending; the reason why nothing can be moved where there are none.
+Outcome<std::vector<std::size_t>> free_points(const EditorState& state, const std::vector<std::size_t>& points);
+
 /// The indices, ascending and without repeats.
 std::vector<std::size_t> ascending(std::vector<std::size_t> indices);
 

@@ -23,6 +23,7 @@ void add_edit_commands(CommandTable& table);
 void add_selection_commands(CommandTable& table);
 void add_tool_commands(CommandTable& table);
 void add_point_commands(CommandTable& table);
+void add_pin_commands(CommandTable& table);
 void add_weight_commands(CommandTable& table);
 void add_degree_commands(CommandTable& table);
 void add_knot_commands(CommandTable& table);

@@ -20,12 +20,19 @@ using core::sentence;
 constexpr const char* which_point = "the number of a control point, counted from 0";
 
 Outcome<Edit> move_points(const EditorState& state, const MovePoints& command) {
-    return edit_active(state,
-                       core::move_control_points(active_curve(state), ascending(command.points), command.offset));
+    const auto points = free_points(state, command.points);
+    if (!points) return tl::unexpected(points.error());
+    return edit_active(state, core::move_control_points(active_curve(state), *points, command.offset));
 }
 
 Outcome<Edit> set_point(const EditorState& state, const SetPoint& command) {
+    if (const auto points = free_points(state, {command.index}); !points) return tl::unexpected(points.error());
     return edit_active(state, core::set_control_point(active_curve(state), command.index, command.position));
+}
+
+Outcome<Edit> soft_move(const EditorState& state, const SoftMove& command) {
+    return edit_active(state, core::soft_move(active_curve(state), command.center, command.radius, command.offset,
+                                              pinned_points(state)));
 }
 
 StepTexts texts_of_place(const EditorState& state, const SetPoint& command) {
@@ -64,8 +71,9 @@ StepTexts texts_of_delete_points(const EditorState& state, const DeletePoints& c
 }
 
 Outcome<Edit> nudge_by(const EditorState& state, core::Vector offset, bool continues) {
-    Outcome<Edit> edit =
-        edit_active(state, core::move_control_points(active_curve(state), state.selection.points, offset));
+    const auto points = free_points(state, state.selection.points);
+    if (!points) return tl::unexpected(points.error());
+    Outcome<Edit> edit = edit_active(state, core::move_control_points(active_curve(state), *points, offset));
     if (edit) edit->burst = burst_after(state, offset, continues);
     return edit;
 }
@@ -130,6 +138,10 @@ CommandSpec arrow(const char* name, const char* title, Shortcut shortcut) {
             .texts = texts_of<texts_of_arrow<Command, x, y>>};
 }
 
+std::optional<double> quarter_of_size(const EditorState& state) {
+    return suggest::share_of_size(state, 0.25);
+}
+
 constexpr Modifiers shift{false, true, false};
 
 }  // namespace
@@ -150,6 +162,25 @@ const CommandSpec& MovePoints::spec() {
         .run = body_of<move_points>,
         .step = "Move {indices}",
         .done = "Moved {indices} by ({dx}, {dy})"};
+    return spec;
+}
+
+const CommandSpec& SoftMove::spec() {
+    static const CommandSpec spec{
+        .name = "soft-move",
+        .title = "Move points softly",
+        .explanation = "Moves the control points around a place, the less the farther they are from it.",
+        .synonyms = "proportional brush falloff",
+        .group = CommandGroup::edit,
+        .submenu = "Points",
+        .effect = ShapeEffect::changes,
+        .fields = {field::position<&SoftMove::center>({"x", "x of the place"}, {"y", "y of the place"}),
+                   field::vector<&SoftMove::offset>({"dx", "to the right"}, {"dy", "upwards"}),
+                   field::length<&SoftMove::radius>("radius", "from where on points stay, above 0")
+                       .suggesting<quarter_of_size>()},
+        .refusal = no_editable_curve,
+        .run = body_of<soft_move>,
+        .done = "Moved points around ({x}, {y}) by up to ({dx}, {dy})"};
     return spec;
 }
 
@@ -287,7 +318,7 @@ const CommandSpec& NudgeDownFar::spec() {
 }
 
 void add_point_commands(CommandTable& table) {
-    add_all<MovePoints, SetPoint, SetWeight, AddPoint, DeletePoints, Nudge>(table);
+    add_all<MovePoints, SoftMove, SetPoint, SetWeight, AddPoint, DeletePoints, Nudge>(table);
     add_all<NudgeLeft, NudgeRight, NudgeUp, NudgeDown, NudgeLeftFar, NudgeRightFar, NudgeUpFar, NudgeDownFar>(table);
 }
 

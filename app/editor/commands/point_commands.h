@@ -12,6 +12,13 @@ struct MovePoints {
     static const CommandSpec& spec();
 };
 
+struct SoftMove {
+    core::Point center;
+    core::Vector offset;  ///< of a point at the center
+    double radius;
+    static const CommandSpec& spec();
+};
+
 struct SetPoint {
     std::size_t index;
     core::Point position;

@@ -16,25 +16,26 @@ namespace batten::editor {
 namespace {
 
 Outcome<Edit> move_curve_point(const EditorState& state, const MoveCurvePoint& command) {
-    return edit_active(state, core::move_curve_point(active_curve(state), command.u, command.position));
+    return edit_active(state,
+                       core::move_curve_point(active_curve(state), command.u, command.position, pinned_points(state)));
 }
 
 Outcome<Edit> set_tangent(const EditorState& state, const SetTangent& command) {
     const core::Curve& curve = active_curve(state);
-    return edit_active(state, core::move_curve_point_and_tangent(curve, command.u, core::point_at(curve, command.u),
-                                                                 command.derivative));
+    return edit_active(state,
+                       core::move_curve_point_and_tangent(curve, command.u, core::point_at(curve, command.u),
+                                                          command.derivative, core::Side::right, pinned_points(state)));
 }
 
 Outcome<Edit> move_point_and_tangent(const EditorState& state, const MovePointAndTangent& command) {
-    return edit_active(state, core::move_curve_point_and_tangent(active_curve(state), command.u, command.position,
-                                                                 command.derivative));
+    return edit_active(
+        state, core::move_curve_point_and_tangent(active_curve(state), command.u, command.position, command.derivative,
+                                                  core::Side::right, pinned_points(state)));
 }
 
 Outcome<Edit> fair(const EditorState& state, const Fair& command) {
-    return edit_active(
-        state, core::fair(active_curve(state), command.distance, state.progress).map([](core::Approximation faired) {
-            return std::move(faired.curve);
-        }));
+    return edit_active(state, core::fair(active_curve(state), command.distance, state.progress, pinned_points(state))
+                                  .map([](core::Approximation faired) { return std::move(faired.curve); }));
 }
 
 Outcome<Edit> offset(const EditorState& state, const Offset& command) {

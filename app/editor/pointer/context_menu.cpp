@@ -7,10 +7,12 @@
 #include "app/editor/commands/degree_commands.h"
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/fairing_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/piece_commands.h"
+#include "app/editor/commands/pin_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/refinement_commands.h"
 #include "app/editor/commands/selection_commands.h"
@@ -30,9 +32,9 @@ class Menu {
     std::vector<MenuEntry> take() { return std::move(entries_); }
 
     void points() {
-        offer<SetPoint, SetWeight, MovePoints>();
+        offer<SetPoint, SetWeight, MovePoints, PinPoints, UnpinPoints>();
         group();
-        offer<Delete>();
+        offer<Delete, DeleteAndRefit>();
         group();
         offer<SelectAll, SelectNone>();
     }

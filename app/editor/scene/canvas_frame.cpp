@@ -39,6 +39,10 @@ std::size_t CanvasFrame::hue(std::size_t i) const {
     return point_hue(*state.shown().active_curve(), i);
 }
 
+bool CanvasFrame::is_pinned(std::size_t i) const {
+    return std::ranges::binary_search(state.shown().active_curve()->pinned, i);
+}
+
 void CanvasFrame::keep_free(glm::dvec2 place, double radius) {
     const glm::dvec2 reach(pen.px(radius));
     covered.push_back({place - reach, place + reach});

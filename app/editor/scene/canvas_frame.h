@@ -58,6 +58,9 @@ struct CanvasFrame {
     /// The place in the palette, for Theme::point(), of control point `i` of the active curve.
     std::size_t hue(std::size_t i) const;
 
+    /// Whether control point `i` of the active curve is pinned.
+    bool is_pinned(std::size_t i) const;
+
     /// No label may stand within `radius` design pixels of `place`, or of the way from `a` to `b`.
     void keep_free(glm::dvec2 place, double radius);
     void keep_free(glm::dvec2 a, glm::dvec2 b, double radius);

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double radius = 6.5;
 constexpr double hovered_radius = 8.0;
+constexpr double pin_radius = 2.5;
 
 bool is_hovered(const CanvasFrame& frame, std::size_t i) {
     const auto* point = std::get_if<HoveredPoint>(&frame.state.hover);
@@ -48,6 +49,11 @@ void draw_control_point(CanvasFrame& frame, glm::dvec2 place, std::size_t i) {
     frame.pen.symbol(
         place,
         {.radius = size, .fill = frame.theme.point(frame.hue(i)), .outline = frame.theme.canvas, .outline_width = 2.0});
+    if (frame.is_pinned(i))
+        frame.pen.symbol(place, {.shape = render::MarkerShape::square,
+                                 .radius = pin_radius,
+                                 .fill = frame.theme.canvas,
+                                 .outline = no_color});
     // Just outside of the disc, so that it stays apart from the smallest weight ring.
     if (frame.state.selection.contains_point(i))
         frame.pen.symbol(place,

@@ -24,10 +24,9 @@ std::size_t free_hue(std::span<const std::uint8_t> near, std::size_t start);
 /// came or went.
 std::size_t point_hue(const core::DocumentCurve& entry, std::size_t i);
 
-/// Gives the entry another curve, which came of the present one. As many points as before keep their colors in order;
-/// of others, those at both ends that stayed in place; in between each goes to the nearest one by Greville abscissae,
-/// so that a point which a knot has drawn along its leg keeps the color of its old place. A point that has no older one
-/// gets the next color that none of three neighbors on each side has. Cost O(n p) where the number of points changes.
+/// Gives the entry another curve, which came of the present one. As many points as before keep their colors and pins in
+/// order; others have those of their origins (point_origins.h). A point that has no older one gets the next color that
+/// none of three neighbors on each side has. Cost O(n p) where the number of points changes.
 void replace_curve(core::DocumentCurve& entry, std::shared_ptr<const core::Curve> curve);
 
 }  // namespace batten::editor

@@ -2,8 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/curve/knot_analysis.h"
 #include "core/document/detail/fit_member.h"
@@ -94,6 +96,24 @@ Result<Curve> make_curve(CurveDefinition definition, std::optional<KnotKind> kin
     return Curve::make(std::move(definition));
 }
 
+// Needs the curve, of whose control points they are indices.
+void read_pinned(ObjectReader& reader, DocumentCurve& entry) {
+    std::vector<double> indices;
+    reader.optional("pinned", indices);
+    if (reader.error()) return;
+    const std::size_t last = entry.curve->control_points().size() - 1;
+    for (std::size_t k = 0; k < indices.size(); ++k)
+        if (!(indices[k] >= 0.0 && indices[k] <= static_cast<double>(last) && std::trunc(indices[k]) == indices[k]))
+            return reader.note(
+                FileError{place_in(reader.place("pinned"), k),
+                          sentence("found {found}, but it must be the index of a control point, 0 to {last}",
+                                   {{"found", shortest_text(indices[k])}, {"last", last}})});
+    for (const double index : indices) entry.pinned.push_back(static_cast<std::size_t>(index));
+    std::ranges::sort(entry.pinned);
+    const auto rest = std::ranges::unique(entry.pinned);
+    entry.pinned.erase(rest.begin(), rest.end());
+}
+
 FileResult<DocumentCurve> read_curve(Json& object, const std::string& pointer) {
     ObjectReader reader(object, pointer);
     DocumentCurve entry;
@@ -116,6 +136,8 @@ FileResult<DocumentCurve> read_curve(Json& object, const std::string& pointer) {
         // The curve is what counts: where it was changed without its points, it is made of them no more.
         if (is_curve_of(*fit, *entry.curve)) entry.fit = std::make_shared<const FitPoints>(*std::move(fit));
     }
+    read_pinned(reader, entry);
+    if (reader.error()) return tl::unexpected(*reader.error());
     entry.unknown_members = reader.unknown_members();
     return entry;
 }

@@ -43,6 +43,7 @@ Json json_of(const DocumentCurve& entry) {
     if (entry.color) object["color"] = color_text(*entry.color);
     object["visible"] = entry.visible;
     object["locked"] = entry.locked;
+    if (!entry.pinned.empty()) object["pinned"] = entry.pinned;
     add_unknown_members(object, entry.unknown_members);
     return object;
 }

@@ -324,6 +324,21 @@ TEST(NativeFormat, invalid_curves_are_refused_with_place_and_sentence) {
     EXPECT_TRUE(parse_document(file_of(torn + R"(, "tears": true)")).has_value());
 }
 
+TEST(NativeFormat, pinned_points_come_back_in_order) {
+    const std::string cubic = R"("degree": 1, "knots": [0,0,1,2,2], "points": [[0,0],[1,1],[2,0]], "pinned": )";
+    const Document document = parse_document(file_of(cubic + "[2,0,2]")).value();
+    EXPECT_EQ(document.curves[0].pinned, (std::vector<std::size_t>{0, 2}));
+    EXPECT_NE(format_document(document).find("\"pinned\": [0, 2]"), std::string::npos);
+    EXPECT_EQ(format_document(parse_document(file_of(cubic + "[]")).value()).find("pinned"), std::string::npos);
+    for (const char* wrong : {"[0,3]", "[0,-1]", "[0,0.5]"}) {
+        const auto refused = parse_document(file_of(cubic + wrong));
+        ASSERT_FALSE(refused.has_value());
+        EXPECT_EQ(refused.error().where, "/curves/0/pinned/1");
+        EXPECT_NE(refused.error().what.find("but it must be the index of a control point, 0 to 2"), std::string::npos)
+            << refused.error().what;
+    }
+}
+
 TEST(NativeFormat, tears_come_back) {
     const std::string text =
         file_of(R"("degree": 1, "knots": [0,0,1,1,2,2], "points": [[0,0],[1,1],[2,0],[3,1]], "tears": true)");
