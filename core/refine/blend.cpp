@@ -12,14 +12,14 @@ namespace batten::core {
 
 namespace {
 
-constexpr std::size_t most_values = 4;
+constexpr std::size_t most_given = 4;
 
 // The curves are followed by no more than so many radians, and their change of curvature turns by half as many.
 constexpr double most_turn = 5.0;
 constexpr double most_change = 10.0;
 
 // The length of the curve is looked for until it changes by less than this part.
-constexpr double length_accuracy = 1e-9;
+constexpr double natural_accuracy = 1e-9;
 constexpr int most_trials = 60;
 
 Result<void> check_side(const Passing& passing, BlendSide side) {
@@ -43,13 +43,13 @@ double speed_at(const Passing& passing, BlendSide side, double length) {
 
 // The points, seen from the first one, with which a Bézier curve of degree p begins as `passing` goes on, with this
 // speed: the k-th difference is the k-th derivative times (p-k)! / p!.
-std::array<Vector, most_values> first_points(const Passing& passing, BlendSide side, double speed, std::size_t p) {
-    std::array<Vector, most_values> points{};
+std::array<Vector, most_given> first_points(const Passing& passing, BlendSide side, double speed, std::size_t p) {
+    std::array<Vector, most_given> points{};
     const auto count = static_cast<std::size_t>(order_of(side.continuity)) + 1;
     const Vector tangent = passing.direction.value_or(Vector(0.0, 0.0));
     const Vector normal = turned_left(tangent);
     const double bend = passing.curvature.value_or(0.0) * speed;
-    const std::array<Vector, most_values> derivatives{
+    const std::array<Vector, most_given> derivatives{
         Vector(0.0, 0.0), speed * tangent, bend * speed * normal,
         -bend * bend * speed * tangent + passing.change.value_or(0.0) * speed * speed * speed * normal};
     double factor = 1.0;
@@ -96,7 +96,7 @@ struct BlendEnds {
             if (!curve) return refuse(curve.error());
             const double found = arc_length(*curve).value;
             if (!std::isfinite(found)) return refuse({.code = CurveErrorCode::not_computable});
-            if (std::abs(found - length) <= length_accuracy * found) break;
+            if (std::abs(found - length) <= natural_accuracy * found) break;
             length = found;
         }
         return length;

@@ -14,7 +14,7 @@ namespace batten::core {
 namespace {
 
 // Where the sides of a corner meet.
-struct Corner {
+struct SidesMeet {
     double on_first = 0.0;
     double on_second = 0.0;
 };
@@ -27,7 +27,7 @@ class NearestCorner {
           at_first_(point_at(first.curve, first.u)),
           at_second_(point_at(second.curve, second.u)) {}
 
-    void offer(Corner corner) {
+    void offer(SidesMeet corner) {
         const Point place = point_at(first_, corner.on_first);
         const double cost = robust_length(place - at_first_) + robust_length(place - at_second_);
         if (best_ && !(cost < least_)) return;
@@ -35,17 +35,17 @@ class NearestCorner {
         least_ = cost;
     }
 
-    std::optional<Corner> best() const { return best_; }
+    std::optional<SidesMeet> best() const { return best_; }
 
   private:
     const Curve& first_;
     Point at_first_;
     Point at_second_;
-    std::optional<Corner> best_{};
+    std::optional<SidesMeet> best_{};
     double least_ = 0.0;
 };
 
-std::optional<Corner> corner_between(PickedPlace first, PickedPlace second) {
+std::optional<SidesMeet> corner_between(PickedPlace first, PickedPlace second) {
     NearestCorner nearest(first, second);
     for (const CurveContact& contact : intersect_curves(first.curve, second.curve).contacts)
         nearest.offer({contact.u, contact.v});
@@ -61,7 +61,7 @@ std::optional<Corner> corner_between(PickedPlace first, PickedPlace second) {
 }
 
 // A corner, or a crossing of the curve with itself, with the first place before and the second behind it.
-std::optional<Corner> corner_of_one(PickedPlace first, PickedPlace second) {
+std::optional<SidesMeet> corner_of_one(PickedPlace first, PickedPlace second) {
     const Curve& curve = first.curve;
     NearestCorner nearest(first, second);
     for (const JointContinuity& joint : joint_continuity(curve)) {

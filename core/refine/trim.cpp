@@ -15,10 +15,10 @@ namespace batten::core {
 namespace {
 
 // Cuts nearer than this part of the domain are one.
-constexpr double same_place = 1e-12;
+constexpr double same_cut = 1e-12;
 
 // A contact nearer than this part of both curves is where the curve ends already.
-constexpr double same_point = 1e-12;
+constexpr double same_tip = 1e-12;
 
 void add_contacts(std::vector<double>& cuts, const CurveContacts& found, bool with_second) {
     for (const CurveContact& contact : found.contacts) {
@@ -72,7 +72,7 @@ std::vector<double> crossing_parameters(const Curve& curve, std::span<const Curv
     add_contacts(cuts, self_intersections(curve, progress), true);
     for (const Curve* other : others) add_contacts(cuts, intersect_curves(curve, *other, progress), false);
     const Interval domain = curve.domain();
-    const double near = same_place * domain.length();
+    const double near = same_cut * domain.length();
     std::ranges::sort(cuts);
     std::vector<double> result;
     for (const double u : cuts) {
@@ -142,7 +142,7 @@ Result<Curve> extend_to(const Curve& curve, CurveEnd end, const Curve& other, On
         const auto contact = first_contact(curve, longer->curve, end, other);
         if (!contact) return refuse(contact.error());
         if (*contact) {
-            if (robust_length(point_at(longer->curve, **contact) - tip) <= same_point * size) return curve;
+            if (robust_length(point_at(longer->curve, **contact) - tip) <= same_tip * size) return curve;
             return end == CurveEnd::end ? sub_curve(longer->curve, curve.domain().lower, **contact)
                                         : sub_curve(longer->curve, **contact, curve.domain().upper);
         }

@@ -15,29 +15,29 @@ namespace {
 // Stretches of a span for each degree above 1, whose straight spans are one.
 constexpr std::size_t stretches_per_degree = 8;
 
-constexpr int most_steps = 40;
+constexpr int newton_steps = 40;
 constexpr double offset_accuracy = 1e-13;  // of the size
 constexpr double step_accuracy = 1e-15;    // of the domain
 constexpr double margin_of_boxes = 0.25;   // of their size: offsets bend between their ends
 
 // Where the offset of a curve is, and its derivative.
-struct OffsetPoint {
+struct TouchPoint {
     Point on_curve;
     Vector along;
     Point point;
     Vector derivative;
 };
 
-std::optional<OffsetPoint> offset_point(const Curve& curve, double u, Interval run, double by) {
+std::optional<TouchPoint> offset_point(const Curve& curve, double u, Interval run, double by) {
     const Jet jet = derivatives_at(curve, u, 2, u < run.upper ? Side::right : Side::left);
     const double speed = robust_length(jet[1]);
     if (!(speed > 0.0)) return std::nullopt;
     const Vector tangent = jet[1] / speed;
     const double curvature = cross(tangent, jet[2]) / speed / speed;
-    return OffsetPoint{jet.point, jet[1], jet.point + by * turned_left(tangent), (1.0 - by * curvature) * jet[1]};
+    return TouchPoint{jet.point, jet[1], jet.point + by * turned_left(tangent), (1.0 - by * curvature) * jet[1]};
 }
 
-std::vector<double> corners_of(const Curve& curve) {
+std::vector<double> edges_of_runs(const Curve& curve) {
     std::vector<double> corners{curve.domain().lower};
     for (const JointContinuity& joint : joint_continuity_within(curve, curve.domain()))
         if (joint.kind == JointKind::knot && joint.geometric < 1) corners.push_back(joint.u);
@@ -64,7 +64,7 @@ void add_stretches(std::vector<SmoothStretch>& stretches, const Curve& curve, In
 
 std::vector<SmoothStretch> stretches_of(const Curve& curve) {
     const auto p = static_cast<std::size_t>(curve.degree());
-    const std::vector<double> corners = corners_of(curve);
+    const std::vector<double> corners = edges_of_runs(curve);
     const KnotVector& knots = curve.knots();
     const Interval domain = curve.domain();
     std::vector<SmoothStretch> stretches;
@@ -106,7 +106,7 @@ class CircleSearch {
     std::optional<TouchingCircle> from(const SmoothStretch& i, const SmoothStretch& j) const {
         double u = i.range.lower + 0.5 * i.range.length();
         double v = j.range.lower + 0.5 * j.range.length();
-        for (int step = 0; step < most_steps; ++step) {
+        for (int step = 0; step < newton_steps; ++step) {
             const auto a = offset_point(first_, u, i.run, by_first_);
             const auto b = offset_point(second_, v, j.run, by_second_);
             if (!a || !b) return std::nullopt;
@@ -117,7 +117,7 @@ class CircleSearch {
             const double next_v = j.run.clamp(v + cross(missing, a->derivative) / determinant);
             const bool is_still = std::abs(next_u - u) <= step_accuracy * first_.domain().length() &&
                                   std::abs(next_v - v) <= step_accuracy * second_.domain().length();
-            if (is_still || step + 1 == most_steps) return found(u, v, *a, *b);
+            if (is_still || step + 1 == newton_steps) return found(u, v, *a, *b);
             if (strayed(next_u, i) || strayed(next_v, j)) return std::nullopt;
             u = next_u;
             v = next_v;
@@ -131,7 +131,7 @@ class CircleSearch {
         return std::abs(u - (stretch.range.lower + 0.5 * stretch.range.length())) > 3.0 * stretch.range.length();
     }
 
-    std::optional<TouchingCircle> found(double u, double v, const OffsetPoint& a, const OffsetPoint& b) const {
+    std::optional<TouchingCircle> found(double u, double v, const TouchPoint& a, const TouchPoint& b) const {
         const double radius = std::abs(by_first_);
         if (!(robust_length(b.point - a.point) <= offset_accuracy * (size_ + radius))) return std::nullopt;
         return TouchingCircle{u, v, middle(a.point, b.point), a.on_curve, b.on_curve, a.along, b.along};
@@ -152,7 +152,7 @@ Point common_origin(const Curve& first, const Curve& second) {
     return middle(box.lower, box.upper);
 }
 
-double size_of(const Curve& curve) {
+double extent_of(const Curve& curve) {
     return robust_length(control_box(curve).size());
 }
 
@@ -163,7 +163,7 @@ TouchingFinder::TouchingFinder(const Curve& first, const Curve& second)
       first_(seen_from(first, origin_)),
       second_(seen_from(second, origin_)),
       is_one_(&first == &second),
-      size_(size_of(first) + size_of(second)),
+      size_(extent_of(first) + extent_of(second)),
       stretches_of_first_(stretches_of(first_)),
       stretches_of_second_(is_one_ ? stretches_of_first_ : stretches_of(second_)) {}
 
