@@ -4,6 +4,7 @@
 
 #include "app/editor/command_reader.h"
 #include "app/editor/commands/analysis_commands.h"
+#include "app/editor/commands/arranging_commands.h"
 #include "app/editor/commands/closing_commands.h"
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/degree_commands.h"
@@ -306,7 +307,18 @@ Command RandomSession::moving_command(const EditorState& state, const core::Curv
 Command RandomSession::transform_command() {
     const auto what = any<MapTarget>();
     const Pivot pivot = below(2) == 0 ? std::nullopt : Pivot(point(9));
-    switch (below(8)) {
+    switch (below(13)) {
+        case 8:
+            return Align{.at = any<Alignment>(), .what = any<Arranged>()};
+        case 9:
+            return Distribute{.direction = any<Direction>(), .what = any<Arranged>()};
+        case 10:
+            return SetLength{.length = between(-1, 20)};
+        case 11:
+            return SetDistance{.from = below(5), .to = below(5), .distance = between(-1, 9)};
+        case 12:
+            return below(4) == 0 ? Command(PolarArray{.count = below(4), .center = point(9), .step = between(-90, 90)})
+                                 : Command(LinearArray{.count = below(4), .step = vector(3)});
         case 0:
             return Move{.offset = vector(1), .what = what};
         case 1:

@@ -44,6 +44,7 @@ Edit with_parts(const EditorState& state, std::vector<core::Curve> parts) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
         entries[i].curve = std::make_shared<const core::Curve>(std::move(parts[i]));
         entries[i].point_hues.reset();
+        entries[i].pinned.clear();
         if (i > 0) entries[i].name = names.take(entries[i].name);
     }
     curves.erase(curves.begin() + active);

@@ -41,6 +41,7 @@ void add_fitting_commands(CommandTable& table);
 void add_shape_commands(CommandTable& table);
 void add_fairing_commands(CommandTable& table);
 void add_transform_commands(CommandTable& table);
+void add_arranging_commands(CommandTable& table);
 void add_construction_commands(CommandTable& table);
 void add_invariance_commands(CommandTable& table);
 void add_knot_question_commands(CommandTable& table);
