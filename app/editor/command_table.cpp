@@ -35,6 +35,7 @@ CommandTable make_table() {
     add_fairing_commands(table);
     add_transform_commands(table);
     add_arranging_commands(table);
+    add_symmetry_commands(table);
     add_construction_commands(table);
     add_invariance_commands(table);
     add_knot_question_commands(table);

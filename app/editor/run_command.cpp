@@ -6,6 +6,7 @@
 #include "app/editor/command_reader.h"
 #include "app/editor/commands/joint_report.h"
 #include "app/editor/state/same_document.h"
+#include "app/editor/state/symmetry_links.h"
 #include "app/editor/upkeep.h"
 #include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
@@ -49,8 +50,16 @@ StepTexts texts_of_step(const Command& command, const EditorState& state, const 
             core::filled_as_needed(spec.done, places)};
 }
 
-bool preview_edit(EditorState& state, const Command& command) {
+// What the command makes of the committed document, with all that must follow from it.
+Outcome<Edit> edit_by(const EditorState& state, const Command& command) {
     Outcome<Edit> edit = command.spec().run.edit(state, command.fields());
+    if (!edit) return edit;
+    if (auto kept = keep_symmetry(state.history.present(), edit->document); !kept) return tl::unexpected(kept.error());
+    return edit;
+}
+
+bool preview_edit(EditorState& state, const Command& command) {
+    Outcome<Edit> edit = edit_by(state, command);
     if (!edit) return show_refusal(state, edit.error());
     state.ghost = ghost_of(state.history.present(), *edit, command.spec().effect);
     state.preview = std::move(edit->document);
@@ -96,7 +105,7 @@ void push_step(EditorState& state, const Command& command, Edit& edit) {
 }
 
 bool commit_edit(EditorState& state, const Command& command) {
-    Outcome<Edit> edit = command.spec().run.edit(state, command.fields());
+    Outcome<Edit> edit = edit_by(state, command);
     if (!edit) return show_refusal(state, edit.error());
     if (edit->clipboard) write_clipboard(state, *edit->clipboard);
     state.message = {};

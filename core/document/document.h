@@ -12,6 +12,7 @@
 
 #include "core/curve/curve.h"
 #include "core/document/picture.h"
+#include "core/document/symmetry.h"
 
 namespace batten::core {
 
@@ -36,9 +37,10 @@ struct DocumentCurve {
     std::optional<DocumentColor> color;  ///< none: the theme's curve color
     bool visible = true;
     bool locked = false;
-    Tears tears = Tears::refuse;        ///< whether edits may tear the curve
-    std::vector<std::size_t> pinned{};  ///< control points that edits of the shape leave where they are; ascending
-    std::string unknown_members;        ///< members that this version does not know, as a JSON object; empty if none
+    Tears tears = Tears::refuse;         ///< whether edits may tear the curve
+    std::vector<std::size_t> pinned{};   ///< control points that edits of the shape leave where they are; ascending
+    std::optional<Symmetry> symmetry{};  ///< of which other curves it is an image; none for most
+    std::string unknown_members;         ///< members that this version does not know, as a JSON object; empty if none
     /// Which color of a palette each control point has, where that is not the one of its index; files do not have it.
     std::shared_ptr<const std::vector<std::uint8_t>> point_hues{};
     std::shared_ptr<const FitPoints> fit{};  ///< of which the curve is made (core/make/fit_points.h); null for others

@@ -27,6 +27,7 @@
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/shape_commands.h"
 #include "app/editor/commands/shape_view_commands.h"
+#include "app/editor/commands/symmetry_commands.h"
 #include "app/editor/commands/tear_commands.h"
 #include "app/editor/commands/transform_commands.h"
 #include "app/editor/commands/weight_commands.h"
@@ -307,7 +308,14 @@ Command RandomSession::moving_command(const EditorState& state, const core::Curv
 Command RandomSession::transform_command() {
     const auto what = any<MapTarget>();
     const Pivot pivot = below(2) == 0 ? std::nullopt : Pivot(point(9));
-    switch (below(13)) {
+    switch (below(16)) {
+        case 13:
+            return LinkMirror{
+                .center = point(9), .angle = below(2) == 0 ? 90.0 : between(0, 180), .is_smooth = below(2) == 0};
+        case 14:
+            return LinkRotation{.turns = 2 + below(2), .center = point(9)};
+        case 15:
+            return Unlink{};
         case 8:
             return Align{.at = any<Alignment>(), .what = any<Arranged>()};
         case 9:

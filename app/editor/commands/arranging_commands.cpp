@@ -66,8 +66,9 @@ Outcome<std::vector<Item>> items_of(const EditorState& state, Arranged what, std
     const core::Place needed("least", least);
     return tl::unexpected(
         what == Arranged::points
-            ? sentence("{count} control points are selected; at least {least} are needed", {count, needed})
-            : sentence("{count} curves are visible; at least {least} are needed", {count, needed}));
+            ? sentence("at least {least} control points must be selected that are not pinned, not {count}",
+                       {count, needed})
+            : sentence("at least {least} curves must be visible, not {count}", {count, needed}));
 }
 
 // The committed document with every item moved by its offset.

@@ -45,6 +45,7 @@ Edit with_parts(const EditorState& state, std::vector<core::Curve> parts) {
         entries[i].curve = std::make_shared<const core::Curve>(std::move(parts[i]));
         entries[i].point_hues.reset();
         entries[i].pinned.clear();
+        entries[i].symmetry.reset();
         if (i > 0) entries[i].name = names.take(entries[i].name);
     }
     curves.erase(curves.begin() + active);

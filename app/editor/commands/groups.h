@@ -42,6 +42,7 @@ void add_shape_commands(CommandTable& table);
 void add_fairing_commands(CommandTable& table);
 void add_transform_commands(CommandTable& table);
 void add_arranging_commands(CommandTable& table);
+void add_symmetry_commands(CommandTable& table);
 void add_construction_commands(CommandTable& table);
 void add_invariance_commands(CommandTable& table);
 void add_knot_question_commands(CommandTable& table);

@@ -3,6 +3,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/state/symmetry_links.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
@@ -90,6 +91,7 @@ Outcome<Edit> map_all(const EditorState& state, const core::PlaneMap& map) {
             return tl::unexpected(sentence("'{name}' cannot be mapped: {problem}",
                                            {{"name", item.name}, {"problem", core::describe(curve.error())}}));
         item.curve = std::make_shared<const core::Curve>(*std::move(curve));
+        if (item.symmetry) item.symmetry = mapped_symmetry(*item.symmetry, map);
     }
     return edit;
 }

@@ -114,6 +114,35 @@ void read_pinned(ObjectReader& reader, DocumentCurve& entry) {
     entry.pinned.erase(rest.begin(), rest.end());
 }
 
+// Stores a whole number from `least` to `most`.
+void read_count(ObjectReader& reader, const char* name, std::size_t least, std::size_t most, std::size_t& target) {
+    double value = static_cast<double>(least);
+    reader.required(name, value);
+    if (reader.error()) return;
+    if (!(value >= static_cast<double>(least) && value <= static_cast<double>(most) && std::trunc(value) == value))
+        return reader.note(FileError{reader.place(name),
+                                     sentence("found {found}, but it must be a whole number from {least} to {most}",
+                                              {{"found", shortest_text(value)}, {"least", least}, {"most", most}})});
+    target = static_cast<std::size_t>(value);
+}
+
+void read_symmetry(ObjectReader& curve_reader, DocumentCurve& entry) {
+    Json* object = curve_reader.find("symmetry");
+    if (!object) return;
+    ObjectReader reader(*object, curve_reader.place("symmetry"));
+    Symmetry symmetry;
+    constexpr std::size_t most_groups = 1'000'000'000;
+    read_count(reader, "group", 0, most_groups, symmetry.group);
+    if (reader.find("turns") != nullptr)
+        read_count(reader, "turns", 2, Symmetry::most_turns, symmetry.turns.emplace());
+    else
+        reader.required("mirror", symmetry.angle);
+    read_count(reader, "place", 0, symmetry.turns.value_or(2) - 1, symmetry.place);
+    reader.required("center", symmetry.center);
+    entry.symmetry = symmetry;
+    curve_reader.note(reader.error());
+}
+
 FileResult<DocumentCurve> read_curve(Json& object, const std::string& pointer) {
     ObjectReader reader(object, pointer);
     DocumentCurve entry;
@@ -137,6 +166,7 @@ FileResult<DocumentCurve> read_curve(Json& object, const std::string& pointer) {
         if (is_curve_of(*fit, *entry.curve)) entry.fit = std::make_shared<const FitPoints>(*std::move(fit));
     }
     read_pinned(reader, entry);
+    read_symmetry(reader, entry);
     if (reader.error()) return tl::unexpected(*reader.error());
     entry.unknown_members = reader.unknown_members();
     return entry;

@@ -28,6 +28,18 @@ void add_unknown_members(Json& object, const std::string& unknown) {
         if (!object.contains(name)) object[name] = value;
 }
 
+Json json_of(const Symmetry& symmetry) {
+    Json object = Json::object();
+    object["group"] = symmetry.group;
+    object["place"] = symmetry.place;
+    object["center"] = Json::array({number(symmetry.center.x), number(symmetry.center.y)});
+    if (symmetry.turns)
+        object["turns"] = *symmetry.turns;
+    else
+        object["mirror"] = number(symmetry.angle);
+    return object;
+}
+
 Json json_of(const DocumentCurve& entry) {
     const Curve& curve = *entry.curve;
     Json object = Json::object();
@@ -44,6 +56,7 @@ Json json_of(const DocumentCurve& entry) {
     object["visible"] = entry.visible;
     object["locked"] = entry.locked;
     if (!entry.pinned.empty()) object["pinned"] = entry.pinned;
+    if (entry.symmetry) object["symmetry"] = json_of(*entry.symmetry);
     add_unknown_members(object, entry.unknown_members);
     return object;
 }

@@ -339,6 +339,24 @@ TEST(NativeFormat, pinned_points_come_back_in_order) {
     }
 }
 
+TEST(NativeFormat, symmetries_come_back) {
+    const std::string line = R"("degree": 1, "knots": [0,0,1,1], "points": [[0,0],[1,1]], "symmetry": )";
+    const Document mirror =
+        parse_document(file_of(line + R"({"group": 7, "place": 1, "center": [2, 0.5], "mirror": 30})")).value();
+    EXPECT_EQ(mirror.curves[0].symmetry,
+              (Symmetry{.group = 7, .place = 1, .turns = std::nullopt, .center = {2, 0.5}, .angle = 30.0}));
+    EXPECT_EQ(parse_document(format_document(mirror)).value().curves[0].symmetry, mirror.curves[0].symmetry);
+    const Document ring =
+        parse_document(file_of(line + R"({"group": 0, "place": 4, "center": [2, 0.5], "turns": 5})")).value();
+    EXPECT_EQ(ring.curves[0].symmetry->turns, 5U);
+    EXPECT_EQ(parse_document(format_document(ring)).value().curves[0].symmetry, ring.curves[0].symmetry);
+    const auto refused = parse_document(file_of(line + R"({"group": 0, "place": 5, "center": [0, 0], "turns": 5})"));
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().sentence(),
+              "/curves/0/symmetry/place: found 5, but it must be a whole number from 0 to 4");
+    EXPECT_FALSE(parse_document(file_of(line + R"({"group": 0, "place": 1, "center": [0, 0]})")).has_value());
+}
+
 TEST(NativeFormat, tears_come_back) {
     const std::string text =
         file_of(R"("degree": 1, "knots": [0,0,1,1,2,2], "points": [[0,0],[1,1],[2,0],[3,1]], "tears": true)");

@@ -40,7 +40,7 @@ TEST_F(ArrangingCommands, align_selected_points) {
     EXPECT_EQ(points(editor_), (std::vector<core::Point>{{0, 2}, {1, 2}, {3, 2}, {4, 2}}));
     run(SelectPoints{.points = {1}});
     EXPECT_FALSE(run(Align{.at = Alignment::top, .what = Arranged::points}));
-    EXPECT_EQ(message(), "1 control points are selected; at least 2 are needed");
+    EXPECT_EQ(message(), "at least 2 control points must be selected that are not pinned, not 1");
 }
 
 // The arch rises to 3/2.
@@ -55,7 +55,7 @@ TEST_F(ArrangingCommands, align_curves_by_what_is_seen_of_them) {
     EXPECT_FALSE(run(Align{.at = Alignment::left, .what = Arranged::curves}));
     run(SetCurveVisible{.index = 0, .visible = false});
     EXPECT_FALSE(run(Align{.at = Alignment::left, .what = Arranged::curves}));
-    EXPECT_EQ(message(), "1 curves are visible; at least 2 are needed");
+    EXPECT_EQ(message(), "at least 2 curves must be visible, not 1");
 }
 
 TEST_F(ArrangingCommands, distribute_keeps_the_outermost_and_the_order) {

@@ -1,0 +1,225 @@
+#include "app/editor/state/symmetry_links.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "app/editor/state/point_hues.h"
+#include "core/base/sentence.h"
+#include "core/curve/control_box.h"
+#include "core/edit/transform.h"
+#include "core/make/fit_points.h"
+
+namespace batten::editor {
+
+namespace {
+
+// What of the size of a curve counts as rounding when an end lies on a mirror, or meets it at a right angle.
+constexpr double rounding = 1e-9;
+
+core::PlaneMap map_by(const core::Symmetry& symmetry, double sign) {
+    if (!symmetry.turns)
+        return symmetry.place == 0 ? core::PlaneMap{} : core::reflection(symmetry.angle, symmetry.center);
+    const double share = static_cast<double>(symmetry.place) / static_cast<double>(*symmetry.turns);
+    return core::rotation(sign * 360.0 * share, symmetry.center);
+}
+
+// Where a clamped end of a curve lies beside the line of a mirror.
+struct End {
+    std::size_t end;
+    std::size_t inner;  // its neighbor
+};
+
+std::vector<End> clamped_ends(const core::Curve& curve) {
+    if (curve.is_periodic()) return {};
+    std::vector<End> ends;
+    const auto knots = curve.knots().values();
+    const std::size_t last = curve.control_points().size() - 1;
+    if (knots[1] == curve.domain().lower) ends.push_back({0, 1});
+    if (knots[knots.size() - 2] == curve.domain().upper) ends.push_back({last, last - 1});
+    return ends;
+}
+
+// Seen along the line: how far along it, and how far to its left.
+struct SeenFromMirror {
+    core::Vector along;
+    core::Vector across;
+    core::Point center;
+
+    explicit SeenFromMirror(const core::Symmetry& mirror) : center(mirror.center) {
+        const core::PlaneMap turn = core::rotation(mirror.angle, {0.0, 0.0});
+        along = {turn.rows[0][0], turn.rows[1][0]};
+        across = {-along.y, along.x};
+    }
+    double height(core::Point point) const { return core::dot(point - center, across); }
+    double place(core::Point point) const { return core::dot(point - center, along); }
+    core::Point foot(core::Point point) const { return center + place(point) * along; }
+};
+
+bool is_right_angle(const SeenFromMirror& seen, core::Point end, core::Point inner) {
+    const double turned = std::abs(seen.place(inner) - seen.place(end));
+    return turned <= rounding * core::distance(inner, end);
+}
+
+core::Point mended(const SeenFromMirror& seen, core::Point end, core::Point inner) {
+    return end + core::dot(inner - end, seen.across) * seen.across;
+}
+
+double size_of(const core::Curve& curve) {
+    return core::length(core::control_box(curve).size());
+}
+
+// Ends that were on the mirror stay there, and at a right angle to it where they were.
+core::Result<core::Curve> with_seams_of(const core::Curve& old, const core::Curve& curve,
+                                        const core::Symmetry& mirror) {
+    const SeenFromMirror seen(mirror);
+    const auto old_points = old.control_points();
+    core::CurveDefinition definition = curve.definition();
+    const auto old_ends = clamped_ends(old);
+    for (const End& now : clamped_ends(curve)) {
+        const auto was =
+            std::ranges::find_if(old_ends, [&](const End& one) { return (one.end == 0) == (now.end == 0); });
+        if (was == old_ends.end()) continue;
+        if (std::abs(seen.height(old_points[was->end])) > rounding * size_of(old)) continue;
+        core::Point& end = definition.points[now.end];
+        core::Point& inner = definition.points[now.inner];
+        const bool was_right = is_right_angle(seen, old_points[was->end], old_points[was->inner]);
+        end = seen.foot(end);
+        if (was_right && curve.degree() > 1) inner = mended(seen, end, inner);
+    }
+    return core::Curve::make(std::move(definition));
+}
+
+std::shared_ptr<const core::FitPoints> mapped_fit(const std::shared_ptr<const core::FitPoints>& fit,
+                                                  const core::PlaneMap& map) {
+    if (fit == nullptr) return nullptr;
+    core::FitPoints found = *fit;
+    for (core::FitPoint& point : found.points) {
+        const core::Point tip = core::mapped(map, point.place + point.handle);
+        point.place = core::mapped(map, point.place);
+        point.handle = tip - point.place;
+    }
+    return std::make_shared<const core::FitPoints>(std::move(found));
+}
+
+using Members = std::vector<std::size_t>;
+
+std::map<std::size_t, Members> groups_of(const core::Document& document) {
+    std::map<std::size_t, Members> groups;
+    for (std::size_t i = 0; i < document.curves.size(); ++i)
+        if (document.curves[i].symmetry) groups[document.curves[i].symmetry->group].push_back(i);
+    return groups;
+}
+
+// The same image before the edit; null for a new one.
+const core::DocumentCurve* same_image(const core::Document& before, const core::Symmetry& symmetry) {
+    for (const core::DocumentCurve& entry : before.curves)
+        if (entry.symmetry && entry.symmetry->group == symmetry.group && entry.symmetry->place == symmetry.place)
+            return &entry;
+    return nullptr;
+}
+
+void unlink_copies(core::Document& document) {
+    std::set<std::pair<std::size_t, std::size_t>> seen;
+    for (core::DocumentCurve& entry : document.curves)
+        if (entry.symmetry && !seen.emplace(entry.symmetry->group, entry.symmetry->place).second)
+            entry.symmetry.reset();
+}
+
+// The member that leads; none where the edit changed none of them.
+std::optional<std::size_t> leader_of(const core::Document& before, const core::Document& after,
+                                     const Members& members) {
+    std::optional<std::size_t> leader;
+    for (const std::size_t i : members) {
+        const core::DocumentCurve* old = same_image(before, *after.curves[i].symmetry);
+        if (old != nullptr && old->curve == after.curves[i].curve && old->symmetry == after.curves[i].symmetry)
+            continue;
+        if (!leader || i == after.active) leader = i;
+    }
+    return leader;
+}
+
+Outcome<void> follow(const core::Document& before, core::Document& after, const Members& members, std::size_t leader) {
+    const core::Symmetry symmetry = *after.curves[leader].symmetry;
+    auto original = core::transform(*after.curves[leader].curve, map_from_image(symmetry));
+    const core::DocumentCurve* old = same_image(before, symmetry);
+    if (original && old != nullptr && !symmetry.turns) {
+        const auto old_original = core::transform(*old->curve, map_from_image(*old->symmetry));
+        if (old_original) original = with_seams_of(*old_original, *original, symmetry);
+    }
+    if (!original) return tl::unexpected(core::describe(original.error()));
+    const auto fit = mapped_fit(after.curves[leader].fit, map_from_image(symmetry));
+    const std::vector<std::size_t> pinned = after.curves[leader].pinned;
+    for (const std::size_t i : members) {
+        core::DocumentCurve& entry = after.curves[i];
+        if (entry.locked)
+            return tl::unexpected(core::sentence("'{name}' is locked, and it is an image of the curve; unlock it first",
+                                                 {{"name", entry.name}}));
+        auto image = core::transform(*original, map_to_image(*entry.symmetry));
+        if (!image) return tl::unexpected(core::describe(image.error()));
+        replace_curve(entry, std::make_shared<const core::Curve>(*std::move(image)));
+        entry.fit = mapped_fit(fit, map_to_image(*entry.symmetry));
+        entry.pinned = pinned;
+    }
+    return {};
+}
+
+}  // namespace
+
+core::PlaneMap map_to_image(const core::Symmetry& symmetry) {
+    return map_by(symmetry, 1.0);
+}
+
+core::PlaneMap map_from_image(const core::Symmetry& symmetry) {
+    return map_by(symmetry, -1.0);
+}
+
+core::Symmetry mapped_symmetry(core::Symmetry symmetry, const core::PlaneMap& map) {
+    const core::PlaneMap turn = core::rotation(symmetry.angle, {0.0, 0.0});
+    const core::Point ahead = core::mapped(map, symmetry.center + core::Vector(turn.rows[0][0], turn.rows[1][0]));
+    symmetry.center = core::mapped(map, symmetry.center);
+    const core::Vector way = ahead - symmetry.center;
+    // A map that leaves the direction leaves the number, which need not be what atan2 makes of it.
+    if (!(std::abs(way.x * turn.rows[1][0] - way.y * turn.rows[0][0]) <= rounding * core::length(way)))
+        symmetry.angle = 180.0 / std::numbers::pi * std::atan2(way.y, way.x);
+    return symmetry;
+}
+
+std::size_t free_group(const core::Document& document) {
+    std::size_t group = 0;
+    for (const core::DocumentCurve& entry : document.curves)
+        if (entry.symmetry) group = std::max(group, entry.symmetry->group + 1);
+    return group;
+}
+
+Outcome<void> keep_symmetry(const core::Document& before, core::Document& after) {
+    unlink_copies(after);
+    for (const auto& [group, members] : groups_of(after)) {
+        if (members.size() == 1) {
+            after.curves[members.front()].symmetry.reset();
+            continue;
+        }
+        const auto leader = leader_of(before, after, members);
+        if (!leader) continue;
+        if (auto followed = follow(before, after, members, *leader); !followed) return followed;
+    }
+    return {};
+}
+
+core::Result<core::Curve> with_ends_on_mirror(const core::Curve& curve, const core::Symmetry& mirror, double reach,
+                                              bool is_smooth) {
+    const SeenFromMirror seen(mirror);
+    core::CurveDefinition definition = curve.definition();
+    for (const End& one : clamped_ends(curve)) {
+        core::Point& end = definition.points[one.end];
+        if (!(std::abs(seen.height(end)) <= reach)) continue;
+        end = seen.foot(end);
+        if (is_smooth && curve.degree() > 1)
+            definition.points[one.inner] = mended(seen, end, definition.points[one.inner]);
+    }
+    return core::Curve::make(std::move(definition));
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,153 @@
+#include "app/editor/commands/symmetry_commands.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/piece_commands.h"
+#include "app/editor/commands/pin_commands.h"
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/shape_commands.h"
+#include "app/editor/commands/transform_commands.h"
+#include "app/editor/state/same_document.h"
+#include "app/editor/state/symmetry_links.h"
+#include "core/edit/transform.h"
+#include "core/measure/curvature.h"
+#include "tests/editor/random_session.h"
+#include "tests/editor/sample_editor.h"
+
+namespace batten::editor {
+namespace {
+
+// From (0, 2) on the upright axis, which it leaves at a right angle, to (0, -3), where it comes in aslant.
+const char* half_text = R"({ "format": "batten", "version": 1, "curves": [
+  { "name": "half", "degree": 3, "knots": [0,0,0,0,0.5,1,1,1,1], "points": [[0,2],[1,2],[3,1],[2,-1],[0,-3]] } ] })";
+
+class SymmetryCommands : public ::testing::Test {
+  protected:
+    SymmetryCommands() { open_text(editor_, half_text); }
+    const std::string& message() const { return editor_.state().message.text; }
+    bool run(const Command& command) { return editor_.run(command); }
+    std::span<const core::Point> points_of(std::size_t i) const {
+        return document(editor_).curves[i].curve->control_points();
+    }
+    void expect_mirrored() const {
+        ASSERT_EQ(document(editor_).curves.size(), 2U);
+        ASSERT_EQ(points_of(0).size(), points_of(1).size());
+        EXPECT_EQ(document(editor_).curves[0].curve->knots(), document(editor_).curves[1].curve->knots());
+        for (std::size_t i = 0; i < points_of(0).size(); ++i)
+            EXPECT_EQ(points_of(1)[i], core::Point(-points_of(0)[i].x, points_of(0)[i].y)) << i;
+    }
+
+    Editor editor_;
+};
+
+TEST_F(SymmetryCommands, every_edit_of_either_curve_is_made_to_both) {
+    EXPECT_TRUE(run(LinkMirror{.center = {0.0, 7.0}, .angle = 90.0, .is_smooth = false}));
+    EXPECT_EQ(message(), "Linked the curve to its mirror image");
+    expect_mirrored();
+    EXPECT_TRUE(run(SetPoint{.index = 2, .position = {4.125, 1.7}}));
+    expect_mirrored();
+    EXPECT_TRUE(run(InsertKnot{.u = 0.3}));
+    expect_mirrored();
+    EXPECT_TRUE(run(ActivateCurve{.index = 1}));
+    EXPECT_TRUE(run(SetPoint{.index = 3, .position = {-5.3, 0.1}}));
+    EXPECT_EQ(points_of(0)[3], core::Point(5.3, 0.1));
+    expect_mirrored();
+    EXPECT_TRUE(run(SetWeight{.index = 2, .weight = 3.5}));
+    EXPECT_EQ(document(editor_).curves[0].curve->weights()[2], 3.5);
+    EXPECT_TRUE(run(PinPoints{.points = {1}}));
+    EXPECT_EQ(document(editor_).curves[0].pinned, std::vector<std::size_t>{1});
+    for (int k = 0; k < 5; ++k) EXPECT_TRUE(run(Undo{}));
+    EXPECT_EQ(points_of(0)[2], core::Point(3, 1));
+    expect_mirrored();
+}
+
+TEST_F(SymmetryCommands, a_seam_that_is_smooth_stays_so_and_a_corner_stays_a_corner) {
+    EXPECT_TRUE(run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = false}));
+    EXPECT_TRUE(run(SetPoint{.index = 0, .position = {0.4, 2.5}}));
+    EXPECT_EQ(points_of(0)[0], core::Point(0, 2.5));
+    EXPECT_EQ(points_of(0)[1], core::Point(1, 2.5));
+    EXPECT_TRUE(run(SetPoint{.index = 1, .position = {1.5, 3.0}}));
+    EXPECT_EQ(points_of(0)[1], core::Point(1.5, 2.5));
+    EXPECT_TRUE(run(SetPoint{.index = 4, .position = {0.2, -4.0}}));
+    EXPECT_EQ(points_of(0)[4], core::Point(0, -4));
+    EXPECT_EQ(points_of(0)[3], core::Point(2, -1));
+    expect_mirrored();
+    // G2: run through from one half into the other, the curvature is the same on both sides.
+    const auto right = core::curvature_at(*document(editor_).curves[0].curve, 0.0);
+    const auto left = core::curvature_at(*document(editor_).curves[1].curve, 0.0);
+    ASSERT_TRUE(right && left);
+    EXPECT_NEAR(*right, -*left, 1e-15);
+}
+
+TEST_F(SymmetryCommands, ends_near_the_line_are_made_smooth_where_that_is_asked_for) {
+    EXPECT_TRUE(run(LinkMirror{.center = {0.001, 0.0}, .angle = 90.0, .is_smooth = true}));
+    EXPECT_EQ(points_of(0)[0], core::Point(0.001, 2));
+    EXPECT_EQ(points_of(0)[4], core::Point(0.001, -3));
+    EXPECT_EQ(points_of(0)[3].y, -3.0);
+}
+
+TEST_F(SymmetryCommands, rotated_images_follow_and_lead) {
+    EXPECT_TRUE(run(LinkRotation{.turns = 4, .center = {0.0, 0.0}}));
+    ASSERT_EQ(document(editor_).curves.size(), 4U);
+    EXPECT_EQ(points_of(1)[2], core::Point(-1, 3));
+    EXPECT_TRUE(run(ActivateCurve{.index = 2}));
+    EXPECT_TRUE(run(SetPoint{.index = 2, .position = {-5.0, -6.0}}));
+    EXPECT_EQ(points_of(0)[2], core::Point(5, 6));
+    EXPECT_EQ(points_of(1)[2], core::Point(-6, 5));
+    EXPECT_EQ(points_of(3)[2], core::Point(6, -5));
+}
+
+TEST_F(SymmetryCommands, unlinking_leaves_ordinary_curves) {
+    EXPECT_FALSE(run(Unlink{}));
+    EXPECT_EQ(message(), "the curve is linked to no image");
+    run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = false});
+    EXPECT_FALSE(run(LinkRotation{.turns = 3, .center = {0.0, 0.0}}));
+    EXPECT_EQ(message(), "the curve is an image already; unlink it first");
+    EXPECT_TRUE(run(Unlink{}));
+    for (const core::DocumentCurve& entry : document(editor_).curves) EXPECT_FALSE(entry.symmetry);
+    EXPECT_TRUE(run(SetPoint{.index = 2, .position = {9.0, 9.0}}));
+    EXPECT_EQ(points_of(1)[2], core::Point(-3, 1));
+}
+
+TEST_F(SymmetryCommands, copies_and_what_is_left_alone_are_ordinary) {
+    run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = false});
+    EXPECT_TRUE(run(DuplicateCurve{.index = 0, .shift = 1.0}));
+    EXPECT_FALSE(document(editor_).curves[2].symmetry);
+    EXPECT_TRUE(run(DeleteCurve{.index = 1}));
+    EXPECT_FALSE(document(editor_).curves[0].symmetry);
+}
+
+TEST_F(SymmetryCommands, everything_moved_takes_the_mirror_along) {
+    run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = false});
+    EXPECT_TRUE(run(Move{.offset = {3.0, 1.0}, .what = MapTarget::all}));
+    EXPECT_EQ(points_of(0)[2], core::Point(6, 2));
+    EXPECT_EQ(points_of(1)[2], core::Point(0, 2));
+    EXPECT_TRUE(run(Rotate{.angle = 90.0, .what = MapTarget::all, .pivot = core::Point(0.0, 0.0)}));
+    EXPECT_LT(core::distance(points_of(0)[2], {-2, 6}), 1e-14);
+    EXPECT_LT(core::distance(points_of(1)[2], {-2, 0}), 1e-14);
+}
+
+TEST_F(SymmetryCommands, a_locked_image_holds_the_curve) {
+    run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = false});
+    run(SetCurveLocked{.index = 1, .locked = true});
+    EXPECT_FALSE(run(SetPoint{.index = 2, .position = {9.0, 9.0}}));
+    EXPECT_EQ(message(), "'half 2' is locked, and it is an image of the curve; unlock it first");
+}
+
+TEST_F(SymmetryCommands, links_are_kept_in_the_file) {
+    run(LinkMirror{.center = {0.5, 0.0}, .angle = 30.0, .is_smooth = false});
+    const std::string text = core::format_document(document(editor_));
+    const core::Document read = core::parse_document(text).value();
+    EXPECT_TRUE(is_same_document(read, document(editor_)));
+    EXPECT_EQ(read.curves[1].symmetry->angle, 30.0);
+    EXPECT_EQ(core::format_document(read), text);
+}
+
+}  // namespace
+}  // namespace batten::editor
