@@ -8,6 +8,7 @@
 
 #include "core/base/detail/gauss_rule.h"
 #include "core/curve/detail/edit_checks.h"
+#include "core/make/detail/directed.h"
 #include "core/make/detail/end_conditions.h"
 #include "core/make/detail/fit_errors.h"
 
@@ -16,33 +17,6 @@ namespace batten::core {
 namespace {
 
 constexpr std::size_t spans_of_first_closed_fit = 3;
-
-// Data whose reversal is the same data in the other direction is fitted in one of the two, always the same. Then no
-// rounding can tell the directions apart.
-bool is_canonical(std::span<const Point> points, const Ends& ends) {
-    const auto less = [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
-    const std::span<const Point> moving = is_closed(ends) ? points.subspan(1) : points;
-    return !std::lexicographical_compare(moving.rbegin(), moving.rend(), moving.begin(), moving.end(), less);
-}
-
-// 1 - u is exact for these values, so that reversing twice is the identity.
-double reversible(double u) {
-    return 1.0 - (1.0 - u);
-}
-
-Curve reversed(const Curve& curve) {
-    const auto p = static_cast<std::size_t>(curve.degree());
-    CurveDefinition definition = curve.definition();
-    for (double& knot : definition.knots) knot = 1.0 - knot;
-    std::reverse(definition.knots.begin(), definition.knots.end());
-    std::reverse(definition.points.begin(), definition.points.end());
-    // Control point i of the reversed period is the old p-1-i.
-    const std::size_t n = definition.points.size();
-    if (curve.is_periodic())
-        std::rotate(definition.points.begin(), definition.points.begin() + static_cast<std::ptrdiff_t>((n - p % n) % n),
-                    definition.points.end());
-    return Curve::make(std::move(definition)).value();
-}
 
 Ends reversed(const Ends& ends) {
     const auto* tangents = std::get_if<EndTangents>(&ends);
@@ -60,7 +34,8 @@ struct DirectedData {
 };
 
 DirectedData directed(std::span<const Point> points, const FitRequest& request) {
-    DirectedData data{{points.begin(), points.end()}, request, !is_canonical(points, request.ends)};
+    DirectedData data{
+        {points.begin(), points.end()}, request, !is_canonical(is_closed(request.ends) ? points.subspan(1) : points)};
     if (!data.is_reversed) return data;
     std::reverse(data.points.begin() + (is_closed(request.ends) ? 1 : 0), data.points.end());
     data.request.ends = reversed(request.ends);

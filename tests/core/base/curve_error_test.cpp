@@ -116,6 +116,11 @@ TEST(CurveError, says_what_was_found_where_and_what_is_allowed) {
     EXPECT_EQ(seen.size(), static_cast<std::size_t>(CurveErrorCode::curve_not_polynomial_piece) + 1);
 }
 
+TEST(CurveError, says_that_a_stroke_is_a_dot) {
+    EXPECT_EQ(describe({.code = CurveErrorCode::stroke_too_short, .value = 1.5, .lower = 2}),
+              "the stroke extends over 1.5 pixels only; it must extend over at least 2");
+}
+
 TEST(CurveError, says_what_the_weights_of_a_leg_or_piece_lack) {
     using Code = CurveErrorCode;
     EXPECT_EQ(describe({.code = Code::share_out_of_range, .value = 1.5}),
