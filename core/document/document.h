@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/curve/curve.h"
+#include "core/document/guide.h"
 #include "core/document/picture.h"
 #include "core/document/symmetry.h"
 
@@ -65,6 +66,7 @@ struct Document {
     std::vector<DocumentCurve> curves;
     std::size_t active = 0;         ///< index of the curve that edits go to; 0 when there is none
     std::vector<Picture> pictures;  ///< below the curves, the first one lowest
+    std::vector<Guide> guides;      ///< lines that points are put on
     DocumentView view;
     std::string unknown_members;
 

@@ -17,6 +17,8 @@ namespace batten::core {
 
 namespace {
 
+constexpr double half_turn = 180.0;
+
 std::optional<FileError> take(const Json& value, const std::string& pointer, DocumentColor& target) {
     const auto color = value.is_string() ? color_of_text(value.get<std::string>()) : std::nullopt;
     if (!color) return wrong_value(pointer, value, "a color of the form \"#4c7fe0\"");
@@ -243,6 +245,28 @@ void read_pictures(ObjectReader& reader, std::vector<Picture>& pictures) {
     }
 }
 
+Guide read_guide(ObjectReader& reader) {
+    Guide guide;
+    reader.required("point", guide.point);
+    reader.required("angle", guide.angle);
+    if (reader.error()) return guide;
+    if (!(guide.angle >= 0.0 && guide.angle < half_turn))
+        reader.note(wrong_value(reader.place("angle"), *reader.find("angle"), "from 0 up to but not 180"));
+    return guide;
+}
+
+void read_guides(ObjectReader& document_reader, std::vector<Guide>& guides) {
+    Json* list = document_reader.find("guides");
+    if (!list) return;
+    const std::string place = document_reader.place("guides");
+    if (!list->is_array()) return document_reader.note(wrong_value(place, *list, "a list of guides"));
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        ObjectReader reader((*list)[i], place_in(place, i));
+        guides.push_back(read_guide(reader));
+        if (reader.error()) return document_reader.note(reader.error());
+    }
+}
+
 // A name, or a place where names are not distinct. The view is a mere convenience, so one that names no curve is not an
 // error.
 std::size_t find_active(const Json& active, const std::vector<DocumentCurve>& curves) {
@@ -275,6 +299,7 @@ FileResult<Document> read_document(TextStream& text, const PointsRead& points_re
     reader.optional("description", document.description);
     read_curves(reader, document.curves);
     read_pictures(reader, document.pictures);
+    read_guides(reader, document.guides);
     read_view(reader, document);
     document.unknown_members = reader.unknown_members();
     if (reader.error()) return tl::unexpected(*reader.error());

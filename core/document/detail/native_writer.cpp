@@ -84,6 +84,13 @@ Json active_member(const Document& document) {
     return name;
 }
 
+Json json_of(const Guide& guide) {
+    Json object = Json::object();
+    object["point"] = Json::array({number(guide.point.x), number(guide.point.y)});
+    object["angle"] = number(guide.angle);
+    return object;
+}
+
 Json json_of_view(const Document& document) {
     const DocumentView& view = document.view;
     Json object = Json::object();
@@ -104,6 +111,7 @@ Json json_of(const Document& document) {
     object["curves"] = Json::array();
     for (const DocumentCurve& curve : document.curves) object["curves"].push_back(json_of(curve));
     for (const Picture& picture : document.pictures) object["pictures"].push_back(json_of(picture));
+    for (const Guide& guide : document.guides) object["guides"].push_back(json_of(guide));
     if (Json view = json_of_view(document); !view.empty()) object["view"] = std::move(view);
     add_unknown_members(object, document.unknown_members);
     return object;

@@ -365,6 +365,24 @@ TEST(NativeFormat, tears_come_back) {
     EXPECT_EQ(format_document(parse_document(formatted).value()), formatted);
 }
 
+TEST(NativeFormat, guides_come_back_and_are_checked) {
+    Document document;
+    EXPECT_EQ(format_document(document).find("guides"), std::string::npos);
+    document.guides = {{{1.5, -2}, 0.0}, {{0, 1e6}, 22.5}};
+    const std::string text = format_document(document);
+    EXPECT_EQ(parse_document(text).value().guides, document.guides);
+    EXPECT_EQ(format_document(parse_document(text).value()), text);
+    const auto with_guides = [](const std::string& guides) {
+        return R"({"format": "batten", "version": 1, "guides": )" + guides + "}";
+    };
+    expect_error(with_guides("3"), "/guides", "a list of guides");
+    expect_error(with_guides("[3]"), "/guides/0", "an object");
+    expect_error(with_guides(R"([{"point": [0, 0], "angle": 180}])"), "/guides/0/angle", "from 0 up to but not 180");
+    expect_error(with_guides(R"([{"point": [0, 0], "angle": -1}])"), "/guides/0/angle", "found -1");
+    expect_error(with_guides(R"([{"angle": 0}])"), "/guides/0", "\"point\" is missing");
+    expect_error(with_guides(R"([{"point": [0], "angle": 0}])"), "/guides/0/point", "found");
+}
+
 TEST(NativeFormat, nesting_without_end_is_refused) {
     const std::size_t deep = 1'000'000;
     expect_error(std::string(deep, '['), "", "nested");
