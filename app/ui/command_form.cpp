@@ -6,6 +6,7 @@
 
 #include "app/editor/command_reader.h"
 #include "app/editor/commands/help_commands.h"
+#include "app/editor/fields/expression.h"
 #include "app/editor/fields/field_text.h"
 #include "app/editor/words/reading_text.h"
 #include "app/ui/command_entry.h"
@@ -27,7 +28,8 @@ using editor::Argument;
 using editor::Field;
 using editor::FieldKind;
 
-constexpr double form_width = 400.0;
+constexpr double form_width = 380.0;
+constexpr double form_margin = 20.0;
 constexpr double explanation_gap = 12.0;
 constexpr double rows_gap = 16.0;  // below the rows
 constexpr int message_lines = 3;
@@ -52,6 +54,7 @@ bool is_empty(const std::vector<std::string>& texts) {
 
 /// The texts of a field's parts as arguments; empty ones stand for what suggests itself, or for nothing.
 editor::Outcome<std::vector<Argument>> arguments_of(const Field& field, const std::vector<std::string>& texts,
+                                                    const std::vector<std::string>& initial,
                                                     const editor::EditorState& state) {
     if (!field.is_asked || is_empty(texts)) {
         const editor::FieldValue suggestion = field.suggestion(state);
@@ -61,7 +64,9 @@ editor::Outcome<std::vector<Argument>> arguments_of(const Field& field, const st
         return editor::arguments_of(field, suggestion);
     }
     std::vector<Argument> arguments;
-    for (const std::string& text : texts) arguments.emplace_back(editor::Word{text});
+    for (std::size_t k = 0; k < texts.size(); ++k)
+        arguments.emplace_back(
+            editor::Word{editor::takes_text(field) ? texts[k] : editor::typed_over(texts[k], initial[k])});
     return arguments;
 }
 
@@ -78,7 +83,7 @@ bool lacks_a_text(const FormState& form, const editor::EditorState& state) {
 editor::Outcome<editor::Command> command_of(const FormState& form, const editor::EditorState& state) {
     std::vector<Argument> all;
     for (std::size_t i = 0; i < form.spec->fields.size(); ++i) {
-        auto arguments = arguments_of(form.spec->fields[i], form.typed[i], state);
+        auto arguments = arguments_of(form.spec->fields[i], form.typed[i], form.initial[i], state);
         if (!arguments) return tl::unexpected(arguments.error());
         all.insert(all.end(), arguments->begin(), arguments->end());
     }
@@ -102,6 +107,7 @@ void begin_form(FormState& form, const editor::CommandSpec& spec, const editor::
         if (field.kind == FieldKind::choice && texts.front().empty()) texts.front() = field.choices.front().name;
         if (field.kind == FieldKind::flag && texts.front().empty()) texts.front() = "yes";
     }
+    form.initial = form.typed;
 }
 
 /// Shows on the canvas what the command would do, whenever something was changed.
@@ -193,8 +199,15 @@ void draw_form_rows(const PanelContext& context) {
     ImGui::EndChild();
 }
 
+/// Over the inspector, so that the canvas shows what would come of it.
+Rectangle right_side(const PanelContext& context, const Rectangle& window, const Rectangle& canvas) {
+    const double width = (form_width + 2.0 * form_margin) * context.scale;
+    const double left = std::max(window.origin_px.x, window.origin_px.x + window.size_px.x - width);
+    return {{left, canvas.origin_px.y}, {width, canvas.size_px.y}};
+}
+
 /// As high as everything in it.
-DialogFrame frame_of(const PanelContext& context, const Rectangle& canvas) {
+DialogFrame frame_of(const PanelContext& context, const Rectangle& place) {
     const editor::CommandSpec& spec = *context.panels.form.spec;
     const float width = context.px(form_width) - 2.0F * dialog_padding_px(context);
     float height = wrapped_height_px(context.notated(spec.explanation), context.fonts.text, width) +
@@ -204,7 +217,7 @@ DialogFrame frame_of(const PanelContext& context, const Rectangle& canvas) {
     DialogFrame frame;
     frame.title = context.notated(spec.title);
     frame.size = {form_width, (height + footer_height_px(context) + dialog_head_px(context)) / context.scale};
-    frame.beside = canvas;
+    frame.beside = place;
     frame.closes_on_outside = false;
     return frame;
 }
@@ -230,7 +243,7 @@ void draw_command_form(const PanelContext& context, const Rectangle& window, con
         return;
     }
     if (form.spec != context.state.form) begin_form(form, *context.state.form, context.state);
-    form.is_given_up = begin_dialog(context, window, frame_of(context, canvas));
+    form.is_given_up = begin_dialog(context, window, frame_of(context, right_side(context, window, canvas)));
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextDisabled("%s", context.notated(form.spec->explanation).c_str());
     ImGui::PopTextWrapPos();

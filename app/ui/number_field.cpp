@@ -24,7 +24,17 @@ constexpr double number_padding = 8.0;  // of the text, in design pixels
 constexpr float drag_threshold = 3.0F;  // design pixels before a press becomes a drag
 constexpr double slow_factor = 0.1;     // with Shift
 
-/// With `decimals` after the point; a factor that these would blur gets significant digits instead.
+/// Whether the decimals would leave at most one digit of a small value that has more. What is a millionth of the last
+/// decimal is taken for rounding.
+bool hides_digits(const NumberField& field) {
+    constexpr double rounding = 1e-6;
+    const double magnitude = std::abs(field.value);
+    const double step = step_of(field.decimals);
+    const double steps = magnitude / step;
+    return magnitude >= rounding * step && steps < 10.0 && std::abs(steps - std::round(steps)) > rounding;
+}
+
+/// With `decimals` after the point; a small value, or a factor, that these would blur gets significant digits instead.
 std::string number_of(const NumberField& field) {
     const double magnitude = std::abs(field.value);
     const bool is_blurred = magnitude != 0.0 && magnitude < 10.0 * step_of(field.decimals);
@@ -32,7 +42,8 @@ std::string number_of(const NumberField& field) {
     const std::string text = editor::fixed_text(field.value, std::min(field.decimals, field.most_decimals));
     const bool is_shortened = editor::without_trailing_zeros(all) != editor::without_trailing_zeros(text);
     const bool stands_alone = is_blurred || is_shortened || magnitude >= editor::great_weight;
-    return field.is_multiplicative && stands_alone ? editor::number_text(field.value, 6) : text;
+    if (field.is_multiplicative) return stands_alone ? editor::number_text(field.value, 6) : text;
+    return hides_digits(field) ? editor::number_text(field.value, 3) : text;
 }
 
 /// The text that fits: fewer digits rather than cut ones, at last one digit and the power of ten.
@@ -155,7 +166,7 @@ std::optional<NumberEdit> end_typed(const PanelContext& context, const NumberFie
     // What was not touched stays exactly as it is.
     if (state.typed == state.original)
         return is_entered ? std::optional(NumberEdit{field.value, EditPhase::commit, true}) : std::nullopt;
-    const auto value = editor::parse_expression(state.typed);
+    const auto value = editor::parse_expression(editor::typed_over(state.typed, core::shortest_text(field.value)));
     if (!value) {
         refuse(state, id, step, value.error());
         return std::nullopt;

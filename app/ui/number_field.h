@@ -43,7 +43,8 @@ struct NumberEdit {
 
 /// Draws the field, for what is not a command. Dragging gives previews and on release a commit, typing a commit on
 /// Enter, Tab or loss of focus, Escape a cancel. A typed text that is no number leaves the value and says so below the
-/// field. Typed may be what editor::parse_expression reads: "0.5", "0,5", "1/3", "sqrt(2)/2", "30 deg".
+/// field. Typed may be what editor::parse_expression reads: "0.5", "0,5", "1/3", "sqrt(2)/2", "30 deg"; and "+=2",
+/// "*=2" change the value that is there.
 std::optional<NumberEdit> edit_number(const PanelContext& context, const NumberField& field);
 
 /// The same; the command for a new value is made by `command` and previewed, committed or canceled.

@@ -46,6 +46,7 @@ struct PaletteState {
 struct FormState {
     const editor::CommandSpec* spec = nullptr;
     std::vector<std::vector<std::string>> typed;      ///< a text for each part of each field
+    std::vector<std::vector<std::string>> initial;    ///< what stood there at first, which "+=2" changes
     std::vector<std::vector<std::string>> previewed;  ///< what the canvas shows
     bool takes_focus = true;                          ///< `focused`, else the first input, becomes the active one
     std::string focused;                              ///< the part whose input was active last
@@ -79,6 +80,7 @@ struct PointerState {
     Picture captured = Picture::none;  ///< where a button went down that is still held
     editor::PointerButton button = editor::PointerButton::none;
     std::optional<glm::dvec2> canvas_px;  ///< where on the canvas the pointer is
+    glm::dvec2 last_canvas_px{};          ///< where it was there last
     bool space_is_held = false;
 };
 

@@ -1,5 +1,7 @@
 #include "app/editor/fields/expression.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -243,6 +245,15 @@ std::size_t find_outside_parentheses(std::string_view text, std::string_view sep
         depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
     }
     return std::string_view::npos;
+}
+
+std::string typed_over(std::string_view typed, std::string_view present) {
+    const std::string_view text = trimmed(typed);
+    if (trimmed(present).empty()) return std::string(typed);
+    for (const std::string_view sign : {"+=", "-=", "\u2212=", "*=", "/=", "^="})
+        if (text.starts_with(sign))
+            return fmt::format("({}){}({})", present, sign.substr(0, sign.size() - 1), text.substr(sign.size()));
+    return std::string(typed);
 }
 
 tl::expected<double, std::string> parse_expression(std::string_view text, ExpressionUnit unit) {

@@ -25,6 +25,10 @@ enum class ExpressionUnit {
 [[nodiscard]] tl::expected<double, std::string> parse_expression(std::string_view text,
                                                                  ExpressionUnit unit = ExpressionUnit::number);
 
+/// What is typed over a value that is there: "+=2", "-=2", "*=2", "/=2" and "^=2" change `present`, an expression or
+/// empty for none; anything else stands for itself.
+std::string typed_over(std::string_view typed, std::string_view present);
+
 /// The values of a list, separated by commas or semicolons, or by spaces when it has neither; what stands in
 /// parentheses is one value, brackets around the list are allowed, and so is a comma at its end. Decimals need a point.
 /// The error names the entry, counted from 0.

@@ -83,6 +83,21 @@ TEST(Expression, is_an_angle_in_degrees_where_one_is_needed) {
     EXPECT_EQ(degrees_of("acos(1/2)"), 60.0);
 }
 
+TEST(Expression, changes_what_is_there) {
+    const auto over = [](const std::string& typed, const std::string& present) {
+        return parse_expression(typed_over(typed, present)).value();
+    };
+    EXPECT_EQ(over("+=2", "3"), 5.0);
+    EXPECT_EQ(over(" -= 1/4", "-1"), -1.25);
+    EXPECT_EQ(over("\u2212=4", "-1"), -5.0);
+    EXPECT_EQ(over("*=1+1", "3-1"), 4.0);
+    EXPECT_EQ(over("/=sqrt(16)", "2"), 0.5);
+    EXPECT_EQ(over("^=2", "-3"), 9.0);
+    EXPECT_EQ(over("+2", "3"), 2.0);
+    EXPECT_EQ(typed_over("+=2", ""), "+=2");
+    EXPECT_FALSE(parse_expression(typed_over("+=", "3")));
+}
+
 TEST(Expression, takes_a_decimal_comma) {
     EXPECT_EQ(value_of("0,5"), 0.5);
     EXPECT_EQ(value_of("-,25"), -0.25);
