@@ -40,6 +40,7 @@ CommandTable make_table() {
     add_invariance_commands(table);
     add_knot_question_commands(table);
     add_view_commands(table);
+    add_snap_commands(table);
     add_lesson_commands(table);
     add_shape_view_commands(table);
     add_help_commands(table);

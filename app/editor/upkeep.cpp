@@ -52,6 +52,7 @@ struct HoverCheck {
     }
     bool operator()(const HoveredFitPoint& hovered) const { return hovered.index < fit_point_count(document); }
     bool operator()(const HoveredFitHandle& hovered) const { return hovered.index < fit_point_count(document); }
+    bool operator()(const HoveredGuide& hovered) const { return hovered.index < document.guides.size(); }
     bool operator()(const HoveredOtherCurve& hovered) const {
         return hovered.index < document.curves.size() && hovered.index != document.active;
     }
@@ -72,6 +73,7 @@ void keep_line(View& view, const core::Curve& before) {
 
 bool is_in(const Hover& hover, const core::Document& document) {
     const core::DocumentCurve* active = document.active_curve();
+    if (const auto* guide = std::get_if<HoveredGuide>(&hover)) return guide->index < document.guides.size();
     if (active == nullptr) return std::holds_alternative<HoveredNothing>(hover);
     return std::visit(HoverCheck{document, *active->curve}, hover);
 }

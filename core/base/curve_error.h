@@ -84,9 +84,8 @@ enum class CurveErrorCode {
     other_not_reached,             ///< a curve that is extended does not come to the other one
     shapes_not_decided,            ///< curves run along each other too closely to tell what lies inside
     shape_vanishes,                ///< nothing is left of a shape; value = the distance of an offset
+    stroke_too_short,              ///< value = how many pixels a stroke extends, lower = least extent
     not_computable                 ///< numbers on the way are beyond what doubles can hold
-    stroke_too_short,            ///< value = how many pixels a stroke extends, lower = least extent
-    not_computable               ///< numbers on the way are beyond what doubles can hold
 };
 
 /// One refusal: the code, the offending item, and the numbers that the sentence needs (see CurveErrorCode).

@@ -80,6 +80,13 @@ class Pointer {
         was_asked_ = !queue.is_empty();
         editor_.perform(queue);
     }
+    /// Any event as it is.
+    void send(const PointerEvent& event) {
+        CommandQueue queue;
+        mode_ = step_(mode_, event, editor_.state(), queue);
+        was_asked_ = !queue.is_empty();
+        editor_.perform(queue);
+    }
     /// Turns a wheel to the left, with so many notches upward at the same time.
     void turn_sideways(glm::dvec2 position, double notches, double upward = 0.0) {
         PointerEvent event{PointerAction::wheel, position, PointerButton::none, modifiers, space, upward};

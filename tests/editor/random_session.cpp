@@ -28,6 +28,7 @@
 #include "app/editor/commands/shape_commands.h"
 #include "app/editor/commands/shape_view_commands.h"
 #include "app/editor/commands/symmetry_commands.h"
+#include "app/editor/commands/snap_commands.h"
 #include "app/editor/commands/tear_commands.h"
 #include "app/editor/commands/transform_commands.h"
 #include "app/editor/commands/weight_commands.h"
@@ -235,8 +236,23 @@ Command RandomSession::piece_command(const EditorState& state, const core::Curve
     }
 }
 
-Command RandomSession::making_command(const EditorState& state) {
+Command RandomSession::guide_command() {
     switch (below(4)) {
+        case 0:
+            return RemoveGuide{.index = below(3)};
+        case 1:
+            return MoveGuide{.index = below(3), .position = point(9)};
+        case 2:
+            return below(5) == 0 ? Command(RemoveGuides{}) : Command(SetAngleStep{.degrees = between(-1, 40)});
+        default:
+            return AddGuide{.position = point(9), .angle = 15.0 * static_cast<double>(below(24))};
+    }
+}
+
+Command RandomSession::making_command(const EditorState& state) {
+    switch (below(5)) {
+        case 3:
+            return guide_command();
         case 0:
             return AddArc{.center = {between(-5, 5), 0.0},
                           .radius = between(-0.2, 3),
@@ -461,7 +477,8 @@ Command RandomSession::view_command(const EditorState& state) {
         case 5:
             return SetParameter{.u = parameter(state)};
         case 6:
-            return TogglePlay{};
+            return below(2) == 0 ? Command(TogglePlay{})
+                                 : Command(SetSnap{.kind = SnapKind::grid, .on = below(2) == 0});
         case 7:
             return SetLevel{.level = below(5) == 0 ? std::nullopt : std::optional(static_cast<int>(below(4)))};
         default:

@@ -49,6 +49,7 @@ class RandomSession {
     Command refinement_command(const EditorState& state, const core::Curve& curve);
     Command piece_command(const EditorState& state, const core::Curve& curve);
     Command making_command(const EditorState& state);
+    Command guide_command();
     Command fitting_command();
     Command moving_command(const EditorState& state, const core::Curve& curve);
     Command transform_command();

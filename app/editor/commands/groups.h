@@ -46,6 +46,7 @@ void add_symmetry_commands(CommandTable& table);
 void add_construction_commands(CommandTable& table);
 void add_invariance_commands(CommandTable& table);
 void add_knot_question_commands(CommandTable& table);
+void add_snap_commands(CommandTable& table);
 void add_view_commands(CommandTable& table);
 void add_shape_view_commands(CommandTable& table);
 void add_overlay_commands(CommandTable& table);

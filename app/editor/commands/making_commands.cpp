@@ -5,6 +5,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/pointer/grid_step.h"
 #include "app/editor/words/formula.h"
@@ -44,7 +45,7 @@ Outcome<Edit> add_polyline(const EditorState& state, const AddPolyline& command)
 }
 
 Outcome<Edit> add_polygon(const EditorState& state, const AddPolygon& command) {
-    return added(state, "polygon", core::regular_polygon(command.center, command.radius, command.sides));
+    return added(state, "polygon", core::regular_polygon(command.center, command.radius, command.sides, command.start));
 }
 
 Outcome<Edit> add_circle(const EditorState& state, const AddCircle& command) {
@@ -108,14 +109,7 @@ double step_back(const EditorState& state) {
     return -coarse_step(state);
 }
 
-double on_grid(const EditorState& state, double value) {
-    const double step = minor_grid_step(state.view.camera.scale / state.view.interface_scale);
-    return step * std::round(value / step);
-}
-
-core::Point middle_of_view(const EditorState& state) {
-    return core::Point(on_grid(state, state.view.camera.center.x), on_grid(state, state.view.camera.center.y));
-}
+using suggest::middle_of_view;
 
 core::Point left_of_middle(const EditorState& state) {
     return middle_of_view(state) - core::Vector(coarse_step(state), 0.0);
@@ -211,7 +205,7 @@ const CommandSpec& AddPolygon::spec() {
     static const CommandSpec spec{
         .name = "polygon",
         .title = "Regular polygon",
-        .explanation = "Adds a regular polygon with its first corner at the top.",
+        .explanation = "Adds a regular polygon with its first corner at the top, or elsewhere.",
         .synonyms = "triangle square hexagon",
         .group = CommandGroup::make,
         .submenu = "Shapes",
@@ -221,7 +215,8 @@ const CommandSpec& AddPolygon::spec() {
              field::count<&AddPolygon::sides>("sides", "how many, 3 or more")
                  .usually(6)
                  .at_least(3.0)
-                 .at_most(most_sides)},
+                 .at_most(most_sides),
+             field::angle<&AddPolygon::start>("start", "the direction of the first corner, in degrees").usually(90.0)},
         .run = body_of<add_polygon>,
         .step = "Make regular polygon",
         .done = "Made regular polygon"};

@@ -23,6 +23,7 @@ struct AddPolygon {
     core::Point center;
     double radius;
     std::size_t sides;
+    double start = 90.0;
     static const CommandSpec& spec();
 };
 

@@ -2,6 +2,7 @@
 
 #include "app/editor/pointer/gesture.h"
 #include "app/editor/pointer/grid_step.h"
+#include "app/editor/pointer/snap.h"
 #include "core/measure/closing.h"
 
 namespace batten::editor::suggest {
@@ -54,6 +55,10 @@ std::optional<double> domain_begin(const EditorState& state) {
 std::optional<double> domain_end(const EditorState& state) {
     const core::Curve* curve = committed_curve(state);
     return curve == nullptr ? std::nullopt : std::optional(curve->domain().upper);
+}
+
+core::Point middle_of_view(const EditorState& state) {
+    return grid_corner(state, core::Point(state.view.camera.center));
 }
 
 double grid_step(const EditorState& state) {

@@ -25,6 +25,9 @@ std::optional<std::string> next_curve_name(const EditorState& state);
 std::optional<double> domain_begin(const EditorState& state);
 std::optional<double> domain_end(const EditorState& state);
 
+/// The corner of the grid nearest to the middle of the canvas.
+core::Point middle_of_view(const EditorState& state);
+
 /// One minor grid step; a tenth of it.
 double grid_step(const EditorState& state);
 double tenth_of_grid_step(const EditorState& state);

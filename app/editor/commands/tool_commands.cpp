@@ -1,5 +1,8 @@
 #include "app/editor/commands/tool_commands.h"
 
+#include <array>
+#include <utility>
+
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/state/state.h"
@@ -40,6 +43,75 @@ Outcome<void> set_tool(EditorState& state, const SetTool& command) {
 
 Tool current_tool(const EditorState& state) {
     return state.tool;
+}
+
+constexpr const char* drawing_menu = "Draw on the canvas";
+constexpr double most_polygon_sides = 1000.0;
+
+/// What is said of a shape where it is chosen.
+struct ShapeText {
+    ShapeKind kind;
+    const char* command;
+    const char* title;
+    const char* explanation;
+};
+
+constexpr std::array<ShapeText, shape_kind_count> shape_texts = [] {
+    using enum ShapeKind;
+    return std::array<ShapeText, shape_kind_count>{{
+        {line, "draw-line", "Line", "Draws a line from end to end."},
+        {rectangle, "draw-rectangle", "Rectangle", "Draws a rectangle from corner to corner."},
+        {polygon, "draw-polygon", "Regular polygon", "Draws a regular polygon from its center to a corner."},
+        {circle, "draw-circle", "Circle", "Draws a circle from its center."},
+        {circle_through_points, "draw-circle-3", "Circle through three points",
+         "Draws the circle through three places."},
+        {arc, "draw-arc", "Arc by its center", "Draws an arc by its center, its start and its end."},
+        {arc_through_points, "draw-arc-3", "Arc through three points",
+         "Draws an arc by its start, its end and a place between."},
+        {ellipse, "draw-ellipse", "Ellipse", "Draws an ellipse by its center, the end of an axis and its width."},
+        {conic, "draw-conic", "Conic", "Draws a conic by its ends, the corner of its tangents and its height."},
+    }};
+}();
+
+template <ShapeKind kind>
+Outcome<void> draw_shape(EditorState& state, const DrawShape<kind>&) {
+    state.view.shape_kind = kind;
+    take_tool(state, Tool::shape);
+    return {};
+}
+
+template <ShapeKind kind>
+bool is_drawn(const EditorState& state) {
+    return state.tool == Tool::shape && state.view.shape_kind == kind;
+}
+
+template <std::size_t index>
+CommandSpec drawing() {
+    constexpr ShapeText text = shape_texts[index];
+    static_assert(text.kind == static_cast<ShapeKind>(index));
+    return {.name = text.command,
+            .title = text.title,
+            .explanation = text.explanation,
+            .synonyms = "tool shape click draw",
+            .group = CommandGroup::make,
+            .submenu = drawing_menu,
+            .offered = in_the_window,
+            .is_checked = is_drawn<text.kind>,
+            .run = body_of<draw_shape<text.kind>>};
+}
+
+template <std::size_t... index>
+std::array<CommandSpec, shape_kind_count> all_shape_specs(std::index_sequence<index...>) {
+    return {drawing<index>()...};
+}
+
+Outcome<void> set_polygon_sides(EditorState& state, const SetPolygonSides& command) {
+    state.view.polygon_sides = command.sides;
+    return {};
+}
+
+std::size_t polygon_sides(const EditorState& state) {
+    return state.view.polygon_sides;
 }
 
 }  // namespace
@@ -87,6 +159,34 @@ const CommandSpec& TakeTool<Tool::parameter>::spec() {
     return spec;
 }
 
+template <>
+const CommandSpec& TakeTool<Tool::shape>::spec() {
+    static const CommandSpec spec = taking<Tool::shape>(
+        "tool-shape", "Draw shape", "Draws a line, circle, arc or other shape by clicks and typed numbers.", Key::s);
+    return spec;
+}
+
+const CommandSpec& draw_shape_spec(ShapeKind kind) {
+    static const std::array<CommandSpec, shape_kind_count> specs =
+        all_shape_specs(std::make_index_sequence<shape_kind_count>());
+    return specs[static_cast<std::size_t>(kind)];
+}
+
+const CommandSpec& SetPolygonSides::spec() {
+    static const CommandSpec spec{.name = "set-polygon-sides",
+                                  .title = "Set sides of polygons",
+                                  .explanation = "Sets how many sides the shape tool's polygons have.",
+                                  .group = CommandGroup::make,
+                                  .submenu = drawing_menu,
+                                  .offered = in_the_window,
+                                  .fields = {field::count<&SetPolygonSides::sides>("sides", "how many, 3 or more")
+                                                 .beginning_with<polygon_sides>()
+                                                 .at_least(3.0)
+                                                 .at_most(most_polygon_sides)},
+                                  .run = body_of<set_polygon_sides>};
+    return spec;
+}
+
 const CommandSpec& SetTool::spec() {
     static const CommandSpec spec{
         .name = "set-tool",
@@ -112,14 +212,17 @@ const CommandSpec& take_tool_spec(Tool tool) {
         case Tool::draw_curve:
             return TakeTool<Tool::draw_curve>::spec();
         case Tool::parameter:
+            return TakeTool<Tool::parameter>::spec();
+        case Tool::shape:
             break;
     }
-    return TakeTool<Tool::parameter>::spec();
+    return TakeTool<Tool::shape>::spec();
 }
 
 void add_tool_commands(CommandTable& table) {
     for (const Tool tool : all_tools) table.emplace_back(take_tool_spec(tool));
-    add_all<SetTool>(table);
+    for (std::size_t i = 0; i < shape_kind_count; ++i) table.emplace_back(draw_shape_spec(static_cast<ShapeKind>(i)));
+    add_all<SetPolygonSides, SetTool>(table);
 }
 
 }  // namespace batten::editor

@@ -12,6 +12,20 @@ struct TakeTool {
     static const CommandSpec& spec();
 };
 
+/// One command for each shape, which takes the shape tool to draw it.
+const CommandSpec& draw_shape_spec(ShapeKind kind);
+
+template <ShapeKind kind>
+struct DrawShape {
+    static const CommandSpec& spec() { return draw_shape_spec(kind); }
+};
+
+/// How many sides the shape tool's polygons have.
+struct SetPolygonSides {
+    std::size_t sides;
+    static const CommandSpec& spec();
+};
+
 struct SetTool {
     Tool tool;
     static const CommandSpec& spec();
@@ -29,6 +43,8 @@ template <>
 const CommandSpec& TakeTool<Tool::draw_curve>::spec();
 template <>
 const CommandSpec& TakeTool<Tool::parameter>::spec();
+template <>
+const CommandSpec& TakeTool<Tool::shape>::spec();
 
 /// The description of the command that takes `tool`.
 const CommandSpec& take_tool_spec(Tool tool);

@@ -5,6 +5,7 @@
 #include "app/editor/pointer/canvas_mode.h"
 #include "app/editor/pointer/gesture.h"
 #include "app/editor/pointer/hint_text.h"
+#include "app/editor/pointer/shape_hint.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/number_column.h"
 #include "core/base/sentence.h"
@@ -97,6 +98,7 @@ struct SelectHint {
         if (h.handle == ViewHandle::line) return "Drag to move the line · Shift keeps to one axis";
         return "Drag to turn the line · Ctrl keeps to the grid, Shift to one axis";
     }
+    std::string operator()(const HoveredGuide&) const { return "Drag to move the guide · right-click to remove it"; }
     template <class Other>
     std::string operator()(const Other&) const {
         return {};
@@ -120,6 +122,7 @@ std::string select_hint(const EditorState& state) {
 std::string tool_hint(const EditorState& state) {
     if (state.tool == Tool::draw_curve)
         return "Click to set the first point of a new curve · hold Ctrl to keep to the grid · Escape leaves the tool";
+    if (state.tool == Tool::shape) return shape_hint(state.view.shape_kind, 0);
     if (state.tool == Tool::select || !can_edit_curve(state)) return select_hint(state);
     const bool is_on_knot = std::holds_alternative<HoveredKnot>(state.hover);
     switch (state.tool) {
@@ -137,6 +140,7 @@ std::string tool_hint(const EditorState& state) {
             return "Drag to set the parameter u on the curve · Escape leaves the tool";
         case Tool::select:
         case Tool::draw_curve:
+        case Tool::shape:
             break;
     }
     return {};
@@ -201,12 +205,20 @@ struct ModeHint {
         if (mode.points.size() < 2) return "Click to set the next point · Escape gives up";
         return "Click to set the next point · double-click or Enter ends the curve · Escape gives up";
     }
+    std::string operator()(const DrawingShape& mode) const { return shape_hint(mode.kind, mode.points.size()); }
+    std::string operator()(const DraggingGuide&) const { return "Release to put the guide here · Escape restores"; }
 };
 
 }  // namespace
 
 std::string canvas_hint(const CanvasMode& mode, const EditorState& state) {
-    return notated(std::visit(ModeHint{state}, mode), state.view.notation);
+    std::string hint = std::visit(ModeHint{state}, mode);
+    const auto& place = state.placing.place;
+    if (!state.placing.typed.is_empty())
+        hint = "Enter takes what is typed · Tab goes to the other number · Escape drops it";
+    else if (place && place->snap)
+        hint = sentence("{snap} · Alt lets go · {hint}", {{"snap", place->snap->sentence}, {"hint", hint}});
+    return notated(hint, state.view.notation);
 }
 
 }  // namespace batten::editor

@@ -16,6 +16,8 @@
 #include "app/editor/pointer/gesture.h"
 #include "app/editor/pointer/hit_test.h"
 #include "app/editor/pointer/hover_request.h"
+#include "app/editor/pointer/modes.h"
+#include "app/editor/pointer/placing_step.h"
 #include "app/editor/pointer/point_drag.h"
 #include "app/editor/pointer/weight_modes.h"
 #include "core/evaluate/evaluate.h"
@@ -26,14 +28,9 @@ namespace {
 
 constexpr double finish_reach = 9.0;  ///< design pixels
 
-void turn_wheel(const Gesture& gesture) {
-    if (turn_wheel_over_inset(gesture)) return;
-    if (const auto pan_px = wheel_pan(gesture.state, gesture.event)) {
-        gesture.queue.change(PanCamera{{*pan_px, 0.0}});
-        return;
-    }
-    const glm::dvec2 anchor = gesture.event.position_px;
-    gesture.queue.change(ZoomCamera{std::pow(zoom_per_notch, gesture.event.wheel), anchor});
+/// Whether a click with the tool puts something at the place that is pointed at.
+bool places_points(Tool tool) {
+    return tool == Tool::add_point || tool == Tool::draw_curve || tool == Tool::shape;
 }
 
 CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {
@@ -43,17 +40,19 @@ CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {
             return begin_canvas_gesture(gesture);
         case PointerAction::move:
             request_hover(hit_canvas(gesture.state, gesture.event.position_px), gesture.state, gesture.queue);
+            if (places_points(gesture.state.tool)) static_cast<void>(pointed_at(gesture));
             return mode;
         case PointerAction::leave:
             request_hover(HoveredNothing{}, gesture.state, gesture.queue);
             return mode;
         case PointerAction::wheel:
-            turn_wheel(gesture);
+            turn_canvas_wheel(gesture);
             return mode;
         case PointerAction::release:
         case PointerAction::escape:
         case PointerAction::finish:
         case PointerAction::take_back:
+        case PointerAction::key:
             return mode;
     }
     return mode;
@@ -63,7 +62,7 @@ void ask_to_move_points(const DraggingPoints& mode, const Gesture& gesture, Phas
     const core::Curve* curve = committed_curve(gesture.state);
     if (curve == nullptr || mode.grabbed >= curve->control_points().size()) return;
     const core::Point start = curve->control_points()[mode.grabbed];
-    const core::Point target = dragged_position(gesture, start, mode.press_px);
+    const core::Point target = dragged_position(gesture, start, mode.press_px, {.points = mode.indices});
     if (target == start) {
         gesture.queue.cancel_preview();
     } else if (mode.indices.size() == 1) {
@@ -126,7 +125,7 @@ void ask_to_move_curve(const DraggingCurvePoint& mode, const Gesture& gesture, P
     const core::Curve* curve = committed_curve(gesture.state);
     if (curve == nullptr) return;
     const core::Point start = core::point_at(*curve, mode.u);
-    const core::Point target = dragged_position(gesture, start, mode.press_px);
+    const core::Point target = dragged_position(gesture, start, mode.press_px, {.is_curve = true});
     if (target == start)
         gesture.queue.cancel_preview();
     else
@@ -228,8 +227,8 @@ void finish_drawing(const DrawingCurve& mode, const Gesture& gesture) {
 
 CanvasMode press_while_drawing(DrawingCurve mode, const Gesture& gesture) {
     if (gesture.event.button != PointerButton::left) return mode;
-    if (!ends_drawing(mode, gesture)) {
-        mode.points.push_back(pointed_at(gesture));
+    if (is_typed(gesture) || !ends_drawing(mode, gesture)) {
+        mode.points.push_back(pointed_at(gesture, mode.points.back()));
         return mode;
     }
     if (mode.points.size() < 2) return mode;
@@ -242,25 +241,38 @@ CanvasMode step(DrawingCurve mode, const Gesture& gesture) {
         gesture.queue.run(SetTool{.tool = Tool::select});
         return CanvasIdle{};
     }
-    if (gesture.event.action == PointerAction::wheel) turn_wheel(gesture);
-    if (is_move(gesture)) mode.next = pointed_at(gesture);
+    if (gesture.event.action == PointerAction::wheel) turn_canvas_wheel(gesture);
+    if (is_move(gesture)) mode.next = pointed_at(gesture, mode.points.back());
     if (is_press(gesture)) return press_while_drawing(std::move(mode), gesture);
     return mode;
 }
 
 }  // namespace
 
+void turn_canvas_wheel(const Gesture& gesture) {
+    if (turn_wheel_over_inset(gesture)) return;
+    if (const auto pan_px = wheel_pan(gesture.state, gesture.event)) {
+        gesture.queue.change(PanCamera{{*pan_px, 0.0}});
+        return;
+    }
+    const glm::dvec2 anchor = gesture.event.position_px;
+    gesture.queue.change(ZoomCamera{std::pow(zoom_per_notch, gesture.event.wheel), anchor});
+}
+
 CanvasMode with_present_tool(CanvasMode mode, const EditorState& state) {
     const auto* drawing = std::get_if<DrawingCurve>(&mode);
     if (drawing != nullptr && drawing->tool_changes != state.tool_changes) return CanvasIdle{};
+    const auto* shape = std::get_if<DrawingShape>(&mode);
+    if (shape != nullptr && shape->tool_changes != state.tool_changes) return CanvasIdle{};
     return mode;
 }
 
 CanvasMode step_canvas(const CanvasMode& mode, const PointerEvent& event, const EditorState& state,
                        CommandQueue& queue) {
-    const Gesture gesture{event, state, queue};
-    return std::visit([&gesture](const auto& current) { return step(current, gesture); },
-                      with_present_tool(mode, state));
+    const auto step_mode = [](const CanvasMode& current, const Gesture& gesture) {
+        return std::visit([&gesture](const auto& alternative) { return step(alternative, gesture); }, current);
+    };
+    return step_placing(with_present_tool(mode, state), Gesture{event, state, queue}, step_mode);
 }
 
 }  // namespace batten::editor

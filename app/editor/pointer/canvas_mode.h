@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "app/editor/command.h"
+#include "app/editor/pointer/guide_mode.h"
 #include "app/editor/pointer/pointer.h"
+#include "app/editor/pointer/shape_mode.h"
 #include "app/editor/pointer/view_handle.h"
 #include "app/editor/state/state.h"
 
@@ -99,7 +101,7 @@ struct DrawingCurve {
 
 using CanvasMode = std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,
                                 DraggingCurveKnot, DraggingCurvePoint, DraggingHandle, DraggingFarinPoint,
-                                DraggingLiftedWeight, TurningOrbit, DrawingCurve>;
+                                DraggingLiftedWeight, TurningOrbit, DrawingCurve, DrawingShape, DraggingGuide>;
 
 /// The mode that is left where the tool was changed without the pointer: a curve half drawn is given up.
 CanvasMode with_present_tool(CanvasMode mode, const EditorState& state);

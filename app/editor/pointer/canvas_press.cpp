@@ -8,7 +8,9 @@
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
+#include "app/editor/pointer/guide_mode.h"
 #include "app/editor/pointer/hit_test.h"
+#include "app/editor/pointer/modes.h"
 #include "app/editor/pointer/point_drag.h"
 #include "app/editor/pointer/weight_modes.h"
 #include "app/editor/scene/insets.h"
@@ -80,6 +82,7 @@ struct SelectPress {
     CanvasMode operator()(const HoveredHandle& hit) const {
         return DraggingHandle{start_of(gesture.state, hit.handle), gesture.event.position_px};
     }
+    CanvasMode operator()(const HoveredGuide& hit) const { return begin_guide_drag(gesture, hit.index); }
     CanvasMode operator()(const HoveredOtherCurve& hit) const {
         gesture.queue.run(ActivateCurve{.index = hit.index});
         return CanvasIdle{};
@@ -194,7 +197,9 @@ CanvasMode begin_canvas_gesture(const Gesture& gesture) {
     if (is_pan(gesture.event)) return Panning{gesture.event.position_px};
     if (gesture.event.button != PointerButton::left) return CanvasIdle{};
     if (inset_at(gesture.state, gesture.event.position_px)) return begin_inset_gesture(gesture);
-    const Hover hit = hit_canvas(gesture.state, gesture.event.position_px);
+    // What is typed is about a place, whatever lies under the pointer.
+    const Hover hit =
+        is_typed(gesture) ? Hover(HoveredNothing{}) : hit_canvas(gesture.state, gesture.event.position_px);
     switch (gesture.state.tool) {
         case Tool::select:
             return press_select(gesture, hit);
@@ -208,6 +213,8 @@ CanvasMode begin_canvas_gesture(const Gesture& gesture) {
             return press_draw_curve(gesture);
         case Tool::parameter:
             return press_parameter(gesture);
+        case Tool::shape:
+            return begin_shape(gesture);
     }
     return CanvasIdle{};
 }

@@ -16,6 +16,7 @@
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/refinement_commands.h"
 #include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/snap_commands.h"
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/commands/view_commands.h"
 #include "app/editor/upkeep.h"
@@ -86,6 +87,11 @@ class Menu {
         panels();
     }
 
+    void guide(std::size_t index) {
+        add(RemoveGuide{.index = index});
+        offer<MoveGuide, AddGuide, RemoveGuides>();
+    }
+
     void plot(double u) {
         if (state_.active_curve() != nullptr && state_.active_curve()->domain().contains(u)) place_on_curve(u);
         offer<TogglePlay, FitPlot, SetKnotMove, ToggleDock>();
@@ -123,6 +129,18 @@ class Menu {
         offer<Undo, Redo>();
         group();
         panels();
+    }
+
+    void shapes() {
+        for (std::size_t i = 0; i < shape_kind_count; ++i) put({&draw_shape_spec(static_cast<ShapeKind>(i))});
+        group();
+        offer<SetPolygonSides>();
+    }
+
+    void snapping() {
+        for (std::size_t i = 0; i < snap_kind_count; ++i) put({&toggle_snap_spec(static_cast<SnapKind>(i))});
+        group();
+        offer<SetAngleStep, AddGuide, RemoveGuides>();
     }
 
     void panels() { offer<ToggleTitle, ToggleInspector, ToggleDock, TogglePresenting>(); }
@@ -164,6 +182,7 @@ struct FillByHit {
     bool operator()(const HoveredBasis&) const { return menu.points(), true; }
     bool operator()(const HoveredKnot& hit) const { return menu.knot(hit.index), true; }
     bool operator()(const HoveredCell& hit) const { return menu.cell(hit.level), true; }
+    bool operator()(const HoveredGuide& hit) const { return menu.guide(hit.index), true; }
     template <class Other>
     bool operator()(const Other&) const {
         return false;
@@ -200,6 +219,8 @@ struct FillByTarget {
     void operator()(const OnText& target) const { menu.text(target.text); }
     void operator()(const OnTitleLine&) const { menu.title_line(); }
     void operator()(const OnToolBar&) const { menu.tools(); }
+    void operator()(const OnShapes&) const { menu.shapes(); }
+    void operator()(const OnSnapping&) const { menu.snapping(); }
     void operator()(const OnPanel&) const { menu.interface(); }
 
   private:

@@ -44,10 +44,17 @@ struct OnText {
 struct OnTitleLine {};
 struct OnToolBar {};
 
+/// The button of the shape tool, which offers the shapes.
+struct OnShapes {};
+
+/// The button that tells what the pointer snaps to.
+struct OnSnapping {};
+
 /// Anywhere else in the interface.
 struct OnPanel {};
 
-using MenuTarget = std::variant<OnPanel, OnCanvas, OnPlot, OnPart, OnCurve, OnFinding, OnText, OnTitleLine, OnToolBar>;
+using MenuTarget = std::variant<OnPanel, OnCanvas, OnPlot, OnPart, OnCurve, OnFinding, OnText, OnTitleLine, OnToolBar,
+                                OnShapes, OnSnapping>;
 
 /// One line of the menu.
 struct MenuEntry {

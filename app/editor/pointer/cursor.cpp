@@ -11,7 +11,7 @@ bool is_one_of(const Hover& hover) {
 
 // What the select tool does to the thing under the pointer.
 Cursor select_cursor(const EditorState& state) {
-    if (is_one_of<HoveredPoint, HoveredHandle>(state.hover)) return Cursor::move;
+    if (is_one_of<HoveredPoint, HoveredHandle, HoveredGuide>(state.hover)) return Cursor::move;
     if (is_one_of<HoveredWeightRing>(state.hover)) return Cursor::vertical;
     const bool is_grip =
         is_one_of<HoveredParameter, HoveredKnot, HoveredCurve, HoveredOtherCurve, HoveredFarinPoint, HoveredLifted>(
@@ -32,6 +32,7 @@ Cursor tool_cursor(const EditorState& state) {
             return Cursor::hand;
         case Tool::insert_knot:
         case Tool::draw_curve:
+        case Tool::shape:
             break;
     }
     return Cursor::crosshair;
@@ -54,6 +55,8 @@ struct CanvasCursor {
     Cursor operator()(const DraggingFarinPoint&) const { return Cursor::hand; }
     Cursor operator()(const DraggingLiftedWeight&) const { return Cursor::hand; }
     Cursor operator()(const TurningOrbit&) const { return Cursor::hand; }
+    Cursor operator()(const DrawingShape&) const { return Cursor::crosshair; }
+    Cursor operator()(const DraggingGuide&) const { return Cursor::move; }
 };
 
 }  // namespace

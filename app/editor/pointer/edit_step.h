@@ -31,7 +31,8 @@ CanvasMode step_edit(Mode mode, const Gesture& gesture, const Ask& ask, const Cl
         return CanvasIdle{};
     }
     if (!is_move(gesture) && !is_release(gesture)) return mode;
-    mode.has_moved = mode.has_moved || is_drag(gesture.state, mode.press_px, gesture.event.position_px);
+    mode.has_moved =
+        mode.has_moved || is_typed(gesture) || is_drag(gesture.state, mode.press_px, gesture.event.position_px);
     if (mode.has_moved)
         ask(mode, gesture, is_release(gesture) ? Phase::commit : Phase::preview);
     else if (is_release(gesture))

@@ -11,6 +11,10 @@ constexpr double least_drag = 3.0;
 
 }  // namespace
 
+bool is_typed(const Gesture& gesture) {
+    return !(gesture.typed != nullptr ? *gesture.typed : gesture.state.placing.typed).is_empty();
+}
+
 double pixels(const EditorState& state, double design_px) {
     return design_px * state.view.interface_scale;
 }

@@ -15,11 +15,16 @@ struct Gesture {
     const PointerEvent& event;
     const EditorState& state;
     CommandQueue& queue;
+    const TypedPlace* typed = nullptr;           ///< for the place that it is about, where not as in the state
+    std::optional<ShownPlace>* place = nullptr;  ///< is told what place was asked for
 };
 
 inline constexpr double zoom_per_notch = 1.15;  ///< of the wheel
 inline constexpr double pan_per_notch = 60.0;   ///< design pixels
 inline constexpr double snap_reach = 8.0;       ///< design pixels
+
+/// Whether numbers are typed for the place that the gesture is about.
+bool is_typed(const Gesture& gesture);
 
 /// A distance of `design_px` on this display, in pixels.
 double pixels(const EditorState& state, double design_px);

@@ -7,6 +7,7 @@
 
 #include "app/editor/derived/construction_cells.h"
 #include "app/editor/pointer/inset_hit.h"
+#include "app/editor/pointer/snap.h"
 #include "app/editor/pointer/view_handle.h"
 #include "app/editor/pointer/weight_ring.h"
 #include "app/editor/scene/insets.h"
@@ -25,6 +26,7 @@ constexpr double knot = 8.0;
 constexpr double cell = 7.0;
 constexpr double curve = 6.0;
 constexpr double leg = 5.0;
+constexpr double guide = 5.0;
 }  // namespace reach
 
 /// Keeps the nearest of the things offered that are within reach, the first of equally near ones.
@@ -214,6 +216,14 @@ Hover hit_other_curves(const CanvasPointer& pointer) {
     return nearest.found().value_or(HoveredNothing{});
 }
 
+Hover hit_guides(const CanvasPointer& pointer) {
+    Nearest nearest(pointer.px(reach::guide));
+    const auto& guides = pointer.state.shown().guides;
+    for (std::size_t k = 0; k < guides.size(); ++k)
+        nearest.offer(HoveredGuide{k}, pointer.distance_to(nearest_on_guide(guides[k], pointer.world())));
+    return nearest.found().value_or(HoveredNothing{});
+}
+
 }  // namespace
 
 Hover hit_canvas(const EditorState& state, glm::dvec2 position_px) {
@@ -222,7 +232,8 @@ Hover hit_canvas(const EditorState& state, glm::dvec2 position_px) {
     const core::DocumentCurve* active = state.shown().active_curve();
     if (active != nullptr && active->visible)
         if (const auto hit = ActiveCurve(pointer, *state.derived.near_parts(active->curve)).hit()) return *hit;
-    return hit_other_curves(pointer);
+    const Hover other = hit_other_curves(pointer);
+    return std::holds_alternative<HoveredNothing>(other) ? hit_guides(pointer) : other;
 }
 
 }  // namespace batten::editor

@@ -128,6 +128,7 @@ PlotMode step(const PlotIdle& mode, const PlotGesture& gesture) {
         case PointerAction::escape:
         case PointerAction::finish:
         case PointerAction::take_back:
+        case PointerAction::key:
             return mode;
     }
     return mode;

@@ -6,14 +6,55 @@
 #include <limits>
 
 #include "app/editor/pointer/grid_step.h"
+#include "app/editor/pointer/typed_place.h"
 
 namespace batten::editor {
 namespace {
 
 constexpr double pixels_per_half_decade = 100.0;
 
-double grid_step(const EditorState& state) {
-    return minor_grid_step(state.view.camera.scale / state.view.interface_scale);
+/// Where a gesture may go: along one axis from where it began, or everywhere.
+struct Freedom {
+    bool x = true;
+    bool y = true;
+
+    core::Point kept(core::Point start, core::Point target) const {
+        return {x ? target.x : start.x, y ? target.y : start.y};
+    }
+};
+
+/// With Shift only along the axis on which it is farther away.
+Freedom freedom_of(const Gesture& gesture, glm::dvec2 moved) {
+    if (!gesture.event.modifiers.shift) return {};
+    const bool is_horizontal = std::abs(moved.x) >= std::abs(moved.y);
+    return {is_horizontal, !is_horizontal};
+}
+
+const TypedPlace& typed_for(const Gesture& gesture) {
+    return gesture.typed != nullptr ? *gesture.typed : gesture.state.placing.typed;
+}
+
+std::optional<Snap> snap_for(const Gesture& gesture, const SnapQuery& query) {
+    if (gesture.event.modifiers.ctrl) {
+        const core::Point corner = grid_corner(gesture.state, query.place);
+        return Snap{corner, SnapKind::grid, "grid", "Snaps to the grid", {}};
+    }
+    return gesture.event.modifiers.alt ? std::nullopt : snap_at(gesture.state, query);
+}
+
+/// The place for the pointer at `query.place`.
+core::Point placed(const Gesture& gesture, const SnapQuery& query, Freedom freedom) {
+    std::optional<Snap> snap = snap_for(gesture, query);
+    const core::Point start = query.from.value_or(query.place);
+    core::Point position = freedom.kept(start, snap ? snap->position : query.place);
+    const TypedPlace& typed = typed_for(gesture);
+    if (!typed.is_empty()) {
+        const core::Point free = position;
+        position = place_typed(typed, query.from, free).value_or(free);
+        if (position != free) snap.reset();
+    }
+    if (gesture.place != nullptr) *gesture.place = ShownPlace{position, query.from, std::move(snap)};
+    return position;
 }
 
 double exact_offset(double start, double target) {
@@ -26,27 +67,18 @@ double exact_offset(double start, double target) {
 
 }  // namespace
 
-core::Point pointed_at(const Gesture& gesture) {
+core::Point pointed_at(const Gesture& gesture, std::optional<core::Point> from) {
     const core::Point world = world_at_pointer(gesture);
-    if (!gesture.event.modifiers.ctrl) return world;
-    const double step = grid_step(gesture.state);
-    return {rounded_to_step(world.x, step), rounded_to_step(world.y, step)};
+    const Freedom freedom = from ? freedom_of(gesture, glm::dvec2(world - *from)) : Freedom{};
+    return placed(gesture, {.place = freedom.kept(from.value_or(world), world), .from = from}, freedom);
 }
 
-core::Point dragged_position(const Gesture& gesture, core::Point start, glm::dvec2 press_px) {
+core::Point dragged_position(const Gesture& gesture, core::Point start, glm::dvec2 press_px, const Dragged& dragged) {
     const glm::dvec2 moved_px = gesture.event.position_px - press_px;
-    const Modifiers modifiers = gesture.event.modifiers;
-    const bool is_horizontal = std::abs(moved_px.x) >= std::abs(moved_px.y);
-    const bool x_changes = !modifiers.shift || is_horizontal;
-    const bool y_changes = !modifiers.shift || !is_horizontal;
-    const double step = grid_step(gesture.state);
-    const auto placed = [&](double value) { return modifiers.ctrl ? rounded_to_step(value, step) : value; };
-
     const double scale = gesture.state.view.camera.scale;
-    core::Point position = start;
-    if (x_changes) position.x = placed(start.x + moved_px.x / scale);
-    if (y_changes) position.y = placed(start.y - moved_px.y / scale);
-    return position;
+    const Freedom freedom = freedom_of(gesture, moved_px);
+    const core::Point place = freedom.kept(start, {start.x + moved_px.x / scale, start.y - moved_px.y / scale});
+    return placed(gesture, {.place = place, .from = start, .dragged = dragged}, freedom);
 }
 
 core::Vector exact_offset(core::Point start, core::Point target) {

@@ -17,6 +17,7 @@
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/other_curves.h"
+#include "app/editor/scene/place_marks.h"
 #include "app/editor/scene/sketch_scene.h"
 #include "app/editor/scene/span_hulls.h"
 #include "app/editor/scene/views.h"
@@ -39,6 +40,7 @@ std::vector<render::PixelBox> draw_background(CanvasFrame& frame) {
     for (const InsetPlace& inset : inset_places(frame.state)) covered.push_back(inset.box);
     if (const auto cards = floating_cards_box(frame.state)) covered.push_back(*cards);
     for (const render::PixelBox& box : finding_boxes(frame)) covered.push_back(box);
+    draw_guides(frame);
     draw_ghost(frame);
     draw_other_curves(frame);
     return covered;
@@ -114,6 +116,7 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, 
     if (frame.curve != nullptr) draw_insets(frame);
     if (has_legend(state)) draw_legend(frame);
     draw_crowd_notes(frame, notes);
+    draw_place(frame);
     return list;
 }
 

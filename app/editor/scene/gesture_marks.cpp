@@ -49,6 +49,17 @@ struct MarksOf {
         draw_line(frame, seen_curve(frame, kept, stroke), stroke);
     }
 
+    void operator()(const DrawingShape& drawing) const {
+        std::vector<core::Point> points = drawing.points;
+        points.push_back(drawing.next);
+        const std::vector<glm::dvec2> places = frame.screen(points);
+        frame.pen.line(places, {.color = frame.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0});
+        for (const glm::dvec2 place : places)
+            frame.pen.symbol(
+                place,
+                {.radius = 4.0, .fill = frame.theme.canvas, .outline = frame.theme.accent, .outline_width = 2.0});
+    }
+
     template <class Other>
     void operator()(const Other&) const {}
 };

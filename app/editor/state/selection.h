@@ -87,6 +87,10 @@ struct HoveredHodograph {  ///< the inset of a derivative, and a control point o
     std::optional<double> u{};
     bool operator==(const HoveredHodograph&) const = default;
 };
+struct HoveredGuide {  ///< a guide of the document
+    std::size_t index = 0;
+    bool operator==(const HoveredGuide&) const = default;
+};
 
 struct HoveredFitPoint {  ///< a point that the active curve is made to pass
     std::size_t index = 0;
@@ -100,10 +104,10 @@ struct HoveredFitHandle {
     bool operator==(const HoveredFitHandle&) const = default;
 };
 
-using Hover =
-    std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
-                 HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis, HoveredBasisCell,
-                 HoveredHandle, HoveredFarinPoint, HoveredLifted, HoveredHodograph, HoveredFitPoint, HoveredFitHandle>;
+using Hover = std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
+                           HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis,
+                           HoveredBasisCell, HoveredHandle, HoveredFarinPoint, HoveredLifted, HoveredHodograph,
+                           HoveredFitPoint, HoveredFitHandle, HoveredGuide>;
 
 /// The parameter of the active curve that the pointer is on, on the curve itself or in an inset; none elsewhere.
 std::optional<double> hovered_u(const Hover& hover);

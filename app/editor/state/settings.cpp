@@ -103,6 +103,23 @@ void read_paths(const Json& list, std::vector<fs::path>& paths) {
     }
 }
 
+void read_snap(const Json& object, SnapSettings& snap) {
+    if (!object.is_object()) return;
+    read(object, "angle_step", snap.angle_step, {least_angle_step, greatest_angle_step});
+    for (const core::Named<SnapKind>& kind : core::Names<SnapKind>::table) {
+        bool on = snap.kinds.has(kind.value);
+        read(object, kind.name, on);
+        snap.kinds.set(kind.value, on);
+    }
+}
+
+Json json_of(const SnapSettings& snap) {
+    Json json = Json::object();
+    for (const core::Named<SnapKind>& kind : core::Names<SnapKind>::table) json[kind.name] = snap.kinds.has(kind.value);
+    json["angle_step"] = snap.angle_step;
+    return json;
+}
+
 Json json_of(const std::vector<fs::path>& paths) {
     Json list = Json::array();
     for (const fs::path& path : paths) list.push_back(path.string());
@@ -127,6 +144,7 @@ Settings parse_settings(const std::string& text) {
     read_overlays(member(json, "overlays"), settings.overlays);
     read_notation(member(json, "notation"), settings.notation);
     read_named(json, "knot_move", settings.knot_move);
+    read_snap(member(json, "snap"), settings.snap);
     read(json, "inspector_is_open", settings.inspector_is_open);
     read(json, "dock_is_open", settings.dock_is_open);
     read(json, "inspector_width", settings.inspector_width, inspector_widths);
@@ -144,6 +162,7 @@ std::string format_settings(const Settings& settings) {
     json["overlays"] = json_of(settings.overlays);
     json["notation"] = names_of(settings.notation);
     json["knot_move"] = core::name_of(settings.knot_move);
+    json["snap"] = json_of(settings.snap);
     json["inspector_is_open"] = settings.inspector_is_open;
     json["dock_is_open"] = settings.dock_is_open;
     json["inspector_width"] = settings.inspector_width;
@@ -160,6 +179,7 @@ Settings settings_of(const EditorState& state) {
             .overlays = view.overlays,
             .notation = view.usual_notation,
             .knot_move = view.knot_move,
+            .snap = view.snap,
             .inspector_is_open = view.inspector_is_open,
             .dock_is_open = view.dock_is_open,
             .inspector_width = view.inspector_width,
@@ -177,6 +197,7 @@ void apply_settings(EditorState& state, const Settings& settings) {
     view.usual_notation = settings.notation;
     view.cards_width = settings.cards_width;
     view.knot_move = settings.knot_move;
+    view.snap = settings.snap;
     view.inspector_is_open = settings.inspector_is_open;
     view.dock_is_open = settings.dock_is_open;
     view.inspector_width = settings.inspector_width;

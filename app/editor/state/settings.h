@@ -28,6 +28,7 @@ struct Settings {
     Overlays overlays;
     Notation notation;
     core::KnotMove knot_move = core::KnotMove::snap;
+    SnapSettings snap;
     bool inspector_is_open = true;
     bool dock_is_open = true;
     double inspector_width = 340.0;

@@ -18,6 +18,7 @@
 #include "app/editor/state/findings.h"
 #include "app/editor/state/history.h"
 #include "app/editor/state/nudge_burst.h"
+#include "app/editor/state/placing.h"
 #include "app/editor/state/selection.h"
 #include "app/editor/state/view.h"
 #include "core/base/names.h"
@@ -97,6 +98,7 @@ struct EditorState {
     std::optional<NudgeBurst> burst;           ///< the last step, where it is nudges and nothing was done since
     std::optional<double> now;                 ///< seconds on the clock of the desktop; none where nobody tells it
     Hover hover;
+    Placing placing;
     View view;
     std::optional<KnotQuiz> quiz;  ///< on knot vectors, while one is under way
     Tool tool = Tool::select;

@@ -8,8 +8,10 @@
 #include "app/editor/state/notation.h"
 #include "app/editor/state/overlay.h"
 #include "app/editor/state/pen_mode.h"
+#include "app/editor/state/shape_kind.h"
 #include "app/editor/state/shape_view.h"
 #include "app/editor/state/shown_map.h"
+#include "app/editor/state/snap_kind.h"
 #include "app/editor/state/theme.h"
 #include "core/base/geometry.h"
 #include "core/base/names.h"
@@ -19,9 +21,9 @@
 namespace batten::editor {
 
 /// What a press on the canvas does.
-enum class Tool { select, add_point, insert_knot, weight, draw_curve, parameter };
-inline constexpr std::array all_tools{Tool::select, Tool::add_point,  Tool::insert_knot,
-                                      Tool::weight, Tool::draw_curve, Tool::parameter};
+enum class Tool { select, add_point, insert_knot, weight, draw_curve, parameter, shape };
+inline constexpr std::array all_tools{Tool::select,     Tool::add_point, Tool::insert_knot, Tool::weight,
+                                      Tool::draw_curve, Tool::parameter, Tool::shape};
 
 /// The parameter running by itself: t seconds move it by direction * speed * t / 5 of the domain's length. At an end it
 /// turns, or jumps to the other end, and goes on by what is left of the way.
@@ -81,6 +83,9 @@ struct View {
     std::bitset<5> hidden_answers;             ///< to the questions about knots, by KnotQuestion
     core::KnotMove knot_move = core::KnotMove::snap;
     PenMode pen_mode = PenMode::control_points;
+    SnapSettings snap;
+    ShapeKind shape_kind = ShapeKind::line;  ///< what the shape tool draws
+    std::size_t polygon_sides = 6;           ///< of its polygons
     ThemeName theme = ThemeName::dark;
     double interface_scale = 1.0;  ///< pixels of the window per design pixel, from display and user together
     double user_scale = 1.0;       ///< the user's part of it, within user_scales
@@ -111,7 +116,8 @@ struct Names<editor::Tool> {
                                       Named{insert_knot, "insert-knot", "insert knots"},
                                       Named{weight, "weight", "change weights"},
                                       Named{draw_curve, "draw-curve", "draw a curve"},
-                                      Named{parameter, "parameter", "move the parameter"}};
+                                      Named{parameter, "parameter", "move the parameter"},
+                                      Named{shape, "shape", "draw a shape"}};
 };
 
 }  // namespace batten::core

@@ -75,6 +75,11 @@ struct Apply {
     void operator()(const SetHover& change) const {
         state.hover = is_in(change.hover, state.shown()) ? change.hover : Hover(HoveredNothing{});
     }
+    void operator()(const ShowPlace& change) const {
+        state.placing.place = change.place;
+        if (!change.place) state.placing.typed = {};
+    }
+    void operator()(const TypePlace& change) const { state.placing.typed = change.typed; }
     void operator()(const PanCamera& change) const {
         state.view.camera = render::panned(state.view.camera, change.offset_px);
     }

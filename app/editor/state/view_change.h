@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "app/editor/state/placing.h"
 #include "app/editor/state/selection.h"
 #include "app/editor/state/view.h"
 #include "core/base/geometry.h"
@@ -18,6 +19,16 @@ struct EditorState;
 /// The pointer is over something; over nothing where the shown curve does not have it.
 struct SetHover {
     Hover hover;
+};
+
+/// A gesture puts something there; none: it is over, and what was typed for it is gone.
+struct ShowPlace {
+    std::optional<ShownPlace> place;
+};
+
+/// This is typed for the place of a gesture.
+struct TypePlace {
+    TypedPlace typed;
 };
 
 struct PanCamera {
@@ -99,9 +110,9 @@ struct ShowForm {
     const CommandSpec* spec;
 };
 
-using ViewChange = std::variant<SetHover, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend, SetInterfaceScale,
-                                SetInspectorWidth, SetCardsWidth, SetDockHeight, SetPlotRange, SetCombFactor,
-                                SetProbeLine, TurnOrbit, Advance, TellTime, ShowRefusal, ShowForm>;
+using ViewChange = std::variant<SetHover, ShowPlace, TypePlace, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend,
+                                SetInterfaceScale, SetInspectorWidth, SetCardsWidth, SetDockHeight, SetPlotRange,
+                                SetCombFactor, SetProbeLine, TurnOrbit, Advance, TellTime, ShowRefusal, ShowForm>;
 
 /// Makes the change; sizes are brought into their ranges.
 void apply(EditorState& state, const ViewChange& change);

@@ -40,15 +40,14 @@ struct Last {
 template <class T>
 class Names : public ::testing::Test {};
 
-using Enumerations =
-    ::testing::Types<Last<core::KnotKind::custom>, Last<core::Side::right>, Last<core::CurveEnd::end>,
-                     Last<core::KnotMove::snap>, Last<core::Parametrization::centripetal>,
-                     Last<core::CirclePolygon::triangle>, Last<core::JoinContinuity::g2>, Last<core::Closing::periodic>,
-                     Last<core::ConicType::hyperbola>, Last<core::ContactKind::ending>, Last<ShapeEffect::changes>,
-                     Last<CommandGroup::gesture>, Last<Dialog::at_work>, Last<Overlay::quiz>, Last<Tool::parameter>,
-                     Last<ThemeName::light>, Last<CurveEnds::both>, Last<Escapable::presentation>,
-                     Last<UnsavedAnswer::cancel>, Last<Cursor::text>, Last<MapTarget::all>, Last<ShearAxis::y>,
-                     Last<KnotQuestion::continuity>, Last<ShownMapKind::project>>;
+using Enumerations = ::testing::Types<
+    Last<core::KnotKind::custom>, Last<core::Side::right>, Last<core::CurveEnd::end>, Last<core::KnotMove::snap>,
+    Last<core::Parametrization::centripetal>, Last<core::CirclePolygon::triangle>, Last<core::JoinContinuity::g2>,
+    Last<core::Closing::periodic>, Last<core::ConicType::hyperbola>, Last<core::ContactKind::ending>,
+    Last<ShapeEffect::changes>, Last<CommandGroup::gesture>, Last<Dialog::at_work>, Last<Overlay::quiz>,
+    Last<Tool::shape>, Last<SnapKind::angles>, Last<ShapeKind::conic>, Last<ThemeName::light>, Last<CurveEnds::both>,
+    Last<Escapable::presentation>, Last<UnsavedAnswer::cancel>, Last<Cursor::text>, Last<MapTarget::all>,
+    Last<ShearAxis::y>, Last<KnotQuestion::continuity>, Last<ShownMapKind::project>>;
 TYPED_TEST_SUITE(Names, Enumerations);
 
 TYPED_TEST(Names, of_an_enumeration_are_complete_and_differ) {

@@ -1,0 +1,19 @@
+/// How modes with sources of their own begin and go on.
+#pragma once
+
+#include "app/editor/pointer/canvas_mode.h"
+#include "app/editor/pointer/gesture.h"
+
+namespace batten::editor {
+
+/// Zooms or pans as the wheel is turned.
+void turn_canvas_wheel(const Gesture& gesture);
+
+CanvasMode begin_guide_drag(const Gesture& gesture, std::size_t index);
+CanvasMode step(const DraggingGuide& mode, const Gesture& gesture);
+
+/// The shape tool's first place.
+CanvasMode begin_shape(const Gesture& gesture);
+CanvasMode step(const DrawingShape& mode, const Gesture& gesture);
+
+}  // namespace batten::editor

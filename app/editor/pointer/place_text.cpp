@@ -1,0 +1,66 @@
+#include "app/editor/pointer/place_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/editor/pointer/typed_place.h"
+#include "app/editor/words/formula.h"
+#include "core/base/sentence.h"
+
+namespace batten::editor {
+namespace {
+
+using core::sentence;
+
+/// A coordinate or length with a tenth of a pixel as its last digit, or near that.
+std::string length_text(const EditorState& state, double value) {
+    constexpr int least_digits = 3;
+    constexpr int most_digits = 15;
+    const double tenths = std::abs(value) * state.view.camera.scale * 10.0;
+    const double digits = tenths > 1.0 && std::isfinite(tenths) ? std::ceil(std::log10(tenths)) : 0.0;
+    return number_text(value, std::clamp(static_cast<int>(digits), least_digits, most_digits));
+}
+
+std::string angle_text(core::Vector way) {
+    constexpr double half_turn = 180.0;
+    return number_text(std::atan2(way.y, way.x) * half_turn / std::numbers::pi);
+}
+
+std::string with_caret(const TypedPlace& typed, std::size_t field) {
+    return typed.active == field ? sentence("{text}|", {{"text", typed.texts[field]}}) : typed.texts[field];
+}
+
+}  // namespace
+
+std::string reading_of(const EditorState& state, const ShownPlace& place) {
+    if (!place.from)
+        return sentence("x {x} · y {y}",
+                        {{"x", length_text(state, place.position.x)}, {"y", length_text(state, place.position.y)}});
+    const core::Vector way = place.position - *place.from;
+    return sentence("{length} ∠ {angle}° · dx {dx} · dy {dy}",
+                    {{"length", length_text(state, core::robust_length(way))},
+                     {"angle", angle_text(way)},
+                     {"dx", length_text(state, way.x)},
+                     {"dy", length_text(state, way.y)}});
+}
+
+std::string typed_reading(const TypedPlace& typed) {
+    if (typed.is_empty()) return {};
+    const bool is_whole = typed.active == 0 && typed.texts[1].empty();
+    const bool names_itself = typed.texts[0].find_first_of("@<,;") != std::string::npos;
+    if (is_whole && names_itself) return with_caret(typed, 0);
+    return sentence("{first_name} {first} · {second_name} {second}", {{"first_name", title_of_field(typed, 0)},
+                                                                      {"first", with_caret(typed, 0)},
+                                                                      {"second_name", title_of_field(typed, 1)},
+                                                                      {"second", with_caret(typed, 1)}});
+}
+
+std::string typed_problem(const Placing& placing) {
+    if (placing.typed.is_empty()) return {};
+    const core::Point anywhere = placing.place ? placing.place->position : core::Point(0.0, 0.0);
+    const auto place = place_typed(placing.typed, placing.place ? placing.place->from : std::nullopt, anywhere);
+    return place ? std::string() : place.error();
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,153 @@
+#include "app/editor/pointer/typed_place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "app/editor/fields/expression.h"
+#include "app/editor/pointer/snap.h"
+#include "app/editor/words/ascii.h"
+
+namespace batten::editor {
+namespace {
+
+constexpr std::size_t longest_text = 60;
+constexpr std::u32string_view first_characters = U"0123456789+-.(@<\u2212";
+
+enum class Frame { polar, offsets, absolute };
+
+/// The expressions that were typed; an empty one leaves its number to the pointer.
+struct Expressions {
+    Frame frame = Frame::polar;
+    std::string_view first;
+    std::string_view second;
+};
+
+Expressions divided(std::string_view text, std::size_t at, Frame frame) {
+    return {frame, trimmed(text.substr(0, at)), trimmed(text.substr(at + 1))};
+}
+
+Expressions expressions_of_text(std::string_view text, Frame frame) {
+    const bool is_relative = text.starts_with('@');
+    if (is_relative) text.remove_prefix(1);
+    if (const std::size_t at = find_outside_parentheses(text, "<"); at != std::string_view::npos)
+        return divided(text, at, Frame::polar);
+    for (const char* separator : {";", ","})
+        if (const std::size_t at = find_outside_parentheses(text, separator); at != std::string_view::npos)
+            return divided(text, at, is_relative ? Frame::offsets : Frame::absolute);
+    return {is_relative ? Frame::offsets : frame, trimmed(text), {}};
+}
+
+Expressions expressions_of(const TypedPlace& typed) {
+    const Frame frame = typed.has_offsets ? Frame::offsets : Frame::polar;
+    if (typed.active == 0 && typed.texts[1].empty()) return expressions_of_text(typed.texts[0], frame);
+    return {frame, trimmed(typed.texts[0]), trimmed(typed.texts[1])};
+}
+
+Outcome<std::optional<double>> number_of(std::string_view text, ExpressionUnit unit) {
+    if (text.empty()) return std::nullopt;
+    const auto value = parse_expression(text, unit);
+    if (!value) return tl::make_unexpected(value.error());
+    return *value;
+}
+
+core::Point polar_place(core::Point from, std::optional<double> length, std::optional<double> angle,
+                        core::Point pointed) {
+    const core::Vector way = pointed - from;
+    if (angle) {
+        const core::Vector along = direction_of(*angle);
+        return from + length.value_or(core::dot(way, along)) * along;
+    }
+    const double present = core::robust_length(way);
+    // Where the pointer shows no direction it is to the right.
+    return present > 0.0 ? from + *length * (way / present) : core::Point(from.x + *length, from.y);
+}
+
+core::Point place_of(Frame frame, std::optional<double> first, std::optional<double> second, core::Point from,
+                     core::Point pointed) {
+    if (frame == Frame::polar) return polar_place(from, first, second, pointed);
+    const core::Vector origin = frame == Frame::offsets ? core::vector_to(from) : core::Vector(0.0, 0.0);
+    return {first ? origin.x + *first : pointed.x, second ? origin.y + *second : pointed.y};
+}
+
+/// As it stands in an expression; a typographic minus is as good as any.
+std::string_view utf8_of(char32_t character) {
+    if (character == U'\u03c0') return "π";
+    if (character == U'\u2212') return "−";
+    return "°";
+}
+
+std::string with_character(std::string text, char32_t character) {
+    constexpr char32_t last_ascii = 0x7f;
+    if (character < last_ascii) return text.append(1, static_cast<char>(character));
+    return text.append(utf8_of(character));
+}
+
+bool can_be_in_expression(char32_t character) {
+    constexpr std::u32string_view others = U"\u03c0\u2212\u00b0";
+    constexpr char32_t last_ascii = 0x7e;
+    return (character >= U' ' && character <= last_ascii) || others.find(character) != std::u32string_view::npos;
+}
+
+}  // namespace
+
+std::optional<TypedPlace> typed_character(TypedPlace typed, char32_t character) {
+    std::string& text = typed.texts[typed.active];
+    const bool is_first = typed.texts[0].empty() && typed.texts[1].empty();
+    if (is_first && (character == U'x' || character == U'y')) {
+        typed.has_offsets = true;
+        typed.active = character == U'y' ? 1 : 0;
+        return typed;
+    }
+    const bool begins = first_characters.find(character) != std::u32string_view::npos;
+    if (typed.is_empty() ? !begins : !can_be_in_expression(character)) return std::nullopt;
+    if (text.size() < longest_text) text = with_character(std::move(text), character);
+    return typed;
+}
+
+std::optional<TypedPlace> typed_key(TypedPlace typed, Key key) {
+    if (typed.is_empty()) return std::nullopt;
+    if (key == Key::tab) {
+        typed.active = 1 - typed.active;
+        return typed;
+    }
+    if (key != Key::backspace) return std::nullopt;
+    std::string& text = typed.texts[typed.active];
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.pop_back();
+    if (!text.empty()) {
+        text.pop_back();
+        if (typed.texts[0].empty() && typed.texts[1].empty() && !typed.has_offsets) typed = {};
+        return typed;
+    }
+    typed.active = 0;
+    typed.has_offsets = typed.has_offsets && !typed.texts[0].empty();
+    return typed;
+}
+
+Outcome<core::Point> place_typed(const TypedPlace& typed, std::optional<core::Point> from, core::Point pointed) {
+    const Expressions expressions = expressions_of(typed);
+    const bool is_polar = expressions.frame == Frame::polar;
+    const auto first = number_of(expressions.first, ExpressionUnit::number);
+    if (!first) return tl::make_unexpected(first.error());
+    const auto second = number_of(expressions.second, is_polar ? ExpressionUnit::degrees : ExpressionUnit::number);
+    if (!second) return tl::make_unexpected(second.error());
+    if (!*first && !*second) return pointed;
+    const core::Point place =
+        place_of(expressions.frame, *first, *second, from.value_or(core::Point(0.0, 0.0)), pointed);
+    if (!core::is_finite(place)) return tl::make_unexpected("the place is too far away for a number");
+    return place;
+}
+
+std::optional<double> typed_length(const TypedPlace& typed) {
+    const Expressions expressions = expressions_of(typed);
+    if (expressions.frame != Frame::polar || expressions.first.empty()) return std::nullopt;
+    const auto length = parse_expression(expressions.first);
+    return length ? std::optional(*length) : std::nullopt;
+}
+
+const char* title_of_field(const TypedPlace& typed, std::size_t field) {
+    if (typed.has_offsets) return field == 0 ? "dx" : "dy";
+    return field == 0 ? "length" : "angle";
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,313 @@
+#include "app/editor/pointer/placing_step.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/editor/command_spec.h"
+#include "app/editor/commands/making_commands.h"
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/snap_commands.h"
+#include "app/editor/commands/tool_commands.h"
+#include "core/evaluate/evaluate.h"
+#include "core/measure/area.h"
+#include "tests/editor/canvas_fixture.h"
+
+namespace batten::editor {
+namespace {
+
+using test::px;
+
+class Placed : public test::CanvasFixture {
+  protected:
+    /// Types at a place; '\t', '\b' and '\n' are Tab, Backspace and Enter.
+    void type(const std::u32string& text, glm::dvec2 at) {
+        for (const char32_t c : text) {
+            PointerEvent event;
+            event.action = PointerAction::key;
+            event.position_px = at;
+            if (c == U'\t')
+                event.key = Key::tab;
+            else if (c == U'\b')
+                event.key = Key::backspace;
+            else if (c == U'\n')
+                event.key = Key::enter;
+            else
+                event.character = c;
+            pointer.send(event);
+        }
+    }
+    const std::optional<ShownPlace>& place() const { return state().placing.place; }
+    std::string hint() const { return canvas_hint(pointer.mode(), state()); }
+    const core::Document& document() const { return state().history.present(); }
+    void expect_point(std::size_t i, core::Point wanted) const {
+        EXPECT_LE(core::distance(point(i), wanted), 1e-15 * (1.0 + core::length(core::vector_to(wanted))))
+            << point(i).x << ", " << point(i).y;
+    }
+};
+
+TEST_F(Placed, a_dragged_point_snaps_to_another_and_tells_it) {
+    pointer.press(px(-2, 2));
+    pointer.move(px(1.95, 1.93));
+    ASSERT_TRUE(place() && place()->snap);
+    EXPECT_EQ(place()->position, core::Point(2, 2));
+    EXPECT_EQ(place()->from, core::Point(-2, 2));
+    EXPECT_EQ(hint(),
+              "Snaps to P₃ · Alt lets go · P₁ at (2.000, 2.000) · Ctrl snaps to the grid · Shift keeps to an "
+              "axis · Escape restores");
+    pointer.modifiers = test::alt;
+    pointer.move(px(1.95, 1.93));
+    EXPECT_FALSE(place()->snap);
+    EXPECT_NEAR(place()->position.x, 1.95, 1e-12);
+    pointer.modifiers = {};
+    pointer.release(px(1.95, 1.93));
+    EXPECT_EQ(point(1), core::Point(2, 2));
+    EXPECT_EQ(steps(), 1U);
+    EXPECT_FALSE(place());
+}
+
+TEST_F(Placed, with_shift_a_snap_aligns) {
+    pointer.press(px(-2, 2));
+    pointer.modifiers = test::shift;
+    pointer.move(px(1.95, 1.5));
+    pointer.release(px(1.95, 1.5));
+    EXPECT_EQ(point(1), core::Point(2, 2));
+    pointer.modifiers = {};
+    pointer.press(px(0, -2));
+    pointer.modifiers = test::shift;
+    pointer.move(px(0.5, -2.05));
+    pointer.release(px(0.5, -2.05));
+    EXPECT_EQ(point(2), core::Point(0.5, -2));
+}
+
+// The second point of the zigzag is at (-2, 2).
+TEST_F(Placed, digits_set_length_and_angle_of_a_drag) {
+    pointer.press(px(-2, 2));
+    pointer.move(px(-1, 2.3));
+    type(U"12.5\t30", px(-1, 2.3));
+    const core::Point wanted{-2 + 12.5 * std::sqrt(0.75), 2 + 6.25};
+    EXPECT_LE(core::distance(state().active_curve()->control_points()[1], wanted), 1e-14);
+    EXPECT_EQ(steps(), 0U);
+    type(U"\n", px(-1, 2.3));
+    expect_point(1, wanted);
+    EXPECT_EQ(steps(), 1U);
+    EXPECT_TRUE(is_in<CanvasIdle>());
+    EXPECT_TRUE(state().placing.typed.is_empty());
+    pointer.release(px(-1, 2.3));
+    EXPECT_EQ(steps(), 1U);
+}
+
+TEST_F(Placed, digits_need_no_movement_and_one_number_binds_one_direction) {
+    pointer.press(px(-2, 2));
+    type(U"x3", px(-2, 2));
+    expect_point(1, {-2, 2});
+    EXPECT_EQ(state().active_curve()->control_points()[1], core::Point(1, 2));
+    pointer.move(px(0, 2.5));
+    EXPECT_EQ(state().active_curve()->control_points()[1], core::Point(1, 2.5));
+    pointer.release(px(0, 2.5));
+    EXPECT_EQ(point(1), core::Point(1, 2.5));
+    EXPECT_EQ(steps(), 1U);
+}
+
+TEST_F(Placed, escape_drops_the_numbers_first_and_backspace_edits_them) {
+    pointer.press(px(-2, 2));
+    pointer.move(px(-1, 2));
+    type(U"57\b", px(-1, 2));
+    EXPECT_EQ(state().active_curve()->control_points()[1], core::Point(3, 2));
+    pointer.escape(px(-1, 2));
+    EXPECT_TRUE(state().placing.typed.is_empty());
+    EXPECT_EQ(state().active_curve()->control_points()[1], core::Point(-1, 2));
+    pointer.escape(px(-1, 2));
+    EXPECT_TRUE(is_in<CanvasIdle>());
+    EXPECT_EQ(point(1), core::Point(-2, 2));
+    EXPECT_FALSE(state().preview);
+}
+
+TEST_F(Placed, what_cannot_be_read_is_refused_at_enter_and_the_drag_goes_on) {
+    pointer.press(px(-2, 2));
+    pointer.move(px(-1, 2));
+    type(U"5+\n", px(-1, 2));
+    EXPECT_EQ(state().message.text, "a number is missing at the end");
+    EXPECT_TRUE(is_in<DraggingPoints>());
+    type(U"1\n", px(-1, 2));
+    expect_point(1, {4, 2});
+}
+
+// C(1.5) = (0, -1).
+TEST_F(Placed, the_curve_is_dragged_by_numbers) {
+    pointer.press(px(0, -1));
+    ASSERT_TRUE(is_in<DraggingParameter>());  // C(u) lies there
+    pointer.escape(px(0, -1));
+    editor.run(SetParameter{.u = 0.0});
+    pointer.press(px(0, -1));
+    type(U"@0.5,-2\n", px(0, -1));
+    const core::Point moved = core::point_at(test::committed(editor), 1.5);
+    EXPECT_LE(core::distance(moved, {0.5, -3}), 1e-14);
+}
+
+TEST_F(Placed, the_next_point_of_a_drawing_is_typed) {
+    editor.run(SetTool{.tool = Tool::draw_curve});
+    pointer.move(px(0, 0));
+    type(U"3,4\n", px(0, 0));
+    type(U"@10,5\n", px(0, 0));
+    type(U"10<90\n", px(0, 0));
+    pointer.move(px(-5, 0));
+    type(U"4<0\n", px(-5, 0));
+    ASSERT_TRUE(is_in<DrawingCurve>());
+    const auto& points = std::get<DrawingCurve>(pointer.mode()).points;
+    EXPECT_EQ(points, (std::vector<core::Point>{{3, 4}, {13, 9}, {13, 19}, {17, 19}}));
+}
+
+TEST_F(Placed, tools_that_put_points_show_where) {
+    editor.run(SetTool{.tool = Tool::add_point});
+    pointer.move(px(-3.95, -1.95));
+    ASSERT_TRUE(place() && place()->snap);
+    EXPECT_EQ(place()->snap->label, "P₀");
+    EXPECT_FALSE(place()->from);
+    pointer.send(PointerAction::leave, px(-3.95, -1.95));
+    EXPECT_FALSE(place());
+}
+
+TEST_F(Placed, a_guide_is_dragged_and_typed) {
+    editor.run(AddGuide{.position = {0.0, 4.0}, .angle = 0.0});
+    pointer.move(px(5, 4.03));
+    EXPECT_EQ(state().hover, Hover(HoveredGuide{0}));
+    pointer.drag(px(5, 4), px(5, 5.25));
+    EXPECT_EQ(document().guides[0].point, core::Point(0, 5.25));
+    pointer.press(px(5, 5.25));
+    type(U"y-2.25\n", px(5, 5.25));
+    EXPECT_EQ(document().guides[0].point.y, 3.0);
+    EXPECT_EQ(document().guides[0].angle, 0.0);
+    editor.run(RemoveGuide{.index = 0});
+    EXPECT_TRUE(document().guides.empty());
+}
+
+class Shapes : public Placed {
+  protected:
+    void draw(ShapeKind kind) { editor.run(Command(draw_shape_spec(kind), draw_shape_spec(kind).run.make())); }
+    const core::DocumentCurve& last() const { return document().curves.back(); }
+    core::Point at(double u) const { return core::point_at(*last().curve, u); }
+    void expect_at(double u, core::Point wanted) const {
+        EXPECT_LE(core::distance(at(u), wanted), 1e-14) << at(u).x << ", " << at(u).y;
+    }
+    /// Whether all of the last curve is as far from `center`.
+    void expect_round(core::Point center, double radius) const {
+        for (double u = 0.0; u <= 1.0; u += 0.0625) EXPECT_NEAR(core::distance(at(u), center), radius, 1e-14 * radius);
+    }
+};
+
+TEST_F(Shapes, a_line_by_clicks_and_numbers_is_one_step) {
+    draw(ShapeKind::line);
+    EXPECT_EQ(state().tool, Tool::shape);
+    pointer.click(px(-6, 3));
+    pointer.move(px(-5, 3));
+    EXPECT_EQ(state().shown().curves.size(), 2U);  // previewed
+    type(U"12.5\t30\n", px(-5, 3));
+    EXPECT_EQ(last().name, "line");
+    expect_at(1.0, {-6 + 12.5 * std::sqrt(0.75), 9.25});
+    EXPECT_EQ(steps(), 1U);
+    EXPECT_TRUE(is_in<CanvasIdle>());
+    EXPECT_EQ(state().tool, Tool::shape);
+}
+
+TEST_F(Shapes, a_circle_has_the_radius_that_was_typed_to_the_last_bit) {
+    draw(ShapeKind::circle);
+    pointer.move(px(0, 0));
+    type(U"0.1,0.7\n", px(0, 0));
+    pointer.move(px(3, 3));
+    type(U"1.3\n", px(3, 3));
+    ASSERT_EQ(document().curves.size(), 2U);
+    EXPECT_EQ(last().curve->control_points()[0], core::Point(0.1 + 1.3, 0.7));
+    expect_round({0.1, 0.7}, 1.3);
+}
+
+TEST_F(Shapes, arcs_go_the_way_that_the_pointer_went) {
+    draw(ShapeKind::arc);
+    pointer.click(px(0, 0));
+    pointer.click(px(3, 0));
+    pointer.move(px(2, -2));
+    pointer.move(px(0, -3));
+    pointer.move(px(-2, -2));
+    pointer.click(px(-3, 0));
+    expect_round({0, 0}, 3);
+    expect_at(0.0, {3, 0});
+    expect_at(0.5, {0, -3});
+    expect_at(1.0, {-3, 0});
+    pointer.click(px(0, 0));
+    pointer.click(px(3, 0));
+    pointer.move(px(2, 2));
+    type(U"<90\n", px(2, 2));
+    expect_at(0.5, {3 * std::sqrt(0.5), 3 * std::sqrt(0.5)});
+    expect_at(1.0, {0, 3});
+}
+
+TEST_F(Shapes, through_three_points) {
+    draw(ShapeKind::arc_through_points);
+    pointer.click(px(3, 0));
+    pointer.click(px(0, 3));
+    pointer.click(px(0, -3));
+    expect_round({0, 0}, 3);
+    expect_at(0.0, {3, 0});
+    expect_at(1.0, {0, 3});
+    expect_at(0.5, {-3 * std::sqrt(0.5), -3 * std::sqrt(0.5)});
+    draw(ShapeKind::circle_through_points);
+    pointer.click(px(5, 1));
+    pointer.click(px(1, 5));
+    pointer.click(px(-3, 1));
+    expect_round({1, 1}, 4);
+    draw(ShapeKind::circle_through_points);
+    pointer.click(px(-5, 3));
+    pointer.click(px(0, 3));
+    pointer.click(px(5, 3));
+    EXPECT_EQ(state().message.text, "the three places lie on one line, so no circle passes through them");
+    EXPECT_TRUE(is_in<DrawingShape>());
+    pointer.escape(px(5, 3));
+    EXPECT_TRUE(is_in<CanvasIdle>());
+}
+
+TEST_F(Shapes, rectangles_polygons_ellipses_and_conics) {
+    draw(ShapeKind::rectangle);
+    pointer.click(px(-5, 3));
+    type(U"x4\t-2.5\n", px(-4, 4));
+    EXPECT_NEAR(std::abs(core::enclosed_area(*last().curve)->signed_area), 10.0, 1e-14);
+    EXPECT_TRUE(last().curve->is_periodic());
+    pointer.click(px(1, 3));
+    pointer.modifiers = test::shift;
+    pointer.move(px(3, 4));
+    pointer.click(px(3, 4));
+    pointer.modifiers = {};
+    EXPECT_EQ(last().curve->control_points()[2], core::Point(3, 5));
+    editor.run(SetPolygonSides{.sides = 4});
+    draw(ShapeKind::polygon);
+    pointer.click(px(0, 0));
+    type(U"3<0\n", px(1, 1));
+    EXPECT_EQ(last().curve->control_points()[0], core::Point(3, 0));
+    EXPECT_EQ(last().curve->control_points().size(), 4U);
+    draw(ShapeKind::ellipse);
+    pointer.click(px(0, 0));
+    pointer.click(px(0, 3));
+    pointer.click(px(2, 1));
+    expect_at(0.0, {0, 3});
+    expect_at(0.25, {-2, 0});
+    draw(ShapeKind::conic);
+    pointer.click(px(-4, 0));
+    pointer.click(px(4, 0));
+    pointer.click(px(0, 4));
+    pointer.click(px(0, 2));
+    expect_at(0.5, {0, 2});
+    EXPECT_NEAR(last().curve->weights()[1], 1.0, 1e-15);
+}
+
+TEST_F(Shapes, are_given_up_with_the_tool) {
+    draw(ShapeKind::circle);
+    pointer.click(px(0, 0));
+    pointer.move(px(1, 1));
+    ASSERT_TRUE(state().preview);
+    editor.run(SetTool{.tool = Tool::select});
+    pointer.move(px(1, 1));
+    EXPECT_TRUE(is_in<CanvasIdle>());
+    EXPECT_EQ(document().curves.size(), 1U);
+}
+
+}  // namespace
+}  // namespace batten::editor

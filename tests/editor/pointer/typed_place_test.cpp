@@ -1,0 +1,99 @@
+#include "app/editor/pointer/typed_place.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/editor/pointer/place_text.h"
+
+namespace batten::editor {
+namespace {
+
+/// Types characters; '\t' and '\b' are Tab and Backspace.
+TypedPlace typed(const std::u32string& text) {
+    TypedPlace place;
+    for (const char32_t c : text) {
+        const auto next = c == U'\t'   ? typed_key(place, Key::tab)
+                          : c == U'\b' ? typed_key(place, Key::backspace)
+                                       : typed_character(place, c);
+        if (next) place = *next;
+    }
+    return place;
+}
+
+void expect_place(const std::u32string& text, core::Point wanted, std::optional<core::Point> from = core::Point(1, 2),
+                  core::Point pointed = {4, 6}) {
+    const auto place = place_typed(typed(text), from, pointed);
+    ASSERT_TRUE(place) << place.error();
+    EXPECT_LE(core::distance(*place, wanted), 1e-15 * (1.0 + std::abs(wanted.x) + std::abs(wanted.y)))
+        << place->x << ", " << place->y;
+}
+
+// The pointer is at 5 units in the direction (3, 4).
+TEST(TypedPlace, is_length_and_angle_from_the_start) {
+    expect_place(U"10", {7, 10});
+    expect_place(U"12.5\t30", {1 + 12.5 * std::sqrt(0.75), 8.25});
+    expect_place(U"12,5\t90", {1, 14.5});
+    expect_place(U"2\t-90", {1, 0});
+    expect_place(U"<90", {1, 6});
+    expect_place(U"<0", {4, 2});
+    expect_place(U"<180", {4, 2});
+    expect_place(U"10<45", {1 + std::sqrt(50.0), 2 + std::sqrt(50.0)});
+    expect_place(U"@10<45", {1 + std::sqrt(50.0), 2 + std::sqrt(50.0)});
+    expect_place(U"(sqrt(2))<45 deg", {2, 3});
+    expect_place(U"2*sin(30 deg)<pi rad", {0, 2});
+}
+
+TEST(TypedPlace, is_dx_and_dy_after_x_or_y) {
+    expect_place(U"x10", {11, 6});
+    expect_place(U"y-3", {4, -1});
+    expect_place(U"x1/3\t2", {4.0 / 3.0, 4});
+    expect_place(U"@10,5", {11, 7});
+    expect_place(U"@10;0,5", {11, 2.5});
+    expect_place(U"@10", {11, 6});
+    expect_place(U"@,5", {4, 7});
+    expect_place(U"x\b10", {7, 10});
+}
+
+TEST(TypedPlace, is_a_whole_place) {
+    expect_place(U"3,4", {3, 4});
+    expect_place(U"0,5;1e3", {0.5, 1000});
+    expect_place(U"3,", {3, 6});
+    expect_place(U"3,4", {3, 4}, std::nullopt);
+    expect_place(U"10<90", {0, 10}, std::nullopt);
+    expect_place(U"-1e6,1e6", {-1e6, 1e6});
+}
+
+TEST(TypedPlace, begins_with_what_no_shortcut_is) {
+    EXPECT_TRUE(typed(U"qwert!").is_empty());
+    EXPECT_TRUE(typed(U"5\b").is_empty());
+    EXPECT_FALSE(typed_key(TypedPlace{}, Key::tab));
+    EXPECT_FALSE(typed_key(TypedPlace{}, Key::backspace));
+    EXPECT_EQ(typed(U"5π°").texts[0], "5π°");
+    EXPECT_EQ(typed(U"5π\b").texts[0], "5");
+    EXPECT_EQ(typed(U"\u22125").texts[0], "\u22125");
+    expect_place(U"\u22125", {-2, -2});
+    EXPECT_FALSE(typed_character(typed(U"5"), U'\u0436'));
+}
+
+TEST(TypedPlace, refuses_what_cannot_be_read_in_a_sentence) {
+    EXPECT_EQ(place_typed(typed(U"1+"), core::Point(0, 0), {1, 1}).error(), "a number is missing at the end");
+    EXPECT_EQ(place_typed(typed(U"1e308*10"), core::Point(0, 0), {1, 1}).error(),
+              "the result is too large for a number");
+    EXPECT_FALSE(place_typed(typed(U"@1e308,0"), core::Point(1e308, 0), {1, 1}));
+    expect_place(U"5", {6, 2}, core::Point(1, 2), {1, 2});  // without a direction to the right
+}
+
+TEST(TypedPlace, is_read_with_a_caret) {
+    EXPECT_EQ(typed_reading({}), "");
+    EXPECT_EQ(typed_reading(typed(U"12.5")), "length 12.5| · angle ");
+    EXPECT_EQ(typed_reading(typed(U"12.5\t30")), "length 12.5 · angle 30|");
+    EXPECT_EQ(typed_reading(typed(U"x1\t")), "dx 1 · dy |");
+    EXPECT_EQ(typed_reading(typed(U"@10,5")), "@10,5|");
+    EXPECT_EQ(typed_length(typed(U"12.5\t30")), 12.5);
+    EXPECT_EQ(typed_length(typed(U"<30")), std::nullopt);
+    EXPECT_EQ(typed_length(typed(U"x3")), std::nullopt);
+}
+
+}  // namespace
+}  // namespace batten::editor
