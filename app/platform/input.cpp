@@ -48,6 +48,11 @@ editor::Shortcut printed_shortcut(unsigned character, editor::Modifiers modifier
     return {key_from_sign(character), modifiers};
 }
 
+/// The comma of a number pad is a decimal point, whatever the layout prints.
+char32_t typed_character(unsigned character, int key) {
+    return key == GLFW_KEY_KP_DECIMAL ? U'.' : static_cast<char32_t>(character);
+}
+
 }  // namespace
 
 void Input::listen_to(GLFWwindow* window) {
@@ -148,7 +153,12 @@ void Input::deliver_keys() {
 
 void Input::deliver(const KeyEvent& event) {
     key_sink_(event);
-    if (event.character != 0) return;
+    if (event.character != 0) {
+        ui::KeyPress text;
+        text.character = typed_character(event.character, last_key_);
+        events_.emplace_back(text);
+        return;
+    }
     const bool is_down = event.action != GLFW_RELEASE;
     const editor::Modifiers before = modifiers_;
     modifiers_ = after_key(modifiers_from_glfw(event.modifiers), event.key, is_down);
@@ -156,6 +166,7 @@ void Input::deliver(const KeyEvent& event) {
     if (event.key == GLFW_KEY_SPACE) space_is_held_ = is_down;
     if (modifiers_ != before || space_is_held_ != held_space) add(pointer_event(PointerAction::move));
     if (!is_down) return;
+    last_key_ = event.key;
     const ui::KeyPress press{{key_from_glfw(event.key, event.scancode), modifiers_},
                              printed_shortcut(event.printed, modifiers_)};
     if (press.shortcut.key != editor::Key::none || press.printed.key != editor::Key::none) events_.emplace_back(press);
@@ -197,7 +208,10 @@ ui::FrameInput Input::take() {
     while (!events_.empty()) {
         if (const auto* key = std::get_if<ui::KeyPress>(&events_.front())) {
             result.key_presses.push_back(*key);
+            const bool is_text = key->character != 0;
             events_.pop_front();
+            // Each character meets what the one before has made.
+            if (is_text) break;
             ++handled_.key_count;
             continue;
         }

@@ -82,6 +82,7 @@ class Input {
     glm::dvec2 position_px_{};
     editor::Modifiers modifiers_;
     bool space_is_held_ = false;
+    int last_key_ = 0;  ///< that went down
     bool was_active_ = true;
     Press last_press_;
     Handled handled_;

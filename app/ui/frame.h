@@ -22,10 +22,11 @@ struct Rectangle {
     }
 };
 
-/// A key that went down (or repeats).
+/// A key that went down (or repeats), or the character that it typed.
 struct KeyPress {
     editor::Shortcut shortcut;
     editor::Shortcut printed{};  ///< the sign that the key prints with its modifiers, where there is one
+    char32_t character = 0;      ///< not 0: this is a character of typed text, and no key
 };
 
 /// What happened since the last frame, in order. Positions of pointer events are window pixels.

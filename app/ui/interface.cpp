@@ -5,6 +5,7 @@
 #include "app/editor/cards/cards.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/pointer/hit_test.h"
+#include "app/editor/pointer/placing_step.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/frame_areas.h"
@@ -228,7 +229,10 @@ void Interface::dispatch_pointer(const PanelContext& context, const FrameLayout&
         }
         pointer.hovered = target;
         pointer.canvas_px.reset();
-        if (target == Picture::canvas) pointer.canvas_px = event.position_px - layout.canvas.origin_px;
+        if (target == Picture::canvas) {
+            pointer.canvas_px = event.position_px - layout.canvas.origin_px;
+            pointer.last_canvas_px = *pointer.canvas_px;
+        }
         if (is_press(event) && pointer.captured == Picture::none) {
             pointer.captured = under;
             pointer.button = event.button;
@@ -256,6 +260,19 @@ bool Interface::escape_gesture(const PanelContext& context) {
     return false;
 }
 
+bool Interface::send_key(const PanelContext& context, const KeyPress& press) {
+    PointerEvent event;
+    event.action = PointerAction::key;
+    event.position_px = panels_->pointer.last_canvas_px;
+    // Shift is what it takes to type some characters.
+    event.modifiers = {press.shortcut.modifiers.ctrl, false, press.shortcut.modifiers.alt};
+    event.key = press.shortcut.key;
+    event.character = press.character;
+    if (!editor::takes_key(canvas_mode_, context.state, event)) return false;
+    canvas_mode_ = editor::step_canvas(canvas_mode_, event, context.state, context.queue);
+    return true;
+}
+
 void Interface::dispatch_keys(const PanelContext& context) {
     for (const KeyPress& press : context.input.key_presses) {
         const bool is_escape = press.shortcut == editor::Shortcut{editor::Key::escape, {}};
@@ -265,6 +282,8 @@ void Interface::dispatch_keys(const PanelContext& context) {
         } else if (ImGui::GetIO().WantTextInput || ImGui::IsAnyItemActive()) {
             continue;  // the widget answers to its keys
         } else if (is_escape && escape_gesture(context)) {
+            continue;
+        } else if (send_key(context, press) || press.character != 0) {
             continue;
         } else if (is_enter && std::holds_alternative<editor::DrawingCurve>(canvas_mode_)) {
             PointerEvent end;

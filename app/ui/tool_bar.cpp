@@ -6,6 +6,7 @@
 
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/snap_commands.h"
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/commands/view_commands.h"
 #include "app/ui/command_entry.h"
@@ -45,8 +46,9 @@ std::vector<ToolButton> tool_buttons(const editor::EditorState& state) {
 
 std::vector<ToolButton> other_buttons() {
     std::vector<ToolButton> buttons;
-    for (const editor::CommandSpec& spec : {std::cref(editor::Undo::spec()), std::cref(editor::Redo::spec()),
-                                            std::cref(editor::FitView::spec()), std::cref(editor::TogglePlay::spec())})
+    for (const editor::CommandSpec& spec :
+         {std::cref(editor::SetSnap::spec()), std::cref(editor::Undo::spec()), std::cref(editor::Redo::spec()),
+          std::cref(editor::FitView::spec()), std::cref(editor::TogglePlay::spec())})
         buttons.push_back({spec, fmt::format("tool-bar {}", spec.name)});
     return buttons;
 }
@@ -65,6 +67,13 @@ void draw_back(const PanelContext& context, const ToolButton& button, const Rect
     ImGui::GetWindowDrawList()->AddRectFilled({low.x, low.y}, {high.x, high.y}, imgui_packed(color), context.px(8));
 }
 
+/// Runs the command; the shape tool also offers its shapes, and snapping its kinds.
+void press_button(const PanelContext& context, const ToolButton& button) {
+    if (&button.spec == &editor::SetSnap::spec()) return open_context_menu(context, editor::OnSnapping{});
+    run_command(context, button.spec);
+    if (&button.spec == &editor::take_tool_spec(editor::Tool::shape)) open_context_menu(context, editor::OnShapes{});
+}
+
 void draw_tool_button(const PanelContext& context, const ToolButton& button) {
     const bool is_enabled = !refusal_of(button.spec, context.state);
     ImGui::SetCursorPosX(0.5F * (ImGui::GetWindowWidth() - context.px(button_size)));
@@ -78,7 +87,7 @@ void draw_tool_button(const PanelContext& context, const ToolButton& button) {
     const glm::vec2 center(place.origin_px + 0.5 * place.size_px);
     draw_icon(ImGui::GetWindowDrawList(), button.spec, {center.x, center.y, context.px(18)},
               icon_color(context, button, is_enabled));
-    if (is_clicked && is_enabled) run_command(context, button.spec);
+    if (is_clicked && is_enabled) press_button(context, button);
 }
 
 void draw_divider(const PanelContext& context) {
@@ -107,7 +116,7 @@ void draw_menu_row(const PanelContext& context, const ToolButton& button) {
               icon_color(context, button, is_enabled));
     draw_text(context, {corner.x + height + context.px(6), middle},
               {button.spec.title, context.fonts.text, 0.0, is_enabled ? context.theme.text : context.theme.dim});
-    if (is_chosen) run_command(context, button.spec);
+    if (is_chosen) press_button(context, button);
 }
 
 /// The last button of a bar that is too low: three dots that open a menu with the rest.

@@ -8,6 +8,7 @@
 
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/snap_commands.h"
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/commands/view_commands.h"
 #include "app/ui/style.h"
@@ -130,6 +131,21 @@ void draw_play(const IconPen& pen) {
     pen.area({{0.26F, 0.14F}, {0.86F, 0.5F}, {0.26F, 0.86F}});
 }
 
+void draw_shape(const IconPen& pen) {
+    pen.ring({0.62F, 0.36F}, 0.26F);
+    pen.line({{0.12F, 0.46F}, {0.56F, 0.46F}, {0.56F, 0.9F}, {0.12F, 0.9F}}, true);
+}
+
+/// A magnet.
+void draw_snapping(const IconPen& pen) {
+    constexpr float half_turn = 3.14159265F;
+    pen.arc({0.5F, 0.5F}, 0.34F, 0.0F, half_turn);
+    pen.line({{0.16F, 0.5F}, {0.16F, 0.16F}});
+    pen.line({{0.84F, 0.5F}, {0.84F, 0.16F}});
+    pen.line({{0.06F, 0.3F}, {0.26F, 0.3F}});
+    pen.line({{0.74F, 0.3F}, {0.94F, 0.3F}});
+}
+
 using editor::TakeTool;
 using editor::Tool;
 
@@ -144,6 +160,8 @@ constexpr std::array icons{ToolIcon{TakeTool<Tool::select>::spec, draw_select},
                            ToolIcon{TakeTool<Tool::weight>::spec, draw_weight},
                            ToolIcon{TakeTool<Tool::draw_curve>::spec, draw_draw_curve},
                            ToolIcon{TakeTool<Tool::parameter>::spec, draw_parameter},
+                           ToolIcon{TakeTool<Tool::shape>::spec, draw_shape},
+                           ToolIcon{editor::SetSnap::spec, draw_snapping},
                            ToolIcon{editor::Undo::spec, draw_undo},
                            ToolIcon{editor::Redo::spec, draw_redo},
                            ToolIcon{editor::FitView::spec, draw_fit},

@@ -9,7 +9,7 @@ namespace batten::core {
 
 namespace {
 
-constexpr std::size_t most_spans = 32;
+constexpr std::size_t most_compared_spans = 16;
 constexpr double equal_ends = 1e-12;  // of the domain
 
 struct Part {
@@ -54,10 +54,10 @@ class Collector {
 std::vector<NearContact> contacts_near(std::span<const NearParts* const> curves, Point place, double distance) {
     std::vector<Part> parts;
     for (std::size_t k = 0; k < curves.size(); ++k) {
-        const auto near = curves[k]->parts_near(place, distance, most_spans);
+        const auto near = curves[k]->parts_near(place, distance, most_compared_spans);
         if (!near) return {};
         for (const Curve& part : *near) parts.push_back({k, part});
-        if (parts.size() > most_spans) return {};
+        if (parts.size() > most_compared_spans) return {};
     }
     Collector collector(curves, place, distance);
     for (std::size_t a = 0; a < parts.size(); ++a) {

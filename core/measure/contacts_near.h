@@ -18,7 +18,7 @@ struct NearContact {
 };
 
 /// The contacts within `distance` of `place`, as intersect_curves and self_intersections find them, but not those on
-/// stretches that two curves have in common. None where more than 32 spans come so near, which then cannot be told
+/// stretches that two curves have in common. None where more than 16 spans come so near, which then cannot be told
 /// apart. Cost: O(log n) boxes for each curve, and that of a few pairs of spans.
 std::vector<NearContact> contacts_near(std::span<const NearParts* const> curves, Point place, double distance);
 
