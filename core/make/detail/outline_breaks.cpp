@@ -186,7 +186,7 @@ class BreakFinder {
         std::size_t good = first;
         std::size_t bad = loop_.size() / 2 + 1;
         const auto is_straight = [&](std::size_t steps) {
-            const auto [from, to] = std::minmax(at(first), at(steps));
+            const auto [from, to] = std::minmax({at(first), at(steps)});
             return farthest(loop_, from, to).second <= arm_distance;
         };
         for (std::size_t steps = first + 1; steps < bad; steps += steps - first) {
