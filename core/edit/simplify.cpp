@@ -15,7 +15,7 @@ namespace {
 
 // How much more than the tolerance the removal alone may cost, since the fit makes up for it; in falling order.
 constexpr double factors[] = {300.0, 100.0, 30.0, 10.0, 3.0};
-constexpr int most_rounds = 8;  // for one factor, each of which keeps more knots
+constexpr int most_fits = 8;  // for one factor, each of which keeps more knots
 
 // The knots that may go.
 std::vector<double> spare_knots(const Curve& curve) {
@@ -56,7 +56,7 @@ bool keep_within(std::vector<double>& spare, const std::vector<Interval>& stretc
 // The best fit after removing what costs up to `factor` times the tolerance, with knots kept where that was too much.
 std::optional<Approximation> with_factor(const Curve& curve, std::vector<double> spare, double tolerance, double factor,
                                          const Progress& progress) {
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < most_fits; ++round) {
         const auto removed = remove_knots_among(curve, spare, factor * tolerance);
         if (!removed || removed->count == 0) return std::nullopt;
         auto fitted = refit(removed->curve, curve, progress);

@@ -10,7 +10,7 @@ namespace batten::core {
 
 namespace {
 
-constexpr int degree = 3;
+constexpr int traced_degree = 3;
 constexpr double cut_corner_length = 0.8;  // how far from a corner its rounding is not followed
 constexpr std::size_t least_fitted = 5;
 
@@ -32,18 +32,19 @@ class PieceChain {
         points_.insert(points_.end(), points.begin() + 1, points.end());
         const auto knots = piece.knots().stored();
         const double start = knots_.back();
-        for (std::size_t i = degree + 1; i + degree + 1 < knots.size(); ++i) knots_.push_back(start + size * knots[i]);
+        for (std::size_t i = traced_degree + 1; i + traced_degree + 1 < knots.size(); ++i)
+            knots_.push_back(start + size * knots[i]);
         end_piece(start + size - knots_.back());
     }
 
     /// The whole as a periodic curve; its last point is its first.
     Result<Curve> closed() {
         points_.pop_back();
-        return Curve::make({.degree = degree, .knots = knots_, .points = points_, .periodic = true});
+        return Curve::make({.degree = traced_degree, .knots = knots_, .points = points_, .periodic = true});
     }
 
   private:
-    void end_piece(double size) { knots_.insert(knots_.end(), degree, knots_.back() + size); }
+    void end_piece(double size) { knots_.insert(knots_.end(), traced_degree, knots_.back() + size); }
 
     std::vector<Point> points_;
     std::vector<double> knots_;  // of one period, the seam's multiplicity at its end
@@ -75,10 +76,10 @@ Result<Approximation> fitted(const std::vector<Point>& points, double tolerance,
     EndTangents ends;
     if (from.direction) ends.start = size * *from.direction;
     if (to.direction) ends.end = size * *to.direction;
-    auto found =
-        fit_within(points, tolerance, {.degree = degree, .parametrization = Parametrization::chordal, .ends = ends});
+    auto found = fit_within(points, tolerance,
+                            {.degree = traced_degree, .parametrization = Parametrization::chordal, .ends = ends});
     if (found || (!ends.start && !ends.end)) return found;
-    return fit_within(points, tolerance, {.degree = degree, .parametrization = Parametrization::chordal});
+    return fit_within(points, tolerance, {.degree = traced_degree, .parametrization = Parametrization::chordal});
 }
 
 Result<TracedContour> traced_polygon(const std::vector<OutlineBreak>& breaks) {
@@ -96,7 +97,7 @@ Result<TracedContour> traced_smooth(const Contour& contour, double tolerance) {
     for (const Point point : contour)
         if (points.empty() || point != points.back()) points.push_back(point);
     if (points.size() > 1 && points.back() == points.front()) points.pop_back();
-    return fit_within(points, tolerance, {.degree = degree, .ends = ClosedEnds{}}).map([](Approximation found) {
+    return fit_within(points, tolerance, {.degree = traced_degree, .ends = ClosedEnds{}}).map([](Approximation found) {
         return TracedContour{std::move(found.curve), found.error};
     });
 }

@@ -32,8 +32,8 @@ Outcome<Edit> replaced_by(const EditorState& state, core::Result<core::Approxima
 }
 
 Outcome<Edit> fair_part(const EditorState& state, const FairPart& command) {
-    return replaced_by(
-        state, core::fair_part(active_curve(state), {command.from, command.to}, command.distance, state.progress, pinned_points(state)));
+    return replaced_by(state, core::fair_part(active_curve(state), {command.from, command.to}, command.distance,
+                                              state.progress, pinned_points(state)));
 }
 
 Outcome<Edit> rebuild(const EditorState& state, const Rebuild& command) {

@@ -128,14 +128,17 @@ void unlink_copies(core::Document& document) {
             entry.symmetry.reset();
 }
 
+bool is_as_it_was(const core::DocumentCurve& old, const core::DocumentCurve& now) {
+    return old.curve == now.curve && old.symmetry == now.symmetry && old.pinned == now.pinned && old.fit == now.fit;
+}
+
 // The member that leads; none where the edit changed none of them.
 std::optional<std::size_t> leader_of(const core::Document& before, const core::Document& after,
                                      const Members& members) {
     std::optional<std::size_t> leader;
     for (const std::size_t i : members) {
         const core::DocumentCurve* old = same_image(before, *after.curves[i].symmetry);
-        if (old != nullptr && old->curve == after.curves[i].curve && old->symmetry == after.curves[i].symmetry)
-            continue;
+        if (old != nullptr && is_as_it_was(*old, after.curves[i])) continue;
         if (!leader || i == after.active) leader = i;
     }
     return leader;

@@ -94,7 +94,7 @@ TEST_F(ArrangingCommands, set_length_scales_about_the_first_point) {
     EXPECT_EQ(points(editor_)[0], core::Point(0, 0));
     EXPECT_NEAR(points(editor_)[1].y / points(editor_)[1].x, 2.0, 1e-14);
     EXPECT_FALSE(run(SetLength{.length = 0.0}));
-    EXPECT_EQ(message(), "the length is 0; it must be above 0 and finite");
+    EXPECT_EQ(message(), "a length is 0; radii, axes and other lengths must be above 0");
 }
 
 TEST_F(ArrangingCommands, set_distance_moves_the_second_point_along_the_line) {

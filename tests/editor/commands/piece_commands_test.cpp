@@ -144,7 +144,7 @@ TEST_F(PieceCommands, join_refuses_what_it_cannot_take) {
     EXPECT_FALSE(run(Join{.other = "parabola", .continuity = core::JoinContinuity::c0}));
     EXPECT_FALSE(run(Join{.other = "fixed", .continuity = core::JoinContinuity::c0}));
     EXPECT_FALSE(type("join line C3"));
-    EXPECT_EQ(state().message.text, "continuity is 'C3'; it must be C0, C1, C2, G1 or G2");
+    EXPECT_EQ(state().message.text, "continuity is 'C3'; it must be C0, C1, C2, G1, G2 or G3");
     EXPECT_EQ(names().size(), 3U);
 }
 

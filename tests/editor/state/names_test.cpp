@@ -42,7 +42,7 @@ class Names : public ::testing::Test {};
 
 using Enumerations = ::testing::Types<
     Last<core::KnotKind::custom>, Last<core::Side::right>, Last<core::CurveEnd::end>, Last<core::KnotMove::snap>,
-    Last<core::Parametrization::centripetal>, Last<core::CirclePolygon::triangle>, Last<core::JoinContinuity::g2>,
+    Last<core::Parametrization::centripetal>, Last<core::CirclePolygon::triangle>, Last<core::JoinContinuity::g3>,
     Last<core::Closing::periodic>, Last<core::ConicType::hyperbola>, Last<core::ContactKind::ending>,
     Last<ShapeEffect::changes>, Last<CommandGroup::gesture>, Last<Dialog::at_work>, Last<Overlay::quiz>,
     Last<Tool::shape>, Last<SnapKind::angles>, Last<ShapeKind::conic>, Last<ThemeName::light>, Last<CurveEnds::both>,
