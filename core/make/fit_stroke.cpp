@@ -68,6 +68,20 @@ class StrokeFitter {
             .and_then(over_unit_interval);
     }
 
+    /// The smooth line from one station to another, every few pixels.
+    std::vector<Point> line(double from, double to) const {
+        const auto knots = knots_over(breaks_);
+        const auto smooth = knots ? smoothed(*knots, 0.0) : refuse(knots.error());
+        if (!smooth) return {};
+        constexpr double step = 3.0;
+        constexpr double most_steps = 10000.0;
+        const double count = std::clamp(std::ceil((to - from) / step), 1.0, most_steps);
+        std::vector<Point> points;
+        for (double k = 0.0; k <= count; k += 1.0)
+            points.push_back(point_at(smooth->usual, from + (to - from) * k / count));
+        return points;
+    }
+
   private:
     // The curve of all spans as smooth as cross-validation says, and truer by so many steps.
     struct Smoothed {
@@ -253,7 +267,29 @@ Result<void> check_stroke(std::span<const Point> points, double pixel) {
     return check_extent(points, pixel);
 }
 
+// The way up to the place of sample `index`.
+double station_of(std::span<const Point> points, double pixel, std::size_t index) {
+    return index == 0 ? 0.0 : stroke_through(points.first(index + 1), pixel, false).length;
+}
+
 }  // namespace
+
+std::vector<Point> smooth_line(std::span<const Point> points, double pixel, std::size_t from, std::size_t to) {
+    assert(from <= to && to < points.size());
+    if (!check_stroke(points, pixel)) return {};
+    Stroke stroke = stroke_through(points, pixel, false);
+    if (!(stroke.length <= most_length)) return {};
+    const bool is_at_end = to + 1 == points.size();
+    const double first = std::min(station_of(points, pixel, from), stroke.length);
+    const double last = is_at_end ? stroke.length : std::min(station_of(points, pixel, to), stroke.length);
+    // The line ends where the pen is.
+    constexpr double weight_of_end = 100.0;
+    stroke.samples.back().weight = weight_of_end;
+    std::vector<Point> line = StrokeFitter(std::move(stroke)).line(first, std::max(first, last));
+    for (Point& point : line) point = points.front() + pixel * vector_to(point);
+    if (is_at_end && !line.empty()) line.push_back(points.back());
+    return line;
+}
 
 Result<Curve> fit_stroke(std::span<const Point> points, const StrokeRequest& request) {
     assert(least_smoothness <= request.smoothness && request.smoothness <= most_smoothness);

@@ -33,4 +33,11 @@ struct StrokeRequest {
 /// Craven and Wahba 1979; Ruppert and Carroll 2000, Spatially-adaptive penalties for spline fitting.
 [[nodiscard]] Result<Curve> fit_stroke(std::span<const Point> points, const StrokeRequest& request = {});
 
+/// The smooth line through a stroke that goes on, while its pen moves: from the place of sample `from` to that of
+/// sample `to`, `from` <= `to`, with several points for each of them. It ends exactly at the last sample where `to` is
+/// this. Empty where the samples do not leave one place or are not such as fit_stroke takes. Cost O(m) for all m
+/// samples.
+[[nodiscard]] std::vector<Point> smooth_line(std::span<const Point> points, double pixel, std::size_t from,
+                                             std::size_t to);
+
 }  // namespace batten::core

@@ -222,6 +222,22 @@ TEST(FitStroke, ignores_a_rest_of_the_pen) {
     for (int k = 0; k <= 100; ++k) EXPECT_NEAR(distance(point_at(curve, k / 100.0), {0, 0}), 150.0, 1.5);
 }
 
+TEST(SmoothLine, ends_at_the_pen_and_goes_on_from_part_to_part) {
+    const std::vector<Point> samples = noisy_arc(400, 0.7);
+    for (const std::size_t count : {5UL, 50UL, 399UL}) {
+        const auto line = smooth_line(std::span(samples).first(count), 1.0, 0, count - 1);
+        ASSERT_FALSE(line.empty());
+        EXPECT_EQ(line.back(), samples[count - 1]);
+        EXPECT_LT(distance(line.front(), samples.front()), 3.0);
+    }
+    const auto before = smooth_line(samples, 1.0, 0, 200);
+    const auto behind = smooth_line(std::span(samples).subspan(100), 1.0, 100, 299);
+    EXPECT_LT(distance(before.back(), behind.front()), 2.0);
+    EXPECT_LT(distance(before.back(), samples[200]), 3.0);
+    for (const Point& point : before) EXPECT_NEAR(distance(point, {0, 0}), 150.0, 1.2);
+    EXPECT_TRUE(smooth_line(std::vector<Point>{{1, 1}, {1, 1.5}}, 1.0, 0, 1).empty());
+}
+
 TEST(FitStroke, refuses_in_a_written_order) {
     using Code = CurveErrorCode;
     const double nan = std::numeric_limits<double>::quiet_NaN();
