@@ -55,4 +55,25 @@ Result<Curve> regular_polygon(Point center, double radius, std::size_t sides, do
     return polyline(corners, true);
 }
 
+Result<Curve> bezier_path(std::span<const Point> points, bool is_closed) {
+    constexpr std::size_t p = 3;
+    const std::size_t pieces = points.size() / p;
+    if (pieces == 0 || points.size() % p != (is_closed ? 0 : 1))
+        return refuse({.code = CurveErrorCode::kind_not_possible});
+    if (!is_closed)
+        return make_knots(KnotKind::piecewise_bezier, p, points.size(), {0.0, static_cast<double>(pieces)})
+            .and_then([&](KnotVector knots) {
+                return Curve::make(std::move(knots), {points.begin(), points.end()}, {});
+            });
+    std::vector<double> period;
+    for (std::size_t k = 0; k < pieces; ++k) period.insert(period.end(), p, static_cast<double>(k));
+    period.push_back(static_cast<double>(pieces));
+    // Control point i belongs to the knots i-2 to i of the period, so that the first of them is number 2.
+    std::vector<Point> turned(points.end() - (p - 1), points.end());
+    turned.insert(turned.end(), points.begin(), points.end() - (p - 1));
+    return KnotVector::make_periodic(p, std::move(period)).and_then([&](KnotVector knots) {
+        return Curve::make(std::move(knots), std::move(turned), {});
+    });
+}
+
 }  // namespace batten::core

@@ -59,4 +59,23 @@ TEST(Shapes, refuse_what_is_degenerate) {
     EXPECT_EQ(regular_polygon({1e20, 0}, 1.0, 5).error().code, Code::points_coincide);
 }
 
+TEST(Shapes, bezier_paths_are_their_pieces) {
+    const Point open[] = {{0, 0}, {1, 1}, {2, 1}, {3, 0}, {4, -1}, {5, -1}, {6, 0}};
+    const Curve path = bezier_path(open).value();
+    EXPECT_EQ(path.knots().kind(), KnotKind::piecewise_bezier);
+    EXPECT_EQ(path.domain(), (Interval{0.0, 2.0}));
+    EXPECT_EQ(point_at(path, 1.5), Point(4.5, -0.75));
+    const Point ring[] = {{0, 0}, {1, 1}, {2, 1}, {4, 0}, {3, -3}, {0, -3}};
+    const Curve closed = bezier_path(ring, true).value();
+    EXPECT_EQ(closed.knots().multiplicity(1.0), 3);
+    EXPECT_EQ(point_at(closed, 0.5), Point(13.0 / 8.0, 6.0 / 8.0));
+    EXPECT_EQ(point_at(closed, 1.5), Point(13.0 / 8.0, -18.0 / 8.0));
+    EXPECT_EQ(derivatives_at(closed, 0.0, 1)[1], Vector(3, 3));
+    const Point loop[] = {{0, 0}, {3, 0}, {0, 3}};
+    EXPECT_EQ(point_at(bezier_path(loop, true).value(), 0.5), Point(9.0 / 8.0, 9.0 / 8.0));
+    for (const std::size_t count : {0U, 1U, 2U, 3U, 5U, 6U})
+        EXPECT_EQ(bezier_path(std::span(open).first(count)).error().code, CurveErrorCode::kind_not_possible);
+    EXPECT_EQ(bezier_path(open, true).error().code, CurveErrorCode::kind_not_possible);
+}
+
 }  // namespace batten::core
