@@ -15,6 +15,7 @@ CommandTable make_table() {
     add_edit_commands(table);
     add_selection_commands(table);
     add_tool_commands(table);
+    add_pen_commands(table);
     add_point_commands(table);
     add_pin_commands(table);
     add_weight_commands(table);
@@ -30,6 +31,8 @@ CommandTable make_table() {
     add_analysis_commands(table);
     add_measuring_commands(table);
     add_form_commands(table);
+    add_drawing_commands(table);
+    add_fit_point_commands(table);
     add_fitting_commands(table);
     add_shape_commands(table);
     add_fairing_commands(table);

@@ -80,6 +80,17 @@ Distances distances_of(const EditorState& state, const std::optional<Ghost>& gho
     return distances;
 }
 
+// Said of an edit that changed a curve which was made of fit points, and left it without them.
+std::optional<std::string> lost_fit_points(const core::Document& before, const core::Document& after) {
+    const core::DocumentCurve* old_active = before.active_curve();
+    const core::DocumentCurve* active = after.active_curve();
+    const bool is_same_entry = old_active != nullptr && active != nullptr && before.active == after.active &&
+                               before.curves.size() == after.curves.size();
+    if (!is_same_entry || old_active->fit == nullptr || active->fit != nullptr || old_active->curve == active->curve)
+        return std::nullopt;
+    return "the curve is an ordinary one now, without fit points";
+}
+
 // The edit as a step of the history, with what is said and shown about it.
 void push_step(EditorState& state, const Command& command, Edit& edit) {
     const core::Document before = state.history.present();
@@ -96,6 +107,7 @@ void push_step(EditorState& state, const Command& command, Edit& edit) {
     if (effect == ShapeEffect::keeps) note_insertion(state, before);
     std::vector<std::string> told{done_sentence(texts.done, effect, distances_of(state, ghost, edit))};
     if (edit.remark) told.push_back(*edit.remark);
+    if (const auto lost = lost_fit_points(before, state.history.present())) told.push_back(*lost);
     if (ghost && command.spec().tells_smoothness)
         if (const auto lost =
                 lost_smoothness(core::smoothness_losses(*ghost->curve, *state.history.present().active_curve()->curve)))

@@ -9,8 +9,10 @@
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/degree_commands.h"
 #include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/drawing_commands.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/fairing_commands.h"
+#include "app/editor/commands/fit_point_commands.h"
 #include "app/editor/commands/fitting_commands.h"
 #include "app/editor/commands/form_commands.h"
 #include "app/editor/commands/help_commands.h"
@@ -274,7 +276,15 @@ Command RandomSession::fitting_command() {
     for (std::size_t i = 3 + below(6); i > 0; --i) points.push_back(point(5));
     if (below(10) == 0) points.insert(points.end(), 2, core::Point(1.0, 1.0));
     const auto degree = static_cast<int>(below(6));
-    switch (below(6)) {
+    switch (below(9)) {
+        case 6:
+            return BezierPath{.points = points, .closed = below(2) == 0};
+        case 7:
+        case 8:
+            return ThroughPoints{.points = points,
+                                 .kind = any<core::FitKind>(),
+                                 .parametrization = any<core::Parametrization>(),
+                                 .closed = below(2) == 0};
         case 0:
             return Interpolate{
                 .points = points, .degree = degree, .parametrization = core::Parametrization::centripetal};
@@ -294,6 +304,31 @@ Command RandomSession::fitting_command() {
             return FitPoints{.count = below(9), .points = points};
         default:
             return FitPointsWithin{.tolerance = between(-0.2, 2), .points = points, .closed = below(2) == 0};
+    }
+}
+
+Command RandomSession::fit_point_command(const EditorState& state, const core::FitPoints& fit) {
+    const std::size_t count = fit.points.size();
+    switch (below(8)) {
+        case 0:
+            return count < 20 ? Command(InsertFitPoint{.index = index(count + 1), .position = point(9)})
+                              : Command(DeleteFitPoint{.index = index(count)});
+        case 1:
+            return DeleteFitPoint{.index = index(count)};
+        case 2:
+            return SelectFitPoint{.index = index(count)};
+        case 3:
+            return SetFitKind{
+                .kind = any<core::FitKind>(), .parametrization = any<core::Parametrization>(), .closed = below(2) == 0};
+        case 4:
+            return below(4) == 0 ? one_of(state, {MakeOrdinary::spec(), Delete::spec()})
+                                 : Move{.offset = vector(1), .what = MapTarget::curve};
+        case 5:
+            return SetFitJoint{.index = index(count),
+                               .joint = any<core::FitJoint>(),
+                               .handle = below(2) == 0 ? std::nullopt : std::optional(vector(2))};
+        default:
+            return MoveFitPoint{.index = index(count), .position = point(9)};
     }
 }
 
@@ -509,6 +544,7 @@ Command RandomSession::command(const EditorState& state) {
         if (below(4) != 0 || state.history.present().curves.size() > 6) return document_command(state);
         return below(2) == 0 ? making_command(state) : fitting_command();
     }
+    if (active->fit != nullptr && below(3) > 0) return fit_point_command(state, *active->fit);
     if (group == 12) return closing_command(state, *active->curve);
     if (group == 14 && below(2) == 0) return measuring_command(state);
     if (group == 13) return moving_command(state, *active->curve);

@@ -9,6 +9,7 @@
 #include "app/editor/command.h"
 #include "app/editor/command_spec.h"
 #include "app/editor/state/state.h"
+#include "core/make/fit_points.h"
 
 namespace batten::editor {
 
@@ -51,6 +52,7 @@ class RandomSession {
     Command making_command(const EditorState& state);
     Command guide_command();
     Command fitting_command();
+    Command fit_point_command(const EditorState& state, const core::FitPoints& fit);
     Command moving_command(const EditorState& state, const core::Curve& curve);
     Command transform_command();
     Command question_command(const EditorState& state);

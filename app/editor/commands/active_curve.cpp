@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "app/editor/pointer/hint_text.h"
+#include "app/editor/state/fit_curve.h"
 #include "app/editor/state/point_hues.h"
 #include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
@@ -49,6 +50,10 @@ Outcome<std::vector<std::size_t>> free_points(const EditorState& state, const st
                                              : core::sentence("{points} are pinned; unpin them first", {place}));
 }
 
+bool is_made_of_points(const EditorState& state) {
+    return state.history.present().active_curve()->fit != nullptr;
+}
+
 std::vector<std::size_t> ascending(std::vector<std::size_t> indices) {
     std::sort(indices.begin(), indices.end());
     indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
@@ -60,6 +65,13 @@ Outcome<Edit> edit_active(const EditorState& state, core::Result<core::Curve> cu
     if (!curve) return tl::unexpected(core::describe(curve.error()));
     Edit edit{state.history.present(), std::move(selection)};
     replace_curve(edit.document.curves[edit.document.active], std::make_shared<const core::Curve>(*std::move(curve)));
+    return edit;
+}
+
+Outcome<Edit> map_active(const EditorState& state, const core::PlaneMap& map) {
+    Edit edit{state.history.present()};
+    const auto mapped = map_entry(edit.document.curves[edit.document.active], map);
+    if (!mapped) return tl::unexpected(core::describe(mapped.error()));
     return edit;
 }
 

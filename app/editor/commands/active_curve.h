@@ -3,6 +3,7 @@
 
 #include "app/editor/command_spec.h"
 #include "app/editor/state/state.h"
+#include "core/edit/plane_map.h"
 
 namespace batten::editor {
 
@@ -23,11 +24,17 @@ const std::vector<std::size_t>& pinned_points(const EditorState& state);
 /// Those of `points` that are not pinned, ascending; the reason why nothing can be moved where there are none.
 Outcome<std::vector<std::size_t>> free_points(const EditorState& state, const std::vector<std::size_t>& points);
 
+/// Whether the committed active curve, which there must be, is made of fit points.
+bool is_made_of_points(const EditorState& state);
+
 /// The indices, ascending and without repeats.
 std::vector<std::size_t> ascending(std::vector<std::size_t> indices);
 
 /// The committed document with `curve` in place of the active one, or the reason why there is no such curve.
 Outcome<Edit> edit_active(const EditorState& state, core::Result<core::Curve> curve,
                           std::optional<Selection> selection = {});
+
+/// The committed document with the active curve mapped; an affine map takes fit points along.
+Outcome<Edit> map_active(const EditorState& state, const core::PlaneMap& map);
 
 }  // namespace batten::editor

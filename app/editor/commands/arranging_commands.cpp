@@ -7,7 +7,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
-#include "app/editor/state/point_hues.h"
+#include "app/editor/state/fit_curve.h"
 #include "app/editor/words/formula.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -82,10 +82,9 @@ Outcome<Edit> with_moved(const EditorState& state, Arranged what, const std::vec
     }
     for (std::size_t k = 0; k < items.size(); ++k) {
         core::DocumentCurve& entry = edit.document.curves[items[k].index];
-        auto moved = core::transform(*entry.curve, core::translation(offsets[k]));
-        if (!moved) return tl::unexpected(core::describe(moved.error()));
-        if (offsets[k] != core::Vector(0.0, 0.0))
-            replace_curve(entry, std::make_shared<const core::Curve>(*std::move(moved)));
+        if (offsets[k] == core::Vector(0.0, 0.0)) continue;
+        if (const auto moved = map_entry(entry, core::translation(offsets[k])); !moved)
+            return tl::unexpected(core::describe(moved.error()));
     }
     return edit;
 }
@@ -150,10 +149,9 @@ Outcome<Edit> with_copies(const EditorState& state, std::size_t count, MapOf map
     const core::DocumentCurve original = *edit.document.active_curve();
     core::FreeNames names(edit.document);
     for (std::size_t k = 1; k < count; ++k) {
-        auto curve = core::transform(*original.curve, map_of(static_cast<double>(k)));
-        if (!curve) return tl::unexpected(core::describe(curve.error()));
         core::DocumentCurve copy = original;
-        copy.curve = std::make_shared<const core::Curve>(*std::move(curve));
+        if (const auto mapped = map_entry(copy, map_of(static_cast<double>(k))); !mapped)
+            return tl::unexpected(core::describe(mapped.error()));
         copy.name = names.take(original.name);
         copy.locked = false;
         edit.document.curves.push_back(std::move(copy));
@@ -180,7 +178,7 @@ Outcome<Edit> set_length(const EditorState& state, const SetLength& command) {
     if (!core::is_sharp(length) || length.value == 0.0)
         return tl::unexpected(Refusal("the curve has no length that could be set"));
     const double factor = command.length / length.value;
-    return edit_active(state, core::transform(curve, core::scaling(factor, factor, curve.control_points().front())));
+    return map_active(state, core::scaling(factor, factor, curve.control_points().front()));
 }
 
 Outcome<Edit> set_distance(const EditorState& state, const SetDistance& command) {

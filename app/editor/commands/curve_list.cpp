@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "app/editor/commands/active_curve.h"
+#include "app/editor/state/fit_curve.h"
 #include "app/editor/state/point_hues.h"
 #include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
@@ -46,6 +47,7 @@ Edit with_parts(const EditorState& state, std::vector<core::Curve> parts) {
         entries[i].point_hues.reset();
         entries[i].pinned.clear();
         entries[i].symmetry.reset();
+        entries[i].fit.reset();
         if (i > 0) entries[i].name = names.take(entries[i].name);
     }
     curves.erase(curves.begin() + active);
@@ -95,20 +97,15 @@ bool are_all_points(const EditorState& state, const std::vector<std::size_t>& po
     return points.size() == active_curve(state).control_points().size();
 }
 
-core::Result<core::Curve> shifted_curve(const core::Curve& curve, double shift) {
-    if (shift == 0.0) return curve;
-    std::vector<std::size_t> all_points(curve.control_points().size());
-    std::iota(all_points.begin(), all_points.end(), std::size_t{0});
-    return core::move_control_points(curve, all_points, {shift, -shift});
+core::Result<void> shift_entry(core::DocumentCurve& entry, double shift) {
+    if (shift == 0.0) return {};
+    return map_entry(entry, core::translation({shift, -shift}));
 }
 
 Outcome<Edit> with_duplicate(const EditorState& state, std::size_t index, double shift) {
     Edit edit{state.history.present(), Selection{}};
     core::DocumentCurve copy = edit.document.curves[index];
-    core::Result<core::Curve> curve = shifted_curve(*copy.curve, shift);
-    if (!curve) return tl::unexpected(core::describe(curve.error()));
-
-    copy.curve = std::make_shared<const core::Curve>(*std::move(curve));
+    if (const auto shifted = shift_entry(copy, shift); !shifted) return tl::unexpected(core::describe(shifted.error()));
     copy.name = core::unused_name(edit.document, copy.name);
     copy.visible = true;
     copy.locked = false;

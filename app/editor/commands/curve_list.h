@@ -36,8 +36,8 @@ StepTexts texts_of_deleting(const EditorState& state, const std::vector<std::siz
 /// Whether `points`, ascending, are all control points of the active curve, which there must be.
 bool are_all_points(const EditorState& state, const std::vector<std::size_t>& points);
 
-/// `curve` moved by `shift` to the right and down.
-core::Result<core::Curve> shifted_curve(const core::Curve& curve, double shift);
+/// Moves the entry's curve by `shift` to the right and down.
+[[nodiscard]] core::Result<void> shift_entry(core::DocumentCurve& entry, double shift);
 
 /// The committed document with a copy of curve `index`, which there must be, moved by `shift` to the right and down;
 /// the copy is active, visible and not locked.

@@ -18,17 +18,8 @@ using core::sentence;
 
 constexpr const char* which_curve = "which curve, counted from 0";
 
-core::Result<core::Curve> clamped_curve(std::vector<core::Point> points, int degree) {
-    const core::Result<core::KnotVector> knots =
-        core::make_knots(core::KnotKind::clamped_uniform, degree, points.size());
-    if (!knots) return tl::unexpected(knots.error());
-    std::vector<double> weights(points.size(), 1.0);
-    return core::Curve::make(*knots, std::move(points), std::move(weights));
-}
-
 Outcome<Edit> new_curve(const EditorState& state, const NewCurve& command) {
-    const int degree = std::min(command.degree, static_cast<int>(command.points.size()) - 1);
-    core::Result<core::Curve> curve = clamped_curve(command.points, degree);
+    core::Result<core::Curve> curve = curve_of_control_points(command.points, command.degree, command.closed);
     if (!curve) return tl::unexpected(core::describe(curve.error()));
     return with_curve(state, "curve", *std::move(curve));
 }
@@ -90,15 +81,24 @@ Field index_field() {
 
 }  // namespace
 
+core::Result<core::Curve> curve_of_control_points(std::vector<core::Point> points, int degree, bool closed) {
+    const core::KnotKind kind = closed ? core::KnotKind::periodic : core::KnotKind::clamped_uniform;
+    const int possible = closed ? degree : std::min(degree, static_cast<int>(points.size()) - 1);
+    return core::make_knots(kind, possible, points.size()).and_then([&](core::KnotVector knots) {
+        return core::Curve::make(std::move(knots), std::move(points), {});
+    });
+}
+
 const CommandSpec& NewCurve::spec() {
     static const CommandSpec spec{
         .name = "new-curve",
         .title = "New curve",
-        .explanation = "Adds a clamped uniform curve through its first and last point and makes it active.",
+        .explanation = "Adds a uniform curve, clamped at its first and last point or closed, and makes it active.",
         .synonyms = "draw B-spline",
         .group = CommandGroup::make,
         .fields = {field::positions<&NewCurve::points>("coordinates", "x and y of each control point").at_least(2.0),
-                   field::count<&NewCurve::degree>("degree", "lowered where there are too few points").usually(3)},
+                   field::count<&NewCurve::degree>("degree", "lowered where there are too few points").usually(3),
+                   field::flag<&NewCurve::closed>("closed", "yes for a periodic curve").usually(false)},
         .run = body_of<new_curve>,
         .step = "Draw curve",
         .done = "Drew curve"};

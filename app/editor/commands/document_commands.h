@@ -12,8 +12,13 @@ namespace batten::editor {
 struct NewCurve {
     std::vector<core::Point> points;
     int degree = 3;  ///< lowered where there are too few points
+    bool closed = false;
     static const CommandSpec& spec();
 };
+
+/// The uniform curve over these control points, clamped or periodic; an open one has a lower degree where there are too
+/// few points.
+core::Result<core::Curve> curve_of_control_points(std::vector<core::Point> points, int degree, bool closed);
 
 struct DeleteCurve {
     std::size_t index;

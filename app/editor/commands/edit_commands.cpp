@@ -6,6 +6,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/finding_rows.h"
+#include "app/editor/commands/fit_point_commands.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
@@ -103,9 +104,8 @@ Outcome<Edit> with_curves_of_text(const EditorState& state, const std::string& t
     Edit edit{state.history.present(), Selection{}};
     core::FreeNames names(edit.document);
     for (core::DocumentCurve curve : pasted->curves) {
-        core::Result<core::Curve> shifted = shifted_curve(*curve.curve, shift);
-        if (!shifted) return tl::unexpected(core::describe(shifted.error()));
-        curve.curve = std::make_shared<const core::Curve>(*std::move(shifted));
+        if (const auto shifted = shift_entry(curve, shift); !shifted)
+            return tl::unexpected(core::describe(shifted.error()));
         curve.name = names.take(curve.name);
         curve.visible = true;
         curve.locked = false;
@@ -130,9 +130,8 @@ bool has_curve(const core::Document& document, const core::Curve& curve) {
 
 // Whether a curve of `pasted`, moved by `shift`, would cover one of the document exactly.
 bool would_cover(const EditorState& state, const core::Document& pasted, double shift) {
-    return std::any_of(pasted.curves.begin(), pasted.curves.end(), [&](const core::DocumentCurve& item) {
-        const core::Result<core::Curve> shifted = shifted_curve(*item.curve, shift);
-        return shifted && has_curve(state.history.present(), *shifted);
+    return std::any_of(pasted.curves.begin(), pasted.curves.end(), [&](core::DocumentCurve item) {
+        return shift_entry(item, shift) && has_curve(state.history.present(), *item.curve);
     });
 }
 
@@ -162,21 +161,23 @@ StepTexts texts_of_duplicate(const EditorState& state, const Duplicate&) {
 }
 
 bool has_nothing_selected(const EditorState& state) {
-    return !no_editable_curve(state) && state.selection.points.empty() && !state.selection.knot;
+    return !no_editable_curve(state) && state.selection == Selection{};
 }
 
 std::optional<Refusal> nothing_to_delete(const EditorState& state) {
     if (std::optional<Refusal> refusal = no_editable_curve(state)) return refusal;
-    if (!state.selection.points.empty() || state.selection.knot) return std::nullopt;
+    if (state.selection != Selection{}) return std::nullopt;
     return "nothing is selected";
 }
 
 Outcome<Edit> delete_selected(const EditorState& state, const Delete&) {
+    if (state.selection.fit_point) return without_fit_point(state, *state.selection.fit_point);
     if (!state.selection.points.empty()) return without_points(state, state.selection.points);
     return edit_active(state, core::delete_knot(active_curve(state), *state.selection.knot), Selection{});
 }
 
 StepTexts texts_of_delete(const EditorState& state, const Delete&) {
+    if (state.selection.fit_point) return texts_of_deleted_fit_point(*state.selection.fit_point);
     if (!state.selection.points.empty()) return texts_of_deleting(state, state.selection.points);
     const core::Curve& curve = active_curve(state);
     return texts_of_deleted_knot(curve, *state.selection.knot, *core::delete_knot(curve, *state.selection.knot));

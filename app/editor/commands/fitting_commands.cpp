@@ -99,19 +99,9 @@ StepTexts texts_of_fit_within(const EditorState&, const FitPointsWithin& command
                 : "Fitted curve within tolerance"};
 }
 
-// The selected control points of the active curve, all of them where fewer than two are selected.
-std::optional<Points> points_of_curve(const EditorState& state) {
-    if (no_curve(state)) return std::nullopt;
-    const auto points = active_curve(state).control_points();
-    if (state.selection.points.size() < 2) return Points(points.begin(), points.end());
-    Points selected;
-    for (const std::size_t i : state.selection.points) selected.push_back(points[i]);
-    return selected;
-}
-
 // Half as many as there are points, and enough for a cubic.
 std::optional<std::size_t> half_the_points(const EditorState& state) {
-    const std::optional<Points> points = points_of_curve(state);
+    const std::optional<Points> points = suggest::points_of_curve(state);
     if (!points) return std::nullopt;
     return std::max<std::size_t>((points->size() + 1) / 2, 4);
 }
@@ -120,7 +110,7 @@ template <class Command>
 Field points_field() {
     return field::positions<&Command::points>("coordinates",
                                               "x and y of each point; left out, the selected or all control points")
-        .template suggesting<points_of_curve>()
+        .template suggesting<suggest::points_of_curve>()
         .at_least(2.0);
 }
 

@@ -20,6 +20,8 @@ using core::sentence;
 constexpr const char* which_point = "the number of a control point, counted from 0";
 
 Outcome<Edit> move_points(const EditorState& state, const MovePoints& command) {
+    if (is_made_of_points(state) && are_all_points(state, ascending(command.points)))
+        return map_active(state, core::translation(command.offset));
     const auto points = free_points(state, command.points);
     if (!points) return tl::unexpected(points.error());
     return edit_active(state, core::move_control_points(active_curve(state), *points, command.offset));

@@ -41,6 +41,16 @@ std::optional<std::size_t> active_curve(const EditorState& state) {
     return state.history.present().active;
 }
 
+std::optional<std::vector<core::Point>> points_of_curve(const EditorState& state) {
+    const core::Curve* curve = committed_curve(state);
+    if (curve == nullptr) return std::nullopt;
+    const auto points = curve->control_points();
+    if (state.selection.points.size() < 2) return std::vector<core::Point>(points.begin(), points.end());
+    std::vector<core::Point> selected;
+    for (const std::size_t i : state.selection.points) selected.push_back(points[i]);
+    return selected;
+}
+
 std::optional<std::string> next_curve_name(const EditorState& state) {
     const core::Document& document = state.history.present();
     if (document.curves.size() < 2) return std::nullopt;

@@ -18,6 +18,9 @@ std::optional<std::size_t> first_selected_point(const EditorState& state);
 std::optional<std::size_t> last_selected_point(const EditorState& state);
 std::optional<std::size_t> active_curve(const EditorState& state);
 
+/// The selected control points of the active curve, all of them where fewer than two are selected.
+std::optional<std::vector<core::Point>> points_of_curve(const EditorState& state);
+
 /// The name of the curve after the active one, the first one after the last; none where there is no other.
 std::optional<std::string> next_curve_name(const EditorState& state);
 

@@ -5,6 +5,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/state/point_hues.h"
 #include "app/editor/state/symmetry_links.h"
 #include "core/base/sentence.h"
 #include "core/curve/control_box.h"
@@ -39,7 +40,7 @@ Edit with_images(const EditorState& state, core::Symmetry symmetry, const core::
     core::FreeNames names(edit.document);
     symmetry.group = free_group(edit.document);
     core::DocumentCurve& original = edit.document.curves[edit.document.active];
-    if (curve != *original.curve) original.curve = std::make_shared<const core::Curve>(curve);
+    if (curve != *original.curve) replace_curve(original, std::make_shared<const core::Curve>(curve));
     original.symmetry = symmetry;
     core::DocumentCurve image = original;
     const std::string name = original.name;

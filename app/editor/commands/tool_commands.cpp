@@ -148,7 +148,8 @@ const CommandSpec& TakeTool<Tool::weight>::spec() {
 template <>
 const CommandSpec& TakeTool<Tool::draw_curve>::spec() {
     static const CommandSpec spec = taking<Tool::draw_curve>(
-        "tool-draw-curve", "Draw curve", "Draws a new curve, one click for each control point.", Key::n);
+        "tool-draw-curve", "Draw curve",
+        "Draws a new curve, one click for each point; the pen's modes say what these are.", Key::n);
     return spec;
 }
 

@@ -3,6 +3,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/state/fit_curve.h"
 #include "app/editor/state/symmetry_links.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/wording.h"
@@ -86,11 +87,9 @@ Outcome<Edit> map_all(const EditorState& state, const core::PlaneMap& map) {
     Edit edit{state.history.present()};
     for (core::DocumentCurve& item : edit.document.curves) {
         if (std::optional<Refusal> refusal = locked(item)) return tl::unexpected(*std::move(refusal));
-        core::Result<core::Curve> curve = core::transform(*item.curve, map);
-        if (!curve)
+        if (const auto mapped = map_entry(item, map); !mapped)
             return tl::unexpected(sentence("'{name}' cannot be mapped: {problem}",
-                                           {{"name", item.name}, {"problem", core::describe(curve.error())}}));
-        item.curve = std::make_shared<const core::Curve>(*std::move(curve));
+                                           {{"name", item.name}, {"problem", core::describe(mapped.error())}}));
         if (item.symmetry) item.symmetry = mapped_symmetry(*item.symmetry, map);
     }
     return edit;
@@ -98,8 +97,9 @@ Outcome<Edit> map_all(const EditorState& state, const core::PlaneMap& map) {
 
 Outcome<Edit> map_target(const EditorState& state, MapTarget what, const core::PlaneMap& map) {
     if (what == MapTarget::all) return map_all(state, map);
-    if (what == MapTarget::curve) return edit_active(state, core::transform(active_curve(state), map));
+    if (what == MapTarget::curve) return map_active(state, map);
     if (std::optional<Refusal> refusal = no_editable_points(state)) return tl::unexpected(*std::move(refusal));
+    if (is_whole_curve(state, what) && is_made_of_points(state)) return map_active(state, map);
     return edit_active(state, core::transform_points(active_curve(state), state.selection.points, map));
 }
 

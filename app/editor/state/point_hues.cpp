@@ -60,6 +60,7 @@ void replace_curve(core::DocumentCurve& entry, std::shared_ptr<const core::Curve
         entry.pinned = pinned_after(entry, origins);
     }
     entry.curve = std::move(curve);
+    entry.fit.reset();
 }
 
 }  // namespace batten::editor

@@ -145,6 +145,7 @@ Settings parse_settings(const std::string& text) {
     read_notation(member(json, "notation"), settings.notation);
     read_named(json, "knot_move", settings.knot_move);
     read_snap(member(json, "snap"), settings.snap);
+    read_named(json, "pen_mode", settings.pen_mode);
     read(json, "inspector_is_open", settings.inspector_is_open);
     read(json, "dock_is_open", settings.dock_is_open);
     read(json, "inspector_width", settings.inspector_width, inspector_widths);
@@ -163,6 +164,7 @@ std::string format_settings(const Settings& settings) {
     json["notation"] = names_of(settings.notation);
     json["knot_move"] = core::name_of(settings.knot_move);
     json["snap"] = json_of(settings.snap);
+    json["pen_mode"] = core::name_of(settings.pen_mode);
     json["inspector_is_open"] = settings.inspector_is_open;
     json["dock_is_open"] = settings.dock_is_open;
     json["inspector_width"] = settings.inspector_width;
@@ -180,6 +182,7 @@ Settings settings_of(const EditorState& state) {
             .notation = view.usual_notation,
             .knot_move = view.knot_move,
             .snap = view.snap,
+            .pen_mode = view.pen_mode,
             .inspector_is_open = view.inspector_is_open,
             .dock_is_open = view.dock_is_open,
             .inspector_width = view.inspector_width,
@@ -198,6 +201,7 @@ void apply_settings(EditorState& state, const Settings& settings) {
     view.cards_width = settings.cards_width;
     view.knot_move = settings.knot_move;
     view.snap = settings.snap;
+    view.pen_mode = settings.pen_mode;
     view.inspector_is_open = settings.inspector_is_open;
     view.dock_is_open = settings.dock_is_open;
     view.inspector_width = settings.inspector_width;

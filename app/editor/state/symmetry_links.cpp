@@ -6,11 +6,11 @@
 #include <numbers>
 #include <set>
 
+#include "app/editor/state/fit_curve.h"
 #include "app/editor/state/point_hues.h"
 #include "core/base/sentence.h"
 #include "core/curve/control_box.h"
 #include "core/edit/transform.h"
-#include "core/make/fit_points.h"
 
 namespace batten::editor {
 
@@ -94,14 +94,7 @@ core::Result<core::Curve> with_seams_of(const core::Curve& old, const core::Curv
 
 std::shared_ptr<const core::FitPoints> mapped_fit(const std::shared_ptr<const core::FitPoints>& fit,
                                                   const core::PlaneMap& map) {
-    if (fit == nullptr) return nullptr;
-    core::FitPoints found = *fit;
-    for (core::FitPoint& point : found.points) {
-        const core::Point tip = core::mapped(map, point.place + point.handle);
-        point.place = core::mapped(map, point.place);
-        point.handle = tip - point.place;
-    }
-    return std::make_shared<const core::FitPoints>(std::move(found));
+    return fit == nullptr ? nullptr : std::make_shared<const core::FitPoints>(mapped_fit(*fit, map));
 }
 
 using Members = std::vector<std::size_t>;
