@@ -26,7 +26,16 @@ using editor::PointerEvent;
 
 /// Whether nothing is dragged that a menu would interrupt.
 bool canvas_menu_applies(const editor::CanvasMode& mode) {
-    return std::holds_alternative<CanvasIdle>(mode) || std::holds_alternative<editor::DrawingCurve>(mode);
+    return std::holds_alternative<CanvasIdle>(mode);
+}
+
+/// What a key means to a curve that is being drawn.
+std::optional<PointerAction> drawing_action(const editor::Shortcut& shortcut) {
+    using editor::Key;
+    if (shortcut == editor::Shortcut{Key::enter, {}}) return PointerAction::finish;
+    if (shortcut == editor::Shortcut{Key::backspace, {}}) return PointerAction::take_back;
+    if (shortcut == editor::Shortcut{Key::z, {.ctrl = true}}) return PointerAction::take_back;
+    return std::nullopt;
 }
 
 Picture picture_at(const FrameLayout& layout, glm::dvec2 position_px) {
@@ -200,8 +209,8 @@ void Interface::open_picture_menu(const PanelContext& context, const FrameLayout
     const editor::EditorState& state = context.state;
     if (picture == Picture::canvas && canvas_menu_applies(canvas_mode_)) {
         const glm::dvec2 local = position_px - layout.canvas.origin_px;
-        const bool is_drawing = std::holds_alternative<editor::DrawingCurve>(canvas_mode_);
-        const editor::Hover hit = is_drawing ? editor::HoveredNothing{} : editor::hit_canvas(state, local);
+        const bool has_pen = state.tool == editor::Tool::draw_curve;
+        const editor::Hover hit = has_pen ? editor::HoveredNothing{} : editor::hit_canvas(state, local);
         const core::Point place(render::world_from_screen(state.view.camera, local));
         open_context_menu(context, editor::OnCanvas{hit, place});
     } else if (picture == Picture::plot && std::holds_alternative<PlotIdle>(plot_mode_)) {
@@ -237,10 +246,13 @@ void Interface::dispatch_pointer(const PanelContext& context, const FrameLayout&
             pointer.captured = under;
             pointer.button = event.button;
         }
+        const bool was_drawing = std::holds_alternative<editor::DrawingCurve>(canvas_mode_);
         if (event.action != PointerAction::leave) send(target, event, state, layout, queue);
         const bool is_end = event.action == PointerAction::release && event.button == pointer.button;
         if (is_end) pointer.captured = Picture::none;
-        const bool asks = event.action == PointerAction::release && event.button == editor::PointerButton::right;
+        // A right click ends a drawing.
+        const bool asks = event.action == PointerAction::release && event.button == editor::PointerButton::right &&
+                          !(was_drawing && target == Picture::canvas);
         if (asks) open_picture_menu(context, layout, target, event.position_px);
     }
 }
@@ -276,7 +288,7 @@ bool Interface::send_key(const PanelContext& context, const KeyPress& press) {
 void Interface::dispatch_keys(const PanelContext& context) {
     for (const KeyPress& press : context.input.key_presses) {
         const bool is_escape = press.shortcut == editor::Shortcut{editor::Key::escape, {}};
-        const bool is_enter = press.shortcut == editor::Shortcut{editor::Key::enter, {}};
+        const std::optional<PointerAction> to_drawing = drawing_action(press.shortcut);
         if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
             if (is_escape) close_popups();
         } else if (ImGui::GetIO().WantTextInput || ImGui::IsAnyItemActive()) {
@@ -285,11 +297,10 @@ void Interface::dispatch_keys(const PanelContext& context) {
             continue;
         } else if (send_key(context, press) || press.character != 0) {
             continue;
-        } else if (is_enter && std::holds_alternative<editor::DrawingCurve>(canvas_mode_)) {
-            PointerEvent end;
-            end.action = PointerAction::double_click;
-            end.button = editor::PointerButton::left;
-            canvas_mode_ = editor::step_canvas(canvas_mode_, end, context.state, context.queue);
+        } else if (to_drawing && std::holds_alternative<editor::DrawingCurve>(canvas_mode_)) {
+            PointerEvent key;
+            key.action = *to_drawing;
+            canvas_mode_ = editor::step_canvas(canvas_mode_, key, context.state, context.queue);
         } else if (panels_->pointer.captured == Picture::none) {
             run_shortcut(context, press);
         }

@@ -12,7 +12,6 @@
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/edit/point_edit.h"
-#include "core/edit/transform.h"
 #include "core/measure/arc_length.h"
 #include "core/measure/bounds.h"
 

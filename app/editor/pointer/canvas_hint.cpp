@@ -10,6 +10,7 @@
 #include "app/editor/words/number_column.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
+#include "core/make/fit_points.h"
 
 namespace batten::editor {
 namespace {
@@ -93,6 +94,13 @@ struct SelectHint {
         return sentence("Double-click to add a control point between {point} and {next} (changes the shape)",
                         {{"point", point_text(h.index)}, {"next", point_text(next_point(curve, h.index))}});
     }
+    std::string operator()(const HoveredFitPoint&) const {
+        return "Drag to move this point of the curve · double-click makes a corner or takes it away · Delete takes out "
+               "the point · right-click for its joint";
+    }
+    std::string operator()(const HoveredFitHandle&) const {
+        return "Drag to turn the tangent, or to make it stronger · Ctrl keeps to the grid, Shift to one axis";
+    }
     std::string operator()(const HoveredHandle& h) const {
         if (h.handle == ViewHandle::comb) return "Drag to make the comb longer or shorter";
         if (h.handle == ViewHandle::line) return "Drag to move the line · Shift keeps to one axis";
@@ -121,7 +129,10 @@ std::string select_hint(const EditorState& state) {
 
 std::string tool_hint(const EditorState& state) {
     if (state.tool == Tool::draw_curve)
-        return "Click to set the first point of a new curve · hold Ctrl to keep to the grid · Escape leaves the tool";
+        return sentence(
+            "Click to set the first point of a new curve by {mode} · right-click for other pens · hold Ctrl "
+            "to keep to the grid · Escape leaves the tool",
+            {{"mode", core::title_of(state.view.pen_mode)}});
     if (state.tool == Tool::shape) return shape_hint(state.view.shape_kind, 0);
     if (state.tool == Tool::select || !can_edit_curve(state)) return select_hint(state);
     const bool is_on_knot = std::holds_alternative<HoveredKnot>(state.hover);
@@ -201,9 +212,22 @@ struct ModeHint {
                    ? "Drag away from the curve for a longer comb · Escape restores"
                    : "Ctrl snaps to the grid · Shift keeps to an axis · Escape restores";
     }
+    std::string operator()(const DraggingFitPoint& mode) const {
+        const core::DocumentCurve* active = state.shown().active_curve();
+        if (active == nullptr || active->fit == nullptr || mode.index >= active->fit->points.size()) return {};
+        return sentence(
+            "Fit point {index} at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
+            {{"index", mode.index}, {"place", place_in(state, *active->curve, active->fit->points[mode.index].place)}});
+    }
+    std::string operator()(const DraggingFitHandle&) const {
+        return "Ctrl snaps to the grid · Shift keeps to an axis · Escape restores";
+    }
     std::string operator()(const DrawingCurve& mode) const {
-        if (mode.points.size() < 2) return "Click to set the next point · Escape gives up";
-        return "Click to set the next point · double-click or Enter ends the curve · Escape gives up";
+        if (mode.pulled_px) return "Drag to draw out the handle of a smooth point; a click makes a corner";
+        if (mode.closes) return "Click to close the curve";
+        if (mode.points.size() < 2) return "Click to set the next point · Backspace takes it back · Escape gives up";
+        return "Click to set the next point · on the first one to close · double-click, right-click or Enter ends the "
+               "curve · Backspace takes back · Escape gives up";
     }
     std::string operator()(const DrawingShape& mode) const { return shape_hint(mode.kind, mode.points.size()); }
     std::string operator()(const DraggingGuide&) const { return "Release to put the guide here · Escape restores"; }

@@ -5,14 +5,14 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/commands/construction_commands.h"
-#include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/shape_commands.h"
-#include "app/editor/commands/tool_commands.h"
 #include "app/editor/pointer/canvas_press.h"
+#include "app/editor/pointer/drawing.h"
 #include "app/editor/pointer/edit_step.h"
+#include "app/editor/pointer/fit_point_drag.h"
 #include "app/editor/pointer/gesture.h"
 #include "app/editor/pointer/hit_test.h"
 #include "app/editor/pointer/hover_request.h"
@@ -25,8 +25,6 @@
 
 namespace batten::editor {
 namespace {
-
-constexpr double finish_reach = 9.0;  ///< design pixels
 
 /// Whether a click with the tool puts something at the place that is pointed at.
 bool places_points(Tool tool) {
@@ -143,7 +141,7 @@ std::vector<std::size_t> points_in_box(const BoxSelecting& mode, const Gesture& 
     std::vector<std::size_t> points = mode.before;
     const core::DocumentCurve* active = gesture.state.shown().active_curve();
     const bool shows_points = gesture.state.view.overlays.is_shown(Overlay::polygon);
-    if (active == nullptr || !active->visible || !shows_points) return points;
+    if (active == nullptr || !active->visible || !shows_points || active->fit != nullptr) return points;
     const auto box = render::PixelBox::between(mode.press_px, gesture.event.position_px);
     const std::span<const core::Point> all = active->curve->control_points();
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -210,41 +208,16 @@ CanvasMode step(const DraggingHandle& mode, const Gesture& gesture) {
     return mode;
 }
 
-/// Whether a press at the pointer is on a point of the drawing that ends it.
-bool ends_drawing(const DrawingCurve& mode, const Gesture& gesture) {
-    const auto is_near = [&](core::Point point) {
-        const glm::dvec2 point_px = render::screen_from_world(gesture.state.view.camera, point);
-        return glm::distance(point_px, gesture.event.position_px) <= pixels(gesture.state, finish_reach);
-    };
-    const bool is_on_first = mode.points.size() >= 3 && is_near(mode.points.front());
-    return gesture.event.action == PointerAction::double_click || is_on_first || is_near(mode.points.back());
+CanvasMode step(const DrawingCurve& mode, const Gesture& gesture) {
+    return step_drawing(mode, gesture);
 }
 
-void finish_drawing(const DrawingCurve& mode, const Gesture& gesture) {
-    gesture.queue.run(NewCurve{.points = {mode.points.begin(), mode.points.end()}});
-    gesture.queue.run(SetTool{.tool = Tool::select});
+CanvasMode step(const DraggingFitPoint& mode, const Gesture& gesture) {
+    return step_fit_point_drag(mode, gesture);
 }
 
-CanvasMode press_while_drawing(DrawingCurve mode, const Gesture& gesture) {
-    if (gesture.event.button != PointerButton::left) return mode;
-    if (is_typed(gesture) || !ends_drawing(mode, gesture)) {
-        mode.points.push_back(pointed_at(gesture, mode.points.back()));
-        return mode;
-    }
-    if (mode.points.size() < 2) return mode;
-    finish_drawing(mode, gesture);
-    return CanvasIdle{};
-}
-
-CanvasMode step(DrawingCurve mode, const Gesture& gesture) {
-    if (is_escape(gesture)) {
-        gesture.queue.run(SetTool{.tool = Tool::select});
-        return CanvasIdle{};
-    }
-    if (gesture.event.action == PointerAction::wheel) turn_canvas_wheel(gesture);
-    if (is_move(gesture)) mode.next = pointed_at(gesture, mode.points.back());
-    if (is_press(gesture)) return press_while_drawing(std::move(mode), gesture);
-    return mode;
+CanvasMode step(const DraggingFitHandle& mode, const Gesture& gesture) {
+    return step_fit_handle_drag(mode, gesture);
 }
 
 }  // namespace

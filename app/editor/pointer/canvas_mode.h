@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "app/editor/command.h"
+#include "app/editor/pointer/drawing_mode.h"
+#include "app/editor/pointer/fit_point_mode.h"
 #include "app/editor/pointer/guide_mode.h"
 #include "app/editor/pointer/pointer.h"
 #include "app/editor/pointer/shape_mode.h"
@@ -91,17 +93,10 @@ struct TurningOrbit {
     glm::dvec2 last_px{};
 };
 
-/// A new curve drawn click by click. A double click ends it, which the window also sends for Enter; so does a click on
-/// its first or last point. Escape gives it up with its tool, and so does a change of the tool.
-struct DrawingCurve {
-    std::vector<core::Point> points;
-    core::Point next{};
-    std::size_t tool_changes = 0;  ///< of the state when it began
-};
-
-using CanvasMode = std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,
-                                DraggingCurveKnot, DraggingCurvePoint, DraggingHandle, DraggingFarinPoint,
-                                DraggingLiftedWeight, TurningOrbit, DrawingCurve, DrawingShape, DraggingGuide>;
+using CanvasMode =
+    std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,
+                 DraggingCurveKnot, DraggingCurvePoint, DraggingHandle, DraggingFarinPoint, DraggingLiftedWeight,
+                 TurningOrbit, DrawingCurve, DraggingFitPoint, DraggingFitHandle, DrawingShape, DraggingGuide>;
 
 /// The mode that is left where the tool was changed without the pointer: a curve half drawn is given up.
 CanvasMode with_present_tool(CanvasMode mode, const EditorState& state);

@@ -5,9 +5,12 @@
 #include <optional>
 
 #include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/fit_point_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
+#include "app/editor/pointer/drawing.h"
+#include "app/editor/pointer/fit_point_drag.h"
 #include "app/editor/pointer/guide_mode.h"
 #include "app/editor/pointer/hit_test.h"
 #include "app/editor/pointer/modes.h"
@@ -75,8 +78,11 @@ struct SelectPress {
         if (!can_edit_curve(gesture.state)) return CanvasIdle{};
         return DraggingFarinPoint{hit.leg, gesture.event.position_px};
     }
+    CanvasMode operator()(const HoveredFitPoint& hit) const { return begin_fit_point_drag(gesture, hit.index); }
+    CanvasMode operator()(const HoveredFitHandle& hit) const { return begin_fit_handle_drag(gesture, hit); }
     CanvasMode operator()(const HoveredCurve& hit) const {
         if (gesture.event.modifiers.shift || !can_edit_curve(gesture.state)) return begin_box(gesture);
+        if (committed_fit(gesture.state) != nullptr) return begin_new_fit_point(gesture, hit.u);
         return DraggingCurvePoint{hit.u, gesture.event.position_px};
     }
     CanvasMode operator()(const HoveredHandle& hit) const {
@@ -99,6 +105,10 @@ struct SelectDoubleClick {
 
     bool operator()(const HoveredCurve& hit) const { return insert_knot(hit.u); }
     bool operator()(const HoveredParameter&) const { return insert_knot(gesture.state.parameter()); }
+    bool operator()(const HoveredFitPoint& hit) const {
+        turn_fit_joint(gesture, hit.index);
+        return true;
+    }
     bool operator()(const HoveredKnot& hit) const {
         gesture.queue.run(RaiseKnot{.index = hit.index});
         return true;
@@ -115,6 +125,10 @@ struct SelectDoubleClick {
 
   private:
     bool insert_knot(double u) const {
+        if (committed_fit(gesture.state) != nullptr) {
+            insert_fit_point_at(gesture, u);
+            return true;
+        }
         gesture.queue.run(InsertKnot{.u = u});
         return true;
     }
@@ -142,6 +156,10 @@ CanvasMode press_add_point(const Gesture& gesture, const Hover& hit) {
     const core::Curve* curve = committed_curve(gesture.state);
     if (curve == nullptr) return CanvasIdle{};
     const core::Point position = pointed_at(gesture);
+    if (const core::FitPoints* fit = committed_fit(gesture.state)) {
+        gesture.queue.run(InsertFitPoint{.index = best_index_for(*fit, position), .position = position});
+        return CanvasIdle{};
+    }
     gesture.queue.run(AddPoint{.index = best_index_for(*curve, position), .position = position});
     return CanvasIdle{};
 }
@@ -167,30 +185,34 @@ CanvasMode press_parameter(const Gesture& gesture) {
     return DraggingParameter{gesture.state.parameter()};
 }
 
-CanvasMode press_draw_curve(const Gesture& gesture) {
-    const core::Point position = pointed_at(gesture);
-    return DrawingCurve{{position}, position, gesture.state.tool_changes};
-}
-
-}  // namespace
-
-std::size_t best_index_for(const core::Curve& curve, core::Point position) {
-    const std::span<const core::Point> points = curve.control_points();
+std::size_t best_index_for(std::span<const core::Point> points, bool closed, core::Point position) {
     const std::size_t n = points.size();
     const auto detour = [&](core::Point a, core::Point b) {
         return distance(a, position) + distance(position, b) - distance(a, b);
     };
     std::size_t best = n;
-    double least = curve.is_periodic() ? detour(points[n - 1], points[0]) : distance(points[n - 1], position);
+    double least = closed ? detour(points[n - 1], points[0]) : distance(points[n - 1], position);
     const auto offer = [&](std::size_t index, double growth) {
         if (growth < least) {
             least = growth;
             best = index;
         }
     };
-    if (!curve.is_periodic()) offer(0, distance(points[0], position));
+    if (!closed) offer(0, distance(points[0], position));
     for (std::size_t i = 1; i < n; ++i) offer(i, detour(points[i - 1], points[i]));
     return best;
+}
+
+}  // namespace
+
+std::size_t best_index_for(const core::Curve& curve, core::Point position) {
+    return best_index_for(curve.control_points(), curve.is_periodic(), position);
+}
+
+std::size_t best_index_for(const core::FitPoints& fit, core::Point position) {
+    std::vector<core::Point> places;
+    for (const core::FitPoint& point : fit.points) places.push_back(point.place);
+    return best_index_for(places, fit.closed, position);
 }
 
 CanvasMode begin_canvas_gesture(const Gesture& gesture) {
@@ -210,7 +232,7 @@ CanvasMode begin_canvas_gesture(const Gesture& gesture) {
         case Tool::weight:
             return press_weight(gesture, hit);
         case Tool::draw_curve:
-            return press_draw_curve(gesture);
+            return begin_drawing(gesture);
         case Tool::parameter:
             return press_parameter(gesture);
         case Tool::shape:

@@ -12,5 +12,6 @@ CanvasMode begin_canvas_gesture(const Gesture& gesture);
 /// Where the add-point tool puts a point at `position`: the index before which it is inserted so that the polygon
 /// (closed when the curve is periodic) grows least.
 std::size_t best_index_for(const core::Curve& curve, core::Point position);
+std::size_t best_index_for(const core::FitPoints& fit, core::Point position);
 
 }  // namespace batten::editor

@@ -8,9 +8,11 @@
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/fairing_commands.h"
+#include "app/editor/commands/fit_point_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/overlay_commands.h"
+#include "app/editor/commands/pen_commands.h"
 #include "app/editor/commands/piece_commands.h"
 #include "app/editor/commands/pin_commands.h"
 #include "app/editor/commands/point_commands.h"
@@ -25,6 +27,8 @@ namespace batten::editor {
 
 namespace {
 
+using enum core::FitJoint;
+
 // Collects the entries of a menu.
 class Menu {
   public:
@@ -38,6 +42,21 @@ class Menu {
         offer<Delete, DeleteAndRefit>();
         group();
         offer<SelectAll, SelectNone>();
+    }
+
+    void fit_point() {
+        offer<JoinAt<smooth>, JoinAt<tangent>, JoinAt<corner>, JoinAt<straight>, JoinAt<corner_straight>>();
+        group();
+        offer<MoveFitPoint, Delete>();
+        group();
+        offer<SetFitKind, MakeOrdinary>();
+    }
+
+    void pens() {
+        using enum PenMode;
+        offer<UsePen<control_points>, UsePen<through_c2>, UsePen<through_local>, UsePen<through_fair>,
+              UsePen<bezier>>();
+        group();
     }
 
     void knot(std::size_t index) {
@@ -77,6 +96,7 @@ class Menu {
     }
 
     void canvas() {
+        if (state_.tool == Tool::draw_curve) pens();
         offer<TakeTool<Tool::draw_curve>, TakeTool<Tool::select>, PasteBeside, SelectAll>();
         group();
         offer<FitView, ZoomIn, ZoomOut>();
@@ -181,6 +201,8 @@ struct FillByHit {
     bool operator()(const HoveredWeightRing&) const { return menu.points(), true; }
     bool operator()(const HoveredBasis&) const { return menu.points(), true; }
     bool operator()(const HoveredKnot& hit) const { return menu.knot(hit.index), true; }
+    bool operator()(const HoveredFitPoint&) const { return menu.fit_point(), true; }
+    bool operator()(const HoveredFitHandle&) const { return menu.fit_point(), true; }
     bool operator()(const HoveredCell& hit) const { return menu.cell(hit.level), true; }
     bool operator()(const HoveredGuide& hit) const { return menu.guide(hit.index), true; }
     template <class Other>
@@ -245,6 +267,8 @@ void select_hit(const EditorState& state, const Hover& hit, CommandQueue& queue)
     if (const auto* ring = std::get_if<HoveredWeightRing>(&hit)) select_point(state, ring->index, queue);
     if (const auto* basis = std::get_if<HoveredBasis>(&hit)) select_point(state, basis->index, queue);
     if (const auto* knot = std::get_if<HoveredKnot>(&hit)) queue.run(SelectKnot{.index = knot->index});
+    if (const auto* point = std::get_if<HoveredFitPoint>(&hit)) queue.run(SelectFitPoint{.index = point->index});
+    if (const auto* handle = std::get_if<HoveredFitHandle>(&hit)) queue.run(SelectFitPoint{.index = handle->index});
     if (const auto* curve = std::get_if<HoveredOtherCurve>(&hit)) make_active(state, curve->index, queue);
 }
 

@@ -11,7 +11,8 @@ bool is_one_of(const Hover& hover) {
 
 // What the select tool does to the thing under the pointer.
 Cursor select_cursor(const EditorState& state) {
-    if (is_one_of<HoveredPoint, HoveredHandle, HoveredGuide>(state.hover)) return Cursor::move;
+    if (is_one_of<HoveredPoint, HoveredHandle, HoveredFitPoint, HoveredFitHandle, HoveredGuide>(state.hover))
+        return Cursor::move;
     if (is_one_of<HoveredWeightRing>(state.hover)) return Cursor::vertical;
     const bool is_grip =
         is_one_of<HoveredParameter, HoveredKnot, HoveredCurve, HoveredOtherCurve, HoveredFarinPoint, HoveredLifted>(
@@ -45,11 +46,13 @@ struct CanvasCursor {
     Cursor operator()(const CanvasIdle&) const { return tool_cursor(state); }
     Cursor operator()(const DraggingPoints&) const { return Cursor::move; }
     Cursor operator()(const DraggingCurvePoint&) const { return Cursor::move; }
+    Cursor operator()(const DraggingFitPoint&) const { return Cursor::move; }
+    Cursor operator()(const DraggingFitHandle&) const { return Cursor::move; }
     Cursor operator()(const Panning&) const { return Cursor::move; }
     Cursor operator()(const DraggingHandle&) const { return Cursor::move; }
     Cursor operator()(const DraggingWeight&) const { return Cursor::vertical; }
     Cursor operator()(const BoxSelecting&) const { return Cursor::crosshair; }
-    Cursor operator()(const DrawingCurve&) const { return Cursor::crosshair; }
+    Cursor operator()(const DrawingCurve& mode) const { return mode.panned_px ? Cursor::move : Cursor::crosshair; }
     Cursor operator()(const DraggingParameter&) const { return Cursor::hand; }
     Cursor operator()(const DraggingCurveKnot&) const { return Cursor::hand; }
     Cursor operator()(const DraggingFarinPoint&) const { return Cursor::hand; }

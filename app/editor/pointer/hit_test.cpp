@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/editor/derived/construction_cells.h"
+#include "app/editor/pointer/fit_point_drag.h"
 #include "app/editor/pointer/inset_hit.h"
 #include "app/editor/pointer/snap.h"
 #include "app/editor/pointer/view_handle.h"
@@ -82,13 +83,14 @@ struct CanvasPointer {
 /// The active curve on the canvas.
 class ActiveCurve {
   public:
-    ActiveCurve(const CanvasPointer& pointer, const core::NearParts& parts)
-        : pointer_(pointer), parts_(parts), curve_(parts.curve()) {}
+    ActiveCurve(const CanvasPointer& pointer, const core::NearParts& parts, const core::FitPoints* fit)
+        : pointer_(pointer), parts_(parts), curve_(parts.curve()), fit_(fit) {}
 
     std::optional<Hover> hit() const;
 
   private:
     std::optional<Hover> hit_parameter_or_points() const;
+    std::optional<Hover> hit_fit_handles() const;
     std::optional<Hover> hit_rings() const;
     std::optional<Hover> hit_farin_points() const;
     std::optional<Hover> hit_knots() const;
@@ -111,16 +113,37 @@ class ActiveCurve {
         });
     }
 
+    /// Calls `visit` with the index in values() and the value of the topmost knot of each stack of the domain where the
+    /// curve may be so near: those that begin a span, and the end of the domain.
+    template <class Visit>
+    void visit_knots(double design_px, const Visit& visit) const {
+        const core::KnotVector& knots = curve_.knots();
+        const auto p = static_cast<std::size_t>(curve_.degree());
+        visit_near(design_px, knots.size() - 2 * p - 1, [&](std::size_t i) {
+            if (knots[i + p] < knots[i + p + 1]) visit(i + p, knots[i + p]);
+        });
+        const double end = knots.domain().upper;
+        const auto stored = knots.stored();
+        const auto after_end = std::upper_bound(stored.begin(), stored.end(), end);
+        visit(knots.stored_offset() + static_cast<std::size_t>(after_end - stored.begin()) - 1, end);
+    }
+
     const CanvasPointer& pointer_;
     const core::NearParts& parts_;
     const core::Curve& curve_;
+    const core::FitPoints* fit_;  ///< null unless the curve is made of such; its control points then cannot be held
 };
 
 /// C(u) or a control point, whichever is nearer; the point where they coincide, because at the end of a clamped curve
 /// it could not be grabbed otherwise.
 std::optional<Hover> ActiveCurve::hit_parameter_or_points() const {
     Nearest nearest(pointer_.px(reach::point));
-    if (pointer_.shows(Overlay::polygon))
+    if (fit_ != nullptr) {
+        visit_knots(reach::point, [&](std::size_t, double u) {
+            if (const auto i = fit_point_at(*fit_, u))
+                nearest.offer(HoveredFitPoint{*i}, pointer_.distance_to(fit_->points[*i].place));
+        });
+    } else if (pointer_.shows(Overlay::polygon))
         visit_near(reach::point, point_count(), [&](std::size_t i) { nearest.offer(HoveredPoint{i}, distance_to(i)); });
     nearest.offer(HoveredParameter{}, pointer_.distance_to(core::point_at(curve_, pointer_.state.parameter())));
     return nearest.found();
@@ -149,21 +172,21 @@ std::optional<Hover> ActiveCurve::hit_farin_points() const {
     return nearest.found();
 }
 
-/// The topmost knot of each stack: it begins a span, but at the end of the domain.
 std::optional<Hover> ActiveCurve::hit_knots() const {
     Nearest nearest(pointer_.px(reach::knot));
-    const core::KnotVector& knots = curve_.knots();
-    const auto p = static_cast<std::size_t>(curve_.degree());
-    const auto offer = [&](std::size_t index, double u) {
-        nearest.offer(HoveredKnot{index - knots.stored_offset()}, pointer_.distance_to(core::point_at(curve_, u)));
-    };
-    visit_near(reach::knot, knots.size() - 2 * p - 1, [&](std::size_t i) {
-        if (knots[i + p] < knots[i + p + 1]) offer(i + p, knots[i + p]);
+    visit_knots(reach::knot, [&](std::size_t index, double u) {
+        nearest.offer(HoveredKnot{index - curve_.knots().stored_offset()},
+                      pointer_.distance_to(core::point_at(curve_, u)));
     });
-    const double end = knots.domain().upper;
-    const auto stored = knots.stored();
-    const auto after_end = std::upper_bound(stored.begin(), stored.end(), end);
-    offer(knots.stored_offset() + static_cast<std::size_t>(after_end - stored.begin()) - 1, end);
+    return nearest.found();
+}
+
+/// Both ends of the handles; of those that cover the same place the first.
+std::optional<Hover> ActiveCurve::hit_fit_handles() const {
+    Nearest nearest(pointer_.px(reach::point));
+    for (const std::size_t i : points_with_handles(*fit_, pointer_.state.selection))
+        for (const HandleEnd end : {HandleEnd::ahead, HandleEnd::behind})
+            nearest.offer(HoveredFitHandle{i, end}, pointer_.distance_to(handle_tip(*fit_, i, end)));
     return nearest.found();
 }
 
@@ -190,18 +213,21 @@ std::optional<Hover> ActiveCurve::hit_legs() const {
 
 std::optional<Hover> ActiveCurve::hit() const {
     if (const auto found = hit_parameter_or_points()) return found;
+    if (fit_ != nullptr)
+        if (const auto found = hit_fit_handles()) return found;
     if (const auto handle = handle_at(pointer_.state, pointer_.position_px)) return HoveredHandle{*handle};
-    if (pointer_.shows(Overlay::polygon))
+    const bool has_polygon = pointer_.shows(Overlay::polygon) && fit_ == nullptr;
+    if (has_polygon)
         if (const auto found = hit_rings()) return found;
     if (pointer_.shows(Overlay::farin_points))
         if (const auto found = hit_farin_points()) return found;
-    if (pointer_.shows(Overlay::knots))
+    if (pointer_.shows(Overlay::knots) && fit_ == nullptr)
         if (const auto found = hit_knots()) return found;
     if (pointer_.shows(Overlay::construction))
         if (const auto found = hit_construction()) return found;
     if (const auto found = hit_curve()) return found;
     if (is_on_probe_line(pointer_.state, pointer_.position_px)) return HoveredHandle{ViewHandle::line};
-    if (pointer_.shows(Overlay::polygon)) return hit_legs();
+    if (has_polygon) return hit_legs();
     return std::nullopt;
 }
 
@@ -231,7 +257,8 @@ Hover hit_canvas(const EditorState& state, glm::dvec2 position_px) {
     const CanvasPointer pointer{state, position_px};
     const core::DocumentCurve* active = state.shown().active_curve();
     if (active != nullptr && active->visible)
-        if (const auto hit = ActiveCurve(pointer, *state.derived.near_parts(active->curve)).hit()) return *hit;
+        if (const auto hit = ActiveCurve(pointer, *state.derived.near_parts(active->curve), active->fit.get()).hit())
+            return *hit;
     const Hover other = hit_other_curves(pointer);
     return std::holds_alternative<HoveredNothing>(other) ? hit_guides(pointer) : other;
 }

@@ -100,9 +100,10 @@ CanvasMode step_placing(const CanvasMode& mode, const Gesture& gesture, const St
 }
 
 bool takes_numbers(const CanvasMode& mode, const EditorState& state) {
-    const bool is_drag = std::holds_alternative<DraggingPoints>(mode) ||
-                         std::holds_alternative<DraggingCurvePoint>(mode) ||
-                         std::holds_alternative<DraggingHandle>(mode) || std::holds_alternative<DraggingGuide>(mode);
+    const bool is_drag =
+        std::holds_alternative<DraggingPoints>(mode) || std::holds_alternative<DraggingCurvePoint>(mode) ||
+        std::holds_alternative<DraggingFitPoint>(mode) || std::holds_alternative<DraggingFitHandle>(mode) ||
+        std::holds_alternative<DraggingHandle>(mode) || std::holds_alternative<DraggingGuide>(mode);
     return is_drag || state.placing.place.has_value();
 }
 

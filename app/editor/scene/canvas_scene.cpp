@@ -12,6 +12,7 @@
 #include "app/editor/scene/curve_knots.h"
 #include "app/editor/scene/curve_strokes.h"
 #include "app/editor/scene/finding_marks.h"
+#include "app/editor/scene/fit_marks.h"
 #include "app/editor/scene/gesture_marks.h"
 #include "app/editor/scene/grid.h"
 #include "app/editor/scene/insets.h"
@@ -90,6 +91,7 @@ void draw_marks_of_active_curve(CanvasFrame& frame, const render::DrawList& list
     const std::size_t first = list.commands.size();
     if (frame.shows(Overlay::construction)) draw_construction(frame);
     draw_control_points(frame, marks.points);
+    draw_fit_marks(frame);
     draw_views_above(frame);
     note_lines(frame, list, first);
     draw_curve_point(frame);

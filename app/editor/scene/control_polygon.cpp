@@ -1,5 +1,6 @@
 #include "app/editor/scene/control_polygon.h"
 
+#include "app/editor/scene/fit_marks.h"
 #include "core/evaluate/farin_points.h"
 #include "core/measure/bounds.h"
 
@@ -10,7 +11,10 @@ namespace {
 constexpr double hull_opacity = 0.075;
 constexpr double lit_hull_opacity = 0.16;
 
+constexpr double passed_opacity = 0.35;  // where the points that the curve passes are edited instead
+
 Stroke stroke_of(const CanvasFrame& frame) {
+    if (shown_fit(frame) != nullptr) return {.color = render::faded(frame.theme.polygon, passed_opacity), .width = 1.0};
     return {.color = frame.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0};
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/editor/scene/fit_marks.h"
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/evaluate.h"
 
@@ -65,40 +66,6 @@ std::vector<glm::dvec2> stack(const CanvasFrame& frame, const ShownPoints& point
     return places;
 }
 
-/// A knot that may be drawn.
-struct Candidate {
-    double value = 0.0;
-    core::Point point{};
-    std::size_t count = 1;  ///< of knots that are seen as this one
-};
-
-/// The knots that are seen, of those that fall together the first, and all that are lit or chosen; ascending.
-std::vector<Candidate> candidates(const CanvasFrame& frame) {
-    const core::KnotVector& knots = frame.curve->knots();
-    std::vector<Candidate> found;
-    const auto add = [&](double u) { found.push_back({u, core::point_at(*frame.curve, u)}); };
-    const double margin = frame.pen.size_px().x - frame.pen.reach().upper_px.x;
-    frame.kept->strips().visit_spans(frame.seen(-margin), frame.pen.px(merged_knots) / frame.state.view.camera.scale,
-                                     most_candidates(frame),
-                                     [&](std::size_t span, core::Point point, std::size_t count) {
-                                         found.push_back({knots[span], point, count});
-                                     });
-    std::vector<std::size_t> special = frame.lit.knots;
-    if (const auto* hovered = std::get_if<HoveredKnot>(&frame.state.hover)) special.push_back(hovered->index);
-    if (frame.state.selection.knot) special.push_back(*frame.state.selection.knot);
-    for (const std::size_t index : special)
-        if (index < knots.stored().size() && knots.domain().contains(knots.stored()[index]))
-            add(knots.stored()[index] == knots.domain().upper && knots.is_periodic() ? knots.domain().lower
-                                                                                     : knots.stored()[index]);
-    if (!knots.is_periodic()) add(knots.domain().upper);
-    std::stable_sort(found.begin(), found.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.value < b.value; });
-    found.erase(std::unique(found.begin(), found.end(),
-                            [](const Candidate& a, const Candidate& b) { return a.value == b.value; }),
-                found.end());
-    return found;
-}
-
 core::DistinctKnot distinct_knot(const core::KnotVector& knots, double value) {
     const core::Interval domain = knots.domain();
     core::DistinctKnot knot{.value = value, .multiplicity = knots.multiplicity(value), .in_domain = true};
@@ -108,7 +75,7 @@ core::DistinctKnot distinct_knot(const core::KnotVector& knots, double value) {
 }
 
 /// The mark of a knot where it is seen; none for the ends of a clamped curve unless they are lit.
-std::optional<CurveKnot> mark_of(const CanvasFrame& frame, const ShownPoints& points, const Candidate& candidate) {
+std::optional<CurveKnot> mark_of(const CanvasFrame& frame, const ShownPoints& points, const SeenKnot& candidate) {
     const core::DistinctKnot knot = distinct_knot(frame.curve->knots(), candidate.value);
     const bool chosen = is_chosen(frame, knot);
     const bool lit = chosen || is_lit(frame, knot);
@@ -147,11 +114,38 @@ void settle_knots(const CanvasFrame& frame, ShownKnots& shown) {
 
 }  // namespace
 
+std::vector<SeenKnot> seen_knots(const CanvasFrame& frame) {
+    const core::KnotVector& knots = frame.curve->knots();
+    std::vector<SeenKnot> found;
+    const auto add = [&](double u) { found.push_back({u, core::point_at(*frame.curve, u)}); };
+    const double margin = frame.pen.size_px().x - frame.pen.reach().upper_px.x;
+    frame.kept->strips().visit_spans(frame.seen(-margin), frame.pen.px(merged_knots) / frame.state.view.camera.scale,
+                                     most_candidates(frame),
+                                     [&](std::size_t span, core::Point point, std::size_t count) {
+                                         found.push_back({knots[span], point, count});
+                                     });
+    std::vector<std::size_t> special = frame.lit.knots;
+    if (const auto* hovered = std::get_if<HoveredKnot>(&frame.state.hover)) special.push_back(hovered->index);
+    if (frame.state.selection.knot) special.push_back(*frame.state.selection.knot);
+    for (const std::size_t index : special)
+        if (index < knots.stored().size() && knots.domain().contains(knots.stored()[index]))
+            add(knots.stored()[index] == knots.domain().upper && knots.is_periodic() ? knots.domain().lower
+                                                                                     : knots.stored()[index]);
+    if (!knots.is_periodic()) add(knots.domain().upper);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const SeenKnot& a, const SeenKnot& b) { return a.value < b.value; });
+    found.erase(std::unique(found.begin(), found.end(),
+                            [](const SeenKnot& a, const SeenKnot& b) { return a.value == b.value; }),
+                found.end());
+    return found;
+}
+
 ShownKnots shown_knots(const CanvasFrame& frame, const ShownPoints& points) {
     ShownKnots shown;
-    if (!frame.shows(Overlay::knots)) return shown;
+    // Those of a curve that is made of points are where its points are.
+    if (!frame.shows(Overlay::knots) || shown_fit(frame) != nullptr) return shown;
     glm::dvec2 last{-1e9};
-    for (const Candidate& candidate : candidates(frame)) {
+    for (const SeenKnot& candidate : seen_knots(frame)) {
         auto mark = mark_of(frame, points, candidate);
         if (!mark && candidate.count > 1) shown.seen += candidate.count;
         if (!mark) continue;

@@ -24,9 +24,20 @@ struct ShownKnots {
     std::size_t seen = 0;     ///< how many there are in the picture, drawn or not
 };
 
+/// A knot that may be drawn.
+struct SeenKnot {
+    double value = 0.0;
+    core::Point point{};
+    std::size_t count = 1;  ///< of knots that are seen as this one
+};
+
+/// The knots that are seen, of those that fall together the first, and all that are lit or chosen; ascending. The
+/// frame must have a curve.
+std::vector<SeenKnot> seen_knots(const CanvasFrame& frame);
+
 /// What is drawn: knots inside the domain, ends of an unclamped curve, other ends only while they are lit or chosen.
 /// Where knots fall on one another only the first is kept, unless lit, and no more than the picture can hold. None
-/// without their overlay. The frame must have a curve.
+/// without their overlay, or of a curve that is made of points, which are shown there. The frame must have a curve.
 ShownKnots shown_knots(const CanvasFrame& frame, const ShownPoints& points);
 
 /// How many knots are drawn, multiple ones as often as they occur.

@@ -1,21 +1,11 @@
 #include "app/editor/scene/gesture_marks.h"
 
-#include <algorithm>
-
-#include "core/curve/knot_kinds.h"
+#include "app/editor/pointer/drawing.h"
+#include "app/editor/scene/fit_marks.h"
 
 namespace batten::editor {
 
 namespace {
-
-constexpr int drawn_degree = 3;
-
-/// The curve that would come of `points`: clamped uniform, of a lower degree while points are few.
-core::Result<core::Curve> drawn_curve(const std::vector<core::Point>& points) {
-    const int degree = std::min(drawn_degree, static_cast<int>(points.size()) - 1);
-    return core::make_knots(core::KnotKind::clamped_uniform, degree, points.size())
-        .and_then([&](core::KnotVector knots) { return core::Curve::make(std::move(knots), points, {}); });
-}
 
 /// Draws what belongs to the mode; nothing for most of them.
 struct MarksOf {
@@ -28,19 +18,37 @@ struct MarksOf {
     }
 
     void operator()(const DrawingCurve& drawing) const {
+        const PenMode pen_mode = frame.state.view.pen_mode;
         std::vector<core::Point> points = drawing.points;
-        points.push_back(drawing.next);
+        if (!drawing.pulled_px) points.push_back(drawing.closes ? drawing.points.front() : drawing.next);
         const std::vector<glm::dvec2> places = frame.screen(points);
-        frame.pen.line(places, {.color = frame.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0});
-        if (points.size() > 1)
-            if (const auto curve = drawn_curve(points)) draw_shape(*curve);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const bool is_next = i + 1 == places.size();
-            frame.pen.symbol(places[i], {.radius = 6.5,
-                                         .fill = is_next ? frame.theme.canvas : frame.theme.point(i),
-                                         .outline = is_next ? frame.theme.point(i) : frame.theme.canvas,
-                                         .outline_width = 2.0});
+        if (pen_mode == PenMode::control_points)
+            frame.pen.line(places, {.color = frame.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0});
+        if (const auto curve = drawn_curve(drawing, pen_mode)) draw_shape(*curve);
+        if (pen_mode == PenMode::bezier) draw_handles(drawing);
+        for (std::size_t i = 0; i < places.size(); ++i) draw_drawn_point(drawing, places[i], i);
+    }
+
+    void draw_handles(const DrawingCurve& drawing) const {
+        for (const DrawnHandle& handle : drawn_handles(drawing))
+            draw_fit_handle(frame, frame.screen(handle.behind), frame.screen(handle.ahead), false);
+    }
+
+    // Control points are discs, points that the curve passes are squares; the first is marked where a click closes.
+    void draw_drawn_point(const DrawingCurve& drawing, glm::dvec2 place, std::size_t i) const {
+        const bool is_control = frame.state.view.pen_mode == PenMode::control_points;
+        const bool is_next = i == drawing.points.size();
+        const render::Color color = is_control ? frame.theme.point(i) : frame.theme.curve;
+        if (drawing.closes && is_next) {
+            frame.pen.symbol(place,
+                             {.radius = 11.0, .fill = no_color, .outline = frame.theme.accent, .outline_width = 2.0});
+            return;
         }
+        frame.pen.symbol(place, {.shape = is_control ? render::MarkerShape::disc : render::MarkerShape::square,
+                                 .radius = is_control ? 6.5 : fit_point_radius,
+                                 .fill = is_next ? frame.theme.canvas : color,
+                                 .outline = is_next ? color : frame.theme.canvas,
+                                 .outline_width = 2.0});
     }
 
     void draw_shape(const core::Curve& curve) const {

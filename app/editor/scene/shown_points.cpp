@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "app/editor/scene/fit_marks.h"
+
 namespace batten::editor {
 
 namespace {
@@ -35,7 +37,7 @@ std::vector<MarkPlace> pointed_at(const CanvasFrame& frame) {
 
 ShownPoints shown_points(const CanvasFrame& frame) {
     ShownPoints shown;
-    if (!frame.shows(Overlay::polygon)) return shown;
+    if (!frame.shows(Overlay::polygon) || shown_fit(frame) != nullptr) return shown;
     std::vector<MarkPlace> places;
     const auto take = [&](std::size_t i, core::Point point, std::size_t count) {
         const glm::dvec2 place = frame.screen(point);
