@@ -2,6 +2,7 @@
 #include <sstream>
 #include <utility>
 
+#include "app/cli/finding_output.h"
 #include "app/cli/input.h"
 #include "app/cli/json_output.h"
 #include "app/cli/operation.h"
@@ -17,25 +18,6 @@
 namespace batten::cli {
 
 namespace {
-
-void print(std::ostream& out, const editor::Finding& finding) {
-    out << "  " << finding.label;
-    if (finding.parameter) out << "\tu = " << core::shortest_text(*finding.parameter);
-    if (finding.point) out << '\t' << point_text(*finding.point);
-    for (const editor::FoundNumber& number : finding.numbers)
-        out << "\t" << number.name << " = " << core::shortest_text(number.value);
-    if (!finding.note.empty()) out << "\t" << finding.note;
-    out << '\n';
-}
-
-Json json_of(const editor::Finding& finding) {
-    Json result{{"label", finding.label}};
-    if (finding.parameter) result["u"] = *finding.parameter;
-    if (finding.point) result["point"] = cli::json_of(*finding.point);
-    for (const editor::FoundNumber& number : finding.numbers) result[number.name] = number.value;
-    if (!finding.note.empty()) result["note"] = finding.note;
-    return result;
-}
 
 std::string message_of(const editor::EditorState& state, const editor::CommandSpec& spec) {
     const std::string& text = state.message.text;
@@ -69,7 +51,7 @@ Json json_of(const editor::Editor& editor, const Operation& operation) {
     if (spec.run.edit != nullptr && state.ghost) result["deviation"] = cli::json_of(state.ghost->deviation);
     if (spec.group != editor::CommandGroup::analyze || !state.findings) return result;
     result["findings"] = Json::array();
-    for (const editor::Finding& finding : state.findings->rows) result["findings"].push_back(json_of(finding));
+    for (const editor::Finding& finding : state.findings->rows) result["findings"].push_back(cli::json_of(finding));
     return result;
 }
 
@@ -78,7 +60,7 @@ void print(std::ostream& out, const editor::EditorState& state, const Operation&
     const std::string message = message_of(state, spec);
     out << operation.text << (message.empty() ? "" : ": ") << message << '\n';
     if (spec.group != editor::CommandGroup::analyze || !state.findings) return;
-    for (const editor::Finding& finding : state.findings->rows) print(out, finding);
+    for (const editor::Finding& finding : state.findings->rows) cli::print(out, finding);
 }
 
 ExitStatus say_wrong_usage(Output output, const ApplyOptions& options, const editor::Refusal& refusal) {

@@ -1,8 +1,10 @@
 #include <ostream>
 
+#include "app/cli/finding_output.h"
 #include "app/cli/input.h"
 #include "app/cli/json_output.h"
 #include "app/cli/standard_streams.h"
+#include "app/editor/commands/joint_rows.h"
 #include "core/base/sentence.h"
 
 namespace batten::cli {
@@ -14,8 +16,32 @@ std::string verdict(const std::filesystem::path& file, const core::Document& doc
                           document.curves.size(), {{"file", shown_name(file)}});
 }
 
-Json json_of(const std::filesystem::path& file, const core::FileResult<core::Document>& document) {
+std::vector<core::Joint> joints_in(const core::Document& document, const CheckOptions& options) {
+    return editor::joints_of_document(document, options.within.value_or(editor::usual_joint_tolerance(document)));
+}
+
+void say_joints(Output output, const core::Document& document, const CheckOptions& options) {
+    const std::vector<core::Joint> joints = joints_in(document, options);
+    output.results << editor::joints_summary(joints) << '\n';
+    for (const core::Joint& joint : joints) print(output.results, editor::joint_row(document, joint));
+}
+
+Json json_of(const core::Document& document, const core::Joint& joint) {
+    Json result = cli::json_of(editor::joint_row(document, joint));
+    result["curves"] = {document.curves[joint.first.curve].name, document.curves[joint.second.curve].name};
+    result["parameters"] = {joint.first.u, joint.second.u};
+    result["at_ends"] = joint.first.is_end;
+    return result;
+}
+
+Json json_of(const std::filesystem::path& file, const core::FileResult<core::Document>& document,
+             const CheckOptions& options) {
     Json result{{"file", file.string()}, {"valid", document.has_value()}};
+    if (document && options.joints) {
+        Json joints = Json::array();
+        for (const core::Joint& joint : joints_in(*document, options)) joints.push_back(json_of(*document, joint));
+        result["joints"] = std::move(joints);
+    }
     if (document) return result;
     result["where"] = document.error().where;
     result["what"] = document.error().what;
@@ -34,8 +60,9 @@ ExitStatus check(const CheckOptions& options, Output output) {
             say_error(output, file, document.error());
         } else if (!options.as_json) {
             output.results << verdict(file, *document) << '\n';
+            if (options.joints) say_joints(output, *document, options);
         }
-        if (options.as_json) results.push_back(json_of(file, document));
+        if (options.as_json) results.push_back(json_of(file, document, options));
     }
     if (options.as_json) print(output.results, results);
     return status;

@@ -165,6 +165,12 @@ void Subcommands::add_new(CLI::App& program) {
 void Subcommands::add_check(CLI::App& program) {
     CLI::App* command = add_command(program, "check", "Check whether files are valid, and say what is wrong if not");
     command->add_option("files", check_.files, "Curve files; - is standard input")->required()->type_name("FILE");
+    command->add_flag("--joints", check_.joints,
+                      "List where ends of curves are near each other and where a curve is not smooth, with what jumps "
+                      "there");
+    command->add_option("--within", check_.within, "How near ends must be to be a joint")
+        ->type_name("LENGTH")
+        ->check(CLI::Validator(CLI::PositiveNumber).description(""));
     add_json(*command, check_.as_json);
     check_command_ = command;
 }

@@ -59,10 +59,12 @@ void list_operations(std::ostream& out);
 
 struct CheckOptions {
     std::vector<std::filesystem::path> files;
+    bool joints = false;             ///< also lists the joints
+    std::optional<double> within{};  ///< how near ends must be to be one; none: a thousandth of the size
     bool as_json = false;
 };
 
-/// Says of each file whether it is valid, and what is wrong where it is not.
+/// Says of each file whether it is valid, and what is wrong where it is not; lists its joints where they are asked for.
 ExitStatus check(const CheckOptions& options, Output output);
 
 struct HandoutOptions {

@@ -25,6 +25,9 @@ CommandTable make_table() {
     add_refinement_commands(table);
     add_subdivision_commands(table);
     add_piece_commands(table);
+    add_joint_commands(table);
+    add_corner_commands(table);
+    add_trim_commands(table);
     add_closing_commands(table);
     add_document_commands(table);
     add_making_commands(table);

@@ -228,6 +228,27 @@ class Subcommands(unittest.TestCase):
         for absent in ("quit", "toggle-grid", "pan-camera", "open"):
             self.assertNotIn(f"\n  {absent}", text)
 
+    def test_check_lists_the_joints(self):
+        start = {"name": "start", "degree": 1, "knots": [0, 0, 1, 1], "points": [[1, -4], [1, 0]]}
+        end = {"name": "end", "degree": 1, "knots": [0, 0, 1, 2, 2], "points": [[-5, 1.25], [0, 1.25], [3, 2]]}
+        file = write_document(self.folder / "path.json", start, QUARTER, end)
+        first, corner = answer("check", "--joints", file)[0]["joints"]
+        self.assertEqual(first["curves"], ["start", "quarter"])
+        self.assertEqual((first["parameters"], first["at_ends"], first["point"]), ([1, 0], True, [1, 0]))
+        self.assertEqual((first["level"], first["gap"], first["turn in degrees"]), (1, 0, 0))
+        self.assertEqual(first["curvature before"], 0)
+        self.assertAlmostEqual(first["curvature behind"], 1, 14)
+        self.assertEqual((corner["curves"], corner["at_ends"], corner["level"]), (["end", "end"], False, 0))
+        self.assertAlmostEqual(corner["turn in degrees"], math.degrees(math.atan2(0.75, 3)), 12)
+        # The knot at (0, 1.25) is no end.
+        self.assertEqual(len(answer("check", "--joints", "--within", 0.3, file)[0]["joints"]), 2)
+        self.assertEqual(len(answer("check", "--joints", "--within", 5.2, file)[0]["joints"]), 3)
+        lines = run("check", "--joints", file).stdout.splitlines()
+        self.assertEqual(lines[1], "2 joints: 0 gaps, 1 with G⁰, 1 with G¹, 0 with G², 0 with G³")
+        self.assertRegex(lines[2], "^  end of 'start' to start of 'quarter'\\t.*\\tlevel = 1\\tgap = 0\\tturn in degrees = .*\\tG¹$")
+        self.assertRegex(lines[3], "^  u = 1 of 'end'\\t.*\\tlevel = 0\\tgap = 0\\tturn in degrees = 14\\.03.*\\tG⁰$")
+        self.assertEqual(run("check", "--joints", "--within", "0", file).returncode, 2)
+
     def test_check_tells_every_file(self):
         broken = write_document(self.folder / "broken.json", {**LINE, "points": [[0, 0]]})
         process = run("check", self.file, broken)

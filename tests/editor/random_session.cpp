@@ -7,6 +7,7 @@
 #include "app/editor/commands/arranging_commands.h"
 #include "app/editor/commands/closing_commands.h"
 #include "app/editor/commands/construction_commands.h"
+#include "app/editor/commands/corner_commands.h"
 #include "app/editor/commands/degree_commands.h"
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/drawing_commands.h"
@@ -17,6 +18,7 @@
 #include "app/editor/commands/form_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/invariance_commands.h"
+#include "app/editor/commands/joint_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/knot_question_commands.h"
 #include "app/editor/commands/making_commands.h"
@@ -33,6 +35,7 @@
 #include "app/editor/commands/symmetry_commands.h"
 #include "app/editor/commands/tear_commands.h"
 #include "app/editor/commands/transform_commands.h"
+#include "app/editor/commands/trim_commands.h"
 #include "app/editor/commands/weight_commands.h"
 
 namespace batten::editor {
@@ -218,6 +221,7 @@ Command RandomSession::refinement_command(const EditorState& state, const core::
 Command RandomSession::piece_command(const EditorState& state, const core::Curve& curve) {
     if (state.history.present().curves.size() > 6 || curve.control_points().size() > 40 || curve.degree() > 6)
         return SubCurve{.begin = parameter(state), .end = parameter(state)};
+    if (below(2) == 0) return joint_command(state);
     switch (below(8)) {
         case 0:
             return Split{.u = parameter(state)};
@@ -235,6 +239,32 @@ Command RandomSession::piece_command(const EditorState& state, const core::Curve
                                  : Command(ExtendStraight{.length = between(-1, 4), .end = any<core::CurveEnd>()});
         default:
             return ExtendParameter{.by = between(-0.1, 1), .end = any<core::CurveEnd>()};
+    }
+}
+
+Command RandomSession::joint_command(const EditorState& state) {
+    using Continuity = core::GeometricContinuity;
+    const auto other = below(2) == 0 ? std::nullopt : std::optional(name());
+    switch (below(7)) {
+        case 0:
+            return Match{.other = name(), .continuity = any<Continuity>(), .end = any<core::CurveEnd>()};
+        case 1:
+            return Blend{.other = name(),
+                         .continuity = any<Continuity>(),
+                         .other_continuity = any<Continuity>(),
+                         .tension = between(-0.1, 2),
+                         .other_tension = 1.0};
+        case 2:
+            return Fillet{.radius = between(-0.1, 1), .u = parameter(state), .other = other};
+        case 3:
+            return Chamfer{.distance = between(0, 1), .other_distance = 0.5, .u = parameter(state), .other = other};
+        case 4:
+            return Trim{.u = parameter(state)};
+        case 5:
+            return ExtendTo{.other = name(), .end = any<core::CurveEnd>(), .onward = any<core::Onward>()};
+        default:
+            return below(2) == 0 ? Command(SplitAtCrossings{.scope = any<SplitScope>()})
+                                 : Command(CheckJoints{.tolerance = between(-0.1, 2)});
     }
 }
 

@@ -49,6 +49,7 @@ class RandomSession {
     Command closing_command(const EditorState& state, const core::Curve& curve);
     Command refinement_command(const EditorState& state, const core::Curve& curve);
     Command piece_command(const EditorState& state, const core::Curve& curve);
+    Command joint_command(const EditorState& state);
     Command making_command(const EditorState& state);
     Command guide_command();
     Command fitting_command();

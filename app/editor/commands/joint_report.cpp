@@ -1,6 +1,7 @@
 #include "app/editor/commands/joint_report.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -118,6 +119,50 @@ std::string meeting_sentence(const MeetingPatterns& patterns, const core::Meetin
                                    {"after", text_above(error, meeting.after.value_or(0.0))}});
 }
 
+std::string change_sentence(const core::Meeting& before, const core::Meeting& after, const core::Curve& curve) {
+    const double size = shape_tolerance(curve, 1.0);
+    const double error = size > 0.0 ? least_curvature / size / size : 0.0;
+    const auto text = [&](const std::optional<double>& change, const core::Meeting& meeting) {
+        return text_above(std::max(error, meeting.change_noise), change.value_or(0.0));
+    };
+    return sentence(
+        "per length the curvature changed by {before} and {after} there, now by {before_now} and {after_now}",
+        {{"before", text(before.change_before, before)},
+         {"after", text(before.change_after, before)},
+         {"before_now", text(after.change_before, after)},
+         {"after_now", text(after.change_after, after)}});
+}
+
+// What a joint was and is, and how much of the curve called `name` changed for it.
+struct ChangedJoint {
+    const std::string& name;
+    const core::Curve& curve;
+    const core::Meeting& before;
+    const core::Meeting& after;
+    core::Interval changed;
+    std::span<const core::SmoothnessLoss> lost;
+    int old_degree;
+    bool is_third_order;  // the change of curvature was asked for
+};
+
+void tell(std::vector<std::string>& sentences, const ChangedJoint& joint) {
+    sentences.push_back(meeting_sentence(as_it_was, joint.before, joint.curve));
+    if (joint.changed.length() > 0.0) {
+        sentences.push_back(meeting_sentence(as_it_is, joint.after, joint.curve));
+        if (joint.is_third_order) sentences.push_back(change_sentence(joint.before, joint.after, joint.curve));
+        sentences.push_back(
+            sentence("'{name}' changed from u = {from} to {to}", {{"name", joint.name},
+                                                                  {"from", core::shortest_text(joint.changed.lower)},
+                                                                  {"to", core::shortest_text(joint.changed.upper)}}));
+    } else {
+        sentences.emplace_back("nothing had to be moved");
+    }
+    if (joint.curve.degree() != joint.old_degree)
+        sentences.push_back(sentence("the degree rose from {from} to {to}",
+                                     {{"from", joint.old_degree}, {"to", joint.curve.degree()}}));
+    if (const auto lost = lost_smoothness(joint.lost)) sentences.push_back(*lost);
+}
+
 }  // namespace
 
 std::optional<std::string> told_in_turn(std::span<const std::string> sentences) {
@@ -145,21 +190,21 @@ std::optional<std::string> lost_smoothness(std::span<const core::SmoothnessLoss>
 std::string join_report(const std::string& name, const core::JoinedCurve& joined, int degree) {
     std::vector<std::string> sentences;
     if (const auto placed = placing(name, joined.ends)) sentences.push_back(*placed);
-    sentences.push_back(meeting_sentence(as_it_was, joined.before, joined.curve));
-    if (joined.changed.length() > 0.0) {
-        sentences.push_back(meeting_sentence(as_it_is, joined.after, joined.curve));
-        sentences.push_back(
-            sentence("'{name}' changed from u = {from} to {to}", {{"name", name},
-                                                                  {"from", core::shortest_text(joined.changed.lower)},
-                                                                  {"to", core::shortest_text(joined.changed.upper)}}));
-    } else {
-        sentences.emplace_back("nothing had to be moved");
-    }
-    if (joined.curve.degree() != degree)
-        sentences.push_back(
-            sentence("the degree rose from {from} to {to}", {{"from", degree}, {"to", joined.curve.degree()}}));
-    if (const auto lost = lost_smoothness(joined.lost)) sentences.push_back(*lost);
+    tell(sentences, {name, joined.curve, joined.before, joined.after, joined.changed, joined.lost, degree, false});
     return *told_in_turn(sentences);
+}
+
+std::string match_report(const std::string& name, const core::MatchedCurve& matched, int degree,
+                         core::GeometricContinuity continuity) {
+    std::vector<std::string> sentences;
+    tell(sentences, {name, matched.curve, matched.before, matched.after, matched.changed, matched.lost, degree,
+                     continuity == core::GeometricContinuity::g3});
+    return *told_in_turn(sentences);
+}
+
+std::string level_text(int level) {
+    constexpr std::array texts{"gap", "G⁰", "G¹", "G²", "G³"};
+    return texts[static_cast<std::size_t>(std::clamp(level, -1, 3) + 1)];
 }
 
 }  // namespace batten::editor

@@ -4,6 +4,7 @@
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/joint_report.h"
+#include "app/editor/commands/other_curve.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
 #include "core/base/sentence.h"
@@ -37,34 +38,19 @@ Outcome<Edit> bezier_pieces(const EditorState& state, const BezierPieces&) {
     return with_parts_of_active(state, core::bezier_curves(active_curve(state)));
 }
 
-// The other curve of a join: an unlocked one, and not the active curve itself.
-Outcome<std::size_t> other_curve(const EditorState& state, const std::string& name) {
-    Outcome<std::size_t> other = curve_named(state, name);
-    if (!other) return other;
-    const core::Document& document = state.history.present();
-    if (*other == document.active)
-        return tl::unexpected(
-            sentence("'{name}' is the active curve; name another one", {{"name", document.curves[*other].name}}));
-    if (std::optional<Refusal> refusal = locked(document.curves[*other])) return tl::unexpected(*std::move(refusal));
-    return other;
-}
-
-// Which of the two curves has no ends, where that is the reason.
-Refusal join_refusal(const core::DocumentCurve& active, const core::DocumentCurve& other,
-                     const core::CurveError& error) {
-    using Code = core::CurveErrorCode;
-    if (error.code != Code::curve_periodic && error.code != Code::curve_closed) return core::describe(error);
-    const std::string& name = core::is_closed(*active.curve) ? active.name : other.name;
-    return sentence("'{name}' is closed and has no end to join; an open curve is needed", {{"name", name}});
+core::Result<core::JoinedCurve> joined_as_asked(const core::Curve& active, const core::Curve& other,
+                                                const Join& command) {
+    if (!command.end && !command.other_end) return core::join(active, other, command.continuity);
+    return core::join(active, other, command.continuity, chosen_ends(active, other, command.end, command.other_end));
 }
 
 Outcome<Edit> join(const EditorState& state, const Join& command) {
-    const Outcome<std::size_t> other = other_curve(state, command.other);
+    const Outcome<std::size_t> other = editable_other_curve(state, command.other);
     if (!other) return tl::unexpected(other.error());
     const core::DocumentCurve& active = *state.history.present().active_curve();
     const core::DocumentCurve& second = state.history.present().curves[*other];
-    const core::Result<core::JoinedCurve> joined = core::join(*active.curve, *second.curve, command.continuity);
-    if (!joined) return tl::unexpected(join_refusal(active, second, joined.error()));
+    const core::Result<core::JoinedCurve> joined = joined_as_asked(*active.curve, *second.curve, command);
+    if (!joined) return tl::unexpected(refusal_of_ends(active, second, joined.error()));
     Edit edit = with_one_for_several(state, joined->curve, {*other});
     if (joined->changed.length() > 0.0) edit.error = joined->error;
     edit.remark = join_report(second.name, *joined, active.curve->degree());
@@ -185,7 +171,9 @@ const CommandSpec& Join::spec() {
         .fields =
             {field::curve_name<&Join::other>("other", "name of the other curve").suggesting<suggest::next_curve_name>(),
              field::choice<&Join::continuity>("continuity", "how smooth the joint becomes")
-                 .usually(core::JoinContinuity::g1)},
+                 .usually(core::JoinContinuity::g1),
+             field::choice<&Join::end>("end", "of the active curve; the nearest where it is left out"),
+             field::choice<&Join::other_end>("other end", "of the other curve")},
         .refusal = no_other_curve,
         .run = body_of<join>,
         .step = "Join with {other} {continuity}",

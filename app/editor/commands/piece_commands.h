@@ -1,6 +1,7 @@
 /// Commands that cut, join, turn and extend curves.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/editor/command.h"
@@ -28,6 +29,8 @@ struct BezierPieces {
 struct Join {
     std::string other;  ///< the name of the curve to go on with
     core::JoinContinuity continuity;
+    std::optional<core::CurveEnd> end{};        ///< of the active curve; none: the nearest ends
+    std::optional<core::CurveEnd> other_end{};  ///< and of the other one
     static const CommandSpec& spec();
 };
 
