@@ -79,7 +79,7 @@ void draw_guides(CanvasFrame& frame) {
     const auto& guides = frame.state.shown().guides;
     for (std::size_t k = 0; k < guides.size(); ++k)
         draw_guide(frame, guides[k],
-                   {.color = frame.theme.parameter,
+                   {.color = frame.theme.accent,
                     .width = hovered != nullptr && hovered->index == k ? 2.0 : 1.0,
                     .dash = 12.0,
                     .gap = 4.0});

@@ -47,7 +47,7 @@ std::size_t bytes_beside(const core::Document& document, const core::Document* o
         entries += sizeof(core::DocumentCurve) + item.name.size() + item.unknown_members.size() +
                    item.pinned.size() * sizeof(std::size_t);
     }
-    return count.bytes() - of_other + entries;
+    return count.bytes() - of_other + entries + document.guides.size() * sizeof(core::Guide);
 }
 
 }  // namespace batten::editor

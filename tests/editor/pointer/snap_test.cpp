@@ -4,10 +4,16 @@
 
 #include <chrono>
 #include <cmath>
+#include <random>
+#include <string_view>
 
+#include "app/editor/command_spec.h"
+#include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/making_commands.h"
 #include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/snap_commands.h"
+#include "app/editor/commands/tool_commands.h"
+#include "app/editor/state/same_document.h"
 #include "core/curve/knot_kinds.h"
 #include "tests/editor/canvas_fixture.h"
 
@@ -142,6 +148,48 @@ TEST_F(Snapping, of_a_closed_curve_at_its_seam) {
     EXPECT_FALSE(snap_at(ring.state(), {seam, {}, {.points = one}}));
     const std::vector<std::size_t> other{4};
     EXPECT_TRUE(snap_at(ring.state(), {seam, {}, {.points = other}}));
+}
+
+// Whatever is snapped to and typed, every step is one, and undoing all of them leads back to the last bit.
+TEST_F(Snapping, random_gestures_undo_to_the_first_document) {
+    for (const auto& kind : core::Names<SnapKind>::table) editor.run(SetSnap{.kind = kind.value, .on = true});
+    const core::Document first = state().history.present();
+    std::mt19937 random(5);
+    const auto below = [&](unsigned count) { return static_cast<double>(random() % count); };
+    const auto place = [&] { return glm::dvec2(200.0 + 4.0 * below(220), 100.0 + 4.0 * below(130)); };
+    const auto key = [&](char32_t character, Key named) {
+        PointerEvent event;
+        event.action = PointerAction::key;
+        event.position_px = place();
+        event.character = character;
+        event.key = named;
+        pointer.send(event);
+    };
+    constexpr std::u32string_view characters = U"0123456789.,@<x-+";
+    for (int i = 0; i < 500; ++i) {
+        if (i % 25 == 0) editor.run(AddGuide{.position = {below(9) - 4.0, below(9) - 4.0}, .angle = 15.0 * below(12)});
+        if (i % 10 == 0) editor.run(SetTool{.tool = i % 20 == 0 ? Tool::shape : Tool::select});
+        if (i % 40 == 0)
+            editor.run(Command(draw_shape_spec(static_cast<ShapeKind>(i / 40 % 9)),
+                               draw_shape_spec(static_cast<ShapeKind>(i / 40 % 9)).run.make()));
+        const auto points = state().active_curve()->control_points();
+        const core::Point grabbed = points[random() % points.size()];
+        pointer.modifiers = {random() % 8 == 0, random() % 8 == 0, random() % 8 == 0};
+        pointer.press(render::screen_from_world(state().view.camera, grabbed));
+        pointer.move(place());
+        for (unsigned k = random() % 4; k > 0 && i % 3 == 0; --k)
+            key(characters[random() % characters.size()], Key::none);
+        if (i % 6 == 0) key(0, random() % 2 == 0 ? Key::tab : Key::backspace);
+        if (i % 3 == 0) key(0, Key::enter);
+        pointer.release(place());
+        if (random() % 16 == 0) pointer.escape(place());
+        for (const core::DocumentCurve& item : state().shown().curves)
+            for (const core::Point point : item.curve->control_points()) ASSERT_TRUE(core::is_finite(point));
+    }
+    pointer.escape(place());
+    EXPECT_GT(steps(), 150U);
+    while (steps() > 0) editor.run(Undo{});
+    EXPECT_TRUE(is_same_document(state().history.present(), first));
 }
 
 // A million points and a thousand curves, all within reach.
