@@ -84,6 +84,31 @@ class ExactTest(WindowTest):
         self.assertEqual(circle["points"][0], [3.5, 2])
         self.assertEqual(circle["points"][4], [-1.5, 2])
 
+    def test_numbers_change_what_is_there_and_show_their_own_digits(self):
+        editor = self.open_editor()
+        for typed, wanted in (("+=1/4", -1.25), ("*=-2", 2.5), ("-=2.49874", 0.00126)):
+            editor.click_widget("point 2 x")
+            self.retype(editor, "point 2 x", typed)
+            editor.key("Return")
+            editor.settle()
+            self.assertAlmostEqual(self.curves(editor)[0]["points"][2][0], wanted, 15)
+        self.assertEqual(editor.settle()["widgets"]["point 2 x"]["value"], "0.00126")
+
+    def test_a_form_changes_what_it_began_with_and_leaves_the_canvas_free(self):
+        editor = self.open_editor()
+        self.choose(editor, "make", "Shapes", "circle")
+        state = editor.wait(lambda state: "form radius" in state["widgets"] and state["is_settled"], "the form")
+        canvas, form = state["canvas"], state["widgets"]["dialog"]
+        self.assertGreater(form["x"], canvas["x"] + 0.9 * canvas["width"])
+        radius = float(state["widgets"]["form radius"]["value"])
+        editor.click_widget("form radius")
+        self.retype(editor, "form radius", "*=1.5")
+        editor.wait(lambda state: state["has_preview"] and state["is_settled"], "the preview")
+        editor.key("Return")
+        editor.wait(lambda state: state["dialog"] == "none" and state["is_settled"], "the end of the form")
+        points = self.curves(editor)[-1]["points"]
+        self.assertAlmostEqual(points[0][0] - points[4][0], 3 * radius, 14)
+
     def test_kinds_are_switched_by_the_magnet(self):
         editor = self.open_editor()
         editor.click_widget("tool-bar set-snap")

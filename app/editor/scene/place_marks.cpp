@@ -24,6 +24,7 @@ void draw_guide(CanvasFrame& frame, const core::Guide& guide, const Stroke& stro
     const core::Vector along = direction_of(guide.angle);
     const glm::dvec2 reach = (frame.pen.size_px().x + frame.pen.size_px().y) * glm::dvec2(along.x, -along.y);
     frame.pen.segment(middle - reach, middle + reach, stroke);
+    frame.lines.push_back({middle - reach, middle + reach});
 }
 
 bool is_exact_place(SnapKind kind) {
