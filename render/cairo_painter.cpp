@@ -63,6 +63,20 @@ class Painter {
         cairo_fill(cairo_);
     }
 
+    void operator()(const Region& region) const {
+        cairo_new_path(cairo_);
+        for (const std::vector<glm::vec2>& loop : region.loops->loops) {
+            cairo_new_sub_path(cairo_);
+            for (const glm::vec2 point : loop) cairo_line_to(cairo_, point.x, point.y);
+            cairo_close_path(cairo_);
+        }
+        const bool is_even_odd = region.loops->rule == FillRule::even_odd;
+        cairo_set_fill_rule(cairo_, is_even_odd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
+        take(region.color);
+        cairo_fill(cairo_);
+        cairo_set_fill_rule(cairo_, CAIRO_FILL_RULE_WINDING);
+    }
+
     void operator()(const Ink& ink) const {
         const glm::ivec2 size = ink.map->size_px();
         const Surface mask(cairo_image_surface_create(CAIRO_FORMAT_A8, size.x, size.y));

@@ -203,23 +203,37 @@ void CoverageMap::paint(const Segment& segment, double from, double to) {
     }
 }
 
+void CoverageMap::cover_row(int y, int first, std::span<const std::uint8_t> coverage) {
+    if (coverage.empty()) return;
+    const auto count = static_cast<int>(coverage.size());
+    touched_ = {glm::min(touched_.lower, glm::ivec2(first, y)),
+                glm::max(touched_.upper, glm::ivec2(first + count, y + 1))};
+    std::uint8_t* value = &values_[index_of({0, y})];
+    for (int k = 0; k < count; ++k) raise(value[first + k], {first + k, y}, coverage[static_cast<std::size_t>(k)]);
+}
+
+// Counts the pixel where it becomes covered.
+void CoverageMap::raise(std::uint8_t& value, glm::ivec2 pixel, std::uint8_t painted) {
+    if (painted <= value) return;
+    value = painted;
+    std::uint8_t& open = open_[block_of(pixel)];
+    if (painted < full || open == 0) return;
+    if (--open == 0) --open_blocks_[group_of(pixel / block_px)];
+}
+
 void CoverageMap::paint_row(const Segment& segment, int y, int first, int end) {
     const glm::dvec2 direction = segment.direction;
     const glm::dvec2 offset = glm::dvec2(first + 0.5, y + 0.5) - segment.a;
     double along = glm::dot(offset, direction);
     double across = offset.x * direction.y - offset.y * direction.x;
     std::uint8_t* value = &values_[index_of({0, y})];
-    std::uint8_t* open = &open_[block_of({0, y})];
     for (int x = first; x < end; ++x, along += direction.x, across += direction.y) {
         if (value[x] == full) continue;
         const double beyond = along < 0.0 ? -along : along - segment.length;
         const double distance = beyond > 0.0 ? std::sqrt(across * across + beyond * beyond) : std::abs(across);
         const double share = std::clamp(segment.half_width + 0.5 - distance, 0.0, 1.0);
         const auto painted = static_cast<std::uint8_t>(255.0 * share + 0.5);
-        if (painted <= value[x]) continue;
-        value[x] = painted;
-        if (painted < full || open[x / block_px] == 0) continue;
-        if (--open[x / block_px] == 0) --open_blocks_[group_of({x / block_px, y / block_px})];
+        raise(value[x], {x, y}, painted);
     }
 }
 

@@ -48,6 +48,9 @@ class CoverageMap {
     /// that are not covered yet, and an eighth of those that are.
     void stroke(glm::dvec2 a, glm::dvec2 b, const InkStyle& style);
 
+    /// At least that coverage in row `y` of the picture from pixel `first` on.
+    void cover_row(int y, int first, std::span<const std::uint8_t> coverage);
+
     /// Whether all of the box that is in the picture is known to be covered or hidden; may fail to know within 7 px of
     /// what is not. Cost: the box in blocks of 64 x 64, near its edges of 8 x 8; less where it is not so.
     [[nodiscard]] bool is_full(const PixelBox& box) const;
@@ -91,6 +94,7 @@ class CoverageMap {
     [[nodiscard]] std::uint8_t block_size(glm::ivec2 block) const;
     void stroke_solid(glm::dvec2 a, glm::dvec2 b, double half_width);
     void paint(const Segment& segment, double from, double to);
+    void raise(std::uint8_t& value, glm::ivec2 pixel, std::uint8_t painted);
     void paint_row(const Segment& segment, int y, int first, int end);
 
     static constexpr int block_px = 8;

@@ -1,4 +1,4 @@
-/// A picture as data: polylines, fills, ink, markers and labels in pixels, painted in order.
+/// A picture as data: polylines, fills, ink, regions, markers and labels in pixels, painted in order.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -10,6 +10,7 @@
 
 #include "render/color.h"
 #include "render/coverage_map.h"
+#include "render/region_cover.h"
 
 namespace batten::render {
 
@@ -35,6 +36,13 @@ struct Fill {
 /// Pixels of one color as far as they are covered: a line that is too long and dense to be painted as a line.
 struct Ink {
     std::shared_ptr<const CoverageMap> map;  ///< not null
+    Color color;
+};
+
+/// What loops enclose, filled. Painters that know no such paths paint the map.
+struct Region {
+    std::shared_ptr<const RegionLoops> loops;  ///< not null
+    std::shared_ptr<const CoverageMap> map;    ///< their region_coverage; not null
     Color color;
 };
 
@@ -68,7 +76,7 @@ struct Label {
     LabelFont font = LabelFont::text;
 };
 
-using DrawCommand = std::variant<Fill, Polyline, Ink, Marker, Label>;
+using DrawCommand = std::variant<Fill, Polyline, Ink, Region, Marker, Label>;
 
 /// What to draw, in order; later commands cover earlier ones.
 struct DrawList {

@@ -21,6 +21,8 @@ class PictureBuilder {
         add_run(kind, first, picture_.strokes.indices.size());
     }
 
+    void operator()(const Region& region) { (*this)(Ink{region.map, region.color}); }
+
     void operator()(const Ink& ink) {
         const std::size_t first_fill = picture_.fills.indices.size();
         const std::size_t first = picture_.inks.indices.size();

@@ -33,6 +33,8 @@ class PicturePainter {
 
     void operator()(const render::Ink&) const {}
 
+    void operator()(const render::Region&) const {}
+
     void operator()(const render::Marker& marker) const {
         const std::vector<ImVec2> points = outline_of(marker);
         const int count = static_cast<int>(points.size());

@@ -89,8 +89,10 @@ Strip boundless_strip(Point first, Point last) {
 // Goes down to what is seen, halving as far as needed.
 class CurveStrips::Search {
   public:
-    Search(CurveStrips& strips, const StripRequest& request, ItemRange range)
-        : strips_(strips), request_(request), range_(range), runs_(request.most_places) {}
+    enum class Outside { left_out, as_chords };
+
+    Search(CurveStrips& strips, const StripRequest& request, ItemRange range, Outside outside = Outside::left_out)
+        : strips_(strips), request_(request), range_(range), outside_(outside), runs_(request.most_places) {}
 
     RunCollector search() {
         strips_.stretches_.visit(
@@ -104,10 +106,18 @@ class CurveStrips::Search {
   private:
     bool is_to_enter(const Strip& strip, ItemRange spans) {
         if (runs_.is_full() || spans.end <= range_.first || range_.end <= spans.first) return false;
-        if (!strip.box.intersects(request_.view)) return false;
+        if (!strip.box.intersects(request_.view)) return pass_by(strip);
         const bool is_inside = range_.first <= spans.first && spans.end <= range_.end;
         if (!is_inside || !is_small_beside(strip.box, request_.view, request_.tolerance)) return true;
         return !add_if_simple(strip, request_.tolerance, runs_);
+    }
+
+    // A strip outside of the view may be its chord, if that is one line.
+    bool pass_by(const Strip& strip) {
+        if (outside_ == Outside::left_out) return false;
+        if (!strip.is_whole) return true;
+        runs_.add(strip.first, strip.last);
+        return false;
     }
 
     void search_stretch(std::size_t stretch) {
@@ -127,7 +137,8 @@ class CurveStrips::Search {
     void search_part(SpanParts& parts, std::size_t i, int depth) {
         const Strip strip = parts[i].strip;
         const double tolerance = std::max(request_.tolerance, noise_);
-        if (runs_.is_full() || !strip.box.intersects(request_.view)) return;
+        if (runs_.is_full()) return;
+        if (!strip.box.intersects(request_.view)) return static_cast<void>(pass_by(strip));
         const bool is_fine = is_small_beside(strip.box, request_.view, tolerance) && strip.deviation <= tolerance;
         if (is_fine || depth == most_chord_halvings || !is_divisible(parts[i].interval, strip.box))
             return runs_.add(strip.first, strip.last);
@@ -140,6 +151,7 @@ class CurveStrips::Search {
     CurveStrips& strips_;
     const StripRequest& request_;
     ItemRange range_;
+    Outside outside_;
     double noise_ = 0.0;
     RunCollector runs_;
 };
@@ -164,6 +176,15 @@ std::optional<PointRuns> CurveStrips::runs(const StripRequest& request, Interval
     ++use_;
     assert(request.tolerance > 0.0);
     RunCollector runs = Search(*this, request, spans_over(range)).search();
+    drop_unused();
+    if (runs.is_full()) return std::nullopt;
+    return runs.take();
+}
+
+std::optional<PointRuns> CurveStrips::outline(const StripRequest& request) {
+    ++use_;
+    assert(request.tolerance > 0.0);
+    RunCollector runs = Search(*this, request, {first_span(), span_end()}, Search::Outside::as_chords).search();
     drop_unused();
     if (runs.is_full()) return std::nullopt;
     return runs.take();

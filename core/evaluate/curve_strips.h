@@ -37,6 +37,10 @@ class CurveStrips {
     /// for the first time.
     std::optional<PointRuns> runs(const StripRequest& request, Interval range);
 
+    /// The whole curve as polylines that are as true in the view, and outside of it run round each place of the view as
+    /// often as the curve does. None where that takes more than most_places. Cost likewise.
+    std::optional<PointRuns> outline(const StripRequest& request);
+
     /// Hands out chords of all that is seen and not hidden of the curve over `range`, as runs() would have them but for
     /// thin boxes, in no order. Leaves out the spans `left_out` (ascending). Keeps nothing. Cost: that of the spans
     /// that are neither in one chord with others nor hidden with them.

@@ -56,6 +56,7 @@ struct FaultFinder {
         if (!ink.map || ink.map->size_px() != glm::ivec2(glm::ceil(size_px)))
             faults.emplace_back("ink of another size");
     }
+    void operator()(const render::Region& region) { (*this)(render::Ink{region.map, region.color}); }
     void operator()(const render::Marker& marker) {
         check_place("marker", marker.center);
         check_size("radius", marker.radius_px, false);

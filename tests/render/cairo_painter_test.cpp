@@ -126,5 +126,17 @@ TEST(CairoPainter, paints_ink_as_a_picture) {
     EXPECT_NE(svg_of(Ink{map, red}).find("<image"), std::string::npos);
 }
 
+TEST(CairoPainter, fills_regions_by_their_rule) {
+    const auto loops = std::make_shared<RegionLoops>();
+    loops->loops = {{{10, 10}, {50, 10}, {50, 50}}, {{20, 15}, {40, 15}, {40, 30}}};
+    const auto map = std::make_shared<CoverageMap>(region_coverage(*loops, {100, 80}));
+    std::string svg = svg_of(Region{loops, map, red});
+    EXPECT_EQ(last_path(svg), (std::vector<double>{10, 10, 50, 10, 50, 50, 10, 10, 20, 15, 40, 15, 40, 30, 20, 15}));
+    EXPECT_FALSE(has(svg, "fill-rule", "evenodd")) << svg;
+    loops->rule = FillRule::even_odd;
+    svg = svg_of(Region{loops, map, red});
+    EXPECT_TRUE(has(svg, "fill-rule", "evenodd")) << svg;
+}
+
 }  // namespace
 }  // namespace batten::render

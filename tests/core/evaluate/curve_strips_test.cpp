@@ -117,6 +117,35 @@ TEST(CurveStrips, give_nothing_where_it_takes_more_places_than_asked_for) {
     EXPECT_TRUE(PolygonStrips(curve).runs({1e-3, everything, 5000}));
 }
 
+// How often polylines, joined in order to one, run around a place.
+int winding_of(const PointRuns& runs, Point place) {
+    std::vector<Point> points;
+    for (const auto& run : runs) points.insert(points.end(), run.begin(), run.end());
+    double sum = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        sum += angle_between(points[i] - place, points[(i + 1) % points.size()] - place);
+    return static_cast<int>(std::lround(sum / (2.0 * std::numbers::pi)));
+}
+
+// Wherever the view is, and though most of the curve lies outside of it.
+TEST(CurveStrips, outline_runs_around_places_of_the_view_as_the_curve_does) {
+    const auto curve = cubic_through(spiral_points(2000));
+    CurveStrips strips(curve);
+    const PointRuns whole = strips.outline({1e-4, everything, plenty}).value();
+    for (const Point corner : {Point(-0.1, -0.1), Point(2, 1), Point(-3, 0.5), Point(0.3, -3.7)}) {
+        const Box view{corner, corner + Vector(0.2, 0.2)};
+        const PointRuns seen = strips.outline({1e-4, view, plenty}).value();
+        std::size_t places = 0;
+        for (const auto& run : seen) places += run.size();
+        EXPECT_LT(places, 1500U);
+        for (const Vector to : {Vector(0.01, 0.03), Vector(0.1, 0.1), Vector(0.17, 0.02)})
+            EXPECT_EQ(winding_of(seen, corner + to), winding_of(whole, corner + to));
+        EXPECT_EQ(seen.front().front(), curve->control_points().front());
+        EXPECT_EQ(seen.back().back(), curve->control_points().back());
+    }
+    EXPECT_FALSE(strips.outline({1e-9, everything, 100}));
+}
+
 TEST(CurveStrips, hand_out_chords_of_the_whole_curve) {
     RandomCurves random(31);
     for (int k = 0; k < 150; ++k) {
