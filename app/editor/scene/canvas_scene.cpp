@@ -11,6 +11,8 @@
 #include "app/editor/scene/curvature_comb.h"
 #include "app/editor/scene/curve_knots.h"
 #include "app/editor/scene/curve_strokes.h"
+#include "app/editor/scene/directions.h"
+#include "app/editor/scene/filled_shapes.h"
 #include "app/editor/scene/finding_marks.h"
 #include "app/editor/scene/fit_marks.h"
 #include "app/editor/scene/gesture_marks.h"
@@ -41,6 +43,7 @@ std::vector<render::PixelBox> draw_background(CanvasFrame& frame) {
     for (const InsetPlace& inset : inset_places(frame.state)) covered.push_back(inset.box);
     if (const auto cards = floating_cards_box(frame.state)) covered.push_back(*cards);
     for (const render::PixelBox& box : finding_boxes(frame)) covered.push_back(box);
+    draw_filled_shapes(frame);
     draw_guides(frame);
     draw_ghost(frame);
     draw_other_curves(frame);
@@ -113,6 +116,7 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, 
         for (const CrowdNote& note : notes) covered.push_back(note.box);
         draw_marks_of_active_curve(frame, list, marks, covered);
     }
+    if (frame.shows(Overlay::directions)) draw_directions(frame);
     draw_finding_marks(frame);
     draw_gesture_marks(frame, mode);
     if (frame.curve != nullptr) draw_insets(frame);

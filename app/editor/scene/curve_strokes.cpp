@@ -1,9 +1,9 @@
 #include "app/editor/scene/curve_strokes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "app/editor/scene/directions.h"
 #include "core/evaluate/evaluate.h"
 
 namespace batten::editor {
@@ -40,11 +40,7 @@ void draw_direction(CanvasFrame& frame, render::Color color) {
     const double speed = core::length(at[1]);
     if (!(speed > 0.0) || !std::isfinite(speed)) return;
     const glm::dvec2 along = glm::dvec2(at[1].x, -at[1].y) / speed;
-    const glm::dvec2 across{-along.y, along.x};
-    const glm::dvec2 tip = frame.screen(at.point) + frame.pen.px(4.0) * along;
-    const glm::dvec2 back = tip - frame.pen.px(7.0) * along;
-    const double half = frame.pen.px(5.5);
-    frame.pen.line(std::array{back + half * across, tip, back - half * across}, {.color = color, .width = 2.5});
+    draw_chevron(frame, frame.screen(at.point) + frame.pen.px(4.0) * along, along, color);
 }
 
 }  // namespace

@@ -133,6 +133,10 @@ void Pen::ink(std::shared_ptr<const render::CoverageMap> map, render::Color colo
     list_.add(render::Ink{std::move(map), color});
 }
 
+void Pen::region(const render::Region& region) {
+    list_.add(region);
+}
+
 void Pen::symbol(glm::dvec2 center, const Symbol& symbol) {
     if (!reach_.contains(center)) return;
     list_.add(render::Marker{.center = pixel(center),

@@ -64,6 +64,7 @@ class Pen {
     /// A convex polygon; nothing for fewer than three points.
     void fill(std::vector<glm::dvec2> polygon, render::Color color);
 
+    void region(const render::Region& region);
     void ink(std::shared_ptr<const render::CoverageMap> map, render::Color color);
     void symbol(glm::dvec2 center, const Symbol& symbol);
     void text(glm::dvec2 position, const std::string& text, const TextStyle& style);

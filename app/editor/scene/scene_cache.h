@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/editor/scene/basis_cache.h"
+#include "app/editor/scene/filled_shapes.h"
 #include "app/editor/scene/kept_ink.h"
 #include "app/editor/scene/other_curves.h"
 #include "core/document/document.h"
@@ -70,6 +71,8 @@ class SceneCache {
 
     OtherInk& others() { return others_; }
 
+    FilledShapes& fills() { return fills_; }
+
     /// The graphs of the dock.
     BasisCache& basis() { return basis_; }
 
@@ -80,6 +83,7 @@ class SceneCache {
     std::vector<std::unique_ptr<KeptCurve>> curves_;
     std::unique_ptr<KeptCurve> ghost_;
     OtherInk others_;
+    FilledShapes fills_;
     BasisCache basis_;
 };
 

@@ -19,6 +19,9 @@ enum class Overlay {
     labels,
     grid,
     construction,
+    fill,               ///< what closed curves enclose, by the non-zero rule
+    even_odd_fill,      ///< the same by the even-odd rule
+    directions,         ///< arrows along the curves
     triangle,           ///< the triangle of de Boor or de Casteljau with its lines
     halves,             ///< the two curves into which u splits
     by_insertion,       ///< C(u) by inserting u p times
@@ -58,8 +61,8 @@ enum class Overlay {
     knot_questions,     ///< the lecture's five
     quiz                ///< makes vectors and marks answers
 };
-inline constexpr std::size_t overlay_count = 47;
-inline constexpr std::size_t basic_overlay_count = 9;
+inline constexpr std::size_t overlay_count = 50;
+inline constexpr std::size_t basic_overlay_count = 12;
 
 class Overlays {
   public:
@@ -68,7 +71,7 @@ class Overlays {
     bool operator==(const Overlays&) const = default;
 
   private:
-    std::bitset<overlay_count> bits_{0b111010011};  // all basic ones but pieces, comb and hodograph
+    std::bitset<overlay_count> bits_{0b111010011};  // polygon, hull, knots, labels, grid and construction
 };
 
 }  // namespace batten::editor
@@ -87,6 +90,9 @@ struct Names<editor::Overlay> {
                                       Named{labels, "labels", "labels"},
                                       Named{grid, "grid", "grid"},
                                       Named{construction, "construction", "construction"},
+                                      Named{fill, "fill", "fill"},
+                                      Named{even_odd_fill, "even-odd-fill", "even-odd fill"},
+                                      Named{directions, "directions", "directions"},
                                       Named{triangle, "triangle", "triangle"},
                                       Named{halves, "halves", "two halves"},
                                       Named{by_insertion, "by-insertion", "by insertion"},

@@ -307,7 +307,10 @@ TEST(CanvasScene, each_overlay_adds_something_of_its_own) {
     show_only(state, {});
     const std::size_t bare = scene_of(state).commands.size();
     for (std::size_t i = 0; i < basic_overlay_count; ++i) {
-        show_only(state, {static_cast<Overlay>(i)});
+        const auto overlay = static_cast<Overlay>(i);
+        // An open curve has no inside.
+        if (overlay == Overlay::fill || overlay == Overlay::even_odd_fill) continue;
+        show_only(state, {overlay});
         EXPECT_GT(scene_of(state).commands.size(), bare) << core::name_of(static_cast<Overlay>(i));
     }
 }
