@@ -6,6 +6,7 @@
 #include "app/editor/commands/analysis_commands.h"
 #include "app/editor/commands/arranging_commands.h"
 #include "app/editor/commands/closing_commands.h"
+#include "app/editor/commands/combine_commands.h"
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/corner_commands.h"
 #include "app/editor/commands/degree_commands.h"
@@ -219,6 +220,9 @@ Command RandomSession::refinement_command(const EditorState& state, const core::
 }
 
 Command RandomSession::piece_command(const EditorState& state, const core::Curve& curve) {
+    if (below(6) == 0 && curve.control_points().size() < 25)
+        return one_of(state, {Unite::spec(), Subtract::spec(), IntersectShapes::spec(), ExcludeShapes::spec(),
+                              FindCentroid::spec()});
     if (state.history.present().curves.size() > 6 || curve.control_points().size() > 40 || curve.degree() > 6)
         return SubCurve{.begin = parameter(state), .end = parameter(state)};
     if (below(2) == 0) return joint_command(state);
