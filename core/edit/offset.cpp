@@ -125,6 +125,8 @@ class OffsetBuilder {
         return result;
     }
 
+    std::optional<Approximation> circular_alone() { return check_corners() ? circular() : std::nullopt; }
+
   private:
     // In how many places between its ends Hermite's cubic is compared with the offset.
     enum class Checks { few, many };
@@ -357,6 +359,12 @@ Result<Approximation> offset(const Curve& curve, double distance, double toleran
     if (distance == 0.0) return Approximation{curve, 0.0};
     if (curve.degree() == 1 && !curve.is_torn()) return offset_polygon(curve, distance);
     return OffsetBuilder(curve, distance, tolerance, progress).build();
+}
+
+std::optional<Curve> exact_offset(const Curve& curve, double distance) {
+    const Progress silent;
+    const auto found = OffsetBuilder(curve, distance, std::numeric_limits<double>::infinity(), silent).circular_alone();
+    return found ? std::optional(found->curve) : std::nullopt;
 }
 
 }  // namespace batten::core

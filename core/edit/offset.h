@@ -1,6 +1,8 @@
 /// The curve at a constant distance beside another one.
 #pragma once
 
+#include <optional>
+
 #include "core/base/progress.h"
 #include "core/curve/approximation.h"
 
@@ -21,5 +23,9 @@ namespace batten::core {
 /// the offset, whose derivative is C' (1 - distance * curvature).
 [[nodiscard]] Result<Approximation> offset(const Curve& curve, double distance, double tolerance,
                                            const Progress& progress = {});
+
+/// The offset of a straight line, a circle or an arc of one, exact up to rounding, over the same knots in the same
+/// degree; none for other curves, and where the distance reaches the radius of curvature. Cost O(n p^2).
+std::optional<Curve> exact_offset(const Curve& curve, double distance);
 
 }  // namespace batten::core
