@@ -386,7 +386,11 @@ Command RandomSession::moving_command(const EditorState& state, const core::Curv
         case 7:
             return DeleteAndRefit{.points = {below(30)}};
         default:
-            return Offset{.distance = between(-1, 1), .tolerance = 0.05};
+            return Offset{.distance = between(-1, 1),
+                          .tolerance = 0.05,
+                          .side = below(2) == 0 ? std::nullopt : std::optional(any<core::OffsetSide>()),
+                          .corners = any<core::OffsetCorners>(),
+                          .caps = any<core::OffsetCaps>()};
     }
 }
 

@@ -13,14 +13,21 @@
 
 namespace batten::editor {
 
-Edit with_curve(const EditorState& state, const std::string& wish, core::Curve curve) {
+Edit with_curves(const EditorState& state, const std::string& wish, std::vector<core::Curve> curves) {
     Edit edit{state.history.present(), Selection{}};
-    core::DocumentCurve added;
-    added.name = core::unused_name(edit.document, wish);
-    added.curve = std::make_shared<const core::Curve>(std::move(curve));
-    edit.document.curves.push_back(std::move(added));
-    edit.document.active = edit.document.curves.size() - 1;
+    edit.document.active = edit.document.curves.size();
+    core::FreeNames names(edit.document);
+    for (core::Curve& curve : curves) {
+        core::DocumentCurve added;
+        added.name = names.take(wish);
+        added.curve = std::make_shared<const core::Curve>(std::move(curve));
+        edit.document.curves.push_back(std::move(added));
+    }
     return edit;
+}
+
+Edit with_curve(const EditorState& state, const std::string& wish, core::Curve curve) {
+    return with_curves(state, wish, {std::move(curve)});
 }
 
 std::optional<Refusal> no_other_curve(const EditorState& state) {

@@ -9,6 +9,9 @@ namespace batten::editor {
 /// The committed document with `curve` added under a free name like `wish`; it is active.
 Edit with_curve(const EditorState& state, const std::string& wish, core::Curve curve);
 
+/// The same with several curves, at least one, of which the first is active.
+Edit with_curves(const EditorState& state, const std::string& wish, std::vector<core::Curve> curves);
+
 /// Refusal: no active curve, a locked one, or no other one beside it.
 std::optional<Refusal> no_other_curve(const EditorState& state);
 

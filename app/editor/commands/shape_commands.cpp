@@ -38,13 +38,30 @@ Outcome<Edit> fair(const EditorState& state, const Fair& command) {
                                   .map([](core::Approximation faired) { return std::move(faired.curve); }));
 }
 
+core::Result<core::OffsetCurves> offset_curves(const EditorState& state, const Offset& command) {
+    const core::Curve& curve = active_curve(state);
+    if (command.side)
+        return core::offset_shape(
+            curve, {command.distance, command.tolerance, *command.side, command.corners, command.caps}, state.progress);
+    return core::offset(curve, command.distance, command.tolerance, state.progress).map([](core::Approximation found) {
+        return core::OffsetCurves{{std::move(found.curve)}, found.error};
+    });
+}
+
 Outcome<Edit> offset(const EditorState& state, const Offset& command) {
-    auto found = core::offset(active_curve(state), command.distance, command.tolerance, state.progress);
+    auto found = offset_curves(state, command);
     if (!found) return tl::unexpected(core::describe(found.error()));
     const std::string& name = state.history.present().active_curve()->name;
-    Edit edit = with_curve(state, core::sentence("offset of {name}", {{"name", name}}), std::move(found->curve));
+    const std::size_t count = found->curves.size();
+    Edit edit = with_curves(state, core::sentence("offset of {name}", {{"name", name}}), std::move(found->curves));
     edit.error = found->error;
+    if (count > 1)
+        edit.remark = core::sentence({.one = "it is one curve", .many = "it consists of {count} curves"}, count);
     return edit;
+}
+
+core::OffsetSide left_side(const EditorState&) {
+    return core::OffsetSide::left;
 }
 
 std::optional<core::Point> point_at_parameter(const EditorState& state) {
@@ -152,13 +169,21 @@ const CommandSpec& Offset::spec() {
     static const CommandSpec spec{
         .name = "offset",
         .title = "Offset curve",
-        .explanation = "Adds a curve at a constant distance from the active one.",
-        .synonyms = "parallel",
+        .explanation =
+            "Adds the curves at a constant distance from the active one, without the loops where it comes too near.",
+        .synonyms = "parallel outline inset stroke",
         .group = CommandGroup::make,
-        .fields = {field::length<&Offset::distance>("distance", "to the left, negative to the right")
-                       .suggesting<suggest::grid_step>(),
-                   field::length<&Offset::tolerance>("tolerance", "the largest error, above 0")
-                       .suggesting<suggest::millionth_of_size>()},
+        .fields =
+            {field::length<&Offset::distance>("distance", "to the left, negative to the right")
+                 .suggesting<suggest::grid_step>(),
+             field::length<&Offset::tolerance>("tolerance", "the largest error, above 0")
+                 .suggesting<suggest::millionth_of_size>(),
+             field::choice<&Offset::side>("side",
+                                          "on which side, cut where it comes too near; without it nothing is cut")
+                 .beginning_with<left_side>(),
+             field::choice<&Offset::corners>("corners", "what goes around corners").usually(core::OffsetCorners::mitre),
+             field::choice<&Offset::caps>("caps", "how both sides of an open curve are joined at its ends")
+                 .usually(core::OffsetCaps::none)},
         .refusal = no_curve,
         .run = body_of<offset>,
         .at_work = "Offsetting the curve",

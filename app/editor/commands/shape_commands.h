@@ -1,8 +1,11 @@
 /// Commands that move points of the active curve itself, fair it and offset it.
 #pragma once
 
+#include <optional>
+
 #include "app/editor/command.h"
 #include "core/base/geometry.h"
+#include "core/shape/offset_shape.h"
 
 namespace batten::editor {
 
@@ -33,6 +36,10 @@ struct Fair {
 struct Offset {
     double distance;  ///< to the left
     double tolerance;
+    /// Absent: to the left, with the knots of the curve, and nothing is cut away.
+    std::optional<core::OffsetSide> side{};
+    core::OffsetCorners corners = core::OffsetCorners::mitre;
+    core::OffsetCaps caps = core::OffsetCaps::none;
     static const CommandSpec& spec();
 };
 

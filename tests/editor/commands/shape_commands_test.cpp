@@ -8,6 +8,7 @@
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "core/evaluate/evaluate.h"
+#include "core/measure/area.h"
 #include "core/measure/nearest.h"
 #include "tests/editor/sample_editor.h"
 
@@ -104,6 +105,56 @@ TEST_F(ShapeCommands, offset_says_why_there_is_none) {
     EXPECT_FALSE(run(Offset{.distance = 5.0, .tolerance = 1e-5}));
     EXPECT_EQ(message().substr(0, 49), "the distance is 5, but the radius of curvature at") << message();
     EXPECT_EQ(document(editor_).curves.size(), 3U);
+}
+
+TEST_F(ShapeCommands, offset_to_a_side_has_few_points) {
+    const core::Curve before = curve(editor_);
+    EXPECT_TRUE(run(Offset{.distance = -0.2, .tolerance = 1e-5, .side = core::OffsetSide::left}));
+    EXPECT_EQ(document(editor_).curves.size(), 4U);
+    EXPECT_EQ(document(editor_).active_curve()->name, "offset of wave");
+    EXPECT_EQ(*document(editor_).curves[0].curve, before);
+    EXPECT_EQ(message().rfind("Added offset by -0.2; error at most ", 0), 0U) << message();
+    const core::Curve& offset = curve(editor_);
+    for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+        const core::Point place = core::point_at(offset, offset.domain().lower + share * offset.domain().length());
+        const core::CurveSample near = core::nearest_point(before, place);
+        EXPECT_NEAR(core::distance(near.point, place), 0.2, 1e-5);
+        EXPECT_LT(core::cross(core::derivatives_at(before, near.u, 1)[1], place - near.point), 0.0);
+    }
+}
+
+// A rectangle of 4 x 2: the inner offset, both of them, and an arc around each corner outside.
+TEST_F(ShapeCommands, offset_has_sides_and_corners) {
+    open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [ { "name": "r", "degree": 1,
+      "knots": [0,0,1,2,3,4,4], "points": [[0,0],[4,0],[4,2],[0,2],[0,0]] } ] })");
+    EXPECT_TRUE(type("offset 0.5 1e-6 left"));
+    EXPECT_NEAR(core::enclosed_area(curve(editor_))->signed_area, 3.0, 1e-14);
+    EXPECT_TRUE(run(Undo{}));
+    EXPECT_TRUE(type("offset 0.5 1e-6 both round"));
+    ASSERT_EQ(document(editor_).curves.size(), 3U);
+    EXPECT_EQ(document(editor_).active, 1U);
+    EXPECT_EQ(document(editor_).curves[2].name, "offset of r 2");
+    EXPECT_NEAR(core::enclosed_area(*document(editor_).curves[2].curve)->signed_area, 14.0 + 0.25 * std::acos(-1.0),
+                1e-12);
+    EXPECT_EQ(message().rfind("Added offset by 0.5; it consists of 2 curves", 0), 0U) << message();
+}
+
+TEST_F(ShapeCommands, offset_of_an_open_curve_has_caps) {
+    run(ActivateCurve{.index = 2});
+    EXPECT_TRUE(run(
+        Offset{.distance = 0.5, .tolerance = 1e-6, .side = core::OffsetSide::both, .caps = core::OffsetCaps::flat}));
+    EXPECT_EQ(document(editor_).curves.size(), 4U);
+    EXPECT_TRUE(core::enclosed_area(curve(editor_)).has_value());
+}
+
+TEST_F(ShapeCommands, offset_says_why_nothing_is_left) {
+    EXPECT_FALSE(run(Offset{.distance = 0.1, .tolerance = 0.0, .side = core::OffsetSide::both}));
+    EXPECT_EQ(message(), "the tolerance is 0; it must be above 0 and finite");
+    open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [ { "name": "r", "degree": 1,
+      "knots": [0,0,1,2,3,4,4], "points": [[0,0],[4,0],[4,2],[0,2],[0,0]] } ] })");
+    EXPECT_FALSE(run(Offset{.distance = 1.25, .tolerance = 1e-5, .side = core::OffsetSide::left}));
+    EXPECT_EQ(message(), "nothing is left at the distance 1.25; it must be less than half of the width of the shape");
+    EXPECT_EQ(document(editor_).curves.size(), 1U);
 }
 
 TEST_F(ShapeCommands, locked_curves_are_not_moved) {
