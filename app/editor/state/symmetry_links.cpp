@@ -92,8 +92,8 @@ core::Result<core::Curve> with_seams_of(const core::Curve& old, const core::Curv
     return core::Curve::make(std::move(definition));
 }
 
-std::shared_ptr<const core::FitPoints> mapped_fit(const std::shared_ptr<const core::FitPoints>& fit,
-                                                  const core::PlaneMap& map) {
+std::shared_ptr<const core::FitPoints> image_of_fit(const std::shared_ptr<const core::FitPoints>& fit,
+                                                    const core::PlaneMap& map) {
     return fit == nullptr ? nullptr : std::make_shared<const core::FitPoints>(mapped_fit(*fit, map));
 }
 
@@ -146,7 +146,7 @@ Outcome<void> follow(const core::Document& before, core::Document& after, const 
         if (old_original) original = with_seams_of(*old_original, *original, symmetry);
     }
     if (!original) return tl::unexpected(core::describe(original.error()));
-    const auto fit = mapped_fit(after.curves[leader].fit, map_from_image(symmetry));
+    const auto fit = image_of_fit(after.curves[leader].fit, map_from_image(symmetry));
     const std::vector<std::size_t> pinned = after.curves[leader].pinned;
     for (const std::size_t i : members) {
         core::DocumentCurve& entry = after.curves[i];
@@ -156,7 +156,7 @@ Outcome<void> follow(const core::Document& before, core::Document& after, const 
         auto image = core::transform(*original, map_to_image(*entry.symmetry));
         if (!image) return tl::unexpected(core::describe(image.error()));
         replace_curve(entry, std::make_shared<const core::Curve>(*std::move(image)));
-        entry.fit = mapped_fit(fit, map_to_image(*entry.symmetry));
+        entry.fit = image_of_fit(fit, map_to_image(*entry.symmetry));
         entry.pinned = pinned;
     }
     return {};
