@@ -17,7 +17,7 @@ namespace batten::core {
 
 namespace {
 
-constexpr std::size_t most_spans = 60;
+constexpr std::size_t most_spans_of_part = 60;
 constexpr std::size_t places_of_shape = 600;
 constexpr std::size_t sites_of_span = 6;
 constexpr int corrections = 4;
@@ -253,7 +253,8 @@ Result<Approximation> redraw(const Curve& curve, const Curve& shape, double tole
     }
     const PartFitter fitter(curve, chosen->part, ShapeWay(shape, chosen->is_backward));
     std::optional<Approximation> best;
-    for (auto spans = static_cast<std::size_t>(curve.degree()) + 1; spans <= most_spans; spans += 1 + spans / 3) {
+    for (auto spans = static_cast<std::size_t>(curve.degree()) + 1; spans <= most_spans_of_part;
+         spans += 1 + spans / 3) {
         auto found = fitter.over(spans);
         if (found && (!best || found->error < 0.9 * best->error)) best = std::move(found);
         if (best && best->error <= tolerance) break;
