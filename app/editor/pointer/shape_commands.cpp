@@ -1,5 +1,6 @@
 #include "app/editor/pointer/shape_commands.h"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 

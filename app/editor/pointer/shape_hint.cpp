@@ -1,5 +1,6 @@
 #include "app/editor/pointer/shape_hint.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace batten::editor {

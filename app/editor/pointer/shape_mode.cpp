@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/pointer/edit_step.h"
 #include "app/editor/pointer/modes.h"
@@ -57,7 +60,8 @@ Outcome<Command> command_of(const DrawingShape& mode, const Gesture& gesture) {
 }
 
 CanvasMode follow_pointer(DrawingShape mode, const Gesture& gesture) {
-    mode = moved(std::move(mode), next_place(mode, gesture));
+    const core::Point next = next_place(mode, gesture);
+    mode = moved(std::move(mode), next);
     if (!is_complete(mode)) return mode;
     if (const auto command = command_of(mode, gesture))
         gesture.queue.preview(*command);
@@ -67,7 +71,8 @@ CanvasMode follow_pointer(DrawingShape mode, const Gesture& gesture) {
 }
 
 CanvasMode take_place(DrawingShape mode, const Gesture& gesture) {
-    mode = moved(std::move(mode), next_place(mode, gesture));
+    const core::Point next = next_place(mode, gesture);
+    mode = moved(std::move(mode), next);
     if (mode.next == mode.points.back()) return mode;
     if (!is_complete(mode)) {
         mode.points.push_back(mode.next);

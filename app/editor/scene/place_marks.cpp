@@ -1,6 +1,7 @@
 #include "app/editor/scene/place_marks.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "app/editor/pointer/place_text.h"
 #include "app/editor/pointer/snap.h"
