@@ -92,12 +92,18 @@ class ChainCurve {
         return run.is_forward ? part : part.and_then(reverse);
     }
 
+    // A part so short that it has no place there in the parameter becomes one of length 1.
+    static Result<Curve> put_behind(const Curve& part, double end) {
+        if (auto shifted = shift_domain(part, end)) return shifted;
+        return reparametrize(part, {end, end + 1.0});
+    }
+
     Result<Curve> joined(std::span<const Curve> parts, int degree) const {
         std::optional<CurveDefinition> whole;
         for (const Curve& part : parts) {
             Result<Curve> next = part;
             if (degree > part.degree()) next = elevate_degree(part, degree - part.degree());
-            if (next && whole) next = shift_domain(*next, whole->knots.back());
+            if (next && whole) next = put_behind(*next, whole->knots.back());
             if (!next) return refuse(next.error());
             whole = whole ? concatenated(*std::move(whole), next->definition()) : next->definition();
         }

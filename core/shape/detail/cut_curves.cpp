@@ -26,6 +26,7 @@ constexpr double same_split = 1e-6;
 // How far along the curves a contact without a crossing may be off, as a part of the size.
 constexpr double touching_reach = 1e-5;
 
+constexpr int most_polishings = 6;
 constexpr int most_rounds = 16;
 
 double largest_side(const Box& box) {
@@ -147,8 +148,34 @@ class Cutter {
                 }
             }
         }
-        for (const Touch& touch : touches_) add_touch(touch);
+        for (const Touch& touch : touches_) add_touch(polished(touch));
         return is_complete;
+    }
+
+    // By Newton's iteration for parallel tangents across which the curves meet.
+    Touch polished(Touch touch) const {
+        const double reach = touching_reach * graph_.size;
+        Touch found = touch;
+        for (int k = 0; k < most_polishings; ++k) {
+            const Jet a = derivatives_at(curves_[found.first], found.u, 2);
+            const Jet b = derivatives_at(curves_[found.second], found.v, 2);
+            const Vector apart = a.point - b.point;
+            const double parallel = cross(a[1], b[1]);
+            const double along = dot(apart, a[1]);
+            // Rows of the Jacobian by u and v.
+            const Vector first{cross(a[2], b[1]), cross(a[1], b[2])};
+            const Vector second{dot(a[1], a[1]) + dot(apart, a[2]), -dot(b[1], a[1])};
+            const double determinant = cross(first, second);
+            const double step_u = (parallel * second.y - along * first.y) / determinant;
+            const double step_v = (first.x * along - second.x * parallel) / determinant;
+            if (!std::isfinite(step_u) || !std::isfinite(step_v)) return touch;
+            found.u = curves_[found.first].domain().clamp(found.u - step_u);
+            found.v = curves_[found.second].domain().clamp(found.v - step_v);
+        }
+        const Point place = point_at(curves_[found.first], found.u);
+        const bool is_near = distance(place, point_at(curves_[touch.first], touch.u)) <= reach;
+        const bool meets = distance(place, point_at(curves_[found.second], found.v)) <= graph_.tolerance;
+        return is_near && meets ? found : touch;
     }
 
     // Where curves touch is known less well along them than across. So a place near it that is known takes it over, if
@@ -285,9 +312,14 @@ class Cutter {
 
     static double middle_of_domain(const Curve& curve) { return curve.domain().lower + 0.5 * curve.domain().length(); }
 
+    // Compared where the edge is smooth: inside its widest span.
     static bool runs_against(const CutEdge& line, const CutEdge& edge) {
         if (line.from != line.to) return line.from != edge.from;
-        const double u = middle_of_domain(edge.arc);
+        const auto knots = edge.arc.knots().values();
+        std::size_t widest = 0;
+        for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+            if (knots[i + 1] - knots[i] > knots[widest + 1] - knots[widest]) widest = i;
+        const double u = knots[widest] + 0.5 * (knots[widest + 1] - knots[widest]);
         const double v = nearest_point(line.arc, point_at(edge.arc, u)).u;
         return dot(derivatives_at(edge.arc, u, 1)[1], derivatives_at(line.arc, v, 1)[1]) < 0.0;
     }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/evaluate/detail/subdivide.h"
 #include "core/shape/detail/crossing_tree.h"
 
 namespace batten::core {
@@ -29,12 +30,11 @@ class SideFinder {
     }
 
     std::optional<LineSides> of(std::size_t line) const {
-        const std::size_t first = first_pieces_[line];
-        const std::size_t count = pieces_[line].size();
-        const std::size_t step = (count + most_pieces_looked_at - 1) / most_pieces_looked_at;
+        const std::vector<std::size_t> largest = largest_pieces(line);
         for (const double share : looks)
-            for (std::size_t k = step / 2; k < count; k += step)
-                if (const auto found = seen_from_piece(line, pieces_[line][k], first + k, share)) return found;
+            for (const std::size_t k : largest)
+                if (const auto found = seen_from_piece(line, pieces_[line][k], first_pieces_[line] + k, share))
+                    return found;
         return std::nullopt;
     }
 
@@ -49,6 +49,20 @@ class SideFinder {
             next += pieces_[e].size();
         }
         times_.resize(graph_.edges.size(), WindingPair{});
+    }
+
+    // Small pieces may lie near a place where curves touch, and there nothing is clear.
+    std::vector<std::size_t> largest_pieces(std::size_t line) const {
+        std::vector<std::pair<double, std::size_t>> sizes;
+        for (std::size_t k = 0; k < pieces_[line].size(); ++k) {
+            const Vector extent = control_box(std::span<const HomogeneousPoint>(pieces_[line][k])).size();
+            sizes.emplace_back(-std::max(extent.x, extent.y), k);
+        }
+        const std::size_t count = std::min(sizes.size(), most_pieces_looked_at);
+        std::partial_sort(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(count), sizes.end());
+        std::vector<std::size_t> largest;
+        for (std::size_t k = 0; k < count; ++k) largest.push_back(sizes[k].second);
+        return largest;
     }
 
     // Edges that coincide have the pieces of one of them, so that they are crossed alike.

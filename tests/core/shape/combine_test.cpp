@@ -116,6 +116,14 @@ TEST(Combine, identical) {
         }
 }
 
+TEST(Combine, a_curve_and_its_reverse_enclose_nothing_together) {
+    for (const Curve& a : {disc({0, 0}, 1), rectangle({0, 0}, {2, 1})}) {
+        EXPECT_TRUE(combine({{a, reverse(a).value()}}, {}, ShapeOperation::unite)->empty());
+        EXPECT_EQ(combine({{a, reverse(a).value()}}, {{a}}, ShapeOperation::unite).value(), std::vector{a});
+        EXPECT_TRUE(combine({{a, a}, InsideRule::even_odd}, {}, ShapeOperation::unite)->empty());
+    }
+}
+
 TEST(Combine, rectangles_that_share_a_side) {
     const Curve a = rectangle({0, 0}, {2, 1});
     for (const auto& [lower, upper] :
@@ -225,6 +233,37 @@ TEST(Combine, refuses_open_curves) {
     EXPECT_EQ(result.error().code, CurveErrorCode::curve_not_closed);
     EXPECT_EQ(result.error().index, 1u);
     EXPECT_TRUE(combine({}, {}, ShapeOperation::unite)->empty());
+}
+
+// Circles and squares on a lattice touch, coincide and share corners and stretches of sides.
+TEST(Combine, agrees_with_winding_numbers_of_shapes_on_a_lattice) {
+    std::mt19937 random(7);
+    const auto whole = [&](int lower, int upper) { return std::uniform_int_distribution<int>(lower, upper)(random); };
+    const auto some = [&] {
+        Shape shape{{}, whole(0, 1) == 0 ? InsideRule::even_odd : InsideRule::non_zero};
+        for (int k = whole(1, 3); k > 0; --k) {
+            const Point center(whole(0, 3), whole(0, 3));
+            const double reach = 0.5 * whole(1, 3);
+            const Curve curve = whole(0, 1) == 0
+                                    ? disc(center, reach)
+                                    : rectangle(center - Vector(reach, reach), center + Vector(reach, reach));
+            shape.curves.push_back(whole(0, 3) == 0 ? reverse(curve).value() : curve);
+        }
+        return shape;
+    };
+    for (int trial = 0; trial < 40; ++trial) {
+        const Shape a = some();
+        const Shape b = some();
+        expect_identities(a, b);
+        const auto found = combine(a, b, ShapeOperation::subtract).value();
+        // Never on the lattice itself.
+        for (double x = -1.37; x < 5.0; x += 0.713)
+            for (double y = -1.41; y < 5.0; y += 0.737) {
+                const bool in_a = is_inside(winding_number(a.curves, {x, y}).value(), a.rule);
+                const bool in_b = is_inside(winding_number(b.curves, {x, y}).value(), b.rule);
+                EXPECT_EQ(winding_number(found, {x, y}), in_a && !in_b ? 1 : 0) << trial;
+            }
+    }
 }
 
 // Against winding numbers of fine polygons at random places.
