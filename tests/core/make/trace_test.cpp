@@ -60,6 +60,15 @@ TEST(Trace, circles_of_all_sizes_have_few_points) {
     }
 }
 
+TEST(Trace, circles_in_the_middle_of_pixels_have_neither_corners_nor_lines) {
+    for (const double radius : {20.0, 33.0, 50.0, 75.0}) {
+        const auto side = static_cast<int>(2 * radius + 20);
+        const Trace found = trace_of(painted(side, side, {circle_outline({0.5 * side, 0.5 * side}, radius)}));
+        EXPECT_LE(count_of(found.curves.at(0)), 12U) << radius;
+        EXPECT_EQ(found.curves.at(0).degree(), 3) << radius;
+    }
+}
+
 TEST(Trace, a_square_has_four_corners) {
     for (const double degrees : {0.0, 7.0, 30.0, 45.0, 81.0})
         for (const double size : {13.0, 60.0, 200.3}) {
