@@ -91,6 +91,8 @@ class Painter {
         cairo_mask_surface(cairo_, mask.get(), 0.0, 0.0);
     }
 
+    void operator()(const ImageQuad&) const {}  // drawn by, never shown
+
     void operator()(const Marker& marker) const {
         trace_shape(marker);
         take(marker.fill);

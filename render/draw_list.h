@@ -10,6 +10,7 @@
 
 #include "render/color.h"
 #include "render/coverage_map.h"
+#include "render/image.h"
 #include "render/region_cover.h"
 
 namespace batten::render {
@@ -46,6 +47,15 @@ struct Region {
     Color color;
 };
 
+/// An image stretched to a parallelogram; no figure shows it. Corners are doubles: they may be far outside.
+struct ImageQuad {
+    std::shared_ptr<const Image> image;  ///< not null, not empty
+    glm::dvec2 upper_left{};
+    glm::dvec2 upper_right{};
+    glm::dvec2 lower_left{};
+    double opacity = 1.0;
+};
+
 enum class MarkerShape { disc, diamond, square };
 
 /// A symbol of fixed size. `radius_px` is half the width of the shape without its outline.
@@ -76,7 +86,7 @@ struct Label {
     LabelFont font = LabelFont::text;
 };
 
-using DrawCommand = std::variant<Fill, Polyline, Ink, Region, Marker, Label>;
+using DrawCommand = std::variant<Fill, Polyline, Ink, Region, ImageQuad, Marker, Label>;
 
 /// What to draw, in order; later commands cover earlier ones.
 struct DrawList {

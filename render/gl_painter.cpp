@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "render/gl_images.h"
 #include "render/gl_program.h"
 #include "render/gl_stream.h"
 #include "render/gl_textures.h"
@@ -82,6 +83,7 @@ struct GlPainter::Resources {
     Pen stroke;
     Pen stroke_once;
     Pen ink;
+    Pen image;
     Pen marker;
     GLint first_level = glGetUniformLocation(stroke_once.program.id(), "first_level");
     GLint pass_shift = glGetUniformLocation(stroke_once.program.id(), "pass_shift");
@@ -100,6 +102,11 @@ struct GlPainter::Resources {
                    {Type::floats, 2, offsetof(InkVertex, place)},
                    {Type::color, 4, offsetof(InkVertex, color)}}};
     GlTextures maps{};
+    GlStream image_parts{sizeof(ImageVertex),
+                         {{Type::floats, 2, offsetof(ImageVertex, position_px)},
+                          {Type::floats, 2, offsetof(ImageVertex, place)},
+                          {Type::floats, 1, offsetof(ImageVertex, opacity)}}};
+    GlImages images{};
     GlStream markers{sizeof(MarkerVertex),
                      {{Type::floats, 2, offsetof(MarkerVertex, position_px)},
                       {Type::floats, 2, offsetof(MarkerVertex, local_px)},
@@ -107,8 +114,9 @@ struct GlPainter::Resources {
                       {Type::color, 4, offsetof(MarkerVertex, fill)},
                       {Type::color, 4, offsetof(MarkerVertex, outline)}}};
     PictureMesh picture{};
-    int strokes_once = 0;        // painted in this frame
-    std::size_t maps_shown = 0;  // painted in this frame
+    int strokes_once = 0;          // painted in this frame
+    std::size_t maps_shown = 0;    // painted in this frame
+    std::size_t images_shown = 0;  // painted in this frame
 
     void upload() {
         fills.upload(picture.fills);
@@ -116,16 +124,19 @@ struct GlPainter::Resources {
         inks.upload(picture.inks);
         maps.clear();
         for (const auto& map : picture.maps) maps.upload(map);
+        image_parts.upload(picture.image_parts);
+        for (const auto& shown : picture.images) images.upload(shown);
         markers.upload(picture.markers);
     }
 
     void begin(glm::ivec2 size_px) {
-        for (const Pen* pen : {&fill, &stroke, &stroke_once, &ink, &marker}) {
+        for (const Pen* pen : {&fill, &stroke, &stroke_once, &ink, &image, &marker}) {
             glUseProgram(pen->program.id());
             glUniform2f(pen->viewport_px, static_cast<float>(size_px.x), static_cast<float>(size_px.y));
         }
         strokes_once = 0;
         maps_shown = 0;
+        images_shown = 0;
     }
 
     void draw(const Run& run) {
@@ -139,6 +150,9 @@ struct GlPainter::Resources {
             case RunKind::ink:
                 maps.bind(maps_shown++);
                 return draw_with(ink, inks, run);
+            case RunKind::image:
+                images.bind(*picture.images[images_shown++]);
+                return draw_with(image, image_parts, run);
             case RunKind::marker:
                 return draw_with(marker, markers, run);
         }
@@ -179,10 +193,12 @@ tl::expected<GlPainter, std::string> GlPainter::make() {
     if (!once) return tl::unexpected(once.error());
     auto ink = make_pen("ink", shaders::ink_vert, {shaders::ink_frag});
     if (!ink) return tl::unexpected(ink.error());
+    auto image = make_pen("image", shaders::image_vert, {shaders::image_frag});
+    if (!image) return tl::unexpected(image.error());
     auto marker = make_pen("marker", shaders::marker_vert, {shaders::marker_frag});
     if (!marker) return tl::unexpected(marker.error());
-    return GlPainter(std::make_unique<Resources>(
-        Resources{std::move(*fill), std::move(*stroke), std::move(*once), std::move(*ink), std::move(*marker)}));
+    return GlPainter(std::make_unique<Resources>(Resources{std::move(*fill), std::move(*stroke), std::move(*once),
+                                                           std::move(*ink), std::move(*image), std::move(*marker)}));
 }
 
 void GlPainter::paint(const DrawList& list, const Viewport& viewport, Color background, float scale) {
@@ -209,7 +225,7 @@ void GlPainter::draw(const Viewport& viewport, Color background) {
 std::size_t GlPainter::vertex_count() const {
     const PictureMesh& picture = resources_->picture;
     return picture.fills.vertices.size() + picture.strokes.vertices.size() + picture.inks.vertices.size() +
-           picture.markers.vertices.size();
+           picture.image_parts.vertices.size() + picture.markers.vertices.size();
 }
 
 }  // namespace batten::render

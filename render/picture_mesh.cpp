@@ -32,6 +32,13 @@ class PictureBuilder {
         add_run(RunKind::ink, first, picture_.inks.indices.size());
     }
 
+    void operator()(const ImageQuad& quad) {
+        const std::size_t first = picture_.image_parts.indices.size();
+        append_image(picture_.image_parts, quad, visible_, scale_);
+        if (picture_.image_parts.indices.size() > first) picture_.images.push_back(quad.image);
+        add_run(RunKind::image, first, picture_.image_parts.indices.size());
+    }
+
     void operator()(const Marker& marker) {
         if (has_dashed_ring(marker)) {
             Marker disc = marker;
@@ -57,7 +64,7 @@ class PictureBuilder {
         if (first == end) return;
         const auto count = static_cast<std::uint32_t>(end - first);
         std::vector<Run>& runs = picture_.runs;
-        const bool is_single = kind == RunKind::stroke_once || kind == RunKind::ink;
+        const bool is_single = kind == RunKind::stroke_once || kind == RunKind::ink || kind == RunKind::image;
         if (!runs.empty() && runs.back().kind == kind && !is_single) {
             runs.back().count += count;
         } else {
@@ -77,6 +84,8 @@ void build_picture(PictureMesh& picture, const DrawList& list, glm::ivec2 size_p
     picture.strokes.clear();
     picture.inks.clear();
     picture.maps.clear();
+    picture.image_parts.clear();
+    picture.images.clear();
     picture.markers.clear();
     picture.runs.clear();
     const PixelBox visible{{0.0, 0.0}, glm::dvec2(size_px)};

@@ -7,6 +7,7 @@
 
 #include "render/draw_list.h"
 #include "render/fill_mesh.h"
+#include "render/image_mesh.h"
 #include "render/ink_mesh.h"
 #include "render/marker_mesh.h"
 #include "render/mesh.h"
@@ -19,6 +20,7 @@ enum class RunKind {
     stroke,
     stroke_once,  ///< a single translucent line that may cover a pixel twice and must not darken there
     ink,          ///< one map
+    image,        ///< one image
     marker,
 };
 
@@ -34,6 +36,8 @@ struct PictureMesh {
     Mesh<StrokeVertex> strokes;
     Mesh<InkVertex> inks;
     std::vector<std::shared_ptr<const CoverageMap>> maps;  ///< in the order of the runs that show them
+    Mesh<ImageVertex> image_parts;
+    std::vector<std::shared_ptr<const Image>> images;  ///< likewise
     Mesh<MarkerVertex> markers;
     std::vector<Run> runs;  ///< in the order of painting
 };

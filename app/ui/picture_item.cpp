@@ -34,6 +34,7 @@ class PicturePainter {
     void operator()(const render::Ink&) const {}
 
     void operator()(const render::Region&) const {}
+    void operator()(const render::ImageQuad&) const {}
 
     void operator()(const render::Marker& marker) const {
         const std::vector<ImVec2> points = outline_of(marker);

@@ -57,6 +57,9 @@ struct FaultFinder {
             faults.emplace_back("ink of another size");
     }
     void operator()(const render::Region& region) { (*this)(render::Ink{region.map, region.color}); }
+    void operator()(const render::ImageQuad& quad) {
+        if (!quad.image || quad.image->width < 1) faults.emplace_back("image without pixels");
+    }
     void operator()(const render::Marker& marker) {
         check_place("marker", marker.center);
         check_size("radius", marker.radius_px, false);

@@ -139,5 +139,53 @@ TEST_F(Painter, names_pending_errors) {
     EXPECT_EQ(pending_gl_error(), "");
 }
 
+// Red and green above, blue and half of white below.
+std::shared_ptr<const render::Image> four_pixels() {
+    return std::make_shared<const render::Image>(
+        render::Image{2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 128}});
+}
+
+TEST_F(Painter, images_are_stretched_to_their_corners) {
+    const Image image = paint({ImageQuad{four_pixels(), {20, 10}, {60, 10}, {20, 50}}}, {100, 80});
+    // Far from where colors run into each other.
+    EXPECT_EQ(image.at(23, 13), red);
+    EXPECT_EQ(image.at(57, 13), green);
+    EXPECT_EQ(image.at(23, 47), blue);
+    EXPECT_EQ(image.at(57, 47), (Color{128, 128, 128, 255}));
+    EXPECT_EQ(image.at(18, 13), black);
+    EXPECT_EQ(image.at(62, 47), black);
+    EXPECT_EQ(image.at(40, 8), black);
+    EXPECT_EQ(image.at(40, 52), black);
+}
+
+TEST_F(Painter, images_are_turned_and_dimmed) {
+    // A quarter turn: what was above is to the left.
+    const Image image = paint({ImageQuad{four_pixels(), {20, 50}, {20, 10}, {60, 50}, 0.5}}, {100, 80});
+    EXPECT_EQ(image.at(23, 47), (Color{128, 0, 0, 255}));
+    EXPECT_EQ(image.at(23, 13), (Color{0, 128, 0, 255}));
+    EXPECT_EQ(image.at(57, 47), (Color{0, 0, 128, 255}));
+}
+
+TEST_F(Painter, images_far_larger_than_the_picture_stay_in_place) {
+    // The middle of the image, where its four pixels meet, is at (50, 40).
+    const Image image =
+        paint({ImageQuad{four_pixels(), {50 - 1e9, 40 - 1e9}, {50 + 1e9, 40 - 1e9}, {50 - 1e9, 40 + 1e9}}}, {100, 80});
+    const Color middle = image.at(50, 40);
+    EXPECT_NEAR(middle.red, 96, 4);  // a quarter each of red and of half of white
+    EXPECT_EQ(image.at(2, 2), middle);
+    const Image none = paint({ImageQuad{four_pixels(), {10, 10}, {10, 10}, {10, 50}}}, {100, 80});
+    for (const Color& pixel : none.pixels) ASSERT_EQ(pixel, black);
+}
+
+TEST_F(Painter, images_stay_under_what_comes_later) {
+    const auto shared = four_pixels();
+    const Image image = paint({ImageQuad{shared, {0, 0}, {50, 0}, {0, 50}}, rectangle(10, 10, 20, 20, white),
+                               ImageQuad{shared, {50, 0}, {100, 0}, {50, 50}}},
+                              {100, 80});
+    EXPECT_EQ(image.at(15, 15), white);
+    EXPECT_EQ(image.at(3, 3), red);
+    EXPECT_EQ(image.at(53, 3), red);
+}
+
 }  // namespace
 }  // namespace batten::test

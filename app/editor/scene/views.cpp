@@ -118,6 +118,7 @@ class Reach {
     void operator()(const render::Marker& marker) { include({&marker.center, 1}, marker.radius_px); }
     void operator()(const render::Ink&) {}
     void operator()(const render::Region&) {}
+    void operator()(const render::ImageQuad&) {}
     void operator()(const render::Label&) {}
 
     const std::optional<render::PixelBox>& box() const { return box_; }
