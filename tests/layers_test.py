@@ -8,7 +8,8 @@ import sys
 LAYERS = {
     "core": ({"core"}, {"glm", "tl", "Eigen", "fmt", "hwy", "nlohmann", "posix"}),
     "render": ({"render"}, {"glm", "tl", "fmt", "glad", "cairo", "cairo-svg"}),
-    "app/editor": ({"core", "app/editor"}, {"glm", "tl", "fmt", "nlohmann"}),
+    "app/picture": ({"core", "app/picture"}, {"tl", "stb"}),
+    "app/editor": ({"core", "app/editor", "app/picture"}, {"glm", "tl", "fmt", "nlohmann"}),
     "app/ui": ({"core", "app/editor", "app/ui"}, {"glm", "tl", "fmt", "imgui", "misc"}),
     "app/platform": ({"core", "render", "app/editor", "app/ui", "app/platform"}, {"glm", "tl", "fmt", "imgui", "backends", "nlohmann", "GLFW"}),
     "app/cli": ({"core", "render", "app/editor", "app/cli"}, {"glm", "tl", "fmt", "CLI", "nlohmann", "posix"}),
