@@ -13,6 +13,7 @@ CommandTable make_table() {
     CommandTable table;
     add_file_commands(table);
     add_edit_commands(table);
+    add_picture_commands(table);
     add_selection_commands(table);
     add_tool_commands(table);
     add_pen_commands(table);

@@ -98,7 +98,8 @@ core::Document joined(core::Document document, const core::Document& added) {
         curve.name = names.take(curve.name);
         document.curves.push_back(std::move(curve));
     }
-    document.active = document.curves.size() - 1;
+    document.active = document.curves.empty() ? 0 : document.curves.size() - 1;
+    document.pictures.insert(document.pictures.end(), added.pictures.begin(), added.pictures.end());
     return document;
 }
 

@@ -39,7 +39,7 @@ std::optional<Refusal> no_findings(const EditorState& state) {
 Escapable what_to_give_up(const EditorState& state) {
     if (state.dialog != Dialog::none) return Escapable::dialog;
     if (state.preview) return Escapable::preview;
-    if (state.tool != Tool::select) return Escapable::tool;
+    if (state.tool != Tool::select || state.gauge) return Escapable::tool;
     if (state.ghost || state.message.is_error) return Escapable::preview;
     if (state.findings) return Escapable::findings;
     if (state.selection != Selection{}) return Escapable::selection;
@@ -57,6 +57,7 @@ Outcome<void> escape(EditorState& state, const Escape& command) {
             break;
         case Escapable::tool:
             take_tool(state, Tool::select);
+            state.gauge.reset();
             break;
         case Escapable::findings:
             state.findings.reset();

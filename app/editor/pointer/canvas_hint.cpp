@@ -194,6 +194,7 @@ struct ModeHint {
                         {{"point", point_text(mode.index)}, {"weight", weight_in(state, *curve, mode.index)}});
     }
     std::string operator()(const TurningOrbit&) const { return "Turning the view"; }
+    std::string operator()(const DraggingPicture&) const { return "Moving the picture · Shift keeps to an axis"; }
     std::string operator()(const BoxSelecting&) const { return "Release to select the points in the box"; }
     std::string operator()(const Panning&) const { return "Panning"; }
     std::string operator()(const DraggingParameter&) const { return parameter_text(state); }

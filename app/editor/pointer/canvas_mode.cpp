@@ -18,6 +18,7 @@
 #include "app/editor/pointer/hover_request.h"
 #include "app/editor/pointer/modes.h"
 #include "app/editor/pointer/placing_step.h"
+#include "app/editor/pointer/picture_drag.h"
 #include "app/editor/pointer/point_drag.h"
 #include "app/editor/pointer/weight_modes.h"
 #include "core/evaluate/evaluate.h"

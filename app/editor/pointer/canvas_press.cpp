@@ -14,6 +14,7 @@
 #include "app/editor/pointer/guide_mode.h"
 #include "app/editor/pointer/hit_test.h"
 #include "app/editor/pointer/modes.h"
+#include "app/editor/pointer/picture_drag.h"
 #include "app/editor/pointer/point_drag.h"
 #include "app/editor/pointer/weight_modes.h"
 #include "app/editor/scene/insets.h"
@@ -92,6 +93,11 @@ struct SelectPress {
     CanvasMode operator()(const HoveredOtherCurve& hit) const {
         gesture.queue.run(ActivateCurve{.index = hit.index});
         return CanvasIdle{};
+    }
+    CanvasMode operator()(const HoveredNothing&) const {
+        const auto picture = picture_at(gesture.state, gesture.event.position_px);
+        if (!picture || gesture.event.modifiers.shift) return begin_box(gesture);
+        return DraggingPicture{*picture, gesture.event.position_px};
     }
     template <class Other>
     CanvasMode operator()(const Other&) const {
@@ -218,6 +224,10 @@ std::size_t best_index_for(const core::FitPoints& fit, core::Point position) {
 CanvasMode begin_canvas_gesture(const Gesture& gesture) {
     if (is_pan(gesture.event)) return Panning{gesture.event.position_px};
     if (gesture.event.button != PointerButton::left) return CanvasIdle{};
+    if (is_gauging(gesture.state)) {
+        gesture.queue.change(AddGaugePoint{pointed_at(gesture)});
+        return CanvasIdle{};
+    }
     if (inset_at(gesture.state, gesture.event.position_px)) return begin_inset_gesture(gesture);
     // What is typed is about a place, whatever lies under the pointer.
     const Hover hit =

@@ -60,6 +60,7 @@ struct CanvasCursor {
     Cursor operator()(const TurningOrbit&) const { return Cursor::hand; }
     Cursor operator()(const DrawingShape&) const { return Cursor::crosshair; }
     Cursor operator()(const DraggingGuide&) const { return Cursor::move; }
+    Cursor operator()(const DraggingPicture&) const { return Cursor::move; }
 };
 
 }  // namespace

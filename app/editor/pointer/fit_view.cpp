@@ -33,6 +33,13 @@ core::Box visible_box(const core::Document& document) {
         box.include(curve_box.lower);
         box.include(curve_box.upper);
     }
+    for (const core::Picture& picture : document.pictures) {
+        if (!picture.visible) continue;
+        const double w = picture.width;
+        const double h = picture.height;
+        for (const core::PicturePlace corner : {core::PicturePlace{0, 0}, {w, 0}, {w, h}, {0, h}})
+            box.include(core::plane_from_picture(picture, corner));
+    }
     return box;
 }
 

@@ -21,6 +21,7 @@
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/other_curves.h"
 #include "app/editor/scene/place_marks.h"
+#include "app/editor/scene/pictures.h"
 #include "app/editor/scene/sketch_scene.h"
 #include "app/editor/scene/span_hulls.h"
 #include "app/editor/scene/views.h"
@@ -107,6 +108,7 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, 
     if (has_sketch(state)) return sketch_scene(state);
     render::DrawList list;
     CanvasFrame frame(state, cache, list);
+    draw_pictures(frame, list);
     std::vector<render::PixelBox> covered = draw_background(frame);
     std::vector<CrowdNote> notes;
     if (frame.curve != nullptr) {
@@ -119,6 +121,7 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, 
     if (frame.shows(Overlay::directions)) draw_directions(frame);
     draw_finding_marks(frame);
     draw_gesture_marks(frame, mode);
+    draw_picture_gauge(frame);
     if (frame.curve != nullptr) draw_insets(frame);
     if (has_legend(state)) draw_legend(frame);
     draw_crowd_notes(frame, notes);

@@ -47,6 +47,8 @@ std::size_t bytes_beside(const core::Document& document, const core::Document* o
         entries += sizeof(core::DocumentCurve) + item.name.size() + item.unknown_members.size() +
                    item.pinned.size() * sizeof(std::size_t);
     }
+    for (const core::Picture& picture : document.pictures)
+        entries += sizeof(core::Picture) + picture.path.native().size() + picture.unknown_members.size();
     return count.bytes() - of_other + entries + document.guides.size() * sizeof(core::Guide);
 }
 

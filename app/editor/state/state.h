@@ -12,6 +12,7 @@
 #include "app/editor/commands/lesson_commands.h"
 #include "app/editor/derived/derived.h"
 #include "app/editor/derived/knot_quiz.h"
+#include "app/editor/derived/loaded_pictures.h"
 #include "app/editor/derived/measured.h"
 #include "app/editor/lesson/lesson.h"
 #include "app/editor/sketch.h"
@@ -19,6 +20,7 @@
 #include "app/editor/state/history.h"
 #include "app/editor/state/nudge_burst.h"
 #include "app/editor/state/placing.h"
+#include "app/editor/state/picture_gauge.h"
 #include "app/editor/state/selection.h"
 #include "app/editor/state/view.h"
 #include "core/base/names.h"
@@ -33,6 +35,8 @@ enum class Dialog {
     welcome,
     open_file,
     save_file,
+    open_table,
+    open_picture,
     unsaved_changes,
     command_palette,
     command_form,
@@ -90,6 +94,9 @@ struct EditorState {
     std::optional<Ghost> ghost;
     Derived derived;                           ///< of the curves that are shown
     Measured measured;                         ///< of the curves that are shown, by the views of their shape
+    LoadedPictures pictures;                   ///< the files of the pictures
+    std::optional<PictureGauge> gauge;         ///< while two points of a picture are clicked
+    std::filesystem::path table;               ///< the file whose points are asked about
     std::optional<InsertedKnot> inserted;      ///< into the active curve
     std::optional<Findings> findings;          ///< of the committed document
     std::optional<LessonRun> lesson;           ///< that is being taken
@@ -154,6 +161,8 @@ struct Names<editor::Dialog> {
                                       Named{welcome, "welcome", "Welcome"},
                                       Named{open_file, "open-file", "Open"},
                                       Named{save_file, "save-file", "Save"},
+                                      Named{open_table, "open-table", "Open table"},
+                                      Named{open_picture, "open-picture", "Add picture"},
                                       Named{unsaved_changes, "unsaved-changes", "Unsaved changes"},
                                       Named{command_palette, "command-palette", "Commands"},
                                       Named{command_form, "command-form", "Command"},

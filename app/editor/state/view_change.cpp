@@ -7,6 +7,7 @@
 #include "app/editor/pointer/fit_view.h"
 #include "app/editor/scene/legend.h"
 #include "app/editor/state/dialog.h"
+#include "app/editor/state/picture_gauge.h"
 #include "app/editor/state/state.h"
 #include "app/editor/upkeep.h"
 #include "render/orbit_camera.h"
@@ -115,6 +116,7 @@ struct Apply {
         const render::OrbitCamera camera = render::turned({.yaw = orbit.yaw, .pitch = orbit.pitch}, change.drag);
         orbit = {camera.yaw, camera.pitch, orbit_zooms.clamp(orbit.zoom * change.factor)};
     }
+    void operator()(const AddGaugePoint& change) const { add_gauge_point(state, change.point); }
     void operator()(const Advance& change) const {
         assert(change.seconds >= 0.0);
         advance(state, change.seconds);

@@ -110,9 +110,15 @@ struct ShowForm {
     const CommandSpec* spec;
 };
 
-using ViewChange = std::variant<SetHover, ShowPlace, TypePlace, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend,
-                                SetInterfaceScale, SetInspectorWidth, SetCardsWidth, SetDockHeight, SetPlotRange,
-                                SetCombFactor, SetProbeLine, TurnOrbit, Advance, TellTime, ShowRefusal, ShowForm>;
+/// A point of the picture that is to be scaled was clicked.
+struct AddGaugePoint {
+    core::Point point;
+};
+
+using ViewChange =
+    std::variant<SetHover, ShowPlace, TypePlace, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend, SetInterfaceScale,
+                 SetInspectorWidth, SetCardsWidth, SetDockHeight, SetPlotRange, SetCombFactor, SetProbeLine, TurnOrbit,
+                 AddGaugePoint, Advance, TellTime, ShowRefusal, ShowForm>;
 
 /// Makes the change; sizes are brought into their ranges.
 void apply(EditorState& state, const ViewChange& change);
