@@ -32,6 +32,7 @@ CommandTable make_table() {
     add_closing_commands(table);
     add_document_commands(table);
     add_making_commands(table);
+    add_trace_commands(table);
     add_analysis_commands(table);
     add_measuring_commands(table);
     add_form_commands(table);

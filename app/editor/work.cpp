@@ -8,6 +8,7 @@
 #include <new>
 
 #include "app/editor/command_spec.h"
+#include "app/editor/commands/trace_commands.h"
 
 namespace batten::editor {
 
@@ -138,11 +139,24 @@ Outcome<WorkResult> Work::take() {
     return std::move(shared_->result);
 }
 
+namespace {
+
+std::size_t pixels_in_pictures(const core::Document& document) {
+    std::size_t count = 0;
+    for (const core::Picture& picture : document.pictures)
+        count += static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+    return count;
+}
+
+}  // namespace
+
 bool is_large(const EditorState& state, const Command& command) {
     constexpr std::size_t least = 2000;
+    constexpr std::size_t pixels_as_a_point = 500;
     std::size_t size = points_in(state.history.present()) + points_in_pending(state.pending);
     for (const Field& field : command.spec().fields)
         size += std::visit(SizeOf{field.kind}, field.get(command.fields()));
+    if (command.as<TracePicture>() != nullptr) size += pixels_in_pictures(state.history.present()) / pixels_as_a_point;
     return size >= least;
 }
 
