@@ -14,6 +14,7 @@ CommandTable make_table() {
     add_file_commands(table);
     add_edit_commands(table);
     add_picture_commands(table);
+    add_table_commands(table);
     add_selection_commands(table);
     add_tool_commands(table);
     add_pen_commands(table);

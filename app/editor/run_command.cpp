@@ -63,7 +63,10 @@ bool preview_edit(EditorState& state, const Command& command) {
     if (!edit) return show_refusal(state, edit.error());
     state.ghost = ghost_of(state.history.present(), *edit, command.spec().effect);
     state.preview = std::move(edit->document);
-    if (state.message.is_error) state.message = {};
+    if (edit->remark)
+        state.message = {*edit->remark, false};
+    else if (state.message.is_error)
+        state.message = {};
     return true;
 }
 

@@ -190,8 +190,8 @@ std::set<std::string> entries_of(CommandGroup group) {
 
 TEST(CommandTable, keeps_the_edit_menu_short) {
     EXPECT_EQ(entries_of(CommandGroup::edit),
-              (std::set<std::string>{"undo", "redo", "cut", "copy", "paste-beside", "paste", "duplicate", "delete",
-                                     "select-all", "select-none"}));
+              (std::set<std::string>{"undo", "redo", "cut", "copy", "paste-beside", "paste", "paste-points",
+                                     "duplicate", "delete", "select-all", "select-none"}));
     for (const char* name : {"nudge", "nudge-left", "nudge-down-far", "set-tool", "escape"}) {
         EXPECT_FALSE(find_command(name)->offered.menu) << name;
         EXPECT_TRUE(find_command(name)->offered.palette) << name;

@@ -25,6 +25,7 @@
 #include "app/editor/commands/making_commands.h"
 #include "app/editor/commands/measuring_commands.h"
 #include "app/editor/commands/overlay_commands.h"
+#include "app/editor/commands/picture_commands.h"
 #include "app/editor/commands/piece_commands.h"
 #include "app/editor/commands/pin_commands.h"
 #include "app/editor/commands/point_commands.h"
@@ -34,7 +35,9 @@
 #include "app/editor/commands/shape_view_commands.h"
 #include "app/editor/commands/snap_commands.h"
 #include "app/editor/commands/symmetry_commands.h"
+#include "app/editor/commands/table_commands.h"
 #include "app/editor/commands/tear_commands.h"
+#include "app/editor/commands/trace_commands.h"
 #include "app/editor/commands/transform_commands.h"
 #include "app/editor/commands/trim_commands.h"
 #include "app/editor/commands/weight_commands.h"
@@ -439,6 +442,51 @@ Command RandomSession::transform_command() {
     }
 }
 
+Command RandomSession::picture_command(const EditorState& state) {
+    const std::filesystem::path folder = std::filesystem::path(BATTEN_TEST_DATA) / "pictures";
+    const std::size_t i = index(state.history.present().pictures.size());
+    switch (below(9)) {
+        case 0:
+        case 1:
+            return AddPicture{.path = folder / (below(5) == 0 ? "cut_off.png" : "ring_gray.png"),
+                              .center = point(5),
+                              .width = between(-0.2, 9),
+                              .opacity = between(0, 1.1)};
+        case 2:
+            return RemovePicture{.picture = i};
+        case 3:
+            return below(2) == 0 ? Command(MovePicture{.picture = i, .position = point(9)})
+                                 : Command(PlacePicture{.picture = i,
+                                                        .position = point(9),
+                                                        .width = between(-0.2, 9),
+                                                        .rotation = between(-400, 400)});
+        case 4:
+            return ScalePicture{.picture = i, .from = point(2), .to = point(2), .length = between(-0.1, 2)};
+        case 5:
+            return DimPicture{.picture = i, .opacity = between(0, 1.1)};
+        case 6:
+            return LockPicture{.picture = i, .locked = below(3) == 0};
+        case 7:
+            return ShowPicture{.picture = i, .visible = below(3) != 0};
+        default:
+            if (state.history.present().curves.size() > 6) return MeasurePicture{.picture = i};
+            return TracePicture{.picture = i,
+                                .threshold = below(2) == 0 ? std::nullopt : std::optional(between(-9, 260)),
+                                .tolerance = between(-0.05, 1),
+                                .speckle = between(0, 2000),
+                                .inverted = below(3) == 0};
+    }
+}
+
+Command RandomSession::table_command() {
+    constexpr std::array tables{"x;y\n0,5;1\n2;3\n4;2,5\n5;0\n", "1 2\n3 x\n", "A\t1\t2\nB\t4\t4\nC\t6\t1\nD\t1\t2\n"};
+    return PointsFromTable{.text = tables[below(tables.size())],
+                           .use = any<TableUse>(),
+                           .tolerance = below(2) == 0 ? std::nullopt : std::optional(between(-0.1, 1)),
+                           .ends = any<TableEnds>(),
+                           .x_column = below(4) == 0 ? std::optional(below(4)) : std::nullopt};
+}
+
 Command RandomSession::question_command(const EditorState& state) {
     constexpr std::array vectors{"0 0 0 1 2 3 3 3", "(0, ..., 7), p = 3", "T = (0, 1, 3, 4)", "0 1 0"};
     switch (below(6)) {
@@ -580,6 +628,7 @@ Command RandomSession::command(const EditorState& state) {
     if (group < 8) return view_command(state);
     if (active == nullptr || group < 12) {
         if (below(4) != 0 || state.history.present().curves.size() > 6) return document_command(state);
+        if (below(4) == 0) return table_command();
         return below(2) == 0 ? making_command(state) : fitting_command();
     }
     if (active->fit != nullptr && below(3) > 0) return fit_point_command(state, *active->fit);
@@ -587,6 +636,7 @@ Command RandomSession::command(const EditorState& state) {
     if (group == 14 && below(2) == 0) return measuring_command(state);
     if (group == 13) return moving_command(state, *active->curve);
     if (group == 19 && below(2) == 0) return below(3) == 0 ? question_command(state) : transform_command();
+    if (group == 18 && below(2) == 0) return picture_command(state);
     if (group == 20) return refinement_command(state, *active->curve);
     if (group == 21) return piece_command(state, *active->curve);
     return group < 16 ? shape_command(state, *active->curve) : knot_command(state, *active->curve);

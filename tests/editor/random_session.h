@@ -56,6 +56,8 @@ class RandomSession {
     Command fit_point_command(const EditorState& state, const core::FitPoints& fit);
     Command moving_command(const EditorState& state, const core::Curve& curve);
     Command transform_command();
+    Command picture_command(const EditorState& state);
+    Command table_command();
     Command question_command(const EditorState& state);
     Command measuring_command(const EditorState& state);
     Command document_command(const EditorState& state);
