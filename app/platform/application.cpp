@@ -8,6 +8,7 @@
 #include <iostream>
 #include <utility>
 
+#include "app/editor/commands/dropped_file.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/editor.h"
@@ -119,18 +120,15 @@ void Application::open_start_document() {
 
 void Application::open_files(const std::vector<std::filesystem::path>& files) {
     for (const std::filesystem::path& file : files) {
-        if (&file == &files.front())
-            editor_.run(editor::Open{.path = file});
-        else
-            editor_.run(editor::AddFile{.path = file});
+        editor_.run(editor::command_for_file(editor_.state(), file, &file == &files.front()));
     }
 }
 
 void Application::take_window_requests() {
     if (window_.take_close_request()) queue_.run(editor::Quit{});
     const std::vector<std::filesystem::path> dropped = window_.input().take_dropped_files();
-    if (!dropped.empty()) queue_.run(editor::Open{.path = dropped.front()});
-    for (std::size_t i = 1; i < dropped.size(); ++i) queue_.run(editor::AddFile{.path = dropped[i]});
+    for (const std::filesystem::path& file : dropped)
+        queue_.run(editor::command_for_file(editor_.state(), file, file == dropped.front()));
 }
 
 void Application::follow_scale() {

@@ -129,6 +129,9 @@ void follow_texts(const PanelContext& context) {
 std::string effect_of(const PanelContext& context) {
     const editor::CommandSpec& spec = *context.panels.form.spec;
     const std::optional<editor::Ghost>& ghost = context.state.ghost;
+    const editor::Message& message = context.state.message;
+    if (spec.effect == editor::ShapeEffect::none && context.state.preview && !message.is_error)
+        return editor::reading_text(message.text);
     if (spec.effect != editor::ShapeEffect::changes || !context.state.preview || !ghost)
         return effect_text(spec.effect);
     if (!std::isfinite(ghost->deviation)) return "≠ changes the shape; how far cannot be computed";

@@ -50,9 +50,11 @@ fs::path meant_path(const fs::path& folder, const std::string& typed) {
 }
 
 std::string enter_folder(FileChoice& choice, const fs::path& folder, const std::string& typed) {
-    FolderContent content = read_folder(folder);
+    FolderContent content = read_folder(folder, choice.endings);
     if (!content.problem.empty()) return content.problem;
+    std::vector<std::string> endings = std::move(choice.endings);
     choice = {};
+    choice.endings = std::move(endings);
     choice.folder = content.folder;
     choice.listed = std::move(content);
     choice.typed = typed;
@@ -64,7 +66,7 @@ void follow_typed(FileChoice& choice, bool chooses_best) {
     const std::string before = folder_part(std::exchange(choice.filter, choice.typed));
     const std::string folder = folder_part(choice.typed);
     const std::string name = name_part(choice.typed);
-    if (folder != before) choice.listed = read_folder(meant_path(choice.folder, folder));
+    if (folder != before) choice.listed = read_folder(meant_path(choice.folder, folder), choice.endings);
     choice.shown = entries_with(choice.listed.entries, name);
     choice.chosen.reset();
     choice.is_led_by_keys = false;

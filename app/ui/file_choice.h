@@ -12,13 +12,14 @@
 namespace batten::ui {
 
 struct FileChoice {
-    std::filesystem::path folder;       ///< where names that are typed begin
-    FolderContent listed;               ///< of `folder`, or of the one that a typed path leads to
-    std::string typed;                  ///< what stands in the field
-    std::string filter;                 ///< what was typed by hand, "~/curves/wa"
-    std::vector<std::size_t> shown;     ///< the entries of `listed` that fit the last word of it, in order
-    std::optional<std::size_t> chosen;  ///< index in `shown`
-    bool is_led_by_keys = false;        ///< the last choice was made by keys
+    std::vector<std::string> endings{".json"};  ///< of the files that are listed
+    std::filesystem::path folder;               ///< where names that are typed begin
+    FolderContent listed;                       ///< of `folder`, or of the one that a typed path leads to
+    std::string typed;                          ///< what stands in the field
+    std::string filter;                         ///< what was typed by hand, "~/curves/wa"
+    std::vector<std::size_t> shown;             ///< the entries of `listed` that fit the last word of it, in order
+    std::optional<std::size_t> chosen;          ///< index in `shown`
+    bool is_led_by_keys = false;                ///< the last choice was made by keys
 };
 
 /// The path that `typed` means: from the home folder behind "~", absolute, or from `folder`.

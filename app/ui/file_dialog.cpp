@@ -2,10 +2,13 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/picture_commands.h"
+#include "app/editor/commands/table_commands.h"
 #include "app/editor/words/native_name.h"
 #include "app/ui/dialog_frame.h"
 #include "app/ui/imgui_compat.h"
@@ -28,6 +31,49 @@ bool is_saving(const PanelContext& context) {
     return context.state.dialog == editor::Dialog::save_file;
 }
 
+/// What the dialog is about, by the editor's dialog.
+struct FilePurpose {
+    editor::Dialog dialog;
+    const char* title;
+    const char* accept_label;
+    const char* nothing_here;
+    std::vector<std::string> endings;  ///< of the files that are listed
+    void (*open)(const PanelContext& context, const fs::path& path);
+};
+
+const FilePurpose* purpose_of(editor::Dialog dialog) {
+    static const std::array purposes{
+        FilePurpose{
+            editor::Dialog::open_file,
+            "Open",
+            "Open",
+            "No folders and no .json files here.",
+            {".json"},
+            [](const PanelContext& context, const fs::path& path) { context.queue.run(editor::Open{.path = path}); }},
+        FilePurpose{
+            editor::Dialog::save_file, "Save as", "Save", "No folders and no .json files here.", {".json"}, nullptr},
+        FilePurpose{editor::Dialog::open_table,
+                    "Open table",
+                    "Open",
+                    "No folders and no tables (.csv, .dat, .tsv, .txt) here.",
+                    {".csv", ".dat", ".tsv", ".txt"},
+                    [](const PanelContext& context, const fs::path& path) {
+                        context.queue.run(editor::OpenTable{.path = path});
+                    }},
+        FilePurpose{editor::Dialog::open_picture,
+                    "Add picture",
+                    "Add",
+                    "No folders and no pictures (.png, .jpg, .jpeg) here.",
+                    {".png", ".jpg", ".jpeg"},
+                    [](const PanelContext& context, const fs::path& path) {
+                        context.queue.run(editor::CloseDialog{});
+                        context.queue.run(editor::picture_in_view(context.state, path));
+                    }}};
+    const auto found = std::find_if(purposes.begin(), purposes.end(),
+                                    [dialog](const FilePurpose& purpose) { return purpose.dialog == dialog; });
+    return found == purposes.end() ? nullptr : &*found;
+}
+
 /// Where the dialog begins: beside the file that is open, else beside the last one, else where the program was started.
 fs::path first_folder(const editor::EditorState& state) {
     if (!state.path.empty()) return state.path.parent_path();
@@ -45,6 +91,7 @@ void begin_choice(const PanelContext& context) {
     FileDialogState& dialog = context.panels.file_dialog;
     dialog = {};
     dialog.was_open = true;
+    dialog.choice.endings = purpose_of(context.state.dialog)->endings;
     const fs::path& path = context.state.path;
     if (is_saving(context)) dialog.suggested_name = path.empty() ? "untitled.json" : path.filename().string();
     show_folder(dialog, first_folder(context.state));
@@ -80,7 +127,7 @@ void accept(const PanelContext& context) {
     } else if (is_saving(context)) {
         save_as(context, path);
     } else {
-        context.queue.run(editor::Open{.path = path});
+        purpose_of(context.state.dialog)->open(context, path);
     }
 }
 
@@ -158,8 +205,8 @@ std::optional<std::size_t> draw_file_rows(const PanelContext& context, float pit
     return clicked;
 }
 
-const char* reason_of_no_rows(const FileChoice& choice) {
-    if (choice.listed.entries.empty()) return "No folders and no .json files here.";
+const char* reason_of_no_rows(const PanelContext& context) {
+    if (context.panels.file_dialog.choice.listed.entries.empty()) return purpose_of(context.state.dialog)->nothing_here;
     return "Nothing here has that in its name.";
 }
 
@@ -209,7 +256,7 @@ void draw_entries(const PanelContext& context, float height_px) {
     move_by_keys(context, page_of(ImGui::GetContentRegionAvail().y, pitch));
     scroll_to_choice(dialog, pitch);
     const std::optional<std::size_t> clicked = draw_file_rows(context, pitch);
-    if (dialog.choice.shown.empty()) ImGui::TextDisabled("%s", reason_of_no_rows(dialog.choice));
+    if (dialog.choice.shown.empty()) ImGui::TextDisabled("%s", reason_of_no_rows(context));
     ImGui::EndChild();
     ImGui::PopStyleVar(2);
     ImGui::PopStyleColor();
@@ -300,7 +347,7 @@ void draw_question(const PanelContext& context, bool is_left) {
 }
 
 void draw_answers(const PanelContext& context, bool is_left) {
-    const char* accept_label = is_saving(context) ? "Save" : "Open";
+    const char* accept_label = purpose_of(context.state.dialog)->accept_label;
     place_buttons(context, "Cancel", accept_label);
     if (draw_label_button(context, "dialog cancel", "Cancel") || is_left) context.queue.run(editor::CloseDialog{});
     ImGui::SameLine();
@@ -313,14 +360,14 @@ void draw_answers(const PanelContext& context, bool is_left) {
 
 void draw_file_dialog(const PanelContext& context, const Rectangle& window) {
     FileDialogState& dialog = context.panels.file_dialog;
-    const bool is_open = context.state.dialog == editor::Dialog::open_file || is_saving(context);
-    if (!is_open) {
+    const FilePurpose* purpose = purpose_of(context.state.dialog);
+    if (purpose == nullptr) {
         dialog.was_open = false;
         return;
     }
     if (!dialog.was_open) begin_choice(context);
     DialogFrame frame;
-    frame.title = is_saving(context) ? "Save as" : "Open";
+    frame.title = purpose->title;
     frame.size = {640.0, 520.0};
     frame.closes_on_outside = false;
     const bool is_left = begin_dialog(context, window, frame);

@@ -61,10 +61,10 @@ bool stands_before(const FolderEntry& a, const FolderEntry& b) {
     return a.is_folder != b.is_folder ? a.is_folder : comes_before(stem_of(a), stem_of(b));
 }
 
-bool has_native_ending(const fs::path& path) {
+bool has_ending(const fs::path& path, const std::vector<std::string>& endings) {
     std::string ending = path.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(), lower);
-    return ending == ".json";
+    return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ bool comes_before(std::string_view a, std::string_view b) {
     return order != 0 ? order < 0 : a < b;
 }
 
-FolderContent read_folder(const fs::path& folder) {
+FolderContent read_folder(const fs::path& folder, const std::vector<std::string>& endings) {
     FolderContent content;
     std::error_code error;
     content.folder = fs::weakly_canonical(folder, error);
@@ -89,7 +89,7 @@ FolderContent read_folder(const fs::path& folder) {
         std::error_code ignored;
         FolderEntry entry{iterator->path().filename().string(), iterator->is_directory(ignored)};
         const bool is_hidden = entry.name.front() == '.';
-        if (!is_hidden && (entry.is_folder || has_native_ending(entry.name)))
+        if (!is_hidden && (entry.is_folder || has_ending(entry.name, endings)))
             content.entries.push_back(std::move(entry));
     }
     std::sort(content.entries.begin(), content.entries.end(), stands_before);

@@ -15,12 +15,13 @@ struct FolderEntry {
 
 struct FolderContent {
     std::filesystem::path folder;      ///< absolute, without "." and ".."
-    std::vector<FolderEntry> entries;  ///< folders first, then .json files, each by name
+    std::vector<FolderEntry> entries;  ///< folders first, then files, each by name
     std::string problem;               ///< why the folder cannot be read; else empty
 };
 
-/// Reads `folder`; hidden entries are left out.
-FolderContent read_folder(const std::filesystem::path& folder);
+/// Reads `folder`: its folders, and the files whose names end in one of `endings`, in any case. Hidden entries are left
+/// out.
+FolderContent read_folder(const std::filesystem::path& folder, const std::vector<std::string>& endings = {".json"});
 
 /// Whether a person expects `a` before `b`: 2 before 10, and a beside A.
 bool comes_before(std::string_view a, std::string_view b);

@@ -38,6 +38,7 @@ void draw_room_below(const PanelContext& context) {
 void draw_sections(const PanelContext& context) {
     add_space(context, top_margin);
     draw_curves_section(context);
+    draw_pictures_section(context);
     if (context.state.active_curve() != nullptr) {
         draw_curve_section(context);
         draw_points_section(context);

@@ -64,6 +64,7 @@ void draw_presenting(const PanelContext& context, const Rectangle& place);
 
 // Sections of the inspector, drawn one below the other.
 void draw_curves_section(const PanelContext& context);
+void draw_pictures_section(const PanelContext& context);
 void draw_curve_section(const PanelContext& context);
 void draw_points_section(const PanelContext& context);
 void draw_knots_section(const PanelContext& context);
