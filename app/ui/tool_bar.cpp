@@ -67,11 +67,12 @@ void draw_back(const PanelContext& context, const ToolButton& button, const Rect
     ImGui::GetWindowDrawList()->AddRectFilled({low.x, low.y}, {high.x, high.y}, imgui_packed(color), context.px(8));
 }
 
-/// Runs the command; the shape tool also offers its shapes, and snapping its kinds.
+/// Runs the command; the pen also offers its modes, the shape tool its shapes, and snapping its kinds.
 void press_button(const PanelContext& context, const ToolButton& button) {
     if (&button.spec == &editor::SetSnap::spec()) return open_context_menu(context, editor::OnSnapping{});
     run_command(context, button.spec);
     if (&button.spec == &editor::take_tool_spec(editor::Tool::shape)) open_context_menu(context, editor::OnShapes{});
+    if (&button.spec == &editor::take_tool_spec(editor::Tool::draw_curve)) open_context_menu(context, editor::OnPens{});
 }
 
 void draw_tool_button(const PanelContext& context, const ToolButton& button) {

@@ -95,8 +95,7 @@ struct SelectHint {
                         {{"point", point_text(h.index)}, {"next", point_text(next_point(curve, h.index))}});
     }
     std::string operator()(const HoveredFitPoint&) const {
-        return "Drag to move this point of the curve · double-click makes a corner or takes it away · Delete takes out "
-               "the point · right-click for its joint";
+        return "Drag to move this point of the curve · double-click makes or smooths a corner · right-click for more";
     }
     std::string operator()(const HoveredFitHandle&) const {
         return "Drag to turn the tangent, or to make it stronger · Ctrl keeps to the grid, Shift to one axis";
@@ -130,8 +129,7 @@ std::string select_hint(const EditorState& state) {
 std::string tool_hint(const EditorState& state) {
     if (state.tool == Tool::draw_curve)
         return sentence(
-            "Click to set the first point of a new curve by {mode} · right-click for other pens · hold Ctrl "
-            "to keep to the grid · Escape leaves the tool",
+            "Click to set the first point of a new curve by {mode} · right-click for other pens · Escape leaves",
             {{"mode", core::title_of(state.view.pen_mode)}});
     if (state.tool == Tool::shape) return shape_hint(state.view.shape_kind, 0);
     if (state.tool == Tool::select || !can_edit_curve(state)) return select_hint(state);
@@ -227,8 +225,8 @@ struct ModeHint {
         if (mode.pulled_px) return "Drag to draw out the handle of a smooth point; a click makes a corner";
         if (mode.closes) return "Click to close the curve";
         if (mode.points.size() < 2) return "Click to set the next point · Backspace takes it back · Escape gives up";
-        return "Click to set the next point · on the first one to close · double-click, right-click or Enter ends the "
-               "curve · Backspace takes back · Escape gives up";
+        return "Click to set the next point, or the first one to close · Enter or right-click ends · Backspace takes "
+               "back";
     }
     std::string operator()(const DrawingShape& mode) const { return shape_hint(mode.kind, mode.points.size()); }
     std::string operator()(const DraggingGuide&) const { return "Release to put the guide here · Escape restores"; }

@@ -242,6 +242,7 @@ struct FillByTarget {
     void operator()(const OnTitleLine&) const { menu.title_line(); }
     void operator()(const OnToolBar&) const { menu.tools(); }
     void operator()(const OnShapes&) const { menu.shapes(); }
+    void operator()(const OnPens&) const { menu.pens(); }
     void operator()(const OnSnapping&) const { menu.snapping(); }
     void operator()(const OnPanel&) const { menu.interface(); }
 

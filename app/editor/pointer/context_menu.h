@@ -47,6 +47,9 @@ struct OnToolBar {};
 /// The button of the shape tool, which offers the shapes.
 struct OnShapes {};
 
+/// The choice of what the pen draws.
+struct OnPens {};
+
 /// The button that tells what the pointer snaps to.
 struct OnSnapping {};
 
@@ -54,7 +57,7 @@ struct OnSnapping {};
 struct OnPanel {};
 
 using MenuTarget = std::variant<OnPanel, OnCanvas, OnPlot, OnPart, OnCurve, OnFinding, OnText, OnTitleLine, OnToolBar,
-                                OnShapes, OnSnapping>;
+                                OnShapes, OnPens, OnSnapping>;
 
 /// One line of the menu.
 struct MenuEntry {
