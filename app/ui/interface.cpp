@@ -260,7 +260,9 @@ void Interface::dispatch_pointer(const PanelContext& context, const FrameLayout&
 bool Interface::escape_gesture(const PanelContext& context) {
     PointerEvent event;
     event.action = PointerAction::escape;
-    if (!std::holds_alternative<CanvasIdle>(canvas_mode_)) {
+    event.position_px = panels_->pointer.last_canvas_px;
+    const bool is_typing = !context.state.placing.typed.is_empty();
+    if (is_typing || !std::holds_alternative<CanvasIdle>(canvas_mode_)) {
         canvas_mode_ = editor::step_canvas(canvas_mode_, event, context.state, context.queue);
         return true;
     }

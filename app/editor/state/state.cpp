@@ -12,7 +12,10 @@ std::string EditorState::file_name() const {
 }
 
 void take_tool(EditorState& state, Tool tool) {
-    if (state.tool != tool) ++state.tool_changes;
+    if (state.tool != tool) {
+        ++state.tool_changes;
+        state.placing = {};
+    }
     state.tool = tool;
 }
 

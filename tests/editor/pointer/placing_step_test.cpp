@@ -166,6 +166,14 @@ TEST_F(Placed, tools_that_put_points_show_where) {
     EXPECT_FALSE(place()->from);
     pointer.send(PointerAction::leave, px(-3.95, -1.95));
     EXPECT_FALSE(place());
+    pointer.move(px(1, 1));
+    type(U"3", px(1, 1));
+    pointer.escape(px(1, 1));
+    EXPECT_TRUE(state().placing.typed.is_empty());
+    EXPECT_EQ(state().tool, Tool::add_point);
+    EXPECT_TRUE(place());
+    editor.run(SetTool{.tool = Tool::select});
+    EXPECT_FALSE(place());
 }
 
 TEST_F(Placed, a_guide_is_dragged_and_typed) {
