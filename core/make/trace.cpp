@@ -11,7 +11,7 @@ namespace batten::core {
 namespace {
 
 constexpr int traced_degree = 3;
-constexpr double cut_corner_length = 0.8;  // how far from a corner its rounding is not followed
+constexpr double cut_corner_length = 1.2;  // how far from a corner its rounding is not followed
 constexpr std::size_t least_fitted = 5;
 
 /// A curve put together from pieces that begin where the one before ends.
