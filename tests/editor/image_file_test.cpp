@@ -71,7 +71,7 @@ TEST(ImageFile, refusals_say_what_is_wrong) {
     EXPECT_EQ(refusal_of(pictures / "cut_off.png"),
               "cut_off.png: the picture is damaged or cut off and cannot be read");
     EXPECT_EQ(refusal_of(pictures / "too_large.png"),
-              "too_large.png: the picture has 60000 × 60000 pixels; at most 100000000 pixels are allowed");
+              "too_large.png: the picture has 20000 × 20000 pixels; at most 100000000 pixels are allowed");
     EXPECT_NE(refusal_of(pictures / "no_pixels.png"), "");
     const editor::TemporaryFolder folder;
     const char* wrong_kind = ": this is not a picture that can be read; PNG and JPEG are";

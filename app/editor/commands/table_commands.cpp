@@ -136,6 +136,12 @@ std::string remark_of(const core::PointTable& table, const core::Approximation& 
                     {{"reading", reading}, count, {"error", bound_text(made.error)}});
 }
 
+// A name for the curve that keeps the number in the name of an airfoil.
+std::string free_name(const core::Document& document, const std::string& wish) {
+    if (!core::index_of_curve(document, wish)) return wish;
+    return core::unused_name(document, sentence("{name} 2", {{"name", wish}}));
+}
+
 Outcome<Edit> with_points(const EditorState& state, std::string_view text, const TableChoice& choice,
                           const std::string& name) {
     const core::FileResult<core::PointTable> table = core::read_point_table(text, columns_of(choice));
@@ -143,7 +149,8 @@ Outcome<Edit> with_points(const EditorState& state, std::string_view text, const
     core::Result<core::Approximation> made = curve_of(table->points, choice, state.progress);
     if (!made) return tl::unexpected(core::describe(made.error()));
     std::string remark = remark_of(*table, *made, choice.use);
-    Edit edit = with_curve(state, table->title.empty() ? name : table->title, std::move(made->curve));
+    const std::string wish = table->title.empty() ? name : free_name(state.history.present(), table->title);
+    Edit edit = with_curve(state, wish, std::move(made->curve));
     edit.remark = std::move(remark);
     return edit;
 }

@@ -38,7 +38,7 @@ TEST_F(PictureCommands, add_a_picture_about_a_place) {
     EXPECT_EQ(picture().width, 64);
     EXPECT_EQ(picture().scale, 0.5);
     EXPECT_EQ(picture().position, core::Point(-6, 4));
-    EXPECT_EQ(said(), "Added picture " + ring.string());
+    EXPECT_EQ(said(), "Added picture ring_gray.png");
     EXPECT_TRUE(document(editor_).curves.empty());
     run(Undo{});
     EXPECT_TRUE(document(editor_).pictures.empty());

@@ -40,7 +40,7 @@ TEST_F(TableCommands, points_control) {
     EXPECT_EQ(curve(editor_).degree(), 3);
     EXPECT_FALSE(curve(editor_).is_periodic());
     EXPECT_EQ(said(),
-              "Pasted points · 4 points in columns 1 and 2, separated by semicolons, with decimal commas; "
+              "Pasted points; 4 points in columns 1 and 2, separated by semicolons, with decimal commas; "
               "4 control points");
     ASSERT_TRUE(paste(square, TableUse::control, TableEnds::closed)) << said();
     EXPECT_TRUE(curve(editor_).is_periodic());
@@ -115,7 +115,8 @@ TEST_F(TableCommands, an_airfoil_from_its_table) {
     for (const TableUse use : {TableUse::through, TableUse::fit}) {
         ASSERT_TRUE(editor_.run(PointsFromFile{.path = file, .use = use, .tolerance = 5e-5, .ends = TableEnds::corner}))
             << said();
-        EXPECT_EQ(document(editor_).active_curve()->name.substr(0, 9), "NACA 2412");
+        // A number that belongs to the name is not counted on.
+        EXPECT_EQ(document(editor_).active_curve()->name, use == TableUse::through ? "NACA 2412" : "NACA 2412 2");
         // Closed at the trailing edge.
         EXPECT_EQ(points(editor_).front(), points(editor_).back());
         EXPECT_NEAR(points(editor_).front().x, 1.0, 1e-6);
@@ -145,7 +146,6 @@ TEST_F(TableCommands, wrong_tables_change_nothing) {
     EXPECT_FALSE(paste("", TableUse::through));
     EXPECT_EQ(said(), "no line with two numbers was found; a table of points has x and y in two of its columns");
     EXPECT_FALSE(paste("1 2\n", TableUse::through));
-    EXPECT_FALSE(paste("1 2\n3 4\n", TableUse::control, TableEnds::closed));
     EXPECT_FALSE(paste("1 2\n1 2\n", TableUse::through));
     EXPECT_FALSE(editor_.run(PointsFromTable{.text = "1 2\n3 4", .x_column = 3}));
     EXPECT_EQ(said(), "line 1, column 3: the line has 2 columns");
