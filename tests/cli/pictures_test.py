@@ -38,9 +38,9 @@ class Pictures(unittest.TestCase):
         for curve, radius in zip(curves, (24, 12)):
             self.assertTrue(curve["periodic"])
             self.assertLessEqual(len(curve["points"]), 12)
-            # A periodic cubic is near its control points, which lie a little outside.
+            # Six control points of a circle lie a fifth of its radius outside.
             for x, y in curve["points"]:
-                self.assertLess(abs(math.hypot(x - CENTER[0], y - CENTER[1]) - radius), 0.2 * radius)
+                self.assertLess(abs(math.hypot(x - CENTER[0], y - CENTER[1]) - radius), 0.25 * radius)
 
     def test_wrong_pictures_are_refused_in_a_sentence(self):
         self.assertIn("cut_off.png: the picture is damaged or cut off and cannot be read",
