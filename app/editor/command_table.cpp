@@ -41,6 +41,7 @@ CommandTable make_table() {
     add_fit_point_commands(table);
     add_fitting_commands(table);
     add_combine_commands(table);
+    add_stroke_commands(table);
     add_shape_commands(table);
     add_fairing_commands(table);
     add_transform_commands(table);

@@ -94,18 +94,26 @@ std::optional<std::string> lost_fit_points(const core::Document& before, const c
     return "the curve is an ordinary one now, without fit points";
 }
 
+void note_stroke(EditorState& state, std::optional<DrawnStroke> stroke) {
+    state.stroke = std::move(stroke);
+    if (!state.stroke) return;
+    state.stroke->step = state.history.undo_count();
+    state.view.smoothness = state.stroke->smoothness;
+}
+
 // The edit as a step of the history, with what is said and shown about it.
 void push_step(EditorState& state, const Command& command, Edit& edit) {
     const core::Document before = state.history.present();
     const ShapeEffect effect = command.spec().effect;
     StepTexts texts = texts_of_step(command, state, edit);
-    const bool extends = edit.burst && edit.burst->count > 1;
+    const bool extends = edit.extends || (edit.burst && edit.burst->count > 1);
     const std::optional<Ghost> ghost = ghost_of(extends ? state.history.previous() : before, edit, effect);
     if (extends)
         state.history.extend(std::move(texts.step), std::move(edit.document));
     else
         state.history.push(std::move(texts.step), std::move(edit.document));
     state.burst = std::move(edit.burst);
+    note_stroke(state, std::move(edit.stroke));
     follow_document(state, before);
     if (effect == ShapeEffect::keeps) note_insertion(state, before);
     std::vector<std::string> told{done_sentence(texts.done, effect, distances_of(state, ghost, edit))};

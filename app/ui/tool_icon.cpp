@@ -105,6 +105,11 @@ void draw_parameter(const IconPen& pen) {
     pen.line({{0.47F, 0.40F}, {0.47F, 0.95F}});
 }
 
+void draw_pencil(const IconPen& pen) {
+    pen.line({{0.12F, 0.88F}, {0.20F, 0.62F}, {0.70F, 0.12F}, {0.88F, 0.30F}, {0.38F, 0.80F}}, true);
+    pen.line({{0.58F, 0.24F}, {0.76F, 0.42F}});
+}
+
 void draw_undo(const IconPen& pen) {
     pen.line({{0.36F, 0.14F}, {0.14F, 0.36F}, {0.36F, 0.58F}});
     pen.line({{0.14F, 0.36F}, {0.60F, 0.36F}});
@@ -162,6 +167,7 @@ constexpr std::array icons{ToolIcon{TakeTool<Tool::select>::spec, draw_select},
                            ToolIcon{TakeTool<Tool::parameter>::spec, draw_parameter},
                            ToolIcon{TakeTool<Tool::shape>::spec, draw_shape},
                            ToolIcon{editor::SetSnap::spec, draw_snapping},
+                           ToolIcon{TakeTool<Tool::pencil>::spec, draw_pencil},
                            ToolIcon{editor::Undo::spec, draw_undo},
                            ToolIcon{editor::Redo::spec, draw_redo},
                            ToolIcon{editor::FitView::spec, draw_fit},

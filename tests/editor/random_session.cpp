@@ -36,6 +36,7 @@
 #include "app/editor/commands/snap_commands.h"
 #include "app/editor/commands/symmetry_commands.h"
 #include "app/editor/commands/table_commands.h"
+#include "app/editor/commands/stroke_commands.h"
 #include "app/editor/commands/tear_commands.h"
 #include "app/editor/commands/trace_commands.h"
 #include "app/editor/commands/transform_commands.h"
@@ -339,6 +340,12 @@ Command RandomSession::fitting_command() {
                                        .parametrization = core::Parametrization::centripetal};
         case 4:
             return FitPoints{.count = below(9), .points = points};
+        case 5:
+            return FitStroke{.points = points, .smoothness = static_cast<int>(below(11)), .pixel = between(0, 0.5)};
+        case 6:
+            return RefitStroke{.smoothness = static_cast<int>(below(12))};
+        case 7:
+            return Redraw{.points = points, .smoothness = 4, .pixel = between(0, 0.5)};
         default:
             return FitPointsWithin{.tolerance = between(-0.2, 2), .points = points, .closed = below(2) == 0};
     }

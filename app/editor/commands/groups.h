@@ -45,6 +45,7 @@ void add_drawing_commands(CommandTable& table);
 void add_fit_point_commands(CommandTable& table);
 void add_fitting_commands(CommandTable& table);
 void add_combine_commands(CommandTable& table);
+void add_stroke_commands(CommandTable& table);
 void add_shape_commands(CommandTable& table);
 void add_fairing_commands(CommandTable& table);
 void add_transform_commands(CommandTable& table);

@@ -188,6 +188,13 @@ const CommandSpec& SetPolygonSides::spec() {
     return spec;
 }
 
+template <>
+const CommandSpec& TakeTool<Tool::pencil>::spec() {
+    static const CommandSpec spec = taking<Tool::pencil>(
+        "tool-pencil", "Pencil", "Draws a smooth curve along a stroke of the hand, or a part of a curve anew.", Key::d);
+    return spec;
+}
+
 const CommandSpec& SetTool::spec() {
     static const CommandSpec spec{
         .name = "set-tool",
@@ -212,6 +219,8 @@ const CommandSpec& take_tool_spec(Tool tool) {
             return TakeTool<Tool::weight>::spec();
         case Tool::draw_curve:
             return TakeTool<Tool::draw_curve>::spec();
+        case Tool::pencil:
+            return TakeTool<Tool::pencil>::spec();
         case Tool::parameter:
             return TakeTool<Tool::parameter>::spec();
         case Tool::shape:

@@ -45,6 +45,8 @@ template <>
 const CommandSpec& TakeTool<Tool::parameter>::spec();
 template <>
 const CommandSpec& TakeTool<Tool::shape>::spec();
+template <>
+const CommandSpec& TakeTool<Tool::pencil>::spec();
 
 /// The description of the command that takes `tool`.
 const CommandSpec& take_tool_spec(Tool tool);

@@ -126,12 +126,20 @@ std::string select_hint(const EditorState& state) {
                : hint;
 }
 
+std::string pencil_hint(const EditorState& state) {
+    if (std::holds_alternative<HoveredCurve>(state.hover) && can_edit_curve(state))
+        return "Drag along and back onto the curve to draw this part of it anew (changes the shape) · Alt draws a new "
+               "curve · Escape leaves the tool";
+    return "Drag to draw a new curve · back to its beginning closes it · Escape leaves the tool";
+}
+
 std::string tool_hint(const EditorState& state) {
     if (state.tool == Tool::draw_curve)
         return sentence(
             "Click to set the first point of a new curve by {mode} · right-click for other pens · Escape leaves",
             {{"mode", core::title_of(state.view.pen_mode)}});
     if (state.tool == Tool::shape) return shape_hint(state.view.shape_kind, 0);
+    if (state.tool == Tool::pencil) return pencil_hint(state);
     if (state.tool == Tool::select || !can_edit_curve(state)) return select_hint(state);
     const bool is_on_knot = std::holds_alternative<HoveredKnot>(state.hover);
     switch (state.tool) {
@@ -150,6 +158,7 @@ std::string tool_hint(const EditorState& state) {
         case Tool::select:
         case Tool::draw_curve:
         case Tool::shape:
+        case Tool::pencil:
             break;
     }
     return {};
@@ -217,6 +226,11 @@ struct ModeHint {
         return sentence(
             "Fit point {index} at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
             {{"index", mode.index}, {"place", place_in(state, *active->curve, active->fit->points[mode.index].place)}});
+    }
+    std::string operator()(const PencilStroke& mode) const {
+        return mode.redraws ? "Release on the curve to replace the part between, elsewhere for a new curve · Escape "
+                              "gives up"
+                            : "Release to end the curve · Escape gives up";
     }
     std::string operator()(const DraggingFitHandle&) const {
         return "Ctrl snaps to the grid · Shift keeps to an axis · Escape restores";

@@ -17,8 +17,8 @@
 #include "app/editor/pointer/hit_test.h"
 #include "app/editor/pointer/hover_request.h"
 #include "app/editor/pointer/modes.h"
-#include "app/editor/pointer/placing_step.h"
 #include "app/editor/pointer/picture_drag.h"
+#include "app/editor/pointer/placing_step.h"
 #include "app/editor/pointer/point_drag.h"
 #include "app/editor/pointer/weight_modes.h"
 #include "core/evaluate/evaluate.h"
@@ -221,6 +221,17 @@ CanvasMode step(const DraggingFitHandle& mode, const Gesture& gesture) {
     return step_fit_handle_drag(mode, gesture);
 }
 
+CanvasMode step(PencilStroke mode, const Gesture& gesture) {
+    if (is_escape(gesture)) return CanvasIdle{};
+    if (gesture.event.action == PointerAction::wheel) turn_canvas_wheel(gesture);
+    if (is_release(gesture)) {
+        finish_stroke(mode, gesture);
+        return CanvasIdle{};
+    }
+    if (is_move(gesture)) draw_on(mode, gesture);
+    return mode;
+}
+
 }  // namespace
 
 void turn_canvas_wheel(const Gesture& gesture) {
@@ -238,6 +249,8 @@ CanvasMode with_present_tool(CanvasMode mode, const EditorState& state) {
     if (drawing != nullptr && drawing->tool_changes != state.tool_changes) return CanvasIdle{};
     const auto* shape = std::get_if<DrawingShape>(&mode);
     if (shape != nullptr && shape->tool_changes != state.tool_changes) return CanvasIdle{};
+    const auto* stroke = std::get_if<PencilStroke>(&mode);
+    if (stroke != nullptr && stroke->tool_changes != state.tool_changes) return CanvasIdle{};
     return mode;
 }
 

@@ -247,6 +247,8 @@ CanvasMode begin_canvas_gesture(const Gesture& gesture) {
             return press_parameter(gesture);
         case Tool::shape:
             return begin_shape(gesture);
+        case Tool::pencil:
+            return begin_stroke(gesture);
     }
     return CanvasIdle{};
 }

@@ -34,6 +34,7 @@ Cursor tool_cursor(const EditorState& state) {
         case Tool::insert_knot:
         case Tool::draw_curve:
         case Tool::shape:
+        case Tool::pencil:
             break;
     }
     return Cursor::crosshair;
@@ -53,6 +54,7 @@ struct CanvasCursor {
     Cursor operator()(const DraggingWeight&) const { return Cursor::vertical; }
     Cursor operator()(const BoxSelecting&) const { return Cursor::crosshair; }
     Cursor operator()(const DrawingCurve& mode) const { return mode.panned_px ? Cursor::move : Cursor::crosshair; }
+    Cursor operator()(const PencilStroke&) const { return Cursor::crosshair; }
     Cursor operator()(const DraggingParameter&) const { return Cursor::hand; }
     Cursor operator()(const DraggingCurveKnot&) const { return Cursor::hand; }
     Cursor operator()(const DraggingFarinPoint&) const { return Cursor::hand; }

@@ -51,6 +51,12 @@ struct MarksOf {
                                  .outline_width = 2.0});
     }
 
+    void operator()(const PencilStroke& stroke) const {
+        std::vector<core::Point> line = stroke.settled;
+        line.insert(line.end(), stroke.line.begin(), stroke.line.end());
+        if (line.size() > 1) frame.pen.line(frame.screen(line), {.color = frame.theme.accent, .width = 3.0});
+    }
+
     void draw_shape(const core::Curve& curve) const {
         KeptCurve kept(std::make_shared<const core::Curve>(curve));
         const Stroke stroke{.color = frame.theme.accent, .width = 3.0};

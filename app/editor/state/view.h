@@ -16,14 +16,15 @@
 #include "core/base/geometry.h"
 #include "core/base/names.h"
 #include "core/edit/knot_edit.h"
+#include "core/make/fit_stroke.h"
 #include "render/camera.h"
 
 namespace batten::editor {
 
 /// What a press on the canvas does.
-enum class Tool { select, add_point, insert_knot, weight, draw_curve, parameter, shape };
+enum class Tool { select, add_point, insert_knot, weight, draw_curve, parameter, shape, pencil };
 inline constexpr std::array all_tools{Tool::select,     Tool::add_point, Tool::insert_knot, Tool::weight,
-                                      Tool::draw_curve, Tool::parameter, Tool::shape};
+                                      Tool::draw_curve, Tool::parameter, Tool::shape,       Tool::pencil};
 
 /// The parameter running by itself: t seconds move it by direction * speed * t / 5 of the domain's length. At an end it
 /// turns, or jumps to the other end, and goes on by what is left of the way.
@@ -81,6 +82,7 @@ struct View {
     std::optional<core::Interval> plot_range;  ///< the parameters that the plot shows; none: all knots
     ShownMap shown_map;                        ///< of the view of invariance
     std::bitset<5> hidden_answers;             ///< to the questions about knots, by KnotQuestion
+    int smoothness = core::usual_smoothness;   ///< of the next stroke of the pencil
     core::KnotMove knot_move = core::KnotMove::snap;
     PenMode pen_mode = PenMode::control_points;
     SnapSettings snap;
@@ -117,7 +119,8 @@ struct Names<editor::Tool> {
                                       Named{weight, "weight", "change weights"},
                                       Named{draw_curve, "draw-curve", "draw a curve"},
                                       Named{parameter, "parameter", "move the parameter"},
-                                      Named{shape, "shape", "draw a shape"}};
+                                      Named{shape, "shape", "draw a shape"},
+                                      Named{pencil, "pencil", "draw with the pencil"}};
 };
 
 }  // namespace batten::core

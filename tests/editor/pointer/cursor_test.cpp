@@ -29,11 +29,10 @@ TEST_F(Cursors, of_the_select_tool_say_what_can_be_dragged) {
 }
 
 TEST_F(Cursors, of_every_other_tool_differ_from_the_arrow) {
-    const std::vector<std::pair<Tool, Cursor>> cursors{{Tool::add_point, Cursor::crosshair},
-                                                       {Tool::insert_knot, Cursor::crosshair},
-                                                       {Tool::weight, Cursor::crosshair},
-                                                       {Tool::draw_curve, Cursor::crosshair},
-                                                       {Tool::parameter, Cursor::hand}};
+    const std::vector<std::pair<Tool, Cursor>> cursors{
+        {Tool::add_point, Cursor::crosshair}, {Tool::insert_knot, Cursor::crosshair},
+        {Tool::weight, Cursor::crosshair},    {Tool::draw_curve, Cursor::crosshair},
+        {Tool::parameter, Cursor::hand},      {Tool::pencil, Cursor::crosshair}};
     for (const auto& [tool, cursor] : cursors) {
         editor.run(SetTool{.tool = tool});
         EXPECT_EQ(over(px(4, 3)), cursor) << core::name_of(tool);

@@ -45,7 +45,7 @@ using Enumerations = ::testing::Types<
     Last<core::Parametrization::centripetal>, Last<core::CirclePolygon::triangle>, Last<core::JoinContinuity::g3>,
     Last<core::Closing::periodic>, Last<core::ConicType::hyperbola>, Last<core::ContactKind::ending>,
     Last<ShapeEffect::changes>, Last<CommandGroup::gesture>, Last<Dialog::at_work>, Last<Overlay::quiz>,
-    Last<Tool::shape>, Last<SnapKind::angles>, Last<ShapeKind::conic>, Last<ThemeName::light>, Last<CurveEnds::both>,
+    Last<Tool::pencil>, Last<SnapKind::angles>, Last<ShapeKind::conic>, Last<ThemeName::light>, Last<CurveEnds::both>,
     Last<Escapable::presentation>, Last<UnsavedAnswer::cancel>, Last<Cursor::text>, Last<MapTarget::all>,
     Last<ShearAxis::y>, Last<KnotQuestion::continuity>, Last<ShownMapKind::project>>;
 TYPED_TEST_SUITE(Names, Enumerations);
