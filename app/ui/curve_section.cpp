@@ -5,6 +5,7 @@
 
 #include "app/editor/commands/degree_commands.h"
 #include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/stroke_commands.h"
 #include "app/editor/commands/tear_commands.h"
 #include "app/editor/words/formula.h"
 #include "app/ui/command_entry.h"
@@ -48,6 +49,25 @@ void draw_degree_number(const PanelContext& context, const core::Curve& curve, f
     field.tooltip = locked_sentence(context.state);
     draw_number_field(context, field,
                       [](double value) { return editor::SetDegree{.degree = static_cast<int>(value)}; });
+}
+
+/// How smooth the stroke of the last step is fitted, as long as that is the last step.
+void draw_stroke_row(const PanelContext& context) {
+    const editor::EditorState& state = context.state;
+    if (editor::no_stroke(state) || state.stroke->curve != state.history.present().active) return;
+    draw_row_label(context, "Smoothness");
+    NumberField field;
+    field.name = "stroke smoothness";
+    field.value = state.stroke->smoothness;
+    field.decimals = 0;
+    field.is_whole = true;
+    field.speed = 0.1;
+    field.width_px = field_width(context);
+    field.lowest = core::least_smoothness;
+    field.highest = core::most_smoothness;
+    field.tooltip = "Drag to the right for a smoother stroke, to the left for one truer to the hand; from 0 to 10.";
+    draw_number_field(context, field,
+                      [](double value) { return editor::RefitStroke{.smoothness = static_cast<int>(value)}; });
 }
 
 /// Another degree with the same control points.
@@ -171,6 +191,7 @@ void draw_closed_row(const PanelContext& context, const core::Curve& curve) {
 void draw_curve_section(const PanelContext& context) {
     const core::Curve& curve = *context.state.active_curve();
     if (draw_section_heading(context, {"curve", "Curve", info_text(curve, *context.state.derived.of(curve.knots()))})) {
+        draw_stroke_row(context);
         draw_degree_row(context, curve);
         draw_kind_row(context, curve);
         draw_closed_row(context, curve);
