@@ -253,8 +253,10 @@ Result<Approximation> redraw(const Curve& curve, const Curve& shape, double tole
     }
     const PartFitter fitter(curve, chosen->part, ShapeWay(shape, chosen->is_backward));
     std::optional<Approximation> best;
-    for (auto spans = static_cast<std::size_t>(curve.degree()) + 1; spans <= most_spans_of_part;
-         spans += 1 + spans / 3) {
+    const auto least = static_cast<std::size_t>(curve.degree()) + 1;
+    // A corner of the shape is not met by ever more knots.
+    const std::size_t most = least + std::min(most_spans_of_part, 2 * shape.control_points().size());
+    for (std::size_t spans = least; spans <= most; spans += 1 + spans / 3) {
         auto found = fitter.over(spans);
         if (found && (!best || found->error < 0.9 * best->error)) best = std::move(found);
         if (best && best->error <= tolerance) break;
