@@ -75,6 +75,7 @@ constexpr std::array<ShapeText, shape_kind_count> shape_texts = [] {
 
 template <ShapeKind kind>
 Outcome<void> draw_shape(EditorState& state, const DrawShape<kind>&) {
+    if (state.view.shape_kind != kind) take_tool(state, Tool::select);  // leaves a shape half drawn
     state.view.shape_kind = kind;
     take_tool(state, Tool::shape);
     return {};

@@ -1,5 +1,7 @@
 #include "app/editor/state/state.h"
 
+#include <utility>
+
 namespace batten::editor {
 
 double EditorState::parameter() const {
@@ -12,11 +14,12 @@ std::string EditorState::file_name() const {
 }
 
 void take_tool(EditorState& state, Tool tool) {
-    if (state.tool != tool) {
-        ++state.tool_changes;
-        state.placing = {};
-    }
+    if (state.tool == tool) return;
     state.tool = tool;
+    ++state.tool_changes;
+    // What was begun with the other tool is left, with all that it shows.
+    state.placing = {};
+    if (std::exchange(state.preview, std::nullopt)) state.ghost.reset();
 }
 
 }  // namespace batten::editor

@@ -312,9 +312,15 @@ TEST_F(Shapes, are_given_up_with_the_tool) {
     pointer.move(px(1, 1));
     ASSERT_TRUE(state().preview);
     editor.run(SetTool{.tool = Tool::select});
+    EXPECT_FALSE(state().preview);
     pointer.move(px(1, 1));
     EXPECT_TRUE(is_in<CanvasIdle>());
     EXPECT_EQ(document().curves.size(), 1U);
+    draw(ShapeKind::circle);
+    pointer.click(px(0, 0));
+    draw(ShapeKind::line);
+    pointer.move(px(1, 1));
+    EXPECT_TRUE(is_in<CanvasIdle>());
 }
 
 }  // namespace
