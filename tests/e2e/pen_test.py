@@ -13,10 +13,10 @@ class PenTest(WindowTest):
         canvas = self.editor.state()["canvas"]
         self.at = lambda x, y: (canvas["x"] + x, canvas["y"] + y)
 
-    def take_pen(self, title):
+    def take_pen(self, mode):
         self.editor.click_widget("tool draw-curve")
-        self.editor.click_widget(f"menu-item {title}")
-        self.editor.wait(lambda state: state["tool"] == "draw-curve" and state["is_settled"], title)
+        self.editor.click_widget(f"menu-item pen-{mode}")
+        self.editor.wait(lambda state: state["tool"] == "draw-curve" and state["is_settled"], mode)
 
     def click_all(self, *places):
         for place in places:
@@ -35,7 +35,7 @@ class PenTest(WindowTest):
 
     def test_a_curve_through_the_points(self):
         editor = self.editor
-        self.take_pen("Pen: through points, C²")
+        self.take_pen("through-c2")
         places = [(200, 60), (320, 20), (440, 60), (560, 30)]
         self.click_all(*places, (600, 300))
         editor.key("BackSpace")
@@ -55,13 +55,13 @@ class PenTest(WindowTest):
         editor.double_click(*self.at(*places[2]))
         self.wait_for_message("Set joint of fit point 2 to 'corner'")
         editor.click(*self.at(340, 80), button=3)
-        editor.click_widget("menu-item Tangent by handle")
+        editor.click_widget("menu-item give-fit-point-tangent")
         self.wait_for_message("Set joint of fit point 1 to 'tangent given'")
         editor.screenshot("joints")
         self.assertEqual(self.last_curve()["fit"]["joints"], ["smooth", "tangent", "corner"])
 
     def test_the_first_point_closes_and_a_right_click_ends(self):
-        self.take_pen("Pen: through points, fair")
+        self.take_pen("through-fair")
         self.click_all((200, 300), (320, 180), (440, 300))
         self.editor.move(*self.at(201, 301))
         self.editor.settle()
@@ -69,7 +69,7 @@ class PenTest(WindowTest):
         self.click_all((200, 300))
         self.wait_for_curves(2)
         self.assertTrue(self.last_curve()["fit"]["closed"])
-        self.take_pen("Pen: control points")
+        self.take_pen("control-points")
         self.click_all((300, 330), (420, 180), (540, 330))
         self.editor.click(*self.at(600, 350), button=3)
         state = self.wait_for_curves(3)
@@ -77,7 +77,7 @@ class PenTest(WindowTest):
         self.assertEqual(state["tool"], "select")
 
     def test_bezier_handles_are_dragged_out(self):
-        self.take_pen("Pen: Bézier")
+        self.take_pen("bezier")
         self.editor.drag(self.at(250, 350), self.at(250, 250))
         self.editor.drag(self.at(450, 350), self.at(450, 450), release=False)
         self.editor.settle()
@@ -91,7 +91,7 @@ class PenTest(WindowTest):
         self.assertAlmostEqual(state["points"][2]["y"], self.at(450, 250)[1], delta=9)
 
     def test_the_view_moves_while_drawing(self):
-        self.take_pen("Pen: through points, local")
+        self.take_pen("through-local")
         self.click_all((200, 300), (320, 180))
         self.editor.move(*self.at(400, 300))
         self.editor.press(2)
