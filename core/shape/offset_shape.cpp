@@ -54,6 +54,12 @@ class Trimmer {
         return {};
     }
 
+    // Whether what is left of all parts has ends.
+    bool is_open() const {
+        const auto chains = chains_of(graph_, kept_edges([](const OffsetPart&) { return true; }));
+        return std::any_of(chains.begin(), chains.end(), [](const Chain& chain) { return !chain.is_closed; });
+    }
+
     // What is left of the parts that are wanted.
     Result<OffsetCurves> trimmed(const std::function<bool(const OffsetPart&)>& is_wanted) const {
         OffsetCurves result;
@@ -252,12 +258,12 @@ std::optional<OffsetCurves> exact_on(OffsetSide side, const Curve& curve, double
 
 // All around the curve: to the left and back on the right, with caps between the ends of an open one. What lies on
 // one side may be cut off by what belongs to the other.
-Result<std::vector<OffsetPart>> parts_around(const std::vector<OffsetSource>& sources, const OffsetRequest& request) {
+Result<std::vector<OffsetPart>> parts_around(const std::vector<OffsetSource>& sources, const OffsetRequest& request,
+                                             OffsetCaps caps) {
     auto there = offset_parts(sources[0], 0, request);
     auto back = offset_parts(sources[1], 1, request);
     if (!there || !back) return refuse(there ? back.error() : there.error());
     if (!sources[0].is_closed()) {
-        const OffsetCaps caps = request.caps == OffsetCaps::flat ? OffsetCaps::flat : OffsetCaps::round;
         const Point end_of_there = there->front().curve.control_points().front();
         auto end = offset_cap(sources[0], 0, *there, back->front().curve.control_points().front(), caps);
         auto start = offset_cap(sources[1], 1, *back, end_of_there, caps);
@@ -275,12 +281,13 @@ Result<OffsetCurves> trimmed_on(OffsetSide side, const Curve& curve, const Offse
     if (!turned) return refuse(turned.error());
     const std::vector<OffsetSource> sources{OffsetSource(curve, request.distance),
                                             OffsetSource(*turned, request.distance)};
-    auto parts = parts_around(sources, request);
+    const bool has_caps = side == OffsetSide::both && request.caps != OffsetCaps::none && !sources[0].is_closed();
+    auto parts = parts_around(sources, request, has_caps ? request.caps : OffsetCaps::round);
     if (!parts) return refuse(parts.error());
     Trimmer trimmer(sources, *std::move(parts), request.tolerance);
     if (auto check = trimmer.cut(progress); !check) return refuse(check.error());
-    if (side == OffsetSide::both && request.caps != OffsetCaps::none && !sources[0].is_closed())
-        return reversed(trimmer.trimmed([](const OffsetPart&) { return true; }));
+    if (has_caps && trimmer.is_open()) return refuse({.code = CurveErrorCode::shapes_not_decided});
+    if (has_caps) return reversed(trimmer.trimmed([](const OffsetPart&) { return true; }));
     OffsetCurves found;
     for (const std::size_t source : {std::size_t{0}, std::size_t{1}}) {
         if (side == (source == 0 ? OffsetSide::right : OffsetSide::left)) continue;

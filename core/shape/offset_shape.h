@@ -57,8 +57,9 @@ struct OffsetCurves {
 };
 
 /// The places at the distance from `curve` on the sides asked for, as far as no other part of the curve is nearer: what
-/// is nearer is cut away, at the crossings, so that a closed curve may come apart into several. Open curves that go the
-/// same way as `curve`; with caps closed ones that run counter-clockwise about it.
+/// is nearer is cut away, at the crossings, so that a closed curve may come apart into several, and one that crosses
+/// itself into open ones. They go the same way as `curve`; with caps they are closed and run counter-clockwise about
+/// it.
 /// - Lines, circles and arcs are exact; so is all of a polygon.
 /// - All others are cubics with C2, with as many points as the tolerance needs, spaced by length; where the curve is
 ///   less than G2 so is the offset.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_samples_of_span = 2048;
 constexpr std::size_t first_samples_of_span = 24;
-constexpr std::size_t least_samples = 4;
+constexpr std::size_t least_samples = 16;
 constexpr double most_turn = 2.0;  // of all samples of a span that turns evenly
 constexpr int most_sample_halvings = 40;
 constexpr std::size_t most_samples = 400'000;
@@ -116,7 +116,7 @@ class OffsetFit {
         double reached = 0.0;
         for (int round = 0; round < most_fit_rounds; ++round) {
             const auto curve = through(chosen);
-            if (!curve) return refuse(curve.error());
+            if (!curve) return refuse({.code = CurveErrorCode::not_computable});
             std::vector<std::size_t> finer = chosen;
             reached = 0.0;
             const Evaluator prepared(*curve);

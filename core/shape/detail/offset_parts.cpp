@@ -87,11 +87,25 @@ class PartBuilder {
         const auto to = source_.at(after, Side::right);
         if (!from || !to) return refuse(from ? to.error() : from.error());
         if (are_one(from->point, to->point)) return {};
-        const double turn = angle_between(from->tangent, to->tangent);
-        constexpr double turning_back = std::numbers::pi - 1e-9;
+        double turn = angle_between(from->tangent, to->tangent);
+        constexpr double turning_back = std::numbers::pi - 1e-6;
+        if (std::abs(turn) > turning_back) turn = turn_at_cusp(before, after);
         if (turn > 0.0 && turn < turning_back) return {};
         const Point corner = from->point - source_.distance() * turned_left(from->tangent);
         return add_corner(corner, *from, *to, turn > 0.0 ? -turn : turn);
+    }
+
+    // By the half turn to the side to which the tangents beside the cusp turn; where these go straight back, too, to
+    // the right.
+    double turn_at_cusp(double before, double after) const {
+        constexpr double beside = 1e-3;
+        const Interval domain = source_.curve().domain();
+        const double step = beside * domain.length();
+        const auto from = source_.at(std::max(before - step, domain.lower), Side::left);
+        const auto to = source_.at(std::min(after + step, domain.upper), Side::right);
+        const double turn = from && to ? angle_between(from->tangent, to->tangent) : 0.0;
+        const bool is_left = turn > 0.0 && turn < std::numbers::pi - 1e-9;
+        return is_left ? 0.5 * std::numbers::pi : -std::numbers::pi;
     }
 
     Result<void> add_corner(Point corner, const OffsetPlace& from, const OffsetPlace& to, double turn) {

@@ -1,24 +1,34 @@
 #include "core/shape/detail/offset_source.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/tangent.h"
 #include "core/measure/continuity.h"
+#include "core/measure/cusps.h"
 #include "core/refine/periodic.h"
 
 namespace batten::core {
 
 OffsetSource::OffsetSource(const Curve& curve, double distance)
     : curve_(to_clamped(curve).value_or(curve)), distance_(distance), is_closed_(core::is_closed(curve)) {
-    double start = curve_.domain().lower;
+    // Where the curve stands still it may turn back.
+    std::vector<double> breaks;
+    for (const Cusp& cusp : cusps(curve_)) breaks.push_back(cusp.u);
     for (const JointContinuity& joint : joint_continuity(curve)) {
-        const bool is_seam = joint.kind != JointKind::knot;
-        if (is_seam) is_smoothly_closed_ = joint.geometric >= 2;
-        if (is_seam || joint.geometric >= 2) continue;
-        stretches_.push_back({start, joint.u});
-        start = joint.u;
+        if (joint.kind != JointKind::knot)
+            is_smoothly_closed_ = joint.geometric >= 2;
+        else if (joint.geometric < 2)
+            breaks.push_back(joint.u);
+    }
+    std::sort(breaks.begin(), breaks.end());
+    double start = curve_.domain().lower;
+    for (const double u : breaks) {
+        if (!(start < u && u < curve_.domain().upper)) continue;
+        stretches_.push_back({start, u});
+        start = u;
     }
     stretches_.push_back({start, curve_.domain().upper});
     is_smoothly_closed_ = is_smoothly_closed_ && is_closed_ && stretches_.size() == 1;

@@ -186,6 +186,19 @@ TEST(OffsetShape, of_curves_with_corners_that_are_round_elsewhere) {
                 2 * pi + 0.5 * (4 + 2 * pi) + 0.25 * pi, 1e-9);
 }
 
+// A cusp is a corner that turns back: an arc goes around it.
+TEST(OffsetShape, goes_around_a_cusp) {
+    const Curve cusp =
+        Curve::make({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = {{0, 0}, {2, 2}, {0, 2}, {2, 0}}})
+            .value();
+    for (const OffsetSide side : {OffsetSide::left, OffsetSide::right}) {
+        const auto result = offset_of(cusp, 0.2, 1e-5, side, OffsetCorners::round).curves;
+        expect_at_distance(cusp, result, 0.2, 1e-5);
+        const bool is_outside = side == OffsetSide::left;
+        EXPECT_EQ(distance_to(result, {1.0, 1.7}) < 1e-5, is_outside);
+    }
+}
+
 TEST(OffsetShape, at_any_size_and_place) {
     for (const double size : {1e-6, 1e6})
         for (const double away : {0.0, 1e3}) {
