@@ -54,7 +54,8 @@ Outcome<Edit> offset(const EditorState& state, const Offset& command) {
     const std::string& name = state.history.present().active_curve()->name;
     const std::size_t count = found->curves.size();
     Edit edit = with_curves(state, core::sentence("offset of {name}", {{"name", name}}), std::move(found->curves));
-    edit.error = found->error;
+    // Lines, arcs and polygons are exact.
+    if (found->error > 0.0) edit.error = found->error;
     if (count > 1)
         edit.remark = core::sentence({.one = "it is one curve", .many = "it consists of {count} curves"}, count);
     return edit;

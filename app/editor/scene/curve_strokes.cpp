@@ -14,6 +14,7 @@ constexpr double span_width = 4.0;
 constexpr double places_of_part = 0.25;  // for each pixel of the picture's width
 constexpr double glow_width = 11.0;
 constexpr double ghost_share = 0.35;
+constexpr double other_share = 0.55;
 
 void draw_curve(CanvasFrame& frame, KeptCurve& kept, const Stroke& stroke) {
     draw_line(frame, seen_curve(frame, kept, stroke), stroke);
@@ -50,6 +51,10 @@ render::Color color_of(const core::DocumentCurve& item, const Theme& theme) {
     return {item.color->red, item.color->green, item.color->blue, 255};
 }
 
+render::Color color_of_other(const core::DocumentCurve& item, const Theme& theme) {
+    return render::blended(color_of(item, theme), other_share, theme.canvas);
+}
+
 void draw_part(CanvasFrame& frame, core::Interval range, const Stroke& stroke) {
     draw_line(frame, seen_part(frame, frame.kept->strips(), range, places_of_part, stroke), stroke);
 }
@@ -68,7 +73,8 @@ void draw_lit_parts(CanvasFrame& frame) {
 void draw_active_curve(CanvasFrame& frame) {
     const render::Color color = color_of(*frame.state.shown().active_curve(), frame.theme);
     draw_line(frame, frame.curve_line, {.color = color, .width = active_curve_width});
-    draw_direction(frame, color);
+    // One arrow where there are no others.
+    if (!frame.shows(Overlay::directions)) draw_direction(frame, color);
     draw_part(frame, active_span(frame), {.color = frame.theme.accent, .width = span_width});
 }
 

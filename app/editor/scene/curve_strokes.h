@@ -8,6 +8,9 @@ namespace batten::editor {
 /// The color of a curve, its own or that of the theme.
 render::Color color_of(const core::DocumentCurve& item, const Theme& theme);
 
+/// The color of a curve that is not the active one: dimmer.
+render::Color color_of_other(const core::DocumentCurve& item, const Theme& theme);
+
 /// A part of the active curve, which should begin and end at knots; the frame must have a curve.
 void draw_part(CanvasFrame& frame, core::Interval range, const Stroke& stroke);
 

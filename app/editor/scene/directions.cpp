@@ -46,7 +46,9 @@ void draw_directions(CanvasFrame& frame) {
         if (!entry.visible) continue;
         const auto line = seen_polylines(frame, frame.cache.curve(i, entry.curve).strips());
         if (!line) continue;
-        for (const auto& run : line->runs) draw_along(frame, run, color_of(entry, frame.theme));
+        const render::Color color =
+            i == document.active ? color_of(entry, frame.theme) : color_of_other(entry, frame.theme);
+        for (const auto& run : line->runs) draw_along(frame, run, color);
     }
 }
 

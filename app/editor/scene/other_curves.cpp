@@ -9,7 +9,6 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double other_share = 0.55;
 constexpr double most_other_places = 4.0;  // of all lines, for each pixel of the picture's width
 
 /// A visible curve, by its place in the document.
@@ -24,7 +23,7 @@ std::vector<Other> others(const CanvasFrame& frame) {
     for (std::size_t i = 0; i < document.curves.size(); ++i) {
         const core::DocumentCurve& item = document.curves[i];
         if (i == document.active || !item.visible) continue;
-        const render::Color color = render::blended(color_of(item, frame.theme), other_share, frame.theme.canvas);
+        const render::Color color = color_of_other(item, frame.theme);
         found.push_back({i, {item.curve, color}});
     }
     return found;

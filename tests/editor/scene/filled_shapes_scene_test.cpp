@@ -106,8 +106,8 @@ TEST(Directions, point_along_the_curve) {
         // Counter-clockwise, with y down.
         EXPECT_LT(arm.x * along.y - arm.y * along.x, 0.0);
     }
-    // The circumference of 1056 px, and the chevron of the last span.
-    EXPECT_EQ(count, 12);
+    // Of 1056 px, from 50 px on.
+    EXPECT_EQ(count, 11);
 }
 
 }  // namespace
