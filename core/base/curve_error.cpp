@@ -139,7 +139,7 @@ constexpr std::array templates{
              "the radius {value} is too large for an arc that touches both sides here; {upper} is the most"},
     Template{Code::fillet_not_possible,
              "no arc of radius {value} touches both sides here; a radius from {lower} to {upper} does"},
-    Template{Code::no_fillet, "no arc touches both sides here, whatever its radius"},
+    Template{Code::no_fillet, "no arc was found that touches both sides here"},
     Template{Code::no_corner, "the curves do not meet here; a chamfer needs a corner"},
     Template{Code::chamfer_too_long, "the distance from the corner is {value}; the side is only {upper} long"},
     Template{Code::nothing_crosses,

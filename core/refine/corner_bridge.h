@@ -29,8 +29,8 @@ struct PickedPlace {
 /// found by Newton's iteration on the intersection of the offset curves, right to about 1e-14 of the size of both;
 /// where two such intersections are nearer than a tenth of a span, they may be missed. Where both places are on one
 /// curve (the same object), the arc joins what is before it to what is behind it. Errors: length_not_positive;
-/// fillet_too_large and fillet_not_possible, which say what is allowed; no_fillet. Cost O(n p^2 log n); some hundred
-/// times that for an error.
+/// fillet_too_large and fillet_not_possible, which say what is allowed, of short curves; no_fillet. Cost O(n p^2 log
+/// n); some hundred times that for an error.
 [[nodiscard]] Result<CornerBridge> fillet(PickedPlace first, PickedPlace second, double radius);
 
 /// The straight line between the places that are so far from the corner, along the curves on the sides of the places
@@ -39,7 +39,7 @@ struct PickedPlace {
 /// allowed. Cost: that of the intersections and of the lengths.
 [[nodiscard]] Result<CornerBridge> chamfer(PickedPlace first, PickedPlace second, double on_first, double on_second);
 
-/// What is left of a curve that is kept from this end up to `u`. A closed one is opened where it is cut.
+/// What is left of a curve that is kept from this end up to `u`; a closed one stays whole.
 [[nodiscard]] Result<Curve> kept_part(const Curve& curve, CurveEnd end, double u);
 
 /// The one curve whose corner the bridge takes away: what is before, the bridge, what is behind. A periodic curve stays

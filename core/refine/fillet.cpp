@@ -19,6 +19,9 @@ constexpr double largest_radius = 1e4;
 constexpr int radii_per_decade = 8;
 constexpr int halvings = 40;
 
+// Of longer curves it takes too long.
+constexpr std::size_t most_stretches = 20000;
+
 // Arcs shorter than this part of their radius are none.
 constexpr double least_sweep = 1e-9;
 
@@ -146,6 +149,7 @@ double readable_least(const FilletPick& pick, const TouchingFinder& finder, doub
 }
 
 CurveError why_no_fillet(const FilletPick& pick, const TouchingFinder& finder, double radius) {
+    if (finder.stretch_count() > most_stretches) return {.code = CurveErrorCode::no_fillet};
     const auto possible = possible_radii(pick, finder, radius);
     if (!possible) return {.code = CurveErrorCode::no_fillet};
     const double upper = rounded_down(possible->upper);

@@ -37,6 +37,9 @@ class TouchingFinder {
     /// All circles of this radius (> 0) that are found from pairs of stretches whose offsets are near each other.
     std::vector<TouchingCircle> circles(double radius) const;
 
+    /// How many stretches there are: what a question costs.
+    std::size_t stretch_count() const { return stretches_of_first_.size() + stretches_of_second_.size(); }
+
     /// About the size of both curves.
     double size() const { return size_; }
 
