@@ -57,7 +57,7 @@ TEST_F(JointCommands, match_meets_a_curve_that_keeps_every_bit) {
               1e-14);
     EXPECT_NE(said().find("Matched to 'arc' G3"), std::string::npos) << said();
     EXPECT_NE(said().find("the joint had a gap of 0.5, a turn of"), std::string::npos) << said();
-    EXPECT_NE(said().find("; it has a gap of 0, a turn of 0° and the curvatures 1"), std::string::npos) << said();
+    EXPECT_NE(said().find("; it has a gap of 0, a turn of 0° and the curvatures "), std::string::npos) << said();
     EXPECT_NE(said().find("per length the curvature changed by 0 and 0 there, now by 0 and"), std::string::npos)
         << said();
     EXPECT_NE(said().find("; 'line' changed from u = 0 to "), std::string::npos) << said();
@@ -82,7 +82,7 @@ TEST_F(JointCommands, match_refuses_what_cannot_be_matched) {
     EXPECT_EQ(said(), "there is no curve 'nobody'; there are 'line', 'arc', 'corner', 'bar'");
     ASSERT_TRUE(run(ActivateCurve{.index = 1}));
     EXPECT_FALSE(type("match line G1"));
-    EXPECT_EQ(said(), "'arc' is locked; unlock it to edit it");
+    EXPECT_EQ(said(), "curve 'arc' is locked; unlock it in the inspector");
 }
 
 TEST_F(JointCommands, blend_adds_a_curve_and_leaves_both) {
@@ -141,7 +141,7 @@ TEST_F(JointCommands, fillet_between_two_curves_joins_them_or_leaves_them_apart)
     EXPECT_EQ(curve_at(2).control_points().back(), core::Point(6, 3));
     EXPECT_LE(core::distance(curve_at(3).control_points().front(), {3, 0.5}), 1e-14);
     EXPECT_EQ(curve_at(3).control_points().back(), core::Point(3, 1));
-    EXPECT_EQ(curve_at(4).control_points().front(), curve_at(2).control_points().front());
+    EXPECT_LE(core::distance(curve_at(4).control_points().front(), curve_at(2).control_points().front()), 1e-14);
     ASSERT_TRUE(run(Undo{}));
     ASSERT_TRUE(type("fillet 0.5 0.4 bar 0.9")) << said();
     EXPECT_EQ(names(), (std::vector<std::string>{"line", "arc", "corner"}));
@@ -165,8 +165,10 @@ TEST_F(JointCommands, chamfer_cuts_a_corner_off) {
 TEST_F(JointCommands, trim_removes_the_part_that_was_pointed_at) {
     ASSERT_TRUE(run(ActivateCurve{.index = 2}));
     ASSERT_TRUE(type("trim 0.1")) << said();
-    EXPECT_EQ(said().find("Trimmed the part from u = 0 to 0.25"), 0U) << said();
-    EXPECT_EQ(points(editor_), (std::vector<core::Point>{{3, 0}, {6, 0}, {6, 3}}));
+    EXPECT_EQ(said().find("Trimmed the part from u = 0 to 0.2"), 0U) << said();
+    ASSERT_EQ(points(editor_).size(), 3U);
+    EXPECT_LE(core::distance(points(editor_).front(), {3, 0}), 1e-13);
+    EXPECT_EQ(points(editor_).back(), core::Point(6, 3));
     EXPECT_FALSE(type("trim 0.5"));
     EXPECT_EQ(said(),
               "nothing crosses the curve here; what goes must be bounded by a crossing with another curve or with "
@@ -183,15 +185,19 @@ TEST_F(JointCommands, extend_to_meets_the_other_curve) {
     ASSERT_TRUE(run(ActivateCurve{.index = 0}));
     EXPECT_FALSE(type("split-at-crossings"));
     EXPECT_EQ(said(), "nothing crosses 'line'");
-    EXPECT_FALSE(type("extend-to bar start straight"));
+    EXPECT_FALSE(type("extend-to bar end straight"));
     EXPECT_EQ(said(), "the curve does not reach the other one, however far it is extended");
-    ASSERT_TRUE(type("extend-to bar start natural") || true);
+    // Down by 1 on a way of 7.
+    ASSERT_TRUE(type("extend-to bar start straight")) << said();
+    EXPECT_LE(core::distance(points(editor_).front(), {3, 0.5}), 1e-13);
+    EXPECT_EQ(points(editor_).back(), core::Point(-4, 1.5));
+    ASSERT_TRUE(run(Undo{}));
     ASSERT_TRUE(run(ActivateCurve{.index = 3}));
     EXPECT_FALSE(type("extend-to line end"));
     ASSERT_TRUE(run(NewCurve{.points = {{2.5, 5}, {8, 5}}, .degree = 1}));
     ASSERT_TRUE(run(ActivateCurve{.index = 3}));
     ASSERT_TRUE(type("extend-to 4 end")) << said();
-    EXPECT_EQ(said().find("Extended to '4'"), 0U) << said();
+    EXPECT_EQ(said().find("Extended to 'curve'"), 0U) << said();
     EXPECT_LE(core::distance(points(editor_).back(), {3, 5}), 1e-13);
     EXPECT_EQ(points(editor_).front(), core::Point(3, -1));
 }

@@ -13,6 +13,7 @@
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/knot_question_commands.h"
 #include "app/editor/commands/transform_commands.h"
+#include "app/editor/commands/trim_commands.h"
 #include "app/editor/pointer/cursor.h"
 #include "app/editor/state/state.h"
 #include "app/editor/state/theme.h"
@@ -46,6 +47,7 @@ using Enumerations = ::testing::Types<
     Last<core::Closing::periodic>, Last<core::ConicType::hyperbola>, Last<core::ContactKind::ending>,
     Last<ShapeEffect::changes>, Last<CommandGroup::gesture>, Last<Dialog::at_work>, Last<Overlay::quiz>,
     Last<Tool::pencil>, Last<SnapKind::angles>, Last<ShapeKind::conic>, Last<ThemeName::light>, Last<CurveEnds::both>,
+    Last<SplitScope::all>, Last<core::Onward::straight>, Last<core::GeometricContinuity::g3>,
     Last<Escapable::presentation>, Last<UnsavedAnswer::cancel>, Last<Cursor::text>, Last<MapTarget::all>,
     Last<ShearAxis::y>, Last<KnotQuestion::continuity>, Last<ShownMapKind::project>>;
 TYPED_TEST_SUITE(Names, Enumerations);
