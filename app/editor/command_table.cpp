@@ -28,6 +28,7 @@ CommandTable make_table() {
     add_subdivision_commands(table);
     add_piece_commands(table);
     add_joint_commands(table);
+    add_joint_tool_commands(table);
     add_corner_commands(table);
     add_trim_commands(table);
     add_closing_commands(table);

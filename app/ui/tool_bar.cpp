@@ -73,6 +73,7 @@ void press_button(const PanelContext& context, const ToolButton& button) {
     run_command(context, button.spec);
     if (&button.spec == &editor::take_tool_spec(editor::Tool::shape)) open_context_menu(context, editor::OnShapes{});
     if (&button.spec == &editor::take_tool_spec(editor::Tool::draw_curve)) open_context_menu(context, editor::OnPens{});
+    if (&button.spec == &editor::take_tool_spec(editor::Tool::joint)) open_context_menu(context, editor::OnJoints{});
 }
 
 void draw_tool_button(const PanelContext& context, const ToolButton& button) {

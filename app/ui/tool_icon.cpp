@@ -141,6 +141,14 @@ void draw_shape(const IconPen& pen) {
     pen.line({{0.12F, 0.46F}, {0.56F, 0.46F}, {0.56F, 0.9F}, {0.12F, 0.9F}}, true);
 }
 
+/// Two ends with a dashed way between them.
+void draw_joint(const IconPen& pen) {
+    pen.cubic({0.06F, 0.86F}, {0.1F, 0.5F}, {0.2F, 0.34F}, {0.36F, 0.3F});
+    pen.cubic({0.64F, 0.3F}, {0.8F, 0.34F}, {0.9F, 0.5F}, {0.94F, 0.86F});
+    pen.disc({0.36F, 0.3F}, 0.1F);
+    pen.disc({0.64F, 0.3F}, 0.1F);
+}
+
 /// A magnet.
 void draw_snapping(const IconPen& pen) {
     constexpr float half_turn = 3.14159265F;
@@ -166,6 +174,7 @@ constexpr std::array icons{ToolIcon{TakeTool<Tool::select>::spec, draw_select},
                            ToolIcon{TakeTool<Tool::draw_curve>::spec, draw_draw_curve},
                            ToolIcon{TakeTool<Tool::parameter>::spec, draw_parameter},
                            ToolIcon{TakeTool<Tool::shape>::spec, draw_shape},
+                           ToolIcon{TakeTool<Tool::joint>::spec, draw_joint},
                            ToolIcon{editor::SetSnap::spec, draw_snapping},
                            ToolIcon{TakeTool<Tool::pencil>::spec, draw_pencil},
                            ToolIcon{editor::Undo::spec, draw_undo},

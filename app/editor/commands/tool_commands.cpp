@@ -168,6 +168,13 @@ const CommandSpec& TakeTool<Tool::shape>::spec() {
     return spec;
 }
 
+template <>
+const CommandSpec& TakeTool<Tool::joint>::spec() {
+    static const CommandSpec spec = taking<Tool::joint>(
+        "tool-joint", "Join curves", "Joins, matches, blends, rounds, trims and extends curves by clicks.", Key::j);
+    return spec;
+}
+
 const CommandSpec& draw_shape_spec(ShapeKind kind) {
     static const std::array<CommandSpec, shape_kind_count> specs =
         all_shape_specs(std::make_index_sequence<shape_kind_count>());
@@ -225,9 +232,11 @@ const CommandSpec& take_tool_spec(Tool tool) {
         case Tool::parameter:
             return TakeTool<Tool::parameter>::spec();
         case Tool::shape:
+            return TakeTool<Tool::shape>::spec();
+        case Tool::joint:
             break;
     }
-    return TakeTool<Tool::shape>::spec();
+    return TakeTool<Tool::joint>::spec();
 }
 
 void add_tool_commands(CommandTable& table) {

@@ -47,6 +47,8 @@ template <>
 const CommandSpec& TakeTool<Tool::shape>::spec();
 template <>
 const CommandSpec& TakeTool<Tool::pencil>::spec();
+template <>
+const CommandSpec& TakeTool<Tool::joint>::spec();
 
 /// The description of the command that takes `tool`.
 const CommandSpec& take_tool_spec(Tool tool);

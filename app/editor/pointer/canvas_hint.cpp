@@ -5,6 +5,7 @@
 #include "app/editor/pointer/canvas_mode.h"
 #include "app/editor/pointer/gesture.h"
 #include "app/editor/pointer/hint_text.h"
+#include "app/editor/pointer/joint_command.h"
 #include "app/editor/pointer/shape_hint.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/number_column.h"
@@ -138,6 +139,7 @@ std::string tool_hint(const EditorState& state) {
         return sentence(
             "Click to set the first point of a new curve by {mode} · right-click for other pens · Escape leaves",
             {{"mode", core::title_of(state.view.pen_mode)}});
+    if (state.tool == Tool::joint) return joint_hint(state, {});
     if (state.tool == Tool::shape) return shape_hint(state.view.shape_kind, 0);
     if (state.tool == Tool::pencil) return pencil_hint(state);
     if (state.tool == Tool::select || !can_edit_curve(state)) return select_hint(state);
@@ -159,6 +161,7 @@ std::string tool_hint(const EditorState& state) {
         case Tool::draw_curve:
         case Tool::shape:
         case Tool::pencil:
+        case Tool::joint:
             break;
     }
     return {};
@@ -170,6 +173,7 @@ struct ModeHint {
     const core::Curve* curve = state.active_curve();
 
     std::string operator()(const CanvasIdle&) const { return tool_hint(state); }
+    std::string operator()(const PickingJoint& mode) const { return joint_hint(state, mode); }
     std::string operator()(const DraggingPoints& mode) const {
         if (mode.indices.size() > 1)
             return sentence("Moving {count} points · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",

@@ -38,6 +38,7 @@ CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {
         case PointerAction::double_click:
             return begin_canvas_gesture(gesture);
         case PointerAction::move:
+            if (gesture.state.tool == Tool::joint) return begin_joint(gesture);
             request_hover(hit_canvas(gesture.state, gesture.event.position_px), gesture.state, gesture.queue);
             if (places_points(gesture.state.tool)) static_cast<void>(pointed_at(gesture));
             return mode;
@@ -251,6 +252,8 @@ CanvasMode with_present_tool(CanvasMode mode, const EditorState& state) {
     if (shape != nullptr && shape->tool_changes != state.tool_changes) return CanvasIdle{};
     const auto* stroke = std::get_if<PencilStroke>(&mode);
     if (stroke != nullptr && stroke->tool_changes != state.tool_changes) return CanvasIdle{};
+    const auto* joint = std::get_if<PickingJoint>(&mode);
+    if (joint != nullptr && joint->tool_changes != state.tool_changes) return CanvasIdle{};
     return mode;
 }
 

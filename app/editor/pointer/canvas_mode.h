@@ -10,6 +10,7 @@
 #include "app/editor/pointer/drawing_mode.h"
 #include "app/editor/pointer/fit_point_mode.h"
 #include "app/editor/pointer/guide_mode.h"
+#include "app/editor/pointer/joint_mode.h"
 #include "app/editor/pointer/pencil_mode.h"
 #include "app/editor/pointer/picture_mode.h"
 #include "app/editor/pointer/pointer.h"
@@ -98,7 +99,7 @@ struct TurningOrbit {
 using CanvasMode = std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,
                                 DraggingCurveKnot, DraggingCurvePoint, DraggingHandle, DraggingFarinPoint,
                                 DraggingLiftedWeight, TurningOrbit, DrawingCurve, DraggingFitPoint, DraggingFitHandle,
-                                DrawingShape, DraggingGuide, DraggingPicture, PencilStroke>;
+                                DrawingShape, DraggingGuide, DraggingPicture, PencilStroke, PickingJoint>;
 
 /// The mode that is left where the tool was changed without the pointer: a curve half drawn is given up.
 CanvasMode with_present_tool(CanvasMode mode, const EditorState& state);

@@ -249,6 +249,8 @@ CanvasMode begin_canvas_gesture(const Gesture& gesture) {
             return begin_shape(gesture);
         case Tool::pencil:
             return begin_stroke(gesture);
+        case Tool::joint:
+            return begin_joint(gesture);
     }
     return CanvasIdle{};
 }

@@ -10,6 +10,8 @@
 #include "app/editor/commands/fairing_commands.h"
 #include "app/editor/commands/fit_point_commands.h"
 #include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/joint_commands.h"
+#include "app/editor/commands/joint_tool_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/pen_commands.h"
@@ -157,6 +159,16 @@ class Menu {
         offer<SetPolygonSides>();
     }
 
+    void joints() {
+        for (std::size_t i = 0; i < joint_operation_count; ++i)
+            put({&joint_operation_spec(static_cast<JointOperation>(i))});
+        group();
+        for (std::size_t i = 0; i < joint_continuity_count; ++i)
+            put({&joint_continuity_spec(static_cast<core::GeometricContinuity>(i))});
+        group();
+        offer<SetJointRadius, CheckJoints>();
+    }
+
     void snapping() {
         for (std::size_t i = 0; i < snap_kind_count; ++i) put({&toggle_snap_spec(static_cast<SnapKind>(i))});
         group();
@@ -243,6 +255,7 @@ struct FillByTarget {
     void operator()(const OnToolBar&) const { menu.tools(); }
     void operator()(const OnShapes&) const { menu.shapes(); }
     void operator()(const OnPens&) const { menu.pens(); }
+    void operator()(const OnJoints&) const { menu.joints(); }
     void operator()(const OnSnapping&) const { menu.snapping(); }
     void operator()(const OnPanel&) const { menu.interface(); }
 

@@ -50,6 +50,9 @@ struct OnShapes {};
 /// The choice of what the pen draws.
 struct OnPens {};
 
+/// The button of the joint tool, which offers what it can do.
+struct OnJoints {};
+
 /// The button that tells what the pointer snaps to.
 struct OnSnapping {};
 
@@ -57,7 +60,7 @@ struct OnSnapping {};
 struct OnPanel {};
 
 using MenuTarget = std::variant<OnPanel, OnCanvas, OnPlot, OnPart, OnCurve, OnFinding, OnText, OnTitleLine, OnToolBar,
-                                OnShapes, OnPens, OnSnapping>;
+                                OnShapes, OnPens, OnJoints, OnSnapping>;
 
 /// One line of the menu.
 struct MenuEntry {

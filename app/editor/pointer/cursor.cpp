@@ -35,6 +35,7 @@ Cursor tool_cursor(const EditorState& state) {
         case Tool::draw_curve:
         case Tool::shape:
         case Tool::pencil:
+        case Tool::joint:
             break;
     }
     return Cursor::crosshair;
@@ -61,6 +62,7 @@ struct CanvasCursor {
     Cursor operator()(const DraggingLiftedWeight&) const { return Cursor::hand; }
     Cursor operator()(const TurningOrbit&) const { return Cursor::hand; }
     Cursor operator()(const DrawingShape&) const { return Cursor::crosshair; }
+    Cursor operator()(const PickingJoint&) const { return Cursor::crosshair; }
     Cursor operator()(const DraggingGuide&) const { return Cursor::move; }
     Cursor operator()(const DraggingPicture&) const { return Cursor::move; }
 };

@@ -16,4 +16,11 @@ CanvasMode step(const DraggingGuide& mode, const Gesture& gesture);
 CanvasMode begin_shape(const Gesture& gesture);
 CanvasMode step(const DrawingShape& mode, const Gesture& gesture);
 
+/// The joint tool, from the first move over the canvas on.
+CanvasMode begin_joint(const Gesture& gesture);
+CanvasMode step(const PickingJoint& mode, const Gesture& gesture);
+
+/// The continuity that the digit of a key stands for; none for other keys.
+std::optional<core::GeometricContinuity> continuity_of_key(const PointerEvent& event);
+
 }  // namespace batten::editor

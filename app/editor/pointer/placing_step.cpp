@@ -1,6 +1,7 @@
 #include "app/editor/pointer/placing_step.h"
 
 #include "app/editor/pointer/edit_step.h"
+#include "app/editor/pointer/modes.h"
 #include "app/editor/pointer/typed_place.h"
 
 namespace batten::editor {
@@ -108,6 +109,7 @@ bool takes_numbers(const CanvasMode& mode, const EditorState& state) {
 }
 
 bool takes_key(const CanvasMode& mode, const EditorState& state, const PointerEvent& event) {
+    if (std::holds_alternative<PickingJoint>(mode) && continuity_of_key(event)) return true;
     const Modifiers& modifiers = event.modifiers;
     if (!takes_numbers(mode, state) || modifiers.ctrl || modifiers.alt) return false;
     const TypedPlace& typed = state.placing.typed;

@@ -1,7 +1,11 @@
 #include "app/editor/scene/gesture_marks.h"
 
+#include <algorithm>
+
 #include "app/editor/pointer/drawing.h"
 #include "app/editor/scene/fit_marks.h"
+#include "app/editor/scene/joint_tool_marks.h"
+#include "core/curve/knot_kinds.h"
 
 namespace batten::editor {
 
@@ -73,6 +77,8 @@ struct MarksOf {
                 place,
                 {.radius = 4.0, .fill = frame.theme.canvas, .outline = frame.theme.accent, .outline_width = 2.0});
     }
+
+    void operator()(const PickingJoint& mode) const { draw_picked_joint(frame, mode); }
 
     template <class Other>
     void operator()(const Other&) const {}

@@ -1,0 +1,165 @@
+#include "app/editor/pointer/joint_mode.h"
+
+#include "app/editor/commands/joint_tool_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/tool_commands.h"
+#include "app/editor/commands/trim_commands.h"
+#include "app/editor/pointer/edit_step.h"
+#include "app/editor/pointer/joint_command.h"
+#include "app/editor/pointer/modes.h"
+#include "core/evaluate/evaluate.h"
+
+namespace batten::editor {
+namespace {
+
+constexpr double pick_reach = 16.0;  ///< design pixels
+constexpr double end_reach = 24.0;   ///< nearer to an end, that is meant and no place between
+
+/// Of more control points than this nothing is shown before a click.
+constexpr std::size_t most_points_shown = 2000;
+
+core::CurveEnd nearer_end(const core::Curve& curve, core::Point place) {
+    const auto away = [&](core::CurveEnd end) {
+        return core::distance(core::point_at(curve, core::parameter_of(curve.domain(), end)), place);
+    };
+    return away(core::CurveEnd::start) < away(core::CurveEnd::end) ? core::CurveEnd::start : core::CurveEnd::end;
+}
+
+/// Which place of the curve is marked: the end, where the operation is about one or the pointer is near it.
+core::Point marked_point(const Gesture& gesture, const core::Curve& curve, core::CurveEnd end,
+                         const core::CurveSample& sample, bool is_first) {
+    const JointOperation operation = gesture.state.view.joint.operation;
+    const core::Point tip = core::point_at(curve, core::parameter_of(curve.domain(), end));
+    const bool is_any_place = operation == JointOperation::match && !is_first;
+    const bool is_end = takes_ends(operation) || (operation == JointOperation::extend && is_first);
+    if (!is_end) return sample.point;
+    if (!is_any_place) return tip;
+    const double reach = pixels(gesture.state, end_reach) / gesture.state.view.camera.scale;
+    return core::distance(tip, sample.point) <= reach ? tip : sample.point;
+}
+
+/// The place nearest to the pointer of all curves that are seen, within reach.
+std::optional<PickedCurvePlace> picked_place(const Gesture& gesture, bool is_first) {
+    const auto& curves = gesture.state.history.present().curves;
+    const core::Point pointer = world_at_pointer(gesture);
+    double least = pixels(gesture.state, pick_reach) / gesture.state.view.camera.scale;
+    std::optional<PickedCurvePlace> picked;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        if (!curves[i].visible) continue;
+        const auto sample = gesture.state.derived.near_parts(curves[i].curve)->nearest(pointer, least);
+        if (!sample || (picked && !(core::distance(sample->point, pointer) < least))) continue;
+        least = core::distance(sample->point, pointer);
+        const core::Curve& curve = *curves[i].curve;
+        const core::CurveEnd end = nearer_end(curve, pointer);
+        picked = PickedCurvePlace{i, sample->u, end, marked_point(gesture, curve, end, *sample, is_first)};
+    }
+    return picked;
+}
+
+/// Whether all that is seen is so short that what a click would do can be shown with every move.
+bool is_quick(const Gesture& gesture) {
+    std::size_t count = 0;
+    for (const auto& entry : gesture.state.history.present().curves) count += entry.curve->control_points().size();
+    return count <= most_points_shown;
+}
+
+std::optional<core::Interval> part_to_trim(const Gesture& gesture, const std::optional<PickedCurvePlace>& place) {
+    if (gesture.state.view.joint.operation != JointOperation::trim || !place || !is_quick(gesture)) return std::nullopt;
+    const auto part = trimmed_part(gesture.state, place->curve, place->u);
+    return part ? std::optional(*part) : std::nullopt;
+}
+
+void activate(const Gesture& gesture, std::size_t index) {
+    if (gesture.state.history.present().active != index) gesture.queue.run(ActivateCurve{.index = index});
+}
+
+CanvasMode hover(PickingJoint mode, const Gesture& gesture) {
+    mode.hovered = picked_place(gesture, !mode.first);
+    mode.part = part_to_trim(gesture, mode.hovered);
+    const auto command = is_quick(gesture) ? joint_command(gesture.state, mode) : std::nullopt;
+    if (command)
+        gesture.queue.preview(*command);
+    else if (gesture.state.preview)
+        gesture.queue.cancel_preview();
+    return mode;
+}
+
+CanvasMode click(PickingJoint mode, const Gesture& gesture) {
+    mode.hovered = picked_place(gesture, !mode.first);
+    if (!mode.hovered) return mode;
+    const JointOperation operation = gesture.state.view.joint.operation;
+    if (!takes_two_places(operation)) {
+        activate(gesture, mode.hovered->curve);
+        gesture.queue.run(command_at(operation, mode.hovered->u));
+        return PickingJoint{.tool_changes = mode.tool_changes};
+    }
+    if (!mode.first) {
+        activate(gesture, mode.hovered->curve);
+        mode.first = mode.hovered;
+        return mode;
+    }
+    const auto command = joint_command(gesture.state, mode);
+    if (!command) return mode;
+    gesture.queue.run(*command);
+    return PickingJoint{.tool_changes = mode.tool_changes};
+}
+
+CanvasMode go_back(PickingJoint mode, const Gesture& gesture) {
+    if (!mode.first) {
+        gesture.queue.run(SetTool{.tool = Tool::select});
+        return CanvasIdle{};
+    }
+    gesture.queue.cancel_preview();
+    mode.first.reset();
+    return mode;
+}
+
+}  // namespace
+
+CanvasMode begin_joint(const Gesture& gesture) {
+    const PickingJoint mode{.tool_changes = gesture.state.tool_changes};
+    return is_press(gesture) ? click(mode, gesture) : hover(mode, gesture);
+}
+
+std::optional<core::GeometricContinuity> continuity_of_key(const PointerEvent& event) {
+    if (event.modifiers.ctrl || event.modifiers.alt) return std::nullopt;
+    const auto digit = event.character != 0 ? static_cast<int>(event.character) - static_cast<int>(U'0')
+                                            : static_cast<int>(event.key) - static_cast<int>(Key::digit_0);
+    if (digit < 0 || digit >= static_cast<int>(joint_continuity_count)) return std::nullopt;
+    return static_cast<core::GeometricContinuity>(digit);
+}
+
+CanvasMode step(const PickingJoint& mode, const Gesture& gesture) {
+    switch (gesture.event.action) {
+        case PointerAction::move:
+            return hover(mode, gesture);
+        case PointerAction::press:
+        case PointerAction::double_click:
+            return gesture.event.button == PointerButton::left && !is_pan(gesture.event) ? click(mode, gesture)
+                                                                                         : CanvasMode(mode);
+        case PointerAction::escape:
+            return go_back(mode, gesture);
+        case PointerAction::take_back:
+            return mode.first ? go_back(mode, gesture) : CanvasMode(mode);
+        case PointerAction::wheel:
+            turn_canvas_wheel(gesture);
+            return mode;
+        case PointerAction::key:
+            if (const auto continuity = continuity_of_key(gesture.event))
+                gesture.queue.run(SetJointContinuity{.continuity = *continuity});
+            return mode;
+        case PointerAction::leave: {
+            PickingJoint left = mode;
+            left.hovered.reset();
+            left.part.reset();
+            if (mode.first) gesture.queue.cancel_preview();
+            return left;
+        }
+        case PointerAction::release:
+        case PointerAction::finish:
+            break;
+    }
+    return mode;
+}
+
+}  // namespace batten::editor

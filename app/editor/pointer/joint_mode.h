@@ -1,0 +1,30 @@
+/// Places of curves picked with the joint tool.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "app/editor/state/joint_tool.h"
+#include "core/base/geometry.h"
+#include "core/curve/curve_end.h"
+
+namespace batten::editor {
+
+/// A place of a curve that is near the pointer.
+struct PickedCurvePlace {
+    std::size_t curve = 0;  ///< its index in the document
+    double u = 0.0;
+    core::CurveEnd end = core::CurveEnd::start;  ///< the nearer one
+    core::Point point{};                         ///< the end, or the place at u, whichever the operation is about
+};
+
+/// The joint tool: the first place where one was clicked, and what the pointer is over. Each operation is done by the
+/// click that completes it and previewed before. Escape gives up the first place, then the tool.
+struct PickingJoint {
+    std::optional<PickedCurvePlace> first{};
+    std::optional<PickedCurvePlace> hovered{};
+    std::optional<core::Interval> part{};  ///< of the hovered curve, that trimming would take away
+    std::size_t tool_changes = 0;          ///< of the state when it began
+};
+
+}  // namespace batten::editor

@@ -1,0 +1,45 @@
+#include "app/editor/scene/reading_box.h"
+
+#include <algorithm>
+
+#include "app/editor/scene/text_size.h"
+
+namespace batten::editor {
+
+namespace {
+
+constexpr double reading_size = 12.5;
+constexpr double reading_distance = 16.0;  // from the place
+constexpr double reading_row_height = 20.0;
+constexpr double reading_padding = 6.0;
+constexpr double width_is_at_most = 1.1;  // times what text_size says
+constexpr double reading_opacity = 0.94;
+
+render::PixelBox box_beside(const CanvasFrame& frame, glm::dvec2 place, glm::dvec2 size) {
+    const double distance = frame.pen.px(reading_distance);
+    const glm::dvec2 room = frame.pen.size_px();
+    glm::dvec2 corner = place + glm::dvec2(distance);
+    if (corner.x + size.x > room.x) corner.x = place.x - distance - size.x;
+    if (corner.y + size.y > room.y) corner.y = place.y - distance - size.y;
+    corner = glm::max(glm::min(corner, room - size), glm::dvec2(0.0));
+    return {corner, corner + size};
+}
+
+}  // namespace
+
+void draw_reading(CanvasFrame& frame, glm::dvec2 place, std::span<const ReadingRow> rows) {
+    const double padding = frame.pen.px(reading_padding);
+    double width = 0.0;
+    for (const ReadingRow& row : rows)
+        width = std::max(width, width_is_at_most * text_size(row.text, frame.pen.px(reading_size)).x);
+    const double height = static_cast<double>(rows.size()) * frame.pen.px(reading_row_height);
+    const render::PixelBox box = box_beside(frame, place, {width + 2.0 * padding, height + padding});
+    frame.pen.fill(rounded_rectangle(box, padding), render::faded(frame.theme.panel, reading_opacity));
+    double y = box.lower_px.y + 0.5 * (padding + frame.pen.px(reading_row_height));
+    for (const ReadingRow& row : rows) {
+        frame.pen.text({box.lower_px.x + padding, y}, row.text, {.color = row.color, .size = reading_size});
+        y += frame.pen.px(reading_row_height);
+    }
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,19 @@
+/// A few lines of text on a ground of their own beside a place.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "app/editor/scene/canvas_frame.h"
+
+namespace batten::editor {
+
+struct ReadingRow {
+    std::string text;
+    render::Color color;
+};
+
+/// Below and to the right of `place`, where there is room, else on the other side.
+void draw_reading(CanvasFrame& frame, glm::dvec2 place, std::span<const ReadingRow> rows);
+
+}  // namespace batten::editor
