@@ -34,9 +34,9 @@
 #include "app/editor/commands/shape_commands.h"
 #include "app/editor/commands/shape_view_commands.h"
 #include "app/editor/commands/snap_commands.h"
+#include "app/editor/commands/stroke_commands.h"
 #include "app/editor/commands/symmetry_commands.h"
 #include "app/editor/commands/table_commands.h"
-#include "app/editor/commands/stroke_commands.h"
 #include "app/editor/commands/tear_commands.h"
 #include "app/editor/commands/trace_commands.h"
 #include "app/editor/commands/transform_commands.h"
@@ -314,11 +314,11 @@ Command RandomSession::fitting_command() {
     for (std::size_t i = 3 + below(6); i > 0; --i) points.push_back(point(5));
     if (below(10) == 0) points.insert(points.end(), 2, core::Point(1.0, 1.0));
     const auto degree = static_cast<int>(below(6));
-    switch (below(9)) {
-        case 6:
+    switch (below(12)) {
+        case 9:
             return BezierPath{.points = points, .closed = below(2) == 0};
-        case 7:
-        case 8:
+        case 10:
+        case 11:
             return ThroughPoints{.points = points,
                                  .kind = any<core::FitKind>(),
                                  .parametrization = any<core::Parametrization>(),

@@ -5,7 +5,6 @@
 #include "app/editor/pointer/drawing.h"
 #include "app/editor/scene/fit_marks.h"
 #include "app/editor/scene/joint_tool_marks.h"
-#include "core/curve/knot_kinds.h"
 
 namespace batten::editor {
 

@@ -7,7 +7,7 @@ namespace batten::editor {
 namespace {
 
 constexpr double problem_size = 12.5;
-constexpr double mark_radius = 5.0;
+constexpr double gauge_radius = 5.0;
 
 core::PicturePlace corner(double x, double y) {
     return {x, y};
@@ -50,7 +50,7 @@ void draw_picture_gauge(CanvasFrame& frame) {
     for (const core::Point point : frame.state.gauge->points) places.push_back(frame.screen(point));
     if (places.size() == 2) frame.pen.line(places, {.color = frame.theme.accent, .width = 1.5});
     for (const glm::dvec2 place : places)
-        frame.pen.symbol(place, {.radius = mark_radius, .fill = frame.theme.canvas, .outline = frame.theme.accent});
+        frame.pen.symbol(place, {.radius = gauge_radius, .fill = frame.theme.canvas, .outline = frame.theme.accent});
 }
 
 }  // namespace batten::editor

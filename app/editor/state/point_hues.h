@@ -24,9 +24,10 @@ std::size_t free_hue(std::span<const std::uint8_t> near, std::size_t start);
 /// came or went.
 std::size_t point_hue(const core::DocumentCurve& entry, std::size_t i);
 
-/// Gives the entry another curve, which came of the present one, and which is made of no fit points. As many points as before keep their colors and pins in
-/// order; others have those of their origins (point_origins.h). A point that has no older one gets the next color that
-/// none of three neighbors on each side has. Cost O(n p) where the number of points changes.
+/// Gives the entry another curve, which came of the present one, and which is made of no fit points. As many points as
+/// before keep their colors and pins in order; others have those of their origins (point_origins.h). A point that has
+/// no older one gets the next color that none of three neighbors on each side has. Cost O(n p) where the number of
+/// points changes.
 void replace_curve(core::DocumentCurve& entry, std::shared_ptr<const core::Curve> curve);
 
 }  // namespace batten::editor

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t most_samples_of_span = 2048;
 constexpr std::size_t first_samples_of_span = 24;
 constexpr std::size_t least_samples = 16;
-constexpr double most_turn = 2.0;  // of all samples of a span that turns evenly
+constexpr double most_turn_of_span = 2.0;  // of all samples of a span that turns evenly
 constexpr int most_sample_halvings = 40;
 constexpr std::size_t most_samples = 400'000;
 constexpr std::size_t least_samples_between = 6;
@@ -68,7 +68,8 @@ class OffsetFit {
                 const auto end = source_.at(to, side_inside(part_, to));
                 if (!start || !end) return refuse(start ? end.error() : start.error());
                 if (samples_.empty()) append(*start);
-                if (auto check = add_between({from, *start}, {to, *end}, most_turn / static_cast<double>(count), 0);
+                if (auto check =
+                        add_between({from, *start}, {to, *end}, most_turn_of_span / static_cast<double>(count), 0);
                     !check)
                     return check;
                 from = to;
