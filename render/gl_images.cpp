@@ -6,6 +6,8 @@ namespace batten::render {
 
 namespace {
 
+constexpr int opaque = 255;
+
 // How often the sides must be halved to fit.
 int halvings_of(const Image& image) {
     GLint most = 0;
@@ -15,9 +17,18 @@ int halvings_of(const Image& image) {
     return halvings;
 }
 
+// So that what is between pixels is a mean of what is seen of them: a transparent pixel has no color of its own.
+std::vector<std::uint8_t> premultiplied(const Image& image) {
+    std::vector<std::uint8_t> rgba = image.rgba;
+    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4)
+        for (std::size_t k = 0; k < 3 && rgba[i + 3] < opaque; ++k)
+            rgba[i + k] = static_cast<std::uint8_t>((rgba[i + k] * rgba[i + 3] + opaque / 2) / opaque);
+    return rgba;
+}
+
 void fill(const Image& image) {
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 image.rgba.data());
+                 premultiplied(image).data());
     glGenerateMipmap(GL_TEXTURE_2D);
 }
 

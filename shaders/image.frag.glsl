@@ -7,7 +7,5 @@ uniform sampler2D image;
 out vec4 premultiplied;
 
 void main() {
-    vec4 color = texture(image, v_place);
-    float alpha = color.a * v_opacity;
-    premultiplied = vec4(color.rgb * alpha, alpha);
+    premultiplied = texture(image, v_place) * v_opacity;
 }

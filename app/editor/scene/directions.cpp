@@ -1,6 +1,8 @@
 #include "app/editor/scene/directions.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "app/editor/scene/curve_strokes.h"
@@ -16,17 +18,23 @@ constexpr double chevron_half_width = 5.5;
 void draw_along(CanvasFrame& frame, const std::vector<glm::dvec2>& run, render::Color color) {
     const double spacing = frame.pen.px(chevron_spacing);
     const render::PixelBox picture{{0.0, 0.0}, frame.pen.size_px()};
+    const glm::dvec2 middle = 0.5 * frame.pen.size_px();
+    const double reach = glm::length(middle);
     double to_next = 0.5 * spacing;
     for (std::size_t k = 1; k < run.size(); ++k) {
         const double length = glm::distance(run[k - 1], run[k]);
-        // A chord may be 64 pictures long.
+        if (!(length > 0.0)) continue;
         const glm::dvec2 direction = (run[k] - run[k - 1]) / length;
-        double along = to_next;
-        for (; along <= length; along += spacing) {
+        // A chord may be far longer than the picture: only what is nearer to the picture's middle than its corners
+        // counts.
+        const double nearest = glm::dot(middle - run[k - 1], direction);
+        double along = to_next + spacing * std::max(0.0, std::ceil((nearest - reach - to_next) / spacing));
+        for (; along <= std::min(length, nearest + reach); along += spacing) {
             const glm::dvec2 tip = run[k - 1] + along * direction;
             if (picture.contains(tip)) draw_chevron(frame, tip, direction, color);
         }
-        to_next = along - length;
+        to_next = spacing - std::fmod(length - to_next, spacing);
+        if (to_next > spacing) to_next -= spacing;
     }
 }
 
