@@ -140,13 +140,16 @@ std::optional<std::size_t> leader_of(const core::Document& before, const core::D
 Outcome<void> follow(const core::Document& before, core::Document& after, const Members& members, std::size_t leader) {
     const core::Symmetry symmetry = *after.curves[leader].symmetry;
     auto original = core::transform(*after.curves[leader].curve, map_from_image(symmetry));
+    std::shared_ptr<const core::FitPoints> fit = image_of_fit(after.curves[leader].fit, map_from_image(symmetry));
     const core::DocumentCurve* old = same_image(before, symmetry);
     if (original && old != nullptr && !symmetry.turns) {
         const auto old_original = core::transform(*old->curve, map_from_image(*old->symmetry));
-        if (old_original) original = with_seams_of(*old_original, *original, symmetry);
+        auto seamed = old_original ? with_seams_of(*old_original, *original, symmetry) : original;
+        // A curve whose seam had to be mended is not the one through its fit points any more.
+        if (seamed && *seamed != *original) fit.reset();
+        original = std::move(seamed);
     }
     if (!original) return tl::unexpected(core::describe(original.error()));
-    const auto fit = image_of_fit(after.curves[leader].fit, map_from_image(symmetry));
     const std::vector<std::size_t> pinned = after.curves[leader].pinned;
     for (const std::size_t i : members) {
         core::DocumentCurve& entry = after.curves[i];

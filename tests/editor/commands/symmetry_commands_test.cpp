@@ -16,6 +16,7 @@
 #include "app/editor/state/same_document.h"
 #include "app/editor/state/symmetry_links.h"
 #include "core/edit/transform.h"
+#include "core/make/fit_points.h"
 #include "core/measure/curvature.h"
 #include "tests/editor/random_session.h"
 #include "tests/editor/sample_editor.h"
@@ -90,6 +91,19 @@ TEST_F(SymmetryCommands, ends_near_the_line_are_made_smooth_where_that_is_asked_
     EXPECT_EQ(points_of(0)[0], core::Point(0.001, 2));
     EXPECT_EQ(points_of(0)[4], core::Point(0.001, -3));
     EXPECT_EQ(points_of(0)[3].y, -3.0);
+}
+
+TEST_F(SymmetryCommands, points_that_a_curve_passes_have_images_too) {
+    EXPECT_TRUE(run_typed(editor_, "through-points 1,0,3,2,1,4"));
+    EXPECT_TRUE(run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = false}));
+    ASSERT_EQ(document(editor_).curves.size(), 3U);
+    EXPECT_TRUE(run_typed(editor_, "move-fit-point 1 5 2.5"));
+    const auto fit = [&](std::size_t i) { return document(editor_).curves[i].fit; };
+    ASSERT_TRUE(fit(1) != nullptr && fit(2) != nullptr);
+    EXPECT_EQ(fit(1)->points[1].place, core::Point(5, 2.5));
+    EXPECT_EQ(fit(2)->points[1].place, core::Point(-5, 2.5));
+    for (std::size_t i = 0; i < points_of(1).size(); ++i)
+        EXPECT_EQ(points_of(2)[i], core::Point(-points_of(1)[i].x, points_of(1)[i].y));
 }
 
 TEST_F(SymmetryCommands, rotated_images_follow_and_lead) {
