@@ -23,7 +23,7 @@ std::vector<core::Joint> joints_in(const core::Document& document, const CheckOp
 void say_joints(Output output, const core::Document& document, const CheckOptions& options) {
     const std::vector<core::Joint> joints = joints_in(document, options);
     output.results << editor::joints_summary(joints) << '\n';
-    for (const core::Joint& joint : joints) print(output.results, editor::joint_row(document, joint));
+    for (const core::Joint& joint : joints) cli::print(output.results, editor::joint_row(document, joint));
 }
 
 Json json_of(const core::Document& document, const core::Joint& joint) {
