@@ -69,9 +69,9 @@ const FilePurpose* purpose_of(editor::Dialog dialog) {
                         context.queue.run(editor::CloseDialog{});
                         context.queue.run(editor::picture_in_view(context.state, path));
                     }}};
-    const auto found = std::find_if(purposes.begin(), purposes.end(),
-                                    [dialog](const FilePurpose& purpose) { return purpose.dialog == dialog; });
-    return found == purposes.end() ? nullptr : &*found;
+    for (const FilePurpose& purpose : purposes)
+        if (purpose.dialog == dialog) return &purpose;
+    return nullptr;
 }
 
 /// Where the dialog begins: beside the file that is open, else beside the last one, else where the program was started.
