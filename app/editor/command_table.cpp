@@ -9,8 +9,8 @@ namespace batten::editor {
 
 namespace {
 
-CommandTable make_table() {
-    CommandTable table;
+// What edits the points, knots and pieces of curves that are there.
+void add_editing_commands(CommandTable& table) {
     add_file_commands(table);
     add_edit_commands(table);
     add_picture_commands(table);
@@ -33,6 +33,10 @@ CommandTable make_table() {
     add_trim_commands(table);
     add_closing_commands(table);
     add_document_commands(table);
+}
+
+// What makes, measures and shapes curves, and what is seen of them.
+void add_other_commands(CommandTable& table) {
     add_making_commands(table);
     add_trace_commands(table);
     add_analysis_commands(table);
@@ -56,6 +60,12 @@ CommandTable make_table() {
     add_lesson_commands(table);
     add_shape_view_commands(table);
     add_help_commands(table);
+}
+
+CommandTable make_table() {
+    CommandTable table;
+    add_editing_commands(table);
+    add_other_commands(table);
     // Menus are in the order of the groups; within a group the order above stands.
     std::stable_sort(table.begin(), table.end(),
                      [](const CommandSpec& a, const CommandSpec& b) { return a.group < b.group; });

@@ -1,6 +1,7 @@
 #include "core/edit/simplify.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/curve/knot_analysis.h"
@@ -14,7 +15,7 @@ namespace batten::core {
 namespace {
 
 // How much more than the tolerance the removal alone may cost, since the fit makes up for it; in falling order.
-constexpr double factors[] = {300.0, 100.0, 30.0, 10.0, 3.0};
+constexpr std::array factors{300.0, 100.0, 30.0, 10.0, 3.0};
 constexpr int most_fits = 8;  // for one factor, each of which keeps more knots
 
 // The knots that may go.
@@ -74,7 +75,7 @@ Result<Approximation> simplify(const Curve& curve, double tolerance, const Progr
     const auto removed = remove_knots_among(curve, spare, tolerance);
     if (!removed) return refuse(removed.error());
     Approximation best{removed->curve, removed->error};
-    const std::size_t count = std::size(factors);
+    const std::size_t count = factors.size();
     for (std::size_t k = 0; k < count; ++k) {
         const double share = static_cast<double>(k) / static_cast<double>(count);
         const auto found = with_factor(curve, spare, tolerance, factors[k], part_of(progress, share, share));

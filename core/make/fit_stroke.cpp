@@ -299,11 +299,13 @@ Result<Curve> fit_stroke(std::span<const Point> points, const StrokeRequest& req
     if (is_reversed) std::ranges::reverse(directed);
     Stroke stroke = stroke_through(directed, request.pixel, request.may_close);
     if (!(stroke.length <= most_length)) return refuse({.code = CurveErrorCode::not_computable});
-    const auto curve = StrokeFitter(std::move(stroke)).fitted(request.smoothness);
+    auto curve = StrokeFitter(std::move(stroke)).fitted(request.smoothness);
     if (!curve) return curve;
     CurveDefinition definition = curve->definition();
     for (Point& point : definition.points) point = directed.front() + request.pixel * vector_to(point);
-    return Curve::make(std::move(definition)).map([&](Curve found) { return is_reversed ? reversed(found) : found; });
+    return Curve::make(std::move(definition)).map([&](const Curve& found) {
+        return is_reversed ? reversed(found) : found;
+    });
 }
 
 }  // namespace batten::core

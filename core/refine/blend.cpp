@@ -110,7 +110,7 @@ Result<Curve> blend(const Passing& from, BlendSide first, const Passing& to, Ble
     if (const auto check = check_side(to, second); !check) return refuse(check.error());
     if (from.point == to.point) return refuse({.code = CurveErrorCode::ends_meet});
     const BlendEnds ends{from, first, run_back(to), second};
-    const auto found = ends.natural_length().and_then([&](double length) { return ends.of_length(length); });
+    auto found = ends.natural_length().and_then([&](double length) { return ends.of_length(length); });
     if (!found) return found;
     CurveDefinition definition = found->definition();
     for (Point& point : definition.points) point += vector_to(from.point);

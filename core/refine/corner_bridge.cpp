@@ -22,11 +22,11 @@ namespace {
 // The second one as it follows the first, both of one degree. Their ends are one point, up to rounding.
 Result<Curve> chained(const Curve& first, const Curve& second) {
     const int degree = std::max(first.degree(), second.degree());
-    const auto a = clamp_ends(first).and_then([&](const Curve& curve) { return raised_to(curve, degree); });
+    auto a = clamp_ends(first).and_then([&](const Curve& curve) { return raised_to(curve, degree); });
     if (!a) return a;
-    const auto b = clamp_ends(second)
-                       .and_then([&](const Curve& curve) { return raised_to(curve, degree); })
-                       .and_then([&](const Curve& curve) { return shift_domain(curve, a->domain().upper); });
+    auto b = clamp_ends(second)
+                 .and_then([&](const Curve& curve) { return raised_to(curve, degree); })
+                 .and_then([&](const Curve& curve) { return shift_domain(curve, a->domain().upper); });
     if (!b) return b;
     return Curve::make(concatenated(a->definition(), b->definition()));
 }
@@ -60,12 +60,12 @@ Result<Curve> kept_part(const Curve& curve, CurveEnd end, double u) {
 
 Result<Curve> with_corner_bridged(const Curve& curve, const CornerBridge& bridge) {
     const double speed = 0.5 * (speed_at(curve, bridge.u, Side::left) + speed_at(curve, bridge.v, Side::right));
-    const auto between = paced(bridge.bridge, speed);
+    auto between = paced(bridge.bridge, speed);
     if (!between) return between;
     if (curve.is_periodic() || bridge.v < bridge.u) return ring_without_corner(curve, *between, bridge.u, bridge.v);
-    const auto before = sub_curve(curve, curve.domain().lower, bridge.u);
+    auto before = sub_curve(curve, curve.domain().lower, bridge.u);
     if (!before) return before;
-    const auto behind = sub_curve(curve, bridge.v, curve.domain().upper);
+    auto behind = sub_curve(curve, bridge.v, curve.domain().upper);
     if (!behind) return behind;
     return chained(*before, *between).and_then([&](const Curve& begun) { return chained(begun, *behind); });
 }
@@ -78,11 +78,11 @@ Result<Curve> joined_by_bridge(const Curve& first, const Curve& second, const Co
     const auto turned = [](const Curve& curve, bool is_turned) {
         return is_turned ? reverse(curve) : Result<Curve>(curve);
     };
-    const auto before = kept_part(first, bridge.kept_of_first, bridge.u).and_then([&](const Curve& part) {
+    auto before = kept_part(first, bridge.kept_of_first, bridge.u).and_then([&](const Curve& part) {
         return turned(part, is_first_turned);
     });
     if (!before) return before;
-    const auto behind = kept_part(second, bridge.kept_of_second, bridge.v).and_then([&](const Curve& part) {
+    auto behind = kept_part(second, bridge.kept_of_second, bridge.v).and_then([&](const Curve& part) {
         return turned(part, is_second_turned);
     });
     if (!behind) return behind;

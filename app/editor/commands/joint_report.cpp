@@ -204,7 +204,7 @@ std::string match_report(const std::string& name, const core::MatchedCurve& matc
 
 std::string level_text(int level) {
     constexpr std::array texts{"gap", "G⁰", "G¹", "G²", "G³"};
-    return texts[static_cast<std::size_t>(std::clamp(level, -1, 3) + 1)];
+    return texts[static_cast<std::size_t>(std::clamp(level + 1, 0, 4))];
 }
 
 }  // namespace batten::editor

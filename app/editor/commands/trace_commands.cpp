@@ -37,7 +37,7 @@ core::Result<core::Curve> placed(const core::Curve& curve, const core::Picture& 
 }
 
 std::string remark_of(const core::Trace& found) {
-    const std::string told = sentence(
+    std::string told = sentence(
         {.one = "one outline of what is darker than {threshold}, within {error} pixels",
          .many = "{count} outlines of what is darker than {threshold}, within {error} pixels"},
         found.curves.size(), {{"threshold", core::shortest_text(found.threshold)}, {"error", bound_text(found.error)}});

@@ -58,7 +58,8 @@ std::vector<render::Pixel> loop_of(CanvasFrame& frame, const ClosedItem& closed)
     return loop;
 }
 
-std::vector<render::Region> regions_of(CanvasFrame& frame, std::vector<ClosedItem> curves, const FilledShapes& wanted) {
+std::vector<render::Region> regions_of(CanvasFrame& frame, const std::vector<ClosedItem>& curves,
+                                       const FilledShapes& wanted) {
     std::vector<render::Region> regions;
     std::vector<std::shared_ptr<render::RegionLoops>> shapes;
     for (const ClosedItem& closed : curves) {

@@ -118,7 +118,7 @@ void read_pinned(ObjectReader& reader, DocumentCurve& entry) {
 
 // Stores a whole number from `least` to `most`.
 void read_count(ObjectReader& reader, const char* name, std::size_t least, std::size_t most, std::size_t& target) {
-    double value = static_cast<double>(least);
+    auto value = static_cast<double>(least);
     reader.required(name, value);
     if (reader.error()) return;
     if (!(value >= static_cast<double>(least) && value <= static_cast<double>(most) && std::trunc(value) == value))

@@ -80,10 +80,10 @@ std::string with_plain_signs(std::string_view text) {
     std::string plain;
     plain.reserve(text.size());
     while (!text.empty()) {
-        const auto row = static_cast<unsigned char>(text.front()) < 0x80
-                             ? sign_rows.end()
-                             : std::find_if(sign_rows.begin(), sign_rows.end(),
-                                            [&](auto sign) { return text.starts_with(sign.typographic); });
+        const auto* const row = static_cast<unsigned char>(text.front()) < 0x80
+                                    ? sign_rows.end()
+                                    : std::find_if(sign_rows.begin(), sign_rows.end(),
+                                                   [&](auto sign) { return text.starts_with(sign.typographic); });
         plain += row == sign_rows.end() ? text.substr(0, 1) : row->plain;
         text.remove_prefix(row == sign_rows.end() ? 1 : row->typographic.size());
     }

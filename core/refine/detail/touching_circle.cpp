@@ -175,20 +175,7 @@ std::vector<TouchingCircle> TouchingFinder::circles(double radius) const {
         for (const SmoothStretch& stretch : stretches_of_second_)
             boxes.push_back(box_of(offset_of(stretch, by_second), stretch));
         const BoxTree tree(std::move(boxes));
-        for (const double by_first : {radius, -radius}) {
-            const CircleSearch search(first_, second_, by_first, by_second, size_);
-            for (std::size_t i = 0; i < stretches_of_first_.size(); ++i) {
-                const SmoothStretch& stretch = stretches_of_first_[i];
-                tree.each_near(box_of(offset_of(stretch, by_first), stretch), 0.0, 0, [&](std::size_t j) {
-                    const SmoothStretch& other = stretches_of_second_[j];
-                    const bool are_neighbors = is_one_ && other.run == stretch.run && i <= j + 1 && j <= i + 1;
-                    if (are_neighbors) return;
-                    const auto circle = search.from(stretch, other);
-                    const double apart = circle ? robust_length(circle->on_second - circle->on_first) : 0.0;
-                    if (apart > offset_accuracy * size_) found.push_back(*circle);
-                });
-            }
-        }
+        for (const double by_first : {radius, -radius}) add_circles(found, tree, by_first, by_second);
     }
     for (TouchingCircle& circle : found) {
         circle.center += vector_to(origin_);
@@ -196,6 +183,22 @@ std::vector<TouchingCircle> TouchingFinder::circles(double radius) const {
         circle.on_second += vector_to(origin_);
     }
     return found;
+}
+
+void TouchingFinder::add_circles(std::vector<TouchingCircle>& found, const BoxTree& tree, double by_first,
+                                 double by_second) const {
+    const CircleSearch search(first_, second_, by_first, by_second, size_);
+    for (std::size_t i = 0; i < stretches_of_first_.size(); ++i) {
+        const SmoothStretch& stretch = stretches_of_first_[i];
+        tree.each_near(box_of(offset_of(stretch, by_first), stretch), 0.0, 0, [&](std::size_t j) {
+            const SmoothStretch& other = stretches_of_second_[j];
+            const bool are_neighbors = is_one_ && other.run == stretch.run && i <= j + 1 && j <= i + 1;
+            if (are_neighbors) return;
+            const auto circle = search.from(stretch, other);
+            const double apart = circle ? robust_length(circle->on_second - circle->on_first) : 0.0;
+            if (apart > offset_accuracy * size_) found.push_back(*circle);
+        });
+    }
 }
 
 }  // namespace batten::core

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/curve/curve.h"
+#include "core/measure/detail/box_tree.h"
 
 namespace batten::core {
 
@@ -44,6 +45,9 @@ class TouchingFinder {
     double size() const { return size_; }
 
   private:
+    // Adds those of offsets by these distances to the left; `tree` holds the offsets of the second curve.
+    void add_circles(std::vector<TouchingCircle>& found, const BoxTree& tree, double by_first, double by_second) const;
+
     Point origin_;
     Curve first_;  // both seen from the origin
     Curve second_;

@@ -37,9 +37,9 @@ class ChainWalk {
     std::vector<Chain> chains() {
         std::vector<Chain> found;
         for (std::size_t k = 0; k < edges_.size(); ++k)
-            if (!has_before_[k]) found.push_back(chain_from(k, false));
+            if (has_before_[k] == 0) found.push_back(chain_from(k, false));
         for (std::size_t k = 0; k < edges_.size(); ++k)
-            if (!is_taken_[k]) found.push_back(chain_from(k, true));
+            if (is_taken_[k] == 0) found.push_back(chain_from(k, true));
         return found;
     }
 
@@ -63,7 +63,7 @@ class ChainWalk {
         std::vector<char> is_done(rays.size());
         for (std::size_t turn = 0; turn < 2 * rays.size(); ++turn) {
             const std::size_t r = turn % rays.size();
-            if (is_done[r]) continue;
+            if (is_done[r] != 0) continue;
             if (rays[r].leaves) {
                 if (turn < rays.size()) open.push_back(r);
             } else if (!open.empty()) {
@@ -109,7 +109,7 @@ class ChainWalk {
 
     Chain chain_from(std::size_t start, bool is_closed) {
         Chain chain{{}, is_closed};
-        for (std::optional<std::size_t> k = start; k && !is_taken_[*k]; k = next_[*k]) {
+        for (std::optional<std::size_t> k = start; k && is_taken_[*k] == 0; k = next_[*k]) {
             is_taken_[*k] = 1;
             chain.edges.push_back(edges_[*k]);
         }
