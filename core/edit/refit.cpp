@@ -28,8 +28,7 @@ std::vector<double> all_breaks(const Curve& a, const Curve& b) {
         for (const DistinctKnot& knot : distinct_knots(curve->knots()))
             if (curve->domain().contains(knot.value)) breaks.push_back(knot.value);
     std::ranges::sort(breaks);
-    const auto rest = std::ranges::unique(breaks);
-    breaks.erase(rest.begin(), rest.end());
+    breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
     return breaks;
 }
 

@@ -100,7 +100,7 @@ class RunAssembly {
         }
         period.push_back(fit_.parameters.back());
         const std::size_t shift = (first_knot + p() - 1) % points_.size();
-        std::ranges::rotate(points_, points_.end() - static_cast<std::ptrdiff_t>(shift));
+        std::rotate(points_.begin(), points_.end() - static_cast<std::ptrdiff_t>(shift), points_.end());
         return KnotVector::make_periodic(static_cast<int>(p()), std::move(period)).and_then([&](KnotVector vector) {
             return Curve::make(std::move(vector), std::move(points_), {});
         });

@@ -81,7 +81,8 @@ class Trimmer {
         for (std::size_t e = 0; e < graph_.edges.size(); ++e)
             if (is_wanted(parts_[graph_.edges[e].curve]) && is_kept(graph_.edges[e]))
                 by_line[graph_.edges[e].line].push_back(e);
-        for (const auto& [line, edges] : by_line) {
+        for (const auto& on_line : by_line) {
+            const std::vector<std::size_t>& edges = on_line.second;
             // Two that run against each other have nothing between them.
             const auto turned = std::find_if(edges.begin(), edges.end(), [&](std::size_t e) {
                 return graph_.edges[e].is_turned != graph_.edges[edges.front()].is_turned;

@@ -112,8 +112,7 @@ void read_pinned(ObjectReader& reader, DocumentCurve& entry) {
                                    {{"found", shortest_text(indices[k])}, {"last", last}})});
     for (const double index : indices) entry.pinned.push_back(static_cast<std::size_t>(index));
     std::ranges::sort(entry.pinned);
-    const auto rest = std::ranges::unique(entry.pinned);
-    entry.pinned.erase(rest.begin(), rest.end());
+    entry.pinned.erase(std::unique(entry.pinned.begin(), entry.pinned.end()), entry.pinned.end());
 }
 
 // Stores a whole number from `least` to `most`.
