@@ -126,6 +126,14 @@ Result<Approximation> fair_part(const Curve& curve, Interval part, double distan
                                 std::span<const std::size_t> pinned) {
     if (!(part.lower < part.upper))
         return refuse({.code = CurveErrorCode::range_empty, .lower = part.lower, .upper = part.upper});
+    const Interval domain = curve.domain();
+    const Interval allowed{domain.lower, domain.upper + (curve.is_periodic() ? domain.length() : 0.0)};
+    for (const double end : {part.lower, part.upper})
+        if (!allowed.contains(end))
+            return refuse({.code = CurveErrorCode::parameter_outside_domain,
+                           .value = end,
+                           .lower = allowed.lower,
+                           .upper = allowed.upper});
     return fair_all_but(curve, with_pinned(held_outside(curve, part), pinned), distance, progress);
 }
 

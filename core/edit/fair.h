@@ -23,7 +23,8 @@ namespace batten::core {
 /// The same for a part of the curve: only control points move whose Greville abscissae lie in `part`, so that all spans
 /// on which none of them acts keep every bit, and the curve its continuity. Of a periodic curve the part may go on over
 /// the seam, up to one period beyond the domain's upper end. Where no control point lies in it, the curve comes back as
-/// it is. Errors: range_empty unless part.lower < part.upper; those of fair.
+/// it is. Errors: range_empty unless part.lower < part.upper;
+/// parameter_outside_domain; those of fair.
 [[nodiscard]] Result<Approximation> fair_part(const Curve& curve, Interval part, double distance,
                                               const Progress& progress = {}, std::span<const std::size_t> pinned = {});
 

@@ -84,7 +84,10 @@ std::optional<double> end_of_part(const EditorState& state, double side) {
     if (no_curve(state)) return std::nullopt;
     const core::Interval domain = active_curve(state).domain();
     const double end = state.parameter() + side * domain.length() / 8.0;
-    return active_curve(state).is_periodic() ? end : domain.clamp(end);
+    if (!active_curve(state).is_periodic()) return domain.clamp(end);
+    // A part that begins before the seam is that of the period after.
+    const bool begins_early = state.parameter() - domain.length() / 8.0 < domain.lower;
+    return begins_early ? end + domain.length() : end;
 }
 
 std::optional<double> begin_of_part(const EditorState& state) {

@@ -220,6 +220,16 @@ TEST(FairPart, a_part_without_control_points_changes_nothing_and_none_is_refused
     EXPECT_EQ(fair_part(curve, {7.0, 9.0}, 0.0).error().code, CurveErrorCode::tolerance_not_positive);
 }
 
+TEST(FairPart, a_part_that_is_not_there_is_refused) {
+    const auto refused = fair_part(bumpy(false, false), {12.0, 17.0}, 0.1);
+    EXPECT_EQ(refused.error().code, CurveErrorCode::parameter_outside_domain);
+    EXPECT_EQ(refused.error().value, 17.0);
+    EXPECT_EQ(refused.error().upper, 16.0);
+    EXPECT_EQ(fair_part(bumpy(false, false), {2.0, 9.0}, 0.1).error().value, 2.0);
+    EXPECT_TRUE(fair_part(bumpy(true, false), {12.0, 32.0}, 0.1));
+    EXPECT_EQ(fair_part(bumpy(true, false), {12.0, 33.0}, 0.1).error().value, 33.0);
+}
+
 TEST(FairPart, all_of_a_curve_is_a_part) {
     const Curve curve = bumpy(false, true);
     const Curve whole = fair(curve, 0.1).value().curve;
