@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/editor/commands/active_curve.h"
+#include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
@@ -146,8 +147,10 @@ template <class MapOf>
 Outcome<Edit> with_copies(const EditorState& state, std::size_t count, MapOf map_of) {
     Edit edit{state.history.present()};
     const core::DocumentCurve original = *edit.document.active_curve();
+    if (auto refusal = too_many_copies(state, count)) return tl::unexpected(*std::move(refusal));
     core::FreeNames names(edit.document);
     for (std::size_t k = 1; k < count; ++k) {
+        core::tell(state.progress, k, count);
         core::DocumentCurve copy = original;
         if (const auto mapped = map_entry(copy, map_of(static_cast<double>(k))); !mapped)
             return tl::unexpected(core::describe(mapped.error()));
@@ -269,6 +272,7 @@ const CommandSpec& LinearArray::spec() {
                    field::vector<&LinearArray::step>({"dx", "each one to the right"}, {"dy", "each one upwards"})},
         .refusal = no_curve,
         .run = body_of<linear_array>,
+        .at_work = "Copying the curve",
         .done = "Made a row of {count} curves"};
     return spec;
 }
@@ -289,6 +293,7 @@ const CommandSpec& PolarArray::spec() {
                    field::angle<&PolarArray::step>("step", "from one to the next, counterclockwise")},
         .refusal = no_curve,
         .run = body_of<polar_array>,
+        .at_work = "Copying the curve",
         .done = "Made a ring of {count} curves"};
     return spec;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/editor/commands/active_curve.h"
+#include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/state/point_hues.h"
@@ -62,6 +63,7 @@ Outcome<Edit> link_mirror(const EditorState& state, const LinkMirror& command) {
 }
 
 Outcome<Edit> link_rotation(const EditorState& state, const LinkRotation& command) {
+    if (auto refusal = too_many_copies(state, command.turns)) return tl::unexpected(*std::move(refusal));
     return with_images(state, {.turns = command.turns, .center = command.center}, active_curve(state), command.turns);
 }
 

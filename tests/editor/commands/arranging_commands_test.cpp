@@ -8,6 +8,7 @@
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/pin_commands.h"
 #include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/symmetry_commands.h"
 #include "core/evaluate/evaluate.h"
 #include "core/measure/arc_length.h"
 #include "core/measure/bounds.h"
@@ -85,6 +86,14 @@ TEST_F(ArrangingCommands, rows_and_rings_of_copies) {
     EXPECT_EQ(document(editor_).curves[1].curve->control_points()[1], core::Point(-2, 1));
     EXPECT_EQ(document(editor_).curves[2].curve->control_points()[1], core::Point(-1, -2));
     EXPECT_EQ(document(editor_).curves[3].curve->control_points()[1], core::Point(2, -1));
+    EXPECT_TRUE(run(Undo{}));
+    std::vector<core::Point> many;
+    for (int i = 0; i <= 500; ++i) many.emplace_back(i, 0.0);
+    run(NewCurve{.points = many});
+    EXPECT_FALSE(run(LinearArray{.count = 10'000, .step = {5.0, 1.0}}));
+    EXPECT_EQ(message(),
+              "10000 curves of 501 control points each are too many; at most 5000000 points in all are allowed");
+    EXPECT_FALSE(run(LinkRotation{.turns = 10'000, .center = {0.0, 0.0}}));
     EXPECT_FALSE(run(PolarArray{.count = 1, .center = {0.0, 0.0}, .step = 90.0}));
 }
 
