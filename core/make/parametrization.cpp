@@ -1,10 +1,10 @@
 #include "core/make/parametrization.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 
+#include "core/base/detail/are_finite.h"
 #include "core/make/detail/chord_sums.h"
 #include "core/make/detail/site_means.h"
 
@@ -12,17 +12,7 @@ namespace batten::core {
 
 namespace {
 
-// Both go through all of them, because without a way out several are looked at in one step.
-bool are_finite(std::span<const Point> points) {
-    // Zero times a number is zero, and nothing else is.
-    std::array<Vector, 4> zeros{};
-    const std::size_t whole = points.size() - points.size() % zeros.size();
-    for (std::size_t k = 0; k < whole; k += zeros.size())
-        for (std::size_t j = 0; j < zeros.size(); ++j) zeros[j] += 0.0 * vector_to(points[k + j]);
-    for (std::size_t k = whole; k < points.size(); ++k) zeros[0] += 0.0 * vector_to(points[k]);
-    return (zeros[0] + zeros[1]) + (zeros[2] + zeros[3]) == Vector(0.0, 0.0);
-}
-
+// Goes through all of them, because without a way out several are looked at in one step.
 bool are_ascending(std::span<const double> parameters) {
     std::size_t steps = 0;
     for (std::size_t k = 1; k < parameters.size(); ++k) steps += parameters[k - 1] < parameters[k] ? 1U : 0U;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/detail/are_finite.h"
 #include "core/curve/detail/boehm.h"
 #include "core/curve/detail/edit_checks.h"
 #include "core/curve/detail/trusted.h"

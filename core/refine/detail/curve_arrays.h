@@ -36,7 +36,4 @@ NewCurveArrays refined(const CurveArrays& arrays, std::span<const double> added)
 /// Whether all weights are equal.
 bool are_equal(std::span<const double> weights);
 
-/// Whether all coordinates are numbers. Cost: that of reading them.
-bool are_finite(std::span<const Point> points);
-
 }  // namespace batten::core

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/base/detail/are_finite.h"
 #include "core/curve/detail/trusted.h"
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/detail/decomposition.h"
