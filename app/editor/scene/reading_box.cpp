@@ -1,6 +1,7 @@
 #include "app/editor/scene/reading_box.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "app/editor/scene/text_size.h"
 
