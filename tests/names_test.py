@@ -1,6 +1,7 @@
 """Checks that names in unnamed namespaces differ within a library, whose sources may be compiled together.
 
-names_test.py SOURCE_FOLDER. Functions may share a name where their parameters differ.
+names_test.py SOURCE_FOLDER. Functions may share a name where their parameters differ. Nor may a header of the library declare the same
+function in the same namespace.
 """
 
 import collections
@@ -11,6 +12,7 @@ import sys
 LIBRARIES = ("core", "render", "app/editor", "app/ui", "app/cli", "app/platform")
 # These are compiled alone.
 APART = {"evaluate/detail/span_block.cpp", "evaluate/detail/taylor_samples.cpp"}
+NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.M)
 UNNAMED = re.compile(r"^namespace \{\n(.*?)^\}  // namespace$", re.S | re.M)
 TYPE = re.compile(r"(?:class|struct|enum class|enum) (\w+)(?=[ ;])")
 CONSTANT = re.compile(r"(?:constexpr|const|using|namespace) (?:[^(=;{]*[\s&*])?(\w+)(?: =|\{|\[|;)")
@@ -43,15 +45,31 @@ def names_in(text):
     return None
 
 
+def declared(folder):
+    """The functions that headers declare, by name, parameters and namespace, with the headers."""
+    places = collections.defaultdict(set)
+    for header in sorted(folder.rglob("*.h")):
+        text = header.read_text()
+        for statement in statements(text):
+            name = FUNCTION.match(statement) and names_in(statement)
+            if name and (namespace := NAMESPACE.search(text)):
+                places[*name, namespace[1]].add(header)
+    return places
+
+
 def repeated(folder):
     """Each name that occurs in several sources, with these."""
-    places = collections.defaultdict(set)
+    places, in_headers = collections.defaultdict(set), declared(folder)
     for source in sorted(set(folder.rglob("*.cpp")) - {folder / path for path in APART}):
-        for body in UNNAMED.findall(source.read_text()):
+        source_text = source.read_text()
+        namespace = NAMESPACE.search(source_text)
+        for body in UNNAMED.findall(source_text):
             for text in statements(body):
                 # The same alias may stand in several sources.
                 if not text.startswith(("using ", "namespace ")) and (name := names_in(text)):
                     places[name].add(source)
+                    if namespace:
+                        places[name] |= in_headers.get((*name, namespace[1]), set())
     plain = {name for name, parameters in places if parameters is None}
     for (name, parameters), sources in sorted(places.items(), key=str):
         others = set().union(*(where for (other, _), where in places.items() if other == name)) if name in plain else sources

@@ -120,7 +120,7 @@ core::Place number_place(const char* name, double value) {
     return {name, core::shortest_text(value)};
 }
 
-StepTexts texts_of_move(const EditorState& state, const Move& command) {
+StepTexts texts_of_moving(const EditorState& state, const Move& command) {
     const core::Place what = what_place(state, command.what);
     return {sentence("Move {what}", {what}),
             sentence("Moved {what} by {offset}", {what, {"offset", place_words(core::tip_of(command.offset))}})};
@@ -239,7 +239,7 @@ const CommandSpec& Move::spec() {
             "move", "Move", "Moves selected points, the curve or all curves; a whole curve keeps its form and size.",
             "translate shift transform",
             {field::vector<&Move::offset>({"dx", "to the right"}, {"dy", "upwards"}), what_field<&Move::what>()});
-        made.texts = texts_of<texts_of_move>;
+        made.texts = texts_of<texts_of_moving>;
         return made;
     }();
     return spec;

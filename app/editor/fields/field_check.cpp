@@ -97,18 +97,19 @@ constexpr const char* no_control_point = "there is no control point {index}; the
 constexpr const char* no_knot = "there is no knot {index}; the last one is {last}";
 constexpr const char* no_curve_of_index = "there is no curve {index}; the last one is {last}";
 
-const core::Curve* active_curve(const EditorState& state) {
+/// The curve that the fields are about; null without one.
+const core::Curve* checked_curve(const EditorState& state) {
     const core::DocumentCurve* item = state.history.present().active_curve();
     return item == nullptr ? nullptr : item->curve.get();
 }
 
 std::size_t point_count(const EditorState& state) {
-    const core::Curve* curve = active_curve(state);
+    const core::Curve* curve = checked_curve(state);
     return curve == nullptr ? 0 : curve->control_points().size();
 }
 
 std::size_t knot_count(const EditorState& state) {
-    const core::Curve* curve = active_curve(state);
+    const core::Curve* curve = checked_curve(state);
     return curve == nullptr ? 0 : curve->knots().stored().size();
 }
 

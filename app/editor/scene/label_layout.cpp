@@ -28,7 +28,7 @@ constexpr std::array all_sides{LabelSide::upper_right, LabelSide::upper_left, La
                                LabelSide::above,       LabelSide::below};
 
 /// The direction from the point to the label: -1, 0 or 1 to the right and downwards.
-glm::dvec2 direction_of(LabelSide side) {
+glm::dvec2 direction_to(LabelSide side) {
     switch (side) {
         case LabelSide::upper_right:
             return {1.0, -1.0};
@@ -65,7 +65,7 @@ render::PixelBox with_subscripts(const render::PixelBox& box) {
 }
 
 LabelPlace place_at(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide side) {
-    const glm::dvec2 direction = direction_of(side);
+    const glm::dvec2 direction = direction_to(side);
     const bool is_diagonal = direction.x != 0.0 && direction.y != 0.0;
     // Diagonal labels may come closer in height: there is room beside a round symbol.
     const double rise = is_diagonal ? 0.45 * offset_px : offset_px;
