@@ -146,6 +146,8 @@ void write_state_report(const ShownFrame& frame, const std::filesystem::path& pa
     report["cursor"] = core::name_of(frame.layout.cursor);
     report["tool"] = core::name_of(state.tool);
     report["zoom"] = state.view.camera.scale;
+    report["origin"] =
+        pixel_json(frame.layout.canvas.origin_px + render::screen_from_world(state.view.camera, core::Point{}));
     report["parameter"] = state.parameter();
     report["selected_points"] = state.selection.points;
     report["message"] = state.message.text;

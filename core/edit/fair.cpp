@@ -8,7 +8,7 @@
 #include "core/curve/knot_analysis.h"
 #include "core/edit/detail/smooth_moves.h"
 #include "core/evaluate/rational_basis.h"
-#include "core/measure/deviation.h"
+#include "core/measure/geometric_distance.h"
 
 namespace batten::core {
 
@@ -99,7 +99,7 @@ Result<Approximation> fair_all_but(const Curve& curve, std::vector<bool> is_held
         ++trial;
         const auto faired = moves.with_weight(std::pow(10.0, exponent), part);
         if (!faired) return false;
-        const double deviation = largest_deviation(curve, *faired);
+        const double deviation = geometric_distance(curve, *faired);
         if (!(deviation <= distance)) return false;
         best = {*faired, deviation};
         return true;

@@ -8,6 +8,7 @@
 #include "core/evaluate/evaluate.h"
 #include "core/make/conics.h"
 #include "core/measure/deviation.h"
+#include "core/measure/geometric_distance.h"
 #include "core/refine/degree.h"
 #include "core/refine/periodic.h"
 #include "tests/core/random_curves.h"
@@ -60,7 +61,7 @@ TEST(Fair, varies_less_within_the_distance_and_uses_it) {
                 const auto result = fair(curve, distance).value();
                 EXPECT_LE(result.error, distance);
                 EXPECT_GT(result.error, 0.9 * distance);
-                EXPECT_EQ(result.error, largest_deviation(curve, result.curve));
+                EXPECT_EQ(result.error, geometric_distance(curve, result.curve));
                 const double now = variation(result.curve);
                 EXPECT_LT(now, before);
                 before = now;
@@ -109,6 +110,18 @@ TEST(Fair, a_cubic_piece_becomes_a_parabola_where_it_may) {
     EXPECT_LT(length(third), 1e-11);
 }
 
+// On a line only the speed changes: as a shape the curve stays.
+TEST(Fair, the_distance_is_that_of_the_shape) {
+    const Curve curve =
+        Curve::make({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = {{0, 0}, {1, 2}, {5, 10}, {6, 12}}})
+            .value();
+    const auto result = fair(curve, 0.01).value();
+    const auto points = result.curve.control_points();
+    EXPECT_LT(length((points[3] - points[0]) - 3.0 * (points[2] - points[1])), 1e-11);
+    EXPECT_LE(result.error, 0.01);
+    EXPECT_GT(largest_deviation(curve, result.curve), 0.1);
+}
+
 TEST(Fair, low_degrees_have_smaller_jumps) {
     for (const int degree : {1, 2}) {
         CurveDefinition definition{.degree = degree, .knots = {}, .points = {}};
@@ -138,7 +151,7 @@ TEST(Fair, stays_within_the_distance_on_any_curve) {
         const auto result = fair(curve, 0.05);
         ASSERT_TRUE(result);
         EXPECT_LE(result->error, 0.05);
-        EXPECT_EQ(result->error, largest_deviation(curve, result->curve));
+        EXPECT_EQ(result->error, geometric_distance(curve, result->curve));
     }
     EXPECT_EQ(fair(random.curve(), 0.0).error().code, CurveErrorCode::tolerance_not_positive);
 }

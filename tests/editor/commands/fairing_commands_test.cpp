@@ -9,6 +9,7 @@
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "core/evaluate/evaluate.h"
+#include "core/measure/geometric_distance.h"
 #include "tests/editor/sample_editor.h"
 
 namespace batten::editor {
@@ -36,7 +37,7 @@ double farthest(const core::Curve& before, const core::Curve& now) {
 TEST_F(FairingCommands, fair_part_moves_the_part_alone_and_says_so) {
     const core::Curve before = curve(editor_);
     EXPECT_TRUE(run(FairPart{.from = 0.3, .to = 0.6, .distance = 0.1}));
-    EXPECT_LE(farthest(before, curve(editor_)), 0.1);
+    EXPECT_LE(core::geometric_distance(before, curve(editor_)), 0.1);
     EXPECT_NE(curve(editor_), before);
     EXPECT_EQ(points(editor_)[0], before.control_points()[0]);
     EXPECT_EQ(points(editor_)[1], before.control_points()[1]);
