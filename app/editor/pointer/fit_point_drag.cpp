@@ -32,8 +32,9 @@ void ask_to_move(const DraggingFitPoint& mode, const Gesture& gesture, Phase pha
 void ask_to_turn(const DraggingFitHandle& mode, const Gesture& gesture, Phase phase) {
     const core::FitPoints* fit = committed_fit(gesture.state);
     if (fit == nullptr || mode.index >= fit->points.size()) return;
-    const core::Point target = dragged_position(gesture, mode.start, mode.press_px, {.is_curve = true});
-    const core::Vector arm = target - fit->points[mode.index].place;
+    const core::Point center = fit->points[mode.index].place;
+    const core::Point target = dragged_position(gesture, mode.start, mode.press_px, {.is_curve = true, .from = center});
+    const core::Vector arm = target - center;
     const core::Vector handle = mode.end == HandleEnd::ahead ? arm : -arm;
     if (target == mode.start || handle == core::Vector(0.0, 0.0))
         gesture.queue.cancel_preview();

@@ -76,9 +76,10 @@ core::Point pointed_at(const Gesture& gesture, std::optional<core::Point> from) 
 core::Point dragged_position(const Gesture& gesture, core::Point start, glm::dvec2 press_px, const Dragged& dragged) {
     const glm::dvec2 moved_px = gesture.event.position_px - press_px;
     const double scale = gesture.state.view.camera.scale;
-    const Freedom freedom = freedom_of(gesture, moved_px);
-    const core::Point place = freedom.kept(start, {start.x + moved_px.x / scale, start.y - moved_px.y / scale});
-    return placed(gesture, {.place = place, .from = start, .dragged = dragged}, freedom);
+    const core::Point from = dragged.from.value_or(start);
+    const core::Point pointed{start.x + moved_px.x / scale, start.y - moved_px.y / scale};
+    const Freedom freedom = freedom_of(gesture, dragged.from ? glm::dvec2(pointed - from) : moved_px);
+    return placed(gesture, {.place = freedom.kept(from, pointed), .from = from, .dragged = dragged}, freedom);
 }
 
 core::Vector exact_offset(core::Point start, core::Point target) {

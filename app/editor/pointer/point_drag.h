@@ -17,7 +17,8 @@ core::Point pointed_at(const Gesture& gesture, std::optional<core::Point> from =
 
 /// Where a point that was at `start` when the pointer was pressed at `press_px` is to be now: Shift keeps it on the
 /// axis along which the pointer moved farther, Ctrl puts the coordinates that may change on the minor grid. Else it
-/// snaps, but not to what is `dragged`; Alt bypasses that. What is typed for the place rules.
+/// snaps, but not to what is `dragged`; Alt bypasses that. What is typed for the place rules. Axes, lengths and angles
+/// count from `start` or what `dragged` says.
 core::Point dragged_position(const Gesture& gesture, core::Point start, glm::dvec2 press_px,
                              const Dragged& dragged = {});
 

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "app/editor/command_spec.h"
+#include "app/editor/commands/drawing_commands.h"
+#include "app/editor/commands/fit_point_commands.h"
 #include "app/editor/commands/making_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/snap_commands.h"
@@ -45,6 +48,24 @@ class Placed : public test::CanvasFixture {
             << point(i).x << ", " << point(i).y;
     }
 };
+
+// Numbers and axes for a handle count from its point, not from where it was.
+TEST_F(Placed, a_handle_is_turned_to_a_typed_angle) {
+    editor.run(ThroughPoints{.points = {{-4, 0}, {-1, 2}, {1, -1}, {4, 1}}});
+    editor.run(SetFitJoint{.index = 1, .joint = core::FitJoint::tangent, .handle = core::Vector(2, 0)});
+    const auto handle = [&] { return document().active_curve()->fit->points[1].handle; };
+    pointer.press(px(1, 2));
+    pointer.move(px(1.5, 2.5));
+    EXPECT_EQ(place()->from, core::Point(-1, 2));
+    type(U"1.5\t30\n", px(1.5, 2.5));
+    pointer.release(px(1.5, 2.5));
+    EXPECT_LT(core::length(handle() - core::Vector(1.5 * std::cos(std::numbers::pi / 6.0), 0.75)), 1e-15);
+    const core::Point tip = core::Point(-1, 2) + handle();
+    pointer.modifiers = test::shift;
+    pointer.drag(px(tip.x, tip.y), px(-1.2, 3.0));
+    EXPECT_EQ(handle().x, 0.0);
+    EXPECT_NEAR(handle().y, 1.0, 1e-12);
+}
 
 TEST_F(Placed, a_dragged_point_snaps_to_another_and_tells_it) {
     pointer.press(px(-2, 2));
