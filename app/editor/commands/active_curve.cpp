@@ -8,6 +8,7 @@
 #include "app/editor/state/point_hues.h"
 #include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
+#include "core/evaluate/rational_basis.h"
 
 namespace batten::editor {
 
@@ -40,6 +41,20 @@ const std::vector<std::size_t>& pinned_points(const EditorState& state) {
     return state.history.present().active_curve()->pinned;
 }
 
+std::vector<std::size_t> held_points(const EditorState& state) {
+    std::vector<std::size_t> held = pinned_points(state);
+    const core::FitPoints* fit = state.history.present().active_curve()->fit.get();
+    if (fit == nullptr) return held;
+    const core::Curve& curve = active_curve(state);
+    for (std::size_t k = 0; k < fit->points.size(); ++k) {
+        if (fit->points[k].joint != core::FitJoint::tangent) continue;
+        const core::RationalBasis basis = core::rational_basis(curve, fit->parameters[k], 1);
+        for (std::size_t j = 0; j < basis.derivatives[1].size(); ++j)
+            if (basis.derivatives[1][j] != 0.0) held.push_back((basis.first + j) % curve.control_points().size());
+    }
+    return ascending(std::move(held));
+}
+
 Outcome<std::vector<std::size_t>> free_points(const EditorState& state, const std::vector<std::size_t>& points) {
     const std::vector<std::size_t> wanted = ascending(points);
     std::vector<std::size_t> found;
@@ -65,6 +80,14 @@ Outcome<Edit> edit_active(const EditorState& state, core::Result<core::Curve> cu
     if (!curve) return tl::unexpected(core::describe(curve.error()));
     Edit edit{state.history.present(), std::move(selection)};
     replace_curve(edit.document.curves[edit.document.active], std::make_shared<const core::Curve>(*std::move(curve)));
+    return edit;
+}
+
+Outcome<Edit> edit_active(const EditorState& state, core::Result<core::Approximation> found,
+                          std::optional<Selection> selection) {
+    if (!found) return tl::unexpected(core::describe(found.error()));
+    Outcome<Edit> edit = edit_active(state, core::Result<core::Curve>(std::move(found->curve)), std::move(selection));
+    if (edit) edit->error = found->error;
     return edit;
 }
 

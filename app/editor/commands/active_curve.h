@@ -3,6 +3,7 @@
 
 #include "app/editor/command_spec.h"
 #include "app/editor/state/state.h"
+#include "core/curve/approximation.h"
 #include "core/edit/plane_map.h"
 
 namespace batten::editor {
@@ -21,6 +22,9 @@ const core::Curve& active_curve(const EditorState& state);
 /// Its pinned control points, ascending.
 const std::vector<std::size_t>& pinned_points(const EditorState& state);
 
+/// What fairing leaves where they are, ascending: they, and those that make tangents that were given to fit points.
+std::vector<std::size_t> held_points(const EditorState& state);
+
 /// Those of `points` that are not pinned, ascending; the reason why nothing can be moved where there are none.
 Outcome<std::vector<std::size_t>> free_points(const EditorState& state, const std::vector<std::size_t>& points);
 
@@ -32,6 +36,10 @@ std::vector<std::size_t> ascending(std::vector<std::size_t> indices);
 
 /// The committed document with `curve` in place of the active one, or the reason why there is no such curve.
 Outcome<Edit> edit_active(const EditorState& state, core::Result<core::Curve> curve,
+                          std::optional<Selection> selection = {});
+
+/// The same of an approximation, whose error is told as how far the curve moved.
+Outcome<Edit> edit_active(const EditorState& state, core::Result<core::Approximation> found,
                           std::optional<Selection> selection = {});
 
 /// The committed document with the active curve mapped; an affine map takes fit points along.

@@ -22,18 +22,14 @@ using core::sentence;
 
 // The active curve replaced by what stands for it, with how far it really is off; nothing is selected of other points.
 Outcome<Edit> replaced_by(const EditorState& state, core::Result<core::Approximation> found) {
-    if (!found) return tl::unexpected(core::describe(found.error()));
-    const double error = found->error;
-    const bool has_same_points = found->curve.control_points().size() == active_curve(state).control_points().size();
-    Outcome<Edit> edit =
-        edit_active(state, std::move(found->curve), has_same_points ? std::nullopt : std::optional(Selection{}));
-    if (edit) edit->error = error;
-    return edit;
+    const bool has_same_points =
+        found && found->curve.control_points().size() == active_curve(state).control_points().size();
+    return edit_active(state, std::move(found), has_same_points ? std::nullopt : std::optional(Selection{}));
 }
 
 Outcome<Edit> fair_part(const EditorState& state, const FairPart& command) {
     return replaced_by(state, core::fair_part(active_curve(state), {command.from, command.to}, command.distance,
-                                              state.progress, pinned_points(state)));
+                                              state.progress, held_points(state)));
 }
 
 Outcome<Edit> rebuild(const EditorState& state, const Rebuild& command) {

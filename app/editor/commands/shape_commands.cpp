@@ -34,8 +34,7 @@ Outcome<Edit> move_point_and_tangent(const EditorState& state, const MovePointAn
 }
 
 Outcome<Edit> fair(const EditorState& state, const Fair& command) {
-    return edit_active(state, core::fair(active_curve(state), command.distance, state.progress, pinned_points(state))
-                                  .map([](core::Approximation faired) { return std::move(faired.curve); }));
+    return edit_active(state, core::fair(active_curve(state), command.distance, state.progress, held_points(state)));
 }
 
 core::Result<core::OffsetCurves> offset_curves(const EditorState& state, const Offset& command) {
@@ -151,7 +150,8 @@ const CommandSpec& Fair::spec() {
     static const CommandSpec spec{
         .name = "fair",
         .title = "Fair curve",
-        .explanation = "Makes the curvature vary less, within a distance of the old curve; the ends stay.",
+        .explanation =
+            "Makes the curvature vary less, within a distance of the old curve; the ends and given tangents stay.",
         .synonyms = "smooth",
         .group = CommandGroup::curve,
         .submenu = "Shape",

@@ -111,6 +111,24 @@ TEST_F(FitPointCommands, change_the_kind) {
     expect_made_of_points();
 }
 
+// Of clamped cubics the tangents at the ends are the first and the last leg; at a double knot it is the leg with the
+// point.
+TEST_F(FitPointCommands, fairing_keeps_given_tangents) {
+    for (const char* at : {"0", "3", "2"}) {
+        type("through-points 0,0,3,4,6,3,9,5,12,0");
+        type(std::string("set-fit-joint ") + at + " tangent 0.3 0.4");
+        const core::Curve before = curve(editor_);
+        const double u = fit()->parameters[static_cast<std::size_t>(*at - '0')];
+        EXPECT_TRUE(type("fair 0.2")) << message();
+        EXPECT_NE(curve(editor_), before);
+        const auto [old, now] =
+            std::pair(core::derivatives_at(before, u, 1), core::derivatives_at(curve(editor_), u, 1));
+        EXPECT_LT(core::distance(now.point, old.point), 1e-13);
+        EXPECT_LT(core::length(now[1] - old[1]), 1e-13);
+        EXPECT_NEAR(now[1].y * 3.0, now[1].x * 4.0, 1e-12);
+    }
+}
+
 TEST_F(FitPointCommands, only_curves_of_fit_points_have_them) {
     open_text(editor_, bezier_text);
     const std::string sentence =

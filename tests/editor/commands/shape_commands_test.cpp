@@ -79,9 +79,9 @@ TEST_F(ShapeCommands, fair_stays_within_the_distance) {
     const core::Curve before = curve(editor_);
     EXPECT_TRUE(run(Fair{.distance = 0.25}));
     ASSERT_TRUE(state().ghost.has_value());
-    const double moved = core::geometric_distance(before, curve(editor_));
-    EXPECT_LE(moved, 0.25);
-    EXPECT_GT(moved, 0.2);
+    EXPECT_EQ(state().ghost->deviation, core::geometric_distance(before, curve(editor_)));
+    EXPECT_LE(state().ghost->deviation, 0.25);
+    EXPECT_GT(state().ghost->deviation, 0.2);
     EXPECT_EQ(points(editor_).front(), before.control_points().front());
     EXPECT_EQ(points(editor_).back(), before.control_points().back());
     EXPECT_FALSE(run(Fair{.distance = -1.0}));
