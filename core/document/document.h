@@ -45,6 +45,7 @@ struct DocumentCurve {
     /// Which color of a palette each control point has, where that is not the one of its index; files do not have it.
     std::shared_ptr<const std::vector<std::uint8_t>> point_hues{};
     std::shared_ptr<const FitPoints> fit{};  ///< of which the curve is made (core/make/fit_points.h); null for others
+    std::string group{};                     ///< the name that all curves of its group have; empty where it is in none
 };
 
 /// Whether edits may tear the curve of `entry`: where the switch says so, and where it is torn already.

@@ -44,7 +44,7 @@ std::size_t bytes_beside(const core::Document& document, const core::Document* o
     std::size_t entries = 0;
     for (const core::DocumentCurve& item : document.curves) {
         count.add(item);
-        entries += sizeof(core::DocumentCurve) + item.name.size() + item.unknown_members.size() +
+        entries += sizeof(core::DocumentCurve) + item.name.size() + item.group.size() + item.unknown_members.size() +
                    item.pinned.size() * sizeof(std::size_t);
     }
     for (const core::Picture& picture : document.pictures)

@@ -155,6 +155,7 @@ FileResult<DocumentCurve> read_curve(Json& object, const std::string& pointer) {
         reader.note(take(*value, reader.place("color"), entry.color.emplace()));
     reader.optional("visible", entry.visible);
     reader.optional("locked", entry.locked);
+    reader.optional("group", entry.group);
     entry.tears = definition.tears;
     if (reader.error()) return tl::unexpected(*reader.error());
     auto curve = make_curve(std::move(definition), kind);

@@ -55,6 +55,7 @@ Json json_of(const DocumentCurve& entry) {
     if (entry.color) object["color"] = color_text(*entry.color);
     object["visible"] = entry.visible;
     object["locked"] = entry.locked;
+    if (!entry.group.empty()) object["group"] = entry.group;
     if (!entry.pinned.empty()) object["pinned"] = entry.pinned;
     if (entry.symmetry) object["symmetry"] = json_of(*entry.symmetry);
     add_unknown_members(object, entry.unknown_members);

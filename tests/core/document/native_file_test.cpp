@@ -324,6 +324,20 @@ TEST(NativeFormat, invalid_curves_are_refused_with_place_and_sentence) {
     EXPECT_TRUE(parse_document(file_of(torn + R"(, "tears": true)")).has_value());
 }
 
+TEST(NativeFormat, the_group_of_a_curve_comes_back) {
+    const std::string line = R"("degree": 1, "knots": [0,0,1,1], "points": [[0,0],[1,1]])";
+    const Document document = parse_document(file_of(line + R"(, "group": "hull lines")")).value();
+    EXPECT_EQ(document.curves[0].group, "hull lines");
+    EXPECT_EQ(document.curves[0].unknown_members, "");
+    const std::string text = format_document(document);
+    EXPECT_NE(text.find("\"group\": \"hull lines\""), std::string::npos);
+    EXPECT_EQ(format_document(parse_document(text).value()), text);
+    EXPECT_EQ(format_document(parse_document(file_of(line)).value()).find("group"), std::string::npos);
+    const auto refused = parse_document(file_of(line + R"(, "group": 3)"));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().where, "/curves/0/group");
+}
+
 TEST(NativeFormat, pinned_points_come_back_in_order) {
     const std::string cubic = R"("degree": 1, "knots": [0,0,1,2,2], "points": [[0,0],[1,1],[2,0]], "pinned": )";
     const Document document = parse_document(file_of(cubic + "[2,0,2]")).value();
