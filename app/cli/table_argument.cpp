@@ -13,6 +13,7 @@ bool takes_table(const editor::Field& field) {
         case editor::FieldKind::positions:
         case editor::FieldKind::parameters:
         case editor::FieldKind::point_indices:
+        case editor::FieldKind::curve_indices:
             return true;
         default:
             return false;

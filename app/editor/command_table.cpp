@@ -33,6 +33,8 @@ void add_editing_commands(CommandTable& table) {
     add_trim_commands(table);
     add_closing_commands(table);
     add_document_commands(table);
+    add_selected_curve_commands(table);
+    add_group_commands(table);
 }
 
 // What makes, measures and shapes curves, and what is seen of them.

@@ -1,5 +1,6 @@
 #include "app/editor/run_command.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/editor/clipboard.h"
@@ -30,13 +31,20 @@ bool show_refusal(EditorState& state, const Refusal& sentence, bool is_alarm = t
     return false;
 }
 
+// Whether the edit changed other curves, and not the active one.
+bool is_of_others(const core::Document& before, const core::Document& after) {
+    if (before.active_curve()->curve != after.active_curve()->curve) return false;
+    return !std::ranges::equal(before.curves, after.curves, {}, &core::DocumentCurve::curve,
+                               &core::DocumentCurve::curve);
+}
+
 // The old active curve, where the edit gave the same entry of the document another shape.
 std::optional<Ghost> ghost_of(const core::Document& before, const Edit& edit, ShapeEffect effect) {
     const core::Document& after = edit.document;
     const core::DocumentCurve* old_active = before.active_curve();
     const core::DocumentCurve* active = after.active_curve();
     if (effect != ShapeEffect::changes || old_active == nullptr || active == nullptr ||
-        before.curves.size() != after.curves.size() || edit.only_adds)
+        before.curves.size() != after.curves.size() || edit.only_adds || is_of_others(before, after))
         return std::nullopt;
     return Ghost{old_active->curve,
                  edit.error ? *edit.error : core::largest_deviation(*old_active->curve, *active->curve)};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/editor/state/selected_parts.h"
 #include "core/make/fit_points.h"
 
 namespace batten::editor {
@@ -53,15 +54,22 @@ struct HoverCheck {
     bool operator()(const HoveredFitPoint& hovered) const { return hovered.index < fit_point_count(document); }
     bool operator()(const HoveredFitHandle& hovered) const { return hovered.index < fit_point_count(document); }
     bool operator()(const HoveredGuide& hovered) const { return hovered.index < document.guides.size(); }
+    bool operator()(const HoveredOtherPoint& hovered) const {
+        return (*this)(HoveredOtherCurve{hovered.curve}) &&
+               hovered.index < document.curves[hovered.curve].curve->control_points().size();
+    }
     bool operator()(const HoveredOtherCurve& hovered) const {
         return hovered.index < document.curves.size() && hovered.index != document.active;
     }
 };
 
-void keep_selection(Selection& selection, const core::Curve& before, const core::Curve& after) {
+void keep_selection(Selection& selection, const core::Document& before, const core::Document& after) {
+    const core::Curve& old_active = *before.active_curve()->curve;
+    const core::Curve& active = *after.active_curve()->curve;
     // With another count the old indices would silently mean other points or knots.
-    if (before.control_points().size() != after.control_points().size()) selection.points.clear();
-    if (before.knots().stored().size() != after.knots().stored().size()) selection.knot.reset();
+    if (old_active.control_points().size() != active.control_points().size()) selection.points.clear();
+    if (old_active.knots().stored().size() != active.knots().stored().size()) selection.knot.reset();
+    keep_parts(selection, before, after);
 }
 
 // The line stays where it was seen while the curve changes.
@@ -97,7 +105,7 @@ void follow_document(EditorState& state, const core::Document& before) {
         state.view.plot_range.reset();
         state.inserted.reset();
     } else {
-        keep_selection(state.selection, *old_active->curve, *active->curve);
+        keep_selection(state.selection, before, after);
         keep_line(state.view, *old_active->curve);
     }
     if (active != nullptr && state.view.level && *state.view.level > active->curve->degree()) state.view.level.reset();

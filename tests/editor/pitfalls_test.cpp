@@ -13,6 +13,7 @@
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/session.h"
+#include "app/editor/state/selected_parts.h"
 #include "app/editor/upkeep.h"
 #include "tests/editor/random_session.h"
 #include "tests/editor/sample_editor.h"
@@ -54,6 +55,15 @@ void expect_sound(const EditorState& state, const Request& request) {
     const std::vector<std::size_t>& points = state.selection.points;
     EXPECT_TRUE(std::is_sorted(points.begin(), points.end()));
     EXPECT_TRUE(points.empty() || points.back() < active->curve->control_points().size());
+    std::size_t last = 0;
+    for (const SelectedPart& part : selected_parts(state)) {
+        ASSERT_LT(part.curve, document.curves.size());
+        EXPECT_TRUE(last == 0 || last - 1 < part.curve);
+        last = part.curve + 1;
+        const core::DocumentCurve& entry = document.curves[part.curve];
+        EXPECT_TRUE(part.is_whole() || part.points.back() < entry.curve->control_points().size());
+        EXPECT_TRUE(can_be_selected(entry) || part.curve == document.active);
+    }
     EXPECT_TRUE(!state.selection.knot || *state.selection.knot < active->curve->knots().stored().size());
 }
 

@@ -17,6 +17,7 @@
 #include "app/editor/commands/fit_point_commands.h"
 #include "app/editor/commands/fitting_commands.h"
 #include "app/editor/commands/form_commands.h"
+#include "app/editor/commands/group_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/invariance_commands.h"
 #include "app/editor/commands/joint_commands.h"
@@ -30,6 +31,7 @@
 #include "app/editor/commands/pin_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/refinement_commands.h"
+#include "app/editor/commands/selected_curve_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/shape_commands.h"
 #include "app/editor/commands/shape_view_commands.h"
@@ -538,6 +540,7 @@ Command RandomSession::measuring_command(const EditorState& state) {
 
 Command RandomSession::document_command(const EditorState& state) {
     const std::size_t count = state.history.present().curves.size();
+    if (count > 0 && below(3) == 0) return several_command(state);
     // Not too many curves, or too few.
     if (count > 6) return DeleteCurve{.index = index(count)};
     switch (below(11)) {
@@ -565,6 +568,53 @@ Command RandomSession::document_command(const EditorState& state) {
             return suggested(state, below(2) == 0 ? Paste::spec() : PasteBeside::spec());
         default:
             return suggested(state, Duplicate::spec());
+    }
+}
+
+std::string RandomSession::parts(const EditorState& state) {
+    const std::vector<core::DocumentCurve>& curves = state.history.present().curves;
+    std::string text;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        if (below(2) == 0) continue;
+        text += " " + std::to_string(i);
+        if (below(2) == 0) continue;
+        const std::size_t first = index(curves[i].curve->control_points().size());
+        text += ":" + std::to_string(first) + (below(2) == 0 ? "-" + std::to_string(first + 1) : ",0");
+    }
+    return text;
+}
+
+Command RandomSession::several_command(const EditorState& state) {
+    const std::size_t count = state.history.present().curves.size();
+    switch (below(14)) {
+        case 0:
+        case 1:
+        case 2:
+            return SelectParts{.parts = parts(state)};
+        case 3:
+            return one_of(state, {SelectAllCurves::spec(), InvertSelection::spec()});
+        case 4:
+            return Move{.offset = vector(2), .what = MapTarget::selection};
+        case 5:
+            return Rotate{.angle = between(-180, 180), .what = MapTarget::selection};
+        case 6:
+            return suggested(state, below(2) == 0 ? HideCurves::spec() : ShowCurves::spec());
+        case 7:
+            return suggested(state, below(3) == 0 ? LockCurves::spec() : UnlockCurves::spec());
+        case 8:
+            return ColorCurves{.curves = indices(count), .color = core::DocumentColor{1, 2, 3}};
+        case 9:
+            return below(3) == 0 ? Command(DeleteCurves{.curves = indices(count)}) : Command(Delete{});
+        case 10:
+            return GroupCurves{.name = name(), .curves = indices(count)};
+        case 11:
+            return suggested(state, below(3) == 0 ? UngroupCurves::spec() : GroupCurves::spec());
+        case 12:
+            return RenameGroup{.group = name(), .name = name()};
+        default:
+            return MoveCurve{.from = index(count),
+                             .to = index(count),
+                             .group = below(2) == 0 ? std::optional(name()) : std::nullopt};
     }
 }
 

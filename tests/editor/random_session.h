@@ -61,6 +61,8 @@ class RandomSession {
     Command question_command(const EditorState& state);
     Command measuring_command(const EditorState& state);
     Command document_command(const EditorState& state);
+    std::string parts(const EditorState& state);
+    Command several_command(const EditorState& state);
     Command form_command();
     Command view_command(const EditorState& state);
     ViewChange view_change(const EditorState& state);

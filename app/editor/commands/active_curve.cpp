@@ -56,9 +56,14 @@ std::vector<std::size_t> held_points(const EditorState& state) {
 }
 
 Outcome<std::vector<std::size_t>> free_points(const EditorState& state, const std::vector<std::size_t>& points) {
+    return free_points(*state.history.present().active_curve(), points);
+}
+
+Outcome<std::vector<std::size_t>> free_points(const core::DocumentCurve& entry,
+                                              const std::vector<std::size_t>& points) {
     const std::vector<std::size_t> wanted = ascending(points);
     std::vector<std::size_t> found;
-    std::ranges::set_difference(wanted, pinned_points(state), std::back_inserter(found));
+    std::ranges::set_difference(wanted, entry.pinned, std::back_inserter(found));
     if (!found.empty() || wanted.empty()) return found;
     const core::Place place("points", points_text(wanted));
     return tl::unexpected(wanted.size() == 1 ? core::sentence("{points} is pinned; unpin it first", {place})

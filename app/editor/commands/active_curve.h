@@ -25,8 +25,10 @@ const std::vector<std::size_t>& pinned_points(const EditorState& state);
 /// What fairing leaves where they are, ascending: they, and those that make tangents that were given to fit points.
 std::vector<std::size_t> held_points(const EditorState& state);
 
-/// Those of `points` that are not pinned, ascending; the reason why nothing can be moved where there are none.
+/// Those of `points`, of the active curve or of `entry`, that are not pinned, ascending; the reason why nothing can be
+/// moved where there are none.
 Outcome<std::vector<std::size_t>> free_points(const EditorState& state, const std::vector<std::size_t>& points);
+Outcome<std::vector<std::size_t>> free_points(const core::DocumentCurve& entry, const std::vector<std::size_t>& points);
 
 /// Whether the committed active curve, which there must be, is made of fit points.
 bool is_made_of_points(const EditorState& state);

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/map_selected.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/state/fit_curve.h"
+#include "app/editor/state/point_hues.h"
 #include "app/editor/words/formula.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -24,9 +27,10 @@ using core::sentence;
 
 constexpr double most_copies = 10'000.0;
 
-// What is arranged: control points of the active curve, or whole curves, each with its box.
+// What is arranged: control points, or whole curves, each with its box.
 struct Item {
-    std::size_t index = 0;
+    std::size_t curve = 0;
+    std::optional<std::size_t> point{};
     core::Box box{};
 };
 
@@ -36,25 +40,43 @@ core::Box box_of(core::Point point) {
     return box;
 }
 
+Outcome<Item> whole_item(const core::Document& document, std::size_t curve) {
+    const core::DocumentCurve& entry = document.curves[curve];
+    if (std::optional<Refusal> refusal = locked(entry)) return tl::unexpected(*std::move(refusal));
+    const core::Box box = core::tight_box(*entry.curve);
+    if (box.is_empty())
+        return tl::unexpected(sentence("the box of '{name}' cannot be computed", {{"name", entry.name}}));
+    return Item{curve, std::nullopt, box};
+}
+
+// Each point that is not pinned, and each curve that is selected as a whole.
 Outcome<std::vector<Item>> selected_items(const EditorState& state) {
-    if (std::optional<Refusal> refusal = no_editable_points(state)) return tl::unexpected(*std::move(refusal));
-    const auto points = free_points(state, state.selection.points);
-    if (!points) return tl::unexpected(points.error());
+    if (std::optional<Refusal> refusal = nothing_to_map(state)) return tl::unexpected(*std::move(refusal));
+    const core::Document& document = state.history.present();
     std::vector<Item> items;
-    for (const std::size_t i : *points) items.push_back({i, box_of(active_curve(state).control_points()[i])});
+    for (const SelectedPart& part : selected_parts(state)) {
+        if (part.is_whole()) {
+            auto item = whole_item(document, part.curve);
+            if (!item) return tl::unexpected(item.error());
+            items.push_back(*std::move(item));
+            continue;
+        }
+        const auto points = free_points(document.curves[part.curve], part.points);
+        if (!points) return tl::unexpected(points.error());
+        for (const std::size_t i : *points)
+            items.push_back({part.curve, i, box_of(document.curves[part.curve].curve->control_points()[i])});
+    }
     return items;
 }
 
 Outcome<std::vector<Item>> visible_items(const EditorState& state) {
     std::vector<Item> items;
-    const auto& curves = state.history.present().curves;
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        if (!curves[i].visible) continue;
-        if (std::optional<Refusal> refusal = locked(curves[i])) return tl::unexpected(*std::move(refusal));
-        const core::Box box = core::tight_box(*curves[i].curve);
-        if (box.is_empty())
-            return tl::unexpected(sentence("the box of '{name}' cannot be computed", {{"name", curves[i].name}}));
-        items.push_back({i, box});
+    const core::Document& document = state.history.present();
+    for (std::size_t i = 0; i < document.curves.size(); ++i) {
+        if (!document.curves[i].visible) continue;
+        auto item = whole_item(document, i);
+        if (!item) return tl::unexpected(item.error());
+        items.push_back(*std::move(item));
     }
     return items;
 }
@@ -66,25 +88,40 @@ Outcome<std::vector<Item>> items_of(const EditorState& state, Arranged what, std
     const core::Place needed("least", least);
     return tl::unexpected(
         what == Arranged::points
-            ? sentence("at least {least} control points must be selected that are not pinned, not {count}",
+            ? sentence("at least {least} control points or curves must be selected that are not pinned, not {count}",
                        {count, needed})
             : sentence("at least {least} curves must be visible, not {count}", {count, needed}));
 }
 
-// The committed document with every item moved by its offset.
-Outcome<Edit> with_moved(const EditorState& state, Arranged what, const std::vector<Item>& items,
+// Moves the points of one curve, which follow each other in `items` from `first` on; the item behind them.
+Outcome<std::size_t> move_points_of(core::DocumentCurve& entry, const std::vector<Item>& items,
+                                    const std::vector<core::Vector>& offsets, std::size_t first) {
+    core::CurveDefinition definition = entry.curve->definition();
+    std::size_t k = first;
+    for (; k < items.size() && items[k].point && items[k].curve == items[first].curve; ++k)
+        definition.points[*items[k].point] += offsets[k];
+    auto moved = core::Curve::make(std::move(definition));
+    if (!moved) return tl::unexpected(core::describe(moved.error()));
+    replace_curve(entry, std::make_shared<const core::Curve>(*std::move(moved)));
+    return k;
+}
+
+// The committed document with every item moved by its offset; those of one curve stand together.
+Outcome<Edit> with_moved(const EditorState& state, const std::vector<Item>& items,
                          const std::vector<core::Vector>& offsets) {
     Edit edit{state.history.present()};
-    if (what == Arranged::points) {
-        core::CurveDefinition definition = active_curve(state).definition();
-        for (std::size_t k = 0; k < items.size(); ++k) definition.points[items[k].index] += offsets[k];
-        return edit_active(state, core::Curve::make(std::move(definition)));
-    }
-    for (std::size_t k = 0; k < items.size(); ++k) {
-        core::DocumentCurve& entry = edit.document.curves[items[k].index];
-        if (offsets[k] == core::Vector(0.0, 0.0)) continue;
-        if (const auto moved = map_entry(entry, core::translation(offsets[k])); !moved)
-            return tl::unexpected(core::describe(moved.error()));
+    for (std::size_t k = 0; k < items.size();) {
+        core::DocumentCurve& entry = edit.document.curves[items[k].curve];
+        if (items[k].point) {
+            const auto next = move_points_of(entry, items, offsets, k);
+            if (!next) return tl::unexpected(next.error());
+            k = *next;
+            continue;
+        }
+        if (offsets[k] != core::Vector(0.0, 0.0))
+            if (const auto moved = map_entry(entry, core::translation(offsets[k])); !moved)
+                return tl::unexpected(core::describe(moved.error()));
+        ++k;
     }
     return edit;
 }
@@ -119,27 +156,29 @@ Outcome<Edit> align(const EditorState& state, const Align& command) {
     }
     std::vector<core::Vector> offsets;
     for (const Item& item : *items) offsets.push_back(offset_to(command.at, item.box, whole));
-    return with_moved(state, command.what, *items, offsets);
+    return with_moved(state, *items, offsets);
 }
 
 Outcome<Edit> distribute(const EditorState& state, const Distribute& command) {
-    auto items = items_of(state, command.what, 3);
+    const auto items = items_of(state, command.what, 3);
     if (!items) return tl::unexpected(items.error());
     const bool is_horizontal = command.direction == Direction::horizontal;
     const auto place = [&](const Item& item) {
         const core::Point middle = core::middle(item.box.lower, item.box.upper);
         return is_horizontal ? middle.x : middle.y;
     };
-    std::ranges::stable_sort(*items, {}, place);
-    const double first = place(items->front());
-    const double last = place(items->back());
-    std::vector<core::Vector> offsets;
-    for (std::size_t k = 0; k < items->size(); ++k) {
-        const double share = static_cast<double>(k) / static_cast<double>(items->size() - 1);
-        const double by = k == 0 || k + 1 == items->size() ? 0.0 : first + share * (last - first) - place((*items)[k]);
-        offsets.push_back(is_horizontal ? core::Vector(by, 0.0) : core::Vector(0.0, by));
+    std::vector<std::size_t> order(items->size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t k) { return place((*items)[k]); });
+    const double first = place((*items)[order.front()]);
+    const double last = place((*items)[order.back()]);
+    std::vector<core::Vector> offsets(items->size(), core::Vector(0.0, 0.0));
+    for (std::size_t k = 1; k + 1 < order.size(); ++k) {
+        const double share = static_cast<double>(k) / static_cast<double>(order.size() - 1);
+        const double by = first + share * (last - first) - place((*items)[order[k]]);
+        offsets[order[k]] = is_horizontal ? core::Vector(by, 0.0) : core::Vector(0.0, by);
     }
-    return with_moved(state, command.what, *items, offsets);
+    return with_moved(state, *items, offsets);
 }
 
 // Copies of the active curve, number k mapped by `map_of(k)`, behind it in the list; the curve stays active.
@@ -206,7 +245,7 @@ StepTexts texts_of_distance(const EditorState&, const SetDistance& command) {
 }
 
 Arranged what_there_is(const EditorState& state) {
-    return state.selection.points.size() > 1 ? Arranged::points : Arranged::curves;
+    return state.selection.points.size() > 1 || state.selection.is_over_curves() ? Arranged::points : Arranged::curves;
 }
 
 std::optional<double> length_now(const EditorState& state) {
@@ -226,7 +265,7 @@ const CommandSpec& Align::spec() {
     static const CommandSpec spec{
         .name = "align",
         .title = "Align",
-        .explanation = "Puts the selected control points, or the visible curves by their boxes, in line.",
+        .explanation = "Puts what is selected, or the visible curves, in line; whole curves by their boxes.",
         .synonyms = "arrange line up",
         .group = CommandGroup::edit,
         .submenu = "Arrange",
@@ -244,7 +283,7 @@ const CommandSpec& Distribute::spec() {
     static const CommandSpec spec{
         .name = "distribute",
         .title = "Distribute",
-        .explanation = "Puts the selected control points, or the visible curves by their boxes, at even distances.",
+        .explanation = "Puts what is selected, or the visible curves, at even distances; whole curves by their boxes.",
         .synonyms = "arrange space evenly",
         .group = CommandGroup::edit,
         .submenu = "Arrange",

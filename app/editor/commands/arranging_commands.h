@@ -13,7 +13,7 @@ enum class Alignment { left, center, right, top, middle, bottom };
 
 enum class Direction { horizontal, vertical };
 
-/// The selected control points, or all curves that are visible, by their boxes.
+/// The selected control points and curves, or all curves that are visible; curves by their boxes.
 enum class Arranged { points, curves };
 
 struct Align {
@@ -75,7 +75,7 @@ struct Names<editor::Direction> {
 template <>
 struct Names<editor::Arranged> {
     using enum editor::Arranged;
-    static constexpr std::array table{Named{points, "points", "the selected points"},
+    static constexpr std::array table{Named{points, "points", "what is selected"},
                                       Named{curves, "curves", "the visible curves"}};
 };
 

@@ -8,6 +8,7 @@
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/fit_point_commands.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/map_selected.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/upkeep.h"
@@ -165,18 +166,24 @@ bool has_nothing_selected(const EditorState& state) {
 }
 
 std::optional<Refusal> nothing_to_delete(const EditorState& state) {
+    if (state.selection.is_over_curves()) return nothing_to_map(state);
     if (std::optional<Refusal> refusal = no_editable_curve(state)) return refusal;
     if (state.selection != Selection{}) return std::nullopt;
     return "nothing is selected";
 }
 
 Outcome<Edit> delete_selected(const EditorState& state, const Delete&) {
+    if (state.selection.is_over_curves()) return without_parts(state, selected_parts(state));
     if (state.selection.fit_point) return without_fit_point(state, *state.selection.fit_point);
     if (!state.selection.points.empty()) return without_points(state, state.selection.points);
     return edit_active(state, core::delete_knot(active_curve(state), *state.selection.knot), Selection{});
 }
 
 StepTexts texts_of_delete(const EditorState& state, const Delete&) {
+    if (state.selection.is_over_curves()) {
+        const core::Place what("what", selected_words(state));
+        return {sentence("Delete {what}", {what}), sentence("Deleted {what}", {what})};
+    }
     if (state.selection.fit_point) return texts_of_deleted_fit_point(*state.selection.fit_point);
     if (!state.selection.points.empty()) return texts_of_deleting(state, state.selection.points);
     const core::Curve& curve = active_curve(state);
@@ -303,7 +310,7 @@ const CommandSpec& Delete::spec() {
         .name = "delete",
         .title = "Delete",
         .explanation =
-            "Deletes the selected control points, or else the selected knot; the curve where all its points "
+            "Deletes the selected curves and control points, or else the selected knot; the curve where all its points "
             "are selected.",
         .synonyms = "remove",
         .group = CommandGroup::edit,

@@ -3,6 +3,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/map_selected.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/words/formula.h"
@@ -72,17 +73,22 @@ StepTexts texts_of_delete_points(const EditorState& state, const DeletePoints& c
     return texts_of_deleting(state, ascending(command.points));
 }
 
-Outcome<Edit> nudge_by(const EditorState& state, core::Vector offset, bool continues) {
+Outcome<Edit> nudged(const EditorState& state, core::Vector offset) {
+    if (state.selection.is_over_curves()) return map_selected(state, core::translation(offset));
     const auto points = free_points(state, state.selection.points);
     if (!points) return tl::unexpected(points.error());
-    Outcome<Edit> edit = edit_active(state, core::move_control_points(active_curve(state), *points, offset));
+    return edit_active(state, core::move_control_points(active_curve(state), *points, offset));
+}
+
+Outcome<Edit> nudge_by(const EditorState& state, core::Vector offset, bool continues) {
+    Outcome<Edit> edit = nudged(state, offset);
     if (edit) edit->burst = burst_after(state, offset, continues);
     return edit;
 }
 
 StepTexts texts_of_nudge_by(const EditorState& state, core::Vector offset, bool continues) {
     const core::Vector total = burst_after(state, offset, continues).total;
-    const core::Place points("points", points_text(state.selection.points));
+    const core::Place points("points", selected_words(state));
     return {sentence("Nudge {points}", {points}),
             sentence("Nudged {points} by {offset}", {points, {"offset", place_words(core::tip_of(total))}})};
 }
@@ -106,7 +112,7 @@ Outcome<Edit> nudge_toward(const EditorState& state, const Command& command) {
 }
 
 bool has_no_points_selected(const EditorState& state) {
-    return !no_editable_curve(state) && state.selection.points.empty();
+    return !no_editable_curve(state) && state.selection.points.empty() && !state.selection.is_over_curves();
 }
 
 template <class Command, int x, int y>
@@ -122,8 +128,8 @@ CommandSpec arrow(const char* name, const char* title, Shortcut shortcut) {
     Field distance = field::length<&Command::distance>("distance", "how far");
     return {.name = name,
             .title = title,
-            .explanation = is_far ? "Moves the selected control points by a step of the grid."
-                                  : "Moves the selected control points by a tenth of a step of the grid.",
+            .explanation = is_far ? "Moves what is selected by a step of the grid."
+                                  : "Moves what is selected by a tenth of a step of the grid.",
             .group = CommandGroup::edit,
             .offered = {.menu = false, .scripts = false, .key_sheet = false},
             .effect = ShapeEffect::changes,
@@ -134,7 +140,7 @@ CommandSpec arrow(const char* name, const char* title, Shortcut shortcut) {
                        field::flag<&Command::continues>("continues", "yes if it belongs to the step before")
                            .template suggesting<continues_burst>()
                            .unasked()},
-            .refusal = no_editable_points,
+            .refusal = nothing_to_map,
             .is_idle = has_no_points_selected,
             .run = body_of<nudge_toward<Command, x, y>>,
             .texts = texts_of<texts_of_arrow<Command, x, y>>};
@@ -262,13 +268,13 @@ const CommandSpec& DeletePoints::spec() {
 const CommandSpec& Nudge::spec() {
     static const CommandSpec spec{.name = "nudge",
                                   .title = "Nudge",
-                                  .explanation = "Moves the selected control points by an offset.",
+                                  .explanation = "Moves what is selected by an offset.",
                                   .synonyms = "move shift",
                                   .group = CommandGroup::edit,
                                   .offered = {.menu = false},
                                   .effect = ShapeEffect::changes,
                                   .fields = {field::vector<&Nudge::offset>({"dx", "to the right"}, {"dy", "upwards"})},
-                                  .refusal = no_editable_points,
+                                  .refusal = nothing_to_map,
                                   .is_idle = has_no_points_selected,
                                   .run = body_of<nudge>,
                                   .texts = texts_of<texts_of_nudge>};

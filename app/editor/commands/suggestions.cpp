@@ -3,6 +3,7 @@
 #include "app/editor/pointer/gesture.h"
 #include "app/editor/pointer/grid_step.h"
 #include "app/editor/pointer/snap.h"
+#include "app/editor/state/selected_parts.h"
 #include "core/measure/closing.h"
 
 namespace batten::editor::suggest {
@@ -39,6 +40,13 @@ std::optional<std::size_t> last_selected_point(const EditorState& state) {
 std::optional<std::size_t> active_curve(const EditorState& state) {
     if (committed_curve(state) == nullptr) return std::nullopt;
     return state.history.present().active;
+}
+
+std::optional<std::vector<std::size_t>> curves_meant(const EditorState& state) {
+    if (committed_curve(state) == nullptr) return std::nullopt;
+    std::vector<std::size_t> curves = selected_curves(state);
+    if (curves.empty()) curves.push_back(state.history.present().active);
+    return curves;
 }
 
 std::optional<std::vector<core::Point>> points_of_curve(const EditorState& state) {

@@ -18,6 +18,9 @@ std::optional<std::size_t> first_selected_point(const EditorState& state);
 std::optional<std::size_t> last_selected_point(const EditorState& state);
 std::optional<std::size_t> active_curve(const EditorState& state);
 
+/// The curves of which anything is selected, else the active one.
+std::optional<std::vector<std::size_t>> curves_meant(const EditorState& state);
+
 /// The selected control points of the active curve, all of them where fewer than two are selected.
 std::optional<std::vector<core::Point>> points_of_curve(const EditorState& state);
 

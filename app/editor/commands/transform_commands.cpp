@@ -1,7 +1,10 @@
 #include "app/editor/commands/transform_commands.h"
 
+#include <algorithm>
+
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/map_selected.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/state/fit_curve.h"
 #include "app/editor/state/symmetry_links.h"
@@ -21,9 +24,8 @@ using core::sentence;
 // The box around the control points that are mapped; empty where there are none.
 core::Box box_of_target(const EditorState& state, MapTarget what) {
     if (what == MapTarget::curve) return core::control_box(active_curve(state));
+    if (what == MapTarget::selection) return box_of_selected(state);
     core::Box box;
-    if (what == MapTarget::selection)
-        for (const std::size_t i : state.selection.points) box.include(active_curve(state).control_points()[i]);
     if (what == MapTarget::all)
         for (const core::DocumentCurve& item : state.history.present().curves) {
             const core::Box one = core::control_box(*item.curve);
@@ -69,14 +71,21 @@ core::PlaneMap map_of(const EditorState&, const MapProjectively& command) {
     return {.rows = {{{x[0], x[1], x[2]}, {y[0], y[1], y[2]}, {w[0], w[1], w[2]}}}};
 }
 
-bool is_whole_curve(const EditorState& state, MapTarget what) {
-    return what != MapTarget::selection || state.selection.points.size() == active_curve(state).control_points().size();
+bool are_whole_curves(const EditorState& state, MapTarget what) {
+    const core::Document& document = state.history.present();
+    return what != MapTarget::selection || std::ranges::all_of(selected_parts(state), [&](const SelectedPart& part) {
+               return is_all_of(part, document.curves[part.curve]);
+           });
 }
 
-// What the map did to the shape of the active curve.
+// What the map did to the shape of the curves.
 std::string shape_remark(const EditorState& state, MapTarget what, const core::PlaneMap& map,
                          const core::Curve& after) {
-    if (!is_whole_curve(state, what)) return "the other control points stayed, so the curve has another shape";
+    const bool are_several = what == MapTarget::selection && state.selection.is_over_curves();
+    const bool are_whole = are_whole_curves(state, what);
+    if (!are_whole && are_several) return "the other control points stayed, so the curves have other shapes";
+    if (!are_whole) return "the other control points stayed, so the curve has another shape";
+    if (are_several) return "every point of the curves is mapped with the control points";
     if (!active_curve(state).is_rational() && after.is_rational())
         return "every point of the curve is mapped with the control points and their weights, and it is rational now";
     if (!map.is_affine()) return "every point of the curve is mapped with the control points and their weights";
@@ -97,10 +106,9 @@ Outcome<Edit> map_all(const EditorState& state, const core::PlaneMap& map) {
 
 Outcome<Edit> map_target(const EditorState& state, MapTarget what, const core::PlaneMap& map) {
     if (what == MapTarget::all) return map_all(state, map);
-    if (what == MapTarget::curve) return map_active(state, map);
-    if (std::optional<Refusal> refusal = no_editable_points(state)) return tl::unexpected(*std::move(refusal));
-    if (is_whole_curve(state, what) && is_made_of_points(state)) return map_active(state, map);
-    return edit_active(state, core::transform_points(active_curve(state), state.selection.points, map));
+    if (what == MapTarget::curve)
+        if (std::optional<Refusal> refusal = no_editable_curve(state)) return tl::unexpected(*std::move(refusal));
+    return what == MapTarget::curve ? map_active(state, map) : map_selected(state, map);
 }
 
 template <class Command>
@@ -113,7 +121,7 @@ Outcome<Edit> map_by(const EditorState& state, const Command& command) {
 
 // What is mapped, as sentences name it.
 core::Place what_place(const EditorState& state, MapTarget what) {
-    return {"what", what == MapTarget::selection ? points_text(state.selection.points) : core::title_of(what)};
+    return {"what", what == MapTarget::selection ? selected_words(state) : core::title_of(what)};
 }
 
 core::Place number_place(const char* name, double value) {
@@ -174,9 +182,9 @@ StepTexts texts_of_projective(const EditorState& state, const MapProjectively& c
     return {sentence("Map {what} projectively", {what}), sentence("Mapped {what} projectively", {what})};
 }
 
-// Selected points are what is meant, where there are any.
+// What is selected is meant, where there is anything.
 MapTarget likely_target(const EditorState& state) {
-    return state.selection.points.empty() ? MapTarget::curve : MapTarget::selection;
+    return no_selected_curve(state) ? MapTarget::curve : MapTarget::selection;
 }
 
 double quarter_turn(const EditorState&) {
@@ -215,6 +223,11 @@ Field row_field(const char* name, const char* meaning) {
     return field::parameters<member>(name, meaning).at_least(3.0).at_most(3.0);
 }
 
+// The selection need not be of the active curve.
+std::optional<Refusal> no_curve_to_map(const EditorState& state) {
+    return state.selection.is_over_curves() ? no_curve(state) : no_editable_curve(state);
+}
+
 // What the commands have in common.
 template <class Command>
 CommandSpec transform_spec(const char* name, const char* title, const char* explanation, const char* synonyms,
@@ -227,7 +240,7 @@ CommandSpec transform_spec(const char* name, const char* title, const char* expl
             .submenu = "Transform",
             .effect = ShapeEffect::changes,
             .fields = fields,
-            .refusal = no_editable_curve,
+            .refusal = no_curve_to_map,
             .run = body_of<map_by<Command>>};
 }
 

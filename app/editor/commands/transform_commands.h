@@ -82,7 +82,7 @@ namespace batten::core {
 template <>
 struct Names<editor::MapTarget> {
     using enum editor::MapTarget;
-    static constexpr std::array table{Named{selection, "selection", "the selected points"},
+    static constexpr std::array table{Named{selection, "selection", "what is selected"},
                                       Named{curve, "curve", "the curve"}, Named{all, "all", "all curves"}};
 };
 

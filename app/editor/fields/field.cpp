@@ -54,7 +54,10 @@ struct ShownText {
     std::string operator()(const std::vector<double>& values) const {
         return sentence({.one = "one number", .many = "{count} numbers"}, values.size());
     }
-    std::string operator()(const std::vector<std::size_t>& indices) const { return points_text(indices); }
+    std::string operator()(const std::vector<std::size_t>& indices) const {
+        return field.kind == FieldKind::curve_indices ? curves_text(state.history.present(), indices)
+                                                      : points_text(indices);
+    }
     std::string operator()(const std::vector<core::Point>& points) const {
         return sentence({.one = "one point", .many = "{count} points"}, points.size());
     }
@@ -93,6 +96,7 @@ KindWords words_of(const Field& field) {
         case FieldKind::positions:
         case FieldKind::parameters:
         case FieldKind::point_indices:
+        case FieldKind::curve_indices:
             return {"list", "a list of numbers"};
         case FieldKind::curve_name:
             return {"name or number", "the name or number of a curve"};

@@ -34,6 +34,7 @@ enum class FieldKind {
     positions,      ///< a list of points
     parameters,     ///< a list of parameters or knots
     point_indices,  ///< a list of control points
+    curve_indices,  ///< a list of curves of the document
     curve_name,     ///< a curve of the document that is not the active one
     color,          ///< "#4c7fe0"
     text,

@@ -113,11 +113,10 @@ std::size_t knot_count(const EditorState& state) {
     return curve == nullptr ? 0 : curve->knots().stored().size();
 }
 
-std::optional<Refusal> check_point_indices(const Field& field, const std::vector<std::size_t>& indices,
-                                           const EditorState& state) {
+std::optional<Refusal> check_indices(const Field& field, const std::vector<std::size_t>& indices, std::size_t count,
+                                     const char* pattern) {
     for (const std::size_t index : indices)
-        if (auto refusal = check_index(field, static_cast<std::int64_t>(index), point_count(state), no_control_point))
-            return refusal;
+        if (auto refusal = check_index(field, static_cast<std::int64_t>(index), count, pattern)) return refusal;
     return check_item_count(field, indices.size());
 }
 
@@ -159,7 +158,11 @@ std::optional<Refusal> check_kind(const Field& field, const FieldValue& value, c
             return check_index(field, std::get<std::int64_t>(value), state.history.present().curves.size(),
                                no_curve_of_index);
         case FieldKind::point_indices:
-            return check_point_indices(field, std::get<std::vector<std::size_t>>(value), state);
+            return check_indices(field, std::get<std::vector<std::size_t>>(value), point_count(state),
+                                 no_control_point);
+        case FieldKind::curve_indices:
+            return check_indices(field, std::get<std::vector<std::size_t>>(value),
+                                 state.history.present().curves.size(), no_curve_of_index);
         case FieldKind::positions:
             return check_item_count(field, std::get<std::vector<core::Point>>(value).size());
         case FieldKind::parameters:

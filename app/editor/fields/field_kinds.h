@@ -136,6 +136,11 @@ requires detail::MemberOf<member, std::vector<std::size_t>> Field point_indices(
 }
 
 template <auto member>
+requires detail::MemberOf<member, std::vector<std::size_t>> Field curve_indices(const char* name, const char* meaning) {
+    return detail::made<member>(FieldKind::curve_indices, {{name, meaning}});
+}
+
+template <auto member>
 requires detail::MemberOf<member, std::string> Field curve_name(const char* name, const char* meaning) {
     return detail::made<member>(FieldKind::curve_name, {{name, meaning}});
 }

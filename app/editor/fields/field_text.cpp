@@ -95,7 +95,7 @@ Outcome<Numbers> numbers_of(const Field& field, const Argument& given) {
     return refuse(field, given);
 }
 
-Outcome<FieldValue> read_point_indices(const Field& field, const Numbers& numbers) {
+Outcome<FieldValue> read_indices(const Field& field, const Numbers& numbers) {
     std::vector<std::size_t> indices;
     for (const double number : numbers) {
         const Outcome<std::int64_t> index = whole(field, number);
@@ -164,7 +164,8 @@ Outcome<FieldValue> read_kind(const Field& field, Given given) {
         case FieldKind::parameters:
             return as_list([](const Field&, const Numbers& numbers) { return Outcome<FieldValue>(numbers); });
         case FieldKind::point_indices:
-            return as_list(read_point_indices);
+        case FieldKind::curve_indices:
+            return as_list(read_indices);
         case FieldKind::choice:
         case FieldKind::curve_name:
         case FieldKind::color:
@@ -202,6 +203,7 @@ bool is_list(const Field& field) {
         case FieldKind::positions:
         case FieldKind::parameters:
         case FieldKind::point_indices:
+        case FieldKind::curve_indices:
             return true;
         default:
             return false;

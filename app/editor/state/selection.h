@@ -8,13 +8,27 @@
 
 namespace batten::editor {
 
-/// Parts of the active curve that commands without arguments act on.
+/// What of one curve is selected: some of its control points, or the curve as a whole.
+struct SelectedPart {
+    std::size_t curve = 0;              ///< its index in the document
+    std::vector<std::size_t> points{};  ///< ascending, without repeats; none where the curve is selected as a whole
+
+    bool is_whole() const { return points.empty(); }
+    bool operator==(const SelectedPart&) const = default;
+};
+
+/// Parts of the active curve, and beside it of others, that commands without arguments act on. See selected_parts.h.
 struct Selection {
     std::vector<std::size_t> points;         ///< indices of control points, ascending, without repeats
     std::optional<std::size_t> knot;         ///< index in KnotVector::stored()
     std::optional<std::size_t> fit_point{};  ///< of the points that the curve is made to pass
+    bool is_whole = false;                   ///< the active curve as a whole; no points then
+    std::vector<SelectedPart> others{};      ///< of the curves that are not active, ascending by curve
 
     bool contains_point(std::size_t i) const;
+
+    /// Whether more is selected than points, or a knot, of the active curve.
+    bool is_over_curves() const { return is_whole || !others.empty(); }
     bool operator==(const Selection&) const = default;
 };
 
@@ -56,6 +70,11 @@ struct HoveredLeg {  ///< the leg of the control polygon from point `index` to t
 struct HoveredOtherCurve {  ///< a curve of the document that is not active
     std::size_t index = 0;
     bool operator==(const HoveredOtherCurve&) const = default;
+};
+struct HoveredOtherPoint {  ///< a control point of a curve that is not active, which is shown
+    std::size_t curve = 0;
+    std::size_t index = 0;
+    bool operator==(const HoveredOtherPoint&) const = default;
 };
 /// What of a teaching view can be dragged: the comb's length, the ends of the line, and the line.
 enum class ViewHandle { comb, line_first, line_second, line };
@@ -107,7 +126,7 @@ struct HoveredFitHandle {
 using Hover = std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
                            HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis,
                            HoveredBasisCell, HoveredHandle, HoveredFarinPoint, HoveredLifted, HoveredHodograph,
-                           HoveredFitPoint, HoveredFitHandle, HoveredGuide>;
+                           HoveredFitPoint, HoveredFitHandle, HoveredGuide, HoveredOtherPoint>;
 
 /// The parameter of the active curve that the pointer is on, on the curve itself or in an inset; none elsewhere.
 std::optional<double> hovered_u(const Hover& hover);

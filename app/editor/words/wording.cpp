@@ -118,6 +118,12 @@ std::string place_words(core::Point place, double error) {
     return core::sentence("({x}, {y})", {{"x", words(place.x)}, {"y", words(place.y)}});
 }
 
+std::string curves_text(const core::Document& document, const std::vector<std::size_t>& curves) {
+    if (curves.size() == 1 && curves.front() < document.curves.size())
+        return core::sentence("'{name}'", {{"name", document.curves[curves.front()].name}});
+    return core::sentence({.one = "one curve", .many = "{count} curves", .none = "no curves"}, curves.size());
+}
+
 std::string knot_words(const core::Curve& curve, double u) {
     const core::KnotVector& knots = curve.knots();
     const int multiplicity = knots.multiplicity(u);

@@ -50,6 +50,9 @@ bool is_within_tolerance(const core::Curve& curve, double deviation, double rela
 /// "(1, -0.5)", in full, with 0 for a coordinate that is not above `error`.
 std::string place_words(core::Point place, double error = 0.0);
 
+/// "'wave'", or "3 curves".
+std::string curves_text(const core::Document& document, const std::vector<std::size_t>& curves);
+
 /// What a knot of the value `u` means for the curve: "multiplicity 2, C¹ there".
 std::string knot_words(const core::Curve& curve, double u);
 

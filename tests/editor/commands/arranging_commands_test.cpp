@@ -31,8 +31,7 @@ TEST_F(ArrangingCommands, align_selected_points) {
     run(SelectPoints{.points = {0, 1, 3}});
     EXPECT_TRUE(run(Align{.at = Alignment::left, .what = Arranged::points}));
     EXPECT_EQ(points(editor_), (std::vector<core::Point>{{0, 0}, {0, 2}, {3, 2}, {0, 0}}));
-    EXPECT_EQ(message().rfind("Aligned the selected points at the left; the curve moved by at most ", 0), 0U)
-        << message();
+    EXPECT_EQ(message().rfind("Aligned what is selected at the left; the curve moved by at most ", 0), 0U) << message();
     EXPECT_TRUE(run(Undo{}));
     EXPECT_TRUE(run(Align{.at = Alignment::middle, .what = Arranged::points}));
     EXPECT_EQ(points(editor_), (std::vector<core::Point>{{0, 1}, {1, 1}, {3, 2}, {4, 1}}));
@@ -41,7 +40,7 @@ TEST_F(ArrangingCommands, align_selected_points) {
     EXPECT_EQ(points(editor_), (std::vector<core::Point>{{0, 2}, {1, 2}, {3, 2}, {4, 2}}));
     run(SelectPoints{.points = {1}});
     EXPECT_FALSE(run(Align{.at = Alignment::top, .what = Arranged::points}));
-    EXPECT_EQ(message(), "at least 2 control points must be selected that are not pinned, not 1");
+    EXPECT_EQ(message(), "at least 2 control points or curves must be selected that are not pinned, not 1");
 }
 
 // The arch rises to 3/2.
