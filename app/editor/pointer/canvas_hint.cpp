@@ -7,6 +7,7 @@
 #include "app/editor/pointer/hint_text.h"
 #include "app/editor/pointer/joint_command.h"
 #include "app/editor/pointer/shape_hint.h"
+#include "app/editor/state/selected_parts.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/number_column.h"
 #include "core/base/sentence.h"
@@ -113,17 +114,27 @@ struct SelectHint {
     }
 };
 
+std::string other_curve_hint(const EditorState& state, std::size_t index) {
+    const core::Place name("name", state.shown().curves[index].name);
+    const SelectedParts parts = selected_parts(state);
+    const SelectedPart* part = part_of(parts, index);
+    if (part != nullptr && part->is_whole())
+        return sentence("Drag to move all that is selected · Shift-click takes '{name}' out", {name});
+    return sentence("Click to make '{name}' the active curve · Shift-click selects it, too", {name});
+}
+
 std::string select_hint(const EditorState& state) {
     const core::DocumentCurve* active = state.shown().active_curve();
     if (const auto* other = std::get_if<HoveredOtherCurve>(&state.hover))
-        if (other->index < state.shown().curves.size())
-            return sentence("Click to make '{name}' the active curve",
-                            {{"name", state.shown().curves[other->index].name}});
+        if (other->index < state.shown().curves.size()) return other_curve_hint(state, other->index);
+    if (std::holds_alternative<HoveredOtherPoint>(state.hover))
+        return "Drag to move it with all that is selected · Shift-click takes it in or out · click to select it alone";
     if (active == nullptr) return "Draw a curve with the pen (N) or open a file (Ctrl+O)";
     if (active->locked) return locked_sentence(*active);
     const std::string hint = std::visit(SelectHint{state, *active->curve}, state.hover);
     return hint.empty()
-               ? "Drag to select points in a box · middle-drag or Space-drag pans · the wheel zooms, with Shift it pans"
+               ? "Drag to select points in a box, with Ctrl of all curves · middle-drag or Space-drag pans · the wheel "
+                 "zooms, with Shift it pans"
                : hint;
 }
 
@@ -206,7 +217,13 @@ struct ModeHint {
     }
     std::string operator()(const TurningOrbit&) const { return "Turning the view"; }
     std::string operator()(const DraggingPicture&) const { return "Moving the picture · Shift keeps to an axis"; }
-    std::string operator()(const BoxSelecting&) const { return "Release to select the points in the box"; }
+    std::string operator()(const BoxSelecting& mode) const {
+        return mode.takes_all_curves ? "Release to select the points and curves in the box"
+                                     : "Release to select the points in the box";
+    }
+    std::string operator()(const DraggingSelection&) const {
+        return "Moving all that is selected · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores";
+    }
     std::string operator()(const Panning&) const { return "Panning"; }
     std::string operator()(const DraggingParameter&) const { return parameter_text(state); }
     std::string operator()(const DraggingCurveKnot& mode) const {

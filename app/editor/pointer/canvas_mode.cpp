@@ -20,9 +20,9 @@
 #include "app/editor/pointer/picture_drag.h"
 #include "app/editor/pointer/placing_step.h"
 #include "app/editor/pointer/point_drag.h"
+#include "app/editor/pointer/selection_press.h"
 #include "app/editor/pointer/weight_modes.h"
 #include "core/evaluate/evaluate.h"
-#include "render/pixel_box.h"
 
 namespace batten::editor {
 namespace {
@@ -137,30 +137,6 @@ CanvasMode step(const DraggingCurvePoint& mode, const Gesture& gesture) {
     return step_edit(mode, gesture, ask_to_move_curve, [](const auto&, const Gesture& click) {
         if (click.state.selection != Selection{}) click.queue.run(SelectNone{});
     });
-}
-
-std::vector<std::size_t> points_in_box(const BoxSelecting& mode, const Gesture& gesture) {
-    std::vector<std::size_t> points = mode.before;
-    const core::DocumentCurve* active = gesture.state.shown().active_curve();
-    const bool shows_points = gesture.state.view.overlays.is_shown(Overlay::polygon);
-    if (active == nullptr || !active->visible || !shows_points || active->fit != nullptr) return points;
-    const auto box = render::PixelBox::between(mode.press_px, gesture.event.position_px);
-    const std::span<const core::Point> all = active->curve->control_points();
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (box.contains(render::screen_from_world(gesture.state.view.camera, all[i]))) points.push_back(i);
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    return points;
-}
-
-void finish_box(const BoxSelecting& mode, const Gesture& gesture) {
-    const Selection& selection = gesture.state.selection;
-    if (is_drag(gesture.state, mode.press_px, gesture.event.position_px)) {
-        const std::vector<std::size_t> points = points_in_box(mode, gesture);
-        if (points != selection.points) gesture.queue.run(SelectPoints{.points = points});
-    } else if (!gesture.event.modifiers.shift && selection != Selection{}) {
-        gesture.queue.run(SelectNone{});
-    }
 }
 
 CanvasMode step(BoxSelecting mode, const Gesture& gesture) {

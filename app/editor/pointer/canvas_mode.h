@@ -14,6 +14,7 @@
 #include "app/editor/pointer/pencil_mode.h"
 #include "app/editor/pointer/picture_mode.h"
 #include "app/editor/pointer/pointer.h"
+#include "app/editor/pointer/selection_mode.h"
 #include "app/editor/pointer/shape_mode.h"
 #include "app/editor/pointer/view_handle.h"
 #include "app/editor/state/state.h"
@@ -44,7 +45,9 @@ struct DraggingWeight {
 struct BoxSelecting {
     glm::dvec2 press_px{};
     glm::dvec2 position_px{};
-    std::vector<std::size_t> before;  ///< kept when Shift is held
+    std::vector<SelectedPart> before;    ///< kept when Shift is held
+    std::optional<std::size_t> curve{};  ///< that was pressed on
+    bool takes_all_curves = false;       ///< else points of the active one
 };
 
 struct Panning {
@@ -96,10 +99,11 @@ struct TurningOrbit {
     glm::dvec2 last_px{};
 };
 
-using CanvasMode = std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,
-                                DraggingCurveKnot, DraggingCurvePoint, DraggingHandle, DraggingFarinPoint,
-                                DraggingLiftedWeight, TurningOrbit, DrawingCurve, DraggingFitPoint, DraggingFitHandle,
-                                DrawingShape, DraggingGuide, DraggingPicture, PencilStroke, PickingJoint>;
+using CanvasMode =
+    std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,
+                 DraggingCurveKnot, DraggingCurvePoint, DraggingHandle, DraggingFarinPoint, DraggingLiftedWeight,
+                 TurningOrbit, DrawingCurve, DraggingFitPoint, DraggingFitHandle, DrawingShape, DraggingGuide,
+                 DraggingPicture, PencilStroke, PickingJoint, DraggingSelection>;
 
 /// The mode that is left where the tool was changed without the pointer: a curve half drawn is given up.
 CanvasMode with_present_tool(CanvasMode mode, const EditorState& state);

@@ -16,6 +16,7 @@
 #include "app/editor/pointer/modes.h"
 #include "app/editor/pointer/picture_drag.h"
 #include "app/editor/pointer/point_drag.h"
+#include "app/editor/pointer/selection_press.h"
 #include "app/editor/pointer/weight_modes.h"
 #include "app/editor/scene/insets.h"
 
@@ -56,12 +57,6 @@ CanvasMode begin_knot_drag(const Gesture& gesture, std::size_t index) {
     gesture.queue.run(SelectKnot{.index = index});
     if (!can_edit_curve(gesture.state)) return CanvasIdle{};
     return DraggingCurveKnot{index, gesture.event.position_px};
-}
-
-CanvasMode begin_box(const Gesture& gesture) {
-    BoxSelecting box{gesture.event.position_px, gesture.event.position_px, {}};
-    if (gesture.event.modifiers.shift) box.before = gesture.state.selection.points;
-    return box;
 }
 
 /// What the select tool does to each thing that can be hit.
@@ -149,6 +144,7 @@ std::optional<std::size_t> point_of(const Hover& hit) {
 CanvasMode press_select(const Gesture& gesture, const Hover& hit) {
     const bool is_double = gesture.event.action == PointerAction::double_click;
     if (is_double && std::visit(SelectDoubleClick{gesture}, hit)) return CanvasIdle{};
+    if (auto mode = press_over_curves(gesture, hit)) return *std::move(mode);
     return std::visit(SelectPress{gesture}, hit);
 }
 

@@ -9,6 +9,7 @@
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/fairing_commands.h"
 #include "app/editor/commands/fit_point_commands.h"
+#include "app/editor/commands/group_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/joint_commands.h"
 #include "app/editor/commands/joint_tool_commands.h"
@@ -19,10 +20,12 @@
 #include "app/editor/commands/pin_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/refinement_commands.h"
+#include "app/editor/commands/selected_curve_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/snap_commands.h"
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/commands/view_commands.h"
+#include "app/editor/state/selected_parts.h"
 #include "app/editor/upkeep.h"
 
 namespace batten::editor {
@@ -84,8 +87,18 @@ class Menu {
         curve();
     }
 
+    /// What is selected over several curves.
+    void several_curves() {
+        if (!state_.selection.is_over_curves()) return;
+        offer<Delete, HideCurves, LockCurves, ColorCurves>();
+        group();
+        offer<GroupCurves, UngroupCurves>();
+        group();
+    }
+
     /// The active curve as a whole.
     void curve() {
+        several_curves();
         offer<Cut, Copy, PasteBeside, Duplicate, DeleteCurve>();
         group();
         offer<RenameCurve, Reverse, Elevate, SetKind, ToggleClosed>();
@@ -217,6 +230,7 @@ struct FillByHit {
     bool operator()(const HoveredFitHandle&) const { return menu.fit_point(), true; }
     bool operator()(const HoveredCell& hit) const { return menu.cell(hit.level), true; }
     bool operator()(const HoveredGuide& hit) const { return menu.guide(hit.index), true; }
+    bool operator()(const HoveredOtherPoint&) const { return menu.curve(), true; }
     template <class Other>
     bool operator()(const Other&) const {
         return false;
@@ -272,7 +286,9 @@ void select_point(const EditorState& state, std::size_t index, CommandQueue& que
     if (!state.selection.contains_point(index)) queue.run(SelectPoints{.points = {index}});
 }
 
+// What is selected together stays so.
 void make_active(const EditorState& state, std::size_t index, CommandQueue& queue) {
+    if (part_of(selected_parts(state), index) != nullptr) return;
     if (index != state.history.present().active) queue.run(ActivateCurve{.index = index});
 }
 
@@ -284,6 +300,7 @@ void select_hit(const EditorState& state, const Hover& hit, CommandQueue& queue)
     if (const auto* point = std::get_if<HoveredFitPoint>(&hit)) queue.run(SelectFitPoint{.index = point->index});
     if (const auto* handle = std::get_if<HoveredFitHandle>(&hit)) queue.run(SelectFitPoint{.index = handle->index});
     if (const auto* curve = std::get_if<HoveredOtherCurve>(&hit)) make_active(state, curve->index, queue);
+    if (const auto* point = std::get_if<HoveredOtherPoint>(&hit)) make_active(state, point->curve, queue);
 }
 
 }  // namespace

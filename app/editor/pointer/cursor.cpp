@@ -11,7 +11,8 @@ bool is_one_of(const Hover& hover) {
 
 // What the select tool does to the thing under the pointer.
 Cursor select_cursor(const EditorState& state) {
-    if (is_one_of<HoveredPoint, HoveredHandle, HoveredFitPoint, HoveredFitHandle, HoveredGuide>(state.hover))
+    if (is_one_of<HoveredPoint, HoveredHandle, HoveredFitPoint, HoveredFitHandle, HoveredGuide, HoveredOtherPoint>(
+            state.hover))
         return Cursor::move;
     if (is_one_of<HoveredWeightRing>(state.hover)) return Cursor::vertical;
     const bool is_grip =
@@ -65,6 +66,7 @@ struct CanvasCursor {
     Cursor operator()(const PickingJoint&) const { return Cursor::crosshair; }
     Cursor operator()(const DraggingGuide&) const { return Cursor::move; }
     Cursor operator()(const DraggingPicture&) const { return Cursor::move; }
+    Cursor operator()(const DraggingSelection&) const { return Cursor::move; }
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "app/editor/pointer/view_handle.h"
 #include "app/editor/pointer/weight_ring.h"
 #include "app/editor/scene/insets.h"
+#include "app/editor/state/selected_parts.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/farin_points.h"
 
@@ -231,6 +232,26 @@ std::optional<Hover> ActiveCurve::hit() const {
     return std::nullopt;
 }
 
+/// Of the curves whose points are shown beside those of the active one.
+std::optional<Hover> hit_other_points(const CanvasPointer& pointer) {
+    Nearest nearest(pointer.px(reach::point));
+    const core::Document& document = pointer.state.shown();
+    for (const std::size_t k : curves_showing_points(pointer.state)) {
+        const auto points = document.curves[k].curve->control_points();
+        const auto parts = pointer.state.derived.near_parts(document.curves[k].curve);
+        parts->visit_near(pointer.world(), pointer.world_reach(reach::point), [&](std::size_t i) {
+            if (i < points.size()) nearest.offer(HoveredOtherPoint{k, i}, pointer.distance_to(points[i]));
+        });
+    }
+    return nearest.found();
+}
+
+/// Whether `hit` is a small thing, which lies above points of other curves.
+bool is_small(const Hover& hit) {
+    return !std::holds_alternative<HoveredCurve>(hit) && !std::holds_alternative<HoveredLeg>(hit) &&
+           !std::holds_alternative<HoveredHandle>(hit);
+}
+
 Hover hit_other_curves(const CanvasPointer& pointer) {
     Nearest nearest(pointer.px(reach::curve));
     const core::Document& document = pointer.state.shown();
@@ -256,9 +277,12 @@ Hover hit_canvas(const EditorState& state, glm::dvec2 position_px) {
     if (const auto inset = inset_at(state, position_px)) return hit_inset(state, *inset, position_px);
     const CanvasPointer pointer{state, position_px};
     const core::DocumentCurve* active = state.shown().active_curve();
+    std::optional<Hover> hit;
     if (active != nullptr && active->visible)
-        if (const auto hit = ActiveCurve(pointer, *state.derived.near_parts(active->curve), active->fit.get()).hit())
-            return *hit;
+        hit = ActiveCurve(pointer, *state.derived.near_parts(active->curve), active->fit.get()).hit();
+    if (hit && is_small(*hit)) return *hit;
+    if (auto point = hit_other_points(pointer)) return *point;
+    if (hit) return *hit;
     const Hover other = hit_other_curves(pointer);
     return std::holds_alternative<HoveredNothing>(other) ? hit_guides(pointer) : other;
 }

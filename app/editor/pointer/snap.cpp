@@ -7,6 +7,7 @@
 #include "app/editor/pointer/gesture.h"
 #include "app/editor/pointer/grid_step.h"
 #include "app/editor/pointer/snap_text.h"
+#include "app/editor/state/selected_parts.h"
 #include "core/edit/plane_map.h"
 #include "core/evaluate/basis.h"
 #include "core/evaluate/evaluate.h"
@@ -56,6 +57,8 @@ class Snapper {
     }
 
     bool moves_point(const NearCurve& near, std::size_t point) const {
+        if (const SelectedPart* part = part_of(query_.dragged.parts, near.index))
+            return part->is_whole() || std::binary_search(part->points.begin(), part->points.end(), point);
         if (near.index != document_.active) return false;
         const auto& moved = query_.dragged.points;
         return query_.dragged.is_curve || std::binary_search(moved.begin(), moved.end(), point);
@@ -63,9 +66,10 @@ class Snapper {
 
     /// Whether a point that acts on the place at `u` moves.
     bool moves_place(const NearCurve& near, double u) const {
-        if (near.index != document_.active) return false;
+        const bool is_part = part_of(query_.dragged.parts, near.index) != nullptr;
+        if (!is_part && near.index != document_.active) return false;
         if (query_.dragged.is_curve) return true;
-        if (query_.dragged.points.empty()) return false;
+        if (!is_part && query_.dragged.points.empty()) return false;
         const core::BasisValues basis = core::basis_functions(near.curve().knots(), u);
         const core::BasisRow& values = basis.derivatives[0];
         const std::size_t first = basis.span + 1 - values.size();

@@ -13,6 +13,7 @@ struct Dragged {
     bool is_curve = false;                  ///< all of the active curve
     std::optional<std::size_t> guide{};
     std::optional<core::Point> from{};  ///< what angles and lengths count from, if not from where it was
+    std::span<const SelectedPart> parts{};  ///< of any curves, ascending by curve
 };
 
 struct SnapQuery {
