@@ -8,6 +8,7 @@
 #include "app/editor/derived/lifted_stage.h"
 #include "app/editor/pointer/plot_layout.h"
 #include "app/editor/scene/insets.h"
+#include "app/editor/state/selected_parts.h"
 #include "core/curve/knot_analysis.h"
 #include "core/evaluate/evaluate.h"
 
@@ -150,6 +151,7 @@ void write_state_report(const ShownFrame& frame, const std::filesystem::path& pa
         pixel_json(frame.layout.canvas.origin_px + render::screen_from_world(state.view.camera, core::Point{}));
     report["parameter"] = state.parameter();
     report["selected_points"] = state.selection.points;
+    report["selected_parts"] = editor::text_of_parts(editor::selected_parts(state));
     report["message"] = state.message.text;
     report["message_is_error"] = state.message.is_error;
     report["dialog"] = core::name_of(state.dialog);

@@ -22,6 +22,7 @@
 #include "app/editor/scene/other_curves.h"
 #include "app/editor/scene/pictures.h"
 #include "app/editor/scene/place_marks.h"
+#include "app/editor/scene/selection_marks.h"
 #include "app/editor/scene/sketch_scene.h"
 #include "app/editor/scene/span_hulls.h"
 #include "app/editor/scene/views.h"
@@ -47,7 +48,9 @@ std::vector<render::PixelBox> draw_background(CanvasFrame& frame) {
     draw_filled_shapes(frame);
     draw_guides(frame);
     draw_ghost(frame);
+    draw_selected_others(frame);
     draw_other_curves(frame);
+    draw_other_points(frame);
     return covered;
 }
 
@@ -84,6 +87,7 @@ void draw_lines_of_active_curve(CanvasFrame& frame, const render::DrawList& list
     if (frame.shows(Overlay::span_hulls)) marks.hulls = draw_span_hulls(frame);
     draw_views_below(frame);
     note_lines(frame, list, first);
+    draw_selected_active(frame);
     draw_lit_parts(frame);
     draw_active_curve(frame);
 }

@@ -15,6 +15,8 @@ constexpr double places_of_part = 0.25;  // for each pixel of the picture's widt
 constexpr double glow_width = 11.0;
 constexpr double ghost_share = 0.35;
 constexpr double other_share = 0.55;
+constexpr double locked_share = 0.35;
+constexpr double locked_active_share = 0.7;
 
 void draw_curve(CanvasFrame& frame, KeptCurve& kept, const Stroke& stroke) {
     draw_line(frame, seen_curve(frame, kept, stroke), stroke);
@@ -52,7 +54,7 @@ render::Color color_of(const core::DocumentCurve& item, const Theme& theme) {
 }
 
 render::Color color_of_other(const core::DocumentCurve& item, const Theme& theme) {
-    return render::blended(color_of(item, theme), other_share, theme.canvas);
+    return render::blended(color_of(item, theme), item.locked ? locked_share : other_share, theme.canvas);
 }
 
 void draw_part(CanvasFrame& frame, core::Interval range, const Stroke& stroke) {
@@ -71,7 +73,9 @@ void draw_lit_parts(CanvasFrame& frame) {
 }
 
 void draw_active_curve(CanvasFrame& frame) {
-    const render::Color color = color_of(*frame.state.shown().active_curve(), frame.theme);
+    const core::DocumentCurve& active = *frame.state.shown().active_curve();
+    const render::Color full = color_of(active, frame.theme);
+    const render::Color color = active.locked ? render::blended(full, locked_active_share, frame.theme.canvas) : full;
     draw_line(frame, frame.curve_line, {.color = color, .width = active_curve_width});
     // One arrow where there are no others.
     if (!frame.shows(Overlay::directions)) draw_direction(frame, color);

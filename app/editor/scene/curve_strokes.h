@@ -8,7 +8,7 @@ namespace batten::editor {
 /// The color of a curve, its own or that of the theme.
 render::Color color_of(const core::DocumentCurve& item, const Theme& theme);
 
-/// The color of a curve that is not the active one: dimmer.
+/// The color of a curve that is not the active one: dimmer, and more so where it is locked.
 render::Color color_of_other(const core::DocumentCurve& item, const Theme& theme);
 
 /// A part of the active curve, which should begin and end at knots; the frame must have a curve.
