@@ -2,8 +2,11 @@
 #include <imgui.h>
 
 #include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/group_commands.h"
+#include "app/editor/commands/selected_curve_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/tool_commands.h"
+#include "app/editor/state/selected_parts.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/panel_hover.h"
@@ -18,6 +21,7 @@ namespace {
 constexpr double curve_row_height = 25.0;
 constexpr double curve_overhang = 6.0;
 constexpr double icon_width = 26.0;
+constexpr double fold_width = 18.0;
 constexpr std::size_t most_curve_rows = 8;
 constexpr std::size_t swatches_in_row = 4;
 
@@ -30,14 +34,31 @@ render::Color shown_color(const PanelContext& context, const core::DocumentCurve
     return {curve.color->red, curve.color->green, curve.color->blue, 255};
 }
 
-void set_color(const PanelContext& context, std::size_t i, std::optional<core::DocumentColor> color) {
-    context.queue.run(editor::SetCurveColor{.index = i, .color = color});
+using Indices = std::vector<std::size_t>;
+
+/// The name of a widget of a row, "curve 3 color"; of the heading of a group by that name.
+std::string widget_name(const PanelContext& context, const CurveRow& row, const char* what) {
+    if (row.is_heading) return fmt::format("group {} {}", context.state.shown().curves[row.curve].group, what);
+    return fmt::format("curve {} {}", row.curve, what);
+}
+
+/// What the widgets of a row are about: the curve, or all of the group.
+Indices curves_of(const PanelContext& context, const CurveRow& row) {
+    const core::Document& document = context.state.shown();
+    return row.is_heading ? editor::curves_of_group(document, document.curves[row.curve].group) : Indices{row.curve};
+}
+
+void set_color(const PanelContext& context, const CurveRow& row, std::optional<core::DocumentColor> color) {
+    if (row.is_heading)
+        context.queue.run(editor::ColorCurves{.curves = curves_of(context, row), .color = color});
+    else
+        context.queue.run(editor::SetCurveColor{.index = row.curve, .color = color});
 }
 
 /// What was typed; a text that is no color is refused with a sentence.
-void set_typed_color(const PanelContext& context, std::size_t i, const std::string& text) {
+void set_typed_color(const PanelContext& context, const CurveRow& row, const std::string& text) {
     if (const auto color = core::color_of_text(text))
-        set_color(context, i, *color);
+        set_color(context, row, *color);
     else
         context.queue.change(editor::ShowRefusal{
             core::sentence("the color is '{text}'; it must be of the form #4c7fe0", {{"text", text}})});
@@ -54,7 +75,7 @@ bool draw_swatch(const PanelContext& context, const std::string& name, render::C
     return is_clicked;
 }
 
-void draw_typed_color(const PanelContext& context, std::size_t i, const core::DocumentCurve& curve) {
+void draw_typed_color(const PanelContext& context, const CurveRow& row, const core::DocumentCurve& curve) {
     TextField field;
     field.name = "color typed";
     field.shown = curve.color ? core::color_text(*curve.color) : "#";
@@ -63,10 +84,10 @@ void draw_typed_color(const PanelContext& context, std::size_t i, const core::Do
     field.tooltip = "Red, green and blue as #rrggbb";
     const TextEvents events = draw_text_field(context, field);
     if (events.begins) begin_typing(context.panels.field, events.id, field.shown);
-    if (events.typed) set_typed_color(context, i, *events.typed);
+    if (events.typed) set_typed_color(context, row, *events.typed);
 }
 
-void draw_color_popup(const PanelContext& context, std::size_t i, const core::DocumentCurve& curve) {
+void draw_color_popup(const PanelContext& context, const CurveRow& row, const core::DocumentCurve& curve) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(8), context.px(8)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(row_gap), context.px(row_gap)));
     if (ImGui::BeginPopup("colors")) {
@@ -75,82 +96,239 @@ void draw_color_popup(const PanelContext& context, std::size_t i, const core::Do
             if (k % swatches_in_row != 0) stay_in_row(context);
             const render::Color color = context.theme.palette[k];
             if (draw_swatch(context, fmt::format("color {}", k), color, context.px(26)))
-                set_color(context, i, document_color(color));
+                set_color(context, row, document_color(color));
         }
-        draw_typed_color(context, i, curve);
+        draw_typed_color(context, row, curve);
         Button none{"color none", "as the theme", Icon::none, context.px(4 * 26 + 3 * row_gap)};
         none.is_active = !curve.color;
-        if (draw_button(context, none)) set_color(context, i, std::nullopt);
+        if (draw_button(context, none)) set_color(context, row, std::nullopt);
         ImGui::EndPopup();
     }
     ImGui::PopStyleVar(2);
 }
 
-void draw_color(const PanelContext& context, std::size_t i, const core::DocumentCurve& curve, ImVec2 origin) {
+void draw_color(const PanelContext& context, const CurveRow& row, ImVec2 origin) {
+    const core::DocumentCurve& curve = context.state.shown().curves[row.curve];
     const float size = context.px(14);
     const float top = origin.y + 0.5F * (context.px(curve_row_height) - size);
-    ImGui::SetCursorScreenPos(ImVec2(origin.x + context.px(curve_overhang), top));
-    const std::string name = fmt::format("curve {} color", i);
-    if (draw_swatch(context, name, shown_color(context, curve), size)) ImGui::OpenPopup("colors");
-    draw_color_popup(context, i, curve);
+    ImGui::SetCursorScreenPos(ImVec2(origin.x, top));
+    if (draw_swatch(context, widget_name(context, row, "color"), shown_color(context, curve), size))
+        ImGui::OpenPopup("colors");
+    draw_color_popup(context, row, curve);
 }
 
-void draw_name(const PanelContext& context, std::size_t i, const core::DocumentCurve& curve, ImVec2 origin,
-               float right) {
+editor::SelectedParts wholes_of(const PanelContext& context, editor::SelectedParts parts, const Indices& curves) {
+    for (const std::size_t i : editor::selectable(context.state.shown(), curves))
+        parts = editor::with_part(std::move(parts), {i});
+    return parts;
+}
+
+void select(const PanelContext& context, const editor::SelectedParts& parts) {
+    context.queue.run(editor::SelectParts{.parts = editor::text_of_parts(parts)});
+}
+
+bool is_selected_whole(const editor::EditorState& state, std::size_t i) {
+    if (i == state.history.present().active) return state.selection.is_whole;
+    const editor::SelectedPart* part = editor::part_of(state.selection.others, i);
+    return part != nullptr && part->is_whole();
+}
+
+/// The curves in the rows between two, both included.
+Indices curves_between(const std::vector<CurveRow>& rows, std::size_t first, std::size_t last) {
+    Indices curves;
+    bool is_between = false;
+    for (const CurveRow& row : rows) {
+        if (row.is_heading) continue;
+        const bool is_end = row.curve == first || row.curve == last;
+        if (is_between || is_end) curves.push_back(row.curve);
+        if (is_end && first != last) is_between = !is_between;
+    }
+    return curves;
+}
+
+/// Ctrl takes the curve in or out, Shift takes all from the one that was clicked before.
+void click_curve(const PanelContext& context, std::size_t i) {
+    CurveListState& list = context.panels.inspector.curves;
+    const std::size_t active = context.state.shown().active;
+    const std::size_t anchor = list.anchor.value_or(active);
+    if (ImGui::GetIO().KeyShift) return select(context, wholes_of(context, {}, curves_between(list.rows, anchor, i)));
+    list.anchor = i;
+    if (!ImGui::GetIO().KeyCtrl) {
+        if (i != active)
+            context.queue.run(editor::ActivateCurve{.index = i});
+        else if (context.state.selection.is_over_curves())
+            context.queue.run(editor::SelectNone{});
+        return;
+    }
+    editor::SelectedParts parts = editor::selected_parts(context.state);
+    if (is_selected_whole(context.state, i)) return select(context, editor::without_part(std::move(parts), {i}));
+    if (parts.empty() && i != active) parts = wholes_of(context, {}, {active});
+    select(context, editor::with_part(std::move(parts), {i}));
+}
+
+void click_group(const PanelContext& context, const CurveRow& row) {
+    const bool adds = ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl;
+    select(context, wholes_of(context, adds ? editor::selected_parts(context.state) : editor::SelectedParts{},
+                              curves_of(context, row)));
+}
+
+/// Begins to drag the entry that was drawn last.
+void follow_drag(const PanelContext& context, std::size_t i) {
+    CurveListState& list = context.panels.inspector.curves;
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) list.dragged = i;
+}
+
+TextField name_field(const PanelContext& context, const CurveRow& row, float width_px) {
+    const core::DocumentCurve& curve = context.state.shown().curves[row.curve];
     TextField field;
-    field.name = fmt::format("curve {} name", i);
-    field.shown = curve.name;
-    const float left = origin.x + context.px(curve_overhang + 24);
-    field.width_px = right - left - context.px(row_gap);
+    field.name = widget_name(context, row, "name");
+    field.shown = row.is_heading ? curve.group : curve.name;
+    field.width_px = width_px;
     field.height = curve_row_height;
-    field.font = context.fonts.text;
+    field.font = row.is_heading ? context.fonts.bold : context.fonts.text;
     field.has_frame = false;
     field.needs_double_click = true;
-    field.tooltip = "Click to make it the active curve, double-click to rename it";
-    ImGui::SetCursorScreenPos(ImVec2(left, origin.y));
-    const TextEvents events = draw_text_field(context, field);
-    if (events.begins) begin_typing(context.panels.field, events.id, curve.name);
-    if (events.typed) context.queue.run(editor::RenameCurve{.index = i, .name = *events.typed});
-    if (events.is_clicked && context.state.shown().active != i) context.queue.run(editor::ActivateCurve{.index = i});
+    field.tooltip = row.is_heading ? "Click to select the group, double-click to rename it"
+                                   : "Click to make it the active curve, with Ctrl or Shift to select several; "
+                                     "double-click to rename it, drag to move it in the list";
+    return field;
 }
 
-void draw_switches(const PanelContext& context, std::size_t i, const core::DocumentCurve& curve, ImVec2 origin,
-                   float left) {
-    ImGui::SetCursorScreenPos(ImVec2(left, origin.y + context.px(0.5)));
-    Button eye{fmt::format("curve {} visible", i), "", curve.visible ? Icon::eye : Icon::closed_eye,
+void draw_name(const PanelContext& context, const CurveRow& row, ImVec2 origin, float right) {
+    const TextField field = name_field(context, row, right - origin.x - context.px(row_gap));
+    ImGui::SetCursorScreenPos(origin);
+    const TextEvents events = draw_text_field(context, field);
+    if (!row.is_heading && !is_typing(context.panels.field, events.id)) follow_drag(context, row.curve);
+    if (events.begins) begin_typing(context.panels.field, events.id, field.shown);
+    if (events.typed && row.is_heading)
+        context.queue.run(editor::RenameGroup{.group = field.shown, .name = *events.typed});
+    else if (events.typed)
+        context.queue.run(editor::RenameCurve{.index = row.curve, .name = *events.typed});
+    if (events.is_clicked && row.is_heading)
+        click_group(context, row);
+    else if (events.is_clicked)
+        click_curve(context, row.curve);
+}
+
+void set_visible(const PanelContext& context, const CurveRow& row, bool is_visible) {
+    const Indices curves = curves_of(context, row);
+    if (!row.is_heading)
+        context.queue.run(editor::SetCurveVisible{.index = row.curve, .visible = is_visible});
+    else if (is_visible)
+        context.queue.run(editor::ShowCurves{.curves = curves});
+    else
+        context.queue.run(editor::HideCurves{.curves = curves});
+}
+
+void set_locked(const PanelContext& context, const CurveRow& row, bool is_locked) {
+    const Indices curves = curves_of(context, row);
+    if (!row.is_heading)
+        context.queue.run(editor::SetCurveLocked{.index = row.curve, .locked = is_locked});
+    else if (is_locked)
+        context.queue.run(editor::LockCurves{.curves = curves});
+    else
+        context.queue.run(editor::UnlockCurves{.curves = curves});
+}
+
+void draw_switches(const PanelContext& context, const CurveRow& row, ImVec2 left) {
+    const core::DocumentCurve& curve = context.state.shown().curves[row.curve];
+    ImGui::SetCursorScreenPos(ImVec2(left.x, left.y + context.px(0.5)));
+    Button eye{widget_name(context, row, "visible"), "", curve.visible ? Icon::eye : Icon::closed_eye,
                context.px(icon_width)};
     eye.has_frame = false;
     eye.tooltip = curve.visible ? "Shown; click to hide" : "Hidden; click to show";
-    if (draw_button(context, eye)) context.queue.run(editor::SetCurveVisible{.index = i, .visible = !curve.visible});
+    if (draw_button(context, eye)) set_visible(context, row, !curve.visible);
     stay_in_row(context, 0.0);
-    Button lock{fmt::format("curve {} locked", i), "", curve.locked ? Icon::lock : Icon::open_lock,
+    Button lock{widget_name(context, row, "locked"), "", curve.locked ? Icon::lock : Icon::open_lock,
                 context.px(icon_width)};
     lock.has_frame = false;
     lock.tooltip = curve.locked ? "Locked; click to allow edits" : "Click to lock against edits";
-    if (draw_button(context, lock)) context.queue.run(editor::SetCurveLocked{.index = i, .locked = !curve.locked});
+    if (draw_button(context, lock)) set_locked(context, row, !curve.locked);
 }
 
-void draw_curve_row(const PanelContext& context, std::size_t i, float width) {
-    const core::DocumentCurve& curve = context.state.shown().curves[i];
+/// Folds and unfolds a group.
+void draw_fold_button(const PanelContext& context, const CurveRow& row) {
+    const std::string& group = context.state.shown().curves[row.curve].group;
+    std::set<std::string>& folded = context.panels.inspector.curves.folded_groups;
+    const bool is_open = !folded.contains(group);
+    const std::string name = widget_name(context, row, "fold");
+    if (ImGui::InvisibleButton(name.c_str(), ImVec2(context.px(fold_width), context.px(curve_row_height)))) {
+        if (is_open)
+            folded.insert(group);
+        else
+            folded.erase(group);
+    }
+    report_item(context, name, is_open ? "open" : "folded");
+    const ImVec2 lower = ImGui::GetItemRectMin();
+    const ImVec2 upper = ImGui::GetItemRectMax();
+    draw_fold_mark(context, ImVec2(0.5F * (lower.x + upper.x), 0.5F * (lower.y + upper.y)), is_open);
+}
+
+void draw_row_back(const PanelContext& context, const CurveRow& row, ImVec2 origin, ImVec2 end) {
+    if (row.is_heading) return;
+    const bool is_active = context.state.shown().active == row.curve;
+    const bool is_hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(origin, end);
+    if (is_hovered && !is_active) wish_hover(context, editor::HoveredOtherCurve{row.curve});
+    if (is_hovered && asks_for_menu()) open_context_menu(context, editor::OnCurve{row.curve});
+    const bool is_lit = context.state.hover == editor::Hover(editor::HoveredOtherCurve{row.curve});
+    const bool is_selected = is_selected_whole(context.state, row.curve);
+    if (!is_active && !is_lit && !is_selected) return;
+    const double share = is_active ? 0.17 : is_selected ? 0.12 : 0.08;
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        origin, end, imgui_packed(render::blended(context.theme.accent, share, context.theme.panel)), context.px(5));
+    if (is_selected)
+        ImGui::GetWindowDrawList()->AddRectFilled(origin, ImVec2(origin.x + context.px(3), end.y),
+                                                  imgui_packed(context.theme.accent));
+}
+
+/// Where the dragged entry would go, while the pointer is on row `r`; near the edges the list scrolls.
+void follow_drop(const PanelContext& context, std::size_t r, ImVec2 origin, ImVec2 end) {
+    CurveListState& list = context.panels.inspector.curves;
+    if (!list.dragged) return;
+    const float y = ImGui::GetIO().MousePos.y;
+    const float middle = 0.5F * (origin.y + end.y);
+    const float line = y < middle ? origin.y : end.y;
+    if (y < origin.y || y >= end.y) return;
+    list.slot = y < middle ? r : r + 1;
+    ImGui::GetWindowDrawList()->AddLine(ImVec2(origin.x, line), ImVec2(end.x, line), imgui_packed(context.theme.accent),
+                                        context.px(2));
+    const float top = ImGui::GetWindowPos().y;
+    const float reach = 0.5F * context.px(curve_row_height);
+    if (y < top + reach) ImGui::SetScrollY(ImGui::GetScrollY() - 0.25F * reach);
+    if (y > top + ImGui::GetWindowHeight() - reach) ImGui::SetScrollY(ImGui::GetScrollY() + 0.25F * reach);
+}
+
+void draw_curve_row(const PanelContext& context, std::size_t r, float width) {
+    const CurveRow row = context.panels.inspector.curves.rows[r];
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const ImVec2 end(origin.x + width, origin.y + context.px(curve_row_height));
-    const bool is_active = context.state.shown().active == i;
-    const bool is_hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(origin, end);
-    if (is_hovered && !is_active) wish_hover(context, editor::HoveredOtherCurve{i});
-    if (is_hovered && asks_for_menu()) open_context_menu(context, editor::OnCurve{i});
-    const bool is_lit = context.state.hover == editor::Hover(editor::HoveredOtherCurve{i});
-    if (is_active || is_lit) {
-        const render::Color color = render::blended(context.theme.accent, is_active ? 0.17 : 0.08, context.theme.panel);
-        ImGui::GetWindowDrawList()->AddRectFilled(origin, end, imgui_packed(color), context.px(5));
-    }
-    ImGui::PushID(static_cast<int>(i));
+    draw_row_back(context, row, origin, end);
+    ImGui::PushID(static_cast<int>(r));
+    if (row.is_heading) draw_fold_button(context, row);
+    const float indent = row.is_heading || row.is_member ? context.px(fold_width) : 0.0F;
+    const float left = origin.x + context.px(curve_overhang) + indent;
     const float right = end.x - context.px(curve_overhang) - 2.0F * context.px(icon_width);
-    draw_color(context, i, curve, origin);
-    draw_name(context, i, curve, origin, right);
-    draw_switches(context, i, curve, origin, right);
+    draw_color(context, row, ImVec2(left, origin.y));
+    draw_name(context, row, ImVec2(left + context.px(24), origin.y), right);
+    draw_switches(context, row, ImVec2(right, origin.y));
     ImGui::PopID();
+    follow_drop(context, r, origin, end);
     ImGui::SetCursorScreenPos(origin);
     ImGui::Dummy(ImVec2(width, context.px(curve_row_height)));
+}
+
+/// Moves the dragged entry where it is let go; Escape drops the drag.
+void finish_drag(const PanelContext& context) {
+    CurveListState& list = context.panels.inspector.curves;
+    if (!list.dragged || (ImGui::IsMouseDown(ImGuiMouseButton_Left) && !is_pressed(context, editor::Key::escape)))
+        return;
+    const core::Document& document = context.state.history.present();
+    const bool is_there = *list.dragged < document.curves.size() && list.slot && *list.slot <= list.rows.size();
+    if (is_there && !ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        if (auto command = dropped_curve(document, list.rows, *list.dragged, *list.slot))
+            context.queue.run(*std::move(command));
+    list.dragged.reset();
+    list.slot.reset();
 }
 
 void draw_buttons(const PanelContext& context) {
@@ -169,9 +347,12 @@ void draw_buttons(const PanelContext& context) {
 void draw_curves_section(const PanelContext& context) {
     const std::size_t count = context.state.shown().curves.size();
     if (draw_section_heading(context, {"curves", "Curves", std::to_string(count), false})) {
+        CurveListState& list = context.panels.inspector.curves;
+        list.rows = curve_rows(context.state.shown(), list.folded_groups);
         if (count > 0)
-            draw_row_list(context, {"curves", count, most_curve_rows, curve_row_height, curve_overhang},
+            draw_row_list(context, {"curves", list.rows.size(), most_curve_rows, curve_row_height, curve_overhang},
                           draw_curve_row);
+        finish_drag(context);
         draw_buttons(context);
     }
     add_space(context, 6);

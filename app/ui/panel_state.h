@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "app/editor/pointer/pointer.h"
 #include "app/editor/state/overlay.h"
 #include "app/editor/state/selection.h"
+#include "app/ui/curve_rows.h"
 #include "app/ui/file_choice.h"
 #include "app/ui/frame.h"
 #include "core/document/document.h"
@@ -129,11 +131,21 @@ struct CardsState {
     std::optional<Rectangle> placed;        ///< where on the canvas they were moved to by hand
 };
 
+/// What the list of curves remembers.
+struct CurveListState {
+    std::vector<CurveRow> rows;  ///< of this frame
+    std::set<std::string> folded_groups;
+    std::optional<std::size_t> dragged{};  ///< the curve whose entry is dragged
+    std::optional<std::size_t> slot{};     ///< the row before which it would be dropped
+    std::optional<std::size_t> anchor{};   ///< the curve from which Shift selects
+};
+
 /// What the inspector remembers.
 struct InspectorState {
     std::map<std::string, bool> open_sections;  ///< those that were folded or unfolded by hand
     std::vector<std::size_t> followed_points;   ///< the selection that the table was last scrolled to
     std::optional<std::size_t> followed_knot;
+    CurveListState curves;
     std::optional<double> insert_at;    ///< none: at the current parameter
     std::optional<double> inserted_at;  ///< where Enter inserted a knot last
     std::optional<float> insert_row_y;  ///< of the row in the list of sections, while the pointer is on it

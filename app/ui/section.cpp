@@ -22,17 +22,6 @@ bool is_open(const PanelContext& context, const Section& section) {
     return found == sections.end() ? section.is_open_at_first : found->second;
 }
 
-/// A small triangle in the margin; only where it says something.
-void draw_fold_mark(const PanelContext& context, ImVec2 center, bool is_open) {
-    const auto at = [&](double x, double y) { return ImVec2(center.x + context.px(x), center.y + context.px(y)); };
-    const ImU32 color = imgui_packed(context.theme.dim);
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    if (is_open)
-        list->AddTriangleFilled(at(-3.5, -1.8), at(3.5, -1.8), at(0, 2.6), color);
-    else
-        list->AddTriangleFilled(at(-1.8, -3.5), at(2.6, 0), at(-1.8, 3.5), color);
-}
-
 ImVec2 heading_size(const PanelContext& context) {
     return {content_width(context), context.px(heading_height)};
 }
@@ -61,6 +50,16 @@ float row_label_room(const PanelContext& context) {
 }
 
 }  // namespace
+
+void draw_fold_mark(const PanelContext& context, ImVec2 center, bool is_open) {
+    const auto at = [&](double x, double y) { return ImVec2(center.x + context.px(x), center.y + context.px(y)); };
+    const ImU32 color = imgui_packed(context.theme.dim);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    if (is_open)
+        list->AddTriangleFilled(at(-3.5, -1.8), at(3.5, -1.8), at(0, 2.6), color);
+    else
+        list->AddTriangleFilled(at(-1.8, -3.5), at(2.6, 0), at(-1.8, 3.5), color);
+}
 
 bool draw_section_heading(const PanelContext& context, const Section& section) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();

@@ -1,6 +1,8 @@
 /// Headings and rows that the sections of the inspector have in common.
 #pragma once
 
+#include <imgui.h>
+
 #include <string>
 
 #include "app/ui/panels.h"
@@ -18,6 +20,9 @@ struct Section {
     std::string info;   ///< dim, at the right; rich text
     bool is_open_at_first = true;
 };
+
+/// A small triangle that tells whether what is below is open or folded.
+void draw_fold_mark(const PanelContext& context, ImVec2 center, bool is_open);
 
 /// Draws the heading with the line below; a click folds the section. Returns whether it is open.
 bool draw_section_heading(const PanelContext& context, const Section& section);
