@@ -40,6 +40,8 @@ Block mouse_block() {
              {"Escape", "leave the tool"},
              {"Click, Shift + click", "select points"},
              {"Drag on nothing", "select by a box"},
+             {"Ctrl + drag on nothing", "select of all curves"},
+             {"Shift + click a curve", "select it, too"},
              {"Drag a point", "move the selection"},
              {"Ctrl while dragging", "snap to the grid"},
              {"Shift while dragging", "keep to one axis"},
