@@ -168,10 +168,14 @@ def shown(view, binary, display, artifacts):
             yield editor
 
 
+def shrink(picture, colors=128):
+    # A palette without dithering keeps the folder small, and the picture the same in every run.
+    subprocess.run(["convert", picture, "+dither", "-colors", str(colors), "-strip", f"PNG8:{picture}"], check=True)
+
+
 def take_picture(editor, name):
     picture = editor.screenshot(name)
-    # A palette without dithering keeps the folder small, and the picture the same in every run.
-    subprocess.run(["convert", picture, "+dither", "-colors", "128", "-strip", f"PNG8:{picture}"], check=True)
+    shrink(picture)
     print(picture)
 
 
