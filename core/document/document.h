@@ -45,6 +45,7 @@ struct DocumentCurve {
     /// Which color of a palette each control point has, where that is not the one of its index; files do not have it.
     std::shared_ptr<const std::vector<std::uint8_t>> point_hues{};
     std::shared_ptr<const FitPoints> fit{};  ///< of which the curve is made (core/make/fit_points.h); null for others
+    std::string unknown_fit_members{};       ///< likewise, of the fit points
     std::string group{};                     ///< the name that all curves of its group have; empty where it is in none
 };
 
@@ -70,6 +71,7 @@ struct Document {
     std::vector<Guide> guides;      ///< lines that points are put on
     DocumentView view;
     std::string unknown_members;
+    std::size_t lost_fits = 0;  ///< how many curves of its file had fit points that do not give them; not written
 
     const DocumentCurve* active_curve() const { return active < curves.size() ? &curves[active] : nullptr; }
 };

@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 
+#include "app/editor/commands/joint_report.h"
 #include "app/editor/lesson/lesson_steps.h"
 #include "app/editor/pointer/fit_view.h"
 #include "app/editor/state/dialog.h"
@@ -69,12 +71,24 @@ void take_view(View& view, const core::Document& document) {
     }
 }
 
+// That a file was opened, and what of it could not be kept.
+std::string told_of_opening(std::string done, std::size_t lost_fits) {
+    if (lost_fits == 0) return done;
+    const std::string lost =
+        sentence({.one = "one curve does not go through its fit points, so that it is an ordinary curve now",
+                  .many = "{count} curves do not go through their fit points, so that they are ordinary curves now"},
+                 lost_fits);
+    return *told_in_turn(std::array{std::move(done), lost});
+}
+
 Outcome<void> open_file(EditorState& state, const fs::path& path) {
     Outcome<core::Document> document = load(path, state.progress, state.points_read);
     if (!document) return tl::unexpected(document.error());
+    const std::size_t lost_fits = document->lost_fits;
     show_document(state, *std::move(document), path);
     remember(state.recent_files, path);
-    state.message = {sentence("Opened {file}", {{"file", path.filename().string()}}), false};
+    state.message = {told_of_opening(sentence("Opened {file}", {{"file", path.filename().string()}}), lost_fits),
+                     false};
     return {};
 }
 

@@ -57,7 +57,7 @@ bool are_near(std::span<const double> a, std::span<const double> b, double toler
 
 }  // namespace
 
-FileResult<FitPoints> read_fit(Json& value, const std::string& pointer) {
+FileResult<FitMember> read_fit(Json& value, const std::string& pointer) {
     ObjectReader reader(value, pointer);
     FitPoints fit;
     FitMembers members;
@@ -74,7 +74,7 @@ FileResult<FitPoints> read_fit(Json& value, const std::string& pointer) {
     fit.points = points_of(members);
     if (const auto check = check_fit_points(fit); !check)
         return tl::unexpected(FileError{place_of_error(reader, check.error()), describe(check.error())});
-    return fit;
+    return FitMember{std::move(fit), reader.unknown_members()};
 }
 
 Json json_of_fit(const FitPoints& fit) {

@@ -8,8 +8,13 @@
 
 namespace batten::core {
 
+struct FitMember {
+    FitPoints fit;
+    std::string unknown_members;  ///< as a JSON object; empty if none
+};
+
 /// The fit points that the object `value` at `pointer` holds, checked completely.
-[[nodiscard]] FileResult<FitPoints> read_fit(Json& value, const std::string& pointer);
+[[nodiscard]] FileResult<FitMember> read_fit(Json& value, const std::string& pointer);
 
 /// The object that read_fit reads back to equal points.
 Json json_of_fit(const FitPoints& fit);

@@ -144,7 +144,21 @@ void read_symmetry(ObjectReader& curve_reader, DocumentCurve& entry) {
     curve_reader.note(reader.error());
 }
 
-FileResult<DocumentCurve> read_curve(Json& object, const std::string& pointer) {
+// Needs the curve, which is what counts: where it was changed without its points, it is made of them no more.
+void read_curve_fit(ObjectReader& reader, DocumentCurve& entry, std::size_t& lost_fits) {
+    Json* value = reader.find("fit");
+    if (value == nullptr) return;
+    auto member = read_fit(*value, reader.place("fit"));
+    if (!member) return reader.note(member.error());
+    if (!is_curve_of(member->fit, *entry.curve)) {
+        ++lost_fits;
+        return;
+    }
+    entry.fit = std::make_shared<const FitPoints>(std::move(member->fit));
+    entry.unknown_fit_members = std::move(member->unknown_members);
+}
+
+FileResult<DocumentCurve> read_curve(Json& object, const std::string& pointer, std::size_t& lost_fits) {
     ObjectReader reader(object, pointer);
     DocumentCurve entry;
     CurveDefinition definition;
@@ -161,12 +175,7 @@ FileResult<DocumentCurve> read_curve(Json& object, const std::string& pointer) {
     auto curve = make_curve(std::move(definition), kind);
     if (!curve) return tl::unexpected(FileError{place_of(pointer, curve.error()), describe(curve.error())});
     entry.curve = std::make_shared<const Curve>(std::move(*curve));
-    if (Json* value = reader.find("fit")) {
-        auto fit = read_fit(*value, reader.place("fit"));
-        if (!fit) return tl::unexpected(fit.error());
-        // The curve is what counts: where it was changed without its points, it is made of them no more.
-        if (is_curve_of(*fit, *entry.curve)) entry.fit = std::make_shared<const FitPoints>(*std::move(fit));
-    }
+    read_curve_fit(reader, entry, lost_fits);
     read_pinned(reader, entry);
     read_symmetry(reader, entry);
     if (reader.error()) return tl::unexpected(*reader.error());
@@ -187,14 +196,14 @@ void read_format(ObjectReader& reader) {
                                        {{"found", reader.find("version")->dump()}, {"known", format_version}})});
 }
 
-void read_curves(ObjectReader& reader, std::vector<DocumentCurve>& curves) {
+void read_curves(ObjectReader& reader, Document& document) {
     Json* list = reader.find("curves");
     if (!list) return;
     if (!list->is_array()) return reader.note(wrong_value(reader.place("curves"), *list, "a list of curves"));
     for (std::size_t i = 0; i < list->size(); ++i) {
-        auto curve = read_curve((*list)[i], place_in(reader.place("curves"), i));
+        auto curve = read_curve((*list)[i], place_in(reader.place("curves"), i), document.lost_fits);
         if (!curve) return reader.note(curve.error());
-        curves.push_back(std::move(*curve));
+        document.curves.push_back(std::move(*curve));
     }
 }
 
@@ -249,6 +258,7 @@ Guide read_guide(ObjectReader& reader) {
     Guide guide;
     reader.required("point", guide.point);
     reader.required("angle", guide.angle);
+    guide.unknown_members = reader.unknown_members();
     if (reader.error()) return guide;
     if (!(guide.angle >= 0.0 && guide.angle < half_turn))
         reader.note(wrong_value(reader.place("angle"), *reader.find("angle"), "from 0 up to but not 180"));
@@ -297,7 +307,7 @@ FileResult<Document> read_document(TextStream& text, const PointsRead& points_re
     read_format(reader);
     reader.optional("title", document.title);
     reader.optional("description", document.description);
-    read_curves(reader, document.curves);
+    read_curves(reader, document);
     read_pictures(reader, document.pictures);
     read_guides(reader, document.guides);
     read_view(reader, document);

@@ -51,7 +51,10 @@ Json json_of(const DocumentCurve& entry) {
     object["periodic"] = curve.is_periodic();
     object["kind"] = name_of(curve.knots().kind());
     if (tears_of(entry) == Tears::allow) object["tears"] = true;
-    if (entry.fit != nullptr) object["fit"] = json_of_fit(*entry.fit);
+    if (entry.fit != nullptr) {
+        object["fit"] = json_of_fit(*entry.fit);
+        add_unknown_members(object["fit"], entry.unknown_fit_members);
+    }
     if (entry.color) object["color"] = color_text(*entry.color);
     object["visible"] = entry.visible;
     object["locked"] = entry.locked;
@@ -89,6 +92,7 @@ Json json_of(const Guide& guide) {
     Json object = Json::object();
     object["point"] = Json::array({number(guide.point.x), number(guide.point.y)});
     object["angle"] = number(guide.angle);
+    add_unknown_members(object, guide.unknown_members);
     return object;
 }
 

@@ -42,6 +42,24 @@ const std::string small = R"({"format": "batten", "version": 1, "curves": [{"deg
 
 }  // namespace
 
+TEST(FitMember, keeps_members_that_it_does_not_know) {
+    const std::string text = replaced(small, "\"kind\": \"c2\"", "\"kind\": \"c2\", \"source\": {\"table\": [1, 2]}");
+    const auto document = parse_document(text);
+    ASSERT_TRUE(document && document->curves[0].fit != nullptr);
+    EXPECT_EQ(document->curves[0].unknown_fit_members, R"({"source":{"table":[1,2]}})");
+    const std::string written = format_document(*document);
+    EXPECT_NE(written.find("\"source\""), std::string::npos) << written;
+    EXPECT_EQ(format_document(parse_document(written).value()), written);
+    EXPECT_EQ(document->lost_fits, 0U);
+}
+
+TEST(FitMember, of_another_curve_is_counted_as_lost) {
+    const auto document = parse_document(replaced(small, "[1,0],[2,0]", "[1,0],[2,0.1]"));
+    ASSERT_TRUE(document);
+    EXPECT_EQ(document->curves[0].fit, nullptr);
+    EXPECT_EQ(document->lost_fits, 1U);
+}
+
 TEST(FitMember, comes_back_bit_by_bit) {
     for (const FitKind kind : {FitKind::c2, FitKind::local, FitKind::fair})
         for (const bool closed : {false, true}) {

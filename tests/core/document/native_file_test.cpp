@@ -206,11 +206,12 @@ TEST(NativeFormat, kind_is_believed_only_when_the_values_have_it) {
 }
 
 TEST(NativeFormat, unknown_members_stay_on_every_level) {
-    const std::string text = R"({"format": "batten", "version": 1, "maker": {"name": "x"}, "curves": [{)" +
-                             plain_members +
-                             R"(, "tags": [1, "two", null, [3]]}], "view": {"zoom": 2.50, "parameter": 1}})";
+    const std::string text =
+        R"({"format": "batten", "version": 1, "maker": {"name": "x"}, "curves": [{)" + plain_members +
+        R"(, "tags": [1, "two", null, [3]]}], "guides": [{"point": [1, 2], "angle": 30, "ink": "blue"}], "view": {"zoom": 2.50, "parameter": 1}})";
     const std::string formatted = format_document(parse_document(text).value());
-    for (const char* part : {"\"maker\": {\n    \"name\": \"x\"\n  }", "\"zoom\": 2.5", "\"tags\": [\n", "\"two\""})
+    for (const char* part :
+         {"\"maker\": {\n    \"name\": \"x\"\n  }", "\"zoom\": 2.5", "\"tags\": [\n", "\"two\"", "\"ink\": \"blue\""})
         EXPECT_NE(formatted.find(part), std::string::npos) << part << " in\n" << formatted;
     EXPECT_EQ(format_document(parse_document(formatted).value()), formatted);
 }

@@ -55,6 +55,20 @@ TEST_F(FileCommands, open_a_file) {
     EXPECT_EQ(state().parameter(), 0.5);
 }
 
+TEST_F(FileCommands, open_tells_of_fit_points_that_are_not_of_their_curve) {
+    const std::string lost = R"({"degree":3,"knots":[0,0,0,0,3,3,3,3],"points":[[0,0],[1,0],[2,0.1],[3,0]],
+        "fit":{"kind":"c2","points":[[0,0],[3,0]],"parameters":[0,3]}})";
+    const auto opened = [&](const std::string& curves) {
+        EXPECT_TRUE(run(
+            Open{.path = folder_.write("lost.json", R"({"format":"batten","version":1,"curves":[)" + curves + "]}")}));
+        return state().message.text;
+    };
+    EXPECT_EQ(opened(lost),
+              "Opened lost.json; one curve does not go through its fit points, so that it is an ordinary curve now");
+    EXPECT_EQ(opened(lost + "," + lost),
+              "Opened lost.json; 2 curves do not go through their fit points, so that they are ordinary curves now");
+}
+
 TEST_F(FileCommands, open_with_the_view_of_the_file) {
     const fs::path path = folder_.write("view.json", R"({"format":"batten","version":1,"curves":[
         {"degree":1,"knots":[0,0,2,2],"points":[[0,0],[1,1]]}], "view": {"parameter": 0.25, "overlays": ["grid","hodograph"]}})");
