@@ -140,7 +140,7 @@ class GesturesTest(WindowTest):
             editor.click(*place)
         editor.key("Return")
         drawn = editor.wait(lambda state: state["curve_count"] == 2 and state["is_settled"], "the curve")
-        self.assertEqual(len(drawn["points"]), 3)
+        self.assertEqual(len(drawn["points"]), 5)
         self.assertAlmostEqual(drawn["points"][0]["x"], at(300, 300)[0], delta=0.01)
         self.assertEqual(drawn["tool"], "select")
 

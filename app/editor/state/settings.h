@@ -29,7 +29,7 @@ struct Settings {
     Notation notation;
     core::KnotMove knot_move = core::KnotMove::snap;
     SnapSettings snap;
-    PenMode pen_mode = PenMode::control_points;
+    PenMode pen_mode = PenMode::through_c2;
     bool inspector_is_open = true;
     bool dock_is_open = true;
     double inspector_width = 340.0;

@@ -86,7 +86,7 @@ struct View {
     std::bitset<5> hidden_answers;             ///< to the questions about knots, by KnotQuestion
     int smoothness = core::usual_smoothness;   ///< of the next stroke of the pencil
     core::KnotMove knot_move = core::KnotMove::snap;
-    PenMode pen_mode = PenMode::control_points;
+    PenMode pen_mode = PenMode::through_c2;
     SnapSettings snap;
     ShapeKind shape_kind = ShapeKind::line;  ///< what the shape tool draws
     std::size_t polygon_sides = 6;           ///< of its polygons

@@ -8,6 +8,7 @@
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/commands/view_commands.h"
 #include "core/evaluate/evaluate.h"
+#include "core/make/fit_points.h"
 #include "core/measure/deviation.h"
 #include "tests/editor/canvas_fixture.h"
 
@@ -219,11 +220,14 @@ TEST_F(CanvasPress, draw_tool_makes_a_curve_of_its_clicks) {
     pointer.double_click(px(2, 1));
     EXPECT_TRUE(is_in<CanvasIdle>());
     ASSERT_EQ(state().history.present().curves.size(), 2U);
-    const core::Curve& drawn = committed(editor);
-    ASSERT_EQ(drawn.control_points().size(), 3U);
-    EXPECT_EQ(drawn.control_points()[0], core::Point(-1, 1));
-    EXPECT_EQ(drawn.control_points()[1], core::Point(0, 3));
-    EXPECT_EQ(drawn.control_points()[2], core::Point(2, 1));
+    // The pen is at first the one through points, C2.
+    ASSERT_NE(state().history.present().active_curve()->fit, nullptr);
+    const core::FitPoints& drawn = *state().history.present().active_curve()->fit;
+    EXPECT_EQ(drawn.kind, core::FitKind::c2);
+    ASSERT_EQ(drawn.points.size(), 3U);
+    EXPECT_EQ(drawn.points[0].place, core::Point(-1, 1));
+    EXPECT_EQ(drawn.points[1].place, core::Point(0, 3));
+    EXPECT_EQ(drawn.points[2].place, core::Point(2, 1));
     EXPECT_EQ(steps(), 1U);
     EXPECT_EQ(state().tool, Tool::select);
 }

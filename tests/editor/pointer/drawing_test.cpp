@@ -181,7 +181,7 @@ TEST_F(Drawing, a_bezier_path_is_closed_by_a_click) {
 }
 
 TEST_F(Drawing, the_mode_is_kept_and_chosen_with_the_pen) {
-    EXPECT_EQ(state().view.pen_mode, PenMode::control_points);
+    EXPECT_EQ(state().view.pen_mode, PenMode::through_c2);
     editor.run(UsePen<PenMode::bezier>{});
     EXPECT_EQ(state().view.pen_mode, PenMode::bezier);
     EXPECT_EQ(state().tool, Tool::draw_curve);
