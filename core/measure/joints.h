@@ -25,10 +25,10 @@ struct Joint {
     int level = -1;     ///< as smoothness_of() says, 3 for G3
 };
 
-/// The ends that are nearer to each other than `tolerance` (> 0), each pair of them once, and the knots and seams at
-/// which a curve is less smooth than G2 by its shape; in the order of the curves and their parameters, knots of a curve
-/// before its ends. A level counts gaps up to 1e-9 of the size of both curves as none. Cost O(n p^3) and O(m log m) for
-/// m ends that are not near each other.
+/// Each end with the one nearest to it within `tolerance` (> 0) and with all that it meets, each pair once; and the
+/// knots and seams at which a curve is less smooth than G2 by its shape; in the order of the curves and their
+/// parameters, knots of a curve before its ends. A level counts gaps up to 1e-9 of the size of both curves as none.
+/// Cost O(n p^3) and O(m log m) for m ends that lie about evenly.
 std::vector<Joint> joints_of(std::span<const Curve* const> curves, double tolerance);
 
 }  // namespace batten::core

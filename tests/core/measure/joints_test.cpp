@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -74,6 +75,42 @@ TEST(Joints, of_one_ring_is_where_its_ends_meet) {
     const Curve teeth =
         Curve::make({.degree = 1, .knots = {0, 1, 2, 3}, .points = {{0, 0}, {1, 0}, {0, 1}}, .periodic = true}).value();
     EXPECT_EQ(joints_of(std::vector<const Curve*>{&teeth}, 1e-6).size(), 3u);
+}
+
+TEST(Joints, are_those_of_each_end_with_the_nearest_one_and_with_all_that_it_meets) {
+    // Three lines end in (0, 0), a fourth 0.25 above, a fifth 1 to the right of that.
+    std::vector<Curve> lines;
+    for (const Point far : {Point(-9, 0), Point(0, -9), Point(-9, -9)}) lines.push_back(line(far, {0, 0}).value());
+    lines.push_back(line({0, 0.25}, {0, 90}).value());
+    lines.push_back(line({1, 0.25}, {90, 0.25}).value());
+    std::vector<const Curve*> curves;
+    for (const Curve& curve : lines) curves.push_back(&curve);
+    const auto pairs = [&](double tolerance) {
+        std::vector<std::pair<std::size_t, std::size_t>> found;
+        for (const Joint& joint : joints_of(curves, tolerance))
+            found.emplace_back(joint.first.curve, joint.second.curve);
+        return found;
+    };
+    using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+    EXPECT_EQ(pairs(1e-6), (Pairs{{0, 1}, {0, 2}, {1, 2}}));
+    const Pairs near = pairs(1.0);
+    EXPECT_EQ(near.size(), 5U);
+    EXPECT_TRUE(std::ranges::find(near, std::pair<std::size_t, std::size_t>(3, 4)) != near.end());
+    EXPECT_EQ(std::ranges::count_if(near, [](auto pair) { return pair.first < 3 && pair.second == 3; }), 1);
+}
+
+TEST(Joints, of_a_thousand_curves_within_any_distance_are_no_more_than_ends) {
+    std::vector<Curve> lines;
+    for (int k = 0; k < 1000; ++k) {
+        const Point from(std::fmod(k * 0.618033988749895, 1.0), std::fmod(k * 0.754877666246693, 1.0));
+        lines.push_back(line(from, {from.x + 1e-3, from.y + 2e-3}).value());
+    }
+    std::vector<const Curve*> curves;
+    for (const Curve& curve : lines) curves.push_back(&curve);
+    const auto joints = joints_of(curves, 1e9);
+    EXPECT_LE(joints.size(), 2000U);
+    EXPECT_GE(joints.size(), 1000U);
+    for (const Joint& joint : joints) EXPECT_LT(joint.meeting.gap, 0.1);
 }
 
 }  // namespace
