@@ -1,6 +1,7 @@
 #include "app/editor/run_command.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "app/editor/clipboard.h"
@@ -38,16 +39,24 @@ bool is_of_others(const core::Document& before, const core::Document& after) {
                                &core::DocumentCurve::curve);
 }
 
+// A preview does not look for its deviation in more spans than these, lest the pointer wait; it is not a number then.
+constexpr std::size_t most_spans_previewed = 1000;
+
+double deviation_of(const core::Curve& before, const core::Curve& after, Phase phase) {
+    if (phase == Phase::commit) return core::largest_deviation(before, after);
+    return core::quick_deviation(before, after, most_spans_previewed)
+        .value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
 // The old active curve, where the edit gave the same entry of the document another shape.
-std::optional<Ghost> ghost_of(const core::Document& before, const Edit& edit, ShapeEffect effect) {
+std::optional<Ghost> ghost_of(const core::Document& before, const Edit& edit, ShapeEffect effect, Phase phase) {
     const core::Document& after = edit.document;
     const core::DocumentCurve* old_active = before.active_curve();
     const core::DocumentCurve* active = after.active_curve();
     if (effect != ShapeEffect::changes || old_active == nullptr || active == nullptr ||
         before.curves.size() != after.curves.size() || edit.only_adds || is_of_others(before, after))
         return std::nullopt;
-    return Ghost{old_active->curve,
-                 edit.error ? *edit.error : core::largest_deviation(*old_active->curve, *active->curve)};
+    return Ghost{old_active->curve, edit.error ? *edit.error : deviation_of(*old_active->curve, *active->curve, phase)};
 }
 
 StepTexts texts_of_step(const Command& command, const EditorState& state, const Edit& edit) {
@@ -69,7 +78,7 @@ Outcome<Edit> edit_by(const EditorState& state, const Command& command) {
 bool preview_edit(EditorState& state, const Command& command) {
     Outcome<Edit> edit = edit_by(state, command);
     if (!edit) return show_refusal(state, edit.error());
-    state.ghost = ghost_of(state.history.present(), *edit, command.spec().effect);
+    state.ghost = ghost_of(state.history.present(), *edit, command.spec().effect, Phase::preview);
     state.preview = std::move(edit->document);
     if (edit->remark)
         state.message = {*edit->remark, false};
@@ -115,7 +124,8 @@ void push_step(EditorState& state, const Command& command, Edit& edit) {
     const ShapeEffect effect = command.spec().effect;
     StepTexts texts = texts_of_step(command, state, edit);
     const bool extends = edit.extends || (edit.burst && edit.burst->count > 1);
-    const std::optional<Ghost> ghost = ghost_of(extends ? state.history.previous() : before, edit, effect);
+    const std::optional<Ghost> ghost =
+        ghost_of(extends ? state.history.previous() : before, edit, effect, Phase::commit);
     if (extends)
         state.history.extend(std::move(texts.step), std::move(edit.document));
     else

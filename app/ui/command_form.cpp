@@ -132,7 +132,8 @@ std::string effect_of(const PanelContext& context) {
     const editor::Message& message = context.state.message;
     if (spec.effect == editor::ShapeEffect::none && context.state.preview && !message.is_error)
         return editor::reading_text(message.text);
-    if (spec.effect != editor::ShapeEffect::changes || !context.state.preview || !ghost)
+    const bool is_told = ghost && !std::isnan(ghost->deviation);
+    if (spec.effect != editor::ShapeEffect::changes || !context.state.preview || !is_told)
         return effect_text(spec.effect);
     if (!std::isfinite(ghost->deviation)) return "≠ changes the shape; how far cannot be computed";
     return editor::reading_text(

@@ -140,7 +140,8 @@ void draw_readouts(const PanelContext& context, const Rectangle& place, const st
 
 /// What happened last; while a gesture previews a change, how far it goes.
 editor::Message message_of(const editor::EditorState& state) {
-    if (state.preview && state.ghost) {
+    // A preview of very much does not tell how far it goes.
+    if (state.preview && state.ghost && !std::isnan(state.ghost->deviation)) {
         if (!std::isfinite(state.ghost->deviation)) return {"How far the curve moves cannot be computed", false};
         const std::string deviation = editor::bound_text(state.ghost->deviation, 3);
         return {core::sentence("The curve moves by at most {deviation}", {{"deviation", deviation}}), false};

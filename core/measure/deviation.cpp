@@ -136,6 +136,12 @@ double largest_deviation(const Curve& a, const Curve& b) {
     return DeviationSearch(a, b, differing_spans(a, b)).run();
 }
 
+std::optional<double> quick_deviation(const Curve& a, const Curve& b, std::size_t most_spans) {
+    const std::vector<CommonSpan> spans = differing_spans(a, b);
+    if (spans.size() > most_spans) return std::nullopt;
+    return DeviationSearch(a, b, spans).run();
+}
+
 double largest_deviation(const Curve& a, const Curve& b, std::span<const MatchedParameters> matches) {
     return DeviationSearch(a, b, matched_spans(a, b, matches)).run();
 }

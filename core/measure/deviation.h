@@ -1,6 +1,7 @@
 /// How far apart two curves are.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "core/curve/curve.h"
@@ -16,6 +17,9 @@ namespace batten::core {
 /// The control points of the difference of two pieces bound it; the piece with the largest bound is halved until its
 /// bound agrees with a distance that was found. Cost O(p^2) for each span in which the curves are not written the same.
 double largest_deviation(const Curve& a, const Curve& b);
+
+/// The same; none where the curves are written differently in more than so many spans. Cost O(n) then.
+std::optional<double> quick_deviation(const Curve& a, const Curve& b, std::size_t most_spans);
 
 /// Parameters of two curves that belong together.
 struct MatchedParameters {

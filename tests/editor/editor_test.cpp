@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "app/editor/command_table.h"
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/degree_commands.h"
 #include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/drawing_commands.h"
 #include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/fit_point_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/point_commands.h"
@@ -166,6 +170,20 @@ TEST_F(EditorTest, an_edit_without_effect_makes_no_step) {
     EXPECT_TRUE(state().history.can_redo());
     EXPECT_FALSE(state().ghost);
     EXPECT_EQ(state().message, (Message{"Nothing had to be changed", false}));
+}
+
+TEST_F(EditorTest, leaves_the_deviation_out_of_the_preview_of_a_very_long_change) {
+    std::vector<core::Point> places;
+    for (int i = 0; i <= 2000; ++i) places.emplace_back(0.1 * i, i % 2);
+    ASSERT_TRUE(editor_.run(ThroughPoints{.points = places}));
+    const MoveFitPoint move{.index = 1000, .position = {100.0, 5.0}};
+    ASSERT_TRUE(editor_.run(move, Phase::preview));
+    ASSERT_TRUE(state().preview && state().ghost);
+    EXPECT_TRUE(std::isnan(state().ghost->deviation));
+    ASSERT_TRUE(editor_.run(move));
+    ASSERT_TRUE(state().ghost);
+    EXPECT_GE(state().ghost->deviation, 5.0);
+    EXPECT_TRUE(std::isfinite(state().ghost->deviation));
 }
 
 TEST_F(EditorTest, says_the_distance_of_shapes_where_parameters_make_most_of_the_deviation) {

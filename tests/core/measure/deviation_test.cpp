@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/evaluate/evaluate.h"
+#include "core/make/shapes.h"
 #include "core/refine/knot_insertion.h"
 #include "tests/core/bezier_curve.h"
 #include "tests/core/random_curves.h"
@@ -37,6 +38,17 @@ void expect_bound(double found, double exact) {
 
 TEST(Deviation, moved_curve_deviates_by_the_offset) {
     expect_bound(largest_deviation(line({0, 0}, {4, 0}), line({3, 4}, {7, 4})), 5.0);
+}
+
+TEST(Deviation, is_found_quickly_where_few_spans_differ) {
+    std::vector<Point> places;
+    for (int i = 0; i <= 1000; ++i) places.emplace_back(i, i % 2);
+    const Curve zigzag = polyline(places).value();
+    places[500].y += 3.0;
+    const Curve pulled = polyline(places).value();
+    EXPECT_NEAR(quick_deviation(zigzag, pulled, 2).value(), 3.0, 1e-12);
+    EXPECT_FALSE(quick_deviation(zigzag, pulled, 1));
+    EXPECT_EQ(quick_deviation(zigzag, zigzag, 0), 0.0);
 }
 
 TEST(Deviation, moved_end_is_seen) {
