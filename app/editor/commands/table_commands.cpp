@@ -15,8 +15,8 @@
 #include "core/curve/knot_kinds.h"
 #include "core/document/point_table.h"
 #include "core/make/fit.h"
-#include "core/make/interpolate.h"
 #include "core/make/shapes.h"
+#include "core/make/through_points.h"
 #include "core/refine/join.h"
 
 namespace batten::editor {
@@ -80,22 +80,20 @@ core::Result<core::Approximation> approximation(core::Result<core::Curve> curve)
     return std::move(curve).map([](core::Curve made) { return core::Approximation{std::move(made), 0.0}; });
 }
 
-// The curve through, near or controlled by the points.
+/// What came of a table.
+struct MadeCurve {
+    core::Curve curve;
+    double error = 0.0;                            // of a fit
+    std::shared_ptr<const core::FitPoints> fit{};  // that the curve passes
+};
+
+// The curve near to the points or controlled by them.
 core::Result<core::Approximation> made_of(const Points& points, const TableChoice& choice, bool is_periodic,
                                           const core::Progress& progress) {
     const core::Ends ends = is_periodic ? core::Ends(core::ClosedEnds{}) : core::Ends(core::FreeEnds{});
     const int degree = is_periodic ? usual_degree : degree_for(points);
-    switch (choice.use) {
-        case TableUse::control:
-            return approximation(controlled_by(points, is_periodic));
-        case TableUse::fit:
-            return core::fit_within(points, tolerance_of(choice, points), {.degree = degree, .ends = ends}, progress);
-        case TableUse::through:
-            break;
-    }
-    const auto found = core::interpolate(points, {degree, core::Parametrization::centripetal, ends, {}}, progress);
-    if (!found) return tl::unexpected(found.error());
-    return core::Approximation{found->curve, 0.0};
+    if (choice.use == TableUse::control) return approximation(controlled_by(points, is_periodic));
+    return core::fit_within(points, tolerance_of(choice, points), {.degree = degree, .ends = ends}, progress);
 }
 
 // A straight way back to the start, where the ends do not meet.
@@ -109,13 +107,36 @@ core::Result<core::Approximation> with_way_back(core::Approximation made, const 
         });
 }
 
-core::Result<core::Approximation> curve_of(Points points, const TableChoice& choice, const core::Progress& progress) {
+// The points that the curve passes: as those of the pen. A curve that is closed with a corner ends where it begins.
+core::Result<core::FitPoints> fit_of(Points points, TableEnds ends) {
+    const bool needs_way_back = ends == TableEnds::corner && points.front() != points.back();
+    const std::size_t last = points.size() - 1;
+    if (needs_way_back) points.push_back(points.front());
+    const core::FitForm form{.parametrization = core::Parametrization::centripetal,
+                             .closed = ends == TableEnds::closed};
+    auto fit = core::fit_points_at(points, form);
+    if (!fit || !needs_way_back) return fit;
+    return core::set_fit_joint(*fit, last, core::FitJoint::corner_straight);
+}
+
+core::Result<MadeCurve> passing(const Points& points, TableEnds ends, const core::Progress& progress) {
+    auto fit = fit_of(points, ends);
+    if (!fit) return tl::unexpected(fit.error());
+    auto curve = core::through_points(*fit, progress);
+    if (!curve) return tl::unexpected(curve.error());
+    return MadeCurve{*std::move(curve), 0.0, std::make_shared<const core::FitPoints>(*std::move(fit))};
+}
+
+core::Result<MadeCurve> curve_of(Points points, const TableChoice& choice, const core::Progress& progress) {
     const bool is_periodic = choice.ends == TableEnds::closed;
     // A closed curve returns by itself.
     if (is_periodic && points.size() > 1 && points.front() == points.back()) points.pop_back();
+    if (choice.use == TableUse::through) return passing(points, choice.ends, progress);
     auto made = made_of(points, choice, is_periodic, progress);
-    if (!made || choice.ends != TableEnds::corner) return made;
-    return with_way_back(*std::move(made), points);
+    if (made && choice.ends == TableEnds::corner) made = with_way_back(*std::move(made), points);
+    return std::move(made).map([](core::Approximation found) {
+        return MadeCurve{std::move(found.curve), found.error};
+    });
 }
 
 const char* pattern_of_reading(const core::PointTable& table) {
@@ -125,7 +146,7 @@ const char* pattern_of_reading(const core::PointTable& table) {
 }
 
 // How the table was read, and what came of it.
-std::string remark_of(const core::PointTable& table, const core::Approximation& made, TableUse use) {
+std::string remark_of(const core::PointTable& table, const MadeCurve& made, TableUse use) {
     const std::string reading = sentence(pattern_of_reading(table), {{"read", table.points.size()},
                                                                      {"x", table.columns.x},
                                                                      {"y", table.columns.y},
@@ -146,11 +167,12 @@ Outcome<Edit> with_points(const EditorState& state, std::string_view text, const
                           const std::string& name) {
     const core::FileResult<core::PointTable> table = core::read_point_table(text, columns_of(choice));
     if (!table) return tl::unexpected(table.error().where.empty() ? table.error().what : table.error().sentence());
-    core::Result<core::Approximation> made = curve_of(table->points, choice, state.progress);
+    core::Result<MadeCurve> made = curve_of(table->points, choice, state.progress);
     if (!made) return tl::unexpected(core::describe(made.error()));
     std::string remark = remark_of(*table, *made, choice.use);
     const std::string wish = table->title.empty() ? name : free_name(state.history.present(), table->title);
     Edit edit = with_curve(state, wish, std::move(made->curve));
+    edit.document.curves.back().fit = std::move(made->fit);
     edit.remark = std::move(remark);
     return edit;
 }

@@ -8,9 +8,11 @@
 #include "app/editor/command_spec.h"
 #include "app/editor/commands/dropped_file.h"
 #include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/fit_point_commands.h"
 #include "app/editor/commands/picture_commands.h"
 #include "app/editor/session.h"
 #include "core/evaluate/evaluator.h"
+#include "core/make/through_points.h"
 #include "core/measure/nearest.h"
 #include "tests/editor/sample_editor.h"
 
@@ -51,12 +53,19 @@ TEST_F(TableCommands, points_are_passed) {
     ASSERT_TRUE(paste("0 0\n1 2\n3 1\n4 4\n6 5", TableUse::through)) << said();
     for (const core::Point point : {core::Point(0, 0), {1, 2}, {3, 1}, {4, 4}, {6, 5}})
         EXPECT_LT(distance_to_curve(point), 1e-12);
+    // They can be dragged, as those of the pen.
+    const core::FitPoints& fit = *document(editor_).active_curve()->fit;
+    EXPECT_EQ(fit.points[3].place, core::Point(4, 4));
+    EXPECT_EQ(fit.kind, core::FitKind::c2);
+    EXPECT_EQ(core::through_points(fit).value(), curve(editor_));
+    ASSERT_TRUE(editor_.run(MoveFitPoint{.index = 3, .position = {4, 5}})) << said();
+    EXPECT_LT(distance_to_curve({4, 5}), 1e-12);
     ASSERT_TRUE(paste("0 0\n1 2\n3 1\n4 4\n0 0", TableUse::through, TableEnds::closed)) << said();
     EXPECT_TRUE(curve(editor_).is_periodic());
     EXPECT_EQ(points(editor_).size(), 4U);
     // Two points make a line.
     ASSERT_TRUE(paste("0\t0\n1\t2", TableUse::through)) << said();
-    EXPECT_EQ(curve(editor_).degree(), 1);
+    EXPECT_LT(distance_to_curve({0.25, 0.5}), 1e-15);
 }
 
 TEST_F(TableCommands, points_are_near) {
@@ -138,6 +147,9 @@ TEST_F(TableCommands, a_blunt_end_is_closed_by_a_line) {
     EXPECT_EQ(points(editor_).front(), core::Point(1, 0.1));
     EXPECT_LT(distance_to_curve({1, -0.1}), 1e-12);
     EXPECT_LT(distance_to_curve({1, 0.03}), 1e-12);
+    const core::FitPoints& fit = *document(editor_).active_curve()->fit;
+    ASSERT_EQ(fit.points.size(), 6U);
+    EXPECT_EQ(fit.points[4].joint, core::FitJoint::corner_straight);
 }
 
 TEST_F(TableCommands, wrong_tables_change_nothing) {
@@ -193,7 +205,7 @@ TEST_F(TableCommands, names_say_what_a_file_is) {
 
 TEST_F(TableCommands, a_preview_tells_what_would_come) {
     editor_.run(PointsFromTable{.text = square, .use = TableUse::through}, Phase::preview);
-    EXPECT_EQ(said(), "4 points in columns 1 and 2, separated by semicolons, with decimal commas; 4 control points");
+    EXPECT_EQ(said(), "4 points in columns 1 and 2, separated by semicolons, with decimal commas; 6 control points");
     EXPECT_FALSE(state().message.is_error);
     EXPECT_TRUE(document(editor_).curves.empty());
 }
