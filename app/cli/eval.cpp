@@ -25,7 +25,7 @@ std::optional<std::vector<double>> parameters_of(const EvalOptions& options, Out
             parameters.push_back(core::leading_number(word)->value);
             continue;
         }
-        const auto numbers = read_table(word, TableLine::numbers);
+        const auto numbers = read_table(word, TableContent::numbers);
         if (!numbers) {
             output.errors << numbers.error().sentence() << '\n';
             return std::nullopt;

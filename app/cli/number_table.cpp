@@ -62,8 +62,6 @@ bool is_heading(std::string_view line) {
 // Goes through the lines and collects their numbers.
 class TableReader {
   public:
-    explicit TableReader(TableLine kind) : kind_(kind) {}
-
     core::FileResult<std::vector<double>> read(std::string_view text) {
         constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
         if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
@@ -83,14 +81,7 @@ class TableReader {
         if (line.empty()) return;
         const bool may_be_heading = std::exchange(may_be_heading_, false);
         if (may_be_heading && is_heading(line)) return;
-        const std::size_t before = numbers_.size();
         read_numbers(line);
-        const std::size_t count = numbers_.size() - before;
-        if (error_.empty() && kind_ == TableLine::point && count != 2)
-            error_ =
-                core::sentence({.one = "one number was found; x and y of one point are needed on each line",
-                                .many = "{count} numbers were found; x and y of one point are needed on each line"},
-                               count);
     }
 
     void read_numbers(std::string_view rest) {
@@ -128,7 +119,6 @@ class TableReader {
         error_ = "the numbers are separated in two ways; one of commas, semicolons and blanks is allowed on a line";
     }
 
-    TableLine kind_;
     std::vector<double> numbers_;
     std::size_t number_ = 1;
     bool may_be_heading_ = true;
@@ -137,8 +127,8 @@ class TableReader {
 
 }  // namespace
 
-core::FileResult<std::vector<double>> parse_table(std::string_view text, TableLine line) {
-    return TableReader(line).read(text);
+core::FileResult<std::vector<double>> parse_table(std::string_view text) {
+    return TableReader().read(text);
 }
 
 }  // namespace batten::cli

@@ -1,4 +1,4 @@
-/// Tables of numbers as text: what an argument @FILE stands for.
+/// Tables of numbers as text: what an argument @FILE stands for where no points are meant.
 #pragma once
 
 #include <string_view>
@@ -9,15 +9,9 @@
 
 namespace batten::cli {
 
-/// What a line of a table holds.
-enum class TableLine {
-    numbers,  ///< one number or more
-    point     ///< x and y
-};
-
 /// The numbers of `text`, line by line. Those of one line are separated by commas, by semicolons or by blanks, by one
 /// of these throughout; decimals have a point. Empty lines are skipped, and so is what stands behind #, and a heading:
 /// a first line of nothing but names. The error names the line, what was found and what is allowed.
-core::FileResult<std::vector<double>> parse_table(std::string_view text, TableLine line);
+core::FileResult<std::vector<double>> parse_table(std::string_view text);
 
 }  // namespace batten::cli

@@ -63,8 +63,9 @@ void list_operations(std::ostream& out) {
     out << "Operations act on the active curve, in the order given. <needed> [may be left out]\n"
            "A list is written 1,2.5,3; points as x0,y0,x1,y1. Knots, points and curves are counted from 0.\n"
            "A list can also be read from a table of numbers, @FILE or @- for standard input: the points one a line,\n"
-           "numbers separated by commas, semicolons or blanks. Empty lines, a first line of names and what stands\n"
-           "behind # are skipped.\n"
+           "numbers separated by commas, semicolons, tabs or blanks. Empty lines, a first line of names and what "
+           "stands\n"
+           "behind # are skipped; points may have decimal commas.\n"
            "A curve is named by its name or its number; an exact name comes before a number, and before an operation.\n"
            "What is needed is taken as an argument whatever it is; -- ends the arguments of an operation.\n";
     std::string_view last_heading;

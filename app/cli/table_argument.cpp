@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include "app/cli/number_table.h"
 #include "app/cli/standard_streams.h"
+#include "core/document/point_table.h"
 
 namespace batten::cli {
 
@@ -26,15 +28,25 @@ const std::string* table_word(const editor::Field& field, const editor::Argument
     return word != nullptr && takes_table(field) && names_table(word->text) ? &word->text : nullptr;
 }
 
+// A table of the kinds that the window opens, as coordinates.
+core::FileResult<std::vector<double>> parse_points(const std::string& text) {
+    return core::read_point_table(text).map([](const core::PointTable& table) {
+        std::vector<double> coordinates;
+        for (const core::Point point : table.points) coordinates.insert(coordinates.end(), {point.x, point.y});
+        return coordinates;
+    });
+}
+
 }  // namespace
 
-core::FileResult<std::vector<double>> read_table(const std::string& word, TableLine line) {
+core::FileResult<std::vector<double>> read_table(const std::string& word, TableContent content) {
     const std::filesystem::path file = word.substr(1);
     const std::string name = shown_name(file);
     const auto text = is_standard(file) ? core::read_text(standard_input, name) : core::read_text(file);
     if (!text) return tl::unexpected(text.error());
-    return parse_table(*text, line).map_error([&](const core::FileError& error) {
-        return core::FileError{fmt::format("{}: {}", name, error.where), error.what};
+    auto numbers = content == TableContent::points ? parse_points(*text) : parse_table(*text);
+    return std::move(numbers).map_error([&](const core::FileError& error) {
+        return core::FileError{error.where.empty() ? name : fmt::format("{}: {}", name, error.where), error.what};
     });
 }
 
@@ -52,7 +64,7 @@ editor::Outcome<void> read_tables(Operation& operation) {
         const std::string* word = table_word(*fields[i], operation.arguments[i]);
         if (word == nullptr) continue;
         const bool are_points = fields[i]->kind == editor::FieldKind::positions;
-        auto numbers = read_table(*word, are_points ? TableLine::point : TableLine::numbers);
+        auto numbers = read_table(*word, are_points ? TableContent::points : TableContent::numbers);
         if (!numbers) return tl::unexpected(numbers.error().sentence());
         operation.arguments[i] = *std::move(numbers);
     }

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/number_table.h"
 #include "app/cli/operation.h"
+#include "core/document/file_text.h"
 
 namespace batten::cli {
 
@@ -19,8 +19,15 @@ inline bool names_standard_input(const std::string& word) {
     return word == "@-";
 }
 
-/// The numbers of the table that `word` names. The error's place is the file's name, also where a line is meant.
-core::FileResult<std::vector<double>> read_table(const std::string& word, TableLine line);
+/// What a table is read for.
+enum class TableContent {
+    numbers,  ///< one or more on each line
+    points    ///< as core::read_point_table finds them
+};
+
+/// The numbers of the table that `word` names, or the coordinates of its points. The error's place is the file's name,
+/// also where a line is meant.
+core::FileResult<std::vector<double>> read_table(const std::string& word, TableContent content);
 
 /// The words of `operation` that name a table where a list of points, numbers or indices is needed.
 std::vector<std::string> table_words(const Operation& operation);

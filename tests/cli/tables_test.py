@@ -39,7 +39,8 @@ class Tables(unittest.TestCase):
 
     def test_points_stand_one_a_line(self):
         for text in ("0,0\n4,0\n4,3\n", "0 0\n4 0\n4 3", "0;0\r\n4;0\r\n4;3\r\n", "\ufeffx,y\n0,0\n4,0\n4,3", "# corners\n\n 0\t0 # start\n+4 ,\t0,\n4., 3e0\n",
-                     '"x","y"\n0,0\n4,0\n4,3'):
+                     '"x","y"\n0,0\n4,0\n4,3', "x\ty\n0,0\t0,0\n4,0\t0,0\n4,0\t3,0\n",
+                     "Length;Height\n0;0,0\n4,0;0\n4;3,0\n"):
             with self.subTest(text):
                 self.assertEqual(self.made("polyline", self.table(text)), CORNERS)
 
@@ -71,26 +72,27 @@ class Tables(unittest.TestCase):
         self.assertEqual([row["u"] for row in rows], [0.5, 1, 1.5, 0.25])
         piped = run("eval", self.file, "--at", "@-", input="2\n")
         self.assertEqual((piped.returncode, piped.stdout), (0, "2\t3\t4\n"))
-        self.assertIn("table.csv: line 2: 'x' cannot be read here", self.refused(1, "eval", self.file, "--at", self.table("1\nx\n")))
+        self.assertIn("table.csv: line 2: 'x' cannot be read here; finite numbers with a decimal point are needed",
+                      self.refused(1, "eval", self.file, "--at", self.table("1\nx\n")))
+        for text, sentence in (("0\n1,,2\n", "line 2: ',' cannot be read here"), ("0\n1,5;2,5\n", "line 2: the numbers are separated in two ways"),
+                               ("nan,nan\n0,0\n", "line 1: 'nan' cannot"), ("O.5,1\n", "line 1: 'O.5' cannot"), (b"0,0\n\x00\x01", "line 2: '?"),
+                               (b"\xff\xfe0\x00", "line 1: '??0?"), ("0\n" + "9" * 400, "line 2: '" + "9" * 40 + "'")):
+            self.assertIn(f"table.csv: {sentence}", self.refused(1, "eval", self.file, "--at", self.table(text)))
         self.assertIn("3 is outside the domain", self.refused(1, "eval", self.file, "--at", self.table("3")))
 
     def test_what_is_wrong_is_told_with_file_and_line(self):
-        cases = (("0,0\n1,x\n", "line 2: 'x' cannot be read here; finite numbers with a decimal point are needed"),
-                 ("0,0\n1\n", "line 2: one number was found; x and y of one point are needed on each line"),
-                 ("0,0\n# 1\n1,2,3\n", "line 3: 3 numbers were found; x and y"),
-                 ("0,0\n1,,2\n", "line 2: ',' cannot be read here"),
-                 ("0,0\n1,5;2,5\n", "line 2: the numbers are separated in two ways"),
-                 ("0,0\nnan,1\n", "line 2: 'nan' cannot"), ("nan,nan\n0,0\n", "line 1: 'nan' cannot"), ("0,0\n1e999,0", "line 2: '1e999' cannot"),
-                 ("x,y\nlatitude,longitude\n", "line 2: 'latitude' cannot"), ("0,0\n1.2.3,4", "line 2: '1.2.3' cannot"), ("O.5,1\n", "line 1: 'O.5' cannot"),
-                 (b"0,0\n\x00\x01", "line 2: '?"), (b"\xff\xfe0\x00", "line 1: '??0?"), ("0,0\n" + "9" * 400, "line 2: '" + "9" * 40 + "'"))
+        cases = (("0,0\n1,x\n", "line 2, column 2: 'x' is not a finite number; this table has decimal points"),
+                 ("0,0\n1\n", "line 2, column 2: the line has one column"),
+                 ("0,0\nnan,1\n", "line 2, column 1: 'nan' is not a finite number"), ("0,0\n1e999,0", "line 2, column 1: '1e999' is not a finite number"),
+                 ("x,y\nlatitude,longitude\n", "no line with two numbers was found"), ("0,0\n1.2.3,4", "line 2, column 1: '1.2.3' is not"))
         for text, sentence in cases:
             with self.subTest(text):
                 error = self.refused(1, "new", "polyline", self.table(text))
                 self.assertTrue(error.startswith("new document: operation 1, polyline @"), error)
                 self.assertIn(f"table.csv: {sentence}", error)
 
-    def test_too_few_points_are_counted_as_in_a_list(self):
-        self.assertIn("0 points were found", self.refused(1, "new", "polyline", self.table("# nothing\n")))
+    def test_a_table_without_points_says_so(self):
+        self.assertIn("no line with two numbers was found", self.refused(1, "new", "polyline", self.table("# nothing\n")))
 
     def test_tables_that_cannot_be_read_are_named(self):
         self.assertIn("none.csv: the file cannot be opened: No such file", self.refused(1, "new", "polyline", f"@{self.folder}/none.csv"))
