@@ -8,11 +8,13 @@
 #include "app/editor/pointer/grid_step.h"
 #include "app/editor/pointer/snap_text.h"
 #include "app/editor/state/selected_parts.h"
+#include "core/curve/control_box.h"
 #include "core/edit/plane_map.h"
 #include "core/evaluate/basis.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/farin_points.h"
 #include "core/measure/contacts_near.h"
+#include "core/measure/intersect_line.h"
 #include "core/measure/lines_from_point.h"
 
 namespace batten::editor {
@@ -111,6 +113,7 @@ class Snapper {
         if (has(SnapKind::points)) for_each_near([&](const NearCurve& near) { offer_points(near); });
         if (has(SnapKind::ends)) for_each_near([&](const NearCurve& near) { offer_ends(near); });
         if (has(SnapKind::intersections)) offer_intersections();
+        if (has(SnapKind::intersections)) for_each_near([&](const NearCurve& near) { offer_guides_across(near); });
         if (has(SnapKind::knots)) for_each_near([&](const NearCurve& near) { offer_knots(near); });
         if (has(SnapKind::midpoints)) for_each_near([&](const NearCurve& near) { offer_midpoints(near); });
         if (query_.from && has(SnapKind::tangent)) offer_feet(SnapKind::tangent, core::tangent_points);
@@ -148,6 +151,29 @@ class Snapper {
             SnapFound found{SnapKind::intersections, contact.point, first.index};
             found.other = second.index;
             offer(found);
+        }
+    }
+
+    void offer_guides_across(const NearCurve& near) {
+        const std::vector<std::size_t> guides = near_guides();
+        if (guides.empty()) return;
+        const auto parts = near.parts->parts_near(query_.place, reach_, most_near_spans);
+        if (!parts) return;
+        for (const core::Curve& part : *parts)
+            for (const std::size_t k : guides) offer_guide_across(near, part, k);
+    }
+
+    void offer_guide_across(const NearCurve& near, const core::Curve& part, std::size_t k) {
+        const core::Guide& guide = document_.guides[k];
+        const core::Point base = nearest_on_guide(guide, query_.place);
+        const double size = core::length(core::control_box(part).size()) + reach_;
+        const auto found = core::intersect_line(part, base, base + size * direction_of(guide.angle));
+        if (!found) return;
+        for (const core::LineContact& contact : found->contacts) {
+            if (contact.where.length() > 0.0 || moves_place(near, contact.u)) continue;
+            SnapFound crossing{SnapKind::intersections, on_guide(guide, contact.point), near.index, 0, contact.u};
+            crossing.guide = k;
+            offer(std::move(crossing));
         }
     }
 
@@ -211,11 +237,13 @@ class Snapper {
 
     /// Exact where a guide is level or upright.
     static core::Point crossing(const core::Guide& first, const core::Guide& second, double way) {
-        core::Point point = first.point + way * direction_of(first.angle);
-        for (const core::Guide& guide : {first, second}) {
-            if (guide.angle == 0.0) point.y = guide.point.y;
-            if (guide.angle == right_angle) point.x = guide.point.x;
-        }
+        return on_guide(second, on_guide(first, first.point + way * direction_of(first.angle)));
+    }
+
+    /// A place of a guide without what rounding put beside it, where the guide is level or upright.
+    static core::Point on_guide(const core::Guide& guide, core::Point point) {
+        if (guide.angle == 0.0) point.y = guide.point.y;
+        if (guide.angle == right_angle) point.x = guide.point.x;
         return point;
     }
 

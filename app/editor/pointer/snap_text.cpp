@@ -38,6 +38,9 @@ SnapTexts texts_of_end(const core::Document& document, const SnapFound& found) {
 }
 
 SnapTexts texts_of_crossing(const core::Document& document, const SnapFound& found) {
+    if (found.guide)
+        return {"crossing", sentence("Snaps to where '{curve}' crosses a guide",
+                                     {{"curve", name_of_curve(document, found.thing)}})};
     if (found.thing == found.other)
         return {"crossing",
                 sentence("Snaps to where '{curve}' crosses itself", {{"curve", name_of_curve(document, found.thing)}})};

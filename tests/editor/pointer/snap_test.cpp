@@ -84,6 +84,23 @@ TEST_F(Snapping, to_crossings_exactly) {
     EXPECT_FALSE(at({0.03, 3.98}, {}, {.is_curve = true}));
 }
 
+// The first piece has the Bézier points (-4, -2), (-2, 2), (-1, 0), so that C(u) = (-4 + 4u - u^2, -2 + 8u - 6u^2): it
+// passes x = -3 where u = 2 - sqrt(3). At its end (-1, 0) the guide through (0, 1) at 45 degrees crosses it.
+TEST_F(Snapping, to_where_guides_cross_curves_exactly) {
+    editor.run(AddGuide{.position = {-3.0, 7.0}, .angle = 90.0});
+    editor.run(AddGuide{.position = {0.0, 1.0}, .angle = 45.0});
+    only({SnapKind::intersections});
+    const double u = 2.0 - std::sqrt(3.0);
+    const double y = -2.0 + 8.0 * u - 6.0 * u * u;
+    expect({-3.05, y + 0.05}, {-3.0, y}, "Snaps to where 'curve' crosses a guide");
+    EXPECT_EQ(at({-3.05, y + 0.05})->position.x, -3.0);
+    expect({-0.95, 0.04}, {-1, 0}, "Snaps to where 'curve' crosses a guide");
+    EXPECT_FALSE(at({-3.05, y + 0.05}, {}, {.guide = 0}));
+    EXPECT_FALSE(at({-3.05, y + 0.05}, {}, {.is_curve = true}));
+    only({SnapKind::guides});
+    EXPECT_EQ(at({-3.05, y + 0.05})->kind, SnapKind::guides);
+}
+
 TEST_F(Snapping, to_guides_and_where_they_cross) {
     editor.run(AddGuide{.position = {0.3, 3.0}, .angle = 0.0});
     editor.run(AddGuide{.position = {5.0, 7.0}, .angle = -90.0});
