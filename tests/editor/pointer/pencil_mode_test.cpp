@@ -128,6 +128,31 @@ TEST_F(PencilMode, redraws_a_part_of_the_curve_it_begins_and_ends_on) {
     EXPECT_EQ(curves(), 2U) << "Alt draws a new curve";
 }
 
+TEST_F(PencilMode, redraws_past_an_end_which_goes_along) {
+    const auto line_to = [](core::Point from, core::Point to) {
+        std::vector<glm::dvec2> places;
+        for (int k = 0; k <= 100; ++k) {
+            const core::Point place = from + (k / 100.0) * (to - from);
+            places.push_back(glm::round(px(place.x, place.y)));
+        }
+        return places;
+    };
+    // The curve ends in (4, -2), where it runs along (1, -2).
+    const core::Point from = core::point_at(*first_curve, 2.5);
+    draw(line_to(from, {4.75, -3.25}));
+    EXPECT_EQ(curves(), 1U);
+    ASSERT_EQ(state().history.undo_label(), "Redraw part");
+    EXPECT_LT(core::distance(core::point_at(committed(editor), 3.0), {4.75, -3.25}), 0.02);
+    EXPECT_LT(core::distance(core::point_at(committed(editor), 1.0), {-1, 0}), 1e-12);
+    editor.run(Undo{});
+    // What leads away from the way on is a new curve, and so is what begins at the end.
+    draw(line_to(from, {6.0, -1.0}));
+    EXPECT_EQ(curves(), 2U);
+    editor.run(Undo{});
+    draw(line_to({4, -2}, {4.75, -3.25}));
+    EXPECT_EQ(curves(), 2U);
+}
+
 TEST_F(PencilMode, refits_the_last_stroke_in_its_own_step) {
     draw(arc(0.2, 2.9, 200.0));
     const core::Curve usual = committed(editor);
