@@ -33,6 +33,7 @@ constexpr std::array<OperationText, joint_operation_count> operation_texts = [] 
         {trim, "click-to-trim", "Trim", "Removes the part that is clicked, up to the next crossings."},
         {extend, "click-to-extend", "Extend to a curve", "Makes the end that is clicked first reach another curve."},
         {split, "click-to-split", "Split at crossings", "Cuts the curve that is clicked where others cross it."},
+        {offset, "drag-to-offset", "Offset by dragging", "Drags an offset out of a curve, at a distance that is seen."},
     }};
 }();
 
@@ -121,6 +122,25 @@ double present_radius(const EditorState& state) {
     return state.view.joint.radius.value_or(suggest::grid_step(state));
 }
 
+Outcome<void> set_offset(EditorState& state, const SetJointOffset& command) {
+    state.view.joint.offsets_both_sides = command.both_sides;
+    state.view.joint.corners = command.corners;
+    state.view.joint.caps = command.caps;
+    return {};
+}
+
+bool present_sides(const EditorState& state) {
+    return state.view.joint.offsets_both_sides;
+}
+
+core::OffsetCorners present_corners(const EditorState& state) {
+    return state.view.joint.corners;
+}
+
+core::OffsetCaps present_caps(const EditorState& state) {
+    return state.view.joint.caps;
+}
+
 template <std::size_t... index>
 std::array<CommandSpec, joint_operation_count> operation_specs(std::index_sequence<index...>) {
     return {using_operation<index>()...};
@@ -171,12 +191,31 @@ const CommandSpec& SetJointRadius::spec() {
     return spec;
 }
 
+const CommandSpec& SetJointOffset::spec() {
+    static const CommandSpec spec{
+        .name = "set-joint-offset",
+        .title = "Set offsets of the joint tool",
+        .explanation = "Sets on which sides the joint tool's offsets are, and what they have at corners and ends.",
+        .group = CommandGroup::curve,
+        .submenu = joint_tool_menu,
+        .offered = in_the_window,
+        .fields = {field::flag<&SetJointOffset::both_sides>("both sides", "yes for an offset on both sides")
+                       .beginning_with<present_sides>(),
+                   field::choice<&SetJointOffset::corners>("corners", "what goes around corners")
+                       .beginning_with<present_corners>(),
+                   field::choice<&SetJointOffset::caps>("caps",
+                                                        "how both sides of an open curve are joined at its ends")
+                       .beginning_with<present_caps>()},
+        .run = body_of<set_offset>};
+    return spec;
+}
+
 void add_joint_tool_commands(CommandTable& table) {
     for (std::size_t i = 0; i < joint_operation_count; ++i)
         table.emplace_back(joint_operation_spec(static_cast<JointOperation>(i)));
     for (std::size_t i = 0; i < joint_continuity_count; ++i)
         table.emplace_back(joint_continuity_spec(static_cast<core::GeometricContinuity>(i)));
-    add_all<SetJointContinuity, SetJointRadius>(table);
+    add_all<SetJointContinuity, SetJointRadius, SetJointOffset>(table);
 }
 
 }  // namespace batten::editor

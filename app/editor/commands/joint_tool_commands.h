@@ -31,6 +31,14 @@ struct SetJointContinuity {
     static const CommandSpec& spec();
 };
 
+/// On which sides the tool's offsets are, and what they have at corners and at the ends of an open curve.
+struct SetJointOffset {
+    bool both_sides;
+    core::OffsetCorners corners;
+    core::OffsetCaps caps;
+    static const CommandSpec& spec();
+};
+
 /// The radius of the tool's fillets, and the distances of its chamfers.
 struct SetJointRadius {
     double radius;

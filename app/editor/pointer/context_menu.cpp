@@ -179,7 +179,7 @@ class Menu {
         for (std::size_t i = 0; i < joint_continuity_count; ++i)
             put({&joint_continuity_spec(static_cast<core::GeometricContinuity>(i))});
         group();
-        offer<SetJointRadius, CheckJoints>();
+        offer<SetJointRadius, SetJointOffset, CheckJoints>();
     }
 
     void snapping() {

@@ -116,10 +116,6 @@ CanvasMode press_left(DrawingCurve mode, const Gesture& gesture) {
 }
 
 CanvasMode press(DrawingCurve mode, const Gesture& gesture) {
-    if (is_pan(gesture.event)) {
-        mode.panned_px = gesture.event.position_px;
-        return mode;
-    }
     return gesture.event.button == PointerButton::left ? press_left(std::move(mode), gesture) : CanvasMode(mode);
 }
 
@@ -132,12 +128,6 @@ void pull_handle(DrawingCurve& mode, const Gesture& gesture) {
 }
 
 CanvasMode move(DrawingCurve mode, const Gesture& gesture) {
-    if (mode.panned_px) {
-        const glm::dvec2 moved_px = gesture.event.position_px - *mode.panned_px;
-        if (moved_px != glm::dvec2(0.0)) gesture.queue.change(PanCamera{moved_px});
-        mode.panned_px = gesture.event.position_px;
-        return mode;
-    }
     if (mode.pulled_px) pull_handle(mode, gesture);
     mode.closes = !mode.pulled_px && would_close(mode, gesture);
     mode.next = pointed_at(gesture, mode.points.back());
@@ -145,9 +135,8 @@ CanvasMode move(DrawingCurve mode, const Gesture& gesture) {
 }
 
 CanvasMode release(DrawingCurve mode, const Gesture& gesture) {
-    if (gesture.event.button == PointerButton::right && !mode.panned_px)
+    if (gesture.event.button == PointerButton::right)
         return mode.points.size() < 2 ? give_up(gesture) : finish(std::move(mode), gesture, false);
-    mode.panned_px.reset();
     mode.pulled_px.reset();
     return mode;
 }
@@ -171,6 +160,7 @@ DrawingCurve begin_drawing(const Gesture& gesture) {
 }
 
 CanvasMode step_drawing(DrawingCurve mode, const Gesture& gesture) {
+    if (step_pan(mode.panned_px, gesture)) return mode;
     switch (gesture.event.action) {
         case PointerAction::escape:
             return give_up(gesture);

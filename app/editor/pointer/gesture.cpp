@@ -31,6 +31,22 @@ bool is_pan(const PointerEvent& event) {
     return event.button == PointerButton::middle || (event.button == PointerButton::left && event.space_is_held);
 }
 
+bool step_pan(std::optional<glm::dvec2>& panned_px, const Gesture& gesture) {
+    const PointerEvent& event = gesture.event;
+    const bool is_press = event.action == PointerAction::press || event.action == PointerAction::double_click;
+    if (is_press && is_pan(event)) {
+        panned_px = event.position_px;
+        return true;
+    }
+    if (!panned_px) return false;
+    if (event.action == PointerAction::release) panned_px.reset();
+    if (event.action != PointerAction::move) return is_press || event.action == PointerAction::release;
+    const glm::dvec2 moved_px = event.position_px - *panned_px;
+    if (moved_px != glm::dvec2(0.0)) gesture.queue.change(PanCamera{moved_px});
+    panned_px = event.position_px;
+    return true;
+}
+
 std::optional<double> wheel_pan(const EditorState& state, const PointerEvent& event) {
     // The fingers on a touchpad never move quite straight: the larger of both directions is meant.
     const bool is_sideways = std::abs(event.sideways_wheel) > std::abs(event.wheel);

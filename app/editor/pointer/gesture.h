@@ -39,6 +39,10 @@ bool is_drag(const EditorState& state, glm::dvec2 press_px, glm::dvec2 position_
 /// A press with the middle button, or with the left one while Space is held.
 bool is_pan(const PointerEvent& event);
 
+/// Moves the view with the pointer from such a press to the release, while `panned_px` is where the pointer was last.
+/// Returns whether the event was about that.
+bool step_pan(std::optional<glm::dvec2>& panned_px, const Gesture& gesture);
+
 /// By how many pixels a turn of the wheel pans to the right: a sideways one, or one with Shift; none where it zooms.
 std::optional<double> wheel_pan(const EditorState& state, const PointerEvent& event);
 

@@ -3,11 +3,11 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/editor/command.h"
 #include "app/editor/pointer/joint_mode.h"
 #include "app/editor/state/state.h"
+#include "core/refine/join.h"
 
 namespace batten::editor {
 
@@ -18,8 +18,11 @@ std::optional<Command> joint_command(const EditorState& state, const PickingJoin
 /// The same for an operation with one place, whose curve is active.
 Command command_at(JointOperation operation, double u);
 
-/// What jumps between the two ends as they are, and with the preview where it tells; empty where there are no two ends.
-std::vector<std::string> joint_reading(const EditorState& state, const PickingJoint& mode);
+/// The continuity of the tool as that of a join by shape; only the points by derivatives.
+core::JoinContinuity as_join(core::GeometricContinuity continuity);
+
+/// The parameter of a match on the curve of this place: that of an end where one was meant.
+double match_parameter(const EditorState& state, const PickedCurvePlace& place);
 
 /// What a click would do.
 std::string joint_hint(const EditorState& state, const PickingJoint& mode);

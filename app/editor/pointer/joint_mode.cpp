@@ -1,11 +1,14 @@
 #include "app/editor/pointer/joint_mode.h"
 
+#include <utility>
+
 #include "app/editor/commands/joint_tool_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/commands/trim_commands.h"
 #include "app/editor/pointer/edit_step.h"
 #include "app/editor/pointer/joint_command.h"
+#include "app/editor/pointer/joint_drag.h"
 #include "app/editor/pointer/modes.h"
 #include "core/evaluate/evaluate.h"
 
@@ -15,7 +18,7 @@ namespace {
 constexpr double pick_reach = 16.0;  ///< design pixels
 constexpr double end_reach = 24.0;   ///< nearer to an end, that is meant and no place between
 
-/// Of more control points than this nothing is shown before a click.
+/// Of more control points than this only what jumps is told before a click, not shown what would come of it.
 constexpr std::size_t most_points_shown = 2000;
 
 core::CurveEnd nearer_end(const core::Curve& curve, core::Point place) {
@@ -56,15 +59,24 @@ std::optional<PickedCurvePlace> picked_place(const Gesture& gesture, bool is_fir
     return picked;
 }
 
-/// Whether all that is seen is so short that what a click would do can be shown with every move.
-bool is_quick(const Gesture& gesture) {
+/// Whether the curves that an operation looks at are so short that what a click would do can be shown with every move:
+/// those of both ends, else all.
+bool is_quick(const Gesture& gesture, const PickingJoint& mode) {
+    const auto& curves = gesture.state.history.present().curves;
+    const auto is_meant = [&](std::size_t i) {
+        return !takes_ends(gesture.state.view.joint.operation) || (mode.first && mode.first->curve == i) ||
+               (mode.hovered && mode.hovered->curve == i);
+    };
     std::size_t count = 0;
-    for (const auto& entry : gesture.state.history.present().curves) count += entry.curve->control_points().size();
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        if (is_meant(i)) count += curves[i].curve->control_points().size();
     return count <= most_points_shown;
 }
 
-std::optional<core::Interval> part_to_trim(const Gesture& gesture, const std::optional<PickedCurvePlace>& place) {
-    if (gesture.state.view.joint.operation != JointOperation::trim || !place || !is_quick(gesture)) return std::nullopt;
+std::optional<core::Interval> part_to_trim(const Gesture& gesture, const PickingJoint& mode) {
+    const std::optional<PickedCurvePlace>& place = mode.hovered;
+    if (gesture.state.view.joint.operation != JointOperation::trim || !place || !is_quick(gesture, mode))
+        return std::nullopt;
     const auto part = trimmed_part(gesture.state, place->curve, place->u);
     return part ? std::optional(*part) : std::nullopt;
 }
@@ -75,8 +87,8 @@ void activate(const Gesture& gesture, std::size_t index) {
 
 CanvasMode hover(PickingJoint mode, const Gesture& gesture) {
     mode.hovered = picked_place(gesture, !mode.first);
-    mode.part = part_to_trim(gesture, mode.hovered);
-    const auto command = is_quick(gesture) ? joint_command(gesture.state, mode) : std::nullopt;
+    mode.part = part_to_trim(gesture, mode);
+    const auto command = is_quick(gesture, mode) ? joint_command(gesture.state, mode) : std::nullopt;
     if (command)
         gesture.queue.preview(*command);
     else if (gesture.state.preview)
@@ -88,12 +100,13 @@ CanvasMode click(PickingJoint mode, const Gesture& gesture) {
     mode.hovered = picked_place(gesture, !mode.first);
     if (!mode.hovered) return mode;
     const JointOperation operation = gesture.state.view.joint.operation;
-    if (!takes_two_places(operation)) {
+    if (takes_one_click(operation)) {
         activate(gesture, mode.hovered->curve);
         gesture.queue.run(command_at(operation, mode.hovered->u));
         return PickingJoint{.tool_changes = mode.tool_changes};
     }
     if (!mode.first) {
+        mode.drag = begin_joint_drag(gesture, *mode.hovered);
         activate(gesture, mode.hovered->curve);
         mode.first = mode.hovered;
         return mode;
@@ -104,6 +117,29 @@ CanvasMode click(PickingJoint mode, const Gesture& gesture) {
     return PickingJoint{.tool_changes = mode.tool_changes};
 }
 
+CanvasMode drag(PickingJoint mode, const Gesture& gesture) {
+    const bool has_moved = mode.drag->distance != 0.0 || is_typed(gesture) ||
+                           is_drag(gesture.state, mode.drag->press_px, gesture.event.position_px);
+    if (!has_moved) return mode;
+    mode.drag = dragged_joint(gesture, *mode.first, *mode.drag);
+    if (mode.drag->distance != 0.0 && is_quick(gesture, mode))
+        gesture.queue.preview(command_of_drag(gesture.state, *mode.first, *mode.drag));
+    return mode;
+}
+
+/// A press that dragged nothing out is a click.
+CanvasMode end_drag(PickingJoint mode, const Gesture& gesture) {
+    mode = std::get<PickingJoint>(drag(std::move(mode), gesture));
+    const JointDrag drag = *std::exchange(mode.drag, std::nullopt);
+    if (drag.distance != 0.0) {
+        gesture.queue.cancel_preview();
+        gesture.queue.run(command_of_drag(gesture.state, *mode.first, drag));
+        return PickingJoint{.tool_changes = mode.tool_changes};
+    }
+    if (!takes_two_places(gesture.state.view.joint.operation)) mode.first.reset();
+    return mode;
+}
+
 CanvasMode go_back(PickingJoint mode, const Gesture& gesture) {
     if (!mode.first) {
         gesture.queue.run(SetTool{.tool = Tool::select});
@@ -111,14 +147,14 @@ CanvasMode go_back(PickingJoint mode, const Gesture& gesture) {
     }
     gesture.queue.cancel_preview();
     mode.first.reset();
+    mode.drag.reset();
     return mode;
 }
 
 }  // namespace
 
 CanvasMode begin_joint(const Gesture& gesture) {
-    const PickingJoint mode{.tool_changes = gesture.state.tool_changes};
-    return is_press(gesture) ? click(mode, gesture) : hover(mode, gesture);
+    return step(PickingJoint{.tool_changes = gesture.state.tool_changes}, gesture);
 }
 
 std::optional<core::GeometricContinuity> continuity_of_key(const PointerEvent& event) {
@@ -129,18 +165,19 @@ std::optional<core::GeometricContinuity> continuity_of_key(const PointerEvent& e
     return static_cast<core::GeometricContinuity>(digit);
 }
 
-CanvasMode step(const PickingJoint& mode, const Gesture& gesture) {
+CanvasMode step(PickingJoint mode, const Gesture& gesture) {
+    if (step_pan(mode.panned_px, gesture)) return mode;
     switch (gesture.event.action) {
         case PointerAction::move:
-            return hover(mode, gesture);
+            return mode.drag ? drag(std::move(mode), gesture) : hover(std::move(mode), gesture);
         case PointerAction::press:
         case PointerAction::double_click:
-            return gesture.event.button == PointerButton::left && !is_pan(gesture.event) ? click(mode, gesture)
-                                                                                         : CanvasMode(mode);
+            return gesture.event.button == PointerButton::left && !mode.drag ? click(std::move(mode), gesture)
+                                                                             : CanvasMode(mode);
         case PointerAction::escape:
-            return go_back(mode, gesture);
+            return go_back(std::move(mode), gesture);
         case PointerAction::take_back:
-            return mode.first ? go_back(mode, gesture) : CanvasMode(mode);
+            return mode.first ? go_back(std::move(mode), gesture) : CanvasMode(mode);
         case PointerAction::wheel:
             turn_canvas_wheel(gesture);
             return mode;
@@ -148,14 +185,14 @@ CanvasMode step(const PickingJoint& mode, const Gesture& gesture) {
             if (const auto continuity = continuity_of_key(gesture.event))
                 gesture.queue.run(SetJointContinuity{.continuity = *continuity});
             return mode;
-        case PointerAction::leave: {
-            PickingJoint left = mode;
-            left.hovered.reset();
-            left.part.reset();
-            if (mode.first) gesture.queue.cancel_preview();
-            return left;
-        }
+        case PointerAction::leave:
+            mode.hovered.reset();
+            mode.part.reset();
+            if (mode.first && !mode.drag) gesture.queue.cancel_preview();
+            return mode;
         case PointerAction::release:
+            if (mode.drag && is_release(gesture)) return end_drag(std::move(mode), gesture);
+            break;
         case PointerAction::finish:
             break;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/vec2.hpp>
 #include <optional>
 
 #include "app/editor/state/joint_tool.h"
@@ -18,13 +19,23 @@ struct PickedCurvePlace {
     core::Point point{};                         ///< the end, or the place at u, whichever the operation is about
 };
 
+/// What is dragged out of the first place: the radius of a fillet, the distances of a chamfer or of an offset.
+struct JointDrag {
+    glm::dvec2 press_px{};
+    core::Point from{};     ///< the corner, or the place of the curve
+    double distance = 0.0;  ///< from there; of a curve above 0 on its left; 0 until the pointer has moved
+    std::optional<PickedCurvePlace> other{};  ///< the end of another curve at the corner; none: a corner of one curve
+};
+
 /// The joint tool: the first place where one was clicked, and what the pointer is over. Each operation is done by the
-/// click that completes it and previewed before. Escape gives up the first place, then the tool.
+/// click that completes it, or by a drag, and previewed before. Escape gives up the first place, then the tool.
 struct PickingJoint {
     std::optional<PickedCurvePlace> first{};
     std::optional<PickedCurvePlace> hovered{};
-    std::optional<core::Interval> part{};  ///< of the hovered curve, that trimming would take away
-    std::size_t tool_changes = 0;          ///< of the state when it began
+    std::optional<core::Interval> part{};   ///< of the hovered curve, that trimming would take away
+    std::size_t tool_changes = 0;           ///< of the state when it began
+    std::optional<JointDrag> drag{};        ///< while the button is held
+    std::optional<glm::dvec2> panned_px{};  ///< where the pointer was while the view is being moved
 };
 
 }  // namespace batten::editor

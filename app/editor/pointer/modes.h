@@ -14,11 +14,11 @@ CanvasMode step(const DraggingGuide& mode, const Gesture& gesture);
 
 /// The shape tool's first place.
 CanvasMode begin_shape(const Gesture& gesture);
-CanvasMode step(const DrawingShape& mode, const Gesture& gesture);
+CanvasMode step(DrawingShape mode, const Gesture& gesture);
 
 /// The joint tool, from the first move over the canvas on.
 CanvasMode begin_joint(const Gesture& gesture);
-CanvasMode step(const PickingJoint& mode, const Gesture& gesture);
+CanvasMode step(PickingJoint mode, const Gesture& gesture);
 
 /// The continuity that the digit of a key stands for; none for other keys.
 std::optional<core::GeometricContinuity> continuity_of_key(const PointerEvent& event);

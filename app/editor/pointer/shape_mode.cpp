@@ -95,7 +95,8 @@ CanvasMode begin_shape(const Gesture& gesture) {
     return DrawingShape{gesture.state.view.shape_kind, {place}, place, 0.0, gesture.state.tool_changes};
 }
 
-CanvasMode step(const DrawingShape& mode, const Gesture& gesture) {
+CanvasMode step(DrawingShape mode, const Gesture& gesture) {
+    if (step_pan(mode.panned_px, gesture)) return mode;
     if (is_escape(gesture)) {
         gesture.queue.cancel_preview();
         return CanvasIdle{};

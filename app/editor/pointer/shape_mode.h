@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/vec2.hpp>
+#include <optional>
 #include <vector>
 
 #include "app/editor/state/shape_kind.h"
@@ -17,6 +19,7 @@ struct DrawingShape {
     core::Point next{};
     double turned = 0.0;           ///< radians that the pointer went around the first place since the second one
     std::size_t tool_changes = 0;  ///< of the state when it began
+    std::optional<glm::dvec2> panned_px{};  ///< where the pointer was while the view is being moved
 };
 
 }  // namespace batten::editor

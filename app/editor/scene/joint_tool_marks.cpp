@@ -1,6 +1,6 @@
 #include "app/editor/scene/joint_tool_marks.h"
 
-#include "app/editor/pointer/joint_command.h"
+#include "app/editor/pointer/joint_reading.h"
 #include "app/editor/scene/curve_strokes.h"
 #include "app/editor/scene/reading_box.h"
 #include "core/refine/split.h"

@@ -2,15 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/joint_tool_commands.h"
 #include "app/editor/commands/making_commands.h"
 #include "app/editor/commands/tool_commands.h"
-#include "app/editor/pointer/joint_command.h"
+#include "app/editor/pointer/joint_reading.h"
+#include "core/measure/area.h"
 #include "core/measure/continuity.h"
+#include "core/measure/meeting.h"
+#include "core/measure/nearest.h"
 #include "tests/editor/canvas_fixture.h"
 
 namespace batten::editor {
@@ -27,7 +32,9 @@ class JointMode : public test::CanvasFixture {
         editor.run(AddLine{.from = {1, 1}, .to = {4, 1}});
         editor.run(AddPolyline{.points = {{-4, -2}, {2, -2}, {2, -3}}, .closed = false});
         editor.run(AddLine{.from = {-2, -1.5}, .to = {-2, -3}});
+        steps_of_setup_ = state().history.undo_count();
     }
+    std::size_t steps_of_setup_ = 0;
     void take(JointOperation operation) { ASSERT_TRUE(editor.run(Command(*command_of(operation)))); }
     static std::optional<Command> command_of(JointOperation operation) {
         switch (operation) {
@@ -45,10 +52,20 @@ class JointMode : public test::CanvasFixture {
                 return UseJointTool<JointOperation::extend>{};
             case JointOperation::chamfer:
                 return UseJointTool<JointOperation::chamfer>{};
+            case JointOperation::offset:
+                return UseJointTool<JointOperation::offset>{};
             case JointOperation::join:
                 break;
         }
         return UseJointTool<JointOperation::join>{};
+    }
+    std::size_t steps_since_setup() const { return state().history.undo_count() - steps_of_setup_; }
+    void press_enter() {
+        PointerEvent event;
+        event.action = PointerAction::key;
+        event.position_px = px(1.7, -2.4);
+        event.key = Key::enter;
+        pointer.send(event);
     }
     void key(char32_t character) {
         PointerEvent event;
@@ -86,7 +103,10 @@ TEST_F(JointMode, blends_between_two_clicks_as_it_was_previewed) {
     EXPECT_EQ(state().preview->active_curve()->curve->degree(), 5);
     EXPECT_EQ(present().curves.size(), 4U);
     const std::vector<std::string> reading = joint_reading(state(), picking());
-    ASSERT_EQ(reading.size(), 3U);
+    ASSERT_EQ(reading.size(), 9U);
+    EXPECT_EQ(reading[3], "then G²: gap 0, turn 0°");
+    EXPECT_EQ(reading[6], "then G²: gap 0, turn 0°");
+    EXPECT_EQ(reading[7], "then curvature 0 and 0");
     EXPECT_EQ(reading[0].find("gap: gap 2.236"), 0U) << reading[0];
     EXPECT_EQ(reading[1].find("curvature 0"), 0U) << reading[1];
     // Another continuity changes the preview with the next move.
@@ -151,6 +171,158 @@ TEST_F(JointMode, rounds_a_corner_by_a_click_on_both_sides) {
     for (const core::JointContinuity& joint : core::joint_continuity(*present().curves[2].curve))
         EXPECT_EQ(joint.geometric, 1);
     EXPECT_EQ(present().curves[2].curve->degree(), 2);
+}
+
+TEST_F(JointMode, a_join_tells_before_what_would_be_left) {
+    take(JointOperation::join);
+    key(U'1');
+    pointer.click(px(-1.1, 0));
+    pointer.move(px(1.1, 1));
+    const std::vector<std::string> reading = joint_reading(state(), picking());
+    ASSERT_EQ(reading.size(), 6U);
+    EXPECT_EQ(reading[0].find("gap: gap 2.236"), 0U) << reading[0];
+    EXPECT_EQ(reading[3].find("then G"), 0U) << reading[3];
+    EXPECT_NE(reading[3].find("gap 0, turn 0°"), std::string::npos) << reading[3];
+}
+
+TEST_F(JointMode, tells_what_jumps_at_the_ends_of_very_long_curves) {
+    std::vector<core::Point> places;
+    for (int i = 0; i <= 20'000; ++i) places.emplace_back(-1.0 - 0.0002 * i, 2.0 + std::sin(0.01 * i));
+    ASSERT_TRUE(editor.run(NewCurve{.points = places}));
+    take(JointOperation::match);
+    pointer.click(px(-1.0, 2.0));
+    ASSERT_TRUE(picking().first);
+    pointer.move(px(1.1, 1));
+    EXPECT_FALSE(state().preview);
+    const std::vector<std::string> reading = joint_reading(state(), picking());
+    ASSERT_EQ(reading.size(), 6U);
+    EXPECT_EQ(reading[0].find("gap: gap 2.236"), 0U) << reading[0];
+    EXPECT_EQ(reading[3].find("then G²: gap 0, turn 0°"), 0U) << reading[3];
+    pointer.click(px(1.1, 1));
+    const core::Meeting meeting =
+        core::meeting_of(core::passing_beyond(*present().active_curve()->curve, core::CurveEnd::start),
+                         core::passing_at(*present().curves[1].curve, core::CurveEnd::start));
+    EXPECT_LE(meeting.gap, 1e-12);
+    EXPECT_NEAR(*meeting.before, 0.0, 1e-6);
+}
+
+TEST_F(JointMode, the_radius_of_a_fillet_is_dragged_out_of_a_corner) {
+    take(JointOperation::fillet);
+    pointer.move(px(2.02, -2.01));
+    pointer.press(px(2.02, -2.01));
+    pointer.modifiers = test::alt;
+    pointer.move(px(1.7, -2.4));
+    ASSERT_TRUE(state().preview);
+    ASSERT_TRUE(picking().drag);
+    // 0.3 to the left of the corner and 0.4 below it.
+    EXPECT_NEAR(picking().drag->distance, 0.5, 1e-12);
+    EXPECT_EQ(joint_reading(state(), picking()), std::vector<std::string>{"radius 0.5"});
+    pointer.release(px(1.7, -2.4));
+    // A polygon's corner (2, -2): the arc leaves at (1.5, -2) and arrives at (2, -2.5).
+    const core::Curve& rounded = *present().curves[2].curve;
+    EXPECT_EQ(rounded.degree(), 2);
+    EXPECT_LE(core::distance(core::nearest_point(rounded, {2, -2}).point,
+                             core::Point(1.5 + std::sqrt(0.125), -2.5 + std::sqrt(0.125))),
+              1e-12);
+    EXPECT_EQ(steps_since_setup(), 1U);
+    EXPECT_FALSE(picking().first);
+}
+
+TEST_F(JointMode, a_radius_that_is_typed_is_exact) {
+    take(JointOperation::fillet);
+    pointer.press(px(2, -2));
+    pointer.move(px(1.7, -2.4));
+    key(U'1');
+    key(U'/');
+    key(U'3');
+    EXPECT_EQ(picking().drag->distance, 1.0 / 3);
+    EXPECT_EQ(state().view.joint.continuity, core::GeometricContinuity::g2);
+    press_enter();
+    const core::Curve& rounded = *present().curves[2].curve;
+    const core::Point start(2 - 1.0 / 3, -2);
+    EXPECT_LE(core::distance(core::nearest_point(rounded, start).point, start), 1e-12);
+    EXPECT_FALSE(picking().drag);
+}
+
+TEST_F(JointMode, a_chamfer_is_dragged_between_the_ends_of_two_curves) {
+    ASSERT_TRUE(editor.run(AddLine{.from = {-1, 0}, .to = {-1, 3}}));
+    take(JointOperation::chamfer);
+    pointer.press(px(-1, 0));
+    pointer.modifiers = test::alt;
+    pointer.move(px(-1, 1));
+    ASSERT_TRUE(state().preview);
+    pointer.release(px(-1, 1));
+    EXPECT_EQ(present().curves.size(), 4U);
+    std::vector<core::Point> corners(present().active_curve()->curve->control_points().begin(),
+                                     present().active_curve()->curve->control_points().end());
+    if (corners.front() != core::Point(-4, 0)) std::ranges::reverse(corners);
+    const std::vector<core::Point> wanted{{-4, 0}, {-2, 0}, {-1, 1}, {-1, 3}};
+    ASSERT_EQ(corners.size(), wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_LE(core::distance(corners[i], wanted[i]), 1e-12) << i;
+}
+
+TEST_F(JointMode, a_press_beside_a_corner_drags_nothing) {
+    take(JointOperation::fillet);
+    pointer.press(px(0, -2));
+    pointer.move(px(0.5, -2.5));
+    EXPECT_FALSE(picking().drag);
+    EXPECT_FALSE(state().preview);
+    pointer.release(px(0.5, -2.5));
+    EXPECT_TRUE(picking().first);
+}
+
+TEST_F(JointMode, an_offset_is_dragged_out_of_a_curve) {
+    take(JointOperation::offset);
+    pointer.modifiers = test::alt;
+    pointer.press(px(2, 1));
+    pointer.move(px(2.5, 1.75));
+    ASSERT_TRUE(state().preview);
+    EXPECT_EQ(picking().drag->distance, 0.75);
+    EXPECT_EQ(joint_reading(state(), picking()), std::vector<std::string>{"distance 0.75"});
+    pointer.move(px(2.5, 0.75));
+    EXPECT_EQ(picking().drag->distance, -0.25);
+    pointer.release(px(2.5, 0.75));
+    ASSERT_EQ(present().curves.size(), 5U);
+    const auto points = present().active_curve()->curve->control_points();
+    EXPECT_EQ(points.front(), core::Point(1, 0.75));
+    EXPECT_EQ(points.back(), core::Point(4, 0.75));
+    pointer.press(px(2, 1));
+    pointer.escape(px(2, 1));
+    EXPECT_FALSE(picking().first);
+    pointer.release(px(2, 1));
+    EXPECT_EQ(present().curves.size(), 5U);
+}
+
+TEST_F(JointMode, offsets_on_both_sides_have_the_caps_of_the_tool) {
+    take(JointOperation::offset);
+    ASSERT_TRUE(editor.run(
+        SetJointOffset{.both_sides = true, .corners = core::OffsetCorners::round, .caps = core::OffsetCaps::round}));
+    pointer.press(px(2, 1));
+    pointer.move(px(2, 1.3));
+    key(U'.');
+    key(U'5');
+    press_enter();
+    // A slot: two lines of length 3 and two half circles of radius 1/2.
+    EXPECT_NEAR(core::enclosed_area(*present().active_curve()->curve)->signed_area, 3.0 + std::numbers::pi / 4, 1e-9);
+}
+
+TEST_F(JointMode, the_view_moves_while_something_is_picked) {
+    take(JointOperation::blend);
+    pointer.click(px(-1.1, 0));
+    const core::Point center(state().view.camera.center);
+    pointer.button = PointerButton::middle;
+    pointer.press(px(0, 0));
+    pointer.move(px(1, 0));
+    pointer.release(px(1, 0));
+    EXPECT_NEAR(state().view.camera.center.x, center.x - 1.0, 1e-12);
+    pointer.button = PointerButton::left;
+    pointer.space = true;
+    pointer.press(px(0, 0));
+    pointer.move(px(0, 1));
+    pointer.release(px(0, 1));
+    EXPECT_NEAR(state().view.camera.center.y, center.y - 1.0, 1e-12);
+    EXPECT_TRUE(picking().first);
+    EXPECT_FALSE(picking().panned_px);
 }
 
 TEST_F(JointMode, splits_and_extends) {

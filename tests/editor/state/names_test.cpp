@@ -47,7 +47,7 @@ using Enumerations = ::testing::Types<
     Last<core::Closing::periodic>, Last<core::ConicType::hyperbola>, Last<core::ContactKind::ending>,
     Last<ShapeEffect::changes>, Last<CommandGroup::gesture>, Last<Dialog::at_work>, Last<Overlay::quiz>,
     Last<Tool::joint>, Last<SnapKind::angles>, Last<ShapeKind::conic>, Last<ThemeName::light>, Last<CurveEnds::both>,
-    Last<JointOperation::split>, Last<SplitScope::all>, Last<core::Onward::straight>,
+    Last<JointOperation::offset>, Last<SplitScope::all>, Last<core::Onward::straight>,
     Last<core::GeometricContinuity::g3>, Last<Escapable::presentation>, Last<UnsavedAnswer::cancel>, Last<Cursor::text>,
     Last<MapTarget::all>, Last<ShearAxis::y>, Last<KnotQuestion::continuity>, Last<ShownMapKind::project>>;
 TYPED_TEST_SUITE(Names, Enumerations);
