@@ -33,28 +33,13 @@ bool places_points(Tool tool) {
 }
 
 CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {
-    switch (gesture.event.action) {
-        case PointerAction::press:
-        case PointerAction::double_click:
-            return begin_canvas_gesture(gesture);
-        case PointerAction::move:
-            if (gesture.state.tool == Tool::joint) return begin_joint(gesture);
-            request_hover(hit_canvas(gesture.state, gesture.event.position_px), gesture.state, gesture.queue);
-            if (places_points(gesture.state.tool)) static_cast<void>(pointed_at(gesture));
-            return mode;
-        case PointerAction::leave:
-            request_hover(HoveredNothing{}, gesture.state, gesture.queue);
-            return mode;
-        case PointerAction::wheel:
-            turn_canvas_wheel(gesture);
-            return mode;
-        case PointerAction::release:
-        case PointerAction::escape:
-        case PointerAction::finish:
-        case PointerAction::take_back:
-        case PointerAction::key:
-            return mode;
-    }
+    if (is_press(gesture)) return begin_canvas_gesture(gesture);
+    if (gesture.event.action == PointerAction::wheel) turn_canvas_wheel(gesture);
+    if (gesture.event.action == PointerAction::leave) request_hover(HoveredNothing{}, gesture.state, gesture.queue);
+    if (!is_move(gesture)) return mode;
+    if (gesture.state.tool == Tool::joint) return begin_joint(gesture);
+    request_hover(hit_canvas(gesture.state, gesture.event.position_px), gesture.state, gesture.queue);
+    if (places_points(gesture.state.tool)) static_cast<void>(pointed_at(gesture));
     return mode;
 }
 

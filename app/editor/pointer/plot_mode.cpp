@@ -110,27 +110,12 @@ PlotMode press(const PlotGesture& gesture) {
 }
 
 PlotMode step(const PlotIdle& mode, const PlotGesture& gesture) {
-    switch (gesture.event.action) {
-        case PointerAction::press:
-        case PointerAction::double_click:
-            return press(gesture);
-        case PointerAction::move:
-            request_hover(hit_plot(gesture.state, gesture.layout, gesture.event.position_px), gesture.state,
-                          gesture.queue);
-            return mode;
-        case PointerAction::leave:
-            request_hover(HoveredNothing{}, gesture.state, gesture.queue);
-            return mode;
-        case PointerAction::wheel:
-            turn_wheel(gesture);
-            return mode;
-        case PointerAction::release:
-        case PointerAction::escape:
-        case PointerAction::finish:
-        case PointerAction::take_back:
-        case PointerAction::key:
-            return mode;
-    }
+    const PointerAction action = gesture.event.action;
+    if (action == PointerAction::press || action == PointerAction::double_click) return press(gesture);
+    if (action == PointerAction::wheel) turn_wheel(gesture);
+    if (action == PointerAction::move)
+        request_hover(hit_plot(gesture.state, gesture.layout, gesture.event.position_px), gesture.state, gesture.queue);
+    if (action == PointerAction::leave) request_hover(HoveredNothing{}, gesture.state, gesture.queue);
     return mode;
 }
 
