@@ -40,7 +40,7 @@ Selection only_fit_point(std::size_t index) {
 }
 
 Outcome<Edit> move_fit_point(const EditorState& state, const MoveFitPoint& command) {
-    return edit_fit(state, core::move_fit_point(active_fit(state), command.index, command.position));
+    return with_fit_point_at(state, command.index, command.position);
 }
 
 StepTexts texts_of_moved_fit_point(const EditorState& state, const MoveFitPoint& command) {
@@ -99,7 +99,9 @@ Outcome<Edit> set_fit_kind(const EditorState& state, const SetFitKind& command) 
 
 Outcome<Edit> make_ordinary(const EditorState& state, const MakeOrdinary&) {
     Edit edit{state.history.present(), Selection{}};
-    edit.document.curves[edit.document.active].fit.reset();
+    core::DocumentCurve& entry = edit.document.curves[edit.document.active];
+    entry.fit.reset();
+    entry.unknown_fit_members.clear();
     return edit;
 }
 
@@ -167,6 +169,10 @@ Field index_of_fit_point() {
 }
 
 }  // namespace
+
+Outcome<Edit> with_fit_point_at(const EditorState& state, std::size_t index, core::Point position) {
+    return edit_fit(state, core::move_fit_point(active_fit(state), index, position));
+}
 
 Outcome<Edit> without_fit_point(const EditorState& state, std::size_t index) {
     return edit_fit(state, core::delete_fit_point(active_fit(state), index), Selection{});

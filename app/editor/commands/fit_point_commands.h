@@ -67,6 +67,9 @@ struct SelectFitPoint {
     static const CommandSpec& spec();
 };
 
+/// The edit that moves fit point `index` of the active curve, which has such.
+Outcome<Edit> with_fit_point_at(const EditorState& state, std::size_t index, core::Point position);
+
 /// The edit that deletes fit point `index` of the active curve, which has such, and what it says.
 Outcome<Edit> without_fit_point(const EditorState& state, std::size_t index);
 StepTexts texts_of_deleted_fit_point(std::size_t index);

@@ -2,6 +2,7 @@
 
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
+#include "app/editor/commands/fit_point_commands.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/map_selected.h"
 #include "app/editor/commands/suggestions.h"
@@ -73,7 +74,16 @@ StepTexts texts_of_delete_points(const EditorState& state, const DeletePoints& c
     return texts_of_deleting(state, ascending(command.points));
 }
 
-Outcome<Edit> nudged(const EditorState& state, core::Vector offset) {
+std::optional<Refusal> nothing_to_nudge(const EditorState& state) {
+    return state.selection.fit_point ? no_editable_curve(state) : nothing_to_map(state);
+}
+
+Outcome<Edit> nudged_fit_point(const EditorState& state, std::size_t index, core::Vector offset) {
+    const core::FitPoints& fit = *state.history.present().active_curve()->fit;
+    return with_fit_point_at(state, index, fit.points[index].place + offset);
+}
+
+Outcome<Edit> nudged_points(const EditorState& state, core::Vector offset) {
     if (state.selection.is_over_curves()) return map_selected(state, core::translation(offset));
     const auto points = free_points(state, state.selection.points);
     if (!points) return tl::unexpected(points.error());
@@ -81,13 +91,20 @@ Outcome<Edit> nudged(const EditorState& state, core::Vector offset) {
 }
 
 Outcome<Edit> nudge_by(const EditorState& state, core::Vector offset, bool continues) {
-    Outcome<Edit> edit = nudged(state, offset);
+    Outcome<Edit> edit = state.selection.fit_point ? nudged_fit_point(state, *state.selection.fit_point, offset)
+                                                   : nudged_points(state, offset);
     if (edit) edit->burst = burst_after(state, offset, continues);
     return edit;
 }
 
 StepTexts texts_of_nudge_by(const EditorState& state, core::Vector offset, bool continues) {
     const core::Vector total = burst_after(state, offset, continues).total;
+    if (state.selection.fit_point) {
+        const core::Place index("index", *state.selection.fit_point);
+        return {
+            sentence("Nudge fit point {index}", {index}),
+            sentence("Nudged fit point {index} by {offset}", {index, {"offset", place_words(core::tip_of(total))}})};
+    }
     const core::Place points("points", selected_words(state));
     return {sentence("Nudge {points}", {points}),
             sentence("Nudged {points} by {offset}", {points, {"offset", place_words(core::tip_of(total))}})};
@@ -112,7 +129,8 @@ Outcome<Edit> nudge_toward(const EditorState& state, const Command& command) {
 }
 
 bool has_no_points_selected(const EditorState& state) {
-    return !no_editable_curve(state) && state.selection.points.empty() && !state.selection.is_over_curves();
+    return !no_editable_curve(state) && state.selection.points.empty() && !state.selection.is_over_curves() &&
+           !state.selection.fit_point;
 }
 
 template <class Command, int x, int y>
@@ -140,7 +158,7 @@ CommandSpec arrow(const char* name, const char* title, Shortcut shortcut) {
                        field::flag<&Command::continues>("continues", "yes if it belongs to the step before")
                            .template suggesting<continues_burst>()
                            .unasked()},
-            .refusal = nothing_to_map,
+            .refusal = nothing_to_nudge,
             .is_idle = has_no_points_selected,
             .run = body_of<nudge_toward<Command, x, y>>,
             .texts = texts_of<texts_of_arrow<Command, x, y>>};
@@ -266,18 +284,19 @@ const CommandSpec& DeletePoints::spec() {
 }
 
 const CommandSpec& Nudge::spec() {
-    static const CommandSpec spec{.name = "nudge",
-                                  .title = "Nudge",
-                                  .explanation = "Moves what is selected by an offset.",
-                                  .synonyms = "move shift",
-                                  .group = CommandGroup::edit,
-                                  .offered = {.menu = false},
-                                  .effect = ShapeEffect::changes,
-                                  .fields = {field::vector<&Nudge::offset>({"dx", "to the right"}, {"dy", "upwards"})},
-                                  .refusal = nothing_to_map,
-                                  .is_idle = has_no_points_selected,
-                                  .run = body_of<nudge>,
-                                  .texts = texts_of<texts_of_nudge>};
+    static const CommandSpec spec{
+        .name = "nudge",
+        .title = "Nudge",
+        .explanation = "Moves what is selected, or the selected fit point, by an offset.",
+        .synonyms = "move shift",
+        .group = CommandGroup::edit,
+        .offered = {.menu = false},
+        .effect = ShapeEffect::changes,
+        .fields = {field::vector<&Nudge::offset>({"dx", "to the right"}, {"dy", "upwards"})},
+        .refusal = nothing_to_nudge,
+        .is_idle = has_no_points_selected,
+        .run = body_of<nudge>,
+        .texts = texts_of<texts_of_nudge>};
     return spec;
 }
 

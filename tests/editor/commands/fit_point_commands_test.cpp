@@ -245,5 +245,24 @@ TEST_F(FitPointCommands, thousands_of_points_are_previewed) {
     }
 }
 
+TEST_F(FitPointCommands, arrow_keys_nudge_the_selected_fit_point) {
+    ASSERT_TRUE(type(zigzag));
+    EXPECT_FALSE(run(Nudge{.offset = {1, 0}}));
+    EXPECT_EQ(message(), "no control point is selected");
+    ASSERT_TRUE(run(SelectFitPoint{.index = 1}));
+    EXPECT_TRUE(run(Nudge{.offset = {0.5, -0.25}}));
+    EXPECT_EQ(place(1), core::Point(3.5, 3.75));
+    EXPECT_EQ(message().substr(0, message().find(';')), "Nudged fit point 1 by (0.5, -0.25)");
+    expect_made_of_points();
+    // Nudges that follow each other are one step.
+    EXPECT_TRUE(run(NudgeRight{.distance = 0.25, .continues = false}));
+    EXPECT_TRUE(run(NudgeRight{.distance = 0.25, .continues = true}));
+    EXPECT_EQ(place(1), core::Point(4, 3.75));
+    EXPECT_EQ(state().history.undo_label(), "Nudge fit point 1");
+    run(Undo{});
+    EXPECT_EQ(place(1), core::Point(3.5, 3.75));
+    EXPECT_EQ(state().selection.fit_point, 1U);
+}
+
 }  // namespace
 }  // namespace batten::editor
