@@ -20,13 +20,13 @@ constexpr double corner_reach = 12.0;  ///< design pixels
 /// Of the size of a curve, how near its end another one must end to make a corner with it.
 constexpr double meeting_share = 1e-6;
 
-const core::Curve& curve_of(const EditorState& state, const PickedCurvePlace& place) {
+const core::Curve& curve_picked(const EditorState& state, const PickedCurvePlace& place) {
     return *state.history.present().curves[place.curve].curve;
 }
 
 /// The inner corner of the curve that is nearest to the pointer, within reach.
 std::optional<double> inner_corner(const Gesture& gesture, const PickedCurvePlace& place, double reach) {
-    const core::Curve& curve = curve_of(gesture.state, place);
+    const core::Curve& curve = curve_picked(gesture.state, place);
     const core::Interval domain = curve.domain();
     const double speed = core::length(core::derivatives_at(curve, place.u, 1)[1]);
     const double away = speed > 0.0 ? std::min(2.0 * reach / speed, domain.length()) : domain.length();
@@ -44,7 +44,7 @@ std::optional<double> inner_corner(const Gesture& gesture, const PickedCurvePlac
 /// The end of another visible curve where this one ends.
 std::optional<PickedCurvePlace> end_beside(const EditorState& state, const PickedCurvePlace& place, core::Point tip) {
     const auto& curves = state.history.present().curves;
-    const double reach = meeting_share * state.derived.of(curve_of(state, place))->size;
+    const double reach = meeting_share * state.derived.of(curve_picked(state, place))->size;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         if (i == place.curve || !curves[i].visible || curves[i].curve->is_periodic()) continue;
         for (const core::CurveEnd end : {core::CurveEnd::start, core::CurveEnd::end}) {
@@ -57,7 +57,7 @@ std::optional<PickedCurvePlace> end_beside(const EditorState& state, const Picke
 }
 
 std::optional<JointDrag> begin_corner_drag(const Gesture& gesture, PickedCurvePlace& place) {
-    const core::Curve& curve = curve_of(gesture.state, place);
+    const core::Curve& curve = curve_picked(gesture.state, place);
     const double reach = pixels(gesture.state, corner_reach) / gesture.state.view.camera.scale;
     JointDrag drag{.press_px = gesture.event.position_px};
     if (const auto corner = inner_corner(gesture, place, reach)) {
