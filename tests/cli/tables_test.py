@@ -38,7 +38,7 @@ class Tables(unittest.TestCase):
         return process.stderr
 
     def test_points_stand_one_a_line(self):
-        for text in ("0,0\n4,0\n4,3\n", "0 0\n4 0\n4 3", "0;0\r\n4;0\r\n4;3\r\n", "\ufeffx,y\n0,0\n4,0\n4,3", "# corners\n\n 0\t0 # start\n+4 ,\t0,\n4., 3e0\n",
+        for text in ("0,0\n4,0\n4,3\n", "0 0\n4 0\n4 3", "0;0\r\n4;0\r\n4;3\r\n", "\ufeffx,y\n0,0\n4,0\n4,3", "# corners\n\n 0,0 # start\n+4 ,\t0,\n4., 3e0\n",
                      '"x","y"\n0,0\n4,0\n4,3', "x\ty\n0,0\t0,0\n4,0\t0,0\n4,0\t3,0\n",
                      "Length;Height\n0;0,0\n4,0;0\n4;3,0\n"):
             with self.subTest(text):
