@@ -63,7 +63,19 @@ class ExactTest(WindowTest):
         editor.screenshot("drawing")
         editor.key("Return")
         editor.settle()
-        self.assertEqual(self.curves(editor)[-1]["points"], [[3, 4], [13, 9], [13, 19]])
+        self.assertEqual(self.curves(editor)[-1]["fit"]["points"], [[3, 4], [13, 9], [13, 19]])
+
+    def test_the_key_of_the_number_pad_begins_decimals(self):
+        """Whatever it prints: in many layouts that is a comma."""
+        editor = self.open_editor()
+        start = editor.point(1)
+        editor.drag(start, (start[0] + 40, start[1]), release=False)
+        editor.key("x", "2", "KP_Decimal", "5", "Tab", "0", "KP_Decimal", "2", "5")
+        editor.settle()
+        editor.screenshot("number-pad")
+        editor.key("Return")
+        editor.release()
+        self.assertEqual(self.curves(editor)[0]["points"][1], [-4.5 + 2.5, 2.5 + 0.25])
 
     def test_a_circle_is_drawn_with_a_typed_radius(self):
         editor = self.open_editor()
