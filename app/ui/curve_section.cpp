@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <imgui.h>
 
 #include <algorithm>
 
@@ -12,8 +11,6 @@
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"
 #include "app/ui/section.h"
-#include "app/ui/style.h"
-#include "app/ui/typing.h"
 #include "core/base/sentence.h"
 #include "core/curve/knot_analysis.h"
 #include "core/edit/knot_edit.h"
@@ -104,55 +101,26 @@ void draw_degree_row(const PanelContext& context, const core::Curve& curve) {
     draw_degree_buttons(context, has_words, button_width);
 }
 
-void draw_choice(const PanelContext& context, const core::Curve& curve, KnotKind kind, float width_px) {
+void draw_knot_choice(const PanelContext& context, const core::Curve& curve, KnotKind kind, float width_px) {
     const core::Result<core::Curve> result = core::set_knot_kind(curve, kind);
     Button button{fmt::format("knots {}", core::name_of(kind)), core::title_of(kind), Icon::none, width_px};
-    button.has_frame = false;
-    button.anchor = render::Anchor::left;
     const KnotKind present = context.state.derived.of(curve.knots())->kind;
     button.is_active = kind == present;
     button.is_enabled = result && (kind != KnotKind::custom || kind == present);
     if (kind == KnotKind::custom) button.tooltip = "Any other spacing: move a knot, or type the knots.";
     if (!result)
         button.tooltip = core::sentence("Not possible: {reason}.", {{"reason", core::describe(result.error())}});
-    if (!draw_button(context, button)) return;
-    context.queue.run(editor::SetKind{.kind = kind});
-    ImGui::CloseCurrentPopup();
-}
-
-void draw_choices(const PanelContext& context, const core::Curve& curve, ImVec2 corner, float width_px) {
-    ImGui::SetNextWindowPos(corner);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(4), context.px(4)));
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
-    if (ImGui::BeginPopup("kinds")) {
-        if (is_pressed(context, editor::Key::escape)) ImGui::CloseCurrentPopup();
-        for (const auto& kind : core::Names<KnotKind>::table)
-            draw_choice(context, curve, kind.value, width_px - context.px(8));
-        ImGui::EndPopup();
-    }
-    ImGui::PopStyleVar(2);
+    if (draw_choice(context, button)) context.queue.run(editor::SetKind{.kind = kind});
 }
 
 void draw_kind_row(const PanelContext& context, const core::Curve& curve) {
     draw_row_label(context, "Knots");
-    const ImVec2 origin = ImGui::GetCursorScreenPos();
-    const ImVec2 size(field_width(context), context.px(24));
-    const bool is_clicked = ImGui::InvisibleButton("knot kind", size) && is_editable(context.state);
-    if (is_clicked) ImGui::OpenPopup("kinds");
-    const std::string text = core::title_of(context.state.derived.of(curve.knots())->kind);
-    report_item(context, "knot kind", text);
-    show_tooltip(context, locked_sentence(context.state));
-    draw_field_frame(context, origin, size, ImGui::IsItemHovered());
-    const ImVec2 left(origin.x + context.px(9), origin.y + context.px(12));
-    const float width = draw_text(
-        context, left,
-        {text, context.fonts.text, 0.0, context.theme.text, render::Anchor::left, size.x - context.px(9 + 20)});
-    const ImVec2 mark(left.x + width + context.px(10), left.y);
-    ImGui::GetWindowDrawList()->AddTriangleFilled(ImVec2(mark.x - context.px(3.5), mark.y - context.px(2)),
-                                                  ImVec2(mark.x + context.px(3.5), mark.y - context.px(2)),
-                                                  ImVec2(mark.x, mark.y + context.px(3)),
-                                                  imgui_packed(context.theme.text));
-    draw_choices(context, curve, ImVec2(origin.x, origin.y + size.y + context.px(2)), size.x);
+    const float width = field_width(context);
+    const ChoiceField field{"knot kind", core::title_of(context.state.derived.of(curve.knots())->kind), width,
+                            is_editable(context.state), locked_sentence(context.state)};
+    if (!begin_choices(context, field)) return;
+    for (const auto& kind : core::Names<KnotKind>::table) draw_knot_choice(context, curve, kind.value, width);
+    end_choices();
 }
 
 constexpr double least_tears_width = 96.0;

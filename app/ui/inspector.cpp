@@ -41,6 +41,7 @@ void draw_sections(const PanelContext& context) {
     draw_pictures_section(context);
     if (context.state.active_curve() != nullptr) {
         draw_curve_section(context);
+        draw_fit_points_section(context);
         draw_points_section(context);
         draw_knots_section(context);
         draw_construction_section(context);

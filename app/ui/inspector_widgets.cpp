@@ -10,6 +10,7 @@
 #include "app/ui/rich_text.h"
 #include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
+#include "app/ui/typing.h"
 
 namespace batten::ui {
 namespace {
@@ -171,6 +172,50 @@ bool draw_check_box(const PanelContext& context, const Button& button) {
     report_item(context, button.name, button.is_active ? "on" : "off");
     show_tooltip(context, button.tooltip);
     return is_clicked && button.is_enabled;
+}
+
+bool begin_choices(const PanelContext& context, const ChoiceField& field) {
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const ImVec2 size(field.width_px, context.px(24));
+    ImGui::PushID(field.name.c_str());
+    if (ImGui::InvisibleButton("field", size) && field.is_enabled) ImGui::OpenPopup("choices");
+    report_item(context, field.name, field.text);
+    show_tooltip(context, field.tooltip);
+    draw_field_frame(context, origin, size, ImGui::IsItemHovered());
+    const ImVec2 left(origin.x + context.px(9), origin.y + context.px(12));
+    const float width = draw_text(
+        context, left,
+        {field.text, context.fonts.text, 0.0, context.theme.text, render::Anchor::left, size.x - context.px(9 + 20)});
+    const ImVec2 mark(left.x + width + context.px(10), left.y);
+    ImGui::GetWindowDrawList()->AddTriangleFilled(ImVec2(mark.x - context.px(3.5), mark.y - context.px(2)),
+                                                  ImVec2(mark.x + context.px(3.5), mark.y - context.px(2)),
+                                                  ImVec2(mark.x, mark.y + context.px(3)),
+                                                  imgui_packed(context.theme.text));
+    ImGui::SetNextWindowPos(ImVec2(origin.x, origin.y + size.y + context.px(2)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(4), context.px(4)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+    const bool is_open = ImGui::BeginPopup("choices");
+    ImGui::PopID();
+    if (!is_open) {
+        ImGui::PopStyleVar(2);
+        return false;
+    }
+    if (is_pressed(context, editor::Key::escape)) ImGui::CloseCurrentPopup();
+    return true;
+}
+
+void end_choices() {
+    ImGui::EndPopup();
+    ImGui::PopStyleVar(2);
+}
+
+bool draw_choice(const PanelContext& context, Button button) {
+    button.width_px -= context.px(8);
+    button.has_frame = false;
+    button.anchor = render::Anchor::left;
+    const bool is_chosen = draw_button(context, button);
+    if (is_chosen) ImGui::CloseCurrentPopup();
+    return is_chosen;
 }
 
 }  // namespace batten::ui

@@ -69,6 +69,23 @@ void draw_command_button(const PanelContext& context, Button button, const edito
 /// The same for a command with what suggests itself.
 void draw_command_button(const PanelContext& context, Button button, const editor::CommandSpec& spec);
 
+/// A field with one of a few choices.
+struct ChoiceField {
+    std::string name;  ///< of its place; unique in the window
+    std::string text;  ///< of the present choice
+    float width_px = 0.0F;
+    bool is_enabled = true;
+    std::string tooltip = {};
+};
+
+/// Draws the field; a click opens the list below it. Returns whether that is open: then draw its choices, and end it.
+bool begin_choices(const PanelContext& context, const ChoiceField& field);
+void end_choices();
+
+/// A line of the list, as wide as the field, of which the button has the width. Returns whether it was clicked, which
+/// closes the list.
+bool draw_choice(const PanelContext& context, Button button);
+
 /// A box with a tick and a text beside it, `width_px` wide in all. Returns whether it was clicked.
 bool draw_check_box(const PanelContext& context, const Button& button);
 

@@ -66,6 +66,7 @@ void draw_presenting(const PanelContext& context, const Rectangle& place);
 void draw_curves_section(const PanelContext& context);
 void draw_pictures_section(const PanelContext& context);
 void draw_curve_section(const PanelContext& context);
+void draw_fit_points_section(const PanelContext& context);
 void draw_points_section(const PanelContext& context);
 void draw_knots_section(const PanelContext& context);
 void draw_construction_section(const PanelContext& context);
