@@ -99,7 +99,7 @@ std::vector<Point> noisy_arc(std::size_t count, double noise, double radius = 15
 
 TEST(FitStroke, finds_what_a_hand_meant) {
     const auto strokes = stored_strokes();
-    ASSERT_EQ(strokes.size(), 12U);
+    ASSERT_EQ(strokes.size(), 20U);
     for (const StoredStroke& stroke : strokes) {
         SCOPED_TRACE(stroke.name);
         const auto curve = fit_stroke(stroke.samples);
