@@ -284,19 +284,18 @@ const CommandSpec& DeletePoints::spec() {
 }
 
 const CommandSpec& Nudge::spec() {
-    static const CommandSpec spec{
-        .name = "nudge",
-        .title = "Nudge",
-        .explanation = "Moves what is selected, or the selected fit point, by an offset.",
-        .synonyms = "move shift",
-        .group = CommandGroup::edit,
-        .offered = {.menu = false},
-        .effect = ShapeEffect::changes,
-        .fields = {field::vector<&Nudge::offset>({"dx", "to the right"}, {"dy", "upwards"})},
-        .refusal = nothing_to_nudge,
-        .is_idle = has_no_points_selected,
-        .run = body_of<nudge>,
-        .texts = texts_of<texts_of_nudge>};
+    static const CommandSpec spec{.name = "nudge",
+                                  .title = "Nudge",
+                                  .explanation = "Moves what is selected, or the selected fit point, by an offset.",
+                                  .synonyms = "move shift",
+                                  .group = CommandGroup::edit,
+                                  .offered = {.menu = false},
+                                  .effect = ShapeEffect::changes,
+                                  .fields = {field::vector<&Nudge::offset>({"dx", "to the right"}, {"dy", "upwards"})},
+                                  .refusal = nothing_to_nudge,
+                                  .is_idle = has_no_points_selected,
+                                  .run = body_of<nudge>,
+                                  .texts = texts_of<texts_of_nudge>};
     return spec;
 }
 
