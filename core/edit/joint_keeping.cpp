@@ -13,7 +13,7 @@ namespace batten::core {
 namespace {
 
 // Joints that share control points are mended in turn until all agree.
-constexpr int most_rounds = 40;
+constexpr int most_mending_rounds = 40;
 
 bool is_over_same_basis(const EditedCurve& edited) {
     if (edited.old == nullptr) return false;
@@ -42,7 +42,7 @@ class JointKeeping {
     }
 
     void run() {
-        if (mend_in_turn(most_rounds)) return;
+        if (mend_in_turn(most_mending_rounds)) return;
         mend_together();
         if (mend_in_turn(1)) return;
         for (std::size_t k = 0; k < joints_.size(); ++k)

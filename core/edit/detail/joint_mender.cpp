@@ -9,7 +9,7 @@ namespace batten::core {
 
 namespace {
 
-constexpr int most_steps = 40;
+constexpr int most_mending_steps = 40;
 constexpr double turned_little = 1e-6;  // radians, which Newton's method mends without a guess
 constexpr double farthest = 4.0;        // sizes of what acts, beyond which no solution is meant
 
@@ -41,7 +41,7 @@ class Mending {
         target_ = (after_leads() ? arms_.after(places_) : arms_.before(places_)).place;
         guess();
         const std::vector<Point> guessed = places_;
-        for (int k = 0; k < most_steps; ++k) {
+        for (int k = 0; k < most_mending_steps; ++k) {
             const JointMiss miss = miss_of(arms_, places_, level_);
             if (miss.agrees && (keeps_target() || k > 0)) return finished(guessed);
             if (!miss.is_defined) return std::nullopt;
