@@ -172,6 +172,11 @@ Result<Curve> move_control_points(const Curve& curve, std::span<const std::size_
     return Trusted::with_points(curve, std::move(points));
 }
 
+double soft_share(Point point, Point center, double radius) {
+    const double share = distance(point, center) / radius;
+    return share < 1.0 ? (1.0 - share * share) * (1.0 - share * share) : 0.0;
+}
+
 Result<Curve> soft_move(const Curve& curve, Point center, double radius, Vector offset,
                         std::span<const std::size_t> pinned) {
     if (!(radius > 0.0) || !std::isfinite(radius))
@@ -179,10 +184,8 @@ Result<Curve> soft_move(const Curve& curve, Point center, double radius, Vector 
     if (!is_finite(vector_to(center)) || !is_finite(offset)) return refuse({.code = CurveErrorCode::vector_not_finite});
     CurveDefinition definition = curve.definition();
     for (std::size_t i = 0; i < definition.points.size(); ++i) {
-        const double share = distance(definition.points[i], center) / radius;
-        if (!(share < 1.0) || std::ranges::binary_search(pinned, i)) continue;
-        const double falloff = (1.0 - share * share) * (1.0 - share * share);
-        definition.points[i] += falloff * offset;
+        const double share = soft_share(definition.points[i], center, radius);
+        if (share > 0.0 && !std::ranges::binary_search(pinned, i)) definition.points[i] += share * offset;
     }
     return Curve::make(std::move(definition));
 }

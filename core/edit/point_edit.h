@@ -14,10 +14,13 @@ namespace batten::core {
 [[nodiscard]] Result<Curve> move_control_points(const Curve& curve, std::span<const std::size_t> indices,
                                                 Vector offset);
 
-/// The curve with every control point P moved by
-///     (1 - (|P - center| / radius)^2)^2 * offset,
-/// nearer than `radius` (> 0) to `center`; those `pinned` (ascending) and all others keep every bit. Errors:
-/// length_not_positive; vector_not_finite.
+/// The share of a soft move around `center` that a control point takes,
+///     (1 - (|P - center| / radius)^2)^2
+/// nearer than `radius` (> 0), else 0.
+double soft_share(Point point, Point center, double radius);
+
+/// The curve with every control point moved by its soft_share() of `offset`, nearer than `radius` (> 0) to `center`;
+/// those `pinned` (ascending) and all others keep every bit. Errors: length_not_positive; vector_not_finite.
 [[nodiscard]] Result<Curve> soft_move(const Curve& curve, Point center, double radius, Vector offset,
                                       std::span<const std::size_t> pinned = {});
 
