@@ -12,6 +12,7 @@
 
 #include "core/curve/curve.h"
 #include "core/document/guide.h"
+#include "core/document/joint_marks.h"
 #include "core/document/picture.h"
 #include "core/document/symmetry.h"
 
@@ -41,6 +42,7 @@ struct DocumentCurve {
     Tears tears = Tears::refuse;         ///< whether edits may tear the curve
     std::vector<std::size_t> pinned{};   ///< control points that edits of the shape leave where they are; ascending
     std::optional<Symmetry> symmetry{};  ///< of which other curves it is an image; none for most
+    JointMarks joints{};                 ///< that edits keep
     std::string unknown_members;         ///< members that this version does not know, as a JSON object; empty if none
     /// Which color of a palette each control point has, where that is not the one of its index; files do not have it.
     std::shared_ptr<const std::vector<std::uint8_t>> point_hues{};

@@ -45,7 +45,8 @@ std::size_t bytes_beside(const core::Document& document, const core::Document* o
     for (const core::DocumentCurve& item : document.curves) {
         count.add(item);
         entries += sizeof(core::DocumentCurve) + item.name.size() + item.group.size() + item.unknown_members.size() +
-                   item.unknown_fit_members.size() + item.pinned.size() * sizeof(std::size_t);
+                   item.unknown_fit_members.size() + item.pinned.size() * sizeof(std::size_t) +
+                   item.joints.knots.size() * sizeof(core::KnotMark) + item.joints.ends.size() * sizeof(core::EndMark);
     }
     for (const core::Picture& picture : document.pictures)
         entries += sizeof(core::Picture) + picture.path.native().size() + picture.unknown_members.size();

@@ -15,8 +15,9 @@ bool is_same_fit(const std::shared_ptr<const core::FitPoints>& a, const std::sha
 bool is_same_curve(const core::DocumentCurve& a, const core::DocumentCurve& b) {
     return (a.curve == b.curve || *a.curve == *b.curve) && a.name == b.name && a.color == b.color &&
            a.visible == b.visible && a.locked == b.locked && a.tears == b.tears && a.pinned == b.pinned &&
-           a.symmetry == b.symmetry && a.group == b.group && a.unknown_members == b.unknown_members &&
-           a.unknown_fit_members == b.unknown_fit_members && is_same_fit(a.fit, b.fit);
+           a.symmetry == b.symmetry && a.group == b.group && a.joints == b.joints &&
+           a.unknown_members == b.unknown_members && a.unknown_fit_members == b.unknown_fit_members &&
+           is_same_fit(a.fit, b.fit);
 }
 
 }  // namespace

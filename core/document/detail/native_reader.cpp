@@ -9,6 +9,7 @@
 #include "core/base/sentence.h"
 #include "core/curve/knot_analysis.h"
 #include "core/document/detail/fit_member.h"
+#include "core/document/detail/joint_member.h"
 #include "core/document/detail/json_text.h"
 #include "core/document/detail/native_format.h"
 #include "core/document/detail/object_reader.h"
@@ -178,6 +179,11 @@ FileResult<DocumentCurve> read_curve(Json& object, const std::string& pointer, s
     read_curve_fit(reader, entry, lost_fits);
     read_pinned(reader, entry);
     read_symmetry(reader, entry);
+    if (Json* value = reader.find("joints")) {
+        auto joints = read_joints(*value, reader.place("joints"), *entry.curve);
+        if (!joints) return tl::unexpected(joints.error());
+        entry.joints = *std::move(joints);
+    }
     if (reader.error()) return tl::unexpected(*reader.error());
     entry.unknown_members = reader.unknown_members();
     return entry;

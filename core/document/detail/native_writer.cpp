@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/document/detail/fit_member.h"
+#include "core/document/detail/joint_member.h"
 #include "core/document/detail/native_format.h"
 #include "core/document/detail/number_list.h"
 #include "core/document/native_file.h"
@@ -12,13 +13,6 @@
 namespace batten::core {
 
 namespace {
-
-// Whole numbers without a fraction.
-Json number(double value) {
-    std::string text;
-    append_json_text(text, value);
-    return Json::parse(text);
-}
 
 // The members of `unknown` (a JSON object as text) that the object does not have yet.
 void add_unknown_members(Json& object, const std::string& unknown) {
@@ -32,11 +26,11 @@ Json json_of(const Symmetry& symmetry) {
     Json object = Json::object();
     object["group"] = symmetry.group;
     object["place"] = symmetry.place;
-    object["center"] = Json::array({number(symmetry.center.x), number(symmetry.center.y)});
+    object["center"] = Json::array({json_number(symmetry.center.x), json_number(symmetry.center.y)});
     if (symmetry.turns)
         object["turns"] = *symmetry.turns;
     else
-        object["mirror"] = number(symmetry.angle);
+        object["mirror"] = json_number(symmetry.angle);
     return object;
 }
 
@@ -60,6 +54,7 @@ Json json_of(const DocumentCurve& entry) {
     object["locked"] = entry.locked;
     if (!entry.group.empty()) object["group"] = entry.group;
     if (!entry.pinned.empty()) object["pinned"] = entry.pinned;
+    if (!entry.joints.is_empty()) object["joints"] = json_of_joints(entry.joints);
     if (entry.symmetry) object["symmetry"] = json_of(*entry.symmetry);
     add_unknown_members(object, entry.unknown_members);
     return object;
@@ -70,10 +65,10 @@ Json json_of(const Picture& picture) {
     object["path"] = picture.path.generic_string();
     object["width"] = picture.width;
     object["height"] = picture.height;
-    object["position"] = Json::array({number(picture.position.x), number(picture.position.y)});
-    object["scale"] = number(picture.scale);
-    object["rotation"] = number(picture.rotation);
-    object["opacity"] = number(picture.opacity);
+    object["position"] = Json::array({json_number(picture.position.x), json_number(picture.position.y)});
+    object["scale"] = json_number(picture.scale);
+    object["rotation"] = json_number(picture.rotation);
+    object["opacity"] = json_number(picture.opacity);
     object["visible"] = picture.visible;
     object["locked"] = picture.locked;
     add_unknown_members(object, picture.unknown_members);
@@ -90,8 +85,8 @@ Json active_member(const Document& document) {
 
 Json json_of(const Guide& guide) {
     Json object = Json::object();
-    object["point"] = Json::array({number(guide.point.x), number(guide.point.y)});
-    object["angle"] = number(guide.angle);
+    object["point"] = Json::array({json_number(guide.point.x), json_number(guide.point.y)});
+    object["angle"] = json_number(guide.angle);
     add_unknown_members(object, guide.unknown_members);
     return object;
 }
@@ -99,7 +94,7 @@ Json json_of(const Guide& guide) {
 Json json_of_view(const Document& document) {
     const DocumentView& view = document.view;
     Json object = Json::object();
-    if (view.parameter && std::isfinite(*view.parameter)) object["parameter"] = number(*view.parameter);
+    if (view.parameter && std::isfinite(*view.parameter)) object["parameter"] = json_number(*view.parameter);
     if (view.overlays) object["overlays"] = *view.overlays;
     if (!view.notation.empty()) object["notation"] = view.notation;
     if (document.active > 0 && document.active_curve()) object["active"] = active_member(document);

@@ -109,4 +109,10 @@ Json take_numbers(TextStream& text, ListItem kind, const NumbersTaken& taken) {
     }
 }
 
+Json json_number(double value) {
+    std::string text;
+    append_json_text(text, value);
+    return Json::parse(text);
+}
+
 }  // namespace batten::core

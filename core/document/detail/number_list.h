@@ -33,6 +33,9 @@ Json take_numbers(TextStream& text, ListItem kind, const NumbersTaken& taken = {
 template <class T>
 inline constexpr bool can_be_packed = std::is_same_v<T, double> || std::is_same_v<T, Point>;
 
+/// A number as it is written, whole ones without a fraction.
+Json json_number(double value);
+
 /// `items` packed.
 template <class T>
 requires can_be_packed<T> Json packed(std::span<const T> items) {

@@ -339,6 +339,35 @@ TEST(NativeFormat, the_group_of_a_curve_comes_back) {
     EXPECT_EQ(refused.error().where, "/curves/0/group");
 }
 
+TEST(NativeFormat, marked_joints_come_back_in_order) {
+    const std::string line = R"("degree": 1, "knots": [0,0,1,2,3,3], "points": [[0,0],[1,1],[2,0],[3,0]], "joints": )";
+    const std::string marks = R"([{"end": "end", "joint": 4, "mark": "corner"}, {"u": 2, "mark": "curvature"},
+                                  {"u": 1, "mark": "smooth"}])";
+    const Document document = parse_document(file_of(line + marks)).value();
+    const JointMarks& joints = document.curves[0].joints;
+    EXPECT_EQ(joints.knots, (std::vector<KnotMark>{{1.0, JointMark::smooth}, {2.0, JointMark::curvature}}));
+    EXPECT_EQ(joints.ends, (std::vector<EndMark>{{CurveEnd::end, 4, JointMark::corner}}));
+    EXPECT_EQ(parse_document(format_document(document))->curves[0].joints, joints);
+    EXPECT_EQ(format_document(parse_document(file_of(line + "[]")).value()).find("joints"), std::string::npos);
+    const auto refusal = [&](const std::string& list) {
+        const auto refused = parse_document(file_of(line + list));
+        return refused ? std::string("none") : refused.error().where + ": " + refused.error().what;
+    };
+    EXPECT_EQ(refusal("3"), "/curves/0/joints: found 3, but it must be a list of joints");
+    EXPECT_EQ(refusal(R"([{"u": 1.5, "mark": "smooth"}])"),
+              "/curves/0/joints/0/u: found 1.5, but it must be a knot inside the domain");
+    EXPECT_EQ(refusal(R"([{"u": 0, "mark": "smooth"}])"),
+              "/curves/0/joints/0/u: found 0, but it must be a knot inside the domain");
+    EXPECT_EQ(refusal(R"([{"u": 1}])"), "/curves/0/joints/0: the member \"mark\" is missing");
+    EXPECT_EQ(refusal(R"([{"u": 1, "mark": "smooth"}, {"u": 1, "mark": "corner"}])"),
+              "/curves/0/joints/1/u: the knot is marked twice");
+    EXPECT_EQ(refusal(R"([{"end": "end", "joint": 0.5, "mark": "smooth"}])"),
+              "/curves/0/joints/0/joint: found 0.5, but it must be a whole number from 0 to 1000000000");
+    EXPECT_EQ(
+        refusal(R"([{"end": "end", "joint": 1, "mark": "smooth"}, {"end": "end", "joint": 2, "mark": "smooth"}])"),
+        "/curves/0/joints/1/end: the end is marked twice");
+}
+
 TEST(NativeFormat, pinned_points_come_back_in_order) {
     const std::string cubic = R"("degree": 1, "knots": [0,0,1,2,2], "points": [[0,0],[1,1],[2,0]], "pinned": )";
     const Document document = parse_document(file_of(cubic + "[2,0,2]")).value();

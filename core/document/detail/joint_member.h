@@ -1,0 +1,15 @@
+/// The member "joints" of a curve in native files: which of its joints are marked.
+#pragma once
+
+#include "core/document/detail/object_reader.h"
+#include "core/document/joint_marks.h"
+
+namespace batten::core {
+
+/// The marks that the list `value` at `pointer` holds, of `curve`, checked completely.
+[[nodiscard]] FileResult<JointMarks> read_joints(Json& value, const std::string& pointer, const Curve& curve);
+
+/// The list that read_joints reads back to equal marks.
+Json json_of_joints(const JointMarks& marks);
+
+}  // namespace batten::core
