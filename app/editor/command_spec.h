@@ -8,6 +8,7 @@
 
 #include "app/editor/fields/field.h"
 #include "app/editor/state/drawn_stroke.h"
+#include "app/editor/state/faired_part.h"
 #include "app/editor/state/key.h"
 #include "app/editor/state/nudge_burst.h"
 #include "app/editor/state/selection.h"
@@ -42,6 +43,7 @@ struct Edit {
     std::optional<std::string> remark{};     ///< what else is to be said of what was done, as whole sentences
     std::optional<NudgeBurst> burst{};       ///< of a nudge; one of several extends the step before
     std::optional<DrawnStroke> stroke{};     ///< from which the edit came; its step is not told yet
+    std::optional<FairedPart> faired{};      ///< what the edit faired; its step is not told yet
     bool extends = false;                    ///< replaces the step before, as what it led to
     bool only_adds = false;  ///< the old part of the curve stays, with its parameters, and a part is new
 };

@@ -51,6 +51,7 @@ void add_other_commands(CommandTable& table) {
     add_stroke_commands(table);
     add_shape_commands(table);
     add_fairing_commands(table);
+    add_brush_commands(table);
     add_transform_commands(table);
     add_arranging_commands(table);
     add_symmetry_commands(table);

@@ -118,6 +118,13 @@ void note_stroke(EditorState& state, std::optional<DrawnStroke> stroke) {
     state.view.smoothness = state.stroke->smoothness;
 }
 
+void note_faired(EditorState& state, const Edit& edit) {
+    state.faired = edit.faired;
+    if (!state.faired) return;
+    state.faired->step = state.history.undo_count();
+    if (edit.extends) state.view.brush.distance = state.faired->distance;
+}
+
 // The edit as a step of the history, with what is said and shown about it.
 void push_step(EditorState& state, const Command& command, Edit& edit) {
     const core::Document before = state.history.present();
@@ -132,6 +139,7 @@ void push_step(EditorState& state, const Command& command, Edit& edit) {
         state.history.push(std::move(texts.step), std::move(edit.document));
     state.burst = std::move(edit.burst);
     note_stroke(state, std::move(edit.stroke));
+    note_faired(state, edit);
     follow_document(state, before);
     if (effect == ShapeEffect::keeps) note_insertion(state, before);
     std::vector<std::string> told{done_sentence(texts.done, effect, distances_of(state, ghost, edit))};

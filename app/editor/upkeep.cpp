@@ -53,6 +53,7 @@ struct HoverCheck {
     }
     bool operator()(const HoveredFitPoint& hovered) const { return hovered.index < fit_point_count(document); }
     bool operator()(const HoveredFitHandle& hovered) const { return hovered.index < fit_point_count(document); }
+    bool operator()(const HoveredHandlebar&) const { return true; }
     bool operator()(const HoveredGuide& hovered) const { return hovered.index < document.guides.size(); }
     bool operator()(const HoveredOtherPoint& hovered) const {
         return (*this)(HoveredOtherCurve{hovered.curve}) &&
@@ -69,6 +70,7 @@ void keep_selection(Selection& selection, const core::Document& before, const co
     // With another count the old indices would silently mean other points or knots.
     if (old_active.control_points().size() != active.control_points().size()) selection.points.clear();
     if (old_active.knots().stored().size() != active.knots().stored().size()) selection.knot.reset();
+    if (selection.handlebar && !active.domain().contains(*selection.handlebar)) selection.handlebar.reset();
     keep_parts(selection, before, after);
 }
 

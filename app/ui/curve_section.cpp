@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/editor/commands/brush_commands.h"
 #include "app/editor/commands/degree_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/stroke_commands.h"
@@ -65,6 +66,23 @@ void draw_stroke_row(const PanelContext& context) {
     field.tooltip = "Drag to the right for a smoother stroke, to the left for one truer to the hand; from 0 to 10.";
     draw_number_field(context, field,
                       [](double value) { return editor::RefitStroke{.smoothness = static_cast<int>(value)}; });
+}
+
+/// How far the part that the last step faired may have moved, as long as that is the last step.
+void draw_faired_row(const PanelContext& context) {
+    const editor::EditorState& state = context.state;
+    if (editor::no_faired_part(state) || state.faired->curve != state.history.present().active) return;
+    draw_row_label(context, "Fair within");
+    NumberField field;
+    field.name = "faired distance";
+    field.value = state.faired->distance;
+    field.decimals = 17;
+    field.most_decimals = 4;
+    field.speed = 0.02;
+    field.is_multiplicative = true;
+    field.width_px = field_width(context);
+    field.tooltip = "Drag to the right for a fairer part, to the left for one nearer to the old curve.";
+    draw_number_field(context, field, [](double value) { return editor::RefairPart{.distance = value}; });
 }
 
 /// Another degree with the same control points.
@@ -160,6 +178,7 @@ void draw_curve_section(const PanelContext& context) {
     const core::Curve& curve = *context.state.active_curve();
     if (draw_section_heading(context, {"curve", "Curve", info_text(curve, *context.state.derived.of(curve.knots()))})) {
         draw_stroke_row(context);
+        draw_faired_row(context);
         draw_degree_row(context, curve);
         draw_kind_row(context, curve);
         draw_closed_row(context, curve);

@@ -74,6 +74,7 @@ void press_button(const PanelContext& context, const ToolButton& button) {
     if (&button.spec == &editor::take_tool_spec(editor::Tool::shape)) open_context_menu(context, editor::OnShapes{});
     if (&button.spec == &editor::take_tool_spec(editor::Tool::draw_curve)) open_context_menu(context, editor::OnPens{});
     if (&button.spec == &editor::take_tool_spec(editor::Tool::joint)) open_context_menu(context, editor::OnJoints{});
+    if (&button.spec == &editor::take_tool_spec(editor::Tool::brush)) open_context_menu(context, editor::OnBrushes{});
 }
 
 void draw_tool_button(const PanelContext& context, const ToolButton& button) {

@@ -149,6 +149,14 @@ void draw_joint(const IconPen& pen) {
     pen.disc({0.64F, 0.3F}, 0.1F);
 }
 
+/// A circle with points that are fainter toward its rim.
+void draw_brush(const IconPen& pen) {
+    pen.ring({0.5F, 0.5F}, 0.4F);
+    pen.disc({0.5F, 0.5F}, 0.11F);
+    pen.disc({0.28F, 0.5F}, 0.06F);
+    pen.disc({0.72F, 0.5F}, 0.06F);
+}
+
 /// A magnet.
 void draw_snapping(const IconPen& pen) {
     constexpr float half_turn = 3.14159265F;
@@ -175,6 +183,7 @@ constexpr std::array icons{ToolIcon{TakeTool<Tool::select>::spec, draw_select},
                            ToolIcon{TakeTool<Tool::parameter>::spec, draw_parameter},
                            ToolIcon{TakeTool<Tool::shape>::spec, draw_shape},
                            ToolIcon{TakeTool<Tool::joint>::spec, draw_joint},
+                           ToolIcon{TakeTool<Tool::brush>::spec, draw_brush},
                            ToolIcon{editor::SetSnap::spec, draw_snapping},
                            ToolIcon{TakeTool<Tool::pencil>::spec, draw_pencil},
                            ToolIcon{editor::Undo::spec, draw_undo},

@@ -22,6 +22,23 @@ class CanvasFixture : public testing::Test {
     double weight(std::size_t i) const { return committed(editor).weights()[i]; }
     std::size_t steps() const { return state().history.undo_count() - first_steps; }
     const Indices& selected() const { return state().selection.points; }
+    /// Types at a place; '\t', '\b' and '\n' are Tab, Backspace and Enter.
+    void type(const std::u32string& text, glm::dvec2 at) {
+        for (const char32_t c : text) {
+            PointerEvent event;
+            event.action = PointerAction::key;
+            event.position_px = at;
+            if (c == U'\t')
+                event.key = Key::tab;
+            else if (c == U'\b')
+                event.key = Key::backspace;
+            else if (c == U'\n')
+                event.key = Key::enter;
+            else
+                event.character = c;
+            pointer.send(event);
+        }
+    }
     template <class Mode>
     bool is_in() const {
         return std::holds_alternative<Mode>(pointer.mode());

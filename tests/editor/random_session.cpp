@@ -5,6 +5,7 @@
 #include "app/editor/command_reader.h"
 #include "app/editor/commands/analysis_commands.h"
 #include "app/editor/commands/arranging_commands.h"
+#include "app/editor/commands/brush_commands.h"
 #include "app/editor/commands/closing_commands.h"
 #include "app/editor/commands/combine_commands.h"
 #include "app/editor/commands/construction_commands.h"
@@ -384,12 +385,13 @@ Command RandomSession::moving_command(const EditorState& state, const core::Curv
         case 0:
             return MoveCurvePoint{.u = parameter(state), .position = point(9)};
         case 1:
-            return SetTangent{.u = parameter(state), .derivative = vector(9)};
+            return SetTangent{.u = parameter(state), .derivative = vector(9), .side = any<core::Side>()};
         case 2:
             return MovePointAndTangent{.u = parameter(state), .position = point(9), .derivative = vector(9)};
         case 3:
             return Fair{.distance = between(-0.1, 0.5)};
         case 4:
+            if (below(3) == 0) return RefairPart{.distance = between(-0.1, 0.5)};
             return FairPart{.from = parameter(state), .to = parameter(state), .distance = between(-0.1, 0.5)};
         case 5:
             return Rebuild{.count = below(20), .degree = static_cast<int>(below(8))};
@@ -653,7 +655,8 @@ Command RandomSession::view_command(const EditorState& state) {
         case 4:
             return ActivateCurve{.index = index(state.history.present().curves.size())};
         case 5:
-            return SetParameter{.u = parameter(state)};
+            return below(2) == 0 ? Command(ShowHandlebar{.u = parameter(state)})
+                                 : Command(SetParameter{.u = parameter(state)});
         case 6:
             return below(2) == 0 ? Command(TogglePlay{})
                                  : Command(SetSnap{.kind = SnapKind::grid, .on = below(2) == 0});

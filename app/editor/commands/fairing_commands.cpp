@@ -28,8 +28,11 @@ Outcome<Edit> replaced_by(const EditorState& state, core::Result<core::Approxima
 }
 
 Outcome<Edit> fair_part(const EditorState& state, const FairPart& command) {
-    return replaced_by(state, core::fair_part(active_curve(state), {command.from, command.to}, command.distance,
-                                              state.progress, held_points(state)));
+    const core::Interval part{command.from, command.to};
+    Outcome<Edit> edit = replaced_by(
+        state, core::fair_part(active_curve(state), part, command.distance, state.progress, held_points(state)));
+    if (edit) edit->faired = FairedPart{.part = part, .distance = command.distance, .curve = edit->document.active};
+    return edit;
 }
 
 Outcome<Edit> rebuild(const EditorState& state, const Rebuild& command) {

@@ -51,6 +51,7 @@ void add_combine_commands(CommandTable& table);
 void add_stroke_commands(CommandTable& table);
 void add_shape_commands(CommandTable& table);
 void add_fairing_commands(CommandTable& table);
+void add_brush_commands(CommandTable& table);
 void add_transform_commands(CommandTable& table);
 void add_arranging_commands(CommandTable& table);
 void add_symmetry_commands(CommandTable& table);

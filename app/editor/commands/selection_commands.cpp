@@ -37,6 +37,18 @@ Outcome<void> select_knot(EditorState& state, const SelectKnot& command) {
     return {};
 }
 
+Outcome<void> show_handlebar(EditorState& state, const ShowHandlebar& command) {
+    state.selection = {.points = {}, .knot = {}, .handlebar = active_curve(state).knots().into_domain(command.u)};
+    if (state.tool != Tool::select) take_tool(state, Tool::select);
+    return {};
+}
+
+std::optional<Refusal> no_handlebar(const EditorState& state) {
+    if (std::optional<Refusal> refusal = no_editable_curve(state)) return refusal;
+    if (is_made_of_points(state)) return "the curve is made of fit points; drag these, or make it an ordinary curve";
+    return std::nullopt;
+}
+
 Outcome<void> activate_curve(EditorState& state, const ActivateCurve& command) {
     const core::Document before = state.history.present();
     core::Document document = before;
@@ -97,6 +109,22 @@ const CommandSpec& SelectKnot::spec() {
     return spec;
 }
 
+const CommandSpec& ShowHandlebar::spec() {
+    static const CommandSpec spec{
+        .name = "show-handlebar",
+        .title = "Show handlebar",
+        .explanation = "Holds the curve at u: the point there and both ends of its tangent can be dragged.",
+        .synonyms = "tangent handle node drag",
+        .group = CommandGroup::curve,
+        .submenu = "Shape",
+        .offered = in_the_window,
+        .fields =
+            {field::parameter<&ShowHandlebar::u>("u", "where, in the domain").suggesting<suggest::current_parameter>()},
+        .refusal = no_handlebar,
+        .run = body_of<show_handlebar>};
+    return spec;
+}
+
 const CommandSpec& ActivateCurve::spec() {
     static const CommandSpec spec{
         .name = "activate-curve",
@@ -112,7 +140,7 @@ const CommandSpec& ActivateCurve::spec() {
 }
 
 void add_selection_commands(CommandTable& table) {
-    add_all<SelectAll, SelectNone, SelectPoints, SelectKnot, ActivateCurve>(table);
+    add_all<SelectAll, SelectNone, SelectPoints, SelectKnot, ShowHandlebar, ActivateCurve>(table);
 }
 
 }  // namespace batten::editor

@@ -25,6 +25,12 @@ struct SelectKnot {
     static const CommandSpec& spec();
 };
 
+/// Holds the active curve at a parameter: its point and its tangent can be dragged there.
+struct ShowHandlebar {
+    double u;
+    static const CommandSpec& spec();
+};
+
 struct ActivateCurve {
     std::size_t index;
     static const CommandSpec& spec();

@@ -22,9 +22,9 @@ Outcome<Edit> move_curve_point(const EditorState& state, const MoveCurvePoint& c
 
 Outcome<Edit> set_tangent(const EditorState& state, const SetTangent& command) {
     const core::Curve& curve = active_curve(state);
-    return edit_active(state,
-                       core::move_curve_point_and_tangent(curve, command.u, core::point_at(curve, command.u),
-                                                          command.derivative, core::Side::right, pinned_points(state)));
+    return edit_active(
+        state, core::move_curve_point_and_tangent(curve, command.u, core::point_at(curve, command.u, command.side),
+                                                  command.derivative, command.side, pinned_points(state)));
 }
 
 Outcome<Edit> move_point_and_tangent(const EditorState& state, const MovePointAndTangent& command) {
@@ -120,7 +120,9 @@ const CommandSpec& SetTangent::spec() {
         .group = CommandGroup::curve,
         .submenu = "Shape",
         .effect = ShapeEffect::changes,
-        .fields = {parameter_field<SetTangent>(), derivative_field<SetTangent>()},
+        .fields = {parameter_field<SetTangent>(), derivative_field<SetTangent>(),
+                   field::choice<&SetTangent::side>("side", "of a knot at which the curve may turn")
+                       .usually(core::Side::right)},
         .refusal = no_editable_curve,
         .run = body_of<set_tangent>,
         .done = "Set tangent at u = {u} to ({dx}, {dy})",

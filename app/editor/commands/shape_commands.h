@@ -18,6 +18,7 @@ struct MoveCurvePoint {
 struct SetTangent {
     double u;
     core::Vector derivative;
+    core::Side side = core::Side::right;  ///< of a knot at which the curve may turn
     static const CommandSpec& spec();
 };
 

@@ -175,6 +175,13 @@ const CommandSpec& TakeTool<Tool::joint>::spec() {
     return spec;
 }
 
+template <>
+const CommandSpec& TakeTool<Tool::brush>::spec() {
+    static const CommandSpec spec = taking<Tool::brush>(
+        "tool-brush", "Brush", "Moves points softly, or fairs what is painted over, within a circle.", Key::e);
+    return spec;
+}
+
 const CommandSpec& draw_shape_spec(ShapeKind kind) {
     static const std::array<CommandSpec, shape_kind_count> specs =
         all_shape_specs(std::make_index_sequence<shape_kind_count>());
@@ -234,9 +241,11 @@ const CommandSpec& take_tool_spec(Tool tool) {
         case Tool::shape:
             return TakeTool<Tool::shape>::spec();
         case Tool::joint:
+            return TakeTool<Tool::joint>::spec();
+        case Tool::brush:
             break;
     }
-    return TakeTool<Tool::joint>::spec();
+    return TakeTool<Tool::brush>::spec();
 }
 
 void add_tool_commands(CommandTable& table) {

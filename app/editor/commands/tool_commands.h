@@ -49,6 +49,8 @@ template <>
 const CommandSpec& TakeTool<Tool::pencil>::spec();
 template <>
 const CommandSpec& TakeTool<Tool::joint>::spec();
+template <>
+const CommandSpec& TakeTool<Tool::brush>::spec();
 
 /// The description of the command that takes `tool`.
 const CommandSpec& take_tool_spec(Tool tool);

@@ -2,6 +2,7 @@
 
 #include "app/editor/derived/blend_lines.h"
 #include "app/editor/derived/construction_cells.h"
+#include "app/editor/pointer/brush.h"
 #include "app/editor/pointer/canvas_mode.h"
 #include "app/editor/pointer/gesture.h"
 #include "app/editor/pointer/hint_text.h"
@@ -65,7 +66,8 @@ struct SelectHint {
     }
     std::string operator()(const HoveredCurve& h) const {
         return sentence(
-            "Drag the curve to move C({u}) (changes the shape) · double-click to insert a knot there (keeps the shape)",
+            "Drag the curve to move C({u}) (changes the shape) · click for its tangent · double-click to insert a knot "
+            "there (keeps the shape)",
             {{"u", parameter_text(curve, h.u)}});
     }
     std::string operator()(const HoveredParameter&) const {
@@ -106,6 +108,12 @@ struct SelectHint {
         if (h.handle == ViewHandle::comb) return "Drag to make the comb longer or shorter";
         if (h.handle == ViewHandle::line) return "Drag to move the line · Shift keeps to one axis";
         return "Drag to turn the line · Ctrl keeps to the grid, Shift to one axis";
+    }
+    std::string operator()(const HoveredHandlebar& h) const {
+        return h.part == HandlebarPart::middle
+                   ? "Drag to move the curve here, its tangent with it · double-click to insert a knot (keeps the "
+                     "shape)"
+                   : "Drag to turn the tangent, or to make it stronger · Ctrl keeps to the grid, Shift to one axis";
     }
     std::string operator()(const HoveredGuide&) const { return "Drag to move the guide · right-click to remove it"; }
     template <class Other>
@@ -151,6 +159,7 @@ std::string tool_hint(const EditorState& state) {
             "Click to set the first point of a new curve by {mode} · right-click for other pens · Escape leaves",
             {{"mode", core::title_of(state.view.pen_mode)}});
     if (state.tool == Tool::joint) return joint_hint(state, {});
+    if (state.tool == Tool::brush) return brush_hint(state, {});
     if (state.tool == Tool::shape) return shape_hint(state.view.shape_kind, 0);
     if (state.tool == Tool::pencil) return pencil_hint(state);
     if (state.tool == Tool::select || !can_edit_curve(state)) return select_hint(state);
@@ -173,6 +182,7 @@ std::string tool_hint(const EditorState& state) {
         case Tool::shape:
         case Tool::pencil:
         case Tool::joint:
+        case Tool::brush:
             break;
     }
     return {};
@@ -231,10 +241,12 @@ struct ModeHint {
         return sentence("Knot at {u} · Escape restores", {{"u", knot_value(*curve, moving_knot(state, mode.index))}});
     }
     std::string operator()(const DraggingCurvePoint& mode) const {
-        if (curve == nullptr) return {};
-        return sentence("C({u}) at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
-                        {{"u", parameter_text(*curve, mode.u)},
-                         {"place", place_in(state, *curve, core::point_at(*curve, mode.u))}});
+        return curve == nullptr ? std::string{} : curve_point_hint(mode.u);
+    }
+    std::string curve_point_hint(double u) const {
+        return sentence(
+            "C({u}) at {place} · Ctrl snaps to the grid · Shift keeps to an axis · Escape restores",
+            {{"u", parameter_text(*curve, u)}, {"place", place_in(state, *curve, core::point_at(*curve, u))}});
     }
     std::string operator()(const DraggingHandle& mode) const {
         return mode.start.handle == ViewHandle::comb
@@ -256,6 +268,12 @@ struct ModeHint {
     std::string operator()(const DraggingFitHandle&) const {
         return "Ctrl snaps to the grid · Shift keeps to an axis · Escape restores";
     }
+    std::string operator()(const DraggingHandlebar& mode) const {
+        if (curve == nullptr || !state.selection.handlebar || mode.part != HandlebarPart::middle)
+            return "Ctrl snaps to the grid · Shift keeps to an axis · Escape restores";
+        return curve_point_hint(*state.selection.handlebar);
+    }
+    std::string operator()(const Brushing& mode) const { return brush_hint(state, mode); }
     std::string operator()(const DrawingCurve& mode) const {
         if (mode.pulled_px) return "Drag to draw out the handle of a smooth point; a click makes a corner";
         if (mode.closes) return "Click to close the curve";

@@ -38,6 +38,7 @@ CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {
     if (gesture.event.action == PointerAction::leave) request_hover(HoveredNothing{}, gesture.state, gesture.queue);
     if (!is_move(gesture)) return mode;
     if (gesture.state.tool == Tool::joint) return begin_joint(gesture);
+    if (gesture.state.tool == Tool::brush) return begin_brush(gesture);
     request_hover(hit_canvas(gesture.state, gesture.event.position_px), gesture.state, gesture.queue);
     if (places_points(gesture.state.tool)) static_cast<void>(pointed_at(gesture));
     return mode;
@@ -93,6 +94,11 @@ double snap_distance_at(const Gesture& gesture, const core::Curve& curve, double
     return px_per_parameter > 0.0 ? pixels(gesture.state, snap_reach) / px_per_parameter : 0.0;
 }
 
+/// The knot that is near u on the screen, else u.
+double knot_beside(const Gesture& gesture, const core::Curve& curve, double u) {
+    return knot_near(curve.knots(), u, snap_distance_at(gesture, curve, u)).value_or(u);
+}
+
 void ask_to_move_knot(const DraggingCurveKnot& mode, const Gesture& gesture, Phase phase) {
     const core::Curve* curve = committed_curve(gesture.state);
     if (curve == nullptr) return;
@@ -118,9 +124,10 @@ void ask_to_move_curve(const DraggingCurvePoint& mode, const Gesture& gesture, P
 }
 
 CanvasMode step(const DraggingCurvePoint& mode, const Gesture& gesture) {
-    // A click on the curve means no more than one beside it.
-    return step_edit(mode, gesture, ask_to_move_curve, [](const auto&, const Gesture& click) {
-        if (click.state.selection != Selection{}) click.queue.run(SelectNone{});
+    return step_edit(mode, gesture, ask_to_move_curve, [](const auto& pressed, const Gesture& click) {
+        const core::Curve* curve = committed_curve(click.state);
+        const bool wants_knot = click.event.modifiers.ctrl && curve != nullptr;
+        click.queue.run(ShowHandlebar{.u = wants_knot ? knot_beside(click, *curve, pressed.u) : pressed.u});
     });
 }
 
@@ -144,8 +151,7 @@ CanvasMode step(const Panning& mode, const Gesture& gesture) {
 /// Of the place on the curve that is nearest to the pointer; with Ctrl, that of a knot that is near.
 double pointed_parameter(const Gesture& gesture, const core::Curve& curve) {
     const double u = nearest_to_pointer(gesture).u;
-    if (!gesture.event.modifiers.ctrl) return u;
-    return knot_near(curve.knots(), u, snap_distance_at(gesture, curve, u)).value_or(u);
+    return gesture.event.modifiers.ctrl ? knot_beside(gesture, curve, u) : u;
 }
 
 CanvasMode step(const DraggingParameter& mode, const Gesture& gesture) {
@@ -213,6 +219,8 @@ CanvasMode with_present_tool(CanvasMode mode, const EditorState& state) {
     if (shape != nullptr && shape->tool_changes != state.tool_changes) return CanvasIdle{};
     const auto* stroke = std::get_if<PencilStroke>(&mode);
     if (stroke != nullptr && stroke->tool_changes != state.tool_changes) return CanvasIdle{};
+    const auto* brush = std::get_if<Brushing>(&mode);
+    if (brush != nullptr && brush->tool_changes != state.tool_changes) return CanvasIdle{};
     const auto* joint = std::get_if<PickingJoint>(&mode);
     if (joint != nullptr && joint->tool_changes != state.tool_changes) return CanvasIdle{};
     return mode;

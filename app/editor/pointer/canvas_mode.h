@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "app/editor/command.h"
+#include "app/editor/pointer/brush_mode.h"
 #include "app/editor/pointer/drawing_mode.h"
 #include "app/editor/pointer/fit_point_mode.h"
 #include "app/editor/pointer/guide_mode.h"
+#include "app/editor/pointer/handlebar_mode.h"
 #include "app/editor/pointer/joint_mode.h"
 #include "app/editor/pointer/pencil_mode.h"
 #include "app/editor/pointer/picture_mode.h"
@@ -103,7 +105,7 @@ using CanvasMode =
     std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,
                  DraggingCurveKnot, DraggingCurvePoint, DraggingHandle, DraggingFarinPoint, DraggingLiftedWeight,
                  TurningOrbit, DrawingCurve, DraggingFitPoint, DraggingFitHandle, DrawingShape, DraggingGuide,
-                 DraggingPicture, PencilStroke, PickingJoint, DraggingSelection>;
+                 DraggingPicture, PencilStroke, PickingJoint, DraggingSelection, DraggingHandlebar, Brushing>;
 
 /// The mode that is left where the tool was changed without the pointer: a curve half drawn is given up.
 CanvasMode with_present_tool(CanvasMode mode, const EditorState& state);

@@ -84,6 +84,7 @@ struct SelectPress {
     CanvasMode operator()(const HoveredHandle& hit) const {
         return DraggingHandle{start_of(gesture.state, hit.handle), gesture.event.position_px};
     }
+    CanvasMode operator()(const HoveredHandlebar& hit) const { return begin_handlebar_drag(gesture, hit.part); }
     CanvasMode operator()(const HoveredGuide& hit) const { return begin_guide_drag(gesture, hit.index); }
     CanvasMode operator()(const HoveredOtherCurve& hit) const {
         gesture.queue.run(ActivateCurve{.index = hit.index});
@@ -106,6 +107,9 @@ struct SelectDoubleClick {
 
     bool operator()(const HoveredCurve& hit) const { return insert_knot(hit.u); }
     bool operator()(const HoveredParameter&) const { return insert_knot(gesture.state.parameter()); }
+    bool operator()(const HoveredHandlebar& hit) const {
+        return hit.part == HandlebarPart::middle && insert_knot(*gesture.state.selection.handlebar);
+    }
     bool operator()(const HoveredFitPoint& hit) const {
         turn_fit_joint(gesture, hit.index);
         return true;
@@ -247,6 +251,8 @@ CanvasMode begin_canvas_gesture(const Gesture& gesture) {
             return begin_stroke(gesture);
         case Tool::joint:
             return begin_joint(gesture);
+        case Tool::brush:
+            return begin_brush(gesture);
     }
     return CanvasIdle{};
 }

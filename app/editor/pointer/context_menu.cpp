@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "app/editor/commands/brush_commands.h"
 #include "app/editor/commands/closing_commands.h"
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/degree_commands.h"
@@ -69,6 +70,10 @@ class Menu {
         offer<SetKnot, RemoveKnot>();
         add(DeleteKnot{.index = index});
         group();
+        if (const core::Curve* curve = state_.active_curve()) {
+            const double u = curve->knots().stored()[index];
+            if (curve->domain().contains(u)) add(ShowHandlebar{.u = u});
+        }
         offer<SelectNone>();
     }
 
@@ -76,6 +81,7 @@ class Menu {
         add(InsertKnot{.u = u});
         add(Split{.u = u});
         add(SetParameter{.u = u});
+        add(ShowHandlebar{.u = u});
         group();
     }
 
@@ -182,6 +188,12 @@ class Menu {
         offer<SetJointRadius, SetJointOffset, CheckJoints>();
     }
 
+    void brushes() {
+        for (std::size_t i = 0; i < brush_kind_count; ++i) put({&use_brush_spec(static_cast<BrushKind>(i))});
+        group();
+        offer<SetBrushSize, RefairPart>();
+    }
+
     void snapping() {
         for (std::size_t i = 0; i < snap_kind_count; ++i) put({&toggle_snap_spec(static_cast<SnapKind>(i))});
         group();
@@ -249,6 +261,8 @@ struct FillByTarget {
         if (const auto* leg = std::get_if<HoveredLeg>(&target.hit)) return menu.leg(leg->index, target.position);
         if (const auto* curve = std::get_if<HoveredCurve>(&target.hit)) return place_on_curve(curve->u);
         if (std::holds_alternative<HoveredParameter>(target.hit)) return place_on_curve(state.parameter());
+        if (std::holds_alternative<HoveredHandlebar>(target.hit) && state.selection.handlebar)
+            return place_on_curve(*state.selection.handlebar);
         menu.canvas();
     }
     void operator()(const OnPlot& target) const {
@@ -270,6 +284,7 @@ struct FillByTarget {
     void operator()(const OnShapes&) const { menu.shapes(); }
     void operator()(const OnPens&) const { menu.pens(); }
     void operator()(const OnJoints&) const { menu.joints(); }
+    void operator()(const OnBrushes&) const { menu.brushes(); }
     void operator()(const OnSnapping&) const { menu.snapping(); }
     void operator()(const OnPanel&) const { menu.interface(); }
 

@@ -53,6 +53,9 @@ struct OnPens {};
 /// The button of the joint tool, which offers what it can do.
 struct OnJoints {};
 
+/// The button of the brush, which offers what it can do.
+struct OnBrushes {};
+
 /// The button that tells what the pointer snaps to.
 struct OnSnapping {};
 
@@ -60,7 +63,7 @@ struct OnSnapping {};
 struct OnPanel {};
 
 using MenuTarget = std::variant<OnPanel, OnCanvas, OnPlot, OnPart, OnCurve, OnFinding, OnText, OnTitleLine, OnToolBar,
-                                OnShapes, OnPens, OnJoints, OnSnapping>;
+                                OnShapes, OnPens, OnJoints, OnBrushes, OnSnapping>;
 
 /// One line of the menu.
 struct MenuEntry {

@@ -11,8 +11,8 @@ bool is_one_of(const Hover& hover) {
 
 // What the select tool does to the thing under the pointer.
 Cursor select_cursor(const EditorState& state) {
-    if (is_one_of<HoveredPoint, HoveredHandle, HoveredFitPoint, HoveredFitHandle, HoveredGuide, HoveredOtherPoint>(
-            state.hover))
+    if (is_one_of<HoveredPoint, HoveredHandle, HoveredFitPoint, HoveredFitHandle, HoveredGuide, HoveredOtherPoint,
+                  HoveredHandlebar>(state.hover))
         return Cursor::move;
     if (is_one_of<HoveredWeightRing>(state.hover)) return Cursor::vertical;
     const bool is_grip =
@@ -37,6 +37,7 @@ Cursor tool_cursor(const EditorState& state) {
         case Tool::shape:
         case Tool::pencil:
         case Tool::joint:
+        case Tool::brush:
             break;
     }
     return Cursor::crosshair;
@@ -65,6 +66,8 @@ struct CanvasCursor {
     Cursor operator()(const DrawingShape&) const { return Cursor::crosshair; }
     Cursor operator()(const PickingJoint&) const { return Cursor::crosshair; }
     Cursor operator()(const DraggingGuide&) const { return Cursor::move; }
+    Cursor operator()(const DraggingHandlebar&) const { return Cursor::move; }
+    Cursor operator()(const Brushing&) const { return Cursor::crosshair; }
     Cursor operator()(const DraggingPicture&) const { return Cursor::move; }
     Cursor operator()(const DraggingSelection&) const { return Cursor::move; }
 };

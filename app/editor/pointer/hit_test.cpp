@@ -7,6 +7,7 @@
 
 #include "app/editor/derived/construction_cells.h"
 #include "app/editor/pointer/fit_point_drag.h"
+#include "app/editor/pointer/handlebar.h"
 #include "app/editor/pointer/inset_hit.h"
 #include "app/editor/pointer/snap.h"
 #include "app/editor/pointer/view_handle.h"
@@ -213,6 +214,9 @@ std::optional<Hover> ActiveCurve::hit_legs() const {
 }
 
 std::optional<Hover> ActiveCurve::hit() const {
+    const double point_px = pointer_.px(reach::point);
+    if (const auto part = handlebar_part_at(pointer_.state, pointer_.position_px, point_px))
+        return HoveredHandlebar{*part};
     if (const auto found = hit_parameter_or_points()) return found;
     if (fit_ != nullptr)
         if (const auto found = hit_fit_handles()) return found;

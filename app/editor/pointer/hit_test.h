@@ -6,11 +6,11 @@
 
 namespace batten::editor {
 
-/// What lies under `position_px` of the canvas, nearest of the most specific kind first: C(u) and control points
-/// (within 9 design pixels; the point where both are equally near; shown ones of other curves after other small
-/// things), handles of teaching views (9), weight rings (4 to both sides), Farin points (8), knots (8; the topmost
-/// stands for its stack), points of the construction (7), the curve (6), the line of a view (5), polygon legs (5),
-/// other curves (6), guides (5). An inset hides what is below it. Hidden overlays cannot be hit, nor can invisible
+/// What lies under `position_px` of the canvas, nearest of the most specific kind first: the handlebar (within 9 design
+/// pixels), C(u) and control points (9; the point where both are equally near; shown ones of other curves after other
+/// small things), handles of teaching views (9), weight rings (4 to both sides), Farin points (8), knots (8; the
+/// topmost stands for its stack), points of the construction (7), the curve (6), the line of a view (5), polygon legs
+/// (5), other curves (6), guides (5). An inset hides what is below it. Hidden overlays cannot be hit, nor can invisible
 /// curves. Parts of a locked curve can: they light up, and an edit of them is refused with its reason. The distance to
 /// curves is exact at any zoom; they cost nothing while the pointer is far from their control points.
 Hover hit_canvas(const EditorState& state, glm::dvec2 position_px);

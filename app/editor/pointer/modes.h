@@ -12,13 +12,24 @@ void turn_canvas_wheel(const Gesture& gesture);
 CanvasMode begin_guide_drag(const Gesture& gesture, std::size_t index);
 CanvasMode step(const DraggingGuide& mode, const Gesture& gesture);
 
+/// Of a handlebar that is shown; nothing begins where the curve is locked.
+CanvasMode begin_handlebar_drag(const Gesture& gesture, HandlebarPart part);
+CanvasMode step(const DraggingHandlebar& mode, const Gesture& gesture);
+
 /// The shape tool's first place.
 CanvasMode begin_shape(const Gesture& gesture);
 CanvasMode step(DrawingShape mode, const Gesture& gesture);
 
+/// The brush, from the first move over the canvas on.
+CanvasMode begin_brush(const Gesture& gesture);
+CanvasMode step(const Brushing& mode, const Gesture& gesture);
+
 /// The joint tool, from the first move over the canvas on.
 CanvasMode begin_joint(const Gesture& gesture);
 CanvasMode step(PickingJoint mode, const Gesture& gesture);
+
+/// How many notches the brush grows by the key of a bracket; none for other keys.
+std::optional<double> brush_notches_of_key(const PointerEvent& event);
 
 /// The continuity that the digit of a key stands for; none for other keys.
 std::optional<core::GeometricContinuity> continuity_of_key(const PointerEvent& event);

@@ -100,16 +100,28 @@ CanvasMode step_placing(const CanvasMode& mode, const Gesture& gesture, const St
     return next;
 }
 
+namespace {
+
+/// Whether points follow a brush.
+bool is_soft_move(const CanvasMode& mode) {
+    const auto* brush = std::get_if<Brushing>(&mode);
+    return brush != nullptr && brush->press_px && !brush->painted;
+}
+
+}  // namespace
+
 bool takes_numbers(const CanvasMode& mode, const EditorState& state) {
     const bool is_drag =
         std::holds_alternative<DraggingPoints>(mode) || std::holds_alternative<DraggingCurvePoint>(mode) ||
         std::holds_alternative<DraggingFitPoint>(mode) || std::holds_alternative<DraggingFitHandle>(mode) ||
-        std::holds_alternative<DraggingHandle>(mode) || std::holds_alternative<DraggingGuide>(mode);
+        std::holds_alternative<DraggingHandle>(mode) || std::holds_alternative<DraggingGuide>(mode) ||
+        std::holds_alternative<DraggingHandlebar>(mode) || is_soft_move(mode);
     return is_drag || state.placing.place.has_value();
 }
 
 bool takes_key(const CanvasMode& mode, const EditorState& state, const PointerEvent& event) {
     if (std::holds_alternative<PickingJoint>(mode) && continuity_of_key(event)) return true;
+    if (std::holds_alternative<Brushing>(mode) && brush_notches_of_key(event)) return true;
     const Modifiers& modifiers = event.modifiers;
     if (!takes_numbers(mode, state) || modifiers.ctrl || modifiers.alt) return false;
     const TypedPlace& typed = state.placing.typed;

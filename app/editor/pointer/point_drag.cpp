@@ -82,6 +82,16 @@ core::Point dragged_position(const Gesture& gesture, core::Point start, glm::dve
     return placed(gesture, {.place = freedom.kept(from, pointed), .from = from, .dragged = dragged}, freedom);
 }
 
+core::Point dragged_tip(const Gesture& gesture, core::Point from, core::Point start, glm::dvec2 press_px,
+                        const Dragged& dragged) {
+    const glm::dvec2 moved_px = gesture.event.position_px - press_px;
+    if (moved_px == glm::dvec2(0.0) && typed_for(gesture).is_empty()) return start;
+    const double scale = gesture.state.view.camera.scale;
+    const core::Point free(start.x + moved_px.x / scale, start.y - moved_px.y / scale);
+    const Freedom freedom = freedom_of(gesture, glm::dvec2(free - from));
+    return placed(gesture, {.place = freedom.kept(from, free), .from = from, .dragged = dragged}, freedom);
+}
+
 core::Vector exact_offset(core::Point start, core::Point target) {
     return {exact_offset(start.x, target.x), exact_offset(start.y, target.y)};
 }

@@ -22,6 +22,11 @@ core::Point pointed_at(const Gesture& gesture, std::optional<core::Point> from =
 core::Point dragged_position(const Gesture& gesture, core::Point start, glm::dvec2 press_px,
                              const Dragged& dragged = {});
 
+/// Where the tip of a handle that begins at `from` goes: likewise, but lengths, angles and axes are those of the
+/// handle.
+core::Point dragged_tip(const Gesture& gesture, core::Point from, core::Point start, glm::dvec2 press_px,
+                        const Dragged& dragged = {});
+
 /// An offset such that start + offset is `target` to the last bit, as far as there is one.
 core::Vector exact_offset(core::Point start, core::Point target);
 

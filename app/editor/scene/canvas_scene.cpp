@@ -2,6 +2,7 @@
 
 #include "app/editor/cards/floating_cards.h"
 #include "app/editor/scene/bezier_polygons.h"
+#include "app/editor/scene/brush_marks.h"
 #include "app/editor/scene/canvas_frame.h"
 #include "app/editor/scene/canvas_labels.h"
 #include "app/editor/scene/construction.h"
@@ -17,6 +18,7 @@
 #include "app/editor/scene/fit_marks.h"
 #include "app/editor/scene/gesture_marks.h"
 #include "app/editor/scene/grid.h"
+#include "app/editor/scene/handlebar_marks.h"
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/other_curves.h"
@@ -100,6 +102,7 @@ void draw_marks_of_active_curve(CanvasFrame& frame, const render::DrawList& list
     if (frame.shows(Overlay::construction)) draw_construction(frame);
     draw_control_points(frame, marks.points);
     draw_fit_marks(frame);
+    draw_handlebar(frame);
     draw_views_above(frame);
     note_lines(frame, list, first);
     draw_curve_point(frame);
@@ -112,6 +115,7 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, 
     if (has_sketch(state)) return sketch_scene(state);
     render::DrawList list;
     CanvasFrame frame(state, cache, list);
+    light_painted(frame, mode);
     draw_pictures(frame, list);
     std::vector<render::PixelBox> covered = draw_background(frame);
     std::vector<CrowdNote> notes;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/editor/pointer/drawing.h"
+#include "app/editor/scene/brush_marks.h"
 #include "app/editor/scene/fit_marks.h"
 #include "app/editor/scene/joint_tool_marks.h"
 
@@ -77,6 +78,7 @@ struct MarksOf {
                 {.radius = 4.0, .fill = frame.theme.canvas, .outline = frame.theme.accent, .outline_width = 2.0});
     }
 
+    void operator()(const Brushing& mode) const { draw_brush(frame, mode); }
     void operator()(const PickingJoint& mode) const { draw_picked_joint(frame, mode); }
 
     template <class Other>

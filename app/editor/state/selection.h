@@ -24,6 +24,7 @@ struct Selection {
     std::optional<std::size_t> fit_point{};  ///< of the points that the curve is made to pass
     bool is_whole = false;                   ///< the active curve as a whole; no points then
     std::vector<SelectedPart> others{};      ///< of the curves that are not active, ascending by curve
+    std::optional<double> handlebar{};       ///< the parameter at which the curve is held
 
     bool contains_point(std::size_t i) const;
 
@@ -123,10 +124,17 @@ struct HoveredFitHandle {
     bool operator==(const HoveredFitHandle&) const = default;
 };
 
+/// The bar that holds the curve at a parameter: its middle, which is on the curve, or an end of its tangent.
+enum class HandlebarPart { middle, ahead, behind };
+struct HoveredHandlebar {
+    HandlebarPart part = HandlebarPart::middle;
+    bool operator==(const HoveredHandlebar&) const = default;
+};
+
 using Hover = std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
                            HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis,
                            HoveredBasisCell, HoveredHandle, HoveredFarinPoint, HoveredLifted, HoveredHodograph,
-                           HoveredFitPoint, HoveredFitHandle, HoveredGuide, HoveredOtherPoint>;
+                           HoveredFitPoint, HoveredFitHandle, HoveredGuide, HoveredOtherPoint, HoveredHandlebar>;
 
 /// The parameter of the active curve that the pointer is on, on the curve itself or in an inset; none elsewhere.
 std::optional<double> hovered_u(const Hover& hover);

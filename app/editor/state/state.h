@@ -17,6 +17,7 @@
 #include "app/editor/lesson/lesson.h"
 #include "app/editor/sketch.h"
 #include "app/editor/state/drawn_stroke.h"
+#include "app/editor/state/faired_part.h"
 #include "app/editor/state/findings.h"
 #include "app/editor/state/history.h"
 #include "app/editor/state/nudge_burst.h"
@@ -105,6 +106,7 @@ struct EditorState {
     Selection selection;                       ///< of the committed document, even while a preview is shown
     std::optional<NudgeBurst> burst;           ///< the last step, where it is nudges and nothing was done since
     std::optional<DrawnStroke> stroke;         ///< of the last step, where it came of one
+    std::optional<FairedPart> faired;          ///< by the last step, where it faired a part
     std::optional<double> now;                 ///< seconds on the clock of the desktop; none where nobody tells it
     Hover hover;
     Placing placing;

@@ -5,6 +5,7 @@
 #include <bitset>
 #include <optional>
 
+#include "app/editor/state/brush.h"
 #include "app/editor/state/joint_tool.h"
 #include "app/editor/state/notation.h"
 #include "app/editor/state/overlay.h"
@@ -23,10 +24,10 @@
 namespace batten::editor {
 
 /// What a press on the canvas does.
-enum class Tool { select, add_point, insert_knot, weight, draw_curve, parameter, shape, pencil, joint };
-inline constexpr std::array all_tools{Tool::select, Tool::add_point,  Tool::insert_knot,
-                                      Tool::weight, Tool::draw_curve, Tool::parameter,
-                                      Tool::shape,  Tool::pencil,     Tool::joint};
+enum class Tool { select, add_point, insert_knot, weight, draw_curve, parameter, shape, pencil, joint, brush };
+inline constexpr std::array all_tools{Tool::select,     Tool::add_point, Tool::insert_knot, Tool::weight,
+                                      Tool::draw_curve, Tool::parameter, Tool::shape,       Tool::pencil,
+                                      Tool::joint,      Tool::brush};
 
 /// The parameter running by itself: t seconds move it by direction * speed * t / 5 of the domain's length. At an end it
 /// turns, or jumps to the other end, and goes on by what is left of the way.
@@ -91,6 +92,7 @@ struct View {
     ShapeKind shape_kind = ShapeKind::line;  ///< what the shape tool draws
     std::size_t polygon_sides = 6;           ///< of its polygons
     JointTool joint;
+    Brush brush;
     ThemeName theme = ThemeName::dark;
     double interface_scale = 1.0;  ///< pixels of the window per design pixel, from display and user together
     double user_scale = 1.0;       ///< the user's part of it, within user_scales
@@ -124,7 +126,8 @@ struct Names<editor::Tool> {
                                       Named{parameter, "parameter", "move the parameter"},
                                       Named{shape, "shape", "draw a shape"},
                                       Named{pencil, "pencil", "draw with the pencil"},
-                                      Named{joint, "joint", "join curves"}};
+                                      Named{joint, "joint", "join curves"},
+                                      Named{brush, "brush", "brush over a curve"}};
 };
 
 }  // namespace batten::core

@@ -117,6 +117,7 @@ struct Apply {
         orbit = {camera.yaw, camera.pitch, orbit_zooms.clamp(orbit.zoom * change.factor)};
     }
     void operator()(const AddGaugePoint& change) const { add_gauge_point(state, change.point); }
+    void operator()(const SetBrushRadius& change) const { state.view.brush.radius = brush_radii.clamp(change.radius); }
     void operator()(const Advance& change) const {
         assert(change.seconds >= 0.0);
         advance(state, change.seconds);

@@ -89,6 +89,11 @@ struct SetProbeLine {
     ProbeLine line;
 };
 
+/// The brush is so large, in design pixels.
+struct SetBrushRadius {
+    double radius;
+};
+
 /// So many seconds (>= 0) went by, in which a running parameter moves on.
 struct Advance {
     double seconds;
@@ -118,7 +123,7 @@ struct AddGaugePoint {
 using ViewChange =
     std::variant<SetHover, ShowPlace, TypePlace, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend, SetInterfaceScale,
                  SetInspectorWidth, SetCardsWidth, SetDockHeight, SetPlotRange, SetCombFactor, SetProbeLine, TurnOrbit,
-                 AddGaugePoint, Advance, TellTime, ShowRefusal, ShowForm>;
+                 AddGaugePoint, SetBrushRadius, Advance, TellTime, ShowRefusal, ShowForm>;
 
 /// Makes the change; sizes are brought into their ranges.
 void apply(EditorState& state, const ViewChange& change);

@@ -23,23 +23,6 @@ using test::px;
 
 class Placed : public test::CanvasFixture {
   protected:
-    /// Types at a place; '\t', '\b' and '\n' are Tab, Backspace and Enter.
-    void type(const std::u32string& text, glm::dvec2 at) {
-        for (const char32_t c : text) {
-            PointerEvent event;
-            event.action = PointerAction::key;
-            event.position_px = at;
-            if (c == U'\t')
-                event.key = Key::tab;
-            else if (c == U'\b')
-                event.key = Key::backspace;
-            else if (c == U'\n')
-                event.key = Key::enter;
-            else
-                event.character = c;
-            pointer.send(event);
-        }
-    }
     const std::optional<ShownPlace>& place() const { return state().placing.place; }
     std::string hint() const { return canvas_hint(pointer.mode(), state()); }
     const core::Document& document() const { return state().history.present(); }

@@ -46,10 +46,11 @@ using Enumerations = ::testing::Types<
     Last<core::Parametrization::centripetal>, Last<core::CirclePolygon::triangle>, Last<core::JoinContinuity::g3>,
     Last<core::Closing::periodic>, Last<core::ConicType::hyperbola>, Last<core::ContactKind::ending>,
     Last<ShapeEffect::changes>, Last<CommandGroup::gesture>, Last<Dialog::at_work>, Last<Overlay::quiz>,
-    Last<Tool::joint>, Last<SnapKind::angles>, Last<ShapeKind::conic>, Last<ThemeName::light>, Last<CurveEnds::both>,
-    Last<JointOperation::offset>, Last<SplitScope::all>, Last<core::Onward::straight>,
-    Last<core::GeometricContinuity::g3>, Last<Escapable::presentation>, Last<UnsavedAnswer::cancel>, Last<Cursor::text>,
-    Last<MapTarget::all>, Last<ShearAxis::y>, Last<KnotQuestion::continuity>, Last<ShownMapKind::project>>;
+    Last<Tool::brush>, Last<BrushKind::fair>, Last<core::JointMark::curvature>, Last<SnapKind::angles>,
+    Last<ShapeKind::conic>, Last<ThemeName::light>, Last<CurveEnds::both>, Last<JointOperation::offset>,
+    Last<SplitScope::all>, Last<core::Onward::straight>, Last<core::GeometricContinuity::g3>,
+    Last<Escapable::presentation>, Last<UnsavedAnswer::cancel>, Last<Cursor::text>, Last<MapTarget::all>,
+    Last<ShearAxis::y>, Last<KnotQuestion::continuity>, Last<ShownMapKind::project>>;
 TYPED_TEST_SUITE(Names, Enumerations);
 
 TYPED_TEST(Names, of_an_enumeration_are_complete_and_differ) {
