@@ -15,6 +15,7 @@
 #include "core/document/joint_marks.h"
 #include "core/document/picture.h"
 #include "core/document/symmetry.h"
+#include "core/document/units.h"
 
 namespace batten::core {
 
@@ -68,9 +69,10 @@ struct Document {
     std::string title;        ///< shown where the document is offered; may be empty
     std::string description;  ///< one sentence saying what to try; may be empty
     std::vector<DocumentCurve> curves;
-    std::size_t active = 0;         ///< index of the curve that edits go to; 0 when there is none
-    std::vector<Picture> pictures;  ///< below the curves, the first one lowest
-    std::vector<Guide> guides;      ///< lines that points are put on
+    std::size_t active = 0;                ///< index of the curve that edits go to; 0 when there is none
+    std::vector<Picture> pictures;         ///< below the curves, the first one lowest
+    std::vector<Guide> guides;             ///< lines that points are put on
+    std::optional<DocumentUnits> units{};  ///< of its lengths; none: they are plain numbers
     DocumentView view;
     std::string unknown_members;
     std::size_t lost_fits = 0;  ///< how many curves of its file had fit points that do not give them; not written

@@ -50,6 +50,7 @@ std::size_t bytes_beside(const core::Document& document, const core::Document* o
     }
     for (const core::Picture& picture : document.pictures)
         entries += sizeof(core::Picture) + picture.path.native().size() + picture.unknown_members.size();
+    if (document.units) entries += document.units->unknown_members.size();
     return count.bytes() - of_other + entries + document.guides.size() * sizeof(core::Guide);
 }
 

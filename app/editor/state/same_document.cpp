@@ -24,7 +24,7 @@ bool is_same_curve(const core::DocumentCurve& a, const core::DocumentCurve& b) {
 
 bool has_same_content(const core::Document& a, const core::Document& b) {
     return a.title == b.title && a.description == b.description && a.view == b.view && a.guides == b.guides &&
-           a.unknown_members == b.unknown_members && a.pictures == b.pictures &&
+           a.units == b.units && a.unknown_members == b.unknown_members && a.pictures == b.pictures &&
            std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(), is_same_curve);
 }
 

@@ -283,6 +283,19 @@ void read_guides(ObjectReader& document_reader, std::vector<Guide>& guides) {
     }
 }
 
+void read_units(ObjectReader& document_reader, std::optional<DocumentUnits>& units) {
+    Json* object = document_reader.find("units");
+    if (!object) return;
+    ObjectReader reader(*object, document_reader.place("units"));
+    DocumentUnits found;
+    reader.required("unit", found.unit);
+    reader.optional("scale", found.scale);
+    check_number(reader, "scale", found.scale, found.scale > 0.0, "a number above 0");
+    found.unknown_members = reader.unknown_members();
+    if (reader.error()) return document_reader.note(reader.error());
+    units = std::move(found);
+}
+
 // A name, or a place where names are not distinct. The view is a mere convenience, so one that names no curve is not an
 // error.
 std::size_t find_active(const Json& active, const std::vector<DocumentCurve>& curves) {
@@ -316,6 +329,7 @@ FileResult<Document> read_document(TextStream& text, const PointsRead& points_re
     read_curves(reader, document);
     read_pictures(reader, document.pictures);
     read_guides(reader, document.guides);
+    read_units(reader, document.units);
     read_view(reader, document);
     document.unknown_members = reader.unknown_members();
     if (reader.error()) return tl::unexpected(*reader.error());

@@ -91,6 +91,14 @@ Json json_of(const Guide& guide) {
     return object;
 }
 
+Json json_of(const DocumentUnits& units) {
+    Json object = Json::object();
+    object["unit"] = name_of(units.unit);
+    object["scale"] = number(units.scale);
+    add_unknown_members(object, units.unknown_members);
+    return object;
+}
+
 Json json_of_view(const Document& document) {
     const DocumentView& view = document.view;
     Json object = Json::object();
@@ -112,6 +120,7 @@ Json json_of(const Document& document) {
     for (const DocumentCurve& curve : document.curves) object["curves"].push_back(json_of(curve));
     for (const Picture& picture : document.pictures) object["pictures"].push_back(json_of(picture));
     for (const Guide& guide : document.guides) object["guides"].push_back(json_of(guide));
+    if (document.units) object["units"] = json_of(*document.units);
     if (Json view = json_of_view(document); !view.empty()) object["view"] = std::move(view);
     add_unknown_members(object, document.unknown_members);
     return object;

@@ -427,6 +427,30 @@ TEST(NativeFormat, guides_come_back_and_are_checked) {
     expect_error(with_guides(R"([{"point": [0], "angle": 0}])"), "/guides/0/point", "found");
 }
 
+TEST(NativeFormat, units_come_back_and_are_checked) {
+    Document document;
+    EXPECT_EQ(format_document(document).find("units"), std::string::npos);
+    for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::inch, LengthUnit::px}) {
+        document.units = DocumentUnits{.unit = unit, .scale = 0.1};
+        const std::string text = format_document(document);
+        EXPECT_EQ(parse_document(text).value().units, document.units);
+        EXPECT_EQ(format_document(parse_document(text).value()), text);
+    }
+    const auto with_units = [](const std::string& units) {
+        return R"({"format": "batten", "version": 1, "units": )" + units + "}";
+    };
+    EXPECT_EQ(parse_document(with_units(R"({"unit": "inch"})")).value().units,
+              (DocumentUnits{.unit = LengthUnit::inch, .scale = 1.0}));
+    const Document kept = parse_document(with_units(R"({"unit": "mm", "dpi": 300})")).value();
+    EXPECT_NE(format_document(kept).find("\"dpi\": 300"), std::string::npos);
+    expect_error(with_units("3"), "/units", "an object");
+    expect_error(with_units("{}"), "/units", "\"unit\" is missing");
+    expect_error(with_units(R"({"unit": "cm"})"), "/units/unit", "inch");
+    expect_error(with_units(R"({"unit": "mm", "scale": 0})"), "/units/scale", "a number above 0");
+    expect_error(with_units(R"({"unit": "mm", "scale": -1})"), "/units/scale", "found -1");
+    expect_error(with_units(R"({"unit": "mm", "scale": "1"})"), "/units/scale", "a number");
+}
+
 TEST(NativeFormat, nesting_without_end_is_refused) {
     const std::size_t deep = 1'000'000;
     expect_error(std::string(deep, '['), "", "nested");
