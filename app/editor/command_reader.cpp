@@ -78,7 +78,7 @@ class Reader {
             else
                 return tl::unexpected(missing(spec_, field, field.parts[k]));
         }
-        return read_field(field, arguments);
+        return read_field(field, arguments, state_.history.present().units);
     }
 
   private:

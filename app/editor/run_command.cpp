@@ -89,7 +89,7 @@ bool preview_edit(EditorState& state, const Command& command) {
 
 // How far the step went. An edit that tells its own error compares other parameters, or shapes.
 Distances distances_of(const EditorState& state, const std::optional<Ghost>& ghost, const Edit& edit) {
-    Distances distances{.error = edit.error};
+    Distances distances{.error = edit.error, .units = state.history.present().units};
     if (!ghost) return distances;
     distances.deviation = ghost->deviation;
     distances.is_rounding = is_within_tolerance(*ghost->curve, ghost->deviation, rounding_of_size);

@@ -8,6 +8,7 @@
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/fields/expression.h"
 #include "app/editor/fields/field_text.h"
+#include "app/editor/words/length.h"
 #include "app/editor/words/reading_text.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/dialog_frame.h"
@@ -90,10 +91,13 @@ editor::Outcome<editor::Command> command_of(const FormState& form, const editor:
     return editor::read_command(*form.spec, state, all);
 }
 
-/// A length that suggests itself is a share of a size, of which the first digits are enough.
-bool is_suggested_length(const Field& field, const Argument& argument) {
-    return field.kind == FieldKind::length && field.suggestion_from != nullptr &&
-           std::holds_alternative<double>(argument);
+/// A length is written in the document's unit. One that suggests itself is a share of a size, of which the first digits
+/// are enough.
+std::string text_of_argument(const Field& field, const Argument& argument, const editor::Units& units) {
+    const auto* world = std::get_if<double>(&argument);
+    if (field.kind != FieldKind::length || world == nullptr) return std::visit(TextOf{}, argument);
+    if (field.suggestion_from == nullptr) return editor::length_words(units, *world);
+    return editor::with_unit(units, fmt::format("{:.4g}", editor::in_units(units, *world)));
 }
 
 void begin_form(FormState& form, const editor::CommandSpec& spec, const editor::EditorState& state) {
@@ -102,8 +106,7 @@ void begin_form(FormState& form, const editor::CommandSpec& spec, const editor::
     for (const Field& field : spec.fields) {
         std::vector<std::string>& texts = form.typed.emplace_back();
         for (const Argument& argument : editor::arguments_of(field, field.initial(state)))
-            texts.push_back(is_suggested_length(field, argument) ? fmt::format("{:.4g}", std::get<double>(argument))
-                                                                 : std::visit(TextOf{}, argument));
+            texts.push_back(text_of_argument(field, argument, state.history.present().units));
         if (field.kind == FieldKind::choice && texts.front().empty()) texts.front() = field.choices.front().name;
         if (field.kind == FieldKind::flag && texts.front().empty()) texts.front() = "yes";
     }
@@ -137,7 +140,8 @@ std::string effect_of(const PanelContext& context) {
         return effect_text(spec.effect);
     if (!std::isfinite(ghost->deviation)) return "≠ changes the shape; how far cannot be computed";
     return editor::reading_text(
-        sentence("≠ changes the shape by at most {deviation}", {{"deviation", core::shortest_text(ghost->deviation)}}));
+        sentence("≠ changes the shape by at most {deviation}",
+                 {{"deviation", editor::length_words(context.state.shown().units, ghost->deviation)}}));
 }
 
 /// Why the command cannot be applied: what is wrong in the fields, or why its preview was refused.

@@ -139,6 +139,14 @@ std::optional<NumberEdit> press(const PanelContext& context, const NumberField& 
     return std::nullopt;
 }
 
+/// A length in the unit of the field, or a plain number.
+tl::expected<double, std::string> typed_number(const NumberField& field, const std::string& typed) {
+    const std::string text = editor::typed_over(typed, core::shortest_text(field.value));
+    return editor::parse_length(text, field.length).map([&](double world) {
+        return editor::in_units(field.length, world);
+    });
+}
+
 /// Keeps what was typed in the input, so that it can be mended.
 void refuse(FieldState& state, unsigned id, TypingStep step, const std::string& problem) {
     const std::string original = state.original;
@@ -166,7 +174,7 @@ std::optional<NumberEdit> end_typed(const PanelContext& context, const NumberFie
     // What was not touched stays exactly as it is.
     if (state.typed == state.original)
         return is_entered ? std::optional(NumberEdit{field.value, EditPhase::commit, true}) : std::nullopt;
-    const auto value = editor::parse_expression(editor::typed_over(state.typed, core::shortest_text(field.value)));
+    const auto value = typed_number(field, state.typed);
     if (!value) {
         refuse(state, id, step, value.error());
         return std::nullopt;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/words/length.h"
 #include "app/editor/words/number_column.h"
 #include "app/ui/panels.h"
 
@@ -25,9 +26,10 @@ struct NumberField {
     double height = 24.0;                                      ///< design pixels
     double lowest = -std::numeric_limits<double>::infinity();  ///< where a drag ends; typed values go as they are
     double highest = std::numeric_limits<double>::infinity();
-    bool is_whole = false;  ///< only whole numbers may be typed
-    bool is_live = false;   ///< commands that are not undone run at every change instead of being previewed
-    std::string unit;       ///< shown after the number
+    bool is_whole = false;   ///< only whole numbers may be typed
+    bool is_live = false;    ///< commands that are not undone run at every change instead of being previewed
+    std::string unit;        ///< shown after the number
+    editor::Units length{};  ///< of which the number is a length, so that it may be typed in another unit
     std::string tooltip = {};
 };
 

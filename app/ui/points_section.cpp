@@ -33,6 +33,8 @@ struct PointTable {
     float field_width = 0.0F;
     int most_decimals = 0;  ///< for which the fields have room
     int most_weight_decimals = 0;
+
+    const editor::Units& units() const { return context.state.shown().units; }
 };
 
 /// Shift adds all from the nearest selected point on.
@@ -112,14 +114,21 @@ NumberField field_of(const PointTable& table, std::size_t i, const char* axis, d
     return field;
 }
 
+NumberField coordinate_field(const PointTable& table, std::size_t i, const char* axis, double world) {
+    NumberField field = field_of(table, i, axis, editor::in_units(table.units(), world));
+    field.length = table.units();
+    return field;
+}
+
 void draw_coordinates(const PointTable& table, std::size_t i) {
     const core::Point point = table.curve.control_points()[i];
-    draw_number_field(table.context, field_of(table, i, "x", point.x), [=](double x) {
-        return editor::SetPoint{.index = i, .position = {x, point.y}};
+    const double scale = editor::world_per_length(table.units());
+    draw_number_field(table.context, coordinate_field(table, i, "x", point.x), [=](double x) {
+        return editor::SetPoint{.index = i, .position = {x * scale, point.y}};
     });
     stay_in_row(table.context, coordinate_gap);
-    draw_number_field(table.context, field_of(table, i, "y", point.y), [=](double y) {
-        return editor::SetPoint{.index = i, .position = {point.x, y}};
+    draw_number_field(table.context, coordinate_field(table, i, "y", point.y), [=](double y) {
+        return editor::SetPoint{.index = i, .position = {point.x, y * scale}};
     });
 }
 
@@ -169,7 +178,8 @@ void draw_header(const PointTable& table) {
     draw_command_button(context, {"delete points", "", Icon::minus, context.px(24), 18.0},
                         editor::DeletePoints::spec());
     float x = origin.x + context.px(point_name_width + 8);
-    for (const char* axis : {"x", "y", "w"}) {
+    const std::string unit = editor::unit_ending(table.units());
+    for (const std::string& axis : {fmt::format("x{}", unit), fmt::format("y{}", unit), std::string("w")}) {
         draw_text(context, ImVec2(x, origin.y + context.px(9)), {axis, context.fonts.small, 0.0, context.theme.dim});
         x += table.field_width + context.px(coordinate_gap);
     }
@@ -207,16 +217,17 @@ void draw_point_table(const PanelContext& context, const core::Curve& curve) {
     const float field_width = std::floor(fields / 3.0F);
     const auto facts = context.state.derived.of(curve);
     const auto weights = context.state.derived.weights_of(curve);
-    const core::Box& box = facts->control_box;
-    const PointTable table{
-        context,
-        curve,
-        editor::decimals_for(facts->size),
-        std::max(2, weights->column.decimals),
-        content_width(context) + 2.0F * context.px(point_overhang) - bar,
-        field_width,
-        decimals_in(context, field_width, std::min(box.lower.x, box.lower.y), std::max(box.upper.x, box.upper.y)),
-        decimals_in(context, field_width, 0.0, weights->heaviest)};
+    const editor::Units& units = context.state.shown().units;
+    const core::Point lower = editor::in_units(units, facts->control_box.lower);
+    const core::Point upper = editor::in_units(units, facts->control_box.upper);
+    const PointTable table{context,
+                           curve,
+                           editor::decimals_for(editor::in_units(units, facts->size)),
+                           std::max(2, weights->column.decimals),
+                           content_width(context) + 2.0F * context.px(point_overhang) - bar,
+                           field_width,
+                           decimals_in(context, field_width, std::min(lower.x, lower.y), std::max(upper.x, upper.y)),
+                           decimals_in(context, field_width, 0.0, weights->heaviest)};
     draw_header(table);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() - context.px(point_overhang));
     const float height = context.px(point_row_height) * static_cast<float>(std::min(count, most_point_rows));

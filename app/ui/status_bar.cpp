@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/editor/words/formula.h"
+#include "app/editor/words/length.h"
 #include "app/editor/words/reading_text.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/imgui_compat.h"
@@ -55,8 +56,8 @@ std::string text_of(const Readout& readout) {
 }
 
 /// As many digits as a pixel of the canvas tells apart.
-int pixel_decimals(const render::Camera& camera) {
-    return std::clamp(static_cast<int>(std::ceil(std::log10(camera.scale))), 0, 12);
+int pixel_decimals(double pixels_per_unit) {
+    return std::clamp(static_cast<int>(std::ceil(std::log10(pixels_per_unit))), 0, 12);
 }
 
 std::string coordinate_text(double value, int decimals) {
@@ -66,17 +67,18 @@ std::string coordinate_text(double value, int decimals) {
 
 void add_position(const PanelContext& context, std::vector<Readout>& readouts) {
     const render::Camera& camera = context.state.view.camera;
-    const int decimals = pixel_decimals(camera);
+    const editor::Units& units = context.state.shown().units;
+    const int decimals = pixel_decimals(camera.scale * editor::world_per_length(units));
     const std::size_t columns = static_cast<std::size_t>(std::max(7, decimals + 5));
     std::string x = "–";
     std::string y = "–";
     if (context.panels.pointer.canvas_px) {
         const core::Point world(render::world_from_screen(camera, *context.panels.pointer.canvas_px));
-        x = coordinate_text(world.x, decimals);
-        y = coordinate_text(world.y, decimals);
+        x = coordinate_text(editor::in_units(units, world.x), decimals);
+        y = coordinate_text(editor::in_units(units, world.y), decimals);
     }
-    readouts.push_back({"x", x, columns});
-    readouts.push_back({"y", y, columns});
+    readouts.push_back({"x", x, columns, editor::unit_ending(units)});
+    readouts.push_back({"y", y, columns, editor::unit_ending(units)});
 }
 
 std::string curvature_text(const editor::EditorState& state) {
@@ -143,7 +145,9 @@ editor::Message message_of(const editor::EditorState& state) {
     // A preview of very much does not tell how far it goes.
     if (state.preview && state.ghost && !std::isnan(state.ghost->deviation)) {
         if (!std::isfinite(state.ghost->deviation)) return {"How far the curve moves cannot be computed", false};
-        const std::string deviation = editor::bound_text(state.ghost->deviation, 3);
+        const editor::Units& units = state.shown().units;
+        const std::string deviation =
+            editor::with_unit(units, editor::bound_text(editor::in_units(units, state.ghost->deviation), 3));
         return {core::sentence("The curve moves by at most {deviation}", {{"deviation", deviation}}), false};
     }
     return state.message;

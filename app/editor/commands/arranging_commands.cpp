@@ -13,6 +13,7 @@
 #include "app/editor/state/fit_curve.h"
 #include "app/editor/state/point_hues.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/length.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/edit/point_edit.h"
@@ -236,12 +237,12 @@ Outcome<Edit> set_distance(const EditorState& state, const SetDistance& command)
                                                       points[command.from] + command.distance / now * way));
 }
 
-StepTexts texts_of_distance(const EditorState&, const SetDistance& command) {
+StepTexts texts_of_distance(const EditorState& state, const SetDistance& command) {
     const core::Place from("from", point_text(command.from));
     const core::Place to("to", point_text(command.to));
     return {sentence("Set distance of {to} from {from}", {to, from}),
             sentence("Moved {to} to the distance {distance} from {from}",
-                     {to, {"distance", core::shortest_text(command.distance)}, from})};
+                     {to, {"distance", length_words(state.history.present().units, command.distance)}, from})};
 }
 
 Arranged what_there_is(const EditorState& state) {

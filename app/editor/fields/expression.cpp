@@ -26,7 +26,9 @@ constexpr int deepest = 100;  // parentheses, signs and powers recurse: a pasted
 /// signed | power; power = operand [^ signed]; operand = (sum) | name (sum) | pi | number.
 class Parser {
   public:
-    explicit Parser(std::string_view text) : text_(text) { skip_blanks(); }
+    Parser(std::string_view text, const core::DocumentUnits* lengths) : text_(text), lengths_(lengths) {
+        skip_blanks();
+    }
 
     Value parse() {
         if (rest().empty()) return fail("type a number, such as 0.5, 1/3 or sqrt(2)/2");
@@ -119,8 +121,22 @@ class Parser {
             value = *value * Quantity{0.0, 1.0};
             return true;
         }
-        if (!accept_name("rad")) return false;
+        if (!accept_name("rad")) return accept_length_unit(value);
         value = *value * Quantity{0.0, 180.0 / std::numbers::pi};
+        return true;
+    }
+
+    bool accept_length_unit(Value& value) {
+        const auto unit =
+            name() == "in" ? std::optional(core::LengthUnit::inch) : core::value_named<core::LengthUnit>(name());
+        if (!unit) return false;
+        if (lengths_ == nullptr) {
+            value = fail(core::sentence("“{unit}” cannot be read here; only lengths of a document with a unit have one",
+                                        {{"unit", name()}}));
+            return true;
+        }
+        accept_name(name());
+        value = Quantity{core::converted(in_radians(*value), *unit, lengths_->unit) * lengths_->scale};
         return true;
     }
 
@@ -212,6 +228,7 @@ class Parser {
     }
 
     std::string_view text_;
+    const core::DocumentUnits* lengths_;
     std::size_t position_ = 0;
     int depth_ = 0;
 };
@@ -256,18 +273,20 @@ std::string typed_over(std::string_view typed, std::string_view present) {
     return std::string(typed);
 }
 
-tl::expected<double, std::string> parse_expression(std::string_view text, ExpressionUnit unit) {
-    const Value value = Parser(text).parse();
+tl::expected<double, std::string> parse_expression(std::string_view text, ExpressionUnit unit,
+                                                   const core::DocumentUnits* lengths) {
+    const Value value = Parser(text, lengths).parse();
     if (!value) return tl::make_unexpected(value.error());
     const double number = unit == ExpressionUnit::degrees ? in_degrees(*value) : in_radians(*value);
     if (!std::isfinite(number)) return tl::make_unexpected("the result is too large for a number");
     return number;
 }
 
-tl::expected<std::vector<double>, std::string> parse_expressions(std::string_view text) {
+tl::expected<std::vector<double>, std::string> parse_expressions(std::string_view text,
+                                                                 const core::DocumentUnits* lengths) {
     std::vector<double> values;
     for (const std::string_view entry : entries_of(without_brackets(trimmed(text)))) {
-        const auto value = parse_expression(entry);
+        const auto value = parse_expression(entry, ExpressionUnit::number, lengths);
         if (!value)
             return tl::make_unexpected(
                 core::sentence("entry {index}: {problem}", {{"index", values.size()}, {"problem", value.error()}}));

@@ -3,6 +3,7 @@
 #include "app/editor/fields/field_text.h"
 #include "app/editor/state/state.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/length.h"
 #include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -48,7 +49,10 @@ struct ShownText {
     std::string operator()(Absent) const { return "none"; }
     std::string operator()(bool value) const { return flag_text(value); }
     std::string operator()(std::int64_t value) const { return shown_whole(field, value, state); }
-    std::string operator()(double value) const { return core::shortest_text(value); }
+    std::string operator()(double value) const {
+        if (field.kind == FieldKind::length) return length_words(state.history.present().units, value);
+        return core::shortest_text(value);
+    }
     std::string operator()(const std::string& value) const { return shown_string(field, value, state); }
     std::string operator()(core::Point value) const { return place_words(value); }
     std::string operator()(const std::vector<double>& values) const {

@@ -210,19 +210,35 @@ bool is_list(const Field& field) {
     }
 }
 
-tl::expected<Argument, std::string> evaluated(const Field& field, const std::string& text) {
-    if (is_list(field)) return parse_expressions(text);
-    return parse_expression(text, field.kind == FieldKind::angle ? ExpressionUnit::degrees : ExpressionUnit::number);
+// Whether what is typed may have a unit of length: a length, or a place.
+bool has_lengths(const Field& field) {
+    switch (field.kind) {
+        case FieldKind::length:
+        case FieldKind::position:
+        case FieldKind::positions:
+        case FieldKind::vector:
+            return true;
+        default:
+            return false;
+    }
+}
+
+tl::expected<Argument, std::string> evaluated(const Field& field, const std::string& text, const Units& units) {
+    const core::DocumentUnits* lengths = units && has_lengths(field) ? &*units : nullptr;
+    if (field.kind == FieldKind::length) return parse_length(text, units);
+    if (is_list(field)) return parse_expressions(text, lengths);
+    return parse_expression(text, field.kind == FieldKind::angle ? ExpressionUnit::degrees : ExpressionUnit::number,
+                            lengths);
 }
 
 // A word is a text where the field is one, else the number or list that it stands for. What has no digit is no formula
 // but something else.
-Outcome<Argument> meant(const Field& field, const FieldPart& part, const Argument& given) {
+Outcome<Argument> meant(const Field& field, const FieldPart& part, const Argument& given, const Units& units) {
     const auto* word = std::get_if<Word>(&given);
     if (word == nullptr) return given;
     if (takes_text(field)) return Argument(word->text);
     if (!is_number(field) && !is_list(field)) return parse_argument(word->text);
-    auto value = evaluated(field, word->text);
+    auto value = evaluated(field, word->text, units);
     if (value) return *std::move(value);
     if (word->text.find_first_of("0123456789(") == std::string::npos) return Argument(word->text);
     return tl::unexpected(sentence("{name} is {found}; {problem}",
@@ -270,10 +286,10 @@ bool takes_text(const Field& field) {
     }
 }
 
-Outcome<FieldValue> read_field(const Field& field, std::span<const Argument> given) {
+Outcome<FieldValue> read_field(const Field& field, std::span<const Argument> given, const Units& units) {
     std::vector<Argument> arguments;
     for (std::size_t k = 0; k < given.size(); ++k) {
-        Outcome<Argument> argument = meant(field, field.parts[k], given[k]);
+        Outcome<Argument> argument = meant(field, field.parts[k], given[k], units);
         if (!argument) return tl::unexpected(argument.error());
         arguments.push_back(*std::move(argument));
     }

@@ -5,6 +5,7 @@
 
 #include "app/editor/fields/argument.h"
 #include "app/editor/fields/field.h"
+#include "app/editor/words/length.h"
 
 namespace batten::editor {
 
@@ -17,8 +18,9 @@ constexpr const char* flag_text(bool flag) {
 bool takes_text(const Field& field);
 
 /// The value that `given` means, one argument for each part of the field. The sentence names the part, what was found
-/// and what is needed; whether there is such a thing is check_field's to say.
-Outcome<FieldValue> read_field(const Field& field, std::span<const Argument> given);
+/// and what is needed; whether there is such a thing is check_field's to say. Lengths and coordinates may be typed with
+/// a unit; a length without one that is typed in words is in that of `units`, a number is one of the world.
+Outcome<FieldValue> read_field(const Field& field, std::span<const Argument> given, const Units& units = std::nullopt);
 
 /// The arguments that mean `value`: as many as the field has parts.
 std::vector<Argument> arguments_of(const Field& field, const FieldValue& value);

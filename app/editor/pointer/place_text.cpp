@@ -6,6 +6,7 @@
 
 #include "app/editor/pointer/typed_place.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/length.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -19,7 +20,9 @@ std::string length_text(const EditorState& state, double value) {
     constexpr int most_digits = 15;
     const double tenths = std::abs(value) * state.view.camera.scale * 10.0;
     const double digits = tenths > 1.0 && std::isfinite(tenths) ? std::ceil(std::log10(tenths)) : 0.0;
-    return number_text(value, std::clamp(static_cast<int>(digits), least_digits, most_digits));
+    const Units& units = state.shown().units;
+    return with_unit(
+        units, number_text(in_units(units, value), std::clamp(static_cast<int>(digits), least_digits, most_digits)));
 }
 
 std::string angle_text(core::Vector way) {
@@ -34,6 +37,7 @@ std::string with_caret(const TypedPlace& typed, std::size_t field) {
 }  // namespace
 
 std::string reading_of(const EditorState& state, const ShownPlace& place) {
+    if (!place.reading.empty()) return place.reading;
     if (!place.from)
         return sentence("x {x} · y {y}",
                         {{"x", length_text(state, place.position.x)}, {"y", length_text(state, place.position.y)}});
@@ -45,8 +49,12 @@ std::string reading_of(const EditorState& state, const ShownPlace& place) {
                      {"dy", length_text(state, way.y)}});
 }
 
-std::string typed_reading(const TypedPlace& typed) {
+std::string typed_reading(const TypedPlace& typed, TypedFor typed_for) {
     if (typed.is_empty()) return {};
+    if (typed_for == TypedFor::angle) return sentence("angle {angle}", {{"angle", with_caret(typed, 0)}});
+    if (typed_for == TypedFor::factors)
+        return sentence("factor {first} · along y {second}",
+                        {{"first", with_caret(typed, 0)}, {"second", with_caret(typed, 1)}});
     const bool is_whole = typed.active == 0 && typed.texts[1].empty();
     const bool names_itself = typed.texts[0].find_first_of("@<,;") != std::string::npos;
     if (is_whole && names_itself) return with_caret(typed, 0);
@@ -56,11 +64,11 @@ std::string typed_reading(const TypedPlace& typed) {
                                                                       {"second", with_caret(typed, 1)}});
 }
 
-std::string typed_problem(const Placing& placing) {
+std::string typed_problem(const EditorState& state) {
+    const Placing& placing = state.placing;
     if (placing.typed.is_empty()) return {};
     const core::Point anywhere = placing.place ? placing.place->position : core::Point(0.0, 0.0);
-    const auto place = place_typed(placing.typed, placing.place ? placing.place->from : std::nullopt, anywhere);
-    return place ? std::string() : place.error();
+    return typed_problem(placing, anywhere, state.shown().units);
 }
 
 }  // namespace batten::editor

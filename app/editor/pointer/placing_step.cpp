@@ -49,10 +49,9 @@ CanvasMode step_typed(const CanvasMode& mode, const Gesture& gesture, const Step
 
 CanvasMode accept_typed(const CanvasMode& mode, const Gesture& gesture, const StepMode& step) {
     const Placing& placing = gesture.state.placing;
-    const core::Point pointed = world_at_pointer(gesture);
-    const auto from = placing.place ? placing.place->from : std::nullopt;
-    if (const auto place = place_typed(placing.typed, from, pointed); !place) {
-        gesture.queue.change(ShowRefusal{place.error()});
+    const std::string problem = typed_problem(placing, world_at_pointer(gesture), gesture.state.shown().units);
+    if (!problem.empty()) {
+        gesture.queue.change(ShowRefusal{problem});
         return mode;
     }
     PlacedStep placed(gesture, step);

@@ -50,7 +50,7 @@ core::Point placed(const Gesture& gesture, const SnapQuery& query, Freedom freed
     const TypedPlace& typed = typed_for(gesture);
     if (!typed.is_empty()) {
         const core::Point free = position;
-        position = place_typed(typed, query.from, free).value_or(free);
+        position = place_typed(typed, query.from, free, gesture.state.shown().units).value_or(free);
         if (position != free) snap.reset();
     }
     if (gesture.place != nullptr) *gesture.place = ShownPlace{position, query.from, std::move(snap)};

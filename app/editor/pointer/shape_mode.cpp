@@ -36,7 +36,7 @@ core::Point next_place(const DrawingShape& mode, const Gesture& gesture) {
 
 ShapeHints hints_of(const DrawingShape& mode, const Gesture& gesture) {
     const TypedPlace& typed = gesture.typed != nullptr ? *gesture.typed : gesture.state.placing.typed;
-    return {gesture.state.view.polygon_sides, typed_length(typed), mode.turned};
+    return {gesture.state.view.polygon_sides, typed_length(typed, gesture.state.shown().units), mode.turned};
 }
 
 DrawingShape moved(DrawingShape mode, core::Point next) {

@@ -44,11 +44,29 @@ Expressions expressions_of(const TypedPlace& typed) {
     return {frame, trimmed(typed.texts[0]), trimmed(typed.texts[1])};
 }
 
-Outcome<std::optional<double>> number_of(std::string_view text, ExpressionUnit unit) {
+Outcome<std::optional<double>> length_of(std::string_view text, const Units& units) {
     if (text.empty()) return std::nullopt;
-    const auto value = parse_expression(text, unit);
+    const auto value = parse_length(text, units);
     if (!value) return tl::make_unexpected(value.error());
     return *value;
+}
+
+Outcome<std::optional<double>> angle_of(std::string_view text) {
+    if (text.empty()) return std::nullopt;
+    const auto value = parse_expression(text, ExpressionUnit::degrees);
+    if (!value) return tl::make_unexpected(value.error());
+    return *value;
+}
+
+Outcome<std::optional<double>> factor_of(std::string_view text) {
+    text = trimmed(text);
+    const bool is_percent = text.ends_with('%');
+    if (is_percent) text.remove_suffix(1);
+    if (text.empty()) return std::nullopt;
+    const auto value = parse_expression(text);
+    if (!value) return tl::make_unexpected(value.error());
+    if (*value == 0.0) return tl::make_unexpected(Refusal("a factor of 0 would leave nothing"));
+    return is_percent ? *value / 100.0 : *value;
 }
 
 core::Point polar_place(core::Point from, std::optional<double> length, std::optional<double> angle,
@@ -124,12 +142,13 @@ std::optional<TypedPlace> typed_key(TypedPlace typed, Key key) {
     return typed;
 }
 
-Outcome<core::Point> place_typed(const TypedPlace& typed, std::optional<core::Point> from, core::Point pointed) {
+Outcome<core::Point> place_typed(const TypedPlace& typed, std::optional<core::Point> from, core::Point pointed,
+                                 const Units& units) {
     const Expressions expressions = expressions_of(typed);
     const bool is_polar = expressions.frame == Frame::polar;
-    const auto first = number_of(expressions.first, ExpressionUnit::number);
+    const auto first = length_of(expressions.first, units);
     if (!first) return tl::make_unexpected(first.error());
-    const auto second = number_of(expressions.second, is_polar ? ExpressionUnit::degrees : ExpressionUnit::number);
+    const auto second = is_polar ? angle_of(expressions.second) : length_of(expressions.second, units);
     if (!second) return tl::make_unexpected(second.error());
     if (!*first && !*second) return pointed;
     const core::Point place =
@@ -138,11 +157,33 @@ Outcome<core::Point> place_typed(const TypedPlace& typed, std::optional<core::Po
     return place;
 }
 
-std::optional<double> typed_length(const TypedPlace& typed) {
+std::optional<double> typed_length(const TypedPlace& typed, const Units& units) {
     const Expressions expressions = expressions_of(typed);
     if (expressions.frame != Frame::polar || expressions.first.empty()) return std::nullopt;
-    const auto length = parse_expression(expressions.first);
+    const auto length = parse_length(expressions.first, units);
     return length ? std::optional(*length) : std::nullopt;
+}
+
+std::optional<double> typed_factor(const TypedPlace& typed, std::size_t field) {
+    return factor_of(typed.texts[field]).value_or(std::nullopt);
+}
+
+std::optional<double> typed_angle(const TypedPlace& typed) {
+    return angle_of(trimmed(typed.texts[0])).value_or(std::nullopt);
+}
+
+std::string typed_problem(const Placing& placing, core::Point pointed, const Units& units) {
+    const TypedPlace& typed = placing.typed;
+    const TypedFor typed_for = placing.place ? placing.place->typed_for : TypedFor::place;
+    if (typed_for == TypedFor::place) {
+        const auto place = place_typed(typed, placing.place ? placing.place->from : std::nullopt, pointed, units);
+        return place ? std::string() : place.error();
+    }
+    for (const std::string& text : typed.texts) {
+        const auto number = typed_for == TypedFor::angle ? angle_of(trimmed(text)) : factor_of(text);
+        if (!number) return number.error();
+    }
+    return {};
 }
 
 const char* title_of_field(const TypedPlace& typed, std::size_t field) {

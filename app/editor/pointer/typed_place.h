@@ -6,6 +6,7 @@
 #include "app/editor/fields/field.h"
 #include "app/editor/state/key.h"
 #include "app/editor/state/placing.h"
+#include "app/editor/words/length.h"
 
 namespace batten::editor {
 
@@ -22,11 +23,22 @@ std::optional<TypedPlace> typed_key(TypedPlace typed, Key key);
 /// fields: the length and the angle (in degrees, counterclockwise from the right) of the way from `from`, or dx and dy.
 /// In the first field alone "@10,5" is dx and dy, "10<45" (or "@10<45") length and angle, "3,4" (or "3;4") x and y;
 /// without a comma "3" alone is a length. Once there is a second field a comma begins decimals. Where there is no
-/// `from`, lengths count from (0, 0). Refused where an expression cannot be read, or where the place is infinite.
-Outcome<core::Point> place_typed(const TypedPlace& typed, std::optional<core::Point> from, core::Point pointed);
+/// `from`, lengths count from (0, 0). Lengths and coordinates are in the document's unit where none is written. Refused
+/// where an expression cannot be read, or where the place is infinite.
+Outcome<core::Point> place_typed(const TypedPlace& typed, std::optional<core::Point> from, core::Point pointed,
+                                 const Units& units = std::nullopt);
 
-/// The length that is typed, alone or with an angle; none where there is none.
-std::optional<double> typed_length(const TypedPlace& typed);
+/// The length that is typed, alone or with an angle, in the world; none where there is none.
+std::optional<double> typed_length(const TypedPlace& typed, const Units& units = std::nullopt);
+
+/// A factor that is typed in a field, "1.5" or "150%"; none where there is none.
+std::optional<double> typed_factor(const TypedPlace& typed, std::size_t field);
+
+/// An angle that is typed in the first field, in degrees; none where there is none.
+std::optional<double> typed_angle(const TypedPlace& typed);
+
+/// Why what is typed for `placing` is no place, no factor or no angle; empty where it is one.
+std::string typed_problem(const Placing& placing, core::Point pointed, const Units& units);
 
 /// "dx, dy" of the field that is typed: what a person reads before it.
 const char* title_of_field(const TypedPlace& typed, std::size_t field);

@@ -47,8 +47,9 @@ std::vector<ReadingRow> rows_of(const CanvasFrame& frame) {
     if (placing.place->snap) rows.push_back({placing.place->snap->label, theme.accent});
     rows.push_back({reading_of(frame.state, *placing.place), theme.text});
     if (placing.typed.is_empty()) return rows;
-    rows.push_back({typed_reading(placing.typed), theme.text});
-    if (const std::string problem = typed_problem(placing); !problem.empty()) rows.push_back({problem, theme.error});
+    rows.push_back({typed_reading(placing.typed, placing.place->typed_for), theme.text});
+    if (const std::string problem = typed_problem(frame.state); !problem.empty())
+        rows.push_back({problem, theme.error});
     return rows;
 }
 

@@ -28,11 +28,20 @@ struct Snap {
     bool operator==(const Snap&) const = default;
 };
 
+/// What the numbers that are typed for a gesture say.
+enum class TypedFor {
+    place,    ///< where it is
+    factors,  ///< by how much something is scaled along x and y, "1.5" or "150%"
+    angle     ///< by how many degrees something is turned or sheared
+};
+
 /// Where a gesture puts something, as it was asked last.
 struct ShownPlace {
     core::Point position{};
     std::optional<core::Point> from;  ///< what lengths and angles are measured from
     std::optional<Snap> snap;
+    TypedFor typed_for = TypedFor::place;
+    std::string reading{};  ///< what stands beside the pointer in place of where it is
     bool operator==(const ShownPlace&) const = default;
 };
 

@@ -25,21 +25,21 @@ double tolerance_in(const core::Box& box, double relative) {
 }
 
 std::string deviation_sentence(const std::string& done, const Distances& distances) {
-    const std::string deviation = core::shortest_text(*distances.deviation);
+    const std::string deviation = length_words(distances.units, *distances.deviation);
     if (distances.is_rounding)
         return core::sentence("{done}; the curve is unchanged but for rounding, at most {deviation}",
                               {{"done", done}, {"deviation", deviation}});
     if (distances.of_shapes)
         return core::sentence(
             "{done}; the curve moved by at most {deviation} at equal parameters, its shape by at most {shape}",
-            {{"done", done}, {"deviation", deviation}, {"shape", core::shortest_text(*distances.of_shapes)}});
+            {{"done", done}, {"deviation", deviation}, {"shape", length_words(distances.units, *distances.of_shapes)}});
     return core::sentence("{done}; the curve moved by at most {deviation}", {{"done", done}, {"deviation", deviation}});
 }
 
 }  // namespace
 
 std::string done_sentence(const std::string& done, ShapeEffect effect, const Distances& distances) {
-    const auto& [deviation, of_shapes, error, is_rounding] = distances;
+    const auto& [deviation, of_shapes, error, is_rounding, units] = distances;
     if (!std::isfinite(deviation.value_or(0.0)) || !std::isfinite(error.value_or(0.0)))
         return core::sentence(
             "{done}; how far the curve moved cannot be computed: its points, weights or knots are too far apart, too "
@@ -49,7 +49,7 @@ std::string done_sentence(const std::string& done, ShapeEffect effect, const Dis
     if (is_unchanged) return core::sentence("{done}; the curve is unchanged", {{"done", done}});
     if (deviation) return deviation_sentence(done, distances);
     if (!error) return done;
-    const core::Place most("error", core::shortest_text(*error));
+    const core::Place most("error", length_words(units, *error));
     if (effect == ShapeEffect::keeps)
         return core::sentence("{done}; the shape is kept up to rounding of far control points, error at most {error}",
                               {{"done", done}, most});

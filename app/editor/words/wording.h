@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/editor/command_spec.h"
+#include "app/editor/words/length.h"
 #include "core/curve/curve.h"
 
 namespace batten::editor {
@@ -17,6 +18,7 @@ struct Distances {
     std::optional<double> of_shapes{};  ///< the same whatever the parameters, where it is much less
     std::optional<double> error{};      ///< of what approximates something else
     bool is_rounding = false;           ///< the deviation is what rounding of the coordinates makes
+    Units units{};                      ///< in which they are told
 };
 
 /// What is said after a step: `done` ("Moved P₅") with what it did to the shape, or how far off its result is. Without

@@ -1,0 +1,56 @@
+#include "app/editor/words/length.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "app/editor/fields/expression.h"
+#include "core/base/number_text.h"
+#include "core/base/sentence.h"
+
+namespace batten::editor {
+
+namespace {
+
+const char* sign_of(core::LengthUnit unit) {
+    return unit == core::LengthUnit::inch ? "in" : core::name_of(unit);
+}
+
+}  // namespace
+
+double world_per_length(const Units& units) {
+    return units ? units->scale : 1.0;
+}
+
+double in_units(const Units& units, double world) {
+    return world / world_per_length(units);
+}
+
+core::Point in_units(const Units& units, core::Point world) {
+    return {in_units(units, world.x), in_units(units, world.y)};
+}
+
+std::string with_unit(const Units& units, const std::string& number) {
+    if (!units) return number;
+    return core::sentence("{number} {unit}", {{"number", number}, {"unit", sign_of(units->unit)}});
+}
+
+std::string length_words(const Units& units, double world) {
+    return with_unit(units, core::shortest_text(in_units(units, world)));
+}
+
+std::string unit_ending(const Units& units) {
+    return units ? fmt::format(" {}", sign_of(units->unit)) : std::string();
+}
+
+tl::expected<double, std::string> parse_length(std::string_view text, const Units& units) {
+    if (!units) return parse_expression(text);
+    const core::DocumentUnits unit_alone{.unit = units->unit};
+    auto length = parse_expression(text, ExpressionUnit::number, &unit_alone);
+    if (!length) return length;
+    const double world = *length * units->scale;
+    if (!std::isfinite(world)) return tl::make_unexpected("the result is too large for a number");
+    return world;
+}
+
+}  // namespace batten::editor

@@ -1,0 +1,70 @@
+#include "app/editor/commands/unit_commands.h"
+
+#include <gtest/gtest.h>
+
+#include "app/editor/pointer/place_text.h"
+#include "core/measure/arc_length.h"
+#include "tests/editor/pointer_driver.h"
+#include "tests/editor/sample_editor.h"
+
+namespace batten::editor {
+namespace {
+
+using core::LengthUnit;
+
+class UnitCommands : public testing::Test {
+  protected:
+    const core::Document& document() const { return editor.state().history.present(); }
+    const std::string& said() const { return editor.state().message.text; }
+    bool type(const std::string& text) { return run_typed(editor, text); }
+
+    Editor editor = test::zigzag_editor();
+};
+
+TEST_F(UnitCommands, choose_the_unit_of_lengths) {
+    EXPECT_TRUE(type("set-units mm"));
+    EXPECT_EQ(document().units, (core::DocumentUnits{.unit = LengthUnit::mm}));
+    EXPECT_EQ(said(), "Lengths are in millimeters now");
+    EXPECT_TRUE(type("set-units inch 96"));
+    EXPECT_EQ(document().units, (core::DocumentUnits{.unit = LengthUnit::inch, .scale = 96.0}));
+    EXPECT_EQ(said(), "Lengths are in inches now, one of which is 96 of the curves' coordinates");
+    EXPECT_TRUE(type("set-units none"));
+    EXPECT_EQ(document().units, std::nullopt);
+    EXPECT_EQ(said(), "Lengths are plain numbers now");
+    EXPECT_FALSE(type("set-units cm"));
+    EXPECT_FALSE(type("set-units mm 0"));
+    EXPECT_FALSE(type("set-units mm -1"));
+    for (int i = 0; i < 2; ++i) EXPECT_TRUE(type("undo"));
+    EXPECT_EQ(document().units, (core::DocumentUnits{.unit = LengthUnit::mm}));
+}
+
+TEST_F(UnitCommands, lengths_are_typed_in_the_unit_and_logged_in_coordinates) {
+    ASSERT_TRUE(type("set-units inch 96"));
+    ASSERT_TRUE(type("set-length 1"));
+    EXPECT_TRUE(said().starts_with("Set length to 1 in; the curve moved by at most 0.56")) << said();
+    EXPECT_TRUE(said().ends_with(" in")) << said();
+    EXPECT_NEAR(core::arc_length(test::committed(editor)).value, 96.0, 1e-9);
+    ASSERT_TRUE(type("set-length 25.4mm"));
+    EXPECT_NEAR(core::arc_length(test::committed(editor)).value, 96.0, 1e-9);
+    ASSERT_TRUE(type("set-distance 0 1 1/2"));
+    const auto points = test::committed(editor).control_points();
+    EXPECT_NEAR(core::distance(points[0], points[1]), 48.0, 1e-12);
+    EXPECT_TRUE(said().starts_with("Moved P₁ to the distance 0.5 in from P₀; the curve moved by at most 0.09"));
+    // A place without a unit is of the curve's coordinates, as everywhere in commands.
+    ASSERT_TRUE(type("set-point 2 1in 7"));
+    EXPECT_EQ(test::committed(editor).control_points()[2], core::Point(96, 7));
+    ASSERT_TRUE(type("set-units none"));
+    EXPECT_FALSE(type("set-length 25.4mm"));
+}
+
+TEST_F(UnitCommands, what_is_placed_is_told_in_the_unit) {
+    const ShownPlace place{{3, 4}, core::Point(0, 0), std::nullopt};
+    EXPECT_EQ(reading_of(editor.state(), place), "5 ∠ 53.13° · dx 3 · dy 4");
+    ASSERT_TRUE(type("set-units mm"));
+    EXPECT_EQ(reading_of(editor.state(), place), "5 mm ∠ 53.13° · dx 3 mm · dy 4 mm");
+    ASSERT_TRUE(type("set-units inch 2"));
+    EXPECT_EQ(reading_of(editor.state(), {{3, 4}, std::nullopt, std::nullopt}), "x 1.5 in · y 2 in");
+}
+
+}  // namespace
+}  // namespace batten::editor
