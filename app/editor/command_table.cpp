@@ -60,6 +60,7 @@ void add_other_commands(CommandTable& table) {
     add_knot_question_commands(table);
     add_view_commands(table);
     add_snap_commands(table);
+    add_axis_commands(table);
     add_unit_commands(table);
     add_lesson_commands(table);
     add_shape_view_commands(table);

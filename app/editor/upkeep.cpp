@@ -59,6 +59,8 @@ struct HoverCheck {
         return (*this)(HoveredOtherCurve{hovered.curve}) &&
                hovered.index < document.curves[hovered.curve].curve->control_points().size();
     }
+    bool operator()(const HoveredRuler&) const { return true; }
+    bool operator()(const HoveredGrip&) const { return true; }
     bool operator()(const HoveredOtherCurve& hovered) const {
         return hovered.index < document.curves.size() && hovered.index != document.active;
     }
@@ -84,6 +86,7 @@ void keep_line(View& view, const core::Curve& before) {
 bool is_in(const Hover& hover, const core::Document& document) {
     const core::DocumentCurve* active = document.active_curve();
     if (const auto* guide = std::get_if<HoveredGuide>(&hover)) return guide->index < document.guides.size();
+    if (std::holds_alternative<HoveredRuler>(hover)) return true;
     if (active == nullptr) return std::holds_alternative<HoveredNothing>(hover);
     return std::visit(HoverCheck{document, *active->curve}, hover);
 }

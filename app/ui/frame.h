@@ -46,7 +46,8 @@ struct WidgetPlace {
 /// Where the interface put the pictures, which are painted below it.
 struct FrameLayout {
     Rectangle canvas;
-    Rectangle plot;  ///< of no height when the dock is folded away
+    Rectangle rulers;  ///< around the canvas, whose pointer events theirs are; of no size while they are hidden
+    Rectangle plot;    ///< of no height when the dock is folded away
     std::vector<WidgetPlace> widgets;
     editor::Cursor cursor = editor::Cursor::arrow;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "app/editor/pointer/plot_layout.h"
 
@@ -57,9 +58,9 @@ FrameAreas arrange(glm::dvec2 size_px, const editor::View& view, double scale, b
     const double side = cards + inspector;
     const double plots = editor::height_of_plots(view);
     const double most_dock = view.is_presenting && plots == 0.0 ? most_presented_dock_share : most_dock_share;
-    const double dock = view.dock_is_open ? shrunk(px(view.dock_height + plots), height, most_dock * height,
-                                                   px(least_canvas_height), px(least_dock_height))
-                                          : 0.0;
+    const double dock = editor::shows_dock(view) ? shrunk(px(view.dock_height + plots), height, most_dock * height,
+                                                          px(least_canvas_height), px(least_dock_height))
+                                                 : 0.0;
 
     FrameAreas areas;
     areas.window = {{0.0, 0.0}, size_px};
@@ -88,6 +89,14 @@ FrameAreas with_title_line(FrameAreas areas, double height_px) {
     areas.title_line.size_px.y = height;
     areas.canvas.origin_px.y += height;
     areas.canvas.size_px.y -= height;
+    return areas;
+}
+
+FrameAreas with_rulers(FrameAreas areas, double width_px) {
+    areas.rulers = areas.canvas;
+    const glm::dvec2 width = glm::min(glm::dvec2(std::ceil(width_px)), areas.canvas.size_px);
+    areas.canvas.origin_px += width;
+    areas.canvas.size_px -= width;
     return areas;
 }
 

@@ -13,6 +13,7 @@ struct FrameAreas {
     Rectangle tool_bar;
     Rectangle title_line;  ///< above the canvas
     Rectangle canvas;
+    Rectangle rulers;  ///< around the canvas: their strips lie before its upper and left edge, if they are shown
     Rectangle dock;
     Rectangle cards;  ///< between canvas and inspector; while presenting they lie on the canvas
     Rectangle inspector;
@@ -29,5 +30,8 @@ FrameAreas with_line_over_cards(FrameAreas areas);
 /// The same areas with a title line of this height, in window pixels, taken from the canvas and from what else it is
 /// above.
 FrameAreas with_title_line(FrameAreas areas, double height_px);
+
+/// The same areas with room for the rulers, `width_px` window pixels, taken from the canvas.
+FrameAreas with_rulers(FrameAreas areas, double width_px);
 
 }  // namespace batten::ui

@@ -6,6 +6,7 @@
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/pointer/hit_test.h"
 #include "app/editor/pointer/placing_step.h"
+#include "app/editor/scene/ruler.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/frame_areas.h"
@@ -39,7 +40,7 @@ std::optional<PointerAction> drawing_action(const editor::Shortcut& shortcut) {
 }
 
 Picture picture_at(const FrameLayout& layout, glm::dvec2 position_px) {
-    if (layout.canvas.contains(position_px)) return Picture::canvas;
+    if (layout.canvas.contains(position_px) || layout.rulers.contains(position_px)) return Picture::canvas;
     if (layout.plot.contains(position_px)) return Picture::plot;
     return Picture::none;
 }
@@ -82,6 +83,9 @@ FrameAreas areas_of(const PanelContext& context) {
 
 FrameAreas place_pictures(const PanelContext& context, FrameLayout& layout) {
     FrameAreas areas = areas_of(context);
+    if (context.state.view.overlays.is_shown(editor::Overlay::rulers))
+        areas = with_rulers(areas, context.px(editor::ruler_width));
+    layout.rulers = areas.rulers;
     layout.canvas = areas.canvas;
     layout.plot = areas.dock;
     return areas;
@@ -103,6 +107,7 @@ void draw_frame_panels(const PanelContext& context, const FrameAreas& areas, con
     if (areas.inspector.size_px.x > 0.0) draw_inspector(context, areas.inspector);
     draw_cards_panel(context, areas.cards);
     draw_floating_cards(context, areas.canvas);
+    draw_rulers(context, areas.rulers, areas.canvas);
     settle_panel_hover(context);
 }
 

@@ -49,9 +49,18 @@ Block mouse_block() {
              {"Drag a ring", "change the weight"},
              {"Drag C(u)", "change u"},
              {"Drag the curve", "move that point of it ≠"},
+             {"Drag out of a ruler", "add a guide"},
              {"Double-click the curve", "insert a knot ≅"},
              {"Double-click the polygon", "add a point ≠"},
              {"Double-click a knot", "raise its multiplicity ≅"}}};
+}
+
+Block transform_block() {
+    return {"Transform box",
+            {{"Drag a square", "scale, with Shift alike ≠"},
+             {"Drag a disc", "turn, with Ctrl by steps"},
+             {"Drag a side", "shear ≠"},
+             {"Drag or click the pivot", "choose what stays"}}};
 }
 
 Block strip_block() {
@@ -110,6 +119,7 @@ Block filtered(const Block& block, const std::string& filter) {
 
 std::vector<Block> blocks_of(const std::string& filter) {
     const std::array all{mouse_block(),
+                         transform_block(),
                          command_block(CommandGroup::view),
                          edit_block(),
                          tool_block(),

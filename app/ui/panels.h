@@ -52,6 +52,9 @@ void draw_findings_panel(const PanelContext& context, const Rectangle& place);
 /// The height in window pixels that the findings need of an inspector at `place`; 0 where there are none.
 double findings_height(const PanelContext& context, const Rectangle& place);
 
+/// The rulers, which fill what `rulers` is larger than `canvas`; nothing while they are hidden.
+void draw_rulers(const PanelContext& context, const Rectangle& rulers, const Rectangle& canvas);
+
 /// The cards of the teaching views, one below the other; nothing in a place of no width.
 void draw_cards_panel(const PanelContext& context, const Rectangle& place);
 

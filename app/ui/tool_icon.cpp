@@ -157,6 +157,13 @@ void draw_brush(const IconPen& pen) {
     pen.disc({0.72F, 0.5F}, 0.06F);
 }
 
+/// A box with handles at its corners.
+void draw_transform(const IconPen& pen) {
+    pen.line({{0.2F, 0.2F}, {0.8F, 0.2F}, {0.8F, 0.8F}, {0.2F, 0.8F}}, true);
+    for (const float x : {0.2F, 0.8F})
+        for (const float y : {0.2F, 0.8F}) pen.disc({x, y}, 0.11F);
+}
+
 /// A magnet.
 void draw_snapping(const IconPen& pen) {
     constexpr float half_turn = 3.14159265F;
@@ -184,6 +191,7 @@ constexpr std::array icons{ToolIcon{TakeTool<Tool::select>::spec, draw_select},
                            ToolIcon{TakeTool<Tool::shape>::spec, draw_shape},
                            ToolIcon{TakeTool<Tool::joint>::spec, draw_joint},
                            ToolIcon{TakeTool<Tool::brush>::spec, draw_brush},
+                           ToolIcon{TakeTool<Tool::transform>::spec, draw_transform},
                            ToolIcon{editor::SetSnap::spec, draw_snapping},
                            ToolIcon{TakeTool<Tool::pencil>::spec, draw_pencil},
                            ToolIcon{editor::Undo::spec, draw_undo},

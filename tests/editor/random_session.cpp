@@ -6,6 +6,7 @@
 #include "app/editor/commands/analysis_commands.h"
 #include "app/editor/commands/arranging_commands.h"
 #include "app/editor/commands/brush_commands.h"
+#include "app/editor/commands/axis_commands.h"
 #include "app/editor/commands/closing_commands.h"
 #include "app/editor/commands/combine_commands.h"
 #include "app/editor/commands/construction_commands.h"
@@ -44,6 +45,8 @@
 #include "app/editor/commands/trace_commands.h"
 #include "app/editor/commands/transform_commands.h"
 #include "app/editor/commands/trim_commands.h"
+#include "app/editor/commands/unit_commands.h"
+#include "app/editor/commands/view_commands.h"
 #include "app/editor/commands/weight_commands.h"
 
 namespace batten::editor {
@@ -280,7 +283,9 @@ Command RandomSession::joint_command(const EditorState& state) {
 }
 
 Command RandomSession::guide_command() {
-    switch (below(4)) {
+    switch (below(5)) {
+        case 4:
+            return SetUnits{.unit = any<UnitChoice>(), .scale = between(-0.2, 100)};
         case 0:
             return RemoveGuide{.index = below(3)};
         case 1:
@@ -639,6 +644,12 @@ Command RandomSession::form_command() {
     }
 }
 
+Command RandomSession::axis_pick_command() {
+    if (below(2) == 0) return below(2) == 0 ? Command(PickMirror{}) : Command(PickLinkMirror{});
+    const std::size_t count = 1 + below(5);
+    return below(2) == 0 ? Command(PickLinkRotation{.count = count}) : Command(PickArrayPolar{.count = count});
+}
+
 Command RandomSession::view_command(const EditorState& state) {
     const core::DocumentCurve* active = state.history.present().active_curve();
     const std::size_t n = active != nullptr ? active->curve->control_points().size() : 0;
@@ -651,15 +662,16 @@ Command RandomSession::view_command(const EditorState& state) {
         case 2:
             return SelectAll{};
         case 3:
-            return SelectNone{};
+            return below(3) == 0 ? Command(ToggleDrawing{}) : Command(SelectNone{});
         case 4:
             return ActivateCurve{.index = index(state.history.present().curves.size())};
         case 5:
             return below(2) == 0 ? Command(ShowHandlebar{.u = parameter(state)})
                                  : Command(SetParameter{.u = parameter(state)});
         case 6:
-            return below(2) == 0 ? Command(TogglePlay{})
-                                 : Command(SetSnap{.kind = SnapKind::grid, .on = below(2) == 0});
+            return below(2) == 0   ? Command(TogglePlay{})
+                   : below(4) == 0 ? axis_pick_command()
+                                   : Command(SetSnap{.kind = SnapKind::grid, .on = below(2) == 0});
         case 7:
             return SetLevel{.level = below(5) == 0 ? std::nullopt : std::optional(static_cast<int>(below(4)))};
         default:

@@ -64,6 +64,7 @@ class RandomSession {
     std::string parts(const EditorState& state);
     Command several_command(const EditorState& state);
     Command form_command();
+    Command axis_pick_command();
     Command view_command(const EditorState& state);
     ViewChange view_change(const EditorState& state);
 

@@ -121,7 +121,7 @@ core::Document joined(core::Document document, const core::Document& added) {
 std::vector<std::string> overlay_names(const EditorState& state) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < overlay_count; ++i)
-        if (state.view.overlays.is_shown(static_cast<Overlay>(i)))
+        if (state.view.overlays.is_chosen(static_cast<Overlay>(i)))
             names.emplace_back(core::name_of(static_cast<Overlay>(i)));
     for (const std::string& name : state.history.present().view.overlays.value_or(std::vector<std::string>{}))
         if (!core::value_named<Overlay>(name)) names.push_back(name);

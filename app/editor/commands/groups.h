@@ -59,6 +59,7 @@ void add_construction_commands(CommandTable& table);
 void add_invariance_commands(CommandTable& table);
 void add_knot_question_commands(CommandTable& table);
 void add_snap_commands(CommandTable& table);
+void add_axis_commands(CommandTable& table);
 void add_unit_commands(CommandTable& table);
 void add_view_commands(CommandTable& table);
 void add_shape_view_commands(CommandTable& table);

@@ -38,6 +38,7 @@ std::optional<Refusal> no_findings(const EditorState& state) {
 // What Escape means now, one thing at a time. A field, so that a replay, which knows no previews, gives up the same.
 Escapable what_to_give_up(const EditorState& state) {
     if (state.dialog != Dialog::none) return Escapable::dialog;
+    if (state.axis_pick) return Escapable::tool;
     if (state.preview) return Escapable::preview;
     if (state.tool != Tool::select || state.gauge) return Escapable::tool;
     if (state.ghost || state.message.is_error) return Escapable::preview;
@@ -58,6 +59,7 @@ Outcome<void> escape(EditorState& state, const Escape& command) {
         case Escapable::tool:
             take_tool(state, Tool::select);
             state.gauge.reset();
+            if (std::exchange(state.axis_pick, std::nullopt)) state.preview.reset();
             break;
         case Escapable::findings:
             state.findings.reset();

@@ -98,7 +98,7 @@ Outcome<Edit> add_hodograph(const EditorState& state, const AddHodograph&) {
 
 // Suggestions: the middle of the view on the grid, and lengths of a few grid steps.
 double coarse_step(const EditorState& state) {
-    return major_grid_step(state.view.camera.scale / state.view.interface_scale);
+    return canvas_grid_steps(state).major;
 }
 
 double half_step(const EditorState& state) {

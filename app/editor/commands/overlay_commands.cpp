@@ -52,6 +52,9 @@ constexpr std::array<OverlayText, overlay_count> texts = [] {
          "Fills what the closed curves enclose an odd number of times.", "overlay area inside holes outline"},
         {directions, "toggle-directions", "Directions", "Shows the directions of the curves as arrows along them.",
          "overlay arrows orientation"},
+        {rulers, "toggle-rulers", "Rulers",
+         "Shows rulers at the upper and the left edge of the canvas, in the document's unit.",
+         "overlay scale measure mm inch guides"},
         {triangle, "toggle-triangle", "Triangle",
          "Shows the triangle of de Boor or de Casteljau with the line that makes each point.", "view scheme algorithm",
          Key::none, construction_views},
@@ -173,6 +176,12 @@ Outcome<void> hide_views(EditorState& state, const HideViews&) {
 }
 
 template <Overlay overlay>
+std::optional<Refusal> hidden_by_drawing(const EditorState& state) {
+    if (!state.view.overlays.hides(overlay)) return std::nullopt;
+    return "the drawing mode hides it; end the drawing mode to see it";
+}
+
+template <Overlay overlay>
 bool is_shown(const EditorState& state) {
     return state.view.overlays.is_shown(overlay);
 }
@@ -189,6 +198,7 @@ CommandSpec toggling() {
             .submenu = text.submenu,
             .offered = in_the_window,
             .shortcut = {text.key, {}},
+            .refusal = hidden_by_drawing<text.overlay>,
             .is_checked = is_shown<text.overlay>,
             .run = body_of<toggle<text.overlay>>};
 }

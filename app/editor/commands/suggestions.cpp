@@ -80,7 +80,7 @@ core::Point middle_of_view(const EditorState& state) {
 }
 
 double grid_step(const EditorState& state) {
-    return minor_grid_step(state.view.camera.scale / state.view.interface_scale);
+    return canvas_grid_steps(state).minor;
 }
 
 double tenth_of_grid_step(const EditorState& state) {

@@ -182,6 +182,15 @@ const CommandSpec& TakeTool<Tool::brush>::spec() {
     return spec;
 }
 
+template <>
+const CommandSpec& TakeTool<Tool::transform>::spec() {
+    static const CommandSpec spec = taking<Tool::transform>("transform-box", "Transform",
+                                                            "Scales, turns, shears and moves what is selected by the "
+                                                            "handles of a box around it.",
+                                                            Key::r);
+    return spec;
+}
+
 const CommandSpec& draw_shape_spec(ShapeKind kind) {
     static const std::array<CommandSpec, shape_kind_count> specs =
         all_shape_specs(std::make_index_sequence<shape_kind_count>());
@@ -243,9 +252,11 @@ const CommandSpec& take_tool_spec(Tool tool) {
         case Tool::joint:
             return TakeTool<Tool::joint>::spec();
         case Tool::brush:
+            return TakeTool<Tool::brush>::spec();
+        case Tool::transform:
             break;
     }
-    return TakeTool<Tool::brush>::spec();
+    return TakeTool<Tool::transform>::spec();
 }
 
 void add_tool_commands(CommandTable& table) {

@@ -51,6 +51,8 @@ template <>
 const CommandSpec& TakeTool<Tool::joint>::spec();
 template <>
 const CommandSpec& TakeTool<Tool::brush>::spec();
+template <>
+const CommandSpec& TakeTool<Tool::transform>::spec();
 
 /// The description of the command that takes `tool`.
 const CommandSpec& take_tool_spec(Tool tool);

@@ -69,6 +69,26 @@ Outcome<void> toggle_presenting(EditorState& state, const TogglePresenting&) {
     return {};
 }
 
+// The plot makes room for the canvas, and a fitted picture is fitted into it.
+Outcome<void> toggle_drawing(EditorState& state, const ToggleDrawing&) {
+    Overlays& overlays = state.view.overlays;
+    overlays.set_drawing(!overlays.is_drawing());
+    return {};
+}
+
+bool is_drawing(const EditorState& state) {
+    return state.view.overlays.is_drawing();
+}
+
+std::optional<Refusal> dock_is_hidden(const EditorState& state) {
+    if (!is_drawing(state)) return std::nullopt;
+    return "the drawing mode hides the plot; end the drawing mode to see it";
+}
+
+bool is_dock_shown(const EditorState& state) {
+    return shows_dock(state.view);
+}
+
 Outcome<void> fit_plot(EditorState& state, const FitPlot&) {
     state.view.plot_range.reset();
     return {};
@@ -135,6 +155,21 @@ const CommandSpec& ZoomOut::spec() {
                                   .offered = in_the_window,
                                   .shortcut = {Key::minus, {}},
                                   .run = body_of<zoom_out>};
+    return spec;
+}
+
+const CommandSpec& ToggleDrawing::spec() {
+    static const CommandSpec spec{.name = "drawing-mode",
+                                  .title = "Drawing mode",
+                                  .explanation =
+                                      "Hides hull, construction, labels, knots and plot, and thins control "
+                                      "points that are closer than 6 pixels.",
+                                  .synonyms = "clean bare focus hide sketch",
+                                  .group = CommandGroup::view,
+                                  .offered = in_the_window,
+                                  .shortcut = {Key::m, {}},
+                                  .is_checked = is_drawing,
+                                  .run = body_of<toggle_drawing>};
     return spec;
 }
 
@@ -207,7 +242,8 @@ const CommandSpec& ToggleDock::spec() {
                                   .group = CommandGroup::view,
                                   .offered = in_the_window,
                                   .shortcut = {Key::f4, {}},
-                                  .is_checked = is_on<&View::dock_is_open>,
+                                  .refusal = dock_is_hidden,
+                                  .is_checked = is_dock_shown,
                                   .run = body_of<toggle_member<ToggleDock, &View::dock_is_open>>};
     return spec;
 }
@@ -302,8 +338,8 @@ const CommandSpec& SetKnotMove::spec() {
 void add_view_commands(CommandTable& table) {
     add_all<FitView, ZoomIn, ZoomOut>(table);
     add_overlay_commands(table);
-    add_all<ToggleTheme, ScaleUp, ScaleDown, ResetScale, ToggleInspector, ToggleDock, ToggleTitle, TogglePresenting,
-            ToggleKeys>(table);
+    add_all<ToggleDrawing, ToggleTheme, ScaleUp, ScaleDown, ResetScale, ToggleInspector, ToggleDock, ToggleTitle,
+            TogglePresenting, ToggleKeys>(table);
     add_all<SetNotation, FitPlot, SetKnotMove>(table);
 }
 

@@ -20,6 +20,12 @@ struct ZoomOut {
     static const CommandSpec& spec();
 };
 
+/// Hides what is in the way of drawing, and thins control points that are close to one another; what was shown is
+/// shown again afterward.
+struct ToggleDrawing {
+    static const CommandSpec& spec();
+};
+
 struct ToggleTheme {
     static const CommandSpec& spec();
 };

@@ -10,6 +10,7 @@
 #include "app/editor/pointer/shape_hint.h"
 #include "app/editor/state/selected_parts.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/length.h"
 #include "app/editor/words/number_column.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
@@ -19,6 +20,37 @@ namespace batten::editor {
 namespace {
 
 using core::sentence;
+
+std::string grip_hint(TransformGrip grip) {
+    switch (grip.kind) {
+        case GripKind::scale:
+            return "Drag to scale from the opposite side, or from the pivot that you chose · Shift keeps proportions";
+        case GripKind::turn:
+            return "Drag to turn about the pivot · Ctrl keeps to steps";
+        case GripKind::shear:
+            return "Drag along the side to shear · Ctrl keeps to steps";
+        case GripKind::pivot:
+            return "Drag the pivot to where nothing shall move · click to hold it, or to let it go";
+        case GripKind::inside:
+            break;
+    }
+    return "Drag to move · Shift keeps to an axis, Ctrl to the grid";
+}
+
+std::string transforming_hint(TransformGrip grip) {
+    switch (grip.kind) {
+        case GripKind::scale:
+            return "Type a factor or percent · Shift keeps proportions, Ctrl to the grid · Escape restores";
+        case GripKind::turn:
+        case GripKind::shear:
+            return "Type an angle · Ctrl keeps to steps · Escape restores";
+        case GripKind::pivot:
+            return "Release to put the pivot here · Escape restores";
+        case GripKind::inside:
+            break;
+    }
+    return "Type a way · Shift keeps to an axis, Ctrl to the grid · Escape restores";
+}
 
 std::string knot_value(const core::Curve& curve, std::size_t stored_index) {
     const auto stored = curve.knots().stored();
@@ -30,7 +62,8 @@ std::string weight_in(const EditorState& state, const core::Curve& curve, std::s
 }
 
 std::string place_in(const EditorState& state, const core::Curve& curve, core::Point place) {
-    return place_text(state.derived.of(curve)->size, place);
+    const Units& units = state.shown().units;
+    return with_unit(units, place_text(in_units(units, state.derived.of(curve)->size), in_units(units, place)));
 }
 
 bool has_point(const core::Curve& curve, std::size_t i) {
@@ -115,7 +148,11 @@ struct SelectHint {
                      "shape)"
                    : "Drag to turn the tangent, or to make it stronger · Ctrl keeps to the grid, Shift to one axis";
     }
-    std::string operator()(const HoveredGuide&) const { return "Drag to move the guide · right-click to remove it"; }
+    std::string operator()(const HoveredGuide&) const {
+        return "Drag to move the guide · onto a ruler, or right-click, to remove it";
+    }
+    std::string operator()(const HoveredGrip& h) const { return grip_hint(h.grip); }
+    std::string operator()(const HoveredRuler&) const { return "Drag a guide out of the ruler"; }
     template <class Other>
     std::string operator()(const Other&) const {
         return {};
@@ -137,6 +174,7 @@ std::string select_hint(const EditorState& state) {
         if (other->index < state.shown().curves.size()) return other_curve_hint(state, other->index);
     if (std::holds_alternative<HoveredOtherPoint>(state.hover))
         return "Drag to move it with all that is selected · Shift-click takes it in or out · click to select it alone";
+    if (std::holds_alternative<HoveredRuler>(state.hover)) return "Drag a guide out of the ruler";
     if (active == nullptr) return "Draw a curve with the pen (N) or open a file (Ctrl+O)";
     if (active->locked) return locked_sentence(*active);
     const std::string hint = std::visit(SelectHint{state, *active->curve}, state.hover);
@@ -153,7 +191,22 @@ std::string pencil_hint(const EditorState& state) {
     return "Drag to draw a new curve · back to its beginning closes it · Escape leaves the tool";
 }
 
+std::string transform_hint(const EditorState& state) {
+    if (std::holds_alternative<HoveredGrip>(state.hover) || std::holds_alternative<HoveredOtherCurve>(state.hover) ||
+        std::holds_alternative<HoveredRuler>(state.hover))
+        return select_hint(state);
+    return "Drag the handles of the box, its sides or what is in it · drag around points to take them alone · Escape "
+           "leaves the tool";
+}
+
+std::string axis_hint(const AxisPick& pick) {
+    if (!needs_axis(pick.use)) return "Click the center · type its place · Escape gives up";
+    return pick.first ? "Click the second point of the axis · Escape gives up"
+                      : "Click the first point of the axis · Escape gives up";
+}
+
 std::string tool_hint(const EditorState& state) {
+    if (state.axis_pick) return axis_hint(*state.axis_pick);
     if (state.tool == Tool::draw_curve)
         return sentence(
             "Click to set the first point of a new curve by {mode} · right-click for other pens · Escape leaves",
@@ -162,6 +215,7 @@ std::string tool_hint(const EditorState& state) {
     if (state.tool == Tool::brush) return brush_hint(state, {});
     if (state.tool == Tool::shape) return shape_hint(state.view.shape_kind, 0);
     if (state.tool == Tool::pencil) return pencil_hint(state);
+    if (state.tool == Tool::transform && can_edit_curve(state)) return transform_hint(state);
     if (state.tool == Tool::select || !can_edit_curve(state)) return select_hint(state);
     const bool is_on_knot = std::holds_alternative<HoveredKnot>(state.hover);
     switch (state.tool) {
@@ -183,6 +237,7 @@ std::string tool_hint(const EditorState& state) {
         case Tool::pencil:
         case Tool::joint:
         case Tool::brush:
+        case Tool::transform:
             break;
     }
     return {};
@@ -282,7 +337,13 @@ struct ModeHint {
                "back";
     }
     std::string operator()(const DrawingShape& mode) const { return shape_hint(mode.kind, mode.points.size()); }
-    std::string operator()(const DraggingGuide&) const { return "Release to put the guide here · Escape restores"; }
+    std::string operator()(const DraggingTransform& mode) const { return transforming_hint(mode.grip); }
+    std::string operator()(const DraggingGuide&) const {
+        return "Release to put the guide here, or over a ruler to remove it · Escape restores";
+    }
+    std::string operator()(const PullingGuide&) const {
+        return "Release to put the guide here · over a ruler, or by Escape, it is given up";
+    }
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/shape_commands.h"
+#include "app/editor/pointer/axis_pick.h"
 #include "app/editor/pointer/canvas_press.h"
 #include "app/editor/pointer/drawing.h"
 #include "app/editor/pointer/edit_step.h"
@@ -21,6 +22,7 @@
 #include "app/editor/pointer/placing_step.h"
 #include "app/editor/pointer/point_drag.h"
 #include "app/editor/pointer/selection_press.h"
+#include "app/editor/pointer/transform_box.h"
 #include "app/editor/pointer/weight_modes.h"
 #include "core/evaluate/evaluate.h"
 
@@ -32,14 +34,24 @@ bool places_points(Tool tool) {
     return tool == Tool::add_point || tool == Tool::draw_curve || tool == Tool::shape;
 }
 
+Hover hit_of_tool(const Gesture& gesture) {
+    const glm::dvec2 place = gesture.event.position_px;
+    return gesture.state.tool == Tool::transform ? hit_for_transform(gesture.state, place)
+                                                 : hit_canvas(gesture.state, place);
+}
+
 CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {
     if (is_press(gesture)) return begin_canvas_gesture(gesture);
     if (gesture.event.action == PointerAction::wheel) turn_canvas_wheel(gesture);
     if (gesture.event.action == PointerAction::leave) request_hover(HoveredNothing{}, gesture.state, gesture.queue);
     if (!is_move(gesture)) return mode;
+    if (gesture.state.axis_pick) {
+        hover_axis(gesture);
+        return mode;
+    }
     if (gesture.state.tool == Tool::joint) return begin_joint(gesture);
     if (gesture.state.tool == Tool::brush) return begin_brush(gesture);
-    request_hover(hit_canvas(gesture.state, gesture.event.position_px), gesture.state, gesture.queue);
+    request_hover(hit_of_tool(gesture), gesture.state, gesture.queue);
     if (places_points(gesture.state.tool)) static_cast<void>(pointed_at(gesture));
     return mode;
 }

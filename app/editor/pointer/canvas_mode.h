@@ -18,6 +18,7 @@
 #include "app/editor/pointer/pointer.h"
 #include "app/editor/pointer/selection_mode.h"
 #include "app/editor/pointer/shape_mode.h"
+#include "app/editor/pointer/transform_mode.h"
 #include "app/editor/pointer/view_handle.h"
 #include "app/editor/state/state.h"
 
@@ -101,11 +102,11 @@ struct TurningOrbit {
     glm::dvec2 last_px{};
 };
 
-using CanvasMode =
-    std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,
-                 DraggingCurveKnot, DraggingCurvePoint, DraggingHandle, DraggingFarinPoint, DraggingLiftedWeight,
-                 TurningOrbit, DrawingCurve, DraggingFitPoint, DraggingFitHandle, DrawingShape, DraggingGuide,
-                 DraggingPicture, PencilStroke, PickingJoint, DraggingSelection, DraggingHandlebar, Brushing>;
+using CanvasMode = std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,
+                                DraggingCurveKnot, DraggingCurvePoint, DraggingHandle, DraggingFarinPoint,
+                                DraggingLiftedWeight, TurningOrbit, DrawingCurve, DraggingFitPoint, DraggingFitHandle,
+                                DrawingShape, DraggingGuide, PullingGuide, DraggingTransform, DraggingPicture,
+                                PencilStroke, PickingJoint, DraggingSelection, DraggingHandlebar, Brushing>;
 
 /// The mode that is left where the tool was changed without the pointer: a curve half drawn is given up.
 CanvasMode with_present_tool(CanvasMode mode, const EditorState& state);

@@ -9,6 +9,7 @@
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
+#include "app/editor/pointer/axis_pick.h"
 #include "app/editor/pointer/drawing.h"
 #include "app/editor/pointer/fit_point_drag.h"
 #include "app/editor/pointer/guide_mode.h"
@@ -17,8 +18,10 @@
 #include "app/editor/pointer/picture_drag.h"
 #include "app/editor/pointer/point_drag.h"
 #include "app/editor/pointer/selection_press.h"
+#include "app/editor/pointer/transform_box.h"
 #include "app/editor/pointer/weight_modes.h"
 #include "app/editor/scene/insets.h"
+#include "app/editor/scene/ruler.h"
 
 namespace batten::editor {
 namespace {
@@ -185,6 +188,16 @@ CanvasMode press_insert_knot(const Gesture& gesture, const Hover& hit) {
     return CanvasIdle{};
 }
 
+/// The grips of the box; a control point in it moves all, unless Shift takes it in or out.
+CanvasMode press_transform(const Gesture& gesture, const Hover& hit) {
+    const auto grip = is_typed(gesture) ? std::nullopt : grip_at(gesture.state, gesture.event.position_px);
+    const bool is_inside = grip && grip->kind == GripKind::inside;
+    const auto* point = std::get_if<HoveredPoint>(&hit);
+    const bool selects = gesture.event.modifiers.shift || std::holds_alternative<HoveredOtherCurve>(hit);
+    if (!grip || (is_inside && selects)) return press_select(gesture, hit);
+    return begin_transform(gesture, *grip, is_inside && point != nullptr ? std::optional(point->index) : std::nullopt);
+}
+
 CanvasMode press_parameter(const Gesture& gesture) {
     if (committed_curve(gesture.state) == nullptr) return CanvasIdle{};
     gesture.queue.run(SetParameter{.u = nearest_to_pointer(gesture).u});
@@ -224,8 +237,13 @@ std::size_t best_index_for(const core::FitPoints& fit, core::Point position) {
 CanvasMode begin_canvas_gesture(const Gesture& gesture) {
     if (is_pan(gesture.event)) return Panning{gesture.event.position_px};
     if (gesture.event.button != PointerButton::left) return CanvasIdle{};
+    if (ruler_at(gesture.state, gesture.event.position_px) && !is_typed(gesture)) return begin_ruler_gesture(gesture);
     if (is_gauging(gesture.state)) {
         gesture.queue.change(AddGaugePoint{pointed_at(gesture)});
+        return CanvasIdle{};
+    }
+    if (gesture.state.axis_pick) {
+        click_axis(gesture);
         return CanvasIdle{};
     }
     if (inset_at(gesture.state, gesture.event.position_px)) return begin_inset_gesture(gesture);
@@ -253,6 +271,8 @@ CanvasMode begin_canvas_gesture(const Gesture& gesture) {
             return begin_joint(gesture);
         case Tool::brush:
             return begin_brush(gesture);
+        case Tool::transform:
+            return press_transform(gesture, hit);
     }
     return CanvasIdle{};
 }

@@ -21,10 +21,30 @@ Cursor select_cursor(const EditorState& state) {
     return is_grip ? Cursor::hand : Cursor::arrow;
 }
 
+/// The arrow that is nearest to the direction in which the grip is dragged.
+Cursor grip_cursor(TransformGrip grip) {
+    switch (grip.kind) {
+        case GripKind::scale:
+            return grip.x == 0 ? Cursor::vertical : grip.y == 0 ? Cursor::horizontal : Cursor::move;
+        case GripKind::shear:
+            return grip.x == 0 ? Cursor::horizontal : Cursor::vertical;
+        case GripKind::turn:
+            return Cursor::hand;
+        case GripKind::inside:
+        case GripKind::pivot:
+            break;
+    }
+    return Cursor::move;
+}
+
 Cursor tool_cursor(const EditorState& state) {
+    if (const auto* ruler = std::get_if<HoveredRuler>(&state.hover))
+        return ruler->axis == RulerAxis::x ? Cursor::vertical : Cursor::horizontal;
+    if (const auto* hovered = std::get_if<HoveredGrip>(&state.hover)) return grip_cursor(hovered->grip);
     const bool is_on_point = is_one_of<HoveredPoint, HoveredWeightRing>(state.hover);
     switch (state.tool) {
         case Tool::select:
+        case Tool::transform:
             return select_cursor(state);
         case Tool::add_point:
             return is_one_of<HoveredPoint>(state.hover) ? Cursor::move : Cursor::crosshair;
@@ -68,6 +88,10 @@ struct CanvasCursor {
     Cursor operator()(const DraggingGuide&) const { return Cursor::move; }
     Cursor operator()(const DraggingHandlebar&) const { return Cursor::move; }
     Cursor operator()(const Brushing&) const { return Cursor::crosshair; }
+    Cursor operator()(const DraggingTransform& mode) const { return grip_cursor(mode.grip); }
+    Cursor operator()(const PullingGuide& mode) const {
+        return mode.angle == 0.0 ? Cursor::vertical : Cursor::horizontal;
+    }
     Cursor operator()(const DraggingPicture&) const { return Cursor::move; }
     Cursor operator()(const DraggingSelection&) const { return Cursor::move; }
 };

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "app/editor/state/state.h"
+#include "app/editor/words/length.h"
+
 namespace batten::editor {
 
 namespace {
@@ -34,6 +37,29 @@ Step major_step(double scale) {
     return step;
 }
 
+// A quarter or a fifth.
+Step minor_step(double scale) {
+    const Step major = major_step(scale);
+    switch (major.digit) {
+        case 1:
+            return {2, major.exponent - 1};
+        case 2:
+            return {5, major.exponent - 1};
+        default:
+            return {1, major.exponent};
+    }
+}
+
+// A half or a fifth.
+Step part_of(Step step) {
+    switch (step.digit) {
+        case 1:
+            return {5, step.exponent - 1};
+        default:
+            return {1, step.exponent};
+    }
+}
+
 }  // namespace
 
 double major_grid_step(double scale) {
@@ -41,15 +67,27 @@ double major_grid_step(double scale) {
 }
 
 double minor_grid_step(double scale) {
-    const Step major = major_step(scale);
-    switch (major.digit) {
-        case 1:
-            return Step{2, major.exponent - 1}.value();
-        case 2:
-            return Step{5, major.exponent - 1}.value();
-        default:
-            return Step{1, major.exponent}.value();
-    }
+    return minor_step(scale).value();
+}
+
+GridSteps decimal_grid_steps(double scale) {
+    return {major_grid_step(scale), minor_grid_step(scale), part_of(minor_step(scale)).value()};
+}
+
+GridSteps inch_grid_steps(double scale) {
+    if (scale < least_major_px) return decimal_grid_steps(scale);
+    double major = 1.0;
+    while (0.5 * major * scale >= least_major_px) major *= 0.5;
+    return {major, major / 4.0, major / 8.0};
+}
+
+GridSteps canvas_grid_steps(const EditorState& state) {
+    const Units& units = state.shown().units;
+    const double world = world_per_length(units);
+    const double scale = world * state.view.camera.scale / state.view.interface_scale;
+    const bool has_inches = units && units->unit == core::LengthUnit::inch;
+    const GridSteps steps = has_inches ? inch_grid_steps(scale) : decimal_grid_steps(scale);
+    return {steps.major * world, steps.minor * world, steps.fine * world};
 }
 
 }  // namespace batten::editor

@@ -1,4 +1,4 @@
-/// A guide that follows the pointer.
+/// Guides that follow the pointer.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,16 @@
 
 namespace batten::editor {
 
+/// Dropped on a ruler it is removed.
 struct DraggingGuide {
     std::size_t index = 0;
+    glm::dvec2 press_px{};
+    bool has_moved = false;
+};
+
+/// A new guide, dragged out of a ruler; dropped on one there is none.
+struct PullingGuide {
+    double angle = 0.0;  ///< 0 out of the upper ruler, 90 out of the left one
     glm::dvec2 press_px{};
     bool has_moved = false;
 };

@@ -13,6 +13,8 @@
 #include "app/editor/pointer/view_handle.h"
 #include "app/editor/pointer/weight_ring.h"
 #include "app/editor/scene/insets.h"
+#include "app/editor/scene/ruler.h"
+#include "app/editor/scene/thinned_points.h"
 #include "app/editor/state/selected_parts.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/farin_points.h"
@@ -92,6 +94,8 @@ class ActiveCurve {
 
   private:
     std::optional<Hover> hit_parameter_or_points() const;
+    void offer_points(Nearest& nearest) const;
+    void offer_thinned_points(Nearest& nearest) const;
     std::optional<Hover> hit_fit_handles() const;
     std::optional<Hover> hit_rings() const;
     std::optional<Hover> hit_farin_points() const;
@@ -136,6 +140,24 @@ class ActiveCurve {
     const core::FitPoints* fit_;  ///< null unless the curve is made of such; its control points then cannot be held
 };
 
+void ActiveCurve::offer_points(Nearest& nearest) const {
+    if (pointer_.state.view.overlays.is_drawing()) return offer_thinned_points(nearest);
+    visit_near(reach::point, point_count(), [&](std::size_t i) { nearest.offer(HoveredPoint{i}, distance_to(i)); });
+}
+
+/// Those that the drawing mode shows; which they are the points around them say.
+void ActiveCurve::offer_thinned_points(Nearest& nearest) const {
+    std::vector<MarkPlace> places;
+    visit_near(reach::point + 2.0 * drawing_gap, point_count(), [&](std::size_t i) {
+        places.push_back({i, place_of(i)});
+    });
+    const glm::dvec2 origin_px = render::screen_from_world(pointer_.camera(), {0.0, 0.0});
+    for (const MarkPlace& place : thinned(places, pointer_.px(drawing_gap), origin_px))
+        nearest.offer(HoveredPoint{place.index}, distance_to(place.index));
+    for (const std::size_t i : picked_points(pointer_.state.selection)) nearest.offer(HoveredPoint{i}, distance_to(i));
+    for (const std::size_t i : {std::size_t{0}, point_count() - 1}) nearest.offer(HoveredPoint{i}, distance_to(i));
+}
+
 /// C(u) or a control point, whichever is nearer; the point where they coincide, because at the end of a clamped curve
 /// it could not be grabbed otherwise.
 std::optional<Hover> ActiveCurve::hit_parameter_or_points() const {
@@ -145,8 +167,9 @@ std::optional<Hover> ActiveCurve::hit_parameter_or_points() const {
             if (const auto i = fit_point_at(*fit_, u))
                 nearest.offer(HoveredFitPoint{*i}, pointer_.distance_to(fit_->points[*i].place));
         });
-    } else if (pointer_.shows(Overlay::polygon))
-        visit_near(reach::point, point_count(), [&](std::size_t i) { nearest.offer(HoveredPoint{i}, distance_to(i)); });
+    } else if (pointer_.shows(Overlay::polygon)) {
+        offer_points(nearest);
+    }
     nearest.offer(HoveredParameter{}, pointer_.distance_to(core::point_at(curve_, pointer_.state.parameter())));
     return nearest.found();
 }
@@ -278,6 +301,7 @@ Hover hit_guides(const CanvasPointer& pointer) {
 }  // namespace
 
 Hover hit_canvas(const EditorState& state, glm::dvec2 position_px) {
+    if (const auto axis = ruler_at(state, position_px)) return HoveredRuler{*axis};
     if (const auto inset = inset_at(state, position_px)) return hit_inset(state, *inset, position_px);
     const CanvasPointer pointer{state, position_px};
     const core::DocumentCurve* active = state.shown().active_curve();

@@ -16,6 +16,10 @@ CanvasMode step(const DraggingGuide& mode, const Gesture& gesture);
 CanvasMode begin_handlebar_drag(const Gesture& gesture, HandlebarPart part);
 CanvasMode step(const DraggingHandlebar& mode, const Gesture& gesture);
 
+/// Drags a guide out of a ruler; where both meet the form for the unit opens.
+CanvasMode begin_ruler_gesture(const Gesture& gesture);
+CanvasMode step(const PullingGuide& mode, const Gesture& gesture);
+
 /// The shape tool's first place.
 CanvasMode begin_shape(const Gesture& gesture);
 CanvasMode step(DrawingShape mode, const Gesture& gesture);
@@ -30,6 +34,11 @@ CanvasMode step(PickingJoint mode, const Gesture& gesture);
 
 /// How many notches the brush grows by the key of a bracket; none for other keys.
 std::optional<double> brush_notches_of_key(const PointerEvent& event);
+
+/// A drag of the transform box, which began on a control point or on none.
+CanvasMode begin_transform(const Gesture& gesture, TransformGrip grip,
+                           std::optional<std::size_t> clicked = std::nullopt);
+CanvasMode step(DraggingTransform mode, const Gesture& gesture);
 
 /// The continuity that the digit of a key stands for; none for other keys.
 std::optional<core::GeometricContinuity> continuity_of_key(const PointerEvent& event);

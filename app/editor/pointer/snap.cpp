@@ -303,7 +303,7 @@ std::optional<Snap> snap_at(const EditorState& state, const SnapQuery& query) {
 }
 
 core::Point grid_corner(const EditorState& state, core::Point place) {
-    const double step = minor_grid_step(state.view.camera.scale / state.view.interface_scale);
+    const double step = canvas_grid_steps(state).minor;
     return {rounded_to_step(place.x, step), rounded_to_step(place.y, step)};
 }
 

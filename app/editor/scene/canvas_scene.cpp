@@ -27,6 +27,7 @@
 #include "app/editor/scene/selection_marks.h"
 #include "app/editor/scene/sketch_scene.h"
 #include "app/editor/scene/span_hulls.h"
+#include "app/editor/scene/transform_marks.h"
 #include "app/editor/scene/views.h"
 
 namespace batten::editor {
@@ -128,7 +129,9 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, 
     }
     if (frame.shows(Overlay::directions)) draw_directions(frame);
     draw_finding_marks(frame);
+    draw_transform_box(frame, mode);
     draw_gesture_marks(frame, mode);
+    draw_axis_pick(frame);
     draw_picture_gauge(frame);
     if (frame.curve != nullptr) draw_insets(frame);
     if (has_legend(state)) draw_legend(frame);

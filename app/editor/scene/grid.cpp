@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "app/editor/pointer/grid_step.h"
+#include "app/editor/scene/multiples.h"
 #include "app/editor/scene/text_size.h"
 #include "app/editor/words/formula.h"
 
@@ -15,30 +15,6 @@ namespace {
 constexpr double number_size = 10.5;
 constexpr double number_edge_distance = 7.0;
 constexpr double number_gap = 18.0;
-
-/// The multiples of a step that are seen along one axis; a multiple is `index` steps, kept as a double beyond all
-/// integers.
-struct Multiples {
-    double step = 1.0;
-    double first = 0.0;
-    int count = 0;
-
-    double index(int k) const { return first + k; }
-    double value(int k) const { return index(k) * step; }
-};
-
-/// None where doubles are too coarse to tell neighbors apart.
-Multiples multiples(double lower, double upper, double step) {
-    const double resolution = std::numeric_limits<double>::epsilon() * std::max(std::abs(lower), std::abs(upper));
-    if (step < 8.0 * resolution) return {step, 0.0, 0};
-    const double first = std::ceil(lower / step);
-    const double count = std::floor(upper / step) - first + 1.0;
-    return {step, first, static_cast<int>(std::clamp(count, 0.0, 10000.0))};
-}
-
-double design_scale(const CanvasFrame& frame) {
-    return frame.state.view.camera.scale / frame.state.view.interface_scale;
-}
 
 core::Point point_on_axis(int axis, double value) {
     return axis == 0 ? core::Point(value, 0.0) : core::Point(0.0, value);
@@ -66,13 +42,6 @@ void draw_lines(CanvasFrame& frame, int axis, double step, render::Color color, 
     }
 }
 
-/// The least of 1, 2, 5, 10, 20, ... that is at least `least`.
-double round_number_from(double least) {
-    double number = 1.0;
-    for (int k = 0; number < least && k < 60; ++k) number *= k % 3 == 1 ? 2.5 : 2.0;
-    return number;
-}
-
 /// The numbers of one axis: 0 for x along the lower edge, 1 for y along the left one.
 class NumberRow {
   public:
@@ -82,7 +51,7 @@ class NumberRow {
 
     void draw() {
         const core::Box seen = frame_.seen(0.0);
-        const double major = major_grid_step(design_scale(frame_));
+        const double major = canvas_grid_steps(frame_.state).major;
         const double lower = coordinate(seen.lower, axis_);
         const double upper = coordinate(seen.upper, axis_);
         const double room = std::max(size_of(multiples(lower, upper, major))[axis_], frame_.pen.px(number_size));
@@ -134,17 +103,18 @@ class NumberRow {
 }  // namespace
 
 void draw_grid(CanvasFrame& frame) {
-    const double scale = design_scale(frame);
-    const double major = major_grid_step(scale);
-    const double minor = minor_grid_step(scale);
-    const double strength = std::clamp((minor * scale - 6.0) / 40.0, 0.2, 1.0);
+    const GridSteps steps = canvas_grid_steps(frame.state);
+    const double scale = frame.state.view.camera.scale / frame.state.view.interface_scale;
+    const double strength = std::clamp((steps.minor * scale - 6.0) / 40.0, 0.2, 1.0);
     const render::Color faint = render::blended(frame.theme.grid_minor, strength, frame.theme.canvas);
-    for (int axis = 0; axis < 2; ++axis) draw_lines(frame, axis, minor, faint, std::round(major / minor));
-    for (int axis = 0; axis < 2; ++axis) draw_lines(frame, axis, major, frame.theme.grid_major, 0.0);
+    for (int axis = 0; axis < 2; ++axis)
+        draw_lines(frame, axis, steps.minor, faint, std::round(steps.major / steps.minor));
+    for (int axis = 0; axis < 2; ++axis) draw_lines(frame, axis, steps.major, frame.theme.grid_major, 0.0);
 }
 
 std::vector<render::PixelBox> draw_grid_numbers(CanvasFrame& frame, const std::optional<render::PixelBox>& covered) {
     std::vector<render::PixelBox> written;
+    if (frame.shows(Overlay::rulers)) return written;  // which have them
     for (int axis = 0; axis < 2; ++axis) NumberRow(frame, axis, covered, written).draw();
     return written;
 }

@@ -11,7 +11,7 @@ namespace batten::editor {
 void draw_grid(CanvasFrame& frame);
 
 /// Numbers of the vertical lines along the lower edge, of the horizontal ones along the left edge, none of them under
-/// `covered`. Returns where they are.
+/// `covered`, and none at all where the rulers have them. Returns where they are.
 std::vector<render::PixelBox> draw_grid_numbers(CanvasFrame& frame, const std::optional<render::PixelBox>& covered);
 
 /// `value`, a multiple of `step` (> 0), with as many digits as tell neighboring multiples apart.

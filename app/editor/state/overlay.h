@@ -22,6 +22,7 @@ enum class Overlay {
     fill,               ///< what closed curves enclose, by the non-zero rule
     even_odd_fill,      ///< the same by the even-odd rule
     directions,         ///< arrows along the curves
+    rulers,             ///< along the upper and the left edge of the canvas, in the document's unit
     triangle,           ///< the triangle of de Boor or de Casteljau with its lines
     halves,             ///< the two curves into which u splits
     by_insertion,       ///< C(u) by inserting u p times
@@ -61,17 +62,32 @@ enum class Overlay {
     knot_questions,     ///< the lecture's five
     quiz                ///< makes vectors and marks answers
 };
-inline constexpr std::size_t overlay_count = 50;
-inline constexpr std::size_t basic_overlay_count = 12;
+inline constexpr std::size_t overlay_count = 51;
+inline constexpr std::size_t basic_overlay_count = 13;
 
+/// Which overlays are chosen, and whether the drawing mode hides those that are in the way of a hand that draws.
 class Overlays {
   public:
-    bool is_shown(Overlay overlay) const { return bits_.test(static_cast<std::size_t>(overlay)); }
+    bool is_shown(Overlay overlay) const { return is_chosen(overlay) && !hides(overlay); }
+
+    /// Whether it is shown once nothing hides it: what files and settings keep.
+    bool is_chosen(Overlay overlay) const { return bits_.test(static_cast<std::size_t>(overlay)); }
     void show(Overlay overlay, bool shown) { bits_.set(static_cast<std::size_t>(overlay), shown); }
+
+    bool is_drawing() const { return is_drawing_; }
+    void set_drawing(bool is_drawing) { is_drawing_ = is_drawing; }
+
+    /// Whether the drawing mode hides `overlay` now.
+    bool hides(Overlay overlay) const {
+        const bool is_in_the_way = overlay == Overlay::hull || overlay == Overlay::knots ||
+                                   overlay == Overlay::labels || overlay == Overlay::construction;
+        return is_drawing_ && is_in_the_way;
+    }
     bool operator==(const Overlays&) const = default;
 
   private:
     std::bitset<overlay_count> bits_{0b111010011};  // polygon, hull, knots, labels, grid and construction
+    bool is_drawing_ = false;
 };
 
 }  // namespace batten::editor
@@ -93,6 +109,7 @@ struct Names<editor::Overlay> {
                                       Named{fill, "fill", "fill"},
                                       Named{even_odd_fill, "even-odd-fill", "even-odd fill"},
                                       Named{directions, "directions", "directions"},
+                                      Named{rulers, "rulers", "rulers"},
                                       Named{triangle, "triangle", "triangle"},
                                       Named{halves, "halves", "two halves"},
                                       Named{by_insertion, "by-insertion", "by insertion"},

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "app/editor/state/transform_grip.h"
+
 namespace batten::editor {
 
 /// What of one curve is selected: some of its control points, or the curve as a whole.
@@ -112,6 +114,18 @@ struct HoveredGuide {  ///< a guide of the document
     bool operator==(const HoveredGuide&) const = default;
 };
 
+/// The rulers, by the direction in which they measure.
+enum class RulerAxis { x, y };
+struct HoveredRuler {  ///< out of which guides are dragged
+    RulerAxis axis = RulerAxis::x;
+    bool operator==(const HoveredRuler&) const = default;
+};
+
+struct HoveredGrip {  ///< of the transform box
+    TransformGrip grip;
+    bool operator==(const HoveredGrip&) const = default;
+};
+
 struct HoveredFitPoint {  ///< a point that the active curve is made to pass
     std::size_t index = 0;
     bool operator==(const HoveredFitPoint&) const = default;
@@ -131,10 +145,11 @@ struct HoveredHandlebar {
     bool operator==(const HoveredHandlebar&) const = default;
 };
 
-using Hover = std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
-                           HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis,
-                           HoveredBasisCell, HoveredHandle, HoveredFarinPoint, HoveredLifted, HoveredHodograph,
-                           HoveredFitPoint, HoveredFitHandle, HoveredGuide, HoveredOtherPoint, HoveredHandlebar>;
+using Hover =
+    std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
+                 HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis, HoveredBasisCell,
+                 HoveredHandle, HoveredFarinPoint, HoveredLifted, HoveredHodograph, HoveredFitPoint, HoveredFitHandle,
+                 HoveredGuide, HoveredOtherPoint, HoveredHandlebar, HoveredRuler, HoveredGrip>;
 
 /// The parameter of the active curve that the pointer is on, on the curve itself or in an inset; none elsewhere.
 std::optional<double> hovered_u(const Hover& hover);

@@ -91,7 +91,7 @@ void read_notation(const Json& object, Notation& notation) {
 Json json_of(const Overlays& overlays) {
     Json names = Json::array();
     for (std::size_t i = 0; i < overlay_count; ++i)
-        if (overlays.is_shown(static_cast<Overlay>(i))) names.push_back(core::name_of(static_cast<Overlay>(i)));
+        if (overlays.is_chosen(static_cast<Overlay>(i))) names.push_back(core::name_of(static_cast<Overlay>(i)));
     return names;
 }
 

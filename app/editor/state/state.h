@@ -16,6 +16,7 @@
 #include "app/editor/derived/measured.h"
 #include "app/editor/lesson/lesson.h"
 #include "app/editor/sketch.h"
+#include "app/editor/state/axis_pick.h"
 #include "app/editor/state/drawn_stroke.h"
 #include "app/editor/state/faired_part.h"
 #include "app/editor/state/findings.h"
@@ -110,6 +111,8 @@ struct EditorState {
     std::optional<double> now;                 ///< seconds on the clock of the desktop; none where nobody tells it
     Hover hover;
     Placing placing;
+    std::optional<TransformPivot> pivot;  ///< of the transform box, where one was chosen
+    std::optional<AxisPick> axis_pick;    ///< while an axis or a center is chosen by clicks
     View view;
     std::optional<KnotQuiz> quiz;  ///< on knot vectors, while one is under way
     Tool tool = Tool::select;

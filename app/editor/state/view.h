@@ -24,10 +24,22 @@
 namespace batten::editor {
 
 /// What a press on the canvas does.
-enum class Tool { select, add_point, insert_knot, weight, draw_curve, parameter, shape, pencil, joint, brush };
+enum class Tool {
+    select,
+    add_point,
+    insert_knot,
+    weight,
+    draw_curve,
+    parameter,
+    shape,
+    pencil,
+    joint,
+    brush,
+    transform
+};
 inline constexpr std::array all_tools{Tool::select,     Tool::add_point, Tool::insert_knot, Tool::weight,
                                       Tool::draw_curve, Tool::parameter, Tool::shape,       Tool::pencil,
-                                      Tool::joint,      Tool::brush};
+                                      Tool::joint,      Tool::brush,     Tool::transform};
 
 /// The parameter running by itself: t seconds move it by direction * speed * t / 5 of the domain's length. At an end it
 /// turns, or jumps to the other end, and goes on by what is left of the way.
@@ -106,6 +118,11 @@ struct View {
     bool keys_are_shown = false;     ///< the keys that were pressed last, while presenting
 };
 
+/// Whether the plot stands below the canvas: where it is unfolded and the drawing mode does not hide it.
+inline bool shows_dock(const View& view) {
+    return view.dock_is_open && !view.overlays.is_drawing();
+}
+
 /// The colors in which everything is shown: of high contrast for a projector.
 inline Theme shown_theme(const View& view) {
     return view.is_presenting ? high_contrast(view.theme) : theme_of(view.theme);
@@ -127,7 +144,8 @@ struct Names<editor::Tool> {
                                       Named{shape, "shape", "draw a shape"},
                                       Named{pencil, "pencil", "draw with the pencil"},
                                       Named{joint, "joint", "join curves"},
-                                      Named{brush, "brush", "brush over a curve"}};
+                                      Named{brush, "brush", "brush over a curve"},
+                                      Named{transform, "transform", "scale and turn"}};
 };
 
 }  // namespace batten::core

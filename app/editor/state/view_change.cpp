@@ -118,6 +118,15 @@ struct Apply {
     }
     void operator()(const AddGaugePoint& change) const { add_gauge_point(state, change.point); }
     void operator()(const SetBrushRadius& change) const { state.view.brush.radius = brush_radii.clamp(change.radius); }
+    void operator()(const SetPivot& change) const {
+        state.pivot.reset();
+        if (change.point)
+            state.pivot = TransformPivot{*change.point, state.history.present().active, state.selection.points};
+    }
+    void operator()(const AddAxisPoint& change) const {
+        if (state.axis_pick) state.axis_pick->first = change.point;
+    }
+    void operator()(const EndAxisPick&) const { state.axis_pick.reset(); }
     void operator()(const Advance& change) const {
         assert(change.seconds >= 0.0);
         advance(state, change.seconds);

@@ -120,10 +120,23 @@ struct AddGaugePoint {
     core::Point point;
 };
 
-using ViewChange =
-    std::variant<SetHover, ShowPlace, TypePlace, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend, SetInterfaceScale,
-                 SetInspectorWidth, SetCardsWidth, SetDockHeight, SetPlotRange, SetCombFactor, SetProbeLine, TurnOrbit,
-                 AddGaugePoint, SetBrushRadius, Advance, TellTime, ShowRefusal, ShowForm>;
+/// The pivot of the transform box is there; none: it is where it is by itself.
+struct SetPivot {
+    std::optional<core::Point> point;
+};
+
+/// The first of two points of an axis was clicked.
+struct AddAxisPoint {
+    core::Point point;
+};
+
+/// The axis, or the center, is chosen.
+struct EndAxisPick {};
+
+using ViewChange = std::variant<SetHover, ShowPlace, TypePlace, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend,
+                                SetInterfaceScale, SetInspectorWidth, SetCardsWidth, SetDockHeight, SetPlotRange,
+                                SetCombFactor, SetProbeLine, TurnOrbit, AddGaugePoint, SetBrushRadius, SetPivot,
+                                AddAxisPoint, EndAxisPick, Advance, TellTime, ShowRefusal, ShowForm>;
 
 /// Makes the change; sizes are brought into their ranges.
 void apply(EditorState& state, const ViewChange& change);

@@ -12,6 +12,7 @@
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/snap_commands.h"
 #include "app/editor/commands/tool_commands.h"
+#include "app/editor/commands/unit_commands.h"
 #include "core/evaluate/evaluate.h"
 #include "core/measure/area.h"
 #include "tests/editor/canvas_fixture.h"
@@ -99,6 +100,18 @@ TEST_F(Placed, digits_set_length_and_angle_of_a_drag) {
     EXPECT_TRUE(state().placing.typed.is_empty());
     pointer.release(px(-1, 2.3));
     EXPECT_EQ(steps(), 1U);
+}
+
+TEST_F(Placed, lengths_are_typed_in_the_unit_of_the_document) {
+    editor.run(SetUnits{.unit = UnitChoice::mm, .scale = 0.5});
+    pointer.press(px(-2, 2));
+    pointer.move(px(-1, 2.3));
+    type(U"4\t0\n", px(-1, 2.3));  // 4 mm are 2 of the world
+    expect_point(1, {0, 2});
+    pointer.press(px(0, 2));
+    pointer.move(px(1, 2.3));
+    type(U"1in\t-90\n", px(1, 2.3));
+    expect_point(1, {0, 2 - 12.7});
 }
 
 TEST_F(Placed, digits_need_no_movement_and_one_number_binds_one_direction) {

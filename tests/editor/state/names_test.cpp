@@ -14,6 +14,7 @@
 #include "app/editor/commands/knot_question_commands.h"
 #include "app/editor/commands/transform_commands.h"
 #include "app/editor/commands/trim_commands.h"
+#include "app/editor/commands/unit_commands.h"
 #include "app/editor/pointer/cursor.h"
 #include "app/editor/state/state.h"
 #include "app/editor/state/theme.h"
@@ -41,16 +42,18 @@ struct Last {
 template <class T>
 class Names : public ::testing::Test {};
 
-using Enumerations = ::testing::Types<
-    Last<core::KnotKind::custom>, Last<core::Side::right>, Last<core::CurveEnd::end>, Last<core::KnotMove::snap>,
-    Last<core::Parametrization::centripetal>, Last<core::CirclePolygon::triangle>, Last<core::JoinContinuity::g3>,
-    Last<core::Closing::periodic>, Last<core::ConicType::hyperbola>, Last<core::ContactKind::ending>,
-    Last<ShapeEffect::changes>, Last<CommandGroup::gesture>, Last<Dialog::at_work>, Last<Overlay::quiz>,
-    Last<Tool::brush>, Last<BrushKind::fair>, Last<core::JointMark::curvature>, Last<SnapKind::angles>,
-    Last<ShapeKind::conic>, Last<ThemeName::light>, Last<CurveEnds::both>, Last<JointOperation::offset>,
-    Last<SplitScope::all>, Last<core::Onward::straight>, Last<core::GeometricContinuity::g3>,
-    Last<Escapable::presentation>, Last<UnsavedAnswer::cancel>, Last<Cursor::text>, Last<MapTarget::all>,
-    Last<ShearAxis::y>, Last<KnotQuestion::continuity>, Last<ShownMapKind::project>>;
+using Enumerations =
+    ::testing::Types<Last<core::KnotKind::custom>, Last<core::Side::right>, Last<core::CurveEnd::end>,
+                     Last<core::KnotMove::snap>, Last<core::Parametrization::centripetal>,
+                     Last<core::CirclePolygon::triangle>, Last<core::JoinContinuity::g3>, Last<core::Closing::periodic>,
+                     Last<core::ConicType::hyperbola>, Last<core::ContactKind::ending>, Last<ShapeEffect::changes>,
+                     Last<CommandGroup::gesture>, Last<Dialog::at_work>, Last<Overlay::quiz>, Last<Tool::transform>,
+                     Last<BrushKind::fair>, Last<core::JointMark::curvature>, Last<core::LengthUnit::px>,
+                     Last<UnitChoice::px>, Last<AxisUse::array_polar>, Last<SnapKind::angles>, Last<ShapeKind::conic>,
+                     Last<ThemeName::light>, Last<CurveEnds::both>, Last<JointOperation::offset>, Last<SplitScope::all>,
+                     Last<core::Onward::straight>, Last<core::GeometricContinuity::g3>, Last<Escapable::presentation>,
+                     Last<UnsavedAnswer::cancel>, Last<Cursor::text>, Last<MapTarget::all>, Last<ShearAxis::y>,
+                     Last<KnotQuestion::continuity>, Last<ShownMapKind::project>>;
 TYPED_TEST_SUITE(Names, Enumerations);
 
 TYPED_TEST(Names, of_an_enumeration_are_complete_and_differ) {

@@ -1,0 +1,79 @@
+#include "app/editor/pointer/axis_pick.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "app/editor/commands/arranging_commands.h"
+#include "app/editor/commands/symmetry_commands.h"
+#include "app/editor/commands/transform_commands.h"
+#include "app/editor/pointer/point_drag.h"
+
+namespace batten::editor {
+namespace {
+
+constexpr double whole_turn = 360.0;
+
+/// Of more control points than this, with all copies, nothing is shown before a click.
+constexpr std::size_t most_points_shown = 20'000;
+
+/// Of the line from `first` to `second`, from 0 up to but not 180; exact for level, upright and diagonal ones.
+double angle_of_line(core::Point first, core::Point second) {
+    constexpr double half_turn = 180.0;
+    const core::Vector way = second - first;
+    if (way.x == 0.0) return 90.0;
+    if (way.y == 0.0) return 0.0;
+    if (way.x == way.y) return 45.0;
+    if (way.x == -way.y) return 135.0;
+    const double angle = std::atan2(way.y, way.x) * half_turn / std::numbers::pi;
+    return angle < 0.0 ? angle + half_turn : angle;
+}
+
+Command mirror_command(const EditorState& state, AxisUse use, core::Point first, double angle) {
+    if (use == AxisUse::link_mirror) return LinkMirror{.center = first, .angle = angle, .is_smooth = true};
+    const MapTarget what = state.selection.points.empty() ? MapTarget::curve : MapTarget::selection;
+    return Mirror{.angle = angle, .what = what, .pivot = first};
+}
+
+bool is_quick(const EditorState& state) {
+    const core::Curve* curve = committed_curve(state);
+    return curve != nullptr &&
+           curve->control_points().size() * std::max<std::size_t>(state.axis_pick->count, 2) <= most_points_shown;
+}
+
+core::Point clicked_place(const Gesture& gesture) {
+    return pointed_at(gesture, gesture.state.axis_pick->first);
+}
+
+}  // namespace
+
+std::optional<Command> axis_command(const EditorState& state, core::Point place) {
+    const AxisPick& pick = *state.axis_pick;
+    if (pick.use == AxisUse::link_rotation) return LinkRotation{.turns = pick.count, .center = place};
+    if (pick.use == AxisUse::array_polar)
+        return PolarArray{.count = pick.count, .center = place, .step = whole_turn / static_cast<double>(pick.count)};
+    if (!pick.first || *pick.first == place) return std::nullopt;
+    return mirror_command(state, pick.use, *pick.first, angle_of_line(*pick.first, place));
+}
+
+void hover_axis(const Gesture& gesture) {
+    const auto command = axis_command(gesture.state, clicked_place(gesture));
+    if (command && is_quick(gesture.state))
+        gesture.queue.preview(*command);
+    else if (gesture.state.preview)
+        gesture.queue.cancel_preview();
+}
+
+void click_axis(const Gesture& gesture) {
+    const core::Point place = clicked_place(gesture);
+    const AxisPick& pick = *gesture.state.axis_pick;
+    if (needs_axis(pick.use) && !pick.first) {
+        gesture.queue.change(AddAxisPoint{place});
+        return;
+    }
+    const auto command = axis_command(gesture.state, place);
+    if (!command) return;
+    gesture.queue.run(*command);
+    gesture.queue.change(EndAxisPick{});
+}
+
+}  // namespace batten::editor
