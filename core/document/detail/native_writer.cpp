@@ -94,7 +94,7 @@ Json json_of(const Guide& guide) {
 Json json_of(const DocumentUnits& units) {
     Json object = Json::object();
     object["unit"] = name_of(units.unit);
-    object["scale"] = number(units.scale);
+    object["scale"] = json_number(units.scale);
     add_unknown_members(object, units.unknown_members);
     return object;
 }

@@ -12,8 +12,6 @@ namespace batten::editor {
 namespace {
 
 using core::LengthUnit;
-using Labels = std::vector<std::string>;
-
 /// 1000 x 600 pixels, at `scale` pixels a unit of the world, with the middle at `center`.
 EditorState ruled_state(double scale, core::Point center = {0, 0}, const Units& units = std::nullopt) {
     EditorState state = test::sample_state();
@@ -23,13 +21,6 @@ EditorState ruled_state(double scale, core::Point center = {0, 0}, const Units& 
     state.view.camera = {.center = center, .scale = scale, .size_px = {1000.0, 600.0}};
     state.view.overlays.show(Overlay::rulers, true);
     return state;
-}
-
-Labels labels_of(const std::vector<RulerTick>& ticks) {
-    Labels labels;
-    for (const RulerTick& tick : ticks)
-        if (!tick.label.empty()) labels.push_back(tick.label);
-    return labels;
 }
 
 const RulerTick& tick_of(const std::vector<RulerTick>& ticks, const std::string& label) {
