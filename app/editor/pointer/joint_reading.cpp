@@ -29,9 +29,11 @@ std::string jump_row(const char* pattern, const std::optional<double>& before, c
 std::vector<std::string> rows_of(const core::Meeting& meeting, double size) {
     constexpr double degrees = 180.0 / std::numbers::pi;
     const double angle = meeting.angle ? std::abs(*meeting.angle) * degrees : 0.0;
-    return {sentence("{level}: gap {gap}, turn {angle}°", {{"level", level_text(core::smoothness_of(meeting, size))},
-                                                           {"gap", number_text(meeting.gap)},
-                                                           {"angle", number_text(angle < 1e-7 ? 0.0 : angle)}}),
+    const int level = core::smoothness_of(meeting, size);
+    return {core::filled_as_needed(level < 0 ? "gap {gap}, turn {angle}°" : "{level}: gap {gap}, turn {angle}°",
+                                   {{"level", level_text(level)},
+                                    {"gap", number_text(meeting.gap)},
+                                    {"angle", number_text(angle < 1e-7 ? 0.0 : angle)}}),
             jump_row("curvature {before} and {after}", meeting.before, meeting.after,
                      std::max(meeting.curvature_noise, 1e-12 / size)),
             jump_row("its change {before} and {after}", meeting.change_before, meeting.change_after,

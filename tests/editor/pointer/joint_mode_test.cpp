@@ -107,7 +107,7 @@ TEST_F(JointMode, blends_between_two_clicks_as_it_was_previewed) {
     EXPECT_EQ(reading[3], "then G²: gap 0, turn 0°");
     EXPECT_EQ(reading[6], "then G²: gap 0, turn 0°");
     EXPECT_EQ(reading[7], "then curvature 0 and 0");
-    EXPECT_EQ(reading[0].find("gap: gap 2.236"), 0U) << reading[0];
+    EXPECT_EQ(reading[0].find("gap 2.236"), 0U) << reading[0];
     EXPECT_EQ(reading[1].find("curvature 0"), 0U) << reading[1];
     // Another continuity changes the preview with the next move.
     key(U'1');
@@ -133,7 +133,7 @@ TEST_F(JointMode, matches_and_tells_what_jumps_before_and_after) {
     pointer.move(px(-1.1, 0));
     const std::vector<std::string> reading = joint_reading(state(), picking());
     ASSERT_EQ(reading.size(), 6U);
-    EXPECT_EQ(reading[0].find("gap: gap 2.236"), 0U) << reading[0];
+    EXPECT_EQ(reading[0].find("gap 2.236"), 0U) << reading[0];
     EXPECT_EQ(reading[3].find("then G"), 0U) << reading[3];
     pointer.click(px(-1.1, 0));
     EXPECT_EQ(present().curves[1].curve->control_points().front(), core::Point(-1, 0));
@@ -180,7 +180,7 @@ TEST_F(JointMode, a_join_tells_before_what_would_be_left) {
     pointer.move(px(1.1, 1));
     const std::vector<std::string> reading = joint_reading(state(), picking());
     ASSERT_EQ(reading.size(), 6U);
-    EXPECT_EQ(reading[0].find("gap: gap 2.236"), 0U) << reading[0];
+    EXPECT_EQ(reading[0].find("gap 2.236"), 0U) << reading[0];
     EXPECT_EQ(reading[3].find("then G"), 0U) << reading[3];
     EXPECT_NE(reading[3].find("gap 0, turn 0°"), std::string::npos) << reading[3];
 }
@@ -196,7 +196,7 @@ TEST_F(JointMode, tells_what_jumps_at_the_ends_of_very_long_curves) {
     EXPECT_FALSE(state().preview);
     const std::vector<std::string> reading = joint_reading(state(), picking());
     ASSERT_EQ(reading.size(), 6U);
-    EXPECT_EQ(reading[0].find("gap: gap 2.236"), 0U) << reading[0];
+    EXPECT_EQ(reading[0].find("gap 2.236"), 0U) << reading[0];
     EXPECT_EQ(reading[3].find("then G²: gap 0, turn 0°"), 0U) << reading[3];
     pointer.click(px(1.1, 1));
     const core::Meeting meeting =
