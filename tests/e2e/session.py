@@ -68,13 +68,6 @@ class SessionTest(WindowTest):
     def run_typed(self, text):
         views.run_typed(self.editor, text)
 
-    def open_form(self, command):
-        self.editor.key("ctrl+p")
-        self.editor.wait(lambda state: state["dialog"] == "command-palette", "the palette")
-        self.editor.type(command)
-        self.editor.key("Return")
-        self.wait_for_form()
-
     def choose_tool(self, tool, choice):
         self.editor.click_widget(f"tool {tool}")
         self.editor.wait(lambda state: f"menu-item {choice}" in state["widgets"] and state["is_settled"], "the choices")
