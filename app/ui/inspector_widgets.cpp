@@ -194,10 +194,9 @@ bool begin_choices(const PanelContext& context, const ChoiceField& field) {
     ImGui::SetNextWindowPos(ImVec2(origin.x, origin.y + size.y + context.px(2)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(4), context.px(4)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
-    const bool is_open = ImGui::BeginPopup("choices");
-    ImGui::PopID();
-    if (!is_open) {
+    if (!ImGui::BeginPopup("choices")) {
         ImGui::PopStyleVar(2);
+        ImGui::PopID();
         return false;
     }
     if (is_pressed(context, editor::Key::escape)) ImGui::CloseCurrentPopup();
@@ -207,6 +206,7 @@ bool begin_choices(const PanelContext& context, const ChoiceField& field) {
 void end_choices() {
     ImGui::EndPopup();
     ImGui::PopStyleVar(2);
+    ImGui::PopID();
 }
 
 bool draw_choice(const PanelContext& context, Button button) {

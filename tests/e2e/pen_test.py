@@ -60,6 +60,35 @@ class PenTest(WindowTest):
         editor.screenshot("joints")
         self.assertEqual(self.last_curve()["fit"]["joints"], ["smooth", "tangent", "corner"])
 
+    def test_the_inspector_lists_the_fit_points(self):
+        editor = self.editor
+        self.take_pen("through-c2")
+        self.click_all((200, 300), (320, 180), (440, 300))
+        editor.key("Return")
+        self.wait_for_curves(2)
+        editor.click_widget("fit point 1 y")
+        self.retype(editor, "fit point 1 y", "3.5")
+        editor.key("Return")
+        self.wait_for_message("Moved fit point 1")
+        editor.click_widget("fit point 0")
+        editor.settle()
+        editor.click_widget("add fit point")
+        self.wait_for_message("Inserted fit point 1")
+        editor.click_widget("fit point 1 joint")
+        editor.click_widget("menu-item make-fit-point-corner")
+        self.wait_for_message("Set joint of fit point 1 to 'corner'")
+        editor.click_widget("fit parameters")
+        editor.screenshot("parameters")
+        editor.click_widget("fit parameters uniform")
+        self.wait_for_message("Made the curve through its points anew")
+        editor.click_widget("fit point 3")
+        editor.settle()
+        editor.click_widget("delete fit point")
+        self.wait_for_message("Deleted fit point 3")
+        fit = self.last_curve()["fit"]
+        self.assertEqual(fit["points"][2][1], 3.5)
+        self.assertEqual((fit["joints"], fit["parametrization"], fit["parameters"]), (["smooth", "corner", "smooth"], "uniform", [0, 1, 2]))
+
     def test_the_first_point_closes_and_a_right_click_ends(self):
         self.take_pen("through-fair")
         self.click_all((200, 300), (320, 180), (440, 300))
