@@ -98,6 +98,45 @@ class JointsTest(WindowTest):
         editor.key("Escape")
         self.assertEqual(editor.settle()["tool"], "select")
 
+    def test_a_radius_is_dragged_out_of_a_corner_and_typed(self):
+        editor = self.open_editor()
+        at = self.pixels(editor)
+        self.take(editor, "fillet")
+        editor.move(*at(3, -1))
+        editor.drag(at(3, -1), at(2.2, -1.6), release=False)
+        editor.settle()
+        editor.screenshot("radius")
+        self.assertTrue(editor.state()["has_preview"])
+        editor.key("0", "period", "5", "Return")
+        editor.settle()
+        editor.release()
+        editor.settle()
+        corner = self.curves(editor)["corner"]
+        self.assertEqual(corner["degree"], 2)
+        # The arc leaves the upper side at (2.5, -1) and arrives at (3, -1.5).
+        for place in ([2.5, -1], [3, -1.5]):
+            self.assertLess(min(math.dist(place, point) for point in corner["points"]), 1e-12)
+
+    def test_an_offset_is_dragged_out_of_a_curve(self):
+        editor = self.open_editor()
+        at = self.pixels(editor)
+        editor.click_widget("tool joint")
+        editor.wait(lambda state: "menu-item drag-to-offset" in state["widgets"] and state["is_settled"], "the operations")
+        editor.click_widget("menu-item drag-to-offset")
+        editor.settle()
+        editor.move(*at(3, 3.75))
+        editor.drag(at(3, 3.75), at(3, 4.4), release=False)
+        editor.settle()
+        editor.screenshot("offset")
+        editor.key("period", "5", "Return")
+        editor.settle()
+        editor.release()
+        editor.settle()
+        offset = self.curves(editor)["offset of right"]
+        (x0, y0), (x1, y1) = offset["points"][0], offset["points"][-1]
+        self.assertAlmostEqual(math.hypot(x0 - 1, y0 - 3), 0.5, 9)
+        self.assertAlmostEqual(math.hypot(x1 - 5, y1 - 3), 0.5, 9)
+
 
 if __name__ == "__main__":
     unittest.main()

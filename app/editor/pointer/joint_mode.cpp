@@ -182,7 +182,7 @@ CanvasMode step(PickingJoint mode, const Gesture& gesture) {
             turn_canvas_wheel(gesture);
             return mode;
         case PointerAction::key:
-            if (const auto continuity = continuity_of_key(gesture.event))
+            if (const auto continuity = continuity_of_key(gesture.event); continuity && !mode.drag)
                 gesture.queue.run(SetJointContinuity{.continuity = *continuity});
             return mode;
         case PointerAction::leave:

@@ -232,6 +232,11 @@ TEST_F(JointMode, a_radius_that_is_typed_is_exact) {
     take(JointOperation::fillet);
     pointer.press(px(2, -2));
     pointer.move(px(1.7, -2.4));
+    PointerEvent digit;  // comes before its character
+    digit.action = PointerAction::key;
+    digit.position_px = px(1.7, -2.4);
+    digit.key = Key::digit_1;
+    pointer.send(digit);
     key(U'1');
     key(U'/');
     key(U'3');
