@@ -1,10 +1,14 @@
 #include "app/editor/pointer/joint_command.h"
 
+#include <cmath>
+
 #include "app/editor/commands/corner_commands.h"
 #include "app/editor/commands/joint_commands.h"
 #include "app/editor/commands/piece_commands.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/commands/trim_commands.h"
+#include "app/editor/words/formula.h"
+#include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 
 namespace batten::editor {
@@ -21,6 +25,14 @@ Command corner_command(const EditorState& state, const PickingJoint& mode, const
         return Fillet{.radius = radius, .u = mode.first->u, .other = other, .other_u = mode.hovered->u};
     return Chamfer{
         .distance = radius, .other_distance = radius, .u = mode.first->u, .other = other, .other_u = mode.hovered->u};
+}
+
+std::string drag_hint(const EditorState& state, const JointDrag& drag) {
+    const core::Place size("size", number_text(std::abs(drag.distance)));
+    if (state.view.joint.operation == JointOperation::fillet)
+        return core::sentence("Radius {size} · drag or type it · Enter or release makes the arc · Escape goes back",
+                              {size});
+    return core::sentence("Distance {size} · drag or type it · Enter or release makes it · Escape goes back", {size});
 }
 
 }  // namespace
@@ -88,6 +100,7 @@ std::optional<Command> joint_command(const EditorState& state, const PickingJoin
 }
 
 std::string joint_hint(const EditorState& state, const PickingJoint& mode) {
+    if (mode.drag) return drag_hint(state, *mode.drag);
     switch (state.view.joint.operation) {
         case JointOperation::join:
             return mode.first
@@ -102,18 +115,15 @@ std::string joint_hint(const EditorState& state, const PickingJoint& mode) {
                        ? "Click the end where the new curve arrives · 0 to 3 choose the continuity · Escape goes back"
                        : "Click the end where the new curve begins · 0 to 3 choose the continuity";
         case JointOperation::fillet:
-            if (mode.drag) return "Drag to the radius, or type it · Enter or release makes the arc · Escape goes back";
             return mode.first
                        ? "Click the other side of the corner · the menu of the tool sets the radius · Escape goes back"
                        : "Drag the radius out of a corner · or click one side of it, where it shall stay";
         case JointOperation::chamfer:
-            if (mode.drag) return "Drag to the distance, or type it · Enter or release cuts · Escape goes back";
             return mode.first ? "Click the other side of the corner · the menu of the tool sets the distance · Escape "
                                 "goes back"
                               : "Drag the distance out of a corner · or click one side of it, where it shall stay";
         case JointOperation::offset:
-            return mode.drag ? "Drag to the distance, or type it · Enter or release makes the offset · Escape goes back"
-                             : "Drag an offset out of a curve · the menu of the tool chooses sides, corners and caps";
+            return "Drag an offset out of a curve · the menu of the tool chooses sides, corners and caps";
         case JointOperation::trim:
             return "Click the part that goes, up to the next crossings · Escape leaves the tool";
         case JointOperation::extend:

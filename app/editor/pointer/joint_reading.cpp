@@ -111,17 +111,10 @@ std::vector<core::Meeting> meetings_after(const JointTool& tool, const PickedEnd
             core::meeting_of(core::passing_at(*blended, core::CurveEnd::end), picked.to)};
 }
 
-std::vector<std::string> reading_of_drag(const EditorState& state, const JointDrag& drag) {
-    if (drag.distance == 0.0) return {};
-    const char* pattern = state.view.joint.operation == JointOperation::fillet ? "radius {size}" : "distance {size}";
-    return {core::filled_as_needed(pattern, {{"size", number_text(std::abs(drag.distance))}})};
-}
-
 }  // namespace
 
 std::vector<std::string> joint_reading(const EditorState& state, const PickingJoint& mode) {
-    if (mode.drag) return reading_of_drag(state, *mode.drag);
-    if (!takes_ends(state.view.joint.operation) || !joint_command(state, mode)) return {};
+    if (mode.drag || !takes_ends(state.view.joint.operation) || !joint_command(state, mode)) return {};
     const PickedEnds picked = ends_of(state, mode);
     const double size = size_of_both(state, mode);
     std::vector<std::string> rows = rows_of(core::meeting_of(picked.from, picked.to), size);

@@ -9,8 +9,8 @@
 
 namespace batten::editor {
 
-/// What jumps between the two ends as they are, and what would be left of it; while something is dragged out, its size.
-/// Empty where there is neither. What is left is found of the last control points alone, so that the cost is bounded.
+/// What jumps between the two ends as they are, and what would be left of it; empty where there are no two ends. What
+/// is left is found of the last control points alone, so that the cost is bounded.
 std::vector<std::string> joint_reading(const EditorState& state, const PickingJoint& mode);
 
 }  // namespace batten::editor

@@ -33,7 +33,7 @@ void draw_picked_joint(CanvasFrame& frame, const PickingJoint& mode) {
     if (mode.hovered && mode.part && mode.hovered->curve < document.curves.size())
         draw_part(frame, *document.curves[mode.hovered->curve].curve, *mode.part);
     if (mode.first) draw_pick(frame, *mode.first, true);
-    if (!mode.hovered) return;
+    if (!mode.hovered || mode.drag) return;
     draw_pick(frame, *mode.hovered, false);
     std::vector<ReadingRow> rows;
     for (const std::string& row : joint_reading(frame.state, mode)) rows.push_back({row, frame.theme.text});

@@ -216,7 +216,7 @@ TEST_F(JointMode, the_radius_of_a_fillet_is_dragged_out_of_a_corner) {
     ASSERT_TRUE(picking().drag);
     // 0.3 to the left of the corner and 0.4 below it.
     EXPECT_NEAR(picking().drag->distance, 0.5, 1e-12);
-    EXPECT_EQ(joint_reading(state(), picking()), std::vector<std::string>{"radius 0.5"});
+    EXPECT_EQ(hint().substr(0, 10), "Radius 0.5");
     pointer.release(px(1.7, -2.4));
     // A polygon's corner (2, -2): the arc leaves at (1.5, -2) and arrives at (2, -2.5).
     const core::Curve& rounded = *present().curves[2].curve;
@@ -283,7 +283,7 @@ TEST_F(JointMode, an_offset_is_dragged_out_of_a_curve) {
     pointer.move(px(2.5, 1.75));
     ASSERT_TRUE(state().preview);
     EXPECT_EQ(picking().drag->distance, 0.75);
-    EXPECT_EQ(joint_reading(state(), picking()), std::vector<std::string>{"distance 0.75"});
+    EXPECT_EQ(hint().substr(0, 13), "Distance 0.75");
     pointer.move(px(2.5, 0.75));
     EXPECT_EQ(picking().drag->distance, -0.25);
     pointer.release(px(2.5, 0.75));

@@ -193,6 +193,30 @@ TEST_F(Placed, tools_that_put_points_show_where) {
     EXPECT_FALSE(place());
 }
 
+TEST_F(Placed, the_view_moves_while_a_shape_is_drawn) {
+    editor.run(DrawShape<ShapeKind::line>{});
+    pointer.modifiers = test::alt;
+    pointer.click(px(-3, 3));
+    const glm::dvec2 center = state().view.camera.center;
+    pointer.button = PointerButton::middle;
+    pointer.press(px(0, 0));
+    pointer.move(px(2, 0));
+    pointer.release(px(2, 0));
+    pointer.button = PointerButton::left;
+    pointer.space = true;
+    pointer.press(px(0, 0));
+    pointer.move(px(0, 1));
+    pointer.release(px(0, 1));
+    pointer.space = false;
+    EXPECT_NEAR(state().view.camera.center.x, center.x - 2.0, 1e-12);
+    EXPECT_NEAR(state().view.camera.center.y, center.y - 1.0, 1e-12);
+    ASSERT_TRUE(is_in<DrawingShape>());
+    EXPECT_EQ(std::get<DrawingShape>(pointer.mode()).points.size(), 1U);
+    pointer.click(px(0, 0));
+    ASSERT_EQ(document().curves.size(), 2U);
+    EXPECT_LE(core::distance(point(1), {-2, -1}), 1e-12);
+}
+
 TEST_F(Placed, a_guide_is_dragged_and_typed) {
     editor.run(AddGuide{.position = {0.0, 4.0}, .angle = 0.0});
     pointer.move(px(5, 4.03));
