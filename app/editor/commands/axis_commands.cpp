@@ -3,6 +3,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/symmetry_commands.h"
+#include "app/editor/commands/transform_commands.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/state/state.h"
 #include "core/document/symmetry.h"
@@ -58,7 +59,7 @@ const CommandSpec& PickMirror::spec() {
                                   .group = CommandGroup::curve,
                                   .submenu = "Transform",
                                   .offered = in_the_window,
-                                  .refusal = no_editable_curve,
+                                  .refusal = Mirror::spec().refusal,
                                   .run = body_of<pick_mirror>};
     return spec;
 }

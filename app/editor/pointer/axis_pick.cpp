@@ -7,14 +7,15 @@
 #include "app/editor/commands/symmetry_commands.h"
 #include "app/editor/commands/transform_commands.h"
 #include "app/editor/pointer/point_drag.h"
+#include "app/editor/state/selected_parts.h"
 
 namespace batten::editor {
 namespace {
 
-constexpr double whole_turn = 360.0;
+constexpr double degrees_of_turn = 360.0;
 
 /// Of more control points than this, with all copies, nothing is shown before a click.
-constexpr std::size_t most_points_shown = 20'000;
+constexpr std::size_t most_points_previewed = 20'000;
 
 /// Of the line from `first` to `second`, from 0 up to but not 180; exact for level, upright and diagonal ones.
 double angle_of_line(core::Point first, core::Point second) {
@@ -30,14 +31,14 @@ double angle_of_line(core::Point first, core::Point second) {
 
 Command mirror_command(const EditorState& state, AxisUse use, core::Point first, double angle) {
     if (use == AxisUse::link_mirror) return LinkMirror{.center = first, .angle = angle, .is_smooth = true};
-    const MapTarget what = state.selection.points.empty() ? MapTarget::curve : MapTarget::selection;
+    const MapTarget what = selected_parts(state).empty() ? MapTarget::curve : MapTarget::selection;
     return Mirror{.angle = angle, .what = what, .pivot = first};
 }
 
 bool is_quick(const EditorState& state) {
     const core::Curve* curve = committed_curve(state);
     return curve != nullptr &&
-           curve->control_points().size() * std::max<std::size_t>(state.axis_pick->count, 2) <= most_points_shown;
+           curve->control_points().size() * std::max<std::size_t>(state.axis_pick->count, 2) <= most_points_previewed;
 }
 
 core::Point clicked_place(const Gesture& gesture) {
@@ -50,7 +51,8 @@ std::optional<Command> axis_command(const EditorState& state, core::Point place)
     const AxisPick& pick = *state.axis_pick;
     if (pick.use == AxisUse::link_rotation) return LinkRotation{.turns = pick.count, .center = place};
     if (pick.use == AxisUse::array_polar)
-        return PolarArray{.count = pick.count, .center = place, .step = whole_turn / static_cast<double>(pick.count)};
+        return PolarArray{
+            .count = pick.count, .center = place, .step = degrees_of_turn / static_cast<double>(pick.count)};
     if (!pick.first || *pick.first == place) return std::nullopt;
     return mirror_command(state, pick.use, *pick.first, angle_of_line(*pick.first, place));
 }

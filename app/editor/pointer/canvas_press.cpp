@@ -193,7 +193,8 @@ CanvasMode press_transform(const Gesture& gesture, const Hover& hit) {
     const auto grip = is_typed(gesture) ? std::nullopt : grip_at(gesture.state, gesture.event.position_px);
     const bool is_inside = grip && grip->kind == GripKind::inside;
     const auto* point = std::get_if<HoveredPoint>(&hit);
-    const bool selects = gesture.event.modifiers.shift || std::holds_alternative<HoveredOtherCurve>(hit);
+    const bool selects =
+        gesture.event.modifiers.shift || (point == nullptr && is_selected_by_press(gesture.state, hit));
     if (!grip || (is_inside && selects)) return press_select(gesture, hit);
     return begin_transform(gesture, *grip, is_inside && point != nullptr ? std::optional(point->index) : std::nullopt);
 }

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/editor/commands/map_selected.h"
 #include "app/editor/pointer/gesture.h"
 #include "app/editor/pointer/hit_test.h"
 #include "app/editor/scene/canvas_frame.h"
@@ -16,7 +17,7 @@ namespace {
 // Design pixels.
 constexpr double box_margin = 12.0;     ///< from the control points to the box that is drawn
 constexpr double turn_distance = 15.0;  ///< of the handles that turn, beyond the corners, along x and y
-constexpr double handle_reach = 9.0;
+constexpr double grip_reach = 9.0;
 constexpr double side_reach = 6.0;
 
 constexpr std::array<std::array<int, 2>, 8> directions{
@@ -59,7 +60,7 @@ double distance_to_side(const PixelFrame& frame, TransformGrip side, glm::dvec2 
 }
 
 std::optional<TransformGrip> handle_at(const EditorState& state, const TransformBox& box, glm::dvec2 position_px) {
-    double least = pixels(state, handle_reach);
+    double least = pixels(state, grip_reach);
     std::optional<TransformGrip> found;
     for (const TransformGrip grip : visible_grips(box)) {
         const double away = glm::distance(grip_place(state, box, grip), position_px);
@@ -83,22 +84,20 @@ std::optional<TransformGrip> side_at(const EditorState& state, const TransformBo
 
 }  // namespace
 
-std::optional<TransformBox> transform_box(const EditorState& state, const core::Document& document) {
-    const core::DocumentCurve* active = document.active_curve();
-    if (active == nullptr || !can_edit_curve(state)) return std::nullopt;
+std::optional<TransformBox> transform_box(const EditorState& state) {
     TransformBox box;
-    const auto points = active->curve->control_points();
-    for (const std::size_t i : state.selection.points)
-        if (i < points.size()) box.box.include(points[i]);
-    if (box.box.is_empty()) {
-        box.box = state.derived.of(*active->curve)->control_box;
-    } else {
+    box.parts = selected_parts(state);
+    if (!box.parts.empty()) {
+        if (nothing_to_map(state)) return std::nullopt;
         box.what = MapTarget::selection;
-        box.points = state.selection.points;
+        box.box = box_of_selected(state);
+    } else {
+        if (!can_edit_curve(state)) return std::nullopt;
+        box.box = state.derived.of(*committed_curve(state))->control_box;
     }
     box.pivot = core::middle(box.box.lower, box.box.upper);
     const auto& pivot = state.pivot;
-    box.has_own_pivot = pivot && pivot->curve == state.history.present().active && pivot->selected == box.points;
+    box.has_own_pivot = pivot && pivot->curve == state.history.present().active && pivot->selected == state.selection;
     if (box.has_own_pivot) box.pivot = pivot->point;
     return box;
 }
@@ -151,7 +150,7 @@ std::vector<glm::dvec2> box_corners_px(const EditorState& state, const Transform
 }
 
 std::optional<TransformGrip> grip_at(const EditorState& state, glm::dvec2 position_px) {
-    const auto box = transform_box(state, state.history.present());
+    const auto box = transform_box(state);
     if (!box) return std::nullopt;
     if (const auto handle = handle_at(state, *box, position_px)) return handle;
     if (const auto side = side_at(state, *box, position_px)) return side;
@@ -163,9 +162,13 @@ Hover hit_for_transform(const EditorState& state, glm::dvec2 position_px) {
     const auto grip = grip_at(state, position_px);
     if (grip && grip->kind != GripKind::inside) return HoveredGrip{*grip};
     Hover hit = hit_canvas(state, position_px);
-    if (grip && !std::holds_alternative<HoveredPoint>(hit) && !std::holds_alternative<HoveredOtherCurve>(hit))
-        return HoveredGrip{*grip};
-    return hit;
+    return grip && !is_selected_by_press(state, hit) ? Hover(HoveredGrip{*grip}) : hit;
+}
+
+bool is_selected_by_press(const EditorState& state, const Hover& hit) {
+    if (std::holds_alternative<HoveredPoint>(hit)) return true;
+    const auto* other = std::get_if<HoveredOtherCurve>(&hit);
+    return other != nullptr && part_of(selected_parts(state), other->index) == nullptr;
 }
 
 }  // namespace batten::editor

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/editor/commands/transform_commands.h"
+#include "app/editor/state/selected_parts.h"
 #include "app/editor/state/state.h"
 #include "app/editor/state/transform_grip.h"
 
@@ -12,15 +13,15 @@ namespace batten::editor {
 /// What the transform tool acts on.
 struct TransformBox {
     MapTarget what = MapTarget::curve;
-    core::Box box;                      ///< around its control points
-    core::Point pivot{};                ///< what stays when it is turned: the middle of the box, if none was chosen
-    bool has_own_pivot = false;         ///< one was chosen, which stays whatever is done
-    std::vector<std::size_t> points{};  ///< those that are selected; empty for a whole curve
+    core::Box box;               ///< around its control points
+    core::Point pivot{};         ///< what stays when it is turned: the middle of the box, if none was chosen
+    bool has_own_pivot = false;  ///< one was chosen, which stays whatever is done
+    SelectedParts parts{};       ///< what is selected; nothing for the active curve
 };
 
-/// That of the selected control points of the active curve in `document`, the committed one or what is shown, or of all
-/// where none is selected; none where it must not be edited. Cost O(selected points).
-std::optional<TransformBox> transform_box(const EditorState& state, const core::Document& document);
+/// That of what is selected, over several curves, in the committed document, else that of the active curve; none where
+/// it must not be edited. Cost O(n) of what is selected.
+std::optional<TransformBox> transform_box(const EditorState& state);
 
 /// Whether dragging the grip can do anything: a box without width has no grips that scale along x.
 bool has_grip(const TransformBox& box, TransformGrip grip);
@@ -42,5 +43,8 @@ std::optional<TransformGrip> grip_at(const EditorState& state, glm::dvec2 positi
 
 /// What is under the pointer for the transform tool: grips, then as hit_canvas(), then the inside of the box.
 Hover hit_for_transform(const EditorState& state, glm::dvec2 position_px);
+
+/// Whether a press on what is in the box is about that alone: a control point, or a curve that is not selected.
+bool is_selected_by_press(const EditorState& state, const Hover& hit);
 
 }  // namespace batten::editor

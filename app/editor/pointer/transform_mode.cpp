@@ -31,9 +31,8 @@ const TypedPlace& typed_in(const Gesture& gesture) {
     return gesture.typed != nullptr ? *gesture.typed : gesture.state.placing.typed;
 }
 
-/// The box as it was before the drag.
-std::optional<TransformBox> committed_box(const EditorState& state) {
-    return transform_box(state, state.history.present());
+Dragged dragged_by(const TransformBox& box) {
+    return {.is_curve = box.parts.empty(), .parts = box.parts};
 }
 
 /// Where the pointer leads what was at `start`: with keys that mean something else here left out, and without what is
@@ -45,7 +44,7 @@ core::Point led_from(const Gesture& gesture, core::Point start, glm::dvec2 press
     event.modifiers.ctrl = event.modifiers.ctrl && keeps_grid;
     const TypedPlace nothing;
     return dragged_position(Gesture{event, gesture.state, gesture.queue, &nothing, gesture.place}, start, press_px,
-                            {.points = box.points, .is_curve = box.points.empty()});
+                            dragged_by(box));
 }
 
 /// The point that stays: the pivot that was chosen, else what is opposite.
@@ -159,7 +158,9 @@ Transformation sheared(const DraggingTransform& mode, const Gesture& gesture, co
 /// The corner, middle of a side, middle, or control point that is nearest to where the drag began: that one snaps.
 core::Point moved_point(const DraggingTransform& mode, const Gesture& gesture, const TransformBox& box) {
     const core::Curve* curve = committed_curve(gesture.state);
-    if (mode.clicked && *mode.clicked < curve->control_points().size()) return curve->control_points()[*mode.clicked];
+    const bool moves_point = mode.clicked && (box.parts.empty() || gesture.state.selection.is_whole ||
+                                              gesture.state.selection.contains_point(*mode.clicked));
+    if (moves_point && *mode.clicked < curve->control_points().size()) return curve->control_points()[*mode.clicked];
     const core::Point press(render::world_from_screen(gesture.state.view.camera, mode.press_px));
     core::Point nearest = grip_point(box, {});
     for (int x = -1; x <= 1; ++x)
@@ -172,8 +173,7 @@ core::Point moved_point(const DraggingTransform& mode, const Gesture& gesture, c
 
 Transformation moved(const DraggingTransform& mode, const Gesture& gesture, const TransformBox& box) {
     const core::Point start = moved_point(mode, gesture, box);
-    const core::Point target =
-        dragged_position(gesture, start, mode.press_px, {.points = box.points, .is_curve = box.points.empty()});
+    const core::Point target = dragged_position(gesture, start, mode.press_px, dragged_by(box));
     Transformation made;
     made.typed_for = TypedFor::place;
     if (target == start) return made;
@@ -247,7 +247,7 @@ CanvasMode begin_transform(const Gesture& gesture, TransformGrip grip, std::opti
 CanvasMode step(DraggingTransform mode, const Gesture& gesture) {
     if (is_escape(gesture)) return give_up(mode, gesture);
     if (!is_move(gesture) && !is_release(gesture)) return mode;
-    const auto box = committed_box(gesture.state);
+    const auto box = transform_box(gesture.state);
     if (!box) return CanvasIdle{};
     mode.has_moved =
         mode.has_moved || is_typed(gesture) || is_drag(gesture.state, mode.press_px, gesture.event.position_px);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/editor/state/transform_grip.h"
+#include "app/editor/state/transform_pivot.h"
 #include "core/edit/plane_map.h"
 
 namespace batten::editor {

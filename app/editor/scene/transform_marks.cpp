@@ -9,7 +9,7 @@ namespace batten::editor {
 
 namespace {
 
-constexpr double handle_radius = 4.5;
+constexpr double grip_radius = 4.5;
 constexpr double lit_radius = 6.0;
 constexpr double pivot_radius = 6.0;
 constexpr double axis_radius = 4.0;
@@ -40,7 +40,7 @@ void draw_handle(CanvasFrame& frame, const TransformBox& box, TransformGrip grip
     if (grip.kind == GripKind::pivot) return draw_pivot(frame, place, box.has_own_pivot, is_lit(frame, grip));
     const bool is_square = grip.kind == GripKind::scale;
     frame.pen.symbol(place, {.shape = is_square ? render::MarkerShape::square : render::MarkerShape::disc,
-                             .radius = is_lit(frame, grip) ? lit_radius : handle_radius,
+                             .radius = is_lit(frame, grip) ? lit_radius : grip_radius,
                              .fill = is_lit(frame, grip) ? frame.theme.accent : frame.theme.canvas,
                              .outline = frame.theme.accent,
                              .outline_width = 1.5});
@@ -67,7 +67,7 @@ void draw_dragged_box(CanvasFrame& frame, const TransformBox& box, const core::P
 
 void draw_transform_box(CanvasFrame& frame, const CanvasMode& mode) {
     if (frame.state.tool != Tool::transform) return;
-    const auto box = transform_box(frame.state, frame.state.history.present());
+    const auto box = transform_box(frame.state);
     if (!box) return;
     const auto* drag = std::get_if<DraggingTransform>(&mode);
     if (drag != nullptr && drag->has_moved && drag->grip.kind != GripKind::pivot) {

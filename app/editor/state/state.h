@@ -25,6 +25,7 @@
 #include "app/editor/state/picture_gauge.h"
 #include "app/editor/state/placing.h"
 #include "app/editor/state/selection.h"
+#include "app/editor/state/transform_pivot.h"
 #include "app/editor/state/view.h"
 #include "core/base/names.h"
 #include "core/base/progress.h"

@@ -1,10 +1,5 @@
-/// What of the transform box can be dragged, and its pivot.
+/// What of the transform box can be dragged.
 #pragma once
-
-#include <cstddef>
-#include <vector>
-
-#include "core/base/geometry.h"
 
 namespace batten::editor {
 
@@ -22,15 +17,6 @@ struct TransformGrip {
     int x = 0;
     int y = 0;
     bool operator==(const TransformGrip&) const = default;
-};
-
-/// A point that was chosen to stay while what is selected is scaled, turned or sheared; it counts while that stays
-/// selected.
-struct TransformPivot {
-    core::Point point{};
-    std::size_t curve = 0;                ///< the active one, in the document
-    std::vector<std::size_t> selected{};  ///< the control points
-    bool operator==(const TransformPivot&) const = default;
 };
 
 }  // namespace batten::editor

@@ -120,8 +120,7 @@ struct Apply {
     void operator()(const SetBrushRadius& change) const { state.view.brush.radius = brush_radii.clamp(change.radius); }
     void operator()(const SetPivot& change) const {
         state.pivot.reset();
-        if (change.point)
-            state.pivot = TransformPivot{*change.point, state.history.present().active, state.selection.points};
+        if (change.point) state.pivot = TransformPivot{*change.point, state.history.present().active, state.selection};
     }
     void operator()(const AddAxisPoint& change) const {
         if (state.axis_pick) state.axis_pick->first = change.point;

@@ -190,15 +190,15 @@ TEST_F(Transforming, about_a_chosen_pivot_scales_to_both_sides) {
 
 TEST_F(Transforming, the_pivot_stays_while_the_selection_does) {
     pointer.click(px(0, 0));
-    EXPECT_TRUE(transform_box(state(), state().history.present())->has_own_pivot);
+    EXPECT_TRUE(transform_box(state())->has_own_pivot);
     editor.run(SelectPoints{.points = {0, 1}});
-    EXPECT_FALSE(transform_box(state(), state().history.present())->has_own_pivot);
-    EXPECT_EQ(transform_box(state(), state().history.present())->pivot, core::Point(-3, 0));
+    EXPECT_FALSE(transform_box(state())->has_own_pivot);
+    EXPECT_EQ(transform_box(state())->pivot, core::Point(-3, 0));
 }
 
 TEST_F(Transforming, acts_on_selected_points) {
     editor.run(SelectPoints{.points = {1, 3}});  // a level line: nothing scales it upward
-    const auto box = transform_box(state(), state().history.present());
+    const auto box = transform_box(state());
     ASSERT_TRUE(box);
     EXPECT_EQ(box->what, MapTarget::selection);
     EXPECT_TRUE(has_grip(*box, {GripKind::scale, 1, 0}));
@@ -213,7 +213,7 @@ TEST_F(Transforming, acts_on_selected_points) {
 
 TEST_F(Transforming, a_single_point_can_only_be_moved) {
     editor.run(SelectPoints{.points = {2}});
-    const auto box = transform_box(state(), state().history.present());
+    const auto box = transform_box(state());
     ASSERT_TRUE(box);
     EXPECT_EQ(visible_grips(*box), (std::vector<TransformGrip>{{GripKind::pivot, 0, 0}}));
     pointer.drag(px(0, -2) + glm::dvec2(10, 5), px(1, -2) + glm::dvec2(10, 5));
