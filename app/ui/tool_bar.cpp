@@ -23,6 +23,7 @@ namespace {
 
 constexpr double button_size = 38.0;
 constexpr double button_pitch = 43.0;
+constexpr double least_pitch = 39.0;  // before some go into the menu of the rest
 constexpr double bar_padding = 12.0;
 constexpr double divider_height = 6.0;
 constexpr double overflow_row_height = 30.0;  // of the menu with what has no room
@@ -147,14 +148,16 @@ void draw_rest(const PanelContext& context, const std::vector<ToolButton>& rest)
 
 void draw_tool_bar(const PanelContext& context, const Rectangle& place) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, context.px(bar_padding)));
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, context.px(button_pitch - button_size)));
-    begin_panel("tool bar", place, ImGuiWindowFlags_NoScrollWithMouse);
     const std::vector<ToolButton> tools = tool_buttons(context.state);
     std::vector<ToolButton> all = tools;
     for (const ToolButton& button : other_buttons()) all.push_back(button);
     const double room = place.size_px.y / context.scale - 2.0 * bar_padding;
-    const bool has_room = static_cast<double>(all.size()) * button_pitch + divider_height <= room;
-    const auto slots = static_cast<std::size_t>(std::max(room / button_pitch, 1.0));
+    const auto count = static_cast<double>(all.size());
+    const double pitch = std::clamp((room - divider_height) / (count + 1.0), least_pitch, button_pitch);
+    const bool has_room = count * pitch + divider_height <= room;
+    const auto slots = static_cast<std::size_t>(std::max(room / pitch, 1.0));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, context.px(pitch - button_size)));
+    begin_panel("tool bar", place, ImGuiWindowFlags_NoScrollWithMouse);
     const std::size_t shown = has_room ? all.size() : std::min(slots - 1, tools.size());
     for (std::size_t i = 0; i < shown; ++i) {
         if (i == tools.size()) draw_divider(context);
