@@ -7,6 +7,7 @@
 #include "app/editor/commands/joint_report.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/words/length.h"
 #include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
 #include "core/evaluate/evaluate.h"
@@ -40,6 +41,10 @@ std::string clamped_note(const core::Curve& curve, std::initializer_list<double>
     return told_in_turn(sentences).value_or("");
 }
 
+const Units& units_of(const EditorState& state) {
+    return state.history.present().units;
+}
+
 Outcome<void> measure_arc_length(EditorState& state, const MeasureArcLength& command) {
     const core::Curve& curve = active_curve(state);
     const core::Integral length = core::arc_length(curve, command.begin, command.end);
@@ -47,15 +52,16 @@ Outcome<void> measure_arc_length(EditorState& state, const MeasureArcLength& com
         .label = "length",
         .numbers = {{"length", length.value}, {"error", length.error}, {"from", command.begin}, {"to", command.end}},
         .note = clamped_note(curve, {command.begin, command.end})};
+    const Units& units = units_of(state);
     std::string summary =
         is_doubtful(curve, length)
             ? sentence(
                   "{name} has a length from {least} to {most}; its weights or points are too far apart to tell more",
                   {active_name(state),
-                   {"least", core::shortest_text(length.value - length.error)},
-                   {"most", core::shortest_text(length.value + length.error)}})
+                   {"least", length_words(units, length.value - length.error)},
+                   {"most", length_words(units, length.value + length.error)}})
             : sentence("{name} has the length {length}",
-                       {active_name(state), {"length", core::shortest_text(length.value)}});
+                       {active_name(state), {"length", length_words(units, length.value)}});
     return show_rows(state, "Arc length", std::move(summary), {std::move(row)});
 }
 
@@ -78,10 +84,11 @@ Outcome<void> find_point_at_length(EditorState& state, const FindPointAtLength& 
                 .point = core::point_at(curve, u),
                 .numbers = {{"length", reached}, {"u", u}, {"whole length", whole}}};
     add_numbers(row, "point", *row.point, coordinate_error(curve));
+    const Units& units = units_of(state);
     std::string summary = core::filled_as_needed(pattern_of_length(curve, command.length, whole),
                                                  {active_name(state),
-                                                  {"length", core::shortest_text(command.length)},
-                                                  {"whole", core::shortest_text(whole)},
+                                                  {"length", length_words(units, command.length)},
+                                                  {"whole", length_words(units, whole)},
                                                   {"u", core::shortest_text(u)}});
     return show_rows(state, "Point at length", std::move(summary), {std::move(row)});
 }
@@ -107,9 +114,10 @@ Outcome<void> find_nearest(EditorState& state, const FindNearest& command) {
                 .point = found.point,
                 .numbers = {{"distance", distance, coordinate_error(active_curve(state))}, {"u", found.u}}};
     add_numbers(row, "point", found.point, coordinate_error(active_curve(state)));
-    std::string summary = sentence(
-        "{name} is {distance} away at u = {u}",
-        {active_name(state), {"distance", core::shortest_text(distance)}, {"u", core::shortest_text(found.u)}});
+    std::string summary =
+        sentence("{name} is {distance} away at u = {u}", {active_name(state),
+                                                          {"distance", length_words(units_of(state), distance)},
+                                                          {"u", core::shortest_text(found.u)}});
     return show_rows(state, "Nearest point", std::move(summary), {std::move(row)});
 }
 
