@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/selected_curve_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/state/point_hues.h"
+#include "app/editor/state/selected_parts.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"
 #include "app/ui/panel_hover.h"
@@ -65,7 +67,16 @@ void select(const PanelContext& context, std::size_t i) {
         points = {i};
     // The row that was clicked is in sight already.
     context.panels.inspector.followed_points = points;
-    context.queue.run(editor::SelectPoints{.points = points});
+    const bool keeps_others = ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl;
+    editor::Selection selection = keeps_others ? context.state.selection : editor::Selection{};
+    if (selection.others.empty()) {
+        context.queue.run(editor::SelectPoints{.points = points});
+        return;
+    }
+    selection.points = std::move(points);
+    selection.is_whole = false;
+    const std::size_t active = context.state.history.present().active;
+    context.queue.run(editor::SelectParts{.parts = editor::text_of_parts(editor::selected_parts(selection, active))});
 }
 
 void draw_row_back(const PointTable& table, std::size_t i, ImVec2 origin) {

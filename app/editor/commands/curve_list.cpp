@@ -7,6 +7,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/state/fit_curve.h"
 #include "app/editor/state/point_hues.h"
+#include "app/editor/state/selected_parts.h"
 #include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
 #include "core/edit/point_edit.h"
@@ -119,14 +120,27 @@ std::optional<Refusal> too_many_copies(const EditorState& state, std::size_t cou
 }
 
 Outcome<Edit> with_duplicate(const EditorState& state, std::size_t index, double shift) {
-    Edit edit{state.history.present(), Selection{}};
-    core::DocumentCurve copy = edit.document.curves[index];
-    if (const auto shifted = shift_entry(copy, shift); !shifted) return tl::unexpected(core::describe(shifted.error()));
-    copy.name = core::unused_name(edit.document, copy.name);
-    copy.visible = true;
-    copy.locked = false;
-    edit.document.curves.push_back(std::move(copy));
+    Outcome<Edit> edit = with_duplicates(state, {index}, shift);
+    if (edit) edit->selection.reset();
+    return edit;
+}
+
+Outcome<Edit> with_duplicates(const EditorState& state, const std::vector<std::size_t>& curves, double shift) {
+    Edit edit{state.history.present()};
+    core::FreeNames names(edit.document);
+    SelectedParts copies;
+    for (const std::size_t i : curves) {
+        core::DocumentCurve copy = edit.document.curves[i];
+        if (const auto shifted = shift_entry(copy, shift); !shifted)
+            return tl::unexpected(core::describe(shifted.error()));
+        copy.name = names.take(copy.name);
+        copy.visible = true;
+        copy.locked = false;
+        copies.push_back({edit.document.curves.size()});
+        edit.document.curves.push_back(std::move(copy));
+    }
     edit.document.active = edit.document.curves.size() - 1;
+    edit.selection = selection_of(std::move(copies), edit.document.active);
     return edit;
 }
 

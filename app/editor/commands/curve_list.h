@@ -49,4 +49,7 @@ std::optional<Refusal> too_many_copies(const EditorState& state, std::size_t cou
 /// the copy is active, visible and not locked.
 Outcome<Edit> with_duplicate(const EditorState& state, std::size_t index, double shift);
 
+/// The same of several curves, at least one; the copies are selected as wholes, and the last one is active.
+Outcome<Edit> with_duplicates(const EditorState& state, const std::vector<std::size_t>& curves, double shift);
+
 }  // namespace batten::editor

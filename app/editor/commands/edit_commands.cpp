@@ -67,16 +67,38 @@ std::optional<Refusal> nothing_to_redo(const EditorState& state) {
     return "there is nothing to redo";
 }
 
-// The active curve alone, as the text of a file.
-std::string text_of_active(const EditorState& state) {
+// Where more is selected than points of the active curve, all curves of it; else the active curve.
+std::vector<std::size_t> curves_meant(const EditorState& state) {
+    if (state.selection.is_over_curves()) return selected_curves(state);
+    return {state.history.present().active};
+}
+
+SelectedParts parts_meant(const EditorState& state) {
+    SelectedParts parts;
+    for (const std::size_t i : curves_meant(state)) parts.push_back({i});
+    return parts;
+}
+
+core::Place names_of_meant(const EditorState& state) {
+    return {"curves", curves_text(state.history.present(), curves_meant(state))};
+}
+
+bool is_one_meant(const EditorState& state) {
+    return !state.selection.is_over_curves();
+}
+
+// As the text of a file.
+std::string text_of_meant(const EditorState& state) {
     core::Document document;
-    document.curves.push_back(*state.history.present().active_curve());
+    for (const std::size_t i : curves_meant(state)) document.curves.push_back(state.history.present().curves[i]);
     return core::format_document(document);
 }
 
 Outcome<void> copy(EditorState& state, const Copy&) {
-    write_clipboard(state, text_of_active(state));
-    state.message = {sentence("Copied curve '{name}'", {active_name(state)}), false};
+    write_clipboard(state, text_of_meant(state));
+    state.message = {is_one_meant(state) ? sentence("Copied curve '{name}'", {active_name(state)})
+                                         : sentence("Copied {curves}", {names_of_meant(state)}),
+                     false};
     return {};
 }
 
@@ -87,12 +109,18 @@ Outcome<void> copy_text(EditorState& state, const CopyText& command) {
 }
 
 Outcome<Edit> cut(const EditorState& state, const Cut&) {
-    Outcome<Edit> edit = without_curve(state, state.history.present().active);
-    if (edit) edit->clipboard = text_of_active(state);
+    Outcome<Edit> edit = without_parts(state, parts_meant(state));
+    if (edit) edit->clipboard = text_of_meant(state);
     return edit;
 }
 
+std::optional<Refusal> nothing_to_cut(const EditorState& state) {
+    return is_one_meant(state) ? no_editable_curve(state) : nothing_to_map(state);
+}
+
 StepTexts texts_of_cut(const EditorState& state, const Cut&) {
+    if (!is_one_meant(state))
+        return {sentence("Cut {curves}", {names_of_meant(state)}), sentence("Cut {curves}", {names_of_meant(state)})};
     return {sentence("Cut curve '{name}'", {active_name(state)}), sentence("Cut curve '{name}'", {active_name(state)})};
 }
 
@@ -153,10 +181,14 @@ std::string clipboard_text(const EditorState& state) {
 }
 
 Outcome<Edit> duplicate(const EditorState& state, const Duplicate& command) {
-    return with_duplicate(state, state.history.present().active, command.shift);
+    if (is_one_meant(state)) return with_duplicate(state, state.history.present().active, command.shift);
+    return with_duplicates(state, curves_meant(state), command.shift);
 }
 
 StepTexts texts_of_duplicate(const EditorState& state, const Duplicate&) {
+    if (!is_one_meant(state))
+        return {sentence("Duplicate {curves}", {names_of_meant(state)}),
+                sentence("Duplicated {curves}", {names_of_meant(state)})};
     return {sentence("Duplicate curve '{name}'", {active_name(state)}),
             sentence("Duplicated curve '{name}'", {active_name(state)})};
 }
@@ -224,10 +256,10 @@ const CommandSpec& Redo::spec() {
 const CommandSpec& Cut::spec() {
     static const CommandSpec spec{.name = "cut",
                                   .title = "Cut",
-                                  .explanation = "Moves the active curve to the clipboard.",
+                                  .explanation = "Moves the active curve, or all that are selected, to the clipboard.",
                                   .group = CommandGroup::edit,
                                   .shortcut = {Key::x, with_ctrl},
-                                  .refusal = no_editable_curve,
+                                  .refusal = nothing_to_cut,
                                   .run = body_of<cut>,
                                   .texts = texts_of<texts_of_cut>};
     return spec;
@@ -236,7 +268,7 @@ const CommandSpec& Cut::spec() {
 const CommandSpec& Copy::spec() {
     static const CommandSpec spec{.name = "copy",
                                   .title = "Copy",
-                                  .explanation = "Copies the active curve to the clipboard.",
+                                  .explanation = "Copies the active curve, or all that are selected, to the clipboard.",
                                   .group = CommandGroup::edit,
                                   .offered = in_the_window,
                                   .shortcut = {Key::c, with_ctrl},

@@ -6,6 +6,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/state/selected_parts.h"
 #include "app/editor/upkeep.h"
 
 namespace batten::editor {
@@ -13,6 +14,12 @@ namespace batten::editor {
 namespace {
 
 Outcome<void> select_all(EditorState& state, const SelectAll&) {
+    if (state.selection.is_over_curves()) {
+        SelectedParts parts = selected_parts(state);
+        for (SelectedPart& part : parts) part.points.clear();
+        state.selection = selection_of(std::move(parts), state.history.present().active);
+        return {};
+    }
     std::vector<std::size_t> points(active_curve(state).control_points().size());
     std::iota(points.begin(), points.end(), std::size_t{0});
     state.selection = {std::move(points), {}};
@@ -63,7 +70,9 @@ Outcome<void> activate_curve(EditorState& state, const ActivateCurve& command) {
 const CommandSpec& SelectAll::spec() {
     static const CommandSpec spec{.name = "select-all",
                                   .title = "Select all points",
-                                  .explanation = "Selects all control points of the active curve.",
+                                  .explanation =
+                                      "Selects all control points of the active curve, or all of the curves of which "
+                                      "anything is selected.",
                                   .group = CommandGroup::edit,
                                   .shortcut = {Key::a, {true, false, false}},
                                   .refusal = no_curve,

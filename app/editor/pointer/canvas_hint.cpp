@@ -74,12 +74,18 @@ std::size_t next_point(const core::Curve& curve, std::size_t i) {
     return (i + 1) % curve.control_points().size();
 }
 
+std::string all_selected_hint() {
+    return "Drag to move all that is selected · Shift-click takes this out · click to select it alone";
+}
+
 /// What the select tool does to the hovered thing; empty where it does nothing special.
 struct SelectHint {
     const EditorState& state;
     const core::Curve& curve;
 
     std::string operator()(const HoveredPoint& h) const {
+        if (state.selection.is_over_curves() && (state.selection.is_whole || state.selection.contains_point(h.index)))
+            return all_selected_hint();
         const std::size_t selected = state.selection.points.size();
         if (selected > 1 && state.selection.contains_point(h.index))
             return sentence("Drag to move the {count} selected points · click to select {point} alone",
@@ -98,6 +104,7 @@ struct SelectHint {
             {{"u", knot_value(curve, h.index)}});
     }
     std::string operator()(const HoveredCurve& h) const {
+        if (state.selection.is_whole) return all_selected_hint();
         return sentence(
             "Drag the curve to move C({u}) (changes the shape) · click for its tangent · double-click to insert a knot "
             "there (keeps the shape)",
@@ -178,10 +185,10 @@ std::string select_hint(const EditorState& state) {
     if (active == nullptr) return "Draw a curve with the pen (N) or open a file (Ctrl+O)";
     if (active->locked) return locked_sentence(*active);
     const std::string hint = std::visit(SelectHint{state, *active->curve}, state.hover);
-    return hint.empty()
-               ? "Drag to select points in a box, with Ctrl of all curves · middle-drag or Space-drag pans · the wheel "
-                 "zooms, with Shift it pans"
-               : hint;
+    return hint.empty() ? "Drag to select points in a box, with Ctrl of all curves · Space-drag pans · the wheel "
+                          "zooms, with Shift "
+                          "it pans"
+                        : hint;
 }
 
 std::string pencil_hint(const EditorState& state) {

@@ -115,7 +115,7 @@ bool takes_numbers(const CanvasMode& mode, const EditorState& state) {
         std::holds_alternative<DraggingFitPoint>(mode) || std::holds_alternative<DraggingFitHandle>(mode) ||
         std::holds_alternative<DraggingHandle>(mode) || std::holds_alternative<DraggingGuide>(mode) ||
         std::holds_alternative<DraggingTransform>(mode) || std::holds_alternative<DraggingHandlebar>(mode) ||
-        is_soft_move(mode);
+        std::holds_alternative<DraggingSelection>(mode) || is_soft_move(mode);
     return is_drag || state.placing.place.has_value();
 }
 

@@ -103,6 +103,9 @@ TEST_F(SelectedCurveCommands, all_and_the_others) {
     run(SelectNone{});
     run(InvertSelection{});
     EXPECT_EQ(selected(), "0:0-2");
+    select("0:1 2:0");
+    run(SelectAll{});
+    EXPECT_EQ(selected(), "0 2");
     EXPECT_FALSE(state().history.can_undo());
 }
 
@@ -165,6 +168,25 @@ TEST_F(SelectedCurveCommands, delete_takes_points_and_curves) {
     EXPECT_FALSE(run(DeleteCurves{.curves = {0, 1}}));
     EXPECT_EQ(message(), "curve 'fixed' is locked; unlock it in the inspector");
     EXPECT_EQ(names().size(), 2U) << "nothing happens by half";
+}
+
+TEST_F(SelectedCurveCommands, cut_copy_and_duplicate_take_all_curves) {
+    select("0:1 1");
+    EXPECT_TRUE(run(Copy{}));
+    EXPECT_EQ(message(), "Copied 2 curves");
+    const std::string copied = state().clipboard;
+    EXPECT_EQ(core::parse_document(copied)->curves.size(), 2U);
+    EXPECT_TRUE(run(Duplicate{.shift = 1}));
+    EXPECT_EQ(names(), (Names{"low", "high", "ring", "fixed", "low 2", "high 2"}));
+    EXPECT_EQ(points_of(4)[0], core::Point(1, -1));
+    EXPECT_EQ(selected(), "4 5") << "the copies, to be moved on";
+    EXPECT_EQ(document(editor_).active, 5U);
+    EXPECT_TRUE(run(Cut{}));
+    EXPECT_EQ(names(), (Names{"low", "high", "ring", "fixed"}));
+    EXPECT_EQ(state().history.undo_label(), "Cut 2 curves");
+    run(Undo{});
+    run(Undo{});
+    EXPECT_FALSE(state().history.can_undo());
 }
 
 TEST_F(SelectedCurveCommands, hide_lock_and_color_together) {

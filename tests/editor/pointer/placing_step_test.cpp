@@ -6,10 +6,12 @@
 #include <numbers>
 
 #include "app/editor/command_spec.h"
+#include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/drawing_commands.h"
 #include "app/editor/commands/fit_point_commands.h"
 #include "app/editor/commands/making_commands.h"
 #include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/selected_curve_commands.h"
 #include "app/editor/commands/snap_commands.h"
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/commands/unit_commands.h"
@@ -69,6 +71,18 @@ TEST_F(Placed, a_dragged_point_snaps_to_another_and_tells_it) {
     EXPECT_EQ(point(1), core::Point(2, 2));
     EXPECT_EQ(steps(), 1U);
     EXPECT_FALSE(place());
+}
+
+TEST_F(Placed, all_that_is_selected_takes_typed_numbers) {
+    editor.run(NewCurve{.points = {{-4, 3.5}, {4, 3.5}}, .degree = 1});
+    editor.run(SelectParts{.parts = "0:1 1"});
+    pointer.press(px(-2, 2));
+    pointer.move(px(-1.6, 1.8));
+    type(U"@1.25,-0.5\n", px(-1.6, 1.8));
+    EXPECT_EQ(document().curves[0].curve->control_points()[1], core::Point(-0.75, 1.5));
+    EXPECT_EQ(document().curves[1].curve->control_points()[0], core::Point(-2.75, 3));
+    pointer.release(px(-1.6, 1.8));
+    EXPECT_EQ(document().curves[1].curve->control_points()[1], core::Point(5.25, 3));
 }
 
 TEST_F(Placed, with_shift_a_snap_aligns) {

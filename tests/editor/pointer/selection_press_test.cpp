@@ -117,6 +117,19 @@ TEST_F(SelectionPress, any_selected_point_drags_all_as_one_step) {
     EXPECT_EQ(points_of(2)[0], core::Point(-4, -4));
 }
 
+TEST_F(SelectionPress, a_drag_makes_only_what_moves_anew) {
+    editor.run(SelectParts{.parts = "0:1 2"});
+    pointer.press(px(-2, 2));
+    pointer.move(px(-1.5, 2.25));
+    ASSERT_TRUE(state().preview.has_value());
+    const auto& before = state().history.present().curves;
+    EXPECT_EQ(state().preview->curves[1].curve, before[1].curve);
+    EXPECT_NE(state().preview->curves[0].curve, before[0].curve);
+    EXPECT_NE(state().preview->curves[2].curve, before[2].curve);
+    pointer.escape(px(-1.5, 2.25));
+    EXPECT_EQ(steps(), 0U);
+}
+
 TEST_F(SelectionPress, a_selected_curve_drags_all_and_escape_restores) {
     editor.run(SelectParts{.parts = "0 1"});
     pointer.drag(px(2, 3.5), px(2.5, 3));
