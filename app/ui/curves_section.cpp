@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/group_commands.h"
 #include "app/editor/commands/selected_curve_commands.h"
 #include "app/editor/commands/selection_commands.h"
@@ -42,15 +43,24 @@ std::string widget_name(const PanelContext& context, const CurveRow& row, const 
     return fmt::format("curve {} {}", row.curve, what);
 }
 
-/// What the widgets of a row are about: the curve, or all of the group.
+bool is_selected_whole(const editor::EditorState& state, std::size_t i) {
+    if (i == state.history.present().active) return state.selection.is_whole;
+    const editor::SelectedPart* part = editor::part_of(state.selection.others, i);
+    return part != nullptr && part->is_whole();
+}
+
+/// What the widgets of a row are about: all of the group, all curves that are selected with this one, or it alone.
 Indices curves_of(const PanelContext& context, const CurveRow& row) {
     const core::Document& document = context.state.shown();
-    return row.is_heading ? editor::curves_of_group(document, document.curves[row.curve].group) : Indices{row.curve};
+    if (row.is_heading) return editor::curves_of_group(document, document.curves[row.curve].group);
+    if (!is_selected_whole(context.state, row.curve)) return {row.curve};
+    return editor::selected_curves(context.state);
 }
 
 void set_color(const PanelContext& context, const CurveRow& row, std::optional<core::DocumentColor> color) {
-    if (row.is_heading)
-        context.queue.run(editor::ColorCurves{.curves = curves_of(context, row), .color = color});
+    const Indices curves = curves_of(context, row);
+    if (curves.size() > 1)
+        context.queue.run(editor::ColorCurves{.curves = curves, .color = color});
     else
         context.queue.run(editor::SetCurveColor{.index = row.curve, .color = color});
 }
@@ -125,12 +135,6 @@ editor::SelectedParts wholes_of(const PanelContext& context, editor::SelectedPar
 
 void select(const PanelContext& context, const editor::SelectedParts& parts) {
     context.queue.run(editor::SelectParts{.parts = editor::text_of_parts(parts)});
-}
-
-bool is_selected_whole(const editor::EditorState& state, std::size_t i) {
-    if (i == state.history.present().active) return state.selection.is_whole;
-    const editor::SelectedPart* part = editor::part_of(state.selection.others, i);
-    return part != nullptr && part->is_whole();
 }
 
 /// The curves in the rows between two, both included.
@@ -212,7 +216,7 @@ void draw_name(const PanelContext& context, const CurveRow& row, ImVec2 origin, 
 
 void set_visible(const PanelContext& context, const CurveRow& row, bool is_visible) {
     const Indices curves = curves_of(context, row);
-    if (!row.is_heading)
+    if (curves.size() == 1)
         context.queue.run(editor::SetCurveVisible{.index = row.curve, .visible = is_visible});
     else if (is_visible)
         context.queue.run(editor::ShowCurves{.curves = curves});
@@ -222,7 +226,7 @@ void set_visible(const PanelContext& context, const CurveRow& row, bool is_visib
 
 void set_locked(const PanelContext& context, const CurveRow& row, bool is_locked) {
     const Indices curves = curves_of(context, row);
-    if (!row.is_heading)
+    if (curves.size() == 1)
         context.queue.run(editor::SetCurveLocked{.index = row.curve, .locked = is_locked});
     else if (is_locked)
         context.queue.run(editor::LockCurves{.curves = curves});
@@ -337,9 +341,12 @@ void draw_buttons(const PanelContext& context) {
     add.is_active = context.state.tool == editor::Tool::draw_curve;
     draw_command_button(context, add, editor::TakeTool<editor::Tool::draw_curve>{});
     stay_in_row(context);
-    draw_command_button(context, {"duplicate curve", "duplicate", Icon::none, width}, editor::DuplicateCurve::spec());
+    const bool are_several = context.state.selection.is_over_curves();
+    draw_command_button(context, {"duplicate curve", "duplicate", Icon::none, width},
+                        are_several ? editor::Duplicate::spec() : editor::DuplicateCurve::spec());
     stay_in_row(context);
-    draw_command_button(context, {"delete curve", "delete", Icon::none, width}, editor::DeleteCurve::spec());
+    draw_command_button(context, {"delete curve", "delete", Icon::none, width},
+                        are_several ? editor::DeleteCurves::spec() : editor::DeleteCurve::spec());
 }
 
 }  // namespace

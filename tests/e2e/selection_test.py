@@ -124,7 +124,10 @@ class SelectionTest(WindowTest):
         with self.held(editor, "ctrl"):
             editor.click_widget("curve 0 name")
         self.wait_for_parts(editor, "0 2")
-        editor.key("ctrl+z")
+        editor.click_widget("curve 2 visible")
+        editor.wait(lambda state: state["undo_count"] == 2 and state["is_settled"], "both hidden")
+        self.assertEqual([curve["visible"] for curve in self.curves(editor)], [False, True, False, True])
+        editor.key("ctrl+z", "ctrl+z")
         editor.wait(lambda state: state["undo_count"] == 0 and state["is_settled"], "the order before")
         self.assertEqual(self.names(editor), ["low", "high", "bar", "rod"])
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "app/editor/derived/blend_lines.h"
@@ -9,6 +10,7 @@
 #include "app/editor/pointer/joint_command.h"
 #include "app/editor/pointer/shape_hint.h"
 #include "app/editor/state/selected_parts.h"
+#include "app/editor/upkeep.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/length.h"
 #include "app/editor/words/number_column.h"
@@ -166,6 +168,16 @@ struct SelectHint {
     }
 };
 
+std::string other_point_hint(const EditorState& state, const HoveredOtherPoint& hovered) {
+    const SelectedParts parts = selected_parts(state);
+    const SelectedPart* part = part_of(parts, hovered.curve);
+    const bool is_selected =
+        part != nullptr && (part->is_whole() || std::ranges::binary_search(part->points, hovered.index));
+    if (is_selected) return all_selected_hint();
+    return sentence("Drag {point} of '{name}' to move it · Shift-click selects it, too",
+                    {{"point", point_text(hovered.index)}, {"name", state.shown().curves[hovered.curve].name}});
+}
+
 std::string other_curve_hint(const EditorState& state, std::size_t index) {
     const core::Place name("name", state.shown().curves[index].name);
     const SelectedParts parts = selected_parts(state);
@@ -179,8 +191,9 @@ std::string select_hint(const EditorState& state) {
     const core::DocumentCurve* active = state.shown().active_curve();
     if (const auto* other = std::get_if<HoveredOtherCurve>(&state.hover))
         if (other->index < state.shown().curves.size()) return other_curve_hint(state, other->index);
-    if (std::holds_alternative<HoveredOtherPoint>(state.hover))
-        return "Drag to move it with all that is selected · Shift-click takes it in or out · click to select it alone";
+    if (const auto* point = std::get_if<HoveredOtherPoint>(&state.hover);
+        point != nullptr && is_in(*point, state.shown()))
+        return other_point_hint(state, *point);
     if (std::holds_alternative<HoveredRuler>(state.hover)) return "Drag a guide out of the ruler";
     if (active == nullptr) return "Draw a curve with the pen (N) or open a file (Ctrl+O)";
     if (active->locked) return locked_sentence(*active);

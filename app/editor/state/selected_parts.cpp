@@ -208,6 +208,11 @@ std::vector<std::size_t> curves_showing_points(const EditorState& state) {
         return i < document.curves.size() && document.curves[i].visible && document.curves[i].fit == nullptr;
     };
     Indices shown;
+    if (state.view.overlays.is_shown(Overlay::other_polygons)) {
+        for (std::size_t i = 0; i < document.curves.size(); ++i)
+            if (i != document.active && is_shown(i) && !document.curves[i].locked) shown.push_back(i);
+        return shown;
+    }
     for (const SelectedPart& part : state.selection.others)
         if (!part.is_whole() && is_shown(part.curve)) shown.push_back(part.curve);
     return shown;

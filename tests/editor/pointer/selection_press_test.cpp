@@ -5,6 +5,7 @@
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/group_commands.h"
+#include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/selected_curve_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "tests/editor/canvas_fixture.h"
@@ -162,6 +163,22 @@ TEST_F(SelectionPress, clicks_on_points_of_several_curves) {
     EXPECT_EQ(selected(), "1:2");
     click_with({}, px(0, 0.9));
     EXPECT_EQ(selected(), "");
+}
+
+TEST_F(SelectionPress, points_of_polygons_that_are_shown_are_taken_and_dragged) {
+    editor.run(ToggleOverlay<Overlay::other_polygons>{});
+    pointer.move(px(0, 3.5));
+    EXPECT_EQ(canvas_hint(pointer.mode(), state()), "Drag P₁ of 'curve 2' to move it · Shift-click selects it, too");
+    click_with(shift, px(0, 3.5));
+    EXPECT_EQ(selected(), "1:1");
+    click_with(shift, px(4, -4));
+    EXPECT_EQ(selected(), "1:1 2:1");
+    editor.run(SelectNone{});
+    pointer.drag(px(0, 3.5), px(0.5, 3.75));
+    EXPECT_EQ(points_of(1)[1], core::Point(0.5, 3.75));
+    EXPECT_EQ(state().history.present().active, 1U);
+    EXPECT_EQ(selected(), "1:1");
+    EXPECT_EQ(steps(), 1U);
 }
 
 TEST_F(SelectionPress, what_is_dragged_does_not_snap_to_itself) {
