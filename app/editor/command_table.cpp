@@ -29,6 +29,7 @@ void add_editing_commands(CommandTable& table) {
     add_piece_commands(table);
     add_joint_commands(table);
     add_joint_tool_commands(table);
+    add_joint_mark_commands(table);
     add_corner_commands(table);
     add_trim_commands(table);
     add_closing_commands(table);

@@ -7,6 +7,7 @@
 #include "app/editor/clipboard.h"
 #include "app/editor/command_reader.h"
 #include "app/editor/commands/joint_report.h"
+#include "app/editor/state/kept_joints.h"
 #include "app/editor/state/same_document.h"
 #include "app/editor/state/symmetry_links.h"
 #include "app/editor/upkeep.h"
@@ -67,10 +68,24 @@ StepTexts texts_of_step(const Command& command, const EditorState& state, const 
             core::filled_as_needed(spec.done, places)};
 }
 
+// What marked joints ask for may move the curve further than the edit knows.
+void keep_joints(const core::Document& before, Edit& edit) {
+    const core::DocumentCurve* active = edit.document.active_curve();
+    const auto edited = active == nullptr ? nullptr : active->curve;
+    const auto lost = keep_marked_joints(before, edit.document);
+    active = edit.document.active_curve();
+    if (active != nullptr && active->curve != edited) edit.error.reset();
+    if (!lost) return;
+    std::vector<std::string> told{*lost};
+    if (edit.remark) told.insert(told.begin(), *edit.remark);
+    edit.remark = told_in_turn(told);
+}
+
 // What the command makes of the committed document, with all that must follow from it.
 Outcome<Edit> edit_by(const EditorState& state, const Command& command) {
     Outcome<Edit> edit = command.spec().run.edit(state, command.fields());
     if (!edit) return edit;
+    keep_joints(state.history.present(), *edit);
     if (auto kept = keep_symmetry(state.history.present(), edit->document); !kept) return tl::unexpected(kept.error());
     return edit;
 }
@@ -163,7 +178,8 @@ bool commit_edit(EditorState& state, const Command& command) {
         push_step(state, command, *edit);
     } else {
         state.burst.reset();
-        if (!edit->clipboard && !edit->selection) state.message = {nothing_changed_sentence(), false};
+        if (!edit->clipboard && !edit->selection)
+            state.message = {edit->remark ? *edit->remark : nothing_changed_sentence(), false};
     }
     if (edit->selection) state.selection = *edit->selection;
     return true;

@@ -9,6 +9,7 @@
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/view_commands.h"
 #include "app/editor/fields/expression.h"
+#include "app/editor/state/kept_joints.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/reading_text.h"
 #include "app/ui/insert_row.h"
@@ -99,6 +100,21 @@ void draw_diamond(const PanelContext& context, ImVec2 center, render::Color colo
     list->AddPolyline(corners.data(), 4, imgui_packed(color), ImDrawFlags_Closed, context.px(1.3));
 }
 
+/// What stands in place of the diamond where edits keep the joint: the same as on the canvas.
+void draw_mark(const PanelContext& context, ImVec2 center, render::Color color, core::JointMark mark) {
+    const float r = context.px(4.5);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    if (mark == core::JointMark::corner)
+        list->AddRect(ImVec2(center.x - r, center.y - r), ImVec2(center.x + r, center.y + r), imgui_packed(color));
+    else
+        list->AddCircle(center, r, imgui_packed(color), 0, context.px(1.3));
+    if (mark == core::JointMark::curvature) list->AddCircle(center, 0.5F * r, imgui_packed(color), 0, context.px(1.3));
+}
+
+std::string marked_sentence(core::JointMark mark) {
+    return core::sentence("Edits keep this joint {mark}", {{"mark", core::title_of(mark)}});
+}
+
 void draw_name(const KnotTable& table, const Stack& stack, ImVec2 origin) {
     const PanelContext& context = table.context;
     const std::string indices =
@@ -109,11 +125,17 @@ void draw_name(const KnotTable& table, const Stack& stack, ImVec2 origin) {
         context.panels.inspector.followed_knot = stack.last;
         context.queue.run(editor::SelectKnot{.index = stack.last});
     }
-    report_item(context, name, fmt::format("u{}", indices));
+    const auto mark = editor::mark_of_knot(*context.state.shown().active_curve(), stack.knot.value);
+    if (mark && ImGui::IsItemHovered()) show_tooltip(context, marked_sentence(*mark));
+    report_item(context, name,
+                mark ? fmt::format("u{} {}", indices, core::name_of(*mark)) : fmt::format("u{}", indices));
     const float middle = origin.y + 0.5F * context.px(knot_row_height);
     const render::Color color = stack.knot.in_domain ? context.theme.text : context.theme.dim;
-    draw_diamond(context, ImVec2(origin.x + context.px(knot_overhang + 8), middle),
-                 is_selected(context, stack) ? context.theme.accent : color, is_selected(context, stack));
+    if (mark)
+        draw_mark(context, ImVec2(origin.x + context.px(knot_overhang + 8), middle), color, *mark);
+    else
+        draw_diamond(context, ImVec2(origin.x + context.px(knot_overhang + 8), middle),
+                     is_selected(context, stack) ? context.theme.accent : color, is_selected(context, stack));
     draw_text(context, ImVec2(origin.x + context.px(knot_overhang + 20), middle),
               {fmt::format("u_{{{}}}", indices), context.fonts.text, 0.0, color, render::Anchor::left,
                context.px(knot_name_width - 22)});

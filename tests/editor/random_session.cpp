@@ -23,6 +23,7 @@
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/invariance_commands.h"
 #include "app/editor/commands/joint_commands.h"
+#include "app/editor/commands/joint_mark_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/knot_question_commands.h"
 #include "app/editor/commands/making_commands.h"
@@ -108,8 +109,14 @@ Command RandomSession::shape_command(const EditorState& state, const core::Curve
     const std::size_t n = curve.control_points().size();
     switch (below(17)) {
         case 14:
+            if (below(2) == 0) {
+                const core::KnotVector& knots = curve.knots();
+                return MarkJoint{.mark = any<core::JointMark>(),
+                                 .u = knots.stored()[index(knots.stored().size()) % knots.stored().size()]};
+            }
             return PinPoints{.points = {index(n)}};
         case 15:
+            if (below(4) == 0) return UnmarkJoint{.u = parameter(state)};
             return UnpinPoints{.points = indices(n)};
         case 16:
             return SoftMove{.center = point(9), .offset = vector(1), .radius = between(-0.2, 9)};

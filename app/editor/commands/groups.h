@@ -36,6 +36,7 @@ void add_subdivision_commands(CommandTable& table);
 void add_piece_commands(CommandTable& table);
 void add_joint_commands(CommandTable& table);
 void add_joint_tool_commands(CommandTable& table);
+void add_joint_mark_commands(CommandTable& table);
 void add_corner_commands(CommandTable& table);
 void add_trim_commands(CommandTable& table);
 void add_closing_commands(CommandTable& table);

@@ -13,6 +13,7 @@
 #include "app/editor/commands/group_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/joint_commands.h"
+#include "app/editor/commands/joint_mark_commands.h"
 #include "app/editor/commands/joint_tool_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/overlay_commands.h"
@@ -74,7 +75,16 @@ class Menu {
             const double u = curve->knots().stored()[index];
             if (curve->domain().contains(u)) add(ShowHandlebar{.u = u});
         }
+        joint_marks();
         offer<SelectNone>();
+    }
+
+    /// Of the selected knot, or of the place of the handlebar.
+    void joint_marks() {
+        group();
+        using enum core::JointMark;
+        offer<MarkAs<corner>, MarkAs<smooth>, MarkAs<curvature>, UnmarkJoint>();
+        group();
     }
 
     void place_on_curve(double u) {
@@ -261,8 +271,10 @@ struct FillByTarget {
         if (const auto* leg = std::get_if<HoveredLeg>(&target.hit)) return menu.leg(leg->index, target.position);
         if (const auto* curve = std::get_if<HoveredCurve>(&target.hit)) return place_on_curve(curve->u);
         if (std::holds_alternative<HoveredParameter>(target.hit)) return place_on_curve(state.parameter());
-        if (std::holds_alternative<HoveredHandlebar>(target.hit) && state.selection.handlebar)
+        if (std::holds_alternative<HoveredHandlebar>(target.hit) && state.selection.handlebar) {
+            menu.joint_marks();
             return place_on_curve(*state.selection.handlebar);
+        }
         menu.canvas();
     }
     void operator()(const OnPlot& target) const {

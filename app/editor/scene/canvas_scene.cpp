@@ -21,6 +21,7 @@
 #include "app/editor/scene/handlebar_marks.h"
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/legend.h"
+#include "app/editor/scene/marked_joints.h"
 #include "app/editor/scene/other_curves.h"
 #include "app/editor/scene/pictures.h"
 #include "app/editor/scene/place_marks.h"
@@ -98,6 +99,7 @@ void draw_lines_of_active_curve(CanvasFrame& frame, const render::DrawList& list
 void draw_marks_of_active_curve(CanvasFrame& frame, const render::DrawList& list, const CanvasMarks& marks,
                                 const std::vector<render::PixelBox>& covered) {
     draw_curve_knots(frame, marks.knots);
+    draw_marked_joints(frame);
     draw_hovered_place(frame);
     const std::size_t first = list.commands.size();
     if (frame.shows(Overlay::construction)) draw_construction(frame);

@@ -122,7 +122,8 @@ void unlink_copies(core::Document& document) {
 }
 
 bool is_as_it_was(const core::DocumentCurve& old, const core::DocumentCurve& now) {
-    return old.curve == now.curve && old.symmetry == now.symmetry && old.pinned == now.pinned && old.fit == now.fit;
+    return old.curve == now.curve && old.symmetry == now.symmetry && old.pinned == now.pinned && old.fit == now.fit &&
+           old.joints.knots == now.joints.knots;
 }
 
 // The member that leads; none where the edit changed none of them.
@@ -151,6 +152,7 @@ Outcome<void> follow(const core::Document& before, core::Document& after, const 
     }
     if (!original) return tl::unexpected(core::describe(original.error()));
     const std::vector<std::size_t> pinned = after.curves[leader].pinned;
+    const std::vector<core::KnotMark> marks = after.curves[leader].joints.knots;
     for (const std::size_t i : members) {
         core::DocumentCurve& entry = after.curves[i];
         if (entry.locked)
@@ -161,6 +163,7 @@ Outcome<void> follow(const core::Document& before, core::Document& after, const 
         replace_curve(entry, std::make_shared<const core::Curve>(*std::move(image)));
         entry.fit = image_of_fit(fit, map_to_image(*entry.symmetry));
         entry.pinned = pinned;
+        entry.joints.knots = marks;
     }
     return {};
 }

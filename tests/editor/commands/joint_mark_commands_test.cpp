@@ -1,0 +1,267 @@
+#include "app/editor/commands/joint_mark_commands.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/fairing_commands.h"
+#include "app/editor/commands/knot_commands.h"
+#include "app/editor/commands/piece_commands.h"
+#include "app/editor/commands/pin_commands.h"
+#include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/shape_commands.h"
+#include "app/editor/commands/symmetry_commands.h"
+#include "app/editor/state/kept_joints.h"
+#include "app/editor/state/same_document.h"
+#include "core/evaluate/evaluate.h"
+#include "tests/editor/sample_editor.h"
+
+namespace batten::editor {
+namespace {
+
+using core::JointMark;
+
+/// Three cubic Bézier pieces, smooth at u = 1, with a corner at u = 2.
+const char* pieces_text = R"({ "format": "batten", "version": 1, "curves": [
+  { "name": "pieces", "degree": 3, "knots": [0,0,0,0,1,1,1,2,2,2,3,3,3,3],
+    "points": [[-6,0],[-5,3],[-1,0],[0,0],[2,0],[5,3],[6,0],[8,0],[9,-3],[12,-3]] } ] })";
+
+/// An S of two curves that meet at (0, 0), the second of which runs toward it.
+const char* two_text = R"({ "format": "batten", "version": 1, "curves": [
+  { "name": "first", "degree": 3, "knots": [0,0,0,0,1,1,1,1], "points": [[-6,0],[-5,3],[-1,1],[0,0]] },
+  { "name": "second", "degree": 3, "knots": [0,0,0,0,2,2,2,2], "points": [[6,0],[5,-3],[1,1],[0,0]] } ] })";
+
+class MarkedJoints : public testing::Test {
+  protected:
+    template <class C>
+    bool run(const C& command) {
+        return editor.run(command);
+    }
+    const EditorState& state() const { return editor.state(); }
+    const std::string& message() const { return state().message.text; }
+    const core::DocumentCurve& entry(std::size_t i = 0) const { return document(editor).curves[i]; }
+    core::Point point(std::size_t i, std::size_t of = 0) const { return entry(of).curve->control_points()[i]; }
+
+    double turn(double u, std::size_t of = 0) const {
+        const core::Vector before = core::derivatives_at(*entry(of).curve, u, 1, core::Side::left)[1];
+        const core::Vector after = core::derivatives_at(*entry(of).curve, u, 1, core::Side::right)[1];
+        EXPECT_GT(core::dot(before, after), 0.0);
+        return core::cross(before, after) / (core::length(before) * core::length(after));
+    }
+    void expect_kept(std::size_t of = 0) const {
+        for (const core::KnotMark& mark : entry(of).joints.knots) {
+            if (mark.mark == JointMark::corner) continue;
+            EXPECT_NEAR(turn(mark.u, of), 0.0, 1e-12);
+            if (mark.mark != JointMark::curvature) continue;
+            const double left = core::curvature_at(*entry(of).curve, mark.u, core::Side::left).value();
+            const double right = core::curvature_at(*entry(of).curve, mark.u, core::Side::right).value();
+            EXPECT_NEAR(left, right, 1e-9 * std::max({std::abs(left), std::abs(right), 0.1}));
+        }
+    }
+
+    Editor editor;
+};
+
+TEST_F(MarkedJoints, a_smooth_one_stays_smooth_while_its_neighbor_is_dragged) {
+    open_text(editor, pieces_text);
+    const core::Curve before = curve(editor);
+    ASSERT_TRUE(run(MarkJoint{.mark = JointMark::smooth, .u = 1}));
+    EXPECT_EQ(message(), "Marked the joint at u = 1 smooth (G1); the curve is unchanged");
+    // It is smooth already.
+    EXPECT_EQ(curve(editor), before);
+    EXPECT_EQ(mark_at(state(), 1), JointMark::smooth);
+    ASSERT_TRUE(run(SetPoint{.index = 4, .position = {0, 3}}));
+    EXPECT_EQ(point(4), core::Point(0, 3));
+    EXPECT_NEAR(point(2).x, 0.0, 1e-13);
+    EXPECT_NEAR(point(2).y, -1.0, 1e-13);
+    for (const std::size_t i : {0U, 1U, 3U, 5U, 6U, 7U, 8U, 9U}) EXPECT_EQ(point(i), before.control_points()[i]);
+    EXPECT_NEAR(turn(1), 0.0, 1e-12);
+    run(Undo{});
+    EXPECT_EQ(curve(editor), before);
+    run(Undo{});
+    EXPECT_TRUE(entry().joints.is_empty());
+}
+
+TEST_F(MarkedJoints, a_preview_keeps_it_too) {
+    open_text(editor, pieces_text);
+    run(MarkJoint{.mark = JointMark::smooth, .u = 1});
+    editor.run(SetPoint{.index = 4, .position = {0, 3}}, Phase::preview);
+    EXPECT_NEAR(state().shown().active_curve()->curve->control_points()[2].y, -1.0, 1e-13);
+    EXPECT_EQ(point(2), core::Point(-1, 0));
+}
+
+TEST_F(MarkedJoints, a_corner_becomes_smooth_and_then_free) {
+    open_text(editor, pieces_text);
+    ASSERT_TRUE(run(MarkJoint{.mark = JointMark::curvature, .u = 2}));
+    expect_kept();
+    EXPECT_EQ(point(6), core::Point(6, 0));
+    ASSERT_TRUE(run(UnmarkJoint{.u = 2}));
+    EXPECT_EQ(message(), "Unmarked the joint at u = 2");
+    ASSERT_TRUE(run(SetPoint{.index = 5, .position = {6, 4}}));
+    EXPECT_GT(std::abs(turn(2)), 0.01);
+    EXPECT_FALSE(run(UnmarkJoint{.u = 2}));
+    EXPECT_EQ(message(), "the joint at u = 2 has no mark");
+}
+
+TEST_F(MarkedJoints, what_is_no_joint_is_refused) {
+    open_text(editor, pieces_text);
+    EXPECT_FALSE(run(MarkJoint{.mark = JointMark::smooth, .u = 0.5}));
+    EXPECT_EQ(message(), "u = 0.5 is no knot; insert one there first");
+    EXPECT_FALSE(run(MarkJoint{.mark = JointMark::smooth, .u = 0}));
+    EXPECT_EQ(message(), "no other end meets this one; join or match them first");
+    EXPECT_FALSE(run(MarkAs<JointMark::smooth>{}));
+    EXPECT_EQ(message(), "no knot is selected");
+    // Nothing that could turn.
+    run(PinPoints{.points = {5, 6, 7}});
+    EXPECT_FALSE(run(MarkJoint{.mark = JointMark::smooth, .u = 2}));
+    EXPECT_EQ(message(), "the curve cannot be made smooth (G1) at u = 2");
+    EXPECT_TRUE(entry().joints.is_empty());
+}
+
+TEST_F(MarkedJoints, the_selected_knot_is_meant) {
+    open_text(editor, pieces_text);
+    run(SelectKnot{.index = 5});
+    ASSERT_TRUE(run(MarkAs<JointMark::curvature>{}));
+    EXPECT_EQ(mark_at(state(), 1), JointMark::curvature);
+    EXPECT_TRUE(MarkAs<JointMark::curvature>::spec().is_checked(state()));
+    ASSERT_TRUE(run(MarkAs<JointMark::corner>{}));
+    EXPECT_EQ(entry().joints.knots.size(), 1U);
+    ASSERT_TRUE(run(SetPoint{.index = 4, .position = {1, 5}}));
+    EXPECT_GT(std::abs(turn(1)), 0.1);
+}
+
+TEST_F(MarkedJoints, what_cannot_be_kept_is_done_and_told) {
+    open_text(editor, pieces_text);
+    run(MarkJoint{.mark = JointMark::smooth, .u = 1});
+    run(PinPoints{.points = {2}});
+    // Onto its neighbor, where the curve has no direction.
+    ASSERT_TRUE(run(SetPoint{.index = 3, .position = {-1, 0}}));
+    EXPECT_TRUE(entry().joints.is_empty()) << message();
+    EXPECT_NE(message().find("the joint at u = 1 could not be kept smooth (G1), and its mark is gone"),
+              std::string::npos)
+        << message();
+}
+
+TEST_F(MarkedJoints, marks_follow_their_knots) {
+    open_text(editor, pieces_text);
+    run(MarkJoint{.mark = JointMark::smooth, .u = 1});
+    run(MarkJoint{.mark = JointMark::corner, .u = 2});
+    ASSERT_TRUE(run(Reverse{}));
+    EXPECT_EQ(entry().joints.knots, (std::vector<core::KnotMark>{{1, JointMark::corner}, {2, JointMark::smooth}}));
+    ASSERT_TRUE(run(SetKnots{.knots = {0, 0, 0, 0, 2, 2, 2, 5, 5, 5, 6, 6, 6, 6}}));
+    EXPECT_EQ(entry().joints.knots, (std::vector<core::KnotMark>{{2, JointMark::corner}, {5, JointMark::smooth}}));
+    expect_kept();
+    ASSERT_TRUE(run(InsertKnot{.u = 3}));
+    EXPECT_EQ(entry().joints.knots.size(), 2U);
+    ASSERT_TRUE(run(Split{.u = 3}));
+    EXPECT_EQ(entry(0).joints.knots, (std::vector<core::KnotMark>{{2, JointMark::corner}}));
+    EXPECT_EQ(entry(1).joints.knots, (std::vector<core::KnotMark>{{5, JointMark::smooth}}));
+}
+
+TEST_F(MarkedJoints, ends_of_two_curves_stay_together) {
+    open_text(editor, two_text);
+    ASSERT_TRUE(run(MarkJoint{.mark = JointMark::smooth, .u = 1})) << message();
+    // (-1,1) (0,0) (1,1): both turn by 45 degrees.
+    EXPECT_NEAR(point(2).y, 0.0, 1e-13);
+    EXPECT_NEAR(point(2, 1).y, 0.0, 1e-13);
+    EXPECT_EQ(partner_of(document(editor), {0, core::CurveEnd::end}), (DocumentEnd{1, core::CurveEnd::end}));
+    ASSERT_TRUE(run(SetPoint{.index = 3, .position = {0.1, 0.2}}));
+    EXPECT_EQ(point(3, 1), core::Point(0.1, 0.2));
+    EXPECT_EQ(point(0, 1), core::Point(6, 0));
+    EXPECT_EQ(point(1, 1), core::Point(5, -3));
+    const core::Vector leg = point(3) - point(2);
+    EXPECT_NEAR(core::cross(leg, point(2, 1) - point(3, 1)), 0.0, 1e-12);
+    // From the other side, too.
+    run(ActivateCurve{.index = 1});
+    ASSERT_TRUE(run(SetPoint{.index = 2, .position = {0.1, 3}}));
+    EXPECT_NEAR(point(2).x, 0.1, 1e-12);
+    EXPECT_LT(point(2).y, 0.2);
+    ASSERT_TRUE(run(UnmarkJoint{.u = 2}));
+    EXPECT_TRUE(entry(0).joints.is_empty() && entry(1).joints.is_empty());
+}
+
+TEST_F(MarkedJoints, a_deleted_curve_takes_its_joint_along_and_a_copy_has_none) {
+    open_text(editor, two_text);
+    run(MarkJoint{.mark = JointMark::corner, .u = 1});
+    ASSERT_TRUE(run(DuplicateCurve{.index = 1, .shift = 0.5}));
+    EXPECT_TRUE(entry(2).joints.is_empty());
+    ASSERT_TRUE(run(DeleteCurve{.index = 1}));
+    EXPECT_TRUE(entry(0).joints.is_empty());
+    run(Undo{});
+    EXPECT_EQ(entry(0).joints.ends.size(), 1U);
+}
+
+TEST_F(MarkedJoints, images_have_the_marks_of_each_other) {
+    open_text(editor, pieces_text);
+    run(MarkJoint{.mark = JointMark::smooth, .u = 1});
+    ASSERT_TRUE(run(LinkMirror{.center = {0, -8}, .angle = 0, .is_smooth = false}));
+    EXPECT_EQ(entry(1).joints.knots, entry(0).joints.knots);
+    ASSERT_TRUE(run(SetPoint{.index = 4, .position = {0, 3}}));
+    expect_kept(0);
+    expect_kept(1);
+}
+
+TEST_F(MarkedJoints, fairing_and_reducing_keep_them) {
+    open_text(editor, pieces_text);
+    run(MarkJoint{.mark = JointMark::curvature, .u = 1});
+    run(MarkJoint{.mark = JointMark::smooth, .u = 2});
+    for (const Command& command :
+         {Command(Fair{.distance = 0.2}), Command(FairPart{.from = 0.2, .to = 1.8, .distance = 0.3}),
+          Command(MoveCurvePoint{.u = 1.2, .position = {1.5, 1.0}}),
+          Command(SetTangent{.u = 1.0, .derivative = {4.0, 2.0}}), Command(SetWeight{.index = 4, .weight = 2.0})}) {
+        ASSERT_TRUE(editor.run(command)) << message();
+        EXPECT_EQ(entry().joints.knots.size(), 2U) << message();
+        expect_kept();
+    }
+}
+
+TEST_F(MarkedJoints, two_hundred_random_edits_keep_all_and_are_undone_bit_by_bit) {
+    open_text(editor, pieces_text);
+    run(MarkJoint{.mark = JointMark::curvature, .u = 1});
+    run(MarkJoint{.mark = JointMark::smooth, .u = 2});
+    ASSERT_EQ(entry().joints.knots.size(), 2U);
+    const core::Document start = document(editor);
+    const std::size_t first = state().history.undo_count();
+    std::mt19937 random(11);
+    const auto between = [&](double lower, double upper) {
+        return std::uniform_real_distribution(lower, upper)(random);
+    };
+    for (int k = 0; k < 200; ++k) {
+        const std::size_t i = std::uniform_int_distribution<std::size_t>(0, 9)(random);
+        const core::Vector offset(between(-0.4, 0.4), between(-0.4, 0.4));
+        const core::Point home = start.curves[0].curve->control_points()[i];
+        switch (k % 4) {
+            case 0:
+                run(MoveCurvePoint{.u = between(0, 3), .position = core::point_at(curve(editor), between(0, 3))});
+                run(Undo{});
+                run(MoveCurvePoint{.u = 0.3 + 0.8 * (k % 3),
+                                   .position = core::point_at(curve(editor), 0.3 + 0.8 * (k % 3)) + offset});
+                break;
+            case 1:
+                run(SoftMove{.center = home, .offset = offset, .radius = 3.0});
+                break;
+            default:
+                // Near its home, so that the shape does not degenerate.
+                run(SetPoint{.index = i, .position = home + offset});
+        }
+        ASSERT_EQ(entry().joints.knots.size(), 2U) << k << ": " << message();
+        expect_kept();
+    }
+    while (state().history.undo_count() > first) run(Undo{});
+    EXPECT_TRUE(is_same_document(document(editor), start));
+}
+
+TEST_F(MarkedJoints, are_written_and_read) {
+    open_text(editor, two_text);
+    run(MarkJoint{.mark = JointMark::smooth, .u = 1});
+    const core::Document written = document(editor);
+    EXPECT_EQ(core::parse_document(core::format_document(written))->curves[1].joints, written.curves[1].joints);
+    EXPECT_EQ(written.curves[1].joints.ends, (std::vector<core::EndMark>{{core::CurveEnd::end, 0, JointMark::smooth}}));
+}
+
+}  // namespace
+}  // namespace batten::editor
