@@ -9,16 +9,16 @@ namespace batten::editor {
 namespace {
 
 // Around a control point, too.
-constexpr double mark_radius = 10.0;
-constexpr double second_radius = 13.0;
+constexpr double joint_radius = 10.0;
+constexpr double second_joint_radius = 13.0;
 
 void draw_joint_mark(CanvasFrame& frame, core::Point point, core::JointMark mark) {
     const glm::dvec2 place = frame.screen(point);
-    Symbol symbol{.radius = mark_radius, .fill = no_color, .outline = frame.theme.curve, .outline_width = 1.5};
+    Symbol symbol{.radius = joint_radius, .fill = no_color, .outline = frame.theme.curve, .outline_width = 1.5};
     if (mark == core::JointMark::corner) symbol.shape = render::MarkerShape::square;
     frame.pen.symbol(place, symbol);
     if (mark != core::JointMark::curvature) return;
-    symbol.radius = second_radius;
+    symbol.radius = second_joint_radius;
     frame.pen.symbol(place, symbol);
 }
 

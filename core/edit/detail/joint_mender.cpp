@@ -10,8 +10,8 @@ namespace batten::core {
 namespace {
 
 constexpr int most_mending_steps = 40;
-constexpr double turned_little = 1e-6;  // radians, which Newton's method mends without a guess
-constexpr double farthest = 4.0;        // sizes of what acts, beyond which no solution is meant
+constexpr double turned_little = 1e-6;   // radians, which Newton's method mends without a guess
+constexpr double farthest_mended = 4.0;  // sizes of what acts, beyond which no solution is meant
 
 Vector unit(Vector v) {
     return v / robust_length(v);
@@ -114,7 +114,7 @@ class Mending {
         Box box;
         for (const Point& place : guessed) box.include(place);
         for (const EditedPoint& point : edited_) box.include(point.now);
-        const double allowed = farthest * length(box.size());
+        const double allowed = farthest_mended * length(box.size());
         for (std::size_t j = 0; j < places_.size(); ++j)
             if (!(distance(places_[j], guessed[j]) <= allowed)) return std::nullopt;
         put_ends_together();
