@@ -11,15 +11,9 @@ namespace {
 
 constexpr double most_other_places = 4.0;  // of all lines, for each pixel of the picture's width
 
-/// A visible curve, by its place in the document.
-struct Other {
-    std::size_t index = 0;
-    OtherInk::Item item;
-};
-
-std::vector<Other> others(const CanvasFrame& frame) {
+std::vector<CurveInColor> others(const CanvasFrame& frame) {
     const core::Document& document = frame.state.shown();
-    std::vector<Other> found;
+    std::vector<CurveInColor> found;
     for (std::size_t i = 0; i < document.curves.size(); ++i) {
         const core::DocumentCurve& item = document.curves[i];
         if (i == document.active || !item.visible) continue;
@@ -29,16 +23,16 @@ std::vector<Other> others(const CanvasFrame& frame) {
     return found;
 }
 
-bool is_kept(const OtherInk& kept, const InkPlace& place, const std::vector<Other>& curves) {
+bool is_kept(const OtherInk& kept, const InkPlace& place, const std::vector<CurveInColor>& curves) {
     return !kept.inks.empty() && kept.place == place &&
            std::equal(kept.items.begin(), kept.items.end(), curves.begin(), curves.end(),
-                      [](const OtherInk::Item& item, const Other& other) { return item == other.item; });
+                      [](const OtherInk::Item& item, const CurveInColor& other) { return item == other.item; });
 }
 
-OtherInk inked(CanvasFrame& frame, const InkPlace& place, const std::vector<Other>& curves) {
+OtherInk inked(CanvasFrame& frame, const InkPlace& place, const std::vector<CurveInColor>& curves) {
     OtherInk kept{place, {}, {}};
     std::vector<std::shared_ptr<render::CoverageMap>> maps;
-    for (const Other& other : curves) {
+    for (const CurveInColor& other : curves) {
         kept.items.push_back(other.item);
         const auto of_color = std::find_if(kept.inks.begin(), kept.inks.end(),
                                            [&](const render::Ink& ink) { return ink.color == other.item.color; });
@@ -53,11 +47,11 @@ OtherInk inked(CanvasFrame& frame, const InkPlace& place, const std::vector<Othe
 }
 
 /// The lines of the curves; none where they have too many places.
-std::vector<SeenLine> lines_of(CanvasFrame& frame, const std::vector<Other>& curves) {
+std::vector<SeenLine> lines_of(CanvasFrame& frame, const std::vector<CurveInColor>& curves) {
     const double most = most_other_places * frame.pen.size_px().x;
     double places = 0.0;
     std::vector<SeenLine> lines;
-    for (const Other& other : curves) {
+    for (const CurveInColor& other : curves) {
         auto line = seen_polylines(frame, frame.cache.curve(other.index, other.item.curve).strips());
         if (!line) return {};
         for (const auto& run : line->runs) places += static_cast<double>(run.size());
@@ -69,13 +63,9 @@ std::vector<SeenLine> lines_of(CanvasFrame& frame, const std::vector<Other>& cur
 
 }  // namespace
 
-void draw_other_curves(CanvasFrame& frame) {
-    const core::Document& document = frame.state.shown();
-    frame.cache.forget_beyond(document.curves.size());
-    const std::vector<Other> curves = others(frame);
-    Stroke stroke{.color = {}, .width = other_curve_width};
+void draw_curves(CanvasFrame& frame, const std::vector<CurveInColor>& curves, double width, OtherInk& kept) {
+    Stroke stroke{.color = {}, .width = width};
     const InkPlace place = ink_place(frame, stroke);
-    OtherInk& kept = frame.cache.others();
     if (!is_kept(kept, place, curves)) {
         const std::vector<SeenLine> lines = lines_of(frame, curves);
         for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -85,6 +75,12 @@ void draw_other_curves(CanvasFrame& frame) {
         kept = lines.size() == curves.size() ? OtherInk() : inked(frame, place, curves);
     }
     for (const render::Ink& ink : kept.inks) frame.pen.ink(ink.map, ink.color);
+}
+
+void draw_other_curves(CanvasFrame& frame) {
+    const core::Document& document = frame.state.shown();
+    frame.cache.forget_beyond(document.curves.size());
+    draw_curves(frame, others(frame), other_curve_width, frame.cache.others());
     // Over its dimmer line, which so need not be left out.
     const auto* hovered = std::get_if<HoveredOtherCurve>(&frame.state.hover);
     if (hovered == nullptr || hovered->index >= document.curves.size()) return;

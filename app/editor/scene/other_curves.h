@@ -26,8 +26,19 @@ struct OtherInk {
     std::vector<render::Ink> inks;  ///< in the order of the first curves of their colors; none when lines show all
 };
 
+/// A visible curve, by its place in the document, and the color that it gets.
+struct CurveInColor {
+    std::size_t index = 0;
+    OtherInk::Item item;
+};
+
+/// The curves as lines `width` design pixels wide; where these have more places than the picture should have, as ink,
+/// which stays in `kept`. Cost: where these are the same curves in the same view as the last time and in ink, that of
+/// finding so.
+void draw_curves(CanvasFrame& frame, const std::vector<CurveInColor>& curves, double width, OtherInk& kept);
+
 /// All visible curves but the active one, thinner and dimmer than that; over them a hovered one at full strength. Cost:
-/// where these are the same curves in the same view as the last time and in ink, that of finding so.
+/// that of draw_curves().
 void draw_other_curves(CanvasFrame& frame);
 
 }  // namespace batten::editor

@@ -70,6 +70,7 @@ class SceneCache {
     KeptCurve& ghost(const std::shared_ptr<const core::Curve>& curve);
 
     OtherInk& others() { return others_; }
+    OtherInk& selected_others() { return selected_others_; }
 
     FilledShapes& fills() { return fills_; }
 
@@ -83,6 +84,7 @@ class SceneCache {
     std::vector<std::unique_ptr<KeptCurve>> curves_;
     std::unique_ptr<KeptCurve> ghost_;
     OtherInk others_;
+    OtherInk selected_others_;
     FilledShapes fills_;
     BasisCache basis_;
 };

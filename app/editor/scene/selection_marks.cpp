@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/editor/scene/other_curves.h"
+#include "app/editor/scene/scene_cache.h"
 #include "app/editor/scene/seen_line.h"
 #include "app/editor/state/point_hues.h"
 #include "app/editor/state/selected_parts.h"
@@ -16,7 +18,7 @@ constexpr double polygon_share = 0.6;
 constexpr double other_point_radius = 3.5;
 constexpr double selected_point_radius = 5.5;
 constexpr double hovered_point_radius = 7.0;
-constexpr std::size_t most_all_points = 2000;  // of a curve, of which also those are shown that are not selected
+constexpr std::size_t most_all_points = 2000;  // of curves of which also those are shown that are not selected
 constexpr std::size_t most_selected_points = 4000;
 
 Stroke band(const CanvasFrame& frame) {
@@ -50,19 +52,25 @@ void draw_point(CanvasFrame& frame, const core::DocumentCurve& entry, std::size_
             place, {.radius = radius + 1.0, .fill = no_color, .outline = frame.theme.accent, .outline_width = 2.0});
 }
 
-void draw_part_points(CanvasFrame& frame, const SelectedPart& part) {
+/// How many control points of other curves are drawn, of all that are and of those that are selected.
+struct PointBudget {
+    std::size_t left = most_all_points;
+    std::size_t step = 1;  // of so many selected ones one is drawn
+};
+
+void draw_part_points(CanvasFrame& frame, const SelectedPart& part, PointBudget& budget) {
     const core::DocumentCurve& entry = frame.state.shown().curves[part.curve];
     const std::size_t count = entry.curve->control_points().size();
     const auto is_selected = [&](std::size_t i) {
         return std::binary_search(part.points.begin(), part.points.end(), i);
     };
-    if (count <= most_all_points) {
+    if (count <= budget.left) {
+        budget.left -= count;
         draw_polygon(frame, *entry.curve);
         for (std::size_t i = 0; i < count; ++i)
             if (!is_selected(i)) draw_point(frame, entry, part.curve, i, false);
     }
-    const std::size_t step = part.points.size() / most_selected_points + 1;
-    for (std::size_t k = 0; k < part.points.size(); k += step)
+    for (std::size_t k = 0; k < part.points.size(); k += budget.step)
         if (part.points[k] < count) draw_point(frame, entry, part.curve, part.points[k], true);
 }
 
@@ -70,11 +78,11 @@ void draw_part_points(CanvasFrame& frame, const SelectedPart& part) {
 
 void draw_selected_others(CanvasFrame& frame) {
     const core::Document& document = frame.state.shown();
-    for (const SelectedPart& part : frame.state.selection.others) {
-        if (!part.is_whole() || part.curve >= document.curves.size() || !document.curves[part.curve].visible) continue;
-        KeptCurve& kept = frame.cache.curve(part.curve, document.curves[part.curve].curve);
-        if (const auto line = seen_polylines(frame, kept.strips())) draw_line(frame, *line, band(frame));
-    }
+    std::vector<CurveInColor> curves;
+    for (const SelectedPart& part : frame.state.selection.others)
+        if (part.is_whole() && part.curve < document.curves.size() && document.curves[part.curve].visible)
+            curves.push_back({part.curve, {document.curves[part.curve].curve, band(frame).color}});
+    draw_curves(frame, curves, band_width, frame.cache.selected_others());
 }
 
 void draw_selected_active(CanvasFrame& frame) {
@@ -82,9 +90,15 @@ void draw_selected_active(CanvasFrame& frame) {
 }
 
 void draw_other_points(CanvasFrame& frame) {
-    const SelectedParts& others = frame.state.selection.others;
+    std::vector<const SelectedPart*> parts;
+    std::size_t selected = 0;
     for (const std::size_t curve : curves_showing_points(frame.state))
-        if (const SelectedPart* part = part_of(others, curve)) draw_part_points(frame, *part);
+        if (const SelectedPart* part = part_of(frame.state.selection.others, curve)) {
+            parts.push_back(part);
+            selected += part->points.size();
+        }
+    PointBudget budget{.step = selected / most_selected_points + 1};
+    for (const SelectedPart* part : parts) draw_part_points(frame, *part, budget);
 }
 
 }  // namespace batten::editor

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/editor/scene_sample.h"
 
 namespace batten::editor {
@@ -71,6 +73,33 @@ TEST(SelectionMarks, very_many_points_are_some) {
     state.selection.others = {part};
     const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
     EXPECT_LE(test::markers_of(list, render::MarkerShape::disc, 5.5F).size(), 4000U);
+}
+
+TEST(SelectionMarks, very_many_curves_are_marked_by_no_more_than_a_picture_holds) {
+    EditorState state = several_curves();
+    core::Document document = state.history.present();
+    core::CurveDefinition zigzag{.degree = 1, .knots = {0}};
+    for (int i = 0; i < 500; ++i) {
+        zigzag.points.push_back({-5 + 0.02 * i, i % 2 == 0 ? 0.0 : 0.5});
+        zigzag.knots.push_back(i);
+    }
+    zigzag.knots.push_back(499);
+    document.curves[1].curve = std::make_shared<const core::Curve>(core::Curve::make(zigzag).value());
+    for (int k = 0; k < 40; ++k) document.curves.push_back(document.curves[1]);
+    state.history = History(document);
+    state.selection.others.clear();
+    for (std::size_t k = 3; k < document.curves.size(); ++k) state.selection.others.push_back({k});
+    const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
+    std::size_t places = 0;
+    for (const render::Polyline& line : test::all_of<render::Polyline>(list)) places += line.points.size();
+    EXPECT_LT(places, 10'000U);
+    const Theme theme = theme_of(state.view.theme);
+    const auto inks = test::all_of<render::Ink>(list);
+    EXPECT_TRUE(std::ranges::any_of(
+        inks, [&](const render::Ink& ink) { return ink.color == render::blended(theme.accent, 0.4, theme.canvas); }));
+    for (SelectedPart& part : state.selection.others) part.points = {1, 2, 3};
+    EXPECT_LE(test::markers_of(test::canvas_picture(state, CanvasIdle{}), render::MarkerShape::disc, 3.5F).size(),
+              2000U);
 }
 
 TEST(SelectionMarks, a_locked_curve_is_paler) {
