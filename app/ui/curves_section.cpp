@@ -346,7 +346,7 @@ void draw_buttons(const PanelContext& context) {
                         are_several ? editor::Duplicate::spec() : editor::DuplicateCurve::spec());
     stay_in_row(context);
     draw_command_button(context, {"delete curve", "delete", Icon::none, width},
-                        are_several ? editor::DeleteCurves::spec() : editor::DeleteCurve::spec());
+                        are_several ? editor::Delete::spec() : editor::DeleteCurve::spec());
 }
 
 }  // namespace
