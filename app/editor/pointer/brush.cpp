@@ -17,7 +17,7 @@
 namespace batten::editor {
 namespace {
 
-constexpr double grip_reach = 9.0;       // design pixels, within which a control point or the curve is meant
+constexpr double target_reach = 9.0;     // design pixels, within which a control point or the curve is meant
 constexpr std::size_t most_held = 4000;  // control points that are marked
 constexpr double steps_per_reach = 8.0;
 constexpr int most_steps = 500;          // to each side
@@ -35,7 +35,7 @@ core::Point gripped_place(const Gesture& gesture) {
     if (committed_curve(gesture.state) == nullptr) return pointer;
     const core::NearParts& parts = near_parts(gesture.state);
     const auto points = parts.curve().control_points();
-    double least = pixels(gesture.state, grip_reach) / gesture.state.view.camera.scale;
+    double least = pixels(gesture.state, target_reach) / gesture.state.view.camera.scale;
     std::optional<core::Point> found;
     parts.visit_near(pointer, least, [&](std::size_t i) {
         const core::Point point = points[i % points.size()];

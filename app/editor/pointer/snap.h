@@ -12,7 +12,7 @@ struct Dragged {
     std::span<const std::size_t> points{};  ///< control points of the active curve, ascending
     bool is_curve = false;                  ///< all of the active curve
     std::optional<std::size_t> guide{};
-    std::optional<core::Point> from{};  ///< what angles and lengths count from, if not from where it was
+    std::optional<core::Point> from{};      ///< what angles and lengths count from, if not from where it was
     std::span<const SelectedPart> parts{};  ///< of any curves, ascending by curve
 };
 
