@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/editor/commands/brush_commands.h"
+#include "app/editor/commands/closing_commands.h"
 #include "app/editor/commands/degree_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/stroke_commands.h"
@@ -167,7 +168,7 @@ void draw_closed_row(const PanelContext& context, const core::Curve& curve) {
     box.tooltip = is_possible ? locked_sentence(context.state)
                               : core::sentence("Not possible: {reason}.",
                                                {{"reason", core::describe(core::set_periodic(curve, false).error())}});
-    if (draw_check_box(context, box)) context.queue.run(editor::ToggleClosed{});
+    if (draw_check_box(context, box)) context.queue.run(editor::CloseOrOpen{});
     stay_in_row(context);
     draw_tears_box(context, field_width(context) - box.width_px - context.px(row_gap));
 }

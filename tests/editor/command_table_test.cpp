@@ -36,6 +36,7 @@ TEST(CommandTable, has_the_agreed_commands) {
                              "set-knots",
                              "set-kind",
                              "toggle-closed",
+                             "close-or-open",
                              "set-degree",
                              "elevate",
                              "reduce",
@@ -203,9 +204,9 @@ TEST(CommandTable, keeps_the_edit_menu_short) {
 TEST(CommandTable, marks_what_commands_do_to_the_shape) {
     for (const char* name : {"insert-knot", "insert-midpoints", "raise-knot", "elevate"})
         EXPECT_EQ(find_command(name)->effect, ShapeEffect::keeps) << name;
-    for (const char* name :
-         {"move-knot", "set-knot", "delete-knot", "set-knots", "set-kind", "toggle-closed", "set-degree", "reduce",
-          "move-points", "set-weight", "move-farin-point", "make-circular", "add-point", "delete-points", "delete"})
+    for (const char* name : {"move-knot", "set-knot", "delete-knot", "set-knots", "set-kind", "toggle-closed",
+                             "close-or-open", "set-degree", "reduce", "move-points", "set-weight", "move-farin-point",
+                             "make-circular", "add-point", "delete-points", "delete"})
         EXPECT_EQ(find_command(name)->effect, ShapeEffect::changes) << name;
     for (const char* name : {"new-curve", "rename-curve", "paste", "undo", "fit"})
         EXPECT_EQ(find_command(name)->effect, ShapeEffect::none) << name;

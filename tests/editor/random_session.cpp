@@ -185,7 +185,7 @@ Command RandomSession::closing_command(const EditorState& state, const core::Cur
     const std::size_t n = curve.control_points().size();
     // Each of these may add points.
     if (n > 25) return DeletePoints{.points = {3}};
-    switch (below(9)) {
+    switch (below(10)) {
         case 0:
             return ToPeriodic{.tolerance = between(-0.1, 2)};
         case 1:
@@ -203,6 +203,8 @@ Command RandomSession::closing_command(const EditorState& state, const core::Cur
             return Straighten{.from = index(n), .to = index(n)};
         case 7:
             return ShareVertices{.other = name(), .end = any<core::CurveEnd>()};
+        case 8:
+            return CloseOrOpen{};
         default:
             return one_of(state, {FindClosing::spec(), FindCollinearRuns::spec(), FindConicForm::spec(),
                                   FindMatrixForm::spec(), FindAnticentroids::spec(), FindFergusonForm::spec(),

@@ -7,6 +7,7 @@
 #include "app/editor/fields/field_kinds.h"
 #include "core/base/sentence.h"
 #include "core/edit/end_vertices.h"
+#include "core/edit/knot_edit.h"
 #include "core/edit/straighten.h"
 #include "core/refine/periodic.h"
 
@@ -20,6 +21,24 @@ Outcome<Edit> edit_with_error(const EditorState& state, const core::Result<core:
     Outcome<Edit> edit = edit_active(state, found->curve);
     if (edit) edit->error = found->error;
     return edit;
+}
+
+Outcome<Edit> close_or_open(const EditorState& state, const CloseOrOpen&) {
+    const core::Curve& curve = active_curve(state);
+    const std::optional<double> tolerance = suggest::tiny_length(state);
+    if (!curve.is_periodic() && tolerance)
+        if (const auto closed = core::to_periodic(curve, *tolerance)) return edit_with_error(state, closed);
+    return edit_active(state, core::set_periodic(curve, !curve.is_periodic()));
+}
+
+StepTexts texts_of_closing_or_opening(const EditorState& state, const CloseOrOpen&) {
+    if (active_curve(state).is_periodic()) return {"Open curve", "Opened curve"};
+    return {"Close curve", "Closed curve"};
+}
+
+bool is_periodic(const EditorState& state) {
+    const core::Curve* curve = state.active_curve();
+    return curve != nullptr && curve->is_periodic();
 }
 
 Outcome<Edit> to_periodic(const EditorState& state, const ToPeriodic& command) {
@@ -75,6 +94,22 @@ Field ends_field() {
 }
 
 }  // namespace
+
+const CommandSpec& CloseOrOpen::spec() {
+    static const CommandSpec spec{
+        .name = "close-or-open",
+        .title = "Closed",
+        .explanation = "Makes the curve a closed, periodic one, which does not move where its ends meet, or opens it.",
+        .synonyms = "close open periodic",
+        .group = CommandGroup::curve,
+        .submenu = "Closing",
+        .effect = ShapeEffect::changes,
+        .refusal = no_editable_curve,
+        .is_checked = is_periodic,
+        .run = body_of<close_or_open>,
+        .texts = texts_of<texts_of_closing_or_opening>};
+    return spec;
+}
 
 const CommandSpec& ToPeriodic::spec() {
     static const CommandSpec spec{
@@ -234,7 +269,7 @@ const CommandSpec& Straighten::spec() {
 }
 
 void add_closing_commands(CommandTable& table) {
-    add_all<ToPeriodic, ToWrapped, ToClamped, MoveSeam>(table);
+    add_all<CloseOrOpen, ToPeriodic, ToWrapped, ToClamped, MoveSeam>(table);
     add_all<DoubleEnd, TripleEnd, PhantomEnd, ShareVertices, Straighten>(table);
 }
 

@@ -9,6 +9,11 @@
 
 namespace batten::editor {
 
+/// Where the ends meet the curve becomes periodic as it is; else its control points do, or it is opened.
+struct CloseOrOpen {
+    static const CommandSpec& spec();
+};
+
 struct ToPeriodic {
     double tolerance;
     static const CommandSpec& spec();

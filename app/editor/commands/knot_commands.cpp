@@ -14,7 +14,6 @@
 #include "core/base/sentence.h"
 #include "core/curve/knot_analysis.h"
 #include "core/refine/knot_insertion.h"
-#include "core/refine/periodic.h"
 
 namespace batten::editor {
 
@@ -181,9 +180,6 @@ StepTexts texts_of_kind(const EditorState&, const SetKind& command, const core::
 
 Outcome<Edit> toggle_closed(const EditorState& state, const ToggleClosed&) {
     const core::Curve& curve = active_curve(state);
-    const std::optional<double> tolerance = suggest::tiny_length(state);
-    if (!curve.is_periodic() && tolerance)
-        if (auto closed = core::to_periodic(curve, *tolerance)) return edit_active(state, std::move(closed));
     return edit_active(state, core::set_periodic(curve, !curve.is_periodic()));
 }
 
@@ -350,10 +346,8 @@ const CommandSpec& SetKind::spec() {
 const CommandSpec& ToggleClosed::spec() {
     static const CommandSpec spec{
         .name = "toggle-closed",
-        .title = "Closed",
-        .explanation =
-            "Makes the curve a closed, periodic one, or opens it; a curve whose ends meet keeps its "
-            "shape.",
+        .title = "Close control polygon",
+        .explanation = "Makes the control points those of a closed, periodic curve, or opens it.",
         .synonyms = "close open periodic",
         .group = CommandGroup::curve,
         .submenu = "Closing",

@@ -117,7 +117,7 @@ class Menu {
         several_curves();
         offer<Cut, Copy, PasteBeside, Duplicate, DeleteCurve>();
         group();
-        offer<RenameCurve, Reverse, Elevate, SetKind, ToggleClosed>();
+        offer<RenameCurve, Reverse, Elevate, SetKind, CloseOrOpen>();
         group();
         const core::Document& document = state_.shown();
         if (const core::DocumentCurve* active = document.active_curve()) {

@@ -28,6 +28,28 @@ class ClosingCommands : public ::testing::Test {
     Editor editor_;
 };
 
+TEST_F(ClosingCommands, close_a_curve_whose_ends_meet_without_moving_it) {
+    EXPECT_TRUE(type("circle 1 2 3"));
+    EXPECT_TRUE(run(CloseOrOpen{}));
+    EXPECT_EQ(state().message.text, "Closed curve; the curve is unchanged");
+    EXPECT_TRUE(curve(editor_).is_periodic());
+    EXPECT_EQ(points(editor_).size(), 8U);
+    for (int k = 0; k < 20; ++k)
+        EXPECT_NEAR(core::distance(core::point_at(curve(editor_), k / 20.0), {1, 2}), 3.0, 1e-14);
+    EXPECT_TRUE(type("polyline 0,0,4,0,0,3,0,0"));
+    EXPECT_TRUE(run(CloseOrOpen{}));
+    EXPECT_EQ(points(editor_), (std::vector<core::Point>{{0, 0}, {4, 0}, {0, 3}}));
+    EXPECT_TRUE(run(CloseOrOpen{}));
+    EXPECT_FALSE(curve(editor_).is_periodic());
+    EXPECT_EQ(state().history.undo_label(), "Open curve");
+    // Where the ends are apart the control points close.
+    EXPECT_TRUE(type("polyline 0,0,4,0,0,3,1,1"));
+    EXPECT_TRUE(run(CloseOrOpen{}));
+    EXPECT_TRUE(curve(editor_).is_periodic());
+    EXPECT_EQ(points(editor_).size(), 4U);
+    EXPECT_EQ(state().history.undo_label(), "Close curve");
+}
+
 TEST_F(ClosingCommands, convert_between_the_three_kinds) {
     open_text(editor_, sample_text);
     run(ActivateCurve{.index = 1});

@@ -7,7 +7,6 @@
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "core/curve/knot_analysis.h"
-#include "core/evaluate/evaluate.h"
 #include "tests/editor/sample_editor.h"
 
 namespace batten::editor {
@@ -226,19 +225,6 @@ TEST_F(KnotCommands, close_and_open_the_curve) {
     EXPECT_TRUE(run(ToggleClosed{}));
     EXPECT_FALSE(curve(editor_).is_periodic());
     EXPECT_EQ(state().history.undo_label(), "Open curve");
-}
-
-TEST_F(KnotCommands, close_a_curve_whose_ends_meet_without_moving_it) {
-    EXPECT_TRUE(type("circle 1 2 3"));
-    EXPECT_TRUE(run(ToggleClosed{}));
-    EXPECT_EQ(state().message.text, "Closed curve; the curve is unchanged");
-    EXPECT_TRUE(curve(editor_).is_periodic());
-    EXPECT_EQ(points(editor_).size(), 8U);
-    for (int k = 0; k < 20; ++k)
-        EXPECT_NEAR(core::distance(core::point_at(curve(editor_), k / 20.0), {1, 2}), 3.0, 1e-14);
-    EXPECT_TRUE(type("polyline 0,0,4,0,0,3,0,0"));
-    EXPECT_TRUE(run(ToggleClosed{}));
-    EXPECT_EQ(points(editor_), (std::vector<core::Point>{{0, 0}, {4, 0}, {0, 3}}));
 }
 
 TEST_F(KnotCommands, change_the_degree_with_and_without_the_shape) {
