@@ -29,10 +29,14 @@ class JointKeeping {
   public:
     JointKeeping(const std::vector<EditedCurve>& curves, const std::vector<KeptJoint>& joints)
         : curves_(curves), joints_(joints), is_lost_(joints.size(), false) {
-        for (const EditedCurve& edited : curves) {
-            const auto points = edited.curve.control_points();
-            points_.emplace_back(points.begin(), points.end());
-            is_over_same_basis_.push_back(is_over_same_basis(edited));
+        std::vector<bool> is_involved(curves.size(), false);
+        for (const KeptJoint& joint : joints) is_involved[joint.before.curve] = is_involved[joint.after.curve] = true;
+        for (std::size_t c = 0; c < curves.size(); ++c) {
+            points_.emplace_back();
+            is_over_same_basis_.push_back(is_involved[c] && is_over_same_basis(curves[c]));
+            if (!is_involved[c]) continue;
+            const auto points = curves[c].curve.control_points();
+            points_.back().assign(points.begin(), points.end());
         }
         for (const KeptJoint& joint : joints) {
             arms_.emplace_back(curves, joint);
@@ -52,11 +56,11 @@ class JointKeeping {
     KeptJoints result() const {
         KeptJoints kept;
         for (std::size_t c = 0; c < curves_.size(); ++c) {
-            CurveDefinition definition = curves_[c].curve.definition();
-            if (definition.points == points_[c]) {
+            if (points_[c].empty() || std::ranges::equal(curves_[c].curve.control_points(), points_[c])) {
                 kept.curves.push_back(curves_[c].curve);
                 continue;
             }
+            CurveDefinition definition = curves_[c].curve.definition();
             definition.points = points_[c];
             const auto curve = Curve::make(std::move(definition));
             kept.curves.push_back(curve ? *curve : curves_[c].curve);

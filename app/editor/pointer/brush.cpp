@@ -209,14 +209,15 @@ core::Interval painted_over(const core::Curve& curve, core::Interval painted, co
 }
 
 std::string brush_hint(const EditorState& state, const Brushing& mode) {
-    if (state.view.brush.kind == BrushKind::fair)
-        return mode.press_px ? "Paint over the part to fair · release to fair it · Escape gives up"
-                             : "Paint over the part of the curve to fair (changes the shape) · the wheel or [ and ] "
-                               "change the brush, Ctrl and the wheel zoom · Escape leaves the tool";
-    return mode.press_px ? "Points follow, the less the farther they are · the wheel or [ and ] change the brush · "
-                           "Escape restores"
-                         : "Drag to move the points within the brush, the less the farther (changes the shape) · the "
-                           "wheel or [ and ] change the brush, Ctrl and the wheel zoom · Escape leaves the tool";
+    const bool fairs = state.view.brush.kind == BrushKind::fair;
+    if (mode.press_px)
+        return fairs ? "Paint over the part to fair · release to fair it · Escape gives up"
+                     : "Points follow, the less the farther they are · wheel, [ and ] resize · Escape restores";
+    return fairs
+               ? "Paint over the part to fair (changes the shape) · wheel, [ and ] resize, Ctrl+wheel zooms · Escape "
+                 "leaves the tool"
+               : "Drag to move the points within softly (changes the shape) · wheel, [ and ] resize, Ctrl+wheel zooms "
+                 "· Escape leaves the tool";
 }
 
 CanvasMode begin_brush(const Gesture& gesture) {

@@ -6,10 +6,8 @@
 
 namespace batten::editor {
 
-/// The circle, and the control points that it holds, the more strongly tinted the more they take of a move.
+/// The circle; the control points that it holds, the more strongly tinted the more they take of a move; and the part of
+/// the curve that is painted.
 void draw_brush(CanvasFrame& frame, const Brushing& mode);
-
-/// Lights the part of the active curve that the mode has painted.
-void light_painted(CanvasFrame& frame, const CanvasMode& mode);
 
 }  // namespace batten::editor

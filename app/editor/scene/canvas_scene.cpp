@@ -2,7 +2,6 @@
 
 #include "app/editor/cards/floating_cards.h"
 #include "app/editor/scene/bezier_polygons.h"
-#include "app/editor/scene/brush_marks.h"
 #include "app/editor/scene/canvas_frame.h"
 #include "app/editor/scene/canvas_labels.h"
 #include "app/editor/scene/construction.h"
@@ -118,7 +117,6 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, 
     if (has_sketch(state)) return sketch_scene(state);
     render::DrawList list;
     CanvasFrame frame(state, cache, list);
-    light_painted(frame, mode);
     draw_pictures(frame, list);
     std::vector<render::PixelBox> covered = draw_background(frame);
     std::vector<CrowdNote> notes;

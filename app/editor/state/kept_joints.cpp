@@ -49,9 +49,10 @@ void follow_knots(const core::Curve& old, core::DocumentCurve& entry) {
     std::ranges::reverse(entry.joints.ends);
 }
 
-// The entry of `before` that `after.curves[i]` was: at its place, else of its name.
+// The entry of `before` that `after.curves[i]` was: at its place, else with its curve, else of its name.
 const core::DocumentCurve* old_entry(const core::Document& before, const core::Document& after, std::size_t i) {
-    if (before.curves.size() == after.curves.size()) return &before.curves[i];
+    if (before.curves.size() == after.curves.size() && before.curves[i].name == after.curves[i].name)
+        return &before.curves[i];
     for (const core::DocumentCurve& entry : before.curves)
         if (entry.curve == after.curves[i].curve) return &entry;
     const auto found = core::index_of_curve(before, after.curves[i].name);
@@ -64,6 +65,45 @@ bool is_new_knot_mark(const core::DocumentCurve* old, const core::KnotMark& mark
 
 bool is_new_end_mark(const core::DocumentCurve* old, const core::EndMark& mark) {
     return old != nullptr && std::ranges::find(old->joints.ends, mark) == old->joints.ends.end();
+}
+
+// What was added to the domain of `old`; empty where nothing was.
+core::Interval added_part(const core::Curve& old, const core::Curve& now) {
+    const core::Interval before = old.domain();
+    const core::Interval after = now.domain();
+    if (after.lower == before.lower && after.upper > before.upper) return {before.upper, after.upper};
+    if (after.upper == before.upper && after.lower < before.lower) return {after.lower, before.lower};
+    return {};
+}
+
+// The knot of `now` that u of `joined` became, where that curve is the part `added`, run through as before or not.
+std::optional<double> joined_knot(const core::Curve& joined, const core::Curve& now, core::Interval added, double u,
+                                  bool is_reversed) {
+    constexpr double rounding = 1e-9;
+    const core::Interval domain = joined.domain();
+    const double share = (is_reversed ? domain.upper - u : u - domain.lower) / domain.length();
+    const double wanted = added.lower + share * added.length();
+    const auto knots = now.knots().stored();
+    const auto above = std::ranges::lower_bound(knots, wanted - rounding * added.length());
+    if (above == knots.end() || *above > wanted + rounding * added.length()) return std::nullopt;
+    return *above;
+}
+
+// The marks of a curve that was joined to another one; none where its knots cannot be told in it.
+std::optional<std::vector<core::KnotMark>> joined_marks(const core::DocumentCurve& joined, const core::Curve& now,
+                                                        core::Interval added) {
+    for (const bool is_reversed : {false, true}) {
+        std::vector<core::KnotMark> marks;
+        const core::Interval domain = joined.curve->domain();
+        bool has_all = true;
+        for (const double u : joined.curve->knots().stored())
+            has_all = has_all && (!domain.contains(u) || joined_knot(*joined.curve, now, added, u, is_reversed));
+        if (!has_all) continue;
+        for (const core::KnotMark& mark : joined.joints.knots)
+            marks.push_back({*joined_knot(*joined.curve, now, added, mark.u, is_reversed), mark.mark});
+        return marks;
+    }
+    return std::nullopt;
 }
 
 int level_of(JointMark mark) {
@@ -80,6 +120,7 @@ class MarkKeeping {
     std::optional<std::string> run() {
         if (!is_concerned()) return std::nullopt;
         for (std::size_t i = 0; i < after_.curves.size(); ++i) follow(i);
+        for (const core::DocumentCurve& entry : before_.curves) take_over(entry);
         pair_ends();
         drop_marks_without_knots();
         collect();
@@ -113,6 +154,24 @@ class MarkKeeping {
         core::DocumentCurve& entry = after_.curves[i];
         if (old_[i] == nullptr || old_[i]->curve == entry.curve || old_[i]->joints != entry.joints) return;
         follow_knots(*old_[i]->curve, entry);
+    }
+
+    // The marks of a curve that is gone go to the one that it was joined to.
+    void take_over(const core::DocumentCurve& gone) {
+        if (gone.joints.knots.empty() || std::ranges::find(old_, &gone) != old_.end()) return;
+        for (std::size_t i = 0; i < after_.curves.size(); ++i) {
+            core::DocumentCurve& entry = after_.curves[i];
+            if (old_[i] == nullptr || old_[i]->curve == entry.curve) continue;
+            const core::Interval added = added_part(*old_[i]->curve, *entry.curve);
+            if (!(added.lower < added.upper)) continue;
+            const auto marks = joined_marks(gone, *entry.curve, added);
+            if (!marks) {
+                unknown_.push_back(gone.name);
+                continue;
+            }
+            entry.joints.knots.insert(entry.joints.knots.end(), marks->begin(), marks->end());
+            std::ranges::sort(entry.joints.knots, {}, &core::KnotMark::u);
+        }
     }
 
     // Of each number the first two ends belong together; copies of these, and ends that are left alone, are unmarked.
@@ -200,6 +259,8 @@ class MarkKeeping {
     }
 
     std::optional<std::string> sentence() const {
+        if (lost_.empty() && !unknown_.empty())
+            return core::sentence("the marked joints of '{name}' are marked no more", {{"name", unknown_.front()}});
         if (lost_.empty()) return std::nullopt;
         if (lost_.size() > 1)
             return core::sentence("{count} marked joints could not be kept, and their marks are gone",
@@ -221,6 +282,7 @@ class MarkKeeping {
     std::vector<core::KeptJoint> joints_;
     std::vector<Source> sources_;
     std::vector<std::size_t> lost_;
+    std::vector<std::string> unknown_;  // curves whose marks found no knots
 };
 
 }  // namespace

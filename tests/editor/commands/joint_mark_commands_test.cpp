@@ -195,6 +195,24 @@ TEST_F(MarkedJoints, a_deleted_curve_takes_its_joint_along_and_a_copy_has_none) 
     EXPECT_EQ(entry(0).joints.ends.size(), 1U);
 }
 
+TEST_F(MarkedJoints, joining_curves_keeps_the_marks_of_both) {
+    open_text(editor, R"({ "format": "batten", "version": 1, "curves": [
+  { "name": "first", "degree": 3, "knots": [0,0,0,0,1,1,1,2,2,2,2], "joints": [{"u": 1, "mark": "smooth"}, {"end": "end", "joint": 3, "mark": "smooth"}],
+    "points": [[-9,0],[-8,1],[-7,0],[-6,0],[-5,0],[-1,0],[0,0]] },
+  { "name": "second", "degree": 3, "knots": [0,0,0,0,3,3,3,4,4,4,4], "joints": [{"u": 3, "mark": "smooth"}, {"end": "end", "joint": 3, "mark": "smooth"}],
+    "points": [[9,0],[8,1],[7,0],[6,0],[4,0],[1,0],[0,0]] } ] })");
+    ASSERT_TRUE(run(Join{.other = "second", .continuity = core::JoinContinuity::g1})) << message();
+    ASSERT_EQ(document(editor).curves.size(), 1U);
+    const auto& marks = entry().joints.knots;
+    ASSERT_EQ(marks.size(), 3U) << message();
+    EXPECT_EQ(marks[0], (core::KnotMark{1, JointMark::smooth}));
+    // The ends that were marked are a knot now, and the other curve runs the other way.
+    EXPECT_EQ(marks[1], (core::KnotMark{2, JointMark::smooth}));
+    EXPECT_NEAR(core::distance(core::point_at(curve(editor), marks[2].u), {6, 0}), 0.0, 1e-9);
+    expect_kept();
+    EXPECT_TRUE(entry().joints.ends.empty());
+}
+
 TEST_F(MarkedJoints, images_have_the_marks_of_each_other) {
     open_text(editor, pieces_text);
     run(MarkJoint{.mark = JointMark::smooth, .u = 1});
