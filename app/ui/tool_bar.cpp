@@ -26,7 +26,7 @@ constexpr double button_pitch = 43.0;
 constexpr double least_pitch = 39.0;  // before some go into the menu of the rest
 constexpr double bar_padding = 12.0;
 constexpr double divider_height = 6.0;
-constexpr double overflow_row_height = 30.0;  // of the menu with what has no room
+constexpr double overflow_row_height = 26.0;  // of the menu with what has no room
 constexpr double row_width = 190.0;
 
 /// One button of the bar.
@@ -137,11 +137,12 @@ void draw_rest(const PanelContext& context, const std::vector<ToolButton>& rest)
             {static_cast<float>(center.x) + context.px(offset), static_cast<float>(center.y)}, context.px(1.8),
             imgui_packed(color));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(8), context.px(8)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(8), context.px(1)));
     if (ImGui::BeginPopup("rest of the tools")) {
         for (const ToolButton& button : rest) draw_menu_row(context, button);
         ImGui::EndPopup();
     }
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
 }
 
 }  // namespace
