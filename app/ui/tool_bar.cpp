@@ -23,7 +23,7 @@ namespace {
 
 constexpr double button_size = 38.0;
 constexpr double button_pitch = 43.0;
-constexpr double least_pitch = 39.0;  // before some go into the menu of the rest
+constexpr double least_pitch = 38.0;  // before some go into the menu of the rest
 constexpr double bar_padding = 12.0;
 constexpr double divider_height = 6.0;
 constexpr double overflow_row_height = 26.0;  // of the menu with what has no room

@@ -123,7 +123,7 @@ std::vector<RulerTick> ruler_ticks(const EditorState& state, RulerAxis axis) {
 }
 
 std::string ruler_number(double value, double step, const Units& units) {
-    constexpr double least_fraction = 1.0 / 64.0;
+    constexpr double least_fraction = 1.0 / 1024.0;
     if (has_inches(units) && step >= least_fraction && std::abs(value) < 1e6) return mixed_number(value);
     // Parts of an inch that are no fractions here take a digit more than decimal steps.
     return grid_number_text(value, has_inches(units) ? step / 10.0 : step);

@@ -12,6 +12,7 @@ namespace batten::editor {
 namespace {
 
 using core::LengthUnit;
+
 /// 1000 x 600 pixels, at `scale` pixels a unit of the world, with the middle at `center`.
 EditorState ruled_state(double scale, core::Point center = {0, 0}, const Units& units = std::nullopt) {
     EditorState state = test::sample_state();
@@ -66,7 +67,7 @@ TEST(Ruler, divides_inches_by_halves) {
     EXPECT_EQ(inch_grid_steps(80.0), (GridSteps{1.0, 0.25, 0.125}));
     EXPECT_EQ(inch_grid_steps(1280.0), (GridSteps{0.0625, 0.015625, 0.0078125}));
     EXPECT_EQ(ruler_number(-2.75, 0.25, inches), "−2 3/4");
-    EXPECT_EQ(ruler_number(0.0078125, 0.0078125, inches), "0.0078");
+    EXPECT_EQ(ruler_number(0.0078125, 0.0078125, inches), "1/128");
 }
 
 TEST(Ruler, has_steps_that_are_parts_of_each_other) {
