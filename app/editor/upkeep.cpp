@@ -55,6 +55,7 @@ struct HoverCheck {
     bool operator()(const HoveredFitHandle& hovered) const { return hovered.index < fit_point_count(document); }
     bool operator()(const HoveredHandlebar&) const { return true; }
     bool operator()(const HoveredGuide& hovered) const { return hovered.index < document.guides.size(); }
+    bool operator()(const HoveredPicture& hovered) const { return hovered.index < document.pictures.size(); }
     bool operator()(const HoveredOtherPoint& hovered) const {
         return (*this)(HoveredOtherCurve{hovered.curve}) &&
                hovered.index < document.curves[hovered.curve].curve->control_points().size();
@@ -87,6 +88,7 @@ bool is_in(const Hover& hover, const core::Document& document) {
     const core::DocumentCurve* active = document.active_curve();
     if (const auto* guide = std::get_if<HoveredGuide>(&hover)) return guide->index < document.guides.size();
     if (std::holds_alternative<HoveredRuler>(hover)) return true;
+    if (const auto* picture = std::get_if<HoveredPicture>(&hover)) return picture->index < document.pictures.size();
     if (active == nullptr) return std::holds_alternative<HoveredNothing>(hover);
     return std::visit(HoverCheck{document, *active->curve}, hover);
 }

@@ -195,6 +195,9 @@ std::string select_hint(const EditorState& state) {
         point != nullptr && is_in(*point, state.shown()))
         return other_point_hint(state, *point);
     if (std::holds_alternative<HoveredRuler>(state.hover)) return "Drag a guide out of the ruler";
+    if (std::holds_alternative<HoveredPicture>(state.hover))
+        return "Drag the picture to move it · Shift-drag selects points in a box · the inspector scales, dims and "
+               "locks it";
     if (active == nullptr) return "Draw a curve with the pen (N) or open a file (Ctrl+O)";
     if (active->locked) return locked_sentence(*active);
     const std::string hint = std::visit(SelectHint{state, *active->curve}, state.hover);

@@ -34,10 +34,14 @@ bool places_points(Tool tool) {
     return tool == Tool::add_point || tool == Tool::draw_curve || tool == Tool::shape;
 }
 
+// What is under the pointer; for the select tool a picture that it would drag, where that is nothing else.
 Hover hit_of_tool(const Gesture& gesture) {
     const glm::dvec2 place = gesture.event.position_px;
-    return gesture.state.tool == Tool::transform ? hit_for_transform(gesture.state, place)
-                                                 : hit_canvas(gesture.state, place);
+    if (gesture.state.tool == Tool::transform) return hit_for_transform(gesture.state, place);
+    const Hover hit = hit_canvas(gesture.state, place);
+    if (gesture.state.tool != Tool::select || !std::holds_alternative<HoveredNothing>(hit)) return hit;
+    const auto picture = picture_at(gesture.state, place);
+    return picture ? Hover(HoveredPicture{*picture}) : hit;
 }
 
 CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {

@@ -12,7 +12,7 @@ bool is_one_of(const Hover& hover) {
 // What the select tool does to the thing under the pointer.
 Cursor select_cursor(const EditorState& state) {
     if (is_one_of<HoveredPoint, HoveredHandle, HoveredFitPoint, HoveredFitHandle, HoveredGuide, HoveredOtherPoint,
-                  HoveredHandlebar>(state.hover))
+                  HoveredHandlebar, HoveredPicture>(state.hover))
         return Cursor::move;
     if (is_one_of<HoveredWeightRing>(state.hover)) return Cursor::vertical;
     const bool is_grip =

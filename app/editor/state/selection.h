@@ -126,6 +126,11 @@ struct HoveredGrip {  ///< of the transform box
     bool operator==(const HoveredGrip&) const = default;
 };
 
+struct HoveredPicture {  ///< a picture that can be dragged
+    std::size_t index = 0;
+    bool operator==(const HoveredPicture&) const = default;
+};
+
 struct HoveredFitPoint {  ///< a point that the active curve is made to pass
     std::size_t index = 0;
     bool operator==(const HoveredFitPoint&) const = default;
@@ -149,7 +154,7 @@ using Hover =
     std::variant<HoveredNothing, HoveredPoint, HoveredWeightRing, HoveredKnot, HoveredSpan, HoveredCell,
                  HoveredParameter, HoveredCurve, HoveredLeg, HoveredOtherCurve, HoveredBasis, HoveredBasisCell,
                  HoveredHandle, HoveredFarinPoint, HoveredLifted, HoveredHodograph, HoveredFitPoint, HoveredFitHandle,
-                 HoveredGuide, HoveredOtherPoint, HoveredHandlebar, HoveredRuler, HoveredGrip>;
+                 HoveredGuide, HoveredOtherPoint, HoveredHandlebar, HoveredRuler, HoveredGrip, HoveredPicture>;
 
 /// The parameter of the active curve that the pointer is on, on the curve itself or in an inset; none elsewhere.
 std::optional<double> hovered_u(const Hover& hover);

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/picture_commands.h"
 #include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/tool_commands.h"
+#include "app/editor/pointer/cursor.h"
 #include "tests/editor/canvas_fixture.h"
 #include "tests/editor/scene_sample.h"
 
@@ -67,6 +70,27 @@ TEST_F(Pictures, follow_the_pointer_unless_they_are_locked) {
     const auto before = picture();
     pointer.drag(px(1.5, 0.1), px(0.2, 0.9));
     EXPECT_EQ(picture(), before);
+}
+
+TEST_F(Pictures, are_told_of_where_they_can_be_dragged) {
+    pointer.move(px(0.5, 0.6));
+    EXPECT_EQ(state().hover, Hover(HoveredPicture{0}));
+    EXPECT_EQ(canvas_hint(pointer.mode(), state()).substr(0, 27), "Drag the picture to move it");
+    EXPECT_EQ(canvas_cursor(pointer.mode(), state(), false), Cursor::move);
+    pointer.move(px(0, -2));
+    EXPECT_EQ(state().hover, Hover(HoveredPoint{2}));
+    editor.run(SetTool{.tool = Tool::pencil});
+    pointer.move(px(0.5, 0.6));
+    EXPECT_EQ(state().hover, Hover(HoveredNothing{}));
+    editor.run(SetTool{.tool = Tool::select});
+    pointer.move(px(0.5, 0.7));
+    EXPECT_EQ(state().hover, Hover(HoveredPicture{0}));
+    editor.run(RemovePicture{.picture = 0});
+    EXPECT_EQ(state().hover, Hover(HoveredNothing{}));
+    editor.run(Undo{});
+    editor.run(LockPicture{.picture = 0, .locked = true});
+    pointer.move(px(0.5, 0.6));
+    EXPECT_EQ(state().hover, Hover(HoveredNothing{}));
 }
 
 TEST_F(Pictures, leave_points_to_be_taken) {
