@@ -34,12 +34,16 @@ bool looks_like_operation(const std::string& word) {
     return !word.empty() && word.front() != '-' && std::all_of(word.begin(), word.end(), fits);
 }
 
+bool names_choice(const Field& field, const std::string& word) {
+    return field.kind == FieldKind::choice &&
+           std::any_of(field.choices.begin(), field.choices.end(),
+                       [&](const editor::Choice& choice) { return word == choice.name; });
+}
+
 // Whether the word says something about the field, right or wrong.
 bool can_mean(const Field& field, const std::string& word) {
     if (field.kind == FieldKind::curve_name || field.kind == FieldKind::curve_index) return false;
-    const auto is_word = [&](const editor::Choice& choice) { return word == choice.name; };
-    if (field.kind == FieldKind::choice && !field.is_optional)
-        return std::any_of(field.choices.begin(), field.choices.end(), is_word);
+    if (field.kind == FieldKind::choice && !field.is_optional) return names_choice(field, word);
     const std::vector<editor::Argument> arguments(field.parts.size(), editor::Word{word});
     return editor::read_field(field, arguments).has_value();
 }
@@ -96,7 +100,7 @@ bool OperationReader::is_argument(const editor::CommandSpec& spec, std::size_t g
     if (is_needed) return true;
     const Field& field = *fields_of_arguments(spec, given + 1).back();
     const std::string& word = words_[next_];
-    if (names_curve(field, word, document)) return true;
+    if (names_curve(field, word, document) || names_choice(field, word)) return true;
     if (operation_called(word) != nullptr) return false;
     if (!looks_like_operation(word) || can_mean(field, word)) return true;
     left_out_ = &field;

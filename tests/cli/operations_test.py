@@ -48,6 +48,10 @@ class Operations(unittest.TestCase):
         self.assertEqual([result["operation"] for result in results], ["line", "line", "intersect", "circle"])
         self.assertEqual(results[2]["arguments"], ["line"])
 
+    def test_a_choice_is_meant_where_an_operation_has_its_name(self):
+        fair, faired = self.made("through-points 0,0,2,3,5,0,9,1 fair"), self.made("through-points 0,0,2,3,5,0,9,1 -- fair 0.1")
+        self.assertEqual([curves[0]["degree"] for curves in (fair, faired)], [5, 3])
+
     def test_a_mark_ends_the_arguments(self):
         curves = self.made("line 0 0 20 20 circle 0 0 9 line 0 1 20 21 intersect -- circle 5 5 2")
         self.assertEqual([curve["name"] for curve in curves], ["line", "circle", "line 2", "circle 2"])
