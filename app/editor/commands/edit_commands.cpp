@@ -194,13 +194,13 @@ StepTexts texts_of_duplicate(const EditorState& state, const Duplicate&) {
 }
 
 bool has_nothing_selected(const EditorState& state) {
-    return !no_editable_curve(state) && state.selection == Selection{};
+    return !no_editable_curve(state) && state.selection.is_empty();
 }
 
 std::optional<Refusal> nothing_to_delete(const EditorState& state) {
     if (state.selection.is_over_curves()) return nothing_to_map(state);
     if (std::optional<Refusal> refusal = no_editable_curve(state)) return refusal;
-    if (state.selection != Selection{}) return std::nullopt;
+    if (!state.selection.is_empty()) return std::nullopt;
     return "nothing is selected";
 }
 

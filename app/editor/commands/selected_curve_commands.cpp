@@ -68,7 +68,7 @@ Outcome<void> invert_selection(EditorState& state, const InvertSelection&) {
     const core::Document& document = state.history.present();
     SelectedParts parts = selected_parts(state);
     if (std::ranges::none_of(parts, &SelectedPart::is_whole)) {
-        if (parts.empty()) parts.push_back({document.active, {}});
+        if (parts.empty() && can_be_selected(document.curves[document.active])) parts.push_back({document.active, {}});
         select(state, with_other_points(document, parts));
         return {};
     }

@@ -30,6 +30,9 @@ struct Selection {
 
     bool contains_point(std::size_t i) const;
 
+    /// Whether nothing is selected that could be deleted or moved; a handlebar only holds the curve.
+    bool is_empty() const { return points.empty() && !knot && !fit_point && !is_over_curves(); }
+
     /// Whether more is selected than points, or a knot, of the active curve.
     bool is_over_curves() const { return is_whole || !others.empty(); }
     bool operator==(const Selection&) const = default;

@@ -66,6 +66,9 @@ TEST_F(PointCommands, delete_points) {
 TEST_F(PointCommands, delete_what_is_selected_points_first) {
     EXPECT_FALSE(run(Delete{}));
     EXPECT_EQ(state().message, (Message{"nothing is selected", false}));
+    run(ShowHandlebar{.u = 0.5});
+    EXPECT_FALSE(run(Delete{})) << "a handlebar selects nothing";
+    EXPECT_EQ(state().message, (Message{"nothing is selected", false}));
     run(InsertKnot{.u = 0.5});
     run(InsertKnot{.u = 0.25});
     ASSERT_EQ(state().selection.knot, 4U);

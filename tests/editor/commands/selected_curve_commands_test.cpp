@@ -103,6 +103,11 @@ TEST_F(SelectedCurveCommands, all_and_the_others) {
     run(SelectNone{});
     run(InvertSelection{});
     EXPECT_EQ(selected(), "0:0-2");
+    run(SelectNone{});
+    run(SetCurveVisible{.index = 0, .visible = false});
+    run(InvertSelection{});
+    EXPECT_EQ(selected(), "") << "what is hidden is not selected";
+    run(SetCurveVisible{.index = 0, .visible = true});
     select("0:1 2:0");
     run(SelectAll{});
     EXPECT_EQ(selected(), "0 2");
