@@ -131,6 +131,17 @@ void add_curve(json& report, const editor::EditorState& state, const ui::FrameLa
     report["degree"] = state.active_curve()->degree();
 }
 
+// What of the input is handled, and how far the frames are.
+void add_input(json& report, const ShownFrame& frame) {
+    report["pointer"] = pixel_json(frame.input.handled_position_px());
+    report["buttons_down"] = frame.input.handled_buttons_down();
+    report["press_count"] = frame.input.handled_press_count();
+    report["key_count"] = frame.input.handled_key_count();
+    report["frames_per_second"] = frame.clock.frames_per_second();
+    report["frame_count"] = frame.clock.frame_count();
+    report["is_settled"] = frame.clock.is_settled() && !frame.input.is_pending();
+}
+
 }  // namespace
 
 void write_state_report(const ShownFrame& frame, const std::filesystem::path& path) {
@@ -172,13 +183,7 @@ void write_state_report(const ShownFrame& frame, const std::filesystem::path& pa
     report["theme"] = core::name_of(state.view.theme);
     report["overlays"] = overlay_names(state.view.overlays);
     report["is_playing"] = state.view.playback.is_playing;
-    report["pointer"] = pixel_json(frame.input.handled_position_px());
-    report["buttons_down"] = frame.input.handled_buttons_down();
-    report["press_count"] = frame.input.handled_press_count();
-    report["key_count"] = frame.input.handled_key_count();
-    report["frames_per_second"] = frame.clock.frames_per_second();
-    report["frame_count"] = frame.clock.frame_count();
-    report["is_settled"] = frame.clock.is_settled() && !frame.input.is_pending();
+    add_input(report, frame);
 
     const std::filesystem::path temporary = fmt::format("{}.new", path.string());
     std::ofstream(temporary) << report.dump();

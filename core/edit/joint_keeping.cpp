@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
 #include <utility>
 
 #include "core/edit/detail/joint_mender.h"
@@ -82,8 +81,9 @@ class JointKeeping {
                 }
             if (is_at_rest) return true;
         }
-        return std::ranges::all_of(std::views::iota(std::size_t{0}, joints_.size()),
-                                   [&](std::size_t k) { return is_lost_[k] || !is_touched(k) || agrees(k); });
+        for (std::size_t k = 0; k < joints_.size(); ++k)
+            if (!is_lost_[k] && is_touched(k) && !agrees(k)) return false;
+        return true;
     }
 
     // All joints that are touched and all their points at once, where these do not come to rest one by one.
