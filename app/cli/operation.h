@@ -38,7 +38,7 @@ class OperationReader {
     /// The next operation: a name and as many arguments as it takes. A word for what is needed is taken whatever it is.
     /// One for what may be left out is taken where it names a curve of `document` or a choice that is due; else the
     /// name of an operation, or "--", ends the arguments. Behind "--" what is needed is taken too. The refusal names a
-    /// word that is no operation.
+    /// word that is not an operation.
     editor::Outcome<Operation> take(const core::Document& document);
 
   private:

@@ -107,7 +107,7 @@ TEST_F(SelectedCurveCommands, all_and_the_others) {
     run(SetCurveVisible{.index = 0, .visible = false});
     run(InvertSelection{});
     EXPECT_EQ(selected(), "") << "what is hidden is not selected";
-    run(SetCurveVisible{.index = 0, .visible = true});
+    run(Undo{});
     select("0:1 2:0");
     run(SelectAll{});
     EXPECT_EQ(selected(), "0 2");
