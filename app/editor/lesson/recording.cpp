@@ -1,5 +1,6 @@
 #include "app/editor/lesson/recording.h"
 
+#include "app/editor/command_spec.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/session.h"
 #include "app/editor/state/same_document.h"
