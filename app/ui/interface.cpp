@@ -304,7 +304,7 @@ void Interface::dispatch_keys(const PanelContext& context) {
             continue;
         } else if (send_key(context, press) || press.character != 0) {
             continue;
-        } else if (to_drawing && std::holds_alternative<editor::DrawingCurve>(canvas_mode_)) {
+        } else if (to_drawing && editor::listens_to_drawing_keys(canvas_mode_, context.state)) {
             PointerEvent key;
             key.action = *to_drawing;
             canvas_mode_ = editor::step_canvas(canvas_mode_, key, context.state, context.queue);

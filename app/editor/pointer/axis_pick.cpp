@@ -65,11 +65,19 @@ void hover_axis(const Gesture& gesture) {
         gesture.queue.cancel_preview();
 }
 
+void take_axis_click_back(const Gesture& gesture) {
+    if (gesture.state.preview) gesture.queue.cancel_preview();
+    if (gesture.state.axis_pick->first)
+        gesture.queue.change(SetAxisPoint{});
+    else
+        gesture.queue.change(EndAxisPick{});
+}
+
 void click_axis(const Gesture& gesture) {
     const core::Point place = clicked_place(gesture);
     const AxisPick& pick = *gesture.state.axis_pick;
     if (needs_axis(pick.use) && !pick.first) {
-        gesture.queue.change(AddAxisPoint{place});
+        gesture.queue.change(SetAxisPoint{place});
         return;
     }
     const auto command = axis_command(gesture.state, place);

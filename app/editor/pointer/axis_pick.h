@@ -17,4 +17,7 @@ void hover_axis(const Gesture& gesture);
 /// A click: the first point of an axis, or what completes it.
 void click_axis(const Gesture& gesture);
 
+/// Takes the first click back, or gives up where there is none.
+void take_axis_click_back(const Gesture& gesture);
+
 }  // namespace batten::editor

@@ -48,6 +48,7 @@ CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {
     if (is_press(gesture)) return begin_canvas_gesture(gesture);
     if (gesture.event.action == PointerAction::wheel) turn_canvas_wheel(gesture);
     if (gesture.event.action == PointerAction::leave) request_hover(HoveredNothing{}, gesture.state, gesture.queue);
+    if (gesture.event.action == PointerAction::take_back && gesture.state.axis_pick) take_axis_click_back(gesture);
     if (!is_move(gesture)) return mode;
     if (gesture.state.axis_pick) {
         hover_axis(gesture);
@@ -240,6 +241,12 @@ CanvasMode with_present_tool(CanvasMode mode, const EditorState& state) {
     const auto* joint = std::get_if<PickingJoint>(&mode);
     if (joint != nullptr && joint->tool_changes != state.tool_changes) return CanvasIdle{};
     return mode;
+}
+
+bool listens_to_drawing_keys(const CanvasMode& mode, const EditorState& state) {
+    if (std::holds_alternative<CanvasIdle>(mode)) return state.axis_pick.has_value();
+    const auto* joint = std::get_if<PickingJoint>(&mode);
+    return std::holds_alternative<DrawingCurve>(mode) || (joint != nullptr && joint->first);
 }
 
 CanvasMode step_canvas(const CanvasMode& mode, const PointerEvent& event, const EditorState& state,

@@ -117,6 +117,9 @@ CanvasMode with_present_tool(CanvasMode mode, const EditorState& state);
 CanvasMode step_canvas(const CanvasMode& mode, const PointerEvent& event, const EditorState& state,
                        CommandQueue& queue);
 
+/// Whether Enter, Backspace and Ctrl+Z are about what is being clicked together, and not about the document.
+bool listens_to_drawing_keys(const CanvasMode& mode, const EditorState& state);
+
 /// What a click or drag would do here, for the status bar: "Drag P₅ to move it · hold Alt to change its weight".
 std::string canvas_hint(const CanvasMode& mode, const EditorState& state);
 

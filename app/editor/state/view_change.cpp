@@ -122,7 +122,7 @@ struct Apply {
         state.pivot.reset();
         if (change.point) state.pivot = TransformPivot{*change.point, state.history.present().active, state.selection};
     }
-    void operator()(const AddAxisPoint& change) const {
+    void operator()(const SetAxisPoint& change) const {
         if (state.axis_pick) state.axis_pick->first = change.point;
     }
     void operator()(const EndAxisPick&) const { state.axis_pick.reset(); }

@@ -125,9 +125,9 @@ struct SetPivot {
     std::optional<core::Point> point;
 };
 
-/// The first of two points of an axis was clicked.
-struct AddAxisPoint {
-    core::Point point;
+/// The first of two points of an axis was clicked; none takes it back.
+struct SetAxisPoint {
+    std::optional<core::Point> point;
 };
 
 /// The axis, or the center, is chosen.
@@ -136,7 +136,7 @@ struct EndAxisPick {};
 using ViewChange = std::variant<SetHover, ShowPlace, TypePlace, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend,
                                 SetInterfaceScale, SetInspectorWidth, SetCardsWidth, SetDockHeight, SetPlotRange,
                                 SetCombFactor, SetProbeLine, TurnOrbit, AddGaugePoint, SetBrushRadius, SetPivot,
-                                AddAxisPoint, EndAxisPick, Advance, TellTime, ShowRefusal, ShowForm>;
+                                SetAxisPoint, EndAxisPick, Advance, TellTime, ShowRefusal, ShowForm>;
 
 /// Makes the change; sizes are brought into their ranges.
 void apply(EditorState& state, const ViewChange& change);

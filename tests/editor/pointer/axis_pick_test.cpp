@@ -89,6 +89,20 @@ TEST_F(AxisPicking, is_given_up_by_escape) {
     EXPECT_EQ(steps(), 0U);
 }
 
+TEST_F(AxisPicking, takes_the_first_click_back_and_then_gives_up) {
+    editor.run(SelectPoints{.points = {3}});
+    editor.run(PickMirror{});
+    pointer.click(px(5, -3));
+    EXPECT_TRUE(listens_to_drawing_keys(pointer.mode(), state()));
+    pointer.send(PointerAction::take_back, {0, 0});
+    ASSERT_TRUE(state().axis_pick);
+    EXPECT_FALSE(state().axis_pick->first);
+    pointer.send(PointerAction::take_back, {0, 0});
+    EXPECT_FALSE(state().axis_pick);
+    EXPECT_FALSE(listens_to_drawing_keys(pointer.mode(), state())) << "now they are about the document";
+    EXPECT_EQ(steps(), 0U);
+}
+
 TEST_F(AxisPicking, two_clicks_at_one_place_are_no_axis) {
     editor.run(PickMirror{});
     pointer.click(px(5, -3));
