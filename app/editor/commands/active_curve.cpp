@@ -41,11 +41,11 @@ const std::vector<std::size_t>& pinned_points(const EditorState& state) {
     return state.history.present().active_curve()->pinned;
 }
 
-std::vector<std::size_t> held_points(const EditorState& state) {
-    std::vector<std::size_t> held = pinned_points(state);
-    const core::FitPoints* fit = state.history.present().active_curve()->fit.get();
+std::vector<std::size_t> held_points(const core::DocumentCurve& entry) {
+    std::vector<std::size_t> held = entry.pinned;
+    const core::FitPoints* fit = entry.fit.get();
     if (fit == nullptr) return held;
-    const core::Curve& curve = active_curve(state);
+    const core::Curve& curve = *entry.curve;
     for (std::size_t k = 0; k < fit->points.size(); ++k) {
         if (fit->points[k].joint != core::FitJoint::tangent) continue;
         const core::RationalBasis basis = core::rational_basis(curve, fit->parameters[k], 1);

@@ -23,7 +23,7 @@ const core::Curve& active_curve(const EditorState& state);
 const std::vector<std::size_t>& pinned_points(const EditorState& state);
 
 /// What fairing leaves where they are, ascending: they, and those that make tangents that were given to fit points.
-std::vector<std::size_t> held_points(const EditorState& state);
+std::vector<std::size_t> held_points(const core::DocumentCurve& entry);
 
 /// Those of `points`, of the active curve or of `entry`, that are not pinned, ascending; the reason why nothing can be
 /// moved where there are none.

@@ -8,7 +8,7 @@
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/state/point_hues.h"
-#include "core/base/number_text.h"
+#include "app/editor/words/length.h"
 #include "core/base/sentence.h"
 #include "core/edit/fair.h"
 
@@ -58,7 +58,7 @@ std::optional<double> distance_of_last(const EditorState& state) {
 Outcome<Edit> refair_part(const EditorState& state, const RefairPart& command) {
     const FairedPart& faired = *state.faired;
     const core::DocumentCurve& before = state.history.previous().curves[faired.curve];
-    auto found = core::fair_part(*before.curve, faired.part, command.distance, state.progress, before.pinned);
+    auto found = core::fair_part(*before.curve, faired.part, command.distance, state.progress, held_points(before));
     if (!found) return tl::unexpected(core::describe(found.error()));
     Edit edit{.document = state.history.present(), .error = found->error, .faired = faired, .extends = true};
     replace_curve(edit.document.curves[faired.curve], std::make_shared<const core::Curve>(std::move(found->curve)));
@@ -68,7 +68,8 @@ Outcome<Edit> refair_part(const EditorState& state, const RefairPart& command) {
 
 StepTexts texts_of_refairing(const EditorState& state, const RefairPart& command) {
     return {state.history.undo_label(),
-            core::sentence("Faired the part within {distance}", {{"distance", core::shortest_text(command.distance)}})};
+            core::sentence("Faired the part within {distance}",
+                           {{"distance", length_words(state.history.present().units, command.distance)}})};
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ Outcome<Edit> replaced_by(const EditorState& state, core::Result<core::Approxima
 
 Outcome<Edit> fair_part(const EditorState& state, const FairPart& command) {
     const core::Interval part{command.from, command.to};
-    Outcome<Edit> edit = replaced_by(
-        state, core::fair_part(active_curve(state), part, command.distance, state.progress, held_points(state)));
+    Outcome<Edit> edit = replaced_by(state, core::fair_part(active_curve(state), part, command.distance, state.progress,
+                                                            held_points(*state.history.present().active_curve())));
     if (edit) edit->faired = FairedPart{.part = part, .distance = command.distance, .curve = edit->document.active};
     return edit;
 }

@@ -34,7 +34,8 @@ Outcome<Edit> move_point_and_tangent(const EditorState& state, const MovePointAn
 }
 
 Outcome<Edit> fair(const EditorState& state, const Fair& command) {
-    return edit_active(state, core::fair(active_curve(state), command.distance, state.progress, held_points(state)));
+    return edit_active(state, core::fair(active_curve(state), command.distance, state.progress,
+                                         held_points(*state.history.present().active_curve())));
 }
 
 core::Result<core::OffsetCurves> offset_curves(const EditorState& state, const Offset& command) {

@@ -5,10 +5,13 @@
 #include "app/editor/commands/brush_commands.h"
 #include "app/editor/commands/closing_commands.h"
 #include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/drawing_commands.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/fairing_commands.h"
+#include "app/editor/commands/fit_point_commands.h"
 #include "app/editor/commands/pin_commands.h"
 #include "app/editor/commands/tool_commands.h"
+#include "app/editor/commands/unit_commands.h"
 #include "core/edit/fair.h"
 #include "core/evaluate/evaluate.h"
 #include "tests/editor/canvas_fixture.h"
@@ -174,6 +177,24 @@ TEST_F(FairingBrush, fairs_the_part_that_was_painted_over) {
     EXPECT_EQ(committed(editor), before);
     EXPECT_FALSE(editor.run(RefairPart{.distance = distance}));
     EXPECT_EQ(state().message.text, "the last step faired no part; paint over one with the fairing brush first");
+}
+
+TEST_F(FairingBrush, fairing_again_keeps_given_tangents_and_tells_the_unit) {
+    std::vector<core::Point> points;
+    for (int i = 0; i <= 8; ++i) points.push_back({i - 4.0, i % 2 == 0 ? 0.0 : 0.6});
+    ASSERT_TRUE(editor.run(ThroughPoints{.points = points}));
+    ASSERT_TRUE(
+        editor.run(SetFitJoint{.index = 4, .joint = core::FitJoint::tangent, .handle = core::Vector(1.0, 1.0)}));
+    ASSERT_TRUE(editor.run(SetUnits{.unit = UnitChoice::mm, .scale = 2.0}));
+    const double u = state().history.present().active_curve()->fit->parameters[4];
+    const core::Vector given = core::derivatives_at(committed(editor), u, 1)[1];
+    const core::Interval domain = committed(editor).domain();
+    ASSERT_TRUE(editor.run(FairPart{.from = domain.lower, .to = domain.upper, .distance = 0.05}));
+    ASSERT_TRUE(editor.run(RefairPart{.distance = 0.5})) << state().message.text;
+    const core::Vector now = core::derivatives_at(committed(editor), u, 1)[1];
+    EXPECT_NEAR(now.x, given.x, 1e-12);
+    EXPECT_NEAR(now.y, given.y, 1e-12);
+    EXPECT_EQ(state().message.text.rfind("Faired the part within 0.25 mm; ", 0), 0U) << state().message.text;
 }
 
 TEST_F(FairingBrush, a_fast_stroke_has_no_gaps) {
