@@ -68,25 +68,25 @@ StepTexts texts_of_step(const Command& command, const EditorState& state, const 
             core::filled_as_needed(spec.done, places)};
 }
 
-// What marked joints ask for may move the curve further than the edit knows.
-void keep_joints(const core::Document& before, Edit& edit) {
-    const core::DocumentCurve* active = edit.document.active_curve();
-    const auto edited = active == nullptr ? nullptr : active->curve;
-    const auto lost = keep_marked_joints(before, edit.document);
-    active = edit.document.active_curve();
-    if (active != nullptr && active->curve != edited) edit.error.reset();
+void add_remark(Edit& edit, const std::optional<std::string>& lost) {
     if (!lost) return;
     std::vector<std::string> told{*lost};
     if (edit.remark) told.insert(told.begin(), *edit.remark);
     edit.remark = told_in_turn(told);
 }
 
-// What the command makes of the committed document, with all that must follow from it.
+// What the command makes of the committed document, with all that must follow from it. What marked joints ask for may
+// move the curve further than the edit knows.
 Outcome<Edit> edit_by(const EditorState& state, const Command& command) {
     Outcome<Edit> edit = command.spec().run.edit(state, command.fields());
     if (!edit) return edit;
-    keep_joints(state.history.present(), *edit);
-    if (auto kept = keep_symmetry(state.history.present(), edit->document); !kept) return tl::unexpected(kept.error());
+    const core::Document& before = state.history.present();
+    core::Document& after = edit->document;
+    const auto edited = after.active_curve() == nullptr ? nullptr : after.active_curve()->curve;
+    add_remark(*edit, keep_marked_joints(before, after));
+    if (after.active_curve() != nullptr && after.active_curve()->curve != edited) edit->error.reset();
+    if (auto kept = keep_symmetry(before, after); !kept) return tl::unexpected(kept.error());
+    add_remark(*edit, keep_joints_of_images(before, after));
     return edit;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/editor/state/followed_marks.h"
 #include "app/editor/state/point_hues.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -12,42 +13,6 @@ namespace batten::editor {
 namespace {
 
 using core::JointMark;
-
-bool is_inner_knot(const core::Curve& curve, double u) {
-    const core::Interval domain = curve.domain();
-    if (curve.is_periodic() && u == domain.lower) return true;
-    return domain.lower < u && u < domain.upper && curve.knots().multiplicity(u) > 0;
-}
-
-bool is_reversed(const core::Curve& old, const core::Curve& now) {
-    const auto a = old.control_points();
-    const auto b = now.control_points();
-    return old.degree() == now.degree() && old.knots().stored().size() == now.knots().stored().size() &&
-           std::equal(a.begin(), a.end(), b.rbegin(), b.rend()) && !std::ranges::equal(a, b);
-}
-
-// Where the knot u of `old` is in `now`: the same one by its number where there are as many, else by its value.
-double moved_knot(const core::Curve& old, const core::Curve& now, double u) {
-    const auto before = old.knots().stored();
-    const auto after = now.knots().stored();
-    if (old.degree() != now.degree() || before.size() != after.size() || old.is_periodic() != now.is_periodic())
-        return u;
-    const auto [first, end] = std::equal_range(before.begin(), before.end(), u);
-    if (first == end) return u;
-    auto index = static_cast<std::size_t>((first - before.begin()) + (end - first) / 2);
-    if (is_reversed(old, now)) index = before.size() - 1 - index;
-    return after[index];
-}
-
-// What of a curve's marks goes with it from `old` to its present curve.
-void follow_knots(const core::Curve& old, core::DocumentCurve& entry) {
-    for (core::KnotMark& mark : entry.joints.knots) mark.u = moved_knot(old, *entry.curve, mark.u);
-    std::ranges::sort(entry.joints.knots, {}, &core::KnotMark::u);
-    if (!is_reversed(old, *entry.curve)) return;
-    for (core::EndMark& mark : entry.joints.ends)
-        mark.end = mark.end == core::CurveEnd::start ? core::CurveEnd::end : core::CurveEnd::start;
-    std::ranges::reverse(entry.joints.ends);
-}
 
 // The entry of `before` that `after.curves[i]` was: at its place, else with its curve, else of its name.
 const core::DocumentCurve* old_entry(const core::Document& before, const core::Document& after, std::size_t i) {
@@ -67,43 +32,11 @@ bool is_new_end_mark(const core::DocumentCurve* old, const core::EndMark& mark) 
     return old != nullptr && std::ranges::find(old->joints.ends, mark) == old->joints.ends.end();
 }
 
-// What was added to the domain of `old`; empty where nothing was.
-core::Interval added_part(const core::Curve& old, const core::Curve& now) {
-    const core::Interval before = old.domain();
-    const core::Interval after = now.domain();
-    if (after.lower == before.lower && after.upper > before.upper) return {before.upper, after.upper};
-    if (after.upper == before.upper && after.lower < before.lower) return {after.lower, before.lower};
-    return {};
-}
-
-// The knot of `now` that u of `joined` became, where that curve is the part `added`, run through as before or not.
-std::optional<double> joined_knot(const core::Curve& joined, const core::Curve& now, core::Interval added, double u,
-                                  bool is_reversed) {
-    constexpr double rounding = 1e-9;
-    const core::Interval domain = joined.domain();
-    const double share = (is_reversed ? domain.upper - u : u - domain.lower) / domain.length();
-    const double wanted = added.lower + share * added.length();
-    const auto knots = now.knots().stored();
-    const auto above = std::ranges::lower_bound(knots, wanted - rounding * added.length());
-    if (above == knots.end() || *above > wanted + rounding * added.length()) return std::nullopt;
-    return *above;
-}
-
-// The marks of a curve that was joined to another one; none where its knots cannot be told in it.
-std::optional<std::vector<core::KnotMark>> joined_marks(const core::DocumentCurve& joined, const core::Curve& now,
-                                                        core::Interval added) {
-    for (const bool is_reversed : {false, true}) {
-        std::vector<core::KnotMark> marks;
-        const core::Interval domain = joined.curve->domain();
-        bool has_all = true;
-        for (const double u : joined.curve->knots().stored())
-            has_all = has_all && (!domain.contains(u) || joined_knot(*joined.curve, now, added, u, is_reversed));
-        if (!has_all) continue;
-        for (const core::KnotMark& mark : joined.joints.knots)
-            marks.push_back({*joined_knot(*joined.curve, now, added, mark.u, is_reversed), mark.mark});
-        return marks;
-    }
-    return std::nullopt;
+std::map<std::size_t, std::vector<DocumentEnd>> ends_by_joint(const core::Document& document) {
+    std::map<std::size_t, std::vector<DocumentEnd>> ends;
+    for (std::size_t i = 0; i < document.curves.size(); ++i)
+        for (const core::EndMark& mark : document.curves[i].joints.ends) ends[mark.joint].push_back({i, mark.end});
+    return ends;
 }
 
 int level_of(JointMark mark) {
@@ -113,7 +46,8 @@ int level_of(JointMark mark) {
 // One edit, from the document before it to the one after, whose marks are kept.
 class MarkKeeping {
   public:
-    MarkKeeping(const core::Document& before, core::Document& after) : before_(before), after_(after) {
+    MarkKeeping(const core::Document& before, core::Document& after, bool holds_images)
+        : before_(before), after_(after), holds_images_(holds_images) {
         for (std::size_t i = 0; i < after.curves.size(); ++i) old_.push_back(old_entry(before, after, i));
     }
 
@@ -121,6 +55,8 @@ class MarkKeeping {
         if (!is_concerned()) return std::nullopt;
         for (std::size_t i = 0; i < after_.curves.size(); ++i) follow(i);
         for (const core::DocumentCurve& entry : before_.curves) take_over(entry);
+        for (std::size_t i = 0; i < after_.curves.size(); ++i) drop_ends_left(i);
+        seat_ends();
         pair_ends();
         drop_marks_without_knots();
         collect();
@@ -137,6 +73,16 @@ class MarkKeeping {
         JointMark mark{};
     };
 
+    // An end that its curve has left.
+    struct LeftEnd {
+        std::size_t number = 0;
+        std::size_t curve = 0;
+        bool is_knot = false;  // the place is a knot of the curve now
+    };
+
+    // Whether the curve is not to be changed, because others are its images.
+    bool is_image(std::size_t i) const { return holds_images_ && after_.curves[i].symmetry.has_value(); }
+
     bool is_changed(std::size_t i) const {
         const core::DocumentCurve& entry = after_.curves[i];
         return old_[i] == nullptr || old_[i]->curve != entry.curve || old_[i]->joints != entry.joints;
@@ -152,8 +98,77 @@ class MarkKeeping {
 
     void follow(std::size_t i) {
         core::DocumentCurve& entry = after_.curves[i];
-        if (old_[i] == nullptr || old_[i]->curve == entry.curve || old_[i]->joints != entry.joints) return;
-        follow_knots(*old_[i]->curve, entry);
+        if (old_[i] == nullptr || old_[i]->curve == entry.curve) return;
+        if (old_[i]->joints.knots == entry.joints.knots) follow_knots(*old_[i]->curve, entry);
+        if (old_[i]->joints.ends == entry.joints.ends) follow_ends(*old_[i]->curve, entry);
+    }
+
+    // Which curve had the marks of the ends of `after_.curves[i]`: it itself, or of a new one that of which it is made.
+    const core::DocumentCurve* origin_of(std::size_t i, const core::EndMark& mark) const {
+        if (old_[i] != nullptr) return old_[i];
+        const auto found = std::ranges::find_if(before_.curves, [&](const core::DocumentCurve& entry) {
+            return std::ranges::find(entry.joints.ends, mark) != entry.joints.ends.end();
+        });
+        return found == before_.curves.end() ? nullptr : &*found;
+    }
+
+    // Whether the end that is marked is the one that was: at its place, or moved there by an edit of its curve.
+    bool is_old_end(std::size_t i, const core::EndMark& mark) const {
+        const core::DocumentCurve* origin = origin_of(i, mark);
+        const core::Curve& now = *after_.curves[i].curve;
+        if (origin == nullptr || origin->curve == after_.curves[i].curve || origin->curve->is_periodic()) return true;
+        if (origin->fit != nullptr && after_.curves[i].fit != nullptr && old_[i] != nullptr) return true;
+        bool is_new = true;
+        for (const core::EndMark& old : origin->joints.ends) {
+            if (old.joint != mark.joint) continue;
+            is_new = false;
+            const bool has_parameter =
+                core::parameter_of(origin->curve->domain(), old.end) == core::parameter_of(now.domain(), mark.end);
+            if (old_[i] != nullptr && old.end == mark.end && has_parameter) return true;
+            if (is_reversed(*origin->curve, now) && old.end != mark.end) return true;
+            if (is_at_old_place(*origin->curve, old.end, now, mark.end)) return true;
+        }
+        return is_new;
+    }
+
+    // A curve that was cut, or goes on, has other ends than those that were marked.
+    void drop_ends_left(std::size_t i) {
+        if (after_.curves[i].curve->is_periodic()) return;
+        for (const core::EndMark& mark : std::vector(after_.curves[i].joints.ends))
+            if (!is_old_end(i, mark)) left_.push_back({mark.joint, i, drop_end({i, mark.end})});
+    }
+
+    // Where a marked end of a curve is that of another one now, as where curves are joined, that one is marked.
+    void seat_ends() {
+        const auto before = ends_by_joint(before_);
+        const auto after = ends_by_joint(after_);
+        for (const auto& [number, pair] : before) {
+            if (pair.size() != 2) continue;
+            const auto found = after.find(number);
+            std::size_t missing = 2 - std::min<std::size_t>(2, found == after.end() ? 0 : found->second.size());
+            for (const DocumentEnd& end : pair)
+                if (missing > 0 && seat(end, number)) --missing;
+        }
+    }
+
+    // Whether a curve that has changed ends where `old` was.
+    bool seat(DocumentEnd old, std::size_t number) {
+        const core::DocumentCurve& owner = before_.curves[old.curve];
+        const core::EndMark mark = *mark_of_end(owner, old.end);
+        if (owner.curve->is_periodic()) return false;
+        for (std::size_t i = 0; i < after_.curves.size(); ++i) {
+            core::DocumentCurve& entry = after_.curves[i];
+            const bool is_changed = old_[i] == nullptr || old_[i]->curve != entry.curve;
+            if (!is_changed || entry.curve->is_periodic()) continue;
+            for (const core::CurveEnd end : {core::CurveEnd::start, core::CurveEnd::end}) {
+                if (mark_of_end(entry, end) != nullptr || !is_at_old_place(*owner.curve, old.end, *entry.curve, end))
+                    continue;
+                entry.joints.ends.push_back({end, number, mark.mark});
+                std::ranges::sort(entry.joints.ends, {}, &core::EndMark::end);
+                return true;
+            }
+        }
+        return false;
     }
 
     // The marks of a curve that is gone go to the one that it was joined to.
@@ -174,28 +189,34 @@ class MarkKeeping {
         }
     }
 
-    // Of each number the first two ends belong together; copies of these, and ends that are left alone, are unmarked.
+    // Of each number the first two ends belong together, those of older curves first; copies of these, and ends that
+    // are left alone, are unmarked.
     void pair_ends() {
-        std::map<std::size_t, std::vector<DocumentEnd>> ends;
-        for (std::size_t i = 0; i < after_.curves.size(); ++i)
-            for (const core::EndMark& mark : after_.curves[i].joints.ends) ends[mark.joint].push_back({i, mark.end});
+        auto ends = ends_by_joint(after_);
+        for (const LeftEnd& left : left_) {
+            const std::size_t others = ends.contains(left.number) ? ends.at(left.number).size() : 0;
+            if (others == 1 || (others == 0 && !left.is_knot)) unknown_.push_back(after_.curves[left.curve].name);
+        }
         for (auto& [number, pair] : ends) {
+            std::stable_partition(pair.begin(), pair.end(),
+                                  [&](const DocumentEnd& end) { return old_[end.curve] != nullptr; });
             const std::size_t kept = pair.size() < 2 ? 0 : 2;
             for (std::size_t k = kept; k < pair.size(); ++k) drop_end(pair[k]);
             if (kept == 2) pairs_[number] = {pair[0], pair[1]};
         }
     }
 
-    // An end that was joined to its other end is a knot now.
-    void drop_end(DocumentEnd end) {
+    // An end that was joined to its other end is a knot now. Whether it is.
+    bool drop_end(DocumentEnd end) {
         core::DocumentCurve& entry = after_.curves[end.curve];
         const core::EndMark mark = *mark_of_end(entry, end.end);
         std::erase(entry.joints.ends, mark);
-        if (old_[end.curve] == nullptr) return;
+        if (old_[end.curve] == nullptr) return false;
         const double u = core::parameter_of(old_[end.curve]->curve->domain(), end.end);
-        if (!is_inner_knot(*entry.curve, u) || mark_of_knot(entry, u)) return;
+        if (!is_inner_knot(*entry.curve, u) || mark_of_knot(entry, u)) return false;
         entry.joints.knots.push_back({u, mark.mark});
         std::ranges::sort(entry.joints.knots, {}, &core::KnotMark::u);
+        return true;
     }
 
     void drop_marks_without_knots() {
@@ -210,7 +231,8 @@ class MarkKeeping {
         for (std::size_t i = 0; i < after_.curves.size(); ++i) {
             const core::DocumentCurve& entry = after_.curves[i];
             curves_.push_back({*entry.curve, old_[i] == nullptr ? nullptr : old_[i]->curve, entry.pinned,
-                               entry.locked || entry.fit != nullptr});
+                               entry.locked || entry.fit != nullptr || is_image(i)});
+            if (is_image(i)) continue;
             for (const core::KnotMark& mark : entry.joints.knots)
                 if (mark.mark != JointMark::corner)
                     add({{i, mark.u, core::Side::left},
@@ -277,6 +299,8 @@ class MarkKeeping {
     const core::Document& before_;
     core::Document& after_;
     std::vector<const core::DocumentCurve*> old_;
+    bool holds_images_;
+    std::vector<LeftEnd> left_;
     std::map<std::size_t, std::pair<DocumentEnd, DocumentEnd>> pairs_;
     std::vector<core::EditedCurve> curves_;
     std::vector<core::KeptJoint> joints_;
@@ -315,7 +339,13 @@ std::size_t free_joint(const core::Document& document) {
 }
 
 std::optional<std::string> keep_marked_joints(const core::Document& before, core::Document& after) {
-    return MarkKeeping(before, after).run();
+    return MarkKeeping(before, after, false).run();
+}
+
+std::optional<std::string> keep_joints_of_images(const core::Document& before, core::Document& after) {
+    const bool has_images = std::ranges::any_of(
+        after.curves, [](const core::DocumentCurve& entry) { return entry.symmetry && !entry.joints.ends.empty(); });
+    return has_images ? MarkKeeping(before, after, true).run() : std::nullopt;
 }
 
 }  // namespace batten::editor

@@ -31,8 +31,12 @@ std::size_t free_joint(const core::Document& document);
 
 /// Brings `after`, which an edit made of `before`, to what its marks say (core::keep_joints), with marks that follow
 /// their knots: where knots are moved, and through reversal and joins. Marks without their knot or their other end are
-/// dropped, and so are those of a joint that cannot be kept, which the sentence that is returned tells. Curves that are
-/// locked or made of fit points stay as they are. Cost O(n) for each curve with marks that changed.
+/// dropped, and so are those of a joint that cannot be kept, or whose end was cut off, which the sentence that is
+/// returned tells. Curves that are locked or made of fit points stay as they are. Cost O(n) for each curve with marks
+/// that changed.
 std::optional<std::string> keep_marked_joints(const core::Document& before, core::Document& after);
+
+/// The same for joints of curves that have followed others as their images since, and stay as they are.
+std::optional<std::string> keep_joints_of_images(const core::Document& before, core::Document& after);
 
 }  // namespace batten::editor

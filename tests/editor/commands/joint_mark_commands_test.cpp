@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "app/editor/commands/closing_commands.h"
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/fairing_commands.h"
@@ -271,6 +272,111 @@ TEST_F(MarkedJoints, two_hundred_random_edits_keep_all_and_are_undone_bit_by_bit
     }
     while (state().history.undo_count() > first) run(Undo{});
     EXPECT_TRUE(is_same_document(document(editor), start));
+}
+
+/// An S of two curves, of which the second begins where the first ends, smoothly.
+const char* row_text = R"({ "format": "batten", "version": 1, "curves": [
+  { "name": "first", "degree": 3, "knots": [0,0,0,0,1,1,1,1], "points": [[0,0],[1,2],[2,2],[3,0]],
+    "joints": [{"end": "end", "joint": 0, "mark": "smooth"}] },
+  { "name": "second", "degree": 3, "knots": [0,0,0,0,1,1,1,1], "points": [[3,0],[4,-2],[5,-2],[6,0]],
+    "joints": [{"end": "start", "joint": 0, "mark": "smooth"}] } ] })";
+
+TEST_F(MarkedJoints, the_end_of_a_curve_that_is_split_is_that_of_its_last_part) {
+    open_text(editor, row_text);
+    const core::Curve second = *entry(1).curve;
+    ASSERT_TRUE(run(Split{.u = 0.5}));
+    ASSERT_EQ(document(editor).curves.size(), 3U);
+    EXPECT_TRUE(entry(0).joints.is_empty());
+    EXPECT_EQ(entry(1).joints.ends, (std::vector<core::EndMark>{{core::CurveEnd::end, 0, JointMark::smooth}}));
+    EXPECT_EQ(entry(2).joints.ends, (std::vector<core::EndMark>{{core::CurveEnd::start, 0, JointMark::smooth}}));
+    // De Casteljau's algorithm in halves, bit by bit.
+    EXPECT_EQ(point(0, 1), core::Point(1.5, 1.5));
+    EXPECT_EQ(point(1, 1), core::Point(2, 1.5));
+    EXPECT_EQ(point(2, 1), core::Point(2.5, 1));
+    EXPECT_EQ(point(3, 1), core::Point(3, 0));
+    EXPECT_EQ(*entry(2).curve, second);
+}
+
+TEST_F(MarkedJoints, what_is_cut_off_leaves_the_other_curve_alone) {
+    open_text(editor, row_text);
+    const core::Curve second = *entry(1).curve;
+    ASSERT_TRUE(run(SubCurve{.begin = 0, .end = 0.5}));
+    EXPECT_TRUE(entry(0).joints.is_empty() && entry(1).joints.is_empty());
+    EXPECT_EQ(*entry(1).curve, second);
+    EXPECT_NE(message().find("the marked joints of 'first' are marked no more"), std::string::npos) << message();
+    run(Undo{});
+    ASSERT_TRUE(run(SubCurve{.begin = 0.5, .end = 1}));
+    EXPECT_EQ(entry(0).joints.ends.size(), 1U);
+    EXPECT_EQ(entry(1).joints.ends.size(), 1U);
+    EXPECT_EQ(*entry(1).curve, second);
+}
+
+TEST_F(MarkedJoints, the_far_end_of_a_curve_that_is_joined_keeps_its_joint) {
+    open_text(editor, R"({ "format": "batten", "version": 1, "curves": [
+  { "name": "first", "degree": 1, "knots": [0,0,1,1], "points": [[0,0],[1,0]] },
+  { "name": "second", "degree": 1, "knots": [0,0,1,1], "points": [[1,0],[2,0]],
+    "joints": [{"end": "end", "joint": 4, "mark": "corner"}] },
+  { "name": "third", "degree": 1, "knots": [0,0,1,1], "points": [[2,0],[2,3]],
+    "joints": [{"end": "start", "joint": 4, "mark": "corner"}] } ] })");
+    ASSERT_TRUE(run(Join{.other = "second", .continuity = core::JoinContinuity::c0})) << message();
+    ASSERT_EQ(document(editor).curves.size(), 2U);
+    EXPECT_EQ(entry(0).joints.ends, (std::vector<core::EndMark>{{core::CurveEnd::end, 4, JointMark::corner}}));
+    EXPECT_EQ(entry(1).joints.ends, (std::vector<core::EndMark>{{core::CurveEnd::start, 4, JointMark::corner}}));
+}
+
+TEST_F(MarkedJoints, marks_of_a_periodic_curve_follow_its_seam_and_its_direction) {
+    open_text(editor, R"({ "format": "batten", "version": 1, "curves": [
+  { "name": "ring", "degree": 3, "periodic": true, "knots": [0,1,1,2,4,4,6],
+    "points": [[0,0],[3,0],[4,2],[3,4],[0,4],[-1,2]],
+    "joints": [{"u": 1, "mark": "smooth"}, {"u": 4, "mark": "corner"}] } ] })");
+    const core::Point smooth = core::point_at(curve(editor), 1);
+    const core::Point corner = core::point_at(curve(editor), 4);
+    const auto expect_at_places = [&] {
+        ASSERT_EQ(entry().joints.knots.size(), 2U) << message();
+        for (const core::KnotMark& mark : entry().joints.knots) {
+            const core::Point there = core::point_at(curve(editor), mark.u);
+            EXPECT_NEAR(core::distance(there, mark.mark == JointMark::smooth ? smooth : corner), 0.0, 1e-12) << mark.u;
+        }
+    };
+    ASSERT_TRUE(run(Reverse{}));
+    expect_at_places();
+    EXPECT_EQ(entry().joints.knots[0], (core::KnotMark{2, JointMark::corner}));
+    EXPECT_EQ(entry().joints.knots[1], (core::KnotMark{5, JointMark::smooth}));
+    run(Undo{});
+    for (const double u : {1.0, 2.0, 3.0}) {
+        ASSERT_TRUE(run(MoveSeam{.u = u, .tolerance = 1e-6}));
+        expect_at_places();
+        run(Undo{});
+    }
+}
+
+TEST_F(MarkedJoints, a_curve_beside_an_image_follows_it) {
+    open_text(editor, R"({ "format": "batten", "version": 1, "curves": [
+  { "name": "right", "degree": 3, "knots": [0,0,0,0,1,1,1,1], "points": [[1,0],[2,2],[3,2],[4,0]],
+    "symmetry": {"group": 0, "place": 0, "center": [0,0], "mirror": 90} },
+  { "name": "left", "degree": 3, "knots": [0,0,0,0,1,1,1,1], "points": [[-1,0],[-2,2],[-3,2],[-4,0]],
+    "symmetry": {"group": 0, "place": 1, "center": [0,0], "mirror": 90},
+    "joints": [{"end": "end", "joint": 0, "mark": "smooth"}] },
+  { "name": "tail", "degree": 3, "knots": [0,0,0,0,1,1,1,1], "points": [[-4,0],[-5,-2],[-6,-2],[-7,0]],
+    "joints": [{"end": "start", "joint": 0, "mark": "smooth"}] } ] })");
+    ASSERT_TRUE(run(SetPoint{.index = 3, .position = {5, 1}}));
+    EXPECT_EQ(point(3, 1), core::Point(-5, 1));
+    EXPECT_EQ(point(3, 1), point(0, 2));
+    ASSERT_TRUE(run(SetPoint{.index = 2, .position = {4, 4}}));
+    EXPECT_EQ(point(2, 1), core::Point(-4, 4));
+    const core::Vector leg = point(1, 2) - point(0, 2);
+    EXPECT_NEAR(core::cross(leg, core::Vector(-1, -3)) / core::length(leg), 0.0, 1e-12);
+    EXPECT_EQ(entry(2).joints.ends.size(), 1U);
+    // Backwards, the image has its joint at the other end.
+    ASSERT_TRUE(run(Reverse{}));
+    EXPECT_EQ(entry(1).joints.ends, (std::vector<core::EndMark>{{core::CurveEnd::start, 0, JointMark::smooth}}));
+    EXPECT_EQ(point(0, 1), point(0, 2));
+    // What is locked cannot follow.
+    run(SetCurveLocked{.index = 2, .locked = true});
+    ASSERT_TRUE(run(SetPoint{.index = 0, .position = {7, 7}}));
+    EXPECT_EQ(point(0, 1), core::Point(-7, 7));
+    EXPECT_TRUE(entry(1).joints.is_empty() && entry(2).joints.is_empty());
+    EXPECT_NE(message().find("could not be kept"), std::string::npos) << message();
 }
 
 TEST_F(MarkedJoints, are_written_and_read) {
