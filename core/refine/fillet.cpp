@@ -149,7 +149,8 @@ double readable_least(const FilletPick& pick, const TouchingFinder& finder, doub
 }
 
 CurveError why_no_fillet(const FilletPick& pick, const TouchingFinder& finder, double radius) {
-    if (finder.stretch_count() > most_stretches) return {.code = CurveErrorCode::no_fillet};
+    const bool has_size = least_radius * finder.size() > 0.0 && std::isfinite(largest_radius * finder.size());
+    if (!has_size || finder.stretch_count() > most_stretches) return {.code = CurveErrorCode::no_fillet};
     const auto possible = possible_radii(pick, finder, radius);
     if (!possible) return {.code = CurveErrorCode::no_fillet};
     const double upper = rounded_down(possible->upper);

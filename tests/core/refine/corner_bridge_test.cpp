@@ -177,6 +177,10 @@ TEST(Fillet, says_which_radii_there_are) {
     EXPECT_EQ(fillet({side, 0.5}, {parallel, 0.5}, 1.0).error().code, CurveErrorCode::no_fillet);
     EXPECT_EQ(fillet({side, 0.5}, {parallel, 0.5}, 0.0).error().code, CurveErrorCode::length_not_positive);
     EXPECT_EQ(fillet({side, 0.5}, {parallel, 0.5}, NAN).error().code, CurveErrorCode::length_not_positive);
+    // Where all points are one there are no sizes to try.
+    const Curve still =
+        Curve::make({.degree = 1, .knots = {0, 0, 1, 2, 2}, .points = {{2, 3}, {2, 3}, {2, 3}}}).value();
+    EXPECT_EQ(fillet({still, 0.5}, {still, 1.5}, 1.0).error().code, CurveErrorCode::no_fillet);
 }
 
 TEST(Fillet, joins_in_every_direction) {
