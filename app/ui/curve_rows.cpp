@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <string_view>
+#include <utility>
 
 namespace batten::ui {
 
@@ -43,6 +44,20 @@ std::vector<CurveRow> curve_rows(const core::Document& document, const std::set<
         for (const std::size_t member : own) rows.push_back({member, false, true});
     }
     return rows;
+}
+
+std::vector<std::size_t> curves_between(const std::vector<CurveRow>& rows, std::size_t first, std::size_t last) {
+    const auto row_of = [&](std::size_t curve) {
+        return std::ranges::find_if(rows, [=](const CurveRow& row) { return !row.is_heading && row.curve == curve; });
+    };
+    auto from = row_of(first);
+    auto to = row_of(last);
+    if (from == rows.end() || to == rows.end()) return {last};
+    if (to < from) std::swap(from, to);
+    std::vector<std::size_t> curves;
+    for (auto row = from; row <= to; ++row)
+        if (!row->is_heading) curves.push_back(row->curve);
+    return curves;
 }
 
 std::optional<editor::MoveCurve> dropped_curve(const core::Document& document, const std::vector<CurveRow>& rows,

@@ -23,6 +23,10 @@ struct CurveRow {
 /// folded group are left out. Cost O(n log n) in the number of curves.
 std::vector<CurveRow> curve_rows(const core::Document& document, const std::set<std::string>& folded);
 
+/// The curves in the rows from that of one to that of the other, both included; `last` alone where no row shows
+/// `first`.
+std::vector<std::size_t> curves_between(const std::vector<CurveRow>& rows, std::size_t first, std::size_t last);
+
 /// What happens to curve `from` when it is dropped before row `slot` (the number of rows: behind the last): between
 /// members of a group it becomes one, beside one it stays in its own. None where it is there already.
 std::optional<editor::MoveCurve> dropped_curve(const core::Document& document, const std::vector<CurveRow>& rows,

@@ -137,19 +137,6 @@ void select(const PanelContext& context, const editor::SelectedParts& parts) {
     context.queue.run(editor::SelectParts{.parts = editor::text_of_parts(parts)});
 }
 
-/// The curves in the rows between two, both included.
-Indices curves_between(const std::vector<CurveRow>& rows, std::size_t first, std::size_t last) {
-    Indices curves;
-    bool is_between = false;
-    for (const CurveRow& row : rows) {
-        if (row.is_heading) continue;
-        const bool is_end = row.curve == first || row.curve == last;
-        if (is_between || is_end) curves.push_back(row.curve);
-        if (is_end && first != last) is_between = !is_between;
-    }
-    return curves;
-}
-
 /// Ctrl takes the curve in or out, Shift takes all from the one that was clicked before.
 void click_curve(const PanelContext& context, std::size_t i) {
     CurveListState& list = context.panels.inspector.curves;

@@ -31,6 +31,17 @@ TEST(CurveRows, members_follow_their_heading_wherever_they_are) {
               (Rows{{0}, {1, true}, {2, true}, {2, false, true}, {5, false, true}, {3}}));
 }
 
+TEST(CurveRows, are_taken_from_one_to_another) {
+    using Indices = std::vector<std::size_t>;
+    const core::Document document = document_with({"", "a", "b", "", "a", "b"});
+    const Rows all = curve_rows(document, {});
+    EXPECT_EQ(curves_between(all, 0, 4), (Indices{0, 1, 4}));
+    EXPECT_EQ(curves_between(all, 3, 4), (Indices{4, 2, 5, 3}));
+    EXPECT_EQ(curves_between(all, 2, 2), (Indices{2}));
+    EXPECT_EQ(curves_between(curve_rows(document, {"a"}), 4, 2), (Indices{2})) << "its group is folded";
+    EXPECT_EQ(curves_between(all, 9, 2), (Indices{2})) << "it was deleted";
+}
+
 struct Drop {
     std::size_t from;
     std::size_t slot;
