@@ -51,17 +51,21 @@ void draw_fit_number(const PanelContext& context, std::size_t i, ImVec2 origin) 
 
 void draw_fit_coordinate(const PanelContext& context, std::size_t i, bool is_x, float width) {
     const core::Point place = shown_fit(context).points[i].place;
+    const editor::Units& units = context.state.shown().units;
     NumberField field;
     field.name = fmt::format("fit point {} {}", i, is_x ? "x" : "y");
-    field.value = is_x ? place.x : place.y;
-    field.decimals = editor::decimals_for(context.state.derived.of(*context.state.active_curve())->size);
+    field.value = editor::in_units(units, is_x ? place.x : place.y);
+    field.length = units;
+    const double size = context.state.derived.of(*context.state.active_curve())->size;
+    field.decimals = editor::decimals_for(editor::in_units(units, size));
     field.speed = step_of(field.decimals);
     field.width_px = width;
     field.height = 20.0;
     field.is_enabled = is_editable(context.state);
     field.tooltip = locked_sentence(context.state);
+    const double scale = editor::world_per_length(units);
     draw_number_field(context, field, [=](double value) {
-        const core::Point moved = is_x ? core::Point(value, place.y) : core::Point(place.x, value);
+        const core::Point moved = is_x ? core::Point(value * scale, place.y) : core::Point(place.x, value * scale);
         return editor::MoveFitPoint{.index = i, .position = moved};
     });
 }
