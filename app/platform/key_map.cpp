@@ -45,6 +45,12 @@ constexpr std::array american_signs{
     MappedKey{GLFW_KEY_PERIOD, Key::period},
 };
 
+/// Meant by their place where the layout prints letters there that are not Latin; elsewhere what is printed counts.
+constexpr std::array american_brackets{
+    MappedKey{GLFW_KEY_LEFT_BRACKET, Key::left_bracket},
+    MappedKey{GLFW_KEY_RIGHT_BRACKET, Key::right_bracket},
+};
+
 Key offset_key(Key first, int offset) {
     return static_cast<Key>(static_cast<int>(first) + offset);
 }
@@ -104,7 +110,8 @@ Key key_from_glfw(int key, int scancode, const Layout& layout) {
     const std::string name = layout(key, scancode);
     if (const Key printed = printed_key(name); printed != Key::none) return printed;
     const Key place = american_place(key);
-    if (place == Key::none || is_of_another_script(name)) return place;
+    if (is_of_another_script(name)) return place != Key::none ? place : key_in(american_brackets, key);
+    if (place == Key::none) return place;
     return prints_anywhere(layout, place) ? Key::none : place;
 }
 

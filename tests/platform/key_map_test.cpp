@@ -113,6 +113,14 @@ TEST(KeyMap, has_a_comma_and_a_period) {
     EXPECT_EQ(key_from_glfw(GLFW_KEY_W, 0, dvorak), Key::comma);
 }
 
+TEST(KeyMap, has_brackets_by_their_place_where_no_key_prints_them) {
+    EXPECT_EQ(key_from_glfw(GLFW_KEY_LEFT_BRACKET, 0, russian), Key::left_bracket);
+    EXPECT_EQ(key_from_glfw(GLFW_KEY_RIGHT_BRACKET, 0, russian), Key::right_bracket);
+    EXPECT_EQ(key_from_glfw(GLFW_KEY_LEFT_BRACKET, 0, american), Key::none) << "is a character that is typed";
+    EXPECT_EQ(key_from_glfw(GLFW_KEY_LEFT_BRACKET, 0, greek), Key::none);
+    EXPECT_EQ(key_from_glfw(GLFW_KEY_LEFT_BRACKET, 0, german), Key::none) << "prints ü";
+}
+
 TEST(KeyMap, knows_the_signs_that_take_shift) {
     EXPECT_EQ(key_from_sign('+'), Key::plus);
     EXPECT_EQ(key_from_sign('-'), Key::minus);

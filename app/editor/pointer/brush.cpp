@@ -226,8 +226,8 @@ CanvasMode begin_brush(const Gesture& gesture) {
 
 std::optional<double> brush_notches_of_key(const PointerEvent& event) {
     if (event.modifiers.ctrl || event.modifiers.alt) return std::nullopt;
-    if (event.character == U'[') return -1.0;
-    if (event.character == U']') return 1.0;
+    if (event.character == U'[' || event.key == Key::left_bracket) return -1.0;
+    if (event.character == U']' || event.key == Key::right_bracket) return 1.0;
     return std::nullopt;
 }
 

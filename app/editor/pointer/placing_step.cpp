@@ -66,7 +66,7 @@ std::optional<TypedPlace> typed_by(const PointerEvent& event, const TypedPlace& 
 }
 
 bool prints(Key key) {
-    return (key >= Key::a && key <= Key::digit_9) || (key >= Key::space && key <= Key::period);
+    return (key >= Key::a && key <= Key::digit_9) || (key >= Key::space && key <= Key::right_bracket);
 }
 
 /// Keys whose character may begin a number, and that have shortcuts.

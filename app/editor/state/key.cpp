@@ -13,9 +13,9 @@ std::string name_of(Key key) {
     if (key >= Key::a && key <= Key::z) return std::string(1, static_cast<char>('A' + offset_from(Key::a)));
     if (key >= Key::digit_0 && key <= Key::digit_9) return std::to_string(offset_from(Key::digit_0));
     if (key >= Key::f1 && key <= Key::f12) return fmt::format("F{}", 1 + offset_from(Key::f1));
-    static constexpr std::array names{"Left",    "Right",     "Up",  "Down", "Home",  "End",
-                                      "Page Up", "Page Down", "Tab", "Esc",  "Enter", "Backspace",
-                                      "Delete",  "Space",     "+",   "−",    ",",     "."};
+    static constexpr std::array names{"Left",      "Right", "Up",  "Down",  "Home",      "End",    "Page Up",
+                                      "Page Down", "Tab",   "Esc", "Enter", "Backspace", "Delete", "Space",
+                                      "+",         "−",     ",",   ".",     "[",         "]"};
     return names[static_cast<std::size_t>(offset_from(Key::left))];
 }
 

@@ -62,6 +62,8 @@ enum class Key {
     minus,
     comma,
     period,
+    left_bracket,
+    right_bracket,
     f1,
     f2,
     f3,

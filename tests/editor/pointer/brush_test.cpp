@@ -12,6 +12,7 @@
 #include "app/editor/commands/pin_commands.h"
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/commands/unit_commands.h"
+#include "app/editor/pointer/placing_step.h"
 #include "core/edit/fair.h"
 #include "core/evaluate/evaluate.h"
 #include "tests/editor/canvas_fixture.h"
@@ -94,6 +95,19 @@ TEST_F(BrushTest, the_wheel_and_brackets_change_it_also_in_mid_drag) {
     EXPECT_EQ(point(1), core::Point(-2, 3));
     for (int k = 0; k < 100; ++k) pointer.send(PointerAction::wheel, px(0, 0), -1.0);
     EXPECT_EQ(state().view.brush.radius, 4.0);
+}
+
+TEST_F(BrushTest, keys_in_the_place_of_brackets_change_it_where_none_are_printed) {
+    pointer.move(px(-2, 2));
+    for (const Key key : {Key::right_bracket, Key::right_bracket, Key::left_bracket}) {
+        PointerEvent event;
+        event.action = PointerAction::key;
+        event.position_px = px(-2, 2);
+        event.key = key;
+        EXPECT_TRUE(takes_key(pointer.mode(), state(), event));
+        pointer.send(event);
+    }
+    EXPECT_NEAR(state().view.brush.radius, 320 * 1.15, 1e-9);
 }
 
 TEST_F(BrushTest, typed_numbers_and_escape) {
