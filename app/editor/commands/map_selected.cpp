@@ -96,7 +96,8 @@ std::optional<Refusal> no_selected_curve(const EditorState& state) {
 
 std::optional<Refusal> nothing_to_map(const EditorState& state) {
     if (!state.selection.is_over_curves()) return no_editable_points(state);
-    for (const SelectedPart& part : selected_parts(state))
+    const auto selected = selected_box(state);
+    for (const SelectedPart& part : selected->parts)
         if (auto refusal = locked(state.history.present().curves[part.curve])) return refusal;
     return std::nullopt;
 }

@@ -24,7 +24,7 @@ using core::sentence;
 // The box around the control points that are mapped; empty where there are none.
 core::Box box_of_target(const EditorState& state, MapTarget what) {
     if (what == MapTarget::curve) return core::control_box(active_curve(state));
-    if (what == MapTarget::selection) return box_of_selected(state);
+    if (what == MapTarget::selection) return selected_box(state)->box;
     core::Box box;
     if (what == MapTarget::all)
         for (const core::DocumentCurve& item : state.history.present().curves) {

@@ -10,6 +10,7 @@
 #include "app/editor/derived/knot_questions.h"
 #include "app/editor/derived/map_check.h"
 #include "app/editor/derived/plot_basis.h"
+#include "app/editor/derived/selected_box.h"
 #include "app/editor/words/number_column.h"
 #include "core/curve/curve.h"
 #include "core/curve/knot_analysis.h"
@@ -81,6 +82,11 @@ class Derived {
     /// For what is under the pointer; of any number of curves.
     std::shared_ptr<const core::NearParts> near_parts(const std::shared_ptr<const core::Curve>& curve) const;
 
+    /// What is selected of all curves; see KeptSelection.
+    std::shared_ptr<const SelectedBox> selected(const Selection& selection, const core::Document& document) const {
+        return selected_.of(selection, document);
+    }
+
   private:
     Kept<core::KnotVector, KnotFacts, share_arrays> of_knots_;
     Kept<core::Curve, CurveFacts, share_arrays> of_curves_;
@@ -91,6 +97,7 @@ class Derived {
     Kept<core::KnotVector, KnotAnswers, share_arrays> answers_;
     Kept<MappedCurve, MapCheck, share_arrays> map_checks_;
     KeptBeside<core::Curve, core::NearParts> near_parts_;
+    KeptSelection selected_;
 };
 
 }  // namespace batten::editor

@@ -169,8 +169,8 @@ struct SelectHint {
 };
 
 std::string other_point_hint(const EditorState& state, const HoveredOtherPoint& hovered) {
-    const SelectedParts parts = selected_parts(state);
-    const SelectedPart* part = part_of(parts, hovered.curve);
+    const auto selected = selected_box(state);
+    const SelectedPart* part = part_of(selected->parts, hovered.curve);
     const bool is_selected =
         part != nullptr && (part->is_whole() || std::ranges::binary_search(part->points, hovered.index));
     if (is_selected) return all_selected_hint();
@@ -180,8 +180,8 @@ std::string other_point_hint(const EditorState& state, const HoveredOtherPoint& 
 
 std::string other_curve_hint(const EditorState& state, std::size_t index) {
     const core::Place name("name", state.shown().curves[index].name);
-    const SelectedParts parts = selected_parts(state);
-    const SelectedPart* part = part_of(parts, index);
+    const auto selected = selected_box(state);
+    const SelectedPart* part = part_of(selected->parts, index);
     if (part != nullptr && part->is_whole())
         return sentence("Drag to move all that is selected · Shift-click takes '{name}' out", {name});
     return sentence("Click to make '{name}' the active curve · Shift-click selects it, too", {name});

@@ -86,11 +86,11 @@ std::optional<TransformGrip> side_at(const EditorState& state, const TransformBo
 
 std::optional<TransformBox> transform_box(const EditorState& state) {
     TransformBox box;
-    box.parts = selected_parts(state);
-    if (!box.parts.empty()) {
+    box.selected = selected_box(state);
+    if (!box.is_of_active_curve()) {
         if (nothing_to_map(state)) return std::nullopt;
         box.what = MapTarget::selection;
-        box.box = box_of_selected(state);
+        box.box = box.selected->box;
     } else {
         if (!can_edit_curve(state)) return std::nullopt;
         box.box = state.derived.of(*committed_curve(state))->control_box;
@@ -168,7 +168,7 @@ Hover hit_for_transform(const EditorState& state, glm::dvec2 position_px) {
 bool is_selected_by_press(const EditorState& state, const Hover& hit) {
     if (std::holds_alternative<HoveredPoint>(hit)) return true;
     const auto* other = std::get_if<HoveredOtherCurve>(&hit);
-    return other != nullptr && part_of(selected_parts(state), other->index) == nullptr;
+    return other != nullptr && part_of(selected_box(state)->parts, other->index) == nullptr;
 }
 
 }  // namespace batten::editor

@@ -1,6 +1,7 @@
 /// The box around what is selected, with the grips by which it is scaled, turned, sheared and moved.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "app/editor/commands/transform_commands.h"
@@ -16,11 +17,13 @@ struct TransformBox {
     core::Box box;               ///< around its control points
     core::Point pivot{};         ///< what stays when it is turned: the middle of the box, if none was chosen
     bool has_own_pivot = false;  ///< one was chosen, which stays whatever is done
-    SelectedParts parts{};       ///< what is selected; nothing for the active curve
+    std::shared_ptr<const SelectedBox> selected{};  ///< what is selected; no parts for the active curve
+
+    bool is_of_active_curve() const { return selected->parts.empty(); }
 };
 
 /// That of what is selected, over several curves, in the committed document, else that of the active curve; none where
-/// it must not be edited. Cost O(n) of what is selected.
+/// it must not be edited. Cost that of selected_box().
 std::optional<TransformBox> transform_box(const EditorState& state);
 
 /// Whether dragging the grip can do anything: a box without width has no grips that scale along x.

@@ -32,7 +32,7 @@ const TypedPlace& typed_in(const Gesture& gesture) {
 }
 
 Dragged dragged_by(const TransformBox& box) {
-    return {.is_curve = box.parts.empty(), .parts = box.parts};
+    return {.is_curve = box.is_of_active_curve(), .parts = box.selected->parts};
 }
 
 /// Where the pointer leads what was at `start`: with keys that mean something else here left out, and without what is
@@ -158,7 +158,7 @@ Transformation sheared(const DraggingTransform& mode, const Gesture& gesture, co
 /// The corner, middle of a side, middle, or control point that is nearest to where the drag began: that one snaps.
 core::Point moved_point(const DraggingTransform& mode, const Gesture& gesture, const TransformBox& box) {
     const core::Curve* curve = committed_curve(gesture.state);
-    const bool moves_point = mode.clicked && (box.parts.empty() || gesture.state.selection.is_whole ||
+    const bool moves_point = mode.clicked && (box.is_of_active_curve() || gesture.state.selection.is_whole ||
                                               gesture.state.selection.contains_point(*mode.clicked));
     if (moves_point && *mode.clicked < curve->control_points().size()) return curve->control_points()[*mode.clicked];
     const core::Point press(render::world_from_screen(gesture.state.view.camera, mode.press_px));

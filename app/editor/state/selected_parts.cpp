@@ -12,7 +12,6 @@
 #include "app/editor/pointer/hint_text.h"
 #include "app/editor/state/state.h"
 #include "core/base/sentence.h"
-#include "core/curve/control_box.h"
 
 namespace batten::editor {
 
@@ -143,17 +142,8 @@ std::vector<std::size_t> selected_curves(const EditorState& state) {
     return curves;
 }
 
-core::Box box_of_selected(const EditorState& state) {
-    core::Box box;
-    for (const SelectedPart& part : selected_parts(state)) {
-        const core::Curve& curve = *state.history.present().curves[part.curve].curve;
-        for (const std::size_t i : part.points) box.include(curve.control_points()[i]);
-        if (!part.is_whole()) continue;
-        const core::Box whole = core::control_box(curve);
-        box.include(whole.lower);
-        box.include(whole.upper);
-    }
-    return box;
+std::shared_ptr<const SelectedBox> selected_box(const EditorState& state) {
+    return state.derived.selected(state.selection, state.history.present());
 }
 
 bool is_all_of(const SelectedPart& part, const core::DocumentCurve& entry) {

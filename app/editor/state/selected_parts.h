@@ -1,10 +1,12 @@
 /// What is selected of all curves: asked for, put together, kept true, and as text.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/editor/derived/selected_box.h"
 #include "app/editor/fields/field.h"
 #include "app/editor/state/selection.h"
 #include "core/base/geometry.h"
@@ -25,9 +27,9 @@ Selection selection_of(SelectedParts parts, std::size_t active);
 /// The curves of which anything is selected, ascending.
 std::vector<std::size_t> selected_curves(const EditorState& state);
 
-/// The box around the selected control points, and all of those of curves that are selected as a whole, in the
-/// committed document; empty where there are none. Cost O(n) of what is selected.
-core::Box box_of_selected(const EditorState& state);
+/// What is selected of the committed document, and the box around its control points, all of those of curves that are
+/// selected as a whole. Kept as long as nothing of both changes; see KeptSelection.
+std::shared_ptr<const SelectedBox> selected_box(const EditorState& state);
 
 /// Whether `part` is the whole of `entry`, or all of its control points.
 bool is_all_of(const SelectedPart& part, const core::DocumentCurve& entry);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/commands/transform_commands.h"
@@ -74,6 +75,20 @@ TEST_F(Transforming, previews_and_commits_one_command_that_replays) {
     Editor other = test::zigzag_editor();
     other.run(Stretch{.along_x = 1.25, .along_y = 1.0, .what = MapTarget::curve, .pivot = core::Point(-4, 0)});
     EXPECT_EQ(test::committed(editor), test::committed(other));
+}
+
+TEST_F(Transforming, the_box_is_made_anew_only_where_what_is_selected_changes) {
+    editor.run(SelectPoints{.points = {0, 1}});
+    const auto kept = transform_box(state())->selected;
+    EXPECT_EQ(kept->box.lower, core::Point(-4, -2));
+    EXPECT_EQ(kept->box.upper, core::Point(-2, 2));
+    EXPECT_EQ(transform_box(state())->selected, kept);
+    editor.run(SetPoint{.index = 1, .position = {-1, 3}});
+    EXPECT_EQ(transform_box(state())->selected->box.upper, core::Point(-1, 3));
+    editor.run(SelectPoints{.points = {0, 2}});
+    EXPECT_EQ(transform_box(state())->selected->box.upper, core::Point(0, -2));
+    editor.run(Undo{});
+    EXPECT_EQ(transform_box(state())->selected->parts, (SelectedParts{{0, {0, 2}}}));
 }
 
 TEST_F(Transforming, a_corner_scales_both_and_with_shift_alike) {
