@@ -161,6 +161,7 @@ void show_document(EditorState& state, core::Document document, const fs::path& 
     state.findings.reset();
     state.lesson.reset();
     state.selection = {};
+    state.pivot.reset();
     state.hover = HoveredNothing{};
     state.path = path;
     state.view.title_is_open = true;

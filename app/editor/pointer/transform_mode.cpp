@@ -240,8 +240,10 @@ CanvasMode give_up(const DraggingTransform& mode, const Gesture& gesture) {
 }  // namespace
 
 CanvasMode begin_transform(const Gesture& gesture, TransformGrip grip, std::optional<std::size_t> clicked) {
-    return DraggingTransform{
-        .grip = grip, .press_px = gesture.event.position_px, .before = gesture.state.pivot, .clicked = clicked};
+    DraggingTransform mode{.grip = grip, .press_px = gesture.event.position_px, .clicked = clicked};
+    // One that was chosen for another selection does not count.
+    if (const auto box = transform_box(gesture.state); box && box->has_own_pivot) mode.before = gesture.state.pivot;
+    return mode;
 }
 
 CanvasMode step(DraggingTransform mode, const Gesture& gesture) {

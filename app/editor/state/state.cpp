@@ -19,6 +19,7 @@ void take_tool(EditorState& state, Tool tool) {
     ++state.tool_changes;
     // What was begun with the other tool is left, with all that it shows.
     state.placing = {};
+    if (std::holds_alternative<HoveredGrip>(state.hover)) state.hover = HoveredNothing{};
     if (std::exchange(state.preview, std::nullopt)) state.ghost.reset();
 }
 

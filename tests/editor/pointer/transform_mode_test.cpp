@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/tool_commands.h"
@@ -89,6 +90,36 @@ TEST_F(Transforming, the_box_is_made_anew_only_where_what_is_selected_changes) {
     EXPECT_EQ(transform_box(state())->selected->box.upper, core::Point(0, -2));
     editor.run(Undo{});
     EXPECT_EQ(transform_box(state())->selected->parts, (SelectedParts{{0, {0, 2}}}));
+}
+
+TEST_F(Transforming, another_tool_has_no_grips_under_the_pointer) {
+    pointer.move(right_handle);
+    ASSERT_TRUE(std::holds_alternative<HoveredGrip>(state().hover));
+    editor.run(SetTool{.tool = Tool::select});
+    EXPECT_EQ(state().hover, Hover(HoveredNothing{}));
+}
+
+TEST_F(Transforming, the_pivot_stays_with_its_document) {
+    pointer.drag(px(0, 0), px(1, 1));
+    ASSERT_TRUE(transform_box(state())->has_own_pivot);
+    editor.run(NewDocument{});
+    editor.run(AnswerUnsaved{.answer = UnsavedAnswer::discard});
+    ASSERT_EQ(state().active_curve(), nullptr);
+    editor.run(SetTool{.tool = Tool::transform});
+    EXPECT_FALSE(state().pivot);
+}
+
+TEST_F(Transforming, escape_brings_back_no_pivot_of_another_selection) {
+    editor.run(SelectPoints{.points = {0, 1}});
+    pointer.drag(px(-3, 0), px(1, 1));
+    ASSERT_TRUE(transform_box(state())->has_own_pivot);
+    editor.run(SelectPoints{.points = {1, 2}});
+    ASSERT_FALSE(transform_box(state())->has_own_pivot);
+    pointer.press(px(-1, 0));
+    pointer.move(px(3, 1));
+    pointer.escape(px(3, 1));
+    EXPECT_FALSE(transform_box(state())->has_own_pivot);
+    EXPECT_EQ(transform_box(state())->pivot, core::Point(-1, 0));
 }
 
 TEST_F(Transforming, a_corner_scales_both_and_with_shift_alike) {
