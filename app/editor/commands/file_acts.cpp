@@ -162,6 +162,7 @@ void show_document(EditorState& state, core::Document document, const fs::path& 
     state.lesson.reset();
     state.selection = {};
     state.pivot.reset();
+    state.axis_pick.reset();
     state.hover = HoveredNothing{};
     state.path = path;
     state.view.title_is_open = true;

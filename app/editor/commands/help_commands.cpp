@@ -59,7 +59,6 @@ Outcome<void> escape(EditorState& state, const Escape& command) {
         case Escapable::tool:
             take_tool(state, Tool::select);
             state.gauge.reset();
-            if (std::exchange(state.axis_pick, std::nullopt)) state.preview.reset();
             break;
         case Escapable::findings:
             state.findings.reset();

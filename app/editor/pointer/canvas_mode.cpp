@@ -44,18 +44,28 @@ Hover hit_of_tool(const Gesture& gesture) {
     return picture ? Hover(HoveredPicture{*picture}) : hit;
 }
 
+// What would come of a click is not shown while nothing can be clicked.
+void leave_canvas(const Gesture& gesture) {
+    request_hover(HoveredNothing{}, gesture.state, gesture.queue);
+    if (gesture.state.axis_pick && gesture.state.preview) gesture.queue.cancel_preview();
+}
+
 CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {
     if (is_press(gesture)) return begin_canvas_gesture(gesture);
     if (gesture.event.action == PointerAction::wheel) turn_canvas_wheel(gesture);
-    if (gesture.event.action == PointerAction::leave) request_hover(HoveredNothing{}, gesture.state, gesture.queue);
+    if (gesture.event.action == PointerAction::leave) leave_canvas(gesture);
     if (gesture.event.action == PointerAction::take_back && gesture.state.axis_pick) take_axis_click_back(gesture);
     if (!is_move(gesture)) return mode;
+    const Tool tool = gesture.state.tool;
+    // These show themselves what a click would be about.
+    if (gesture.state.axis_pick || tool == Tool::joint || tool == Tool::brush)
+        request_hover(HoveredNothing{}, gesture.state, gesture.queue);
     if (gesture.state.axis_pick) {
         hover_axis(gesture);
         return mode;
     }
-    if (gesture.state.tool == Tool::joint) return begin_joint(gesture);
-    if (gesture.state.tool == Tool::brush) return begin_brush(gesture);
+    if (tool == Tool::joint) return begin_joint(gesture);
+    if (tool == Tool::brush) return begin_brush(gesture);
     request_hover(hit_of_tool(gesture), gesture.state, gesture.queue);
     if (places_points(gesture.state.tool)) static_cast<void>(pointed_at(gesture));
     return mode;

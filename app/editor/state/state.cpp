@@ -14,6 +14,7 @@ std::string EditorState::file_name() const {
 }
 
 void take_tool(EditorState& state, Tool tool) {
+    if (std::exchange(state.axis_pick, std::nullopt)) state.preview.reset();
     if (state.tool == tool) return;
     state.tool = tool;
     ++state.tool_changes;

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/commands/axis_commands.h"
+#include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/tool_commands.h"
 #include "tests/editor/canvas_fixture.h"
 #include "tests/editor/sample_editor.h"
 
@@ -101,6 +103,38 @@ TEST_F(AxisPicking, takes_the_first_click_back_and_then_gives_up) {
     EXPECT_FALSE(state().axis_pick);
     EXPECT_FALSE(listens_to_drawing_keys(pointer.mode(), state())) << "now they are about the document";
     EXPECT_EQ(steps(), 0U);
+}
+
+TEST_F(AxisPicking, is_given_up_for_a_tool_or_another_document) {
+    for (const Tool tool : {Tool::select, Tool::pencil}) {
+        editor.run(PickMirror{});
+        pointer.click(px(5, -3));
+        pointer.move(px(5, 1));
+        ASSERT_TRUE(state().preview);
+        editor.run(SetTool{.tool = tool});
+        EXPECT_FALSE(state().axis_pick);
+        EXPECT_FALSE(state().preview);
+        EXPECT_EQ(state().tool, tool);
+    }
+    editor.run(PickMirror{});
+    editor.run(NewDocument{});
+    editor.run(AnswerUnsaved{.answer = UnsavedAnswer::discard});
+    ASSERT_EQ(state().active_curve(), nullptr);
+    EXPECT_FALSE(state().axis_pick);
+}
+
+TEST_F(AxisPicking, shows_no_result_while_the_pointer_is_elsewhere) {
+    pointer.move(px(-2, 2));
+    ASSERT_EQ(state().hover, Hover(HoveredPoint{1}));
+    editor.run(PickMirror{});
+    pointer.click(px(5, -3));
+    pointer.move(px(5, 1));
+    EXPECT_EQ(state().hover, Hover(HoveredNothing{}));
+    ASSERT_TRUE(state().preview);
+    pointer.send(PointerAction::leave, px(5, 1));
+    EXPECT_FALSE(state().preview);
+    pointer.move(px(5, 1));
+    EXPECT_TRUE(state().preview);
 }
 
 TEST_F(AxisPicking, two_clicks_at_one_place_are_no_axis) {

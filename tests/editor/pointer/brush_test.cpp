@@ -97,6 +97,17 @@ TEST_F(BrushTest, the_wheel_and_brackets_change_it_also_in_mid_drag) {
     EXPECT_EQ(state().view.brush.radius, 4.0);
 }
 
+TEST_F(BrushTest, nothing_stays_lit_that_was_under_the_pointer_before) {
+    for (const Tool tool : {Tool::brush, Tool::joint}) {
+        editor.run(SetTool{.tool = Tool::select});
+        pointer.move(px(-2, 2));
+        ASSERT_EQ(state().hover, Hover(HoveredPoint{1}));
+        editor.run(SetTool{.tool = tool});
+        pointer.move(px(3, -3));
+        EXPECT_EQ(state().hover, Hover(HoveredNothing{}));
+    }
+}
+
 TEST_F(BrushTest, keys_in_the_place_of_brackets_change_it_where_none_are_printed) {
     pointer.move(px(-2, 2));
     for (const Key key : {Key::right_bracket, Key::right_bracket, Key::left_bracket}) {
