@@ -105,6 +105,7 @@ void toggle_curve(const Gesture& gesture, std::size_t curve) {
     const auto group_of = [&](std::size_t i) { return selectable(document, with_groups(document, {i})); };
     SelectedParts parts = selected_parts(gesture.state);
     const SelectedPart* own = part_of(parts, curve);
+    if (curve >= document.curves.size()) return;  // it went while the button was held
     if (!can_be_selected(document.curves[curve])) {
         // Refused with the reason.
         gesture.queue.run(SelectParts{.parts = text_of_parts({{curve}})});

@@ -86,6 +86,16 @@ TEST_F(SelectionPress, shift_click_takes_curves_in_and_out) {
     EXPECT_EQ(selected(), "") << "a plain click activates";
 }
 
+TEST_F(SelectionPress, a_curve_that_goes_while_it_is_pressed_is_not_taken) {
+    pointer.modifiers = shift;
+    pointer.press(px(0, -4));
+    editor.run(Undo{});
+    ASSERT_EQ(state().history.present().curves.size(), 2U);
+    pointer.release(px(0, -4));
+    EXPECT_EQ(selected(), "");
+    EXPECT_FALSE(state().message.is_error);
+}
+
 TEST_F(SelectionPress, a_group_is_taken_in_and_out_as_one) {
     editor.run(GroupCurves{.name = "lines", .curves = {1, 2}});
     click_with(shift, px(2, 3.5));
