@@ -11,6 +11,9 @@ namespace {
 
 constexpr double most_other_places = 4.0;  // of all lines, for each pixel of the picture's width
 
+// Of what is painted anew with every move of the pointer.
+constexpr double moving_tolerance_px = 1.0;
+
 std::vector<CurveInColor> others(const CanvasFrame& frame) {
     const core::Document& document = frame.state.shown();
     std::vector<CurveInColor> found;
@@ -23,14 +26,24 @@ std::vector<CurveInColor> others(const CanvasFrame& frame) {
     return found;
 }
 
-bool is_kept(const OtherInk& kept, const InkPlace& place, const std::vector<CurveInColor>& curves) {
-    return !kept.inks.empty() && kept.place == place &&
+// Whether one of them is not as it is in the committed document.
+bool are_moving(const CanvasFrame& frame, const std::vector<CurveInColor>& curves) {
+    const core::Document& committed = frame.state.history.present();
+    return frame.state.preview && std::ranges::any_of(curves, [&](const CurveInColor& one) {
+               return one.index >= committed.curves.size() || committed.curves[one.index].curve != one.item.curve;
+           });
+}
+
+bool is_kept(const OtherInk& kept, const InkPlace& place, double tolerance_px,
+             const std::vector<CurveInColor>& curves) {
+    return !kept.inks.empty() && kept.place == place && kept.tolerance_px <= tolerance_px &&
            std::equal(kept.items.begin(), kept.items.end(), curves.begin(), curves.end(),
                       [](const OtherInk::Item& item, const CurveInColor& other) { return item == other.item; });
 }
 
-OtherInk inked(CanvasFrame& frame, const InkPlace& place, const std::vector<CurveInColor>& curves) {
-    OtherInk kept{place, {}, {}};
+OtherInk inked(CanvasFrame& frame, const InkPlace& place, double tolerance_px,
+               const std::vector<CurveInColor>& curves) {
+    OtherInk kept{place, tolerance_px, {}, {}};
     std::vector<std::shared_ptr<render::CoverageMap>> maps;
     for (const CurveInColor& other : curves) {
         kept.items.push_back(other.item);
@@ -41,7 +54,7 @@ OtherInk inked(CanvasFrame& frame, const InkPlace& place, const std::vector<Curv
             maps.push_back(std::make_shared<render::CoverageMap>(place.size_px));
             kept.inks.push_back({maps.back(), other.item.color});
         }
-        paint_curve(frame, frame.cache.curve(other.index, other.item.curve).strips(), place, *maps[k]);
+        paint_curve(frame, frame.cache.curve(other.index, other.item.curve).strips(), place, tolerance_px, *maps[k]);
     }
     return kept;
 }
@@ -63,16 +76,22 @@ std::vector<SeenLine> lines_of(CanvasFrame& frame, const std::vector<CurveInColo
 
 }  // namespace
 
-void draw_curves(CanvasFrame& frame, const std::vector<CurveInColor>& curves, double width, OtherInk& kept) {
+void draw_curves(CanvasFrame& frame, const std::vector<CurveInColor>& curves, double width, MovingInk moving,
+                 OtherInk& kept) {
     Stroke stroke{.color = {}, .width = width};
     const InkPlace place = ink_place(frame, stroke);
-    if (!is_kept(kept, place, curves)) {
-        const std::vector<SeenLine> lines = lines_of(frame, curves);
+    const bool is_moving = are_moving(frame, curves);
+    // What was too much for lines before it moved still is.
+    const bool is_much = is_moving && !kept.inks.empty() && kept.place == place && kept.items.size() == curves.size();
+    if (is_much && moving == MovingInk::nothing) return;
+    const double tolerance_px = is_moving ? moving_tolerance_px : line_tolerance_px;
+    if (!is_kept(kept, place, tolerance_px, curves)) {
+        const std::vector<SeenLine> lines = is_much ? std::vector<SeenLine>() : lines_of(frame, curves);
         for (std::size_t k = 0; k < lines.size(); ++k) {
             stroke.color = curves[k].item.color;
             draw_line(frame, lines[k], stroke);
         }
-        kept = lines.size() == curves.size() ? OtherInk() : inked(frame, place, curves);
+        kept = lines.size() == curves.size() ? OtherInk() : inked(frame, place, tolerance_px, curves);
     }
     for (const render::Ink& ink : kept.inks) frame.pen.ink(ink.map, ink.color);
 }
@@ -80,7 +99,7 @@ void draw_curves(CanvasFrame& frame, const std::vector<CurveInColor>& curves, do
 void draw_other_curves(CanvasFrame& frame) {
     const core::Document& document = frame.state.shown();
     frame.cache.forget_beyond(document.curves.size());
-    draw_curves(frame, others(frame), other_curve_width, frame.cache.others());
+    draw_curves(frame, others(frame), other_curve_width, MovingInk::coarse, frame.cache.others());
     // Over its dimmer line, which so need not be left out.
     const auto* hovered = std::get_if<HoveredOtherCurve>(&frame.state.hover);
     if (hovered == nullptr || hovered->index >= document.curves.size()) return;

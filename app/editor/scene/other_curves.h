@@ -22,6 +22,7 @@ struct OtherInk {
     };
 
     InkPlace place;
+    double tolerance_px = 0.0;
     std::vector<Item> items;
     std::vector<render::Ink> inks;  ///< in the order of the first curves of their colors; none when lines show all
 };
@@ -32,10 +33,14 @@ struct CurveInColor {
     OtherInk::Item item;
 };
 
+/// What is painted of very many curves while a preview moves them.
+enum class MovingInk { coarse, nothing };
+
 /// The curves as lines `width` design pixels wide; where these have more places than the picture should have, as ink,
-/// which stays in `kept`. Cost: where these are the same curves in the same view as the last time and in ink, that of
-/// finding so.
-void draw_curves(CanvasFrame& frame, const std::vector<CurveInColor>& curves, double width, OtherInk& kept);
+/// which stays in `kept`, and is less while a preview moves them. Cost: where these are the same curves in the same
+/// view as the last time and in ink, that of finding so.
+void draw_curves(CanvasFrame& frame, const std::vector<CurveInColor>& curves, double width, MovingInk moving,
+                 OtherInk& kept);
 
 /// All visible curves but the active one, thinner and dimmer than that; over them a hovered one at full strength. Cost:
 /// that of draw_curves().

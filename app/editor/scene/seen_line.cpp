@@ -39,9 +39,9 @@ struct OnCanvas {
 
 /// What paints chords of a line of the canvas, as far as it is in `view`, into `map`.
 core::ChordRequest canvas_request(const CanvasFrame& frame, const InkPlace& place, const core::Box& view,
-                                  render::CoverageMap& map) {
+                                  render::CoverageMap& map, double tolerance_px = line_tolerance_px) {
     const OnCanvas screen{frame};
-    return chord_request(place, {line_tolerance_px / screen.scale(), view}, screen, map);
+    return chord_request(place, {tolerance_px / screen.scale(), view}, screen, map);
 }
 
 /// The line as ink: visit(request, left_out) and visit_part(request, part) hand out its chords.
@@ -68,10 +68,10 @@ InkPlace ink_place(const CanvasFrame& frame, const Stroke& stroke) {
             {frame.pen.px(stroke.width), frame.pen.px(stroke.dash), frame.pen.px(stroke.gap)}};
 }
 
-void paint_curve(const CanvasFrame& frame, const core::CurveStrips& strips, const InkPlace& place,
+void paint_curve(const CanvasFrame& frame, const core::CurveStrips& strips, const InkPlace& place, double tolerance_px,
                  render::CoverageMap& map) {
     const core::Box view = frame.seen(frame.pen.px(stroke_margin_px));
-    strips.visit_chords(canvas_request(frame, place, view, map), strips.curve()->domain());
+    strips.visit_chords(canvas_request(frame, place, view, map, tolerance_px), strips.curve()->domain());
 }
 
 SeenLine seen_part(const CanvasFrame& frame, core::CurveStrips& strips, core::Interval range, double places_per_px,

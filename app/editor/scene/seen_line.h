@@ -71,8 +71,8 @@ core::ChordRequest chord_request(const InkPlace& place, const InkPart& part, con
     return {part.tolerance, part.view, is_hidden, take};
 }
 
-/// Paints the whole line of a curve into `map`, the way seen_curve does.
-void paint_curve(const CanvasFrame& frame, const core::CurveStrips& strips, const InkPlace& place,
+/// Paints the whole line of a curve into `map`, no farther from it than a tolerance in pixels, > 0.
+void paint_curve(const CanvasFrame& frame, const core::CurveStrips& strips, const InkPlace& place, double tolerance_px,
                  render::CoverageMap& map);
 
 void draw_line(CanvasFrame& frame, const SeenLine& line, const Stroke& stroke);

@@ -82,7 +82,7 @@ void draw_selected_others(CanvasFrame& frame) {
     for (const SelectedPart& part : frame.state.selection.others)
         if (part.is_whole() && part.curve < document.curves.size() && document.curves[part.curve].visible)
             curves.push_back({part.curve, {document.curves[part.curve].curve, band(frame).color}});
-    draw_curves(frame, curves, band_width, frame.cache.selected_others());
+    draw_curves(frame, curves, band_width, MovingInk::nothing, frame.cache.selected_others());
 }
 
 void draw_selected_active(CanvasFrame& frame) {

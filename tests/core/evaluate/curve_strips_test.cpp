@@ -263,6 +263,20 @@ TEST(CurveStrips, move_with_one_point_by_taking_apart_only_its_spans) {
     EXPECT_EQ(runs, CurveStrips(moved).runs({1e-6, everything, plenty}, curve->domain()).value());
 }
 
+TEST(CurveStrips, move_as_a_whole_without_taking_apart_what_nobody_looks_at) {
+    std::vector<Point> points = spiral_points(1000);
+    CurveStrips strips(cubic_through(points));
+    strips.runs({1e-6, everything, plenty}, strips.curve()->domain()).value();
+    const std::size_t spans = strips.span_count();
+    for (Point& point : points) point += Vector(0.5, 0.25);
+    const auto moved = cubic_through(points);
+    strips.follow(moved);
+    EXPECT_EQ(strips.span_count(), spans);
+    EXPECT_EQ(strips.runs({1e-6, everything, plenty}, moved->domain()).value(),
+              CurveStrips(moved).runs({1e-6, everything, plenty}, moved->domain()).value());
+    EXPECT_EQ(strips.span_count(), spans + 997);
+}
+
 TEST(CurveStrips, follow_random_changes_as_if_made_anew) {
     RandomCurves random(17);
     for (int k = 0; k < 300; ++k) {

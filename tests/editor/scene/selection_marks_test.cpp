@@ -102,6 +102,61 @@ TEST(SelectionMarks, very_many_curves_are_marked_by_no_more_than_a_picture_holds
               2000U);
 }
 
+/// Fifty waves of 500 points, all selected.
+EditorState many_waves() {
+    EditorState state = several_curves();
+    core::Document document;
+    for (int k = 0; k < 50; ++k) {
+        core::CurveDefinition wave{.degree = 1, .knots = {0}};
+        for (int i = 0; i < 500; ++i) {
+            wave.points.push_back({-5 + 0.02 * i, 0.05 * k + (i % 2 == 0 ? 0.0 : 0.5)});
+            wave.knots.push_back(i);
+        }
+        wave.knots.push_back(499);
+        document.curves.emplace_back().curve = std::make_shared<const core::Curve>(core::Curve::make(wave).value());
+    }
+    state.history = History(document);
+    state.selection.is_whole = true;
+    for (std::size_t k = 1; k < document.curves.size(); ++k) state.selection.others.push_back({k});
+    return state;
+}
+
+std::vector<std::uint8_t> values_of_ink(const render::DrawList& list, render::Color color) {
+    for (const render::Ink& ink : test::all_of<render::Ink>(list))
+        if (ink.color == color) return {ink.map->values().begin(), ink.map->values().end()};
+    return {};
+}
+
+TEST(SelectionMarks, very_much_that_moves_has_no_band_until_it_rests) {
+    EditorState state = many_waves();
+    const Theme theme = theme_of(state.view.theme);
+    const render::Color band = render::blended(theme.accent, 0.4, theme.canvas);
+    const render::Color line = render::blended(theme.curve, 0.55, theme.canvas);
+    SceneCache cache;
+    const render::DrawList before = canvas_scene(state, CanvasIdle{}, cache);
+    ASSERT_FALSE(values_of_ink(before, band).empty());
+    core::Document moved = state.history.present();
+    for (core::DocumentCurve& entry : moved.curves) {
+        core::CurveDefinition wave = entry.curve->definition();
+        for (core::Point& point : wave.points) point.y -= 3.0;
+        entry.curve = std::make_shared<const core::Curve>(core::Curve::make(wave).value());
+    }
+    state.preview = moved;
+    const render::DrawList moving = canvas_scene(state, CanvasIdle{}, cache);
+    EXPECT_TRUE(values_of_ink(moving, band).empty());
+    EXPECT_FALSE(values_of_ink(moving, line).empty());
+    EXPECT_NE(values_of_ink(moving, line), values_of_ink(before, line));
+    state.preview.reset();
+    const render::DrawList after = canvas_scene(state, CanvasIdle{}, cache);
+    EXPECT_EQ(values_of_ink(after, band), values_of_ink(before, band));
+    EXPECT_EQ(values_of_ink(after, line), values_of_ink(before, line));
+    state.history = History(moved);
+    const render::DrawList committed = canvas_scene(state, CanvasIdle{}, cache);
+    const render::DrawList anew = test::canvas_picture(state, CanvasIdle{});
+    EXPECT_EQ(values_of_ink(committed, band), values_of_ink(anew, band));
+    EXPECT_EQ(values_of_ink(committed, line), values_of_ink(anew, line)) << "not as coarse as while it moved";
+}
+
 TEST(SelectionMarks, a_locked_curve_is_paler) {
     const EditorState state = several_curves();
     const Theme theme = theme_of(state.view.theme);
