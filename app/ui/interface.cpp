@@ -263,6 +263,8 @@ void Interface::dispatch_pointer(const PanelContext& context, const FrameLayout&
 }
 
 bool Interface::escape_gesture(const PanelContext& context) {
+    // A dialog is closed first, and does that itself.
+    if (context.state.dialog != Dialog::none) return false;
     PointerEvent event;
     event.action = PointerAction::escape;
     event.position_px = panels_->pointer.last_canvas_px;

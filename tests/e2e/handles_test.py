@@ -30,6 +30,19 @@ class HandlesTest(WindowTest):
         editor.click_widget(f"menu-item brush-{kind}")
         editor.wait(lambda state: state["tool"] == "brush" and state["is_settled"], kind)
 
+    def test_escape_closes_the_key_sheet_and_keeps_the_brush(self):
+        editor = self.open_editor()
+        editor.key("e")
+        editor.move(*self.place(editor, 0.625))
+        editor.wait(lambda state: state["tool"] == "brush" and state["is_settled"], "the brush")
+        editor.key("F1")
+        editor.wait(lambda state: state["dialog"] == "key-sheet" and state["is_settled"], "the key sheet")
+        editor.key("Escape")
+        state = editor.wait(lambda state: state["dialog"] == "none" and state["is_settled"], "no dialog")
+        self.assertEqual(state["tool"], "brush")
+        editor.key("Escape")
+        editor.wait(lambda state: state["tool"] == "select" and state["is_settled"], "the select tool")
+
     def test_the_tangent_is_turned_by_its_end(self):
         editor = self.open_editor()
         before = self.saved()
