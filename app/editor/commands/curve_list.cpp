@@ -44,20 +44,27 @@ Outcome<std::size_t> curve_named(const EditorState& state, const std::string& na
                                          {{"name", name}, {"names", core::quoted_names(document)}}));
 }
 
-Edit with_parts(const EditorState& state, std::vector<core::Curve> parts) {
-    Edit edit{state.history.present(), Selection{}};
-    std::vector<core::DocumentCurve>& curves = edit.document.curves;
-    const auto active = static_cast<std::ptrdiff_t>(edit.document.active);
-    std::vector<core::DocumentCurve> entries(parts.size(), curves[edit.document.active]);
-    core::FreeNames names(edit.document);
+std::vector<core::DocumentCurve> entries_of_parts(const core::DocumentCurve& entry, std::vector<core::Curve> parts,
+                                                  core::FreeNames& names) {
+    std::vector<core::DocumentCurve> entries(parts.size(), entry);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         entries[i].curve = std::make_shared<const core::Curve>(std::move(parts[i]));
         entries[i].point_hues.reset();
         entries[i].pinned.clear();
         entries[i].symmetry.reset();
         entries[i].fit.reset();
-        if (i > 0) entries[i].name = names.take(entries[i].name);
+        entries[i].unknown_fit_members.clear();
+        if (i > 0) entries[i].name = names.take(entry.name);
     }
+    return entries;
+}
+
+Edit with_parts(const EditorState& state, std::vector<core::Curve> parts) {
+    Edit edit{state.history.present(), Selection{}};
+    std::vector<core::DocumentCurve>& curves = edit.document.curves;
+    const auto active = static_cast<std::ptrdiff_t>(edit.document.active);
+    core::FreeNames names(edit.document);
+    std::vector<core::DocumentCurve> entries = entries_of_parts(curves[edit.document.active], std::move(parts), names);
     curves.erase(curves.begin() + active);
     curves.insert(curves.begin() + active, std::move_iterator(entries.begin()), std::move_iterator(entries.end()));
     return edit;

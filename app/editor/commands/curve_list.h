@@ -19,6 +19,11 @@ std::optional<Refusal> no_other_curve(const EditorState& state);
 /// names there are.
 Outcome<std::size_t> curve_named(const EditorState& state, const std::string& name);
 
+/// What stands for `entry` where it is cut into these parts: the first under its name, the others under free ones, all
+/// without pins, links and fit points, which were those of the whole.
+std::vector<core::DocumentCurve> entries_of_parts(const core::DocumentCurve& entry, std::vector<core::Curve> parts,
+                                                  core::FreeNames& names);
+
 /// The committed document with the active curve replaced by its parts, at least one: the first keeps its place and
 /// name, the others follow it under free names and look like it.
 Edit with_parts(const EditorState& state, std::vector<core::Curve> parts);

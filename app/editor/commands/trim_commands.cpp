@@ -42,18 +42,6 @@ Outcome<Edit> extend_to_other(const EditorState& state, const ExtendTo& command)
     return edit;
 }
 
-// The parts of a curve in its place, under its name and free ones.
-void put_parts(std::vector<core::DocumentCurve>& curves, const core::DocumentCurve& entry,
-               std::vector<core::Curve> parts, core::FreeNames& names) {
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        curves.push_back(entry);
-        if (parts.size() == 1) return;
-        curves.back().curve = std::make_shared<const core::Curve>(std::move(parts[i]));
-        curves.back().point_hues.reset();
-        if (i > 0) curves.back().name = names.take(entry.name);
-    }
-}
-
 Outcome<Edit> split_at_crossings(const EditorState& state, const SplitAtCrossings& command) {
     const core::Document& before = state.history.present();
     Edit edit{before, Selection{}};
@@ -66,7 +54,12 @@ Outcome<Edit> split_at_crossings(const EditorState& state, const SplitAtCrossing
             i == before.active || (command.scope == SplitScope::all && entry.visible && !entry.locked);
         auto parts = core::split_at(*entry.curve, is_meant ? cuts_of(state, i) : std::vector<double>{});
         if (!parts) return tl::unexpected(core::describe(parts.error()));
-        put_parts(edit.document.curves, entry, *std::move(parts), names);
+        if (parts->size() == 1) {
+            edit.document.curves.push_back(entry);
+            continue;
+        }
+        for (core::DocumentCurve& part : entries_of_parts(entry, *std::move(parts), names))
+            edit.document.curves.push_back(std::move(part));
     }
     if (edit.document.curves.size() > before.curves.size() || command.scope == SplitScope::all) return edit;
     return tl::unexpected(sentence("nothing crosses '{name}'", {{"name", before.active_curve()->name}}));

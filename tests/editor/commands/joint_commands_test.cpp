@@ -10,6 +10,7 @@
 #include "app/editor/commands/piece_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/trim_commands.h"
+#include "core/document/native_file.h"
 #include "core/evaluate/evaluate.h"
 #include "core/measure/continuity.h"
 #include "tests/editor/sample_editor.h"
@@ -41,6 +42,29 @@ class JointCommands : public ::testing::Test {
 
     Editor editor_;
 };
+
+TEST_F(JointCommands, parts_between_crossings_have_nothing_that_was_of_the_whole) {
+    open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [
+  { "name": "line", "degree": 1, "knots": [0,0,1,2,3,3], "points": [[0,0],[2,0],[4,0],[6,0]], "pinned": [2, 3] },
+  { "name": "bar", "degree": 1, "knots": [0,0,1,1], "points": [[1,-1],[1,1]] } ] })");
+    ASSERT_TRUE(type("split-at-crossings active")) << said();
+    ASSERT_EQ(names(), (std::vector<std::string>{"line", "line 2", "bar"}));
+    EXPECT_TRUE(document(editor_).curves[0].pinned.empty());
+    EXPECT_TRUE(document(editor_).curves[1].pinned.empty());
+    // What is written can be read.
+    EXPECT_TRUE(core::parse_document(core::format_document(document(editor_))));
+}
+
+TEST_F(JointCommands, parts_between_crossings_are_not_made_of_fit_points) {
+    open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [
+  { "name": "bar", "degree": 1, "knots": [0,0,1,1], "points": [[1,-1],[1,1]] } ] })");
+    ASSERT_TRUE(type("through-points 0,0,2,0.5,4,0,6,1")) << said();
+    ASSERT_NE(document(editor_).curves[1].fit, nullptr);
+    ASSERT_TRUE(type("split-at-crossings active")) << said();
+    ASSERT_EQ(names().size(), 3U);
+    EXPECT_EQ(document(editor_).curves[1].fit, nullptr);
+    EXPECT_EQ(document(editor_).curves[2].fit, nullptr);
+}
 
 TEST_F(JointCommands, match_meets_a_curve_that_keeps_every_bit) {
     const auto arc = document(editor_).curves[1].curve;
