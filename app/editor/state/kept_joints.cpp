@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "app/editor/state/followed_marks.h"
 #include "app/editor/state/point_hues.h"
@@ -133,9 +134,20 @@ class MarkKeeping {
 
     // A curve that was cut, or goes on, has other ends than those that were marked.
     void drop_ends_left(std::size_t i) {
-        if (after_.curves[i].curve->is_periodic()) return;
+        if (after_.curves[i].curve->is_periodic()) return drop_ends_closed(i);
         for (const core::EndMark& mark : std::vector(after_.curves[i].joints.ends))
             if (!is_old_end(i, mark)) left_.push_back({mark.joint, i, drop_end({i, mark.end})});
+    }
+
+    // Both ends that were one joint are the seam of a curve that was closed.
+    void drop_ends_closed(std::size_t i) {
+        core::DocumentCurve& entry = after_.curves[i];
+        const std::vector<core::EndMark> ends = std::exchange(entry.joints.ends, {});
+        const double seam = entry.curve->domain().lower;
+        const bool is_seam = ends.size() == 2 && ends[0].joint == ends[1].joint;
+        if (is_seam && !mark_of_knot(entry, seam))
+            entry.joints.knots.insert(entry.joints.knots.begin(), {seam, ends[0].mark});
+        for (const core::EndMark& mark : ends) left_.push_back({mark.joint, i, is_seam});
     }
 
     // Where a marked end of a curve is that of another one now, as where curves are joined, that one is marked.
@@ -221,7 +233,6 @@ class MarkKeeping {
 
     void drop_marks_without_knots() {
         for (core::DocumentCurve& entry : after_.curves) {
-            if (entry.curve->is_periodic()) entry.joints.ends.clear();
             std::erase_if(entry.joints.knots,
                           [&](const core::KnotMark& mark) { return !is_inner_knot(*entry.curve, mark.u); });
         }

@@ -350,6 +350,22 @@ TEST_F(MarkedJoints, marks_of_a_periodic_curve_follow_its_seam_and_its_direction
     }
 }
 
+TEST_F(MarkedJoints, ends_of_a_curve_that_is_closed_are_its_seam) {
+    open_text(editor, R"({ "format": "batten", "version": 1, "curves": [
+  { "name": "loop", "degree": 3, "knots": [0,0,0,0,1,1,1,1], "points": [[0,0],[2,2],[-2,2],[0,0]],
+    "joints": [{"end": "start", "joint": 3, "mark": "corner"}, {"end": "end", "joint": 3, "mark": "corner"}] } ] })");
+    ASSERT_TRUE(run(CloseOrOpen{})) << message();
+    EXPECT_TRUE(entry().joints.ends.empty());
+    EXPECT_EQ(entry().joints.knots, (std::vector<core::KnotMark>{{0, JointMark::corner}}));
+}
+
+TEST_F(MarkedJoints, a_curve_that_is_closed_leaves_no_other_end_marked) {
+    open_text(editor, row_text);
+    ASSERT_TRUE(run(CloseOrOpen{})) << message();
+    EXPECT_TRUE(entry(0).joints.is_empty() && entry(1).joints.is_empty());
+    EXPECT_NE(message().find("the marked joints of 'first' are marked no more"), std::string::npos) << message();
+}
+
 TEST_F(MarkedJoints, a_curve_beside_an_image_follows_it) {
     open_text(editor, R"({ "format": "batten", "version": 1, "curves": [
   { "name": "right", "degree": 3, "knots": [0,0,0,0,1,1,1,1], "points": [[1,0],[2,2],[3,2],[4,0]],
