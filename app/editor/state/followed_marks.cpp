@@ -42,7 +42,7 @@ double moved_knot(const core::Curve& old, const core::Curve& now, double u) {
     }
     if (old.degree() != now.degree() || before.size() != after.size() || old.is_periodic() != now.is_periodic())
         return u;
-    const auto [first, end] = std::ranges::equal_range(before, u);
+    const auto [first, end] = std::equal_range(before.begin(), before.end(), u);
     if (first == end) return u;
     auto index = static_cast<std::size_t>((first - before.begin()) + (end - first) / 2);
     if (is_reversed(old, now)) index = before.size() - 1 - index;
