@@ -11,8 +11,12 @@ constexpr double least_drag = 3.0;
 
 }  // namespace
 
+const TypedPlace& typed_for(const Gesture& gesture) {
+    return gesture.typed != nullptr ? *gesture.typed : gesture.state.placing.typed;
+}
+
 bool is_typed(const Gesture& gesture) {
-    return !(gesture.typed != nullptr ? *gesture.typed : gesture.state.placing.typed).is_empty();
+    return !typed_for(gesture).is_empty();
 }
 
 double pixels(const EditorState& state, double design_px) {

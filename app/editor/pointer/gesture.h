@@ -23,6 +23,9 @@ inline constexpr double zoom_per_notch = 1.15;  ///< of the wheel
 inline constexpr double pan_per_notch = 60.0;   ///< design pixels
 inline constexpr double snap_reach = 8.0;       ///< design pixels
 
+/// What is typed for the place that the gesture is about.
+const TypedPlace& typed_for(const Gesture& gesture);
+
 /// Whether numbers are typed for the place that the gesture is about.
 bool is_typed(const Gesture& gesture);
 

@@ -3,6 +3,7 @@
 #include "app/editor/pointer/edit_step.h"
 #include "app/editor/pointer/modes.h"
 #include "app/editor/pointer/point_drag.h"
+#include "app/editor/pointer/typed_place.h"
 #include "app/editor/scene/ruler.h"
 
 namespace batten::editor {
@@ -10,6 +11,20 @@ namespace {
 
 bool is_over_ruler(const Gesture& gesture) {
     return !is_typed(gesture) && ruler_at(gesture.state, gesture.event.position_px).has_value();
+}
+
+/// Where the pointer puts a line of this angle; a number alone that is typed for a level or an upright one is its y or
+/// x.
+core::Point place_of_line(const Gesture& gesture, double angle, core::Point pointed) {
+    const bool is_level = angle == 0.0;
+    if (!is_level && angle != 90.0) return pointed;
+    const auto number = typed_length_alone(typed_for(gesture), gesture.state.shown().units);
+    if (number) (is_level ? pointed.y : pointed.x) = *number;
+    if (gesture.place != nullptr && *gesture.place) {
+        (*gesture.place)->typed_for = is_level ? TypedFor::y : TypedFor::x;
+        if (number) (*gesture.place)->position = pointed;
+    }
+    return pointed;
 }
 
 void ask_to_move_guide(const DraggingGuide& mode, const Gesture& gesture, Phase phase) {
@@ -26,7 +41,8 @@ void ask_to_move_guide(const DraggingGuide& mode, const Gesture& gesture, Phase 
 
 void ask_for_guide(const PullingGuide& mode, const Gesture& gesture, Phase phase) {
     if (is_over_ruler(gesture)) return gesture.queue.cancel_preview();
-    request(gesture, phase, AddGuide{.position = pointed_at(gesture), .angle = mode.angle});
+    const core::Point position = place_of_line(gesture, mode.angle, pointed_at(gesture));
+    request(gesture, phase, AddGuide{.position = position, .angle = mode.angle});
 }
 
 }  // namespace

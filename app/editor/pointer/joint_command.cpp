@@ -1,13 +1,11 @@
 #include "app/editor/pointer/joint_command.h"
 
-#include <cmath>
-
 #include "app/editor/commands/corner_commands.h"
 #include "app/editor/commands/joint_commands.h"
 #include "app/editor/commands/piece_commands.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/commands/trim_commands.h"
-#include "app/editor/words/formula.h"
+#include "app/editor/pointer/joint_drag.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 
@@ -28,11 +26,8 @@ Command corner_command(const EditorState& state, const PickingJoint& mode, const
 }
 
 std::string drag_hint(const EditorState& state, const JointDrag& drag) {
-    const core::Place size("size", number_text(std::abs(drag.distance)));
-    if (state.view.joint.operation == JointOperation::fillet)
-        return core::sentence("Radius {size} · drag or type it · Enter or release makes the arc · Escape goes back",
-                              {size});
-    return core::sentence("Distance {size} · drag or type it · Enter or release makes it · Escape goes back", {size});
+    return core::sentence("{size} · drag or type it · Enter or release makes it · Escape goes back",
+                          {{"size", size_words(state, drag)}});
 }
 
 }  // namespace

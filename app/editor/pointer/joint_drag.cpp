@@ -6,8 +6,10 @@
 #include "app/editor/commands/corner_commands.h"
 #include "app/editor/commands/shape_commands.h"
 #include "app/editor/commands/suggestions.h"
+#include "app/editor/pointer/place_text.h"
 #include "app/editor/pointer/point_drag.h"
 #include "app/editor/pointer/typed_place.h"
+#include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/tangent.h"
 #include "core/measure/continuity.h"
@@ -85,7 +87,17 @@ double signed_distance(const EditorState& state, const PickedCurvePlace& curve_p
     return is_right ? -core::length(way) : core::length(way);
 }
 
+TypedFor size_of_drag(const EditorState& state) {
+    return state.view.joint.operation == JointOperation::fillet ? TypedFor::radius : TypedFor::distance;
+}
+
 }  // namespace
+
+std::string size_words(const EditorState& state, const JointDrag& drag) {
+    const core::Place size("size", length_text(state, std::abs(drag.distance)));
+    if (size_of_drag(state) == TypedFor::radius) return core::sentence("Radius {size}", {size});
+    return core::sentence("Distance {size}", {size});
+}
 
 std::optional<JointDrag> begin_joint_drag(const Gesture& gesture, PickedCurvePlace& place) {
     switch (gesture.state.view.joint.operation) {
@@ -101,11 +113,14 @@ std::optional<JointDrag> begin_joint_drag(const Gesture& gesture, PickedCurvePla
 
 JointDrag dragged_joint(const Gesture& gesture, const PickedCurvePlace& place, JointDrag drag) {
     const core::Point target = pointed_at(gesture, drag.from);
-    const TypedPlace& typed = gesture.typed != nullptr ? *gesture.typed : gesture.state.placing.typed;
-    const std::optional<double> length = typed_length(typed);
+    const std::optional<double> length = typed_length(typed_for(gesture), gesture.state.shown().units);
     const bool is_offset = gesture.state.view.joint.operation == JointOperation::offset;
     drag.distance = is_offset ? signed_distance(gesture.state, place, target) : core::distance(drag.from, target);
     if (length) drag.distance = std::copysign(*length, drag.distance);
+    if (gesture.place != nullptr && *gesture.place) {
+        (*gesture.place)->typed_for = size_of_drag(gesture.state);
+        (*gesture.place)->reading = size_words(gesture.state, drag);
+    }
     return drag;
 }
 

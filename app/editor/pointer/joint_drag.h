@@ -15,6 +15,9 @@ std::optional<JointDrag> begin_joint_drag(const Gesture& gesture, PickedCurvePla
 /// else that from the corner. What is typed for the place rules.
 JointDrag dragged_joint(const Gesture& gesture, const PickedCurvePlace& place, JointDrag drag);
 
+/// "Radius 5 mm" of a fillet, "Distance 5 mm" of the others, in the document's unit.
+std::string size_words(const EditorState& state, const JointDrag& drag);
+
 /// What the drag does; its curve is active.
 Command command_of_drag(const EditorState& state, const PickedCurvePlace& place, const JointDrag& drag);
 

@@ -14,17 +14,6 @@ namespace {
 
 using core::sentence;
 
-/// A coordinate or length with a tenth of a pixel as its last digit, or near that.
-std::string length_text(const EditorState& state, double value) {
-    constexpr int least_digits = 3;
-    constexpr int most_digits = 15;
-    const double tenths = std::abs(value) * state.view.camera.scale * 10.0;
-    const double digits = tenths > 1.0 && std::isfinite(tenths) ? std::ceil(std::log10(tenths)) : 0.0;
-    const Units& units = state.shown().units;
-    return with_unit(
-        units, number_text(in_units(units, value), std::clamp(static_cast<int>(digits), least_digits, most_digits)));
-}
-
 std::string angle_text(core::Vector way) {
     constexpr double half_turn = 180.0;
     return number_text(std::atan2(way.y, way.x) * half_turn / std::numbers::pi);
@@ -34,7 +23,36 @@ std::string with_caret(const TypedPlace& typed, std::size_t field) {
     return typed.active == field ? sentence("{text}|", {{"text", typed.texts[field]}}) : typed.texts[field];
 }
 
+/// What a single length means; null where more may be typed.
+const char* pattern_of(TypedFor typed_for) {
+    switch (typed_for) {
+        case TypedFor::radius:
+            return "radius {length}";
+        case TypedFor::distance:
+            return "distance {length}";
+        case TypedFor::x:
+            return "x {length}";
+        case TypedFor::y:
+            return "y {length}";
+        case TypedFor::place:
+        case TypedFor::factors:
+        case TypedFor::angle:
+            break;
+    }
+    return nullptr;
+}
+
 }  // namespace
+
+std::string length_text(const EditorState& state, double value) {
+    constexpr int least_digits = 3;
+    constexpr int most_digits = 15;
+    const double tenths = std::abs(value) * state.view.camera.scale * 10.0;
+    const double digits = tenths > 1.0 && std::isfinite(tenths) ? std::ceil(std::log10(tenths)) : 0.0;
+    const Units& units = state.shown().units;
+    return with_unit(
+        units, number_text(in_units(units, value), std::clamp(static_cast<int>(digits), least_digits, most_digits)));
+}
 
 std::string reading_of(const EditorState& state, const ShownPlace& place) {
     if (!place.reading.empty()) return place.reading;
@@ -58,6 +76,8 @@ std::string typed_reading(const TypedPlace& typed, TypedFor typed_for) {
     const bool is_whole = typed.active == 0 && typed.texts[1].empty();
     const bool names_itself = typed.texts[0].find_first_of("@<,;") != std::string::npos;
     if (is_whole && names_itself) return with_caret(typed, 0);
+    if (const char* pattern = pattern_of(typed_for); pattern != nullptr && is_whole && !typed.has_offsets)
+        return core::filled_as_needed(pattern, {{"length", with_caret(typed, 0)}});
     return sentence("{first_name} {first} · {second_name} {second}", {{"first_name", title_of_field(typed, 0)},
                                                                       {"first", with_caret(typed, 0)},
                                                                       {"second_name", title_of_field(typed, 1)},

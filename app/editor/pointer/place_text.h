@@ -7,6 +7,9 @@
 
 namespace batten::editor {
 
+/// A coordinate or length of the world in the document's unit, with a tenth of a pixel as its last digit, or near that.
+std::string length_text(const EditorState& state, double value);
+
 /// "5 ∠ 53.13° · dx 3 · dy 4", from where the gesture began; "x 3 · y 4" where it has no beginning. As many digits as a
 /// tenth of a pixel needs; in the document's unit, "5 mm ∠ 53.13°".
 std::string reading_of(const EditorState& state, const ShownPlace& place);

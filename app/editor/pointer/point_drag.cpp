@@ -30,10 +30,6 @@ Freedom freedom_of(const Gesture& gesture, glm::dvec2 moved) {
     return {is_horizontal, !is_horizontal};
 }
 
-const TypedPlace& typed_for(const Gesture& gesture) {
-    return gesture.typed != nullptr ? *gesture.typed : gesture.state.placing.typed;
-}
-
 std::optional<Snap> snap_for(const Gesture& gesture, const SnapQuery& query) {
     if (gesture.event.modifiers.ctrl) {
         const core::Point corner = grid_corner(gesture.state, query.place);

@@ -35,7 +35,7 @@ core::Point next_place(const DrawingShape& mode, const Gesture& gesture) {
 }
 
 ShapeHints hints_of(const DrawingShape& mode, const Gesture& gesture) {
-    const TypedPlace& typed = gesture.typed != nullptr ? *gesture.typed : gesture.state.placing.typed;
+    const TypedPlace& typed = typed_for(gesture);
     return {gesture.state.view.polygon_sides, typed_length(typed, gesture.state.shown().units), mode.turned};
 }
 

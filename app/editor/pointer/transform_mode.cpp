@@ -27,10 +27,6 @@ struct Transformation {
     TypedFor typed_for = TypedFor::factors;
 };
 
-const TypedPlace& typed_in(const Gesture& gesture) {
-    return gesture.typed != nullptr ? *gesture.typed : gesture.state.placing.typed;
-}
-
 Dragged dragged_by(const TransformBox& box) {
     return {.is_curve = box.is_of_active_curve(), .parts = box.selected->parts};
 }
@@ -96,7 +92,7 @@ std::string percent_text(double factor) {
 Transformation scaled(const DraggingTransform& mode, const Gesture& gesture, const TransformBox& box) {
     const core::Point pivot = anchor_of(box, mode.grip);
     const Factors dragged = dragged_factors(mode, gesture, box);
-    const auto [x, y] = typed_factors(mode, typed_in(gesture), dragged);
+    const auto [x, y] = typed_factors(mode, typed_for(gesture), dragged);
     Transformation made;
     made.reading = x == y ? percent_text(x) : sentence("{x} × {y}", {{"x", percent_text(x)}, {"y", percent_text(y)}});
     const bool is_possible = std::isfinite(x) && std::isfinite(y) && x != 0.0 && y != 0.0;
@@ -118,7 +114,7 @@ Transformation turned(const DraggingTransform& mode, const Gesture& gesture, con
     const core::Vector now = world_at_pointer(gesture) - box.pivot;
     const bool has_angle = before != core::Vector(0.0, 0.0) && now != core::Vector(0.0, 0.0);
     const double dragged = has_angle ? core::angle_between(before, now) * half_turn / std::numbers::pi : 0.0;
-    const double angle = typed_angle(typed_in(gesture)).value_or(rounded_angle(gesture, dragged));
+    const double angle = typed_angle(typed_for(gesture)).value_or(rounded_angle(gesture, dragged));
     Transformation made;
     made.typed_for = TypedFor::angle;
     made.reading = sentence("{angle}°", {{"angle", number_text(angle)}});
@@ -144,7 +140,7 @@ Transformation sheared(const DraggingTransform& mode, const Gesture& gesture, co
     double factor = across != 0.0 ? along / across : 0.0;
     double angle = std::atan(factor) * half_turn / std::numbers::pi;
     if (gesture.event.modifiers.ctrl) factor = shear_of_angle(angle = rounded_angle(gesture, angle));
-    if (const auto typed = typed_angle(typed_in(gesture))) factor = shear_of_angle(angle = *typed);
+    if (const auto typed = typed_angle(typed_for(gesture))) factor = shear_of_angle(angle = *typed);
     Transformation made;
     made.typed_for = TypedFor::angle;
     made.reading = sentence("{angle}°", {{"angle", number_text(angle)}});

@@ -164,6 +164,10 @@ std::optional<double> typed_length(const TypedPlace& typed, const Units& units) 
     return length ? std::optional(*length) : std::nullopt;
 }
 
+std::optional<double> typed_length_alone(const TypedPlace& typed, const Units& units) {
+    return expressions_of(typed).second.empty() ? typed_length(typed, units) : std::nullopt;
+}
+
 std::optional<double> typed_factor(const TypedPlace& typed, std::size_t field) {
     return factor_of(typed.texts[field]).value_or(std::nullopt);
 }
@@ -175,7 +179,7 @@ std::optional<double> typed_angle(const TypedPlace& typed) {
 std::string typed_problem(const Placing& placing, core::Point pointed, const Units& units) {
     const TypedPlace& typed = placing.typed;
     const TypedFor typed_for = placing.place ? placing.place->typed_for : TypedFor::place;
-    if (typed_for == TypedFor::place) {
+    if (typed_for != TypedFor::factors && typed_for != TypedFor::angle) {
         const auto place = place_typed(typed, placing.place ? placing.place->from : std::nullopt, pointed, units);
         return place ? std::string() : place.error();
     }

@@ -29,7 +29,10 @@ Outcome<core::Point> place_typed(const TypedPlace& typed, std::optional<core::Po
                                  const Units& units = std::nullopt);
 
 /// The length that is typed, alone or with an angle, in the world; none where there is none.
-std::optional<double> typed_length(const TypedPlace& typed, const Units& units = std::nullopt);
+std::optional<double> typed_length(const TypedPlace& typed, const Units& units);
+
+/// The length that is typed alone, in the world; none where there is none, or more.
+std::optional<double> typed_length_alone(const TypedPlace& typed, const Units& units);
 
 /// A factor that is typed in a field, "1.5" or "150%"; none where there is none.
 std::optional<double> typed_factor(const TypedPlace& typed, std::size_t field);

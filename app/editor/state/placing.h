@@ -30,9 +30,13 @@ struct Snap {
 
 /// What the numbers that are typed for a gesture say.
 enum class TypedFor {
-    place,    ///< where it is
-    factors,  ///< by how much something is scaled along x and y, "1.5" or "150%"
-    angle     ///< by how many degrees something is turned or sheared
+    place,     ///< where it is
+    factors,   ///< by how much something is scaled along x and y, "1.5" or "150%"
+    angle,     ///< by how many degrees something is turned or sheared
+    radius,    ///< how large an arc is
+    distance,  ///< how far something is from what it goes along
+    x,         ///< where an upright line is
+    y          ///< where a level line is
 };
 
 /// Where a gesture puts something, as it was asked last.

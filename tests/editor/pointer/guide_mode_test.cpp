@@ -7,6 +7,7 @@
 #include "app/editor/commands/snap_commands.h"
 #include "app/editor/commands/unit_commands.h"
 #include "app/editor/pointer/cursor.h"
+#include "app/editor/pointer/place_text.h"
 #include "tests/editor/canvas_fixture.h"
 
 namespace batten::editor {
@@ -77,6 +78,32 @@ TEST_F(RulerGuides, are_dropped_back_in_one_step) {
     editor.run(Undo{});
     ASSERT_EQ(guides().size(), 1U);
     EXPECT_EQ(guides()[0].point, core::Point(0.3, 3.5));
+}
+
+TEST_F(RulerGuides, are_where_a_number_alone_says) {
+    const auto type = [&](const char32_t* text) {
+        for (; *text != 0; ++text) {
+            PointerEvent event;
+            event.action = PointerAction::key;
+            event.position_px = px(1.5, 1);
+            event.character = *text;
+            pointer.send(event);
+        }
+    };
+    editor.run(SetUnits{.unit = UnitChoice::mm, .scale = 0.5});
+    pointer.press(on_upper);
+    pointer.move(px(1.5, 1));
+    type(U"3");
+    EXPECT_EQ(state().shown().guides[0].point.y, 1.5) << "3 mm are 1.5 of the world";
+    EXPECT_EQ(typed_reading(state().placing.typed, state().placing.place->typed_for), "y 3|");
+    pointer.release(px(1.5, 1));
+    pointer.press(on_left);
+    pointer.move(px(1.5, 1));
+    type(U"1in");
+    pointer.release(px(1.5, 1));
+    ASSERT_EQ(guides().size(), 2U);
+    EXPECT_EQ(guides()[0].point.y, 1.5);
+    EXPECT_EQ(guides()[1].point.x, 12.7);
 }
 
 TEST_F(RulerGuides, tell_what_a_drag_would_do) {

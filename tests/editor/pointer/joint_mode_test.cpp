@@ -11,7 +11,9 @@
 #include "app/editor/commands/joint_tool_commands.h"
 #include "app/editor/commands/making_commands.h"
 #include "app/editor/commands/tool_commands.h"
+#include "app/editor/commands/unit_commands.h"
 #include "app/editor/pointer/joint_reading.h"
+#include "app/editor/pointer/place_text.h"
 #include "core/measure/area.h"
 #include "core/measure/continuity.h"
 #include "core/measure/meeting.h"
@@ -247,6 +249,29 @@ TEST_F(JointMode, a_radius_that_is_typed_is_exact) {
     const core::Point start(2 - 1.0 / 3, -2);
     EXPECT_LE(core::distance(core::nearest_point(rounded, start).point, start), 1e-12);
     EXPECT_FALSE(picking().drag);
+}
+
+TEST_F(JointMode, what_is_typed_for_a_size_is_in_the_unit_of_the_document) {
+    ASSERT_TRUE(editor.run(SetUnits{.unit = UnitChoice::mm, .scale = 0.1}));
+    take(JointOperation::fillet);
+    pointer.press(px(2, -2));
+    pointer.modifiers = test::alt;
+    pointer.move(px(1.7, -2.4));
+    EXPECT_EQ(hint().substr(0, 12), "Radius 5 mm ");
+    EXPECT_EQ(reading_of(state(), *state().placing.place), "Radius 5 mm");
+    key(U'4');
+    EXPECT_EQ(picking().drag->distance, 0.4) << "4 mm";
+    EXPECT_EQ(typed_reading(state().placing.typed, state().placing.place->typed_for), "radius 4|");
+    key(U'm');
+    key(U'm');
+    EXPECT_EQ(picking().drag->distance, 0.4);
+    pointer.escape(px(1.7, -2.4));
+    take(JointOperation::offset);
+    pointer.press(px(2, 1));
+    pointer.move(px(2, 1.3));
+    EXPECT_EQ(hint().substr(0, 14), "Distance 3 mm ");
+    key(U'5');
+    EXPECT_EQ(picking().drag->distance, -0.5) << "5 mm to the right, where keys are typed: below the line";
 }
 
 TEST_F(JointMode, a_chamfer_is_dragged_between_the_ends_of_two_curves) {

@@ -90,9 +90,9 @@ TEST(TypedPlace, is_read_with_a_caret) {
     EXPECT_EQ(typed_reading(typed(U"12.5\t30")), "length 12.5 · angle 30|");
     EXPECT_EQ(typed_reading(typed(U"x1\t")), "dx 1 · dy |");
     EXPECT_EQ(typed_reading(typed(U"@10,5")), "@10,5|");
-    EXPECT_EQ(typed_length(typed(U"12.5\t30")), 12.5);
-    EXPECT_EQ(typed_length(typed(U"<30")), std::nullopt);
-    EXPECT_EQ(typed_length(typed(U"x3")), std::nullopt);
+    EXPECT_EQ(typed_length(typed(U"12.5\t30"), {}), 12.5);
+    EXPECT_EQ(typed_length(typed(U"<30"), {}), std::nullopt);
+    EXPECT_EQ(typed_length(typed(U"x3"), {}), std::nullopt);
 }
 
 }  // namespace
