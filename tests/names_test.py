@@ -1,7 +1,8 @@
 """Checks that names in unnamed namespaces differ within a library, whose sources may be compiled together.
 
 names_test.py SOURCE_FOLDER. Functions may share a name where their parameters differ. Nor may a header of the library declare the same
-function in the same namespace.
+function in the same namespace, or one of that name that is not found by a type of the namespace among its parameters: the
+unnamed one would hide it from the sources that are compiled after it.
 """
 
 import collections
@@ -46,15 +47,21 @@ def names_in(text):
 
 
 def declared(folder):
-    """The functions that headers declare, by name, parameters and namespace, with the headers."""
+    """The functions that headers declare, by name and namespace, with their parameters and headers."""
     places = collections.defaultdict(set)
     for header in sorted(folder.rglob("*.h")):
         text = header.read_text()
         for statement in statements(text):
             name = FUNCTION.match(statement) and names_in(statement)
             if name and (namespace := NAMESPACE.search(text)):
-                places[*name, namespace[1]].add(header)
+                places[name[0], namespace[1]].add((name[1], header))
     return places
+
+
+def hides(parameters, declared_parameters):
+    """Whether the unnamed function is in the way of the declared one."""
+    has_own_type = any(re.search(r"(?<!::)\b[A-Z]\w+", parameter) for parameter in declared_parameters)
+    return parameters == declared_parameters or not has_own_type
 
 
 def repeated(folder):
@@ -69,7 +76,8 @@ def repeated(folder):
                 if not text.startswith(("using ", "namespace ")) and (name := names_in(text)):
                     places[name].add(source)
                     if namespace:
-                        places[name] |= in_headers.get((*name, namespace[1]), set())
+                        places[name] |= {header for parameters, header in in_headers[name[0], namespace[1]]
+                                         if hides(name[1], parameters)}
     plain = {name for name, parameters in places if parameters is None}
     for (name, parameters), sources in sorted(places.items(), key=str):
         others = set().union(*(where for (other, _), where in places.items() if other == name)) if name in plain else sources

@@ -38,7 +38,7 @@ struct AddTo {
 };
 
 // What is printed about an operation that has just run.
-Json json_of(const editor::Editor& editor, const Operation& operation) {
+Json json_of_operation(const editor::Editor& editor, const Operation& operation) {
     const editor::EditorState& state = editor.state();
     const editor::CommandSpec& spec = *operation.spec;
     Json arguments = Json::array();
@@ -48,19 +48,19 @@ Json json_of(const editor::Editor& editor, const Operation& operation) {
                 {"arguments", std::move(arguments)},
                 {"message", message_of(state, spec)},
                 {"effect", core::name_of(spec.effect)}};
-    if (spec.run.edit != nullptr && state.ghost) result["deviation"] = cli::json_of(state.ghost->deviation);
+    if (spec.run.edit != nullptr && state.ghost) result["deviation"] = json_of(state.ghost->deviation);
     if (spec.group != editor::CommandGroup::analyze || !state.findings) return result;
     result["findings"] = Json::array();
-    for (const editor::Finding& finding : state.findings->rows) result["findings"].push_back(cli::json_of(finding));
+    for (const editor::Finding& finding : state.findings->rows) result["findings"].push_back(json_of(finding));
     return result;
 }
 
-void print(std::ostream& out, const editor::EditorState& state, const Operation& operation) {
+void print_operation(std::ostream& out, const editor::EditorState& state, const Operation& operation) {
     const editor::CommandSpec& spec = *operation.spec;
     const std::string message = message_of(state, spec);
     out << operation.text << (message.empty() ? "" : ": ") << message << '\n';
     if (spec.group != editor::CommandGroup::analyze || !state.findings) return;
-    for (const editor::Finding& finding : state.findings->rows) cli::print(out, finding);
+    for (const editor::Finding& finding : state.findings->rows) print(out, finding);
 }
 
 ExitStatus say_wrong_usage(Output output, const ApplyOptions& options, const editor::Refusal& refusal) {
@@ -110,12 +110,12 @@ ExitStatus run(editor::Editor& editor, const ApplyOptions& options, Output outpu
             return ExitStatus::wrong_input;
         }
         if (options.as_json) {
-            results.push_back(json_of(editor, *operation));
+            results.push_back(json_of_operation(editor, *operation));
         } else {
-            print(output.results, editor.state(), *operation);
+            print_operation(output.results, editor.state(), *operation);
         }
     }
-    if (options.as_json) cli::print(output.results, results);
+    if (options.as_json) print(output.results, results);
     return ExitStatus::done;
 }
 

@@ -69,7 +69,7 @@ void append_rows(std::string& text, double u, const std::vector<FunctionValues>&
     }
 }
 
-Json json_of(double u, const std::vector<FunctionValues>& functions) {
+Json json_of_row(double u, const std::vector<FunctionValues>& functions) {
     Json list = Json::array();
     double sum = 0.0;
     for (const FunctionValues& function : functions) {
@@ -91,7 +91,7 @@ tl::expected<std::string, double> basis_rows(const core::Curve& curve, std::span
         const std::vector<FunctionValues> functions = functions_at(curve, u, options);
         if (!is_finite(functions)) return tl::unexpected(u);
         if (options.as_json)
-            list.push_back(json_of(u, functions));
+            list.push_back(json_of_row(u, functions));
         else
             append_rows(text, u, functions);
     }

@@ -23,23 +23,24 @@ std::vector<core::Joint> joints_in(const core::Document& document, const CheckOp
 void say_joints(Output output, const core::Document& document, const CheckOptions& options) {
     const std::vector<core::Joint> joints = joints_in(document, options);
     output.results << editor::joints_summary(joints) << '\n';
-    for (const core::Joint& joint : joints) cli::print(output.results, editor::joint_row(document, joint));
+    for (const core::Joint& joint : joints) print(output.results, editor::joint_row(document, joint));
 }
 
-Json json_of(const core::Document& document, const core::Joint& joint) {
-    Json result = cli::json_of(editor::joint_row(document, joint));
+Json json_of_joint(const core::Document& document, const core::Joint& joint) {
+    Json result = json_of(editor::joint_row(document, joint));
     result["curves"] = {document.curves[joint.first.curve].name, document.curves[joint.second.curve].name};
     result["parameters"] = {joint.first.u, joint.second.u};
     result["at_ends"] = joint.first.is_end;
     return result;
 }
 
-Json json_of(const std::filesystem::path& file, const core::FileResult<core::Document>& document,
-             const CheckOptions& options) {
+Json json_of_file(const std::filesystem::path& file, const core::FileResult<core::Document>& document,
+                  const CheckOptions& options) {
     Json result{{"file", file.string()}, {"valid", document.has_value()}};
     if (document && options.joints) {
         Json joints = Json::array();
-        for (const core::Joint& joint : joints_in(*document, options)) joints.push_back(json_of(*document, joint));
+        for (const core::Joint& joint : joints_in(*document, options))
+            joints.push_back(json_of_joint(*document, joint));
         result["joints"] = std::move(joints);
     }
     if (document) return result;
@@ -62,7 +63,7 @@ ExitStatus check(const CheckOptions& options, Output output) {
             output.results << verdict(file, *document) << '\n';
             if (options.joints) say_joints(output, *document, options);
         }
-        if (options.as_json) results.push_back(json_of(file, document, options));
+        if (options.as_json) results.push_back(json_of_file(file, document, options));
     }
     if (options.as_json) print(output.results, results);
     return status;

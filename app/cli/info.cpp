@@ -25,7 +25,7 @@ std::vector<core::DistinctKnot> knots_of_domain(const core::Curve& curve) {
     return knots;
 }
 
-Json json_of(const core::DistinctKnot& knot) {
+Json json_of_knot(const core::DistinctKnot& knot) {
     Json result{{"value", knot.value}, {"multiplicity", knot.multiplicity}};
     if (knot.is_interior) result["continuity"] = knot.continuity;
     return result;
@@ -37,8 +37,8 @@ std::optional<core::Box> bounds_of(const core::Curve& curve) {
     return core::is_finite(box.lower) && core::is_finite(box.upper) ? std::optional(box) : std::nullopt;
 }
 
-Json json_of(const core::Box& box) {
-    return Json::array({cli::json_of(box.lower), cli::json_of(box.upper)});
+Json json_of_box(const core::Box& box) {
+    return Json::array({json_of(box.lower), json_of(box.upper)});
 }
 
 // None where it cannot be computed.
@@ -47,12 +47,12 @@ std::optional<double> length_of(const core::Curve& curve) {
     return core::is_sharp(length) ? std::optional(length.value) : std::nullopt;
 }
 
-Json json_of(const core::DocumentCurve& entry) {
+Json json_of_curve(const core::DocumentCurve& entry) {
     const core::Curve& curve = *entry.curve;
     const std::optional<core::Box> bounds = bounds_of(curve);
     const std::optional<double> length = length_of(curve);
     Json knots = Json::array();
-    for (const core::DistinctKnot& knot : knots_of_domain(curve)) knots.push_back(json_of(knot));
+    for (const core::DistinctKnot& knot : knots_of_domain(curve)) knots.push_back(json_of_knot(knot));
     return {{"name", entry.name},
             {"degree", curve.degree()},
             {"kind", core::title_of(core::kind_by_values(curve.knots()))},
@@ -64,7 +64,7 @@ Json json_of(const core::DocumentCurve& entry) {
             {"segments", core::segment_count(curve.knots())},
             {"domain", Json::array({curve.domain().lower, curve.domain().upper})},
             {"length", length ? Json(*length) : Json(nullptr)},
-            {"bounds", bounds ? json_of(*bounds) : Json(nullptr)},
+            {"bounds", bounds ? json_of_box(*bounds) : Json(nullptr)},
             {"knots", std::move(knots)}};
 }
 
@@ -87,7 +87,7 @@ std::string bounds_text(const core::Curve& curve) {
                   : not_known;
 }
 
-void print(std::ostream& out, const core::DocumentCurve& entry) {
+void print_curve(std::ostream& out, const core::DocumentCurve& entry) {
     const core::Curve& curve = *entry.curve;
     out << entry.name << '\n'
         << "  kind      " << core::title_of(core::kind_by_values(curve.knots()))
@@ -111,12 +111,12 @@ ExitStatus info(const InfoOptions& options, Output output) {
     Json curves = Json::array();
     for (const core::DocumentCurve& entry : document->curves) {
         if (options.as_json) {
-            curves.push_back(json_of(entry));
+            curves.push_back(json_of_curve(entry));
         } else {
-            print(output.results, entry);
+            print_curve(output.results, entry);
         }
     }
-    if (options.as_json) cli::print(output.results, {{"file", options.file.string()}, {"curves", std::move(curves)}});
+    if (options.as_json) print(output.results, {{"file", options.file.string()}, {"curves", std::move(curves)}});
     return ExitStatus::done;
 }
 

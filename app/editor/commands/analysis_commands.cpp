@@ -47,7 +47,7 @@ FoundNumber jump_number(const char* name, const core::Jump& jump) {
     return {name, jump.size, jump.relative > 0.0 ? rounding_error * jump.size / jump.relative : 0.0};
 }
 
-Finding joint_row(const core::Curve& curve, const core::JointContinuity& joint) {
+Finding continuity_row(const core::Curve& curve, const core::JointContinuity& joint) {
     Finding row{.label = joint_label(joint),
                 .parameter = joint.u,
                 .point = core::point_at(curve, joint.u),
@@ -73,7 +73,7 @@ Outcome<void> find_continuity(EditorState& state, const FindContinuity&) {
     std::vector<Finding> rows;
     std::size_t smoother = 0;
     for (const core::JointContinuity& joint : core::joint_continuity(curve)) {
-        rows.push_back(joint_row(curve, joint));
+        rows.push_back(continuity_row(curve, joint));
         if (joint.kind != core::JointKind::ends && is_smoother_than_promised(joint)) ++smoother;
     }
     if (smoother == 0)

@@ -108,7 +108,8 @@ const char* pattern_of(const MeetingPatterns& patterns, const core::Meeting& mee
     return meeting.after ? patterns.whole : patterns.without_second;
 }
 
-std::string meeting_sentence(const MeetingPatterns& patterns, const core::Meeting& meeting, const core::Curve& joined) {
+std::string sentence_of_meeting(const MeetingPatterns& patterns, const core::Meeting& meeting,
+                                const core::Curve& joined) {
     // The error of a curvature is relative to that of a circle as large as the curve.
     const double size = shape_tolerance(joined, 1.0);
     const double error = size > 0.0 ? least_curvature / size : 0.0;
@@ -146,9 +147,9 @@ struct ChangedJoint {
 };
 
 void tell(std::vector<std::string>& sentences, const ChangedJoint& joint) {
-    sentences.push_back(meeting_sentence(as_it_was, joint.before, joint.curve));
+    sentences.push_back(sentence_of_meeting(as_it_was, joint.before, joint.curve));
     if (joint.changed.length() > 0.0) {
-        sentences.push_back(meeting_sentence(as_it_is, joint.after, joint.curve));
+        sentences.push_back(sentence_of_meeting(as_it_is, joint.after, joint.curve));
         if (joint.is_third_order) sentences.push_back(change_sentence(joint.before, joint.after, joint.curve));
         sentences.push_back(
             sentence("'{name}' changed from u = {from} to {to}", {{"name", joint.name},

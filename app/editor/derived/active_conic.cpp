@@ -10,7 +10,7 @@ namespace batten::editor {
 
 namespace {
 
-std::string point_name(const core::Curve& curve, std::size_t index) {
+std::string conic_point_name(const core::Curve& curve, std::size_t index) {
     return fmt::format("P_{{{}}}", index % curve.control_points().size());
 }
 
@@ -37,9 +37,9 @@ core::Result<ActiveConic> active_conic(const core::Curve& curve, double u) {
         .corner = (span - 1) % curve.control_points().size(),
         .end_scale = std::sqrt(piece.points[0].z) * std::sqrt(piece.points[2].z),
         .has_own_ends = begins_in_point && ends_in_point,
-        .names = {begins_in_point ? point_name(curve, span - 2) : curve_point_name(curve, piece.interval.lower),
-                  point_name(curve, span - 1),
-                  ends_in_point ? point_name(curve, span) : curve_point_name(curve, piece.interval.upper)}};
+        .names = {begins_in_point ? conic_point_name(curve, span - 2) : curve_point_name(curve, piece.interval.lower),
+                  conic_point_name(curve, span - 1),
+                  ends_in_point ? conic_point_name(curve, span) : curve_point_name(curve, piece.interval.upper)}};
 }
 
 }  // namespace batten::editor

@@ -34,7 +34,7 @@ CheckResult compared(bool holds, const char* yes, const char* no, Found found, F
     return {holds, holds ? sentence(yes, {{"found", found}}) : sentence(no, {{"found", found}, {"wanted", wanted}})};
 }
 
-std::string smoothness_text(int continuity) {
+std::string order_text(int continuity) {
     return plain_text(continuity_text(continuity));
 }
 
@@ -154,11 +154,11 @@ struct Checker {
         if (knot == nullptr) return {false, sentence("{knot} is no knot", {{"knot", number(check.knot)}})};
         if (knot->continuity == check.is)
             return {true, sentence("the curve is {order} at {knot} by its knots",
-                                   {{"order", smoothness_text(check.is)}, {"knot", number(check.knot)}})};
+                                   {{"order", order_text(check.is)}, {"knot", number(check.knot)}})};
         return {false, sentence("the curve is {found} at {knot} by its knots, not yet {order}",
-                                {{"found", smoothness_text(knot->continuity)},
+                                {{"found", order_text(knot->continuity)},
                                  {"knot", number(check.knot)},
-                                 {"order", smoothness_text(check.is)}})};
+                                 {"order", order_text(check.is)}})};
     }
     CheckResult operator()(const NoInteriorKnot&) const {
         const auto knots = core::distinct_knots(curve.knots());

@@ -205,7 +205,7 @@ CanvasMode press_parameter(const Gesture& gesture) {
     return DraggingParameter{gesture.state.parameter()};
 }
 
-std::size_t best_index_for(std::span<const core::Point> points, bool closed, core::Point position) {
+std::size_t index_near_leg(std::span<const core::Point> points, bool closed, core::Point position) {
     const std::size_t n = points.size();
     const auto detour = [&](core::Point a, core::Point b) {
         return distance(a, position) + distance(position, b) - distance(a, b);
@@ -226,13 +226,13 @@ std::size_t best_index_for(std::span<const core::Point> points, bool closed, cor
 }  // namespace
 
 std::size_t best_index_for(const core::Curve& curve, core::Point position) {
-    return best_index_for(curve.control_points(), curve.is_periodic(), position);
+    return index_near_leg(curve.control_points(), curve.is_periodic(), position);
 }
 
 std::size_t best_index_for(const core::FitPoints& fit, core::Point position) {
     std::vector<core::Point> places;
     for (const core::FitPoint& point : fit.points) places.push_back(point.place);
-    return best_index_for(places, fit.closed, position);
+    return index_near_leg(places, fit.closed, position);
 }
 
 CanvasMode begin_canvas_gesture(const Gesture& gesture) {

@@ -53,7 +53,7 @@ core::Point placed(const Gesture& gesture, const SnapQuery& query, Freedom freed
     return position;
 }
 
-double exact_offset(double start, double target) {
+double exact_step(double start, double target) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double offset = target - start;
     for (const double candidate : {offset, std::nextafter(offset, -infinity), std::nextafter(offset, infinity)})
@@ -89,7 +89,7 @@ core::Point dragged_tip(const Gesture& gesture, core::Point from, core::Point st
 }
 
 core::Vector exact_offset(core::Point start, core::Point target) {
-    return {exact_offset(start.x, target.x), exact_offset(start.y, target.y)};
+    return {exact_step(start.x, target.x), exact_step(start.y, target.y)};
 }
 
 double with_two_digits(double weight) {

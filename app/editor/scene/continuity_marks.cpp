@@ -30,7 +30,7 @@ struct Arms {
     }
 };
 
-bool is_drawable(const Arms& arms) {
+bool are_drawable(const Arms& arms) {
     return std::isfinite(glm::length(arms.left)) && std::isfinite(glm::length(arms.right));
 }
 
@@ -65,7 +65,7 @@ class JointPainter {
         const double scale = velocity_scale(*frame_.curve);
         const Arms whole{vector_in_picture(frame_, scale * joint.left.first),
                          vector_in_picture(frame_, scale * joint.right.first)};
-        if (!is_drawable(whole)) return;
+        if (!are_drawable(whole)) return;
         const Arms arms = whole.within(frame_.pen.px(longest_velocity));
         draw_arrow(frame_, left_ - arms.left, left_, stroke(frame_.theme.error));
         draw_arrow(frame_, right_, right_ + arms.right, stroke(frame_.theme.comb));
@@ -79,7 +79,7 @@ class JointPainter {
         const double scale = acceleration_scale(*frame_.curve);
         const Arms whole{vector_in_picture(frame_, scale * joint.left.second),
                          vector_in_picture(frame_, scale * joint.right.second)};
-        if (!is_drawable(whole)) return;
+        if (!are_drawable(whole)) return;
         const Arms arms = whole.within(frame_.pen.px(longest_acceleration));
         draw_arrow(frame_, left_, left_ + arms.left, dashed(frame_.theme.error));
         draw_arrow(frame_, right_, right_ + arms.right, dashed(frame_.theme.comb));

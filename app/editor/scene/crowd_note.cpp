@@ -15,7 +15,7 @@ constexpr double note_distance = 6.0;  // from the legend
 constexpr double note_size = 12.5;
 constexpr double ground_opacity = 0.94;  // over what is drawn there
 
-std::string points_text(const ShownPoints& points) {
+std::string shown_points_text(const ShownPoints& points) {
     return core::sentence("Showing {shown} of {count} points",
                           {{"shown", points.crowd.shown.size()}, {"count", points.seen}});
 }
@@ -25,7 +25,7 @@ std::string marks_text(const CanvasMarks& marks, double room) {
     const std::size_t knots = knot_count(marks.knots);
     const bool has_all_points = !marks.points.crowd.is_thinned;
     if (has_all_points && !marks.knots.is_thinned) return "";
-    if (!marks.knots.is_thinned) return points_text(marks.points);
+    if (!marks.knots.is_thinned) return shown_points_text(marks.points);
     if (has_all_points)
         return core::sentence("Showing {shown} of {count} knots", {{"shown", knots}, {"count", marks.knots.seen}});
     const std::string both = core::sentence("Showing {shown} of {count} points and {knots} of {knot_count} knots",
@@ -33,7 +33,7 @@ std::string marks_text(const CanvasMarks& marks, double room) {
                                              {"count", marks.points.seen},
                                              {"knots", knots},
                                              {"knot_count", marks.knots.seen}});
-    return text_size(both, note_size).x <= room ? both : points_text(marks.points);
+    return text_size(both, note_size).x <= room ? both : shown_points_text(marks.points);
 }
 
 std::string thinned_text(const char* pattern, const Thinned& thinned) {

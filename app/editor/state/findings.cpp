@@ -33,7 +33,7 @@ FindingColumns columns_of(const Findings& findings) {
     return columns;
 }
 
-std::string place_text(const Findings& findings, core::Point place) {
+std::string place_of_finding(const Findings& findings, core::Point place) {
     const auto text = [&](double value) {
         return column_text(unless_noise(value, findings.coordinate_error), findings.columns.coordinate);
     };
@@ -45,7 +45,7 @@ std::string place_text(const Findings& findings, core::Point place) {
 std::string details_text(const Findings& findings, const Finding& row) {
     std::vector<std::string> parts;
     if (!row.note.empty()) parts.push_back(reading_text(row.note));
-    if (row.point) parts.push_back(place_text(findings, *row.point));
+    if (row.point) parts.push_back(place_of_finding(findings, *row.point));
     for (const FoundNumber& number : row.numbers) {
         const auto column = findings.columns.numbers.find(number.name);
         const NumberColumn style = column == findings.columns.numbers.end() ? NumberColumn{} : column->second;

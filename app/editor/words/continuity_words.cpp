@@ -20,7 +20,7 @@ using core::sentence;
 // The whole turn of a cusp, but for rounding.
 constexpr double nearly_straight_back = 3.1415;
 
-std::string level_text(const char* letter, int level) {
+std::string class_text(const char* letter, int level) {
     return plain_text(fmt::format("{}^{{{}}}", letter, level));
 }
 
@@ -73,7 +73,7 @@ const char* found_pattern(const FoundPatterns& patterns, const JointContinuity& 
 }
 
 std::string better_level(const JointContinuity& joint) {
-    return joint.geometric > joint.parametric ? level_text("G", joint.geometric) : level_text("C", joint.parametric);
+    return joint.geometric > joint.parametric ? class_text("G", joint.geometric) : class_text("C", joint.parametric);
 }
 
 // Nothing is to be said beside what the knots promise; what is found goes up to 2.
@@ -105,13 +105,13 @@ std::string acceleration_reason(const JointContinuity& joint, const Notation& no
 }  // namespace
 
 std::string continuity_verdict(const JointContinuity& joint) {
-    const Place promised("promised", level_text("C", joint.promised));
+    const Place promised("promised", class_text("C", joint.promised));
     if (is_as_promised(joint)) return sentence("{promised} by its knots", {promised});
     return core::filled_as_needed(found_pattern(patterns_of(joint), joint),
                                   {promised,
                                    {"level", better_level(joint)},
-                                   {"parametric", level_text("C", joint.parametric)},
-                                   {"geometric", level_text("G", joint.geometric)}});
+                                   {"parametric", class_text("C", joint.parametric)},
+                                   {"geometric", class_text("G", joint.geometric)}});
 }
 
 std::string continuity_reason(const JointContinuity& joint, const Notation& notation) {

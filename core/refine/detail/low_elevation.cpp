@@ -73,7 +73,7 @@ void elevate_pieces(const KnotVector& knots, Load load, Put put) {
 }
 
 // Every run of equal knots with one knot more.
-NewArray<double> with_longer_runs(std::span<const double> knots, std::size_t runs) {
+NewArray<double> longer_knots(std::span<const double> knots, std::size_t runs) {
     NewArray<double> longer(knots.size() + runs);
     double* place = longer.data();
     for (std::size_t i = 0; i < knots.size(); ++i) {
@@ -92,7 +92,7 @@ bool has_low_elevation(const Curve& curve) {
 Result<Curve> low_elevation(const Curve& curve) {
     assert(has_low_elevation(curve));
     const KnotVector& knots = curve.knots();
-    NewArray<double> longer = with_longer_runs(knots.values(), segment_count(knots) + 1);
+    NewArray<double> longer = longer_knots(knots.values(), segment_count(knots) + 1);
     const std::size_t count = longer.size() - static_cast<std::size_t>(curve.degree()) - 2;
     NewArray<Point> points(count);
     NewArray<double> weights(count);
