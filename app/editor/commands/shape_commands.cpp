@@ -181,7 +181,7 @@ const CommandSpec& Offset::spec() {
             {field::length<&Offset::distance>("distance", "to the left, negative to the right")
                  .suggesting<suggest::grid_step>(),
              field::length<&Offset::tolerance>("tolerance", "the largest error, above 0")
-                 .suggesting<suggest::millionth_of_size>(),
+                 .suggesting<suggest::tolerance_of_offset>(),
              field::choice<&Offset::side>("side",
                                           "on which side, cut where it comes too near; without it nothing is cut")
                  .beginning_with<left_side>(),

@@ -104,8 +104,8 @@ std::optional<double> thousandth_of_size(const EditorState& state) {
     return share_of_size(state, 1e-3);
 }
 
-std::optional<double> millionth_of_size(const EditorState& state) {
-    return share_of_size(state, 1e-6);
+std::optional<double> tolerance_of_offset(const EditorState& state) {
+    return share_of_size(state, offset_tolerance);
 }
 
 }  // namespace batten::editor::suggest

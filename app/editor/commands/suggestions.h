@@ -43,6 +43,10 @@ std::optional<double> share_of_size(const EditorState& state, double share);
 std::optional<double> tiny_length(const EditorState& state);
 std::optional<double> hundredth_of_size(const EditorState& state);
 std::optional<double> thousandth_of_size(const EditorState& state);
-std::optional<double> millionth_of_size(const EditorState& state);
+
+/// Of the size of a curve, how far its offsets may be off, so that few points do: a tenth of a pixel where it fills a
+/// window.
+inline constexpr double offset_tolerance = 1e-4;
+std::optional<double> tolerance_of_offset(const EditorState& state);
 
 }  // namespace batten::editor::suggest

@@ -12,6 +12,7 @@
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 #include "core/evaluate/tangent.h"
+#include "core/measure/closing.h"
 #include "core/measure/continuity.h"
 
 namespace batten::editor {
@@ -128,7 +129,7 @@ Command command_of_drag(const EditorState& state, const PickedCurvePlace& place,
     const JointTool& tool = state.view.joint;
     if (tool.operation == JointOperation::offset)
         return Offset{.distance = drag.distance,
-                      .tolerance = suggest::millionth_of_size(state).value_or(suggest::grid_step(state) / 1e3),
+                      .tolerance = core::absolute_tolerance(curve_picked(state, place), suggest::offset_tolerance),
                       .side = tool.offsets_both_sides ? core::OffsetSide::both : core::OffsetSide::left,
                       .corners = tool.corners,
                       .caps = tool.caps};

@@ -10,6 +10,7 @@
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/joint_tool_commands.h"
 #include "app/editor/commands/making_commands.h"
+#include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/commands/unit_commands.h"
 #include "app/editor/pointer/joint_reading.h"
@@ -321,6 +322,26 @@ TEST_F(JointMode, an_offset_is_dragged_out_of_a_curve) {
     EXPECT_FALSE(picking().first);
     pointer.release(px(2, 1));
     EXPECT_EQ(present().curves.size(), 5U);
+}
+
+TEST_F(JointMode, a_dragged_offset_has_few_points) {
+    ASSERT_TRUE(editor.run(AddEllipse{.center = {0, 2}, .first_axis = 2, .second_axis = 1, .rotation = 0}));
+    const auto ellipse = present().active_curve()->curve;
+    ASSERT_TRUE(editor.run(ActivateCurve{.index = 0}));
+    take(JointOperation::offset);
+    pointer.modifiers = test::alt;
+    pointer.press(px(0, 3));
+    pointer.move(px(0, 3.5));
+    pointer.release(px(0, 3.5));
+    ASSERT_EQ(present().curves.size(), 6U);
+    const core::Curve& offset = *present().active_curve()->curve;
+    EXPECT_LE(offset.control_points().size(), 50U);
+    for (int i = 0; i <= 100; ++i) {
+        const double u = offset.domain().lower + offset.domain().length() * i / 100.0;
+        const core::Point place = core::point_at(offset, u);
+        EXPECT_NEAR(core::distance(core::nearest_point(*ellipse, place).point, place), 0.5, 4e-4)
+            << "a ten-thousandth of the size";
+    }
 }
 
 TEST_F(JointMode, offsets_on_both_sides_have_the_caps_of_the_tool) {
