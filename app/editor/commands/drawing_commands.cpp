@@ -4,6 +4,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
+#include "core/edit/joint_keeping.h"
 #include "core/make/shapes.h"
 #include "core/make/through_points.h"
 
@@ -21,10 +22,28 @@ Outcome<Edit> through_points(const EditorState& state, const ThroughPoints& comm
     return edit;
 }
 
+// The joints that were drawn smooth: both handles are there, and opposite each other.
+std::vector<core::KnotMark> smooth_joints(const core::Curve& curve, const BezierPath& path) {
+    const std::size_t n = path.points.size();
+    const std::vector<core::EditedCurve> curves{{curve}};
+    std::vector<core::KnotMark> marks;
+    for (std::size_t i = path.closed ? 0 : 3; i + 1 < n; i += 3) {
+        const core::Point place = path.points[i];
+        if (path.points[(i + n - 1) % n] == place || path.points[i + 1] == place) continue;
+        const double u = static_cast<double>(i / 3);
+        if (core::is_kept(curves, {.before = {0, u, core::Side::left}, .after = {0, u, core::Side::right}}))
+            marks.push_back({u, core::JointMark::smooth});
+    }
+    return marks;
+}
+
 Outcome<Edit> bezier_path(const EditorState& state, const BezierPath& command) {
     auto curve = core::bezier_path(command.points, command.closed);
     if (!curve) return tl::unexpected(core::describe(curve.error()));
-    return with_curve(state, "curve", *std::move(curve));
+    std::vector<core::KnotMark> marks = smooth_joints(*curve, command);
+    Edit edit = with_curve(state, "curve", *std::move(curve));
+    edit.document.curves.back().joints.knots = std::move(marks);
+    return edit;
 }
 
 }  // namespace

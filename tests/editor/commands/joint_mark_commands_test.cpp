@@ -7,6 +7,7 @@
 
 #include "app/editor/commands/closing_commands.h"
 #include "app/editor/commands/document_commands.h"
+#include "app/editor/commands/drawing_commands.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/fairing_commands.h"
 #include "app/editor/commands/knot_commands.h"
@@ -401,6 +402,24 @@ TEST_F(MarkedJoints, are_written_and_read) {
     const core::Document written = document(editor);
     EXPECT_EQ(core::parse_document(core::format_document(written))->curves[1].joints, written.curves[1].joints);
     EXPECT_EQ(written.curves[1].joints.ends, (std::vector<core::EndMark>{{core::CurveEnd::end, 0, JointMark::smooth}}));
+}
+
+TEST_F(MarkedJoints, of_a_bezier_path_are_those_that_were_drawn_smooth) {
+    // Smooth at (3, 2); a corner at (6, -1); a cusp at (9, 0); no handles at (12, 0), on a straight line.
+    const std::vector<core::Point> points{{0, 0}, {1, 2}, {2, 2}, {3, 2},  {5, 2},  {6, 0},  {6, -1}, {7, -1},
+                                          {8, 0}, {9, 0}, {8, 0}, {12, 0}, {12, 0}, {12, 0}, {16, 0}, {16, 0}};
+    ASSERT_TRUE(run(BezierPath{.points = points}));
+    const std::size_t path = document(editor).active;
+    EXPECT_EQ(entry(path).joints.knots, (std::vector<core::KnotMark>{{1.0, JointMark::smooth}}));
+    ASSERT_TRUE(run(MovePoints{.points = {4}, .offset = {0, 1}}));
+    EXPECT_EQ(point(4, path), core::Point(5, 3));
+    EXPECT_LT(core::distance(point(2, path), {3 - 2 / std::sqrt(5), 2 - 1 / std::sqrt(5)}), 1e-12)
+        << "the other handle is opposite, as long as it was";
+}
+
+TEST_F(MarkedJoints, of_a_closed_bezier_path_may_lie_at_its_seam) {
+    ASSERT_TRUE(run(BezierPath{.points = {{0, 0}, {0, 1}, {1, 2}, {2, 2}, {2, 1}, {0, -1}}, .closed = true}));
+    EXPECT_EQ(entry(document(editor).active).joints.knots, (std::vector<core::KnotMark>{{0.0, JointMark::smooth}}));
 }
 
 }  // namespace
