@@ -30,7 +30,7 @@ ImplicitConic product(const LinearForm& m, const LinearForm& n) {
 }
 
 // x - factor y, member by member.
-ImplicitConic weighted_sum(const ImplicitConic& x, double factor, const ImplicitConic& y) {
+ImplicitConic minus_multiple(const ImplicitConic& x, double factor, const ImplicitConic& y) {
     return {.a = x.a - factor * y.a,
             .b = x.b - factor * y.b,
             .c = x.c - factor * y.c,
@@ -55,7 +55,7 @@ ImplicitConic equation_of(const std::array<Point, 3>& points, double weight_squa
     const LinearForm l0 = through(Vector{}, to);
     const LinearForm l2 = through(from, Vector{});
     LinearForm l1 = through(to, from);
-    ImplicitConic conic = weighted_sum(product(l1, l1), 4.0 * weight_squared, product(l0, l2));
+    ImplicitConic conic = minus_multiple(product(l1, l1), 4.0 * weight_squared, product(l0, l2));
     conic = normalized(conic);
     conic.origin = points[1];
     return conic;
