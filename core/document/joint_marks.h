@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "core/base/names.h"
+#include "core/curve/curve.h"
 #include "core/curve/curve_end.h"
 
 namespace batten::core {
@@ -20,6 +22,7 @@ enum class JointMark {
 struct KnotMark {
     double u = 0.0;
     JointMark mark = JointMark::smooth;
+    std::string unknown_members{};  ///< that this version does not know, as a JSON object; empty if none
     bool operator==(const KnotMark&) const = default;
 };
 
@@ -28,6 +31,7 @@ struct EndMark {
     CurveEnd end = CurveEnd::end;
     std::size_t joint = 0;
     JointMark mark = JointMark::smooth;
+    std::string unknown_members{};  ///< likewise
     bool operator==(const EndMark&) const = default;
 };
 
@@ -39,6 +43,9 @@ struct JointMarks {
     bool is_empty() const { return knots.empty() && ends.empty(); }
     bool operator==(const JointMarks&) const = default;
 };
+
+/// Whether u is a knot inside the domain, or the seam of a periodic curve at its lower end: where a KnotMark can be.
+bool is_inner_knot(const Curve& curve, double u);
 
 template <>
 struct Names<JointMark> {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "core/base/geometry.h"
 
@@ -17,7 +18,8 @@ struct Symmetry {
     std::size_t place = 0;             ///< 0 or 1 where it is a mirror, else below `turns`
     std::optional<std::size_t> turns;  ///< at least 2; none: a mirror
     Point center{};
-    double angle = 90.0;  ///< degrees; of a mirror's line
+    double angle = 90.0;            ///< degrees; of a mirror's line
+    std::string unknown_members{};  ///< that this version does not know, as a JSON object; empty if none
 
     bool operator==(const Symmetry&) const = default;
 };

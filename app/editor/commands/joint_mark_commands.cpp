@@ -63,7 +63,12 @@ std::optional<DocumentEnd> end_that_meets(const core::Document& document, Docume
 
 void put_end_mark(core::Document& document, DocumentEnd end, std::size_t joint, JointMark mark) {
     auto& ends = document.curves[end.curve].joints.ends;
-    std::erase_if(ends, [&](const core::EndMark& other) { return other.end == end.end; });
+    const auto old = std::ranges::find(ends, end.end, &core::EndMark::end);
+    if (old != ends.end()) {
+        old->joint = joint;
+        old->mark = mark;
+        return;
+    }
     ends.push_back({end.end, joint, mark});
     std::ranges::sort(ends, {}, &core::EndMark::end);
 }
@@ -92,14 +97,14 @@ void erase_mark(core::Document& document, double u) {
 }
 
 Outcome<void> mark_knot(core::DocumentCurve& entry, double u, JointMark mark) {
-    const core::Interval domain = entry.curve->domain();
-    const bool is_inside = entry.curve->is_periodic() || (domain.lower < u && u < domain.upper);
-    if (!is_inside || entry.curve->knots().multiplicity(u) == 0)
+    if (!core::is_inner_knot(*entry.curve, u))
         return tl::unexpected(
             core::sentence("u = {u} is no knot; insert one there first", {{"u", core::shortest_text(u)}}));
-    std::erase_if(entry.joints.knots, [&](const core::KnotMark& other) { return other.u == u; });
-    entry.joints.knots.push_back({u, mark});
-    std::ranges::sort(entry.joints.knots, {}, &core::KnotMark::u);
+    const auto place = std::ranges::lower_bound(entry.joints.knots, u, {}, &core::KnotMark::u);
+    if (place != entry.joints.knots.end() && place->u == u)
+        place->mark = mark;
+    else
+        entry.joints.knots.insert(place, {u, mark});
     return {};
 }
 

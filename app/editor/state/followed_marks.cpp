@@ -65,12 +65,6 @@ std::optional<double> joined_knot(const core::Curve& joined, const core::Curve& 
 
 }  // namespace
 
-bool is_inner_knot(const core::Curve& curve, double u) {
-    const core::Interval domain = curve.domain();
-    if (curve.is_periodic() && u == domain.lower) return true;
-    return domain.lower < u && u < domain.upper && curve.knots().multiplicity(u) > 0;
-}
-
 bool is_reversed(const core::Curve& old, const core::Curve& now) {
     return old.degree() == now.degree() && old.is_periodic() == now.is_periodic() &&
            old.knots().stored().size() == now.knots().stored().size() && has_points_backwards(old, now) &&
@@ -114,7 +108,8 @@ std::optional<std::vector<core::KnotMark>> joined_marks(const core::DocumentCurv
             has_all = has_all && (!domain.contains(u) || joined_knot(*joined.curve, now, added, u, is_reversed));
         if (!has_all) continue;
         for (const core::KnotMark& mark : joined.joints.knots)
-            marks.push_back({*joined_knot(*joined.curve, now, added, mark.u, is_reversed), mark.mark});
+            marks.push_back(
+                {*joined_knot(*joined.curve, now, added, mark.u, is_reversed), mark.mark, mark.unknown_members});
         return marks;
     }
     return std::nullopt;

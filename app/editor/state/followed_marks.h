@@ -8,9 +8,6 @@
 
 namespace batten::editor {
 
-/// Whether u is a knot inside the domain, or the seam of a periodic curve at its lower end.
-bool is_inner_knot(const core::Curve& curve, double u);
-
 /// Whether `now` runs through the control points of `old` backwards. Cost O(n) where it does.
 bool is_reversed(const core::Curve& old, const core::Curve& now);
 

@@ -146,7 +146,7 @@ class MarkKeeping {
         const double seam = entry.curve->domain().lower;
         const bool is_seam = ends.size() == 2 && ends[0].joint == ends[1].joint;
         if (is_seam && !mark_of_knot(entry, seam))
-            entry.joints.knots.insert(entry.joints.knots.begin(), {seam, ends[0].mark});
+            entry.joints.knots.insert(entry.joints.knots.begin(), {seam, ends[0].mark, {}});
         for (const core::EndMark& mark : ends) left_.push_back({mark.joint, i, is_seam});
     }
 
@@ -175,7 +175,7 @@ class MarkKeeping {
             for (const core::CurveEnd end : {core::CurveEnd::start, core::CurveEnd::end}) {
                 if (mark_of_end(entry, end) != nullptr || !is_at_old_place(*owner.curve, old.end, *entry.curve, end))
                     continue;
-                entry.joints.ends.push_back({end, number, mark.mark});
+                entry.joints.ends.push_back({end, number, mark.mark, mark.unknown_members});
                 std::ranges::sort(entry.joints.ends, {}, &core::EndMark::end);
                 return true;
             }
@@ -225,8 +225,8 @@ class MarkKeeping {
         std::erase(entry.joints.ends, mark);
         if (old_[end.curve] == nullptr) return false;
         const double u = core::parameter_of(old_[end.curve]->curve->domain(), end.end);
-        if (!is_inner_knot(*entry.curve, u) || mark_of_knot(entry, u)) return false;
-        entry.joints.knots.push_back({u, mark.mark});
+        if (!core::is_inner_knot(*entry.curve, u) || mark_of_knot(entry, u)) return false;
+        entry.joints.knots.push_back({u, mark.mark, mark.unknown_members});
         std::ranges::sort(entry.joints.knots, {}, &core::KnotMark::u);
         return true;
     }
@@ -234,7 +234,7 @@ class MarkKeeping {
     void drop_marks_without_knots() {
         for (core::DocumentCurve& entry : after_.curves) {
             std::erase_if(entry.joints.knots,
-                          [&](const core::KnotMark& mark) { return !is_inner_knot(*entry.curve, mark.u); });
+                          [&](const core::KnotMark& mark) { return !core::is_inner_knot(*entry.curve, mark.u); });
         }
     }
 

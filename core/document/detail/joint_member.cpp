@@ -9,12 +9,6 @@ namespace {
 
 constexpr double most_joints = 1e9;
 
-bool is_inner_knot(const Curve& curve, double u) {
-    const Interval domain = curve.domain();
-    if (curve.is_periodic() && u == domain.lower) return true;
-    return domain.lower < u && u < domain.upper && curve.knots().multiplicity(u) > 0;
-}
-
 class JointsReader {
   public:
     explicit JointsReader(const Curve& curve) : curve_(curve) {}
@@ -45,7 +39,7 @@ class JointsReader {
             return reader.note(wrong_value(reader.place("u"), *reader.find("u"), "a knot inside the domain"));
         if (std::ranges::any_of(marks_.knots, [&](const KnotMark& other) { return other.u == u; }))
             return reader.note(FileError{reader.place("u"), "the knot is marked twice"});
-        marks_.knots.push_back({u, mark});
+        marks_.knots.push_back({u, mark, reader.unknown_members()});
     }
 
     void read_end(ObjectReader& reader, JointMark mark) {
@@ -61,7 +55,8 @@ class JointsReader {
         if (std::ranges::any_of(marks_.ends, [&](const EndMark& other) { return other.end == end.end; }))
             return reader.note(FileError{reader.place("end"), "the end is marked twice"});
         end.joint = static_cast<std::size_t>(joint);
-        marks_.ends.push_back(end);
+        end.unknown_members = reader.unknown_members();
+        marks_.ends.push_back(std::move(end));
     }
 
     const Curve& curve_;
@@ -84,6 +79,7 @@ Json json_of_joints(const JointMarks& marks) {
         Json object = Json::object();
         object["u"] = json_number(knot.u);
         object["mark"] = name_of(knot.mark);
+        add_unknown_members(object, knot.unknown_members);
         list.push_back(std::move(object));
     }
     for (const EndMark& end : marks.ends) {
@@ -91,6 +87,7 @@ Json json_of_joints(const JointMarks& marks) {
         object["end"] = name_of(end.end);
         object["joint"] = end.joint;
         object["mark"] = name_of(end.mark);
+        add_unknown_members(object, end.unknown_members);
         list.push_back(std::move(object));
     }
     return list;

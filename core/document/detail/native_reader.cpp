@@ -141,7 +141,8 @@ void read_symmetry(ObjectReader& curve_reader, DocumentCurve& entry) {
         reader.required("mirror", symmetry.angle);
     read_count(reader, "place", 0, symmetry.turns.value_or(2) - 1, symmetry.place);
     reader.required("center", symmetry.center);
-    entry.symmetry = symmetry;
+    symmetry.unknown_members = reader.unknown_members();
+    entry.symmetry = std::move(symmetry);
     curve_reader.note(reader.error());
 }
 

@@ -8,19 +8,12 @@
 #include "core/document/detail/joint_member.h"
 #include "core/document/detail/native_format.h"
 #include "core/document/detail/number_list.h"
+#include "core/document/detail/object_reader.h"
 #include "core/document/native_file.h"
 
 namespace batten::core {
 
 namespace {
-
-// The members of `unknown` (a JSON object as text) that the object does not have yet.
-void add_unknown_members(Json& object, const std::string& unknown) {
-    const Json members = Json::parse(unknown, nullptr, false);
-    if (!members.is_object()) return;
-    for (const auto& [name, value] : members.items())
-        if (!object.contains(name)) object[name] = value;
-}
 
 Json json_of(const Symmetry& symmetry) {
     Json object = Json::object();
@@ -31,6 +24,7 @@ Json json_of(const Symmetry& symmetry) {
         object["turns"] = *symmetry.turns;
     else
         object["mirror"] = json_number(symmetry.angle);
+    add_unknown_members(object, symmetry.unknown_members);
     return object;
 }
 

@@ -78,6 +78,13 @@ std::optional<FileError> take(const Json& value, const std::string& pointer, Poi
     return take(value[1], place_in(pointer, 1), target.y);
 }
 
+void add_unknown_members(Json& object, const std::string& unknown) {
+    const Json members = Json::parse(unknown, nullptr, false);
+    if (!members.is_object()) return;
+    for (const auto& [name, value] : members.items())
+        if (!object.contains(name)) object[name] = value;
+}
+
 ObjectReader::ObjectReader(Json& object, std::string pointer) : object_(object), pointer_(std::move(pointer)) {
     if (!object_.is_object()) note(wrong_value(pointer_, object_, "an object"));
 }

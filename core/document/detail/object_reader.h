@@ -69,6 +69,9 @@ std::optional<FileError> take(Json& value, const std::string& pointer, std::opti
     return take(value, pointer, target.emplace());
 }
 
+/// Gives `object` the members of `unknown`, a JSON object as text, that it does not have yet.
+void add_unknown_members(Json& object, const std::string& unknown);
+
 /// Reads one object. After the first error nothing more is stored.
 class ObjectReader {
   public:

@@ -208,10 +208,13 @@ TEST(NativeFormat, kind_is_believed_only_when_the_values_have_it) {
 TEST(NativeFormat, unknown_members_stay_on_every_level) {
     const std::string text =
         R"({"format": "batten", "version": 1, "maker": {"name": "x"}, "curves": [{)" + plain_members +
-        R"(, "tags": [1, "two", null, [3]]}], "guides": [{"point": [1, 2], "angle": 30, "ink": "blue"}], "view": {"zoom": 2.50, "parameter": 1}})";
+        R"(, "tags": [1, "two", null, [3]], "joints": [{"end": "end", "joint": 4, "mark": "corner", "dye": "red"}],
+            "symmetry": {"group": 1, "place": 0, "center": [0, 0], "mirror": 90, "axle": [1]}},
+            {"degree": 1, "knots": [0,0,1,2,2], "points": [[0,0],[1,1],[2,0]],
+             "joints": [{"mark": "corner", "since": {"day": 3}, "u": 1}]}], "guides": [{"point": [1, 2], "angle": 30, "ink": "blue"}], "view": {"zoom": 2.50, "parameter": 1}})";
     const std::string formatted = format_document(parse_document(text).value());
-    for (const char* part :
-         {"\"maker\": {\n    \"name\": \"x\"\n  }", "\"zoom\": 2.5", "\"tags\": [\n", "\"two\"", "\"ink\": \"blue\""})
+    for (const char* part : {"\"maker\": {\n    \"name\": \"x\"\n  }", "\"zoom\": 2.5", "\"tags\": [\n", "\"two\"",
+                             "\"ink\": \"blue\"", "\"dye\": \"red\"", "\"axle\": [1]", "\"since\": {\n"})
         EXPECT_NE(formatted.find(part), std::string::npos) << part << " in\n" << formatted;
     EXPECT_EQ(format_document(parse_document(formatted).value()), formatted);
 }
