@@ -31,7 +31,7 @@ CORE_FOLDERS = {
     "edit": {"base", "curve", "evaluate", "measure", "refine"},
     "make": {"base", "curve", "evaluate"},
     "shape": {"base", "curve", "evaluate", "measure", "refine", "edit", "make"},
-    "document": {"base", "curve", "make"},
+    "document": {"base", "curve", "measure", "edit", "make"},
 }
 
 # Outside headers that only these places may include.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+
+#include "core/document/detail/joint_truth.h"
 
 namespace batten::core {
 
@@ -39,6 +42,8 @@ class JointsReader {
             return reader.note(wrong_value(reader.place("u"), *reader.find("u"), "a knot inside the domain"));
         if (std::ranges::any_of(marks_.knots, [&](const KnotMark& other) { return other.u == u; }))
             return reader.note(FileError{reader.place("u"), "the knot is marked twice"});
+        if (const auto allowed = marks_instead(curve_, u, mark))
+            return reader.note(wrong_value(reader.place("mark"), name_of(mark), *allowed));
         marks_.knots.push_back({u, mark, reader.unknown_members()});
     }
 
@@ -63,6 +68,20 @@ class JointsReader {
     JointMarks marks_;
 };
 
+// A marked end of a curve.
+struct EndFound {
+    std::size_t curve;
+    EndMark mark;
+};
+
+FileError untrue_end(const EndFound& end, const Json& objects, const std::string& pointer, const std::string& allowed) {
+    const Json& list = objects[end.curve]["joints"];
+    std::size_t k = 0;
+    while (!list[k].contains("end") || list[k]["end"] != name_of(end.mark.end)) ++k;
+    const std::string place = place_in(place_in(place_in(pointer, end.curve), "joints"), k);
+    return wrong_value(place_in(place, "mark"), name_of(end.mark.mark), allowed);
+}
+
 }  // namespace
 
 FileResult<JointMarks> read_joints(Json& value, const std::string& pointer, const Curve& curve) {
@@ -71,6 +90,24 @@ FileResult<JointMarks> read_joints(Json& value, const std::string& pointer, cons
     for (std::size_t k = 0; k < value.size(); ++k)
         if (auto error = reader.read(value[k], place_in(pointer, k))) return tl::unexpected(*std::move(error));
     return reader.take();
+}
+
+// Of a number that more ends have than two, as a file may that was written by hand, only two belong together.
+std::optional<FileError> check_marked_ends(const std::vector<DocumentCurve>& curves, const Json& objects,
+                                           const std::string& pointer) {
+    std::map<std::size_t, std::vector<EndFound>> joints;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        for (const EndMark& mark : curves[i].joints.ends) {
+            std::vector<EndFound>& ends = joints[mark.joint];
+            if (ends.size() >= 2) continue;
+            ends.push_back({i, mark});
+            if (ends.size() < 2) continue;
+            for (const EndFound& end : ends)
+                if (const auto allowed = marks_instead(*curves[ends[0].curve].curve, ends[0].mark.end, *curves[i].curve,
+                                                       mark.end, end.mark.mark))
+                    return untrue_end(end, objects, pointer, *allowed);
+        }
+    return std::nullopt;
 }
 
 Json json_of_joints(const JointMarks& marks) {

@@ -212,6 +212,7 @@ void read_curves(ObjectReader& reader, Document& document) {
         if (!curve) return reader.note(curve.error());
         document.curves.push_back(std::move(*curve));
     }
+    reader.note(check_marked_ends(document.curves, *list, reader.place("curves")));
 }
 
 // A number of a picture that must be above 0, or lie from 0 to 1.

@@ -343,7 +343,7 @@ TEST(NativeFormat, the_group_of_a_curve_comes_back) {
 }
 
 TEST(NativeFormat, marked_joints_come_back_in_order) {
-    const std::string line = R"("degree": 1, "knots": [0,0,1,2,3,3], "points": [[0,0],[1,1],[2,0],[3,0]], "joints": )";
+    const std::string line = R"("degree": 1, "knots": [0,0,1,2,3,3], "points": [[0,0],[1,0],[2,0],[3,0]], "joints": )";
     const std::string marks = R"([{"end": "end", "joint": 4, "mark": "corner"}, {"u": 2, "mark": "curvature"},
                                   {"u": 1, "mark": "smooth"}])";
     const Document document = parse_document(file_of(line + marks)).value();
