@@ -121,7 +121,7 @@ Outcome<Edit> mark_joint(const EditorState& state, const MarkJoint& command) {
     const auto marked = end ? mark_end(edit.document, *end, command.mark) : mark_knot(entry, u, command.mark);
     if (!marked) return tl::unexpected(marked.error());
     core::Document kept = edit.document;
-    if (keep_marked_joints(state.history.present(), kept))
+    if (!keep_marked_joints(state.history.present(), kept).empty())
         return tl::unexpected(core::sentence("the curve cannot be made {mark} at u = {u}",
                                              {{"mark", core::title_of(command.mark)}, {"u", core::shortest_text(u)}}));
     edit.document = std::move(kept);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "app/editor/state/followed_marks.h"
+#include "app/editor/state/old_entries.h"
 #include "app/editor/state/point_hues.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -15,14 +17,9 @@ namespace {
 
 using core::JointMark;
 
-// The entry of `before` that `after.curves[i]` was: at its place, else with its curve, else of its name.
-const core::DocumentCurve* old_entry(const core::Document& before, const core::Document& after, std::size_t i) {
-    if (before.curves.size() == after.curves.size() && before.curves[i].name == after.curves[i].name)
-        return &before.curves[i];
-    for (const core::DocumentCurve& entry : before.curves)
-        if (entry.curve == after.curves[i].curve) return &entry;
-    const auto found = core::index_of_curve(before, after.curves[i].name);
-    return found ? &before.curves[*found] : nullptr;
+bool has_marks(const core::Document& document) {
+    return std::ranges::any_of(document.curves,
+                               [](const core::DocumentCurve& entry) { return !entry.joints.is_empty(); });
 }
 
 bool is_new_knot_mark(const core::DocumentCurve* old, const core::KnotMark& mark) {
@@ -33,13 +30,6 @@ bool is_new_end_mark(const core::DocumentCurve* old, const core::EndMark& mark) 
     return old != nullptr && std::ranges::find(old->joints.ends, mark) == old->joints.ends.end();
 }
 
-std::map<std::size_t, std::vector<DocumentEnd>> ends_by_joint(const core::Document& document) {
-    std::map<std::size_t, std::vector<DocumentEnd>> ends;
-    for (std::size_t i = 0; i < document.curves.size(); ++i)
-        for (const core::EndMark& mark : document.curves[i].joints.ends) ends[mark.joint].push_back({i, mark.end});
-    return ends;
-}
-
 int level_of(JointMark mark) {
     return static_cast<int>(mark);
 }
@@ -48,12 +38,12 @@ int level_of(JointMark mark) {
 class MarkKeeping {
   public:
     MarkKeeping(const core::Document& before, core::Document& after, bool holds_images)
-        : before_(before), after_(after), holds_images_(holds_images) {
-        for (std::size_t i = 0; i < after.curves.size(); ++i) old_.push_back(old_entry(before, after, i));
-    }
+        : before_(before), after_(after), holds_images_(holds_images) {}
 
-    std::optional<std::string> run() {
-        if (!is_concerned()) return std::nullopt;
+    std::vector<std::string> run() {
+        if (!has_marks(before_) && !has_marks(after_)) return {};
+        old_ = old_entries(before_, after_);
+        if (!is_concerned()) return {};
         for (std::size_t i = 0; i < after_.curves.size(); ++i) follow(i);
         for (const core::DocumentCurve& entry : before_.curves) take_over(entry);
         for (std::size_t i = 0; i < after_.curves.size(); ++i) drop_ends_left(i);
@@ -62,7 +52,7 @@ class MarkKeeping {
         drop_marks_without_knots();
         collect();
         keep();
-        return sentence();
+        return sentences();
     }
 
   private:
@@ -231,20 +221,27 @@ class MarkKeeping {
         return true;
     }
 
+    // Of a curve that was cut each part has the marks of the whole, of which some part keeps those inside it.
     void drop_marks_without_knots() {
-        for (core::DocumentCurve& entry : after_.curves) {
-            std::erase_if(entry.joints.knots,
-                          [&](const core::KnotMark& mark) { return !core::is_inner_knot(*entry.curve, mark.u); });
+        for (std::size_t i = 0; i < after_.curves.size(); ++i) {
+            core::DocumentCurve& entry = after_.curves[i];
+            for (const core::KnotMark& mark : std::vector(entry.joints.knots)) {
+                if (core::is_inner_knot(*entry.curve, mark.u)) continue;
+                std::erase(entry.joints.knots, mark);
+                if (old_[i] != nullptr) gone_.push_back(mark);
+            }
         }
+        for (std::size_t i = 0; i < after_.curves.size() && !gone_.empty(); ++i)
+            if (old_[i] == nullptr)
+                for (const core::KnotMark& mark : after_.curves[i].joints.knots) std::erase(gone_, mark);
     }
 
     void collect() {
+        std::set<std::size_t> groups;
         for (std::size_t i = 0; i < after_.curves.size(); ++i) {
-            const core::DocumentCurve& entry = after_.curves[i];
-            curves_.push_back({*entry.curve, old_[i] == nullptr ? nullptr : old_[i]->curve, entry.pinned,
-                               entry.locked || entry.fit != nullptr || is_image(i)});
-            if (is_image(i)) continue;
-            for (const core::KnotMark& mark : entry.joints.knots)
+            // One image speaks for all of its group.
+            if (is_image(i) && !groups.insert(after_.curves[i].symmetry->group).second) continue;
+            for (const core::KnotMark& mark : after_.curves[i].joints.knots)
                 if (mark.mark != JointMark::corner)
                     add({{i, mark.u, core::Side::left},
                          {i, mark.u, core::Side::right},
@@ -258,9 +255,10 @@ class MarkKeeping {
             if (first == nullptr || second == nullptr) continue;
             const bool is_new =
                 is_new_end_mark(old_[pair.first.curve], *first) || is_new_end_mark(old_[pair.second.curve], *second);
-            add({arm_of(pair.first), arm_of(pair.second), level_of(first->mark), is_new},
+            add({arm_of(after_, pair.first), arm_of(after_, pair.second), level_of(first->mark), is_new},
                 {pair.first.curve, 0.0, number, first->mark});
         }
+        leave_out_unreached();
     }
 
     void add(const core::KeptJoint& joint, const Source& source) {
@@ -268,33 +266,72 @@ class MarkKeeping {
         sources_.push_back(source);
     }
 
-    core::JointArm arm_of(DocumentEnd end) const {
-        const core::Interval domain = after_.curves[end.curve].curve->domain();
-        return {end.curve, core::parameter_of(domain, end.end),
-                end.end == core::CurveEnd::end ? core::Side::left : core::Side::right};
+    // Only curves that have changed, and those that hang together with them, are of concern.
+    void leave_out_unreached() {
+        std::vector<bool> is_reached;
+        for (std::size_t i = 0; i < after_.curves.size(); ++i) is_reached.push_back(is_changed(i));
+        for (bool has_grown = true; std::exchange(has_grown, false);)
+            for (const core::KeptJoint& joint : joints_) {
+                if (is_reached[joint.before.curve] == is_reached[joint.after.curve]) continue;
+                is_reached[joint.before.curve] = is_reached[joint.after.curve] = has_grown = true;
+            }
+        const auto joints = std::exchange(joints_, {});
+        const auto sources = std::exchange(sources_, {});
+        for (std::size_t k = 0; k < joints.size(); ++k) {
+            if (!is_reached[joints[k].before.curve]) continue;
+            add(joints[k], sources[k]);
+            joints_.back().before.curve = slot_of(joints[k].before.curve);
+            joints_.back().after.curve = slot_of(joints[k].after.curve);
+        }
+    }
+
+    // Where a curve of the document stands among those whose joints are kept.
+    std::size_t slot_of(std::size_t i) {
+        const auto [slot, is_new] = slots_.emplace(i, curves_.size());
+        if (is_new) {
+            const core::DocumentCurve& entry = after_.curves[i];
+            curves_.push_back({*entry.curve, old_[i] == nullptr ? nullptr : old_[i]->curve, entry.pinned,
+                               entry.locked || entry.fit != nullptr || is_image(i)});
+        }
+        return slot->second;
     }
 
     void keep() {
         core::KeptJoints kept = core::keep_joints(curves_, joints_);
-        for (std::size_t i = 0; i < kept.curves.size(); ++i)
-            if (kept.curves[i] != *after_.curves[i].curve)
-                replace_curve(after_.curves[i], std::make_shared<const core::Curve>(std::move(kept.curves[i])));
+        for (const auto& [i, slot] : slots_)
+            if (kept.curves[slot] != *after_.curves[i].curve)
+                replace_curve(after_.curves[i], std::make_shared<const core::Curve>(std::move(kept.curves[slot])));
         for (const std::size_t k : kept.lost) unmark(sources_[k]);
         lost_ = std::move(kept.lost);
     }
 
     void unmark(const Source& source) {
-        if (!source.number)
-            std::erase_if(after_.curves[source.curve].joints.knots,
-                          [&](const core::KnotMark& mark) { return mark.u == source.u; });
+        const auto symmetry = after_.curves[source.curve].symmetry;
+        for (std::size_t i = 0; i < after_.curves.size() && !source.number; ++i) {
+            const bool is_same_group = holds_images_ && symmetry && after_.curves[i].symmetry &&
+                                       after_.curves[i].symmetry->group == symmetry->group;
+            if (i == source.curve || is_same_group)
+                std::erase_if(after_.curves[i].joints.knots,
+                              [&](const core::KnotMark& mark) { return mark.u == source.u; });
+        }
         for (core::DocumentCurve& entry : after_.curves)
             std::erase_if(entry.joints.ends, [&](const core::EndMark& mark) { return mark.joint == source.number; });
     }
 
-    std::optional<std::string> sentence() const {
-        if (lost_.empty() && !unknown_.empty())
-            return core::sentence("the marked joints of '{name}' are marked no more", {{"name", unknown_.front()}});
-        if (lost_.empty()) return std::nullopt;
+    std::vector<std::string> sentences() const {
+        std::vector<std::string> told;
+        if (!lost_.empty()) told.push_back(sentence_of_lost());
+        if (!unknown_.empty())
+            told.push_back(
+                core::sentence("the marked joints of '{name}' are marked no more", {{"name", unknown_.front()}}));
+        if (!gone_.empty())
+            told.push_back(core::sentence({.one = "u = {u} is no knot inside a curve any more, and its mark is gone",
+                                           .many = "{count} marks are gone, whose knots are inside no curve any more"},
+                                          gone_.size(), {{"u", core::shortest_text(gone_.front().u)}}));
+        return told;
+    }
+
+    std::string sentence_of_lost() const {
         if (lost_.size() > 1)
             return core::sentence("{count} marked joints could not be kept, and their marks are gone",
                                   {{"count", lost_.size()}});
@@ -313,50 +350,26 @@ class MarkKeeping {
     bool holds_images_;
     std::vector<LeftEnd> left_;
     std::map<std::size_t, std::pair<DocumentEnd, DocumentEnd>> pairs_;
+    std::map<std::size_t, std::size_t> slots_;  // by curves of the document
     std::vector<core::EditedCurve> curves_;
     std::vector<core::KeptJoint> joints_;
     std::vector<Source> sources_;
     std::vector<std::size_t> lost_;
     std::vector<std::string> unknown_;  // curves whose marks found no knots
+    std::vector<core::KnotMark> gone_;  // whose knots are no joints any more
 };
 
 }  // namespace
 
-std::optional<JointMark> mark_of_knot(const core::DocumentCurve& entry, double u) {
-    const auto found = std::ranges::lower_bound(entry.joints.knots, u, {}, &core::KnotMark::u);
-    return found != entry.joints.knots.end() && found->u == u ? std::optional(found->mark) : std::nullopt;
-}
-
-const core::EndMark* mark_of_end(const core::DocumentCurve& entry, core::CurveEnd end) {
-    for (const core::EndMark& mark : entry.joints.ends)
-        if (mark.end == end) return &mark;
-    return nullptr;
-}
-
-std::optional<DocumentEnd> partner_of(const core::Document& document, DocumentEnd end) {
-    const core::EndMark* own = mark_of_end(document.curves[end.curve], end.end);
-    if (own == nullptr) return std::nullopt;
-    for (std::size_t i = 0; i < document.curves.size(); ++i)
-        for (const core::EndMark& mark : document.curves[i].joints.ends)
-            if (mark.joint == own->joint && DocumentEnd{i, mark.end} != end) return DocumentEnd{i, mark.end};
-    return std::nullopt;
-}
-
-std::size_t free_joint(const core::Document& document) {
-    std::size_t number = 0;
-    for (const core::DocumentCurve& entry : document.curves)
-        for (const core::EndMark& mark : entry.joints.ends) number = std::max(number, mark.joint + 1);
-    return number;
-}
-
-std::optional<std::string> keep_marked_joints(const core::Document& before, core::Document& after) {
+std::vector<std::string> keep_marked_joints(const core::Document& before, core::Document& after) {
     return MarkKeeping(before, after, false).run();
 }
 
-std::optional<std::string> keep_joints_of_images(const core::Document& before, core::Document& after) {
+std::vector<std::string> keep_joints_of_images(const core::Document& before, core::Document& after) {
     const bool has_images = std::ranges::any_of(
-        after.curves, [](const core::DocumentCurve& entry) { return entry.symmetry && !entry.joints.ends.empty(); });
-    return has_images ? MarkKeeping(before, after, true).run() : std::nullopt;
+        after.curves, [](const core::DocumentCurve& entry) { return entry.symmetry && !entry.joints.is_empty(); });
+    if (!has_images) return {};
+    return MarkKeeping(before, after, true).run();
 }
 
 }  // namespace batten::editor
