@@ -68,9 +68,7 @@ StepTexts texts_of_step(const Command& command, const EditorState& state, const 
             core::filled_as_needed(spec.done, places)};
 }
 
-void add_remark(Edit& edit, const std::optional<std::string>& lost) {
-    if (!lost) return;
-    std::vector<std::string> told{*lost};
+void add_remarks(Edit& edit, std::vector<std::string> told) {
     if (edit.remark) told.insert(told.begin(), *edit.remark);
     edit.remark = told_in_turn(told);
 }
@@ -83,10 +81,12 @@ Outcome<Edit> edit_by(const EditorState& state, const Command& command) {
     const core::Document& before = state.history.present();
     core::Document& after = edit->document;
     const auto edited = after.active_curve() == nullptr ? nullptr : after.active_curve()->curve;
-    add_remark(*edit, keep_marked_joints(before, after));
-    if (after.active_curve() != nullptr && after.active_curve()->curve != edited) edit->error.reset();
-    if (auto kept = keep_symmetry(before, after); !kept) return tl::unexpected(kept.error());
-    add_remark(*edit, keep_joints_of_images(before, after));
+    add_remarks(*edit, keep_marked_joints(before, after));
+    auto kept = keep_symmetry(before, after);
+    if (!kept) return tl::unexpected(kept.error());
+    add_remarks(*edit, *kept);
+    add_remarks(*edit, keep_joints_of_images(before, after));
+    if (after.active_curve() != nullptr && *after.active_curve()->curve != *edited) edit->error.reset();
     return edit;
 }
 
@@ -119,8 +119,8 @@ Distances distances_of(const EditorState& state, const std::optional<Ghost>& gho
 std::optional<std::string> lost_fit_points(const core::Document& before, const core::Document& after) {
     const core::DocumentCurve* old_active = before.active_curve();
     const core::DocumentCurve* active = after.active_curve();
-    const bool is_same_entry = old_active != nullptr && active != nullptr && before.active == after.active &&
-                               before.curves.size() == after.curves.size();
+    const bool is_same_entry =
+        old_active != nullptr && active != nullptr && before.active == after.active && old_active->name == active->name;
     if (!is_same_entry || old_active->fit == nullptr || active->fit != nullptr || old_active->curve == active->curve)
         return std::nullopt;
     return "the curve is an ordinary one now, without fit points";

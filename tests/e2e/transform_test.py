@@ -76,6 +76,9 @@ class TransformTest(WindowTest):
     def test_the_axis_of_a_mirror_image_is_clicked(self):
         editor = self.open_editor()
         self.choose(editor, "edit", "Symmetry", "pick-link-mirror")
+        editor.wait(lambda state: "form smooth" in state["widgets"] and state["is_settled"], "the form")
+        editor.key("Return")
+        editor.wait(lambda state: state["dialog"] == "none" and state["is_settled"], "the end of the form")
         end = editor.point(6)
         editor.click(*end)
         editor.settle()

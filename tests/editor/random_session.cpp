@@ -654,7 +654,8 @@ Command RandomSession::form_command() {
 }
 
 Command RandomSession::axis_pick_command() {
-    if (below(2) == 0) return below(2) == 0 ? Command(PickMirror{}) : Command(PickLinkMirror{});
+    if (below(2) == 0)
+        return below(2) == 0 ? Command(PickMirror{}) : Command(PickLinkMirror{.is_smooth = below(2) == 0});
     const std::size_t count = 1 + below(5);
     return below(2) == 0 ? Command(PickLinkRotation{.count = count}) : Command(PickArrayPolar{.count = count});
 }

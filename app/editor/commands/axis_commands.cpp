@@ -16,27 +16,27 @@ constexpr const char* axis_prompt = "Click two points of the axis · Escape give
 constexpr const char* center_prompt = "Click the center · Escape gives up";
 constexpr std::size_t usual_count = 5;
 
-Outcome<void> pick(EditorState& state, AxisUse use, std::size_t count) {
+Outcome<void> pick(EditorState& state, const AxisPick& wanted) {
     take_tool(state, Tool::select);
-    state.axis_pick = AxisPick{use, count, {}};
-    state.message = {needs_axis(use) ? axis_prompt : center_prompt, false};
+    state.axis_pick = wanted;
+    state.message = {needs_axis(wanted.use) ? axis_prompt : center_prompt, false};
     return {};
 }
 
 Outcome<void> pick_mirror(EditorState& state, const PickMirror&) {
-    return pick(state, AxisUse::mirror, 0);
+    return pick(state, {.use = AxisUse::mirror});
 }
 
-Outcome<void> pick_link_mirror(EditorState& state, const PickLinkMirror&) {
-    return pick(state, AxisUse::link_mirror, 0);
+Outcome<void> pick_link_mirror(EditorState& state, const PickLinkMirror& command) {
+    return pick(state, {.use = AxisUse::link_mirror, .is_smooth = command.is_smooth});
 }
 
 Outcome<void> pick_link_rotation(EditorState& state, const PickLinkRotation& command) {
-    return pick(state, AxisUse::link_rotation, command.count);
+    return pick(state, {.use = AxisUse::link_rotation, .count = command.count});
 }
 
 Outcome<void> pick_array_polar(EditorState& state, const PickArrayPolar& command) {
-    return pick(state, AxisUse::array_polar, command.count);
+    return pick(state, {.use = AxisUse::array_polar, .count = command.count});
 }
 
 template <auto member>
@@ -65,17 +65,19 @@ const CommandSpec& PickMirror::spec() {
 }
 
 const CommandSpec& PickLinkMirror::spec() {
-    static const CommandSpec spec{.name = "pick-link-mirror",
-                                  .title = "Link to a mirror image by clicks",
-                                  .explanation =
-                                      "Adds the mirror image of the active curve in the line through two "
-                                      "places that are clicked, linked to it.",
-                                  .synonyms = "symmetry reflect live half axis",
-                                  .group = CommandGroup::edit,
-                                  .submenu = "Symmetry",
-                                  .offered = in_the_window,
-                                  .refusal = LinkMirror::spec().refusal,
-                                  .run = body_of<pick_link_mirror>};
+    static const CommandSpec spec{
+        .name = "pick-link-mirror",
+        .title = "Link to a mirror image by clicks",
+        .explanation =
+            "Adds the mirror image of the active curve in the line through two "
+            "places that are clicked, linked to it.",
+        .synonyms = "symmetry reflect live half axis",
+        .group = CommandGroup::edit,
+        .submenu = "Symmetry",
+        .offered = in_the_window,
+        .fields = {field::flag<&PickLinkMirror::is_smooth>("smooth", smooth_seam_meaning).usually(true)},
+        .refusal = LinkMirror::spec().refusal,
+        .run = body_of<pick_link_mirror>};
     return spec;
 }
 

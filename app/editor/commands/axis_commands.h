@@ -11,6 +11,7 @@ struct PickMirror {
 };
 
 struct PickLinkMirror {
+    bool is_smooth;  ///< ends near the axis meet their images at no corner
     static const CommandSpec& spec();
 };
 

@@ -5,9 +5,12 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/joint_report.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/state/point_hues.h"
 #include "app/editor/state/symmetry_links.h"
+#include "app/editor/words/length.h"
+#include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/curve/control_box.h"
 
@@ -17,6 +20,13 @@ namespace {
 
 // Ends of a curve that lie within this part of its size beside the mirror are meant to lie on it.
 constexpr double meant_on_mirror = 1e-3;
+
+// And what of that size an end may be moved without a word.
+constexpr double rounding_of_seat = 1e-12;
+
+double size_of_curve(const core::Curve& curve) {
+    return core::length(core::control_box(curve).size());
+}
 
 bool is_linked(const EditorState& state) {
     return state.history.present().active_curve()->symmetry.has_value();
@@ -53,13 +63,43 @@ Edit with_images(const EditorState& state, core::Symmetry symmetry, const core::
     return edit;
 }
 
+// "its start was turned by 12.5° ...", for each end that is not as it was.
+std::vector<std::string> told_of_end(const EditorState& state, const SeatedEnd& seated) {
+    const bool is_start = seated.end == core::CurveEnd::start;
+    const core::Place moved("distance", length_words(state.history.present().units, seated.moved));
+    const core::Place turned("angle", core::shortest_text(seated.turned));
+    std::vector<std::string> told;
+    if (seated.moved > rounding_of_seat * size_of_curve(active_curve(state)))
+        told.push_back(is_start ? core::sentence("its start was moved by {distance} onto the line", {moved})
+                                : core::sentence("its end was moved by {distance} onto the line", {moved}));
+    if (seated.turned > 0.0)
+        told.push_back(
+            is_start ? core::sentence("its start was turned by {angle}° to meet its image smoothly (G2)", {turned})
+                     : core::sentence("its end was turned by {angle}° to meet its image smoothly (G2)", {turned}));
+    if (seated.keeps_corner)
+        told.emplace_back(is_start ? "its start cannot be turned to meet its image smoothly and keeps a corner"
+                                   : "its end cannot be turned to meet its image smoothly and keeps a corner");
+    return told;
+}
+
+std::optional<std::string> told_of_ends(const EditorState& state, const std::vector<SeatedEnd>& ends) {
+    std::vector<std::string> told;
+    for (const SeatedEnd& seated : ends)
+        for (std::string& sentence : told_of_end(state, seated)) told.push_back(std::move(sentence));
+    if (std::ranges::any_of(ends, [](const SeatedEnd& seated) { return seated.turned > 0.0; }))
+        told.emplace_back("linked with 'smooth' off, it would keep its corners");
+    return told_in_turn(told);
+}
+
 Outcome<Edit> link_mirror(const EditorState& state, const LinkMirror& command) {
     const core::Symmetry mirror{.turns = std::nullopt, .center = command.center, .angle = command.angle};
     const core::Curve& curve = active_curve(state);
-    const double reach = meant_on_mirror * core::length(core::control_box(curve).size());
+    const double reach = meant_on_mirror * size_of_curve(curve);
     const auto seamed = with_ends_on_mirror(curve, mirror, reach, command.is_smooth);
     if (!seamed) return tl::unexpected(core::describe(seamed.error()));
-    return with_images(state, mirror, *seamed, 2);
+    Edit edit = with_images(state, mirror, seamed->curve, 2);
+    edit.remark = told_of_ends(state, seamed->ends);
+    return edit;
 }
 
 Outcome<Edit> link_rotation(const EditorState& state, const LinkRotation& command) {
@@ -88,9 +128,7 @@ const CommandSpec& LinkMirror::spec() {
         .effect = ShapeEffect::changes,
         .fields = {field::position<&LinkMirror::center>({"x", "x of a point of the line"}, {"y", "y of it"}),
                    field::angle<&LinkMirror::angle>("angle", "of the line, 90 where it is upright").usually(90.0),
-                   field::flag<&LinkMirror::is_smooth>("smooth",
-                                                       "yes: ends near the line meet their image smoothly, G2")
-                       .usually(true)},
+                   field::flag<&LinkMirror::is_smooth>("smooth", smooth_seam_meaning).usually(true)},
         .refusal = not_linkable,
         .run = body_of<link_mirror>,
         .done = "Linked the curve to its mirror image"};

@@ -6,6 +6,10 @@
 
 namespace batten::editor {
 
+/// What the choice of a seam says, wherever a mirror link is made.
+inline constexpr const char* smooth_seam_meaning =
+    "yes: ends near the line are turned until they meet their image smoothly, G2; no: they keep a corner";
+
 struct LinkMirror {
     core::Point center;
     double angle;    ///< of the line, in degrees

@@ -30,7 +30,8 @@ double angle_of_line(core::Point first, core::Point second) {
 }
 
 Command mirror_command(const EditorState& state, AxisUse use, core::Point first, double angle) {
-    if (use == AxisUse::link_mirror) return LinkMirror{.center = first, .angle = angle, .is_smooth = true};
+    if (use == AxisUse::link_mirror)
+        return LinkMirror{.center = first, .angle = angle, .is_smooth = state.axis_pick->is_smooth};
     const MapTarget what = selected_parts(state).empty() ? MapTarget::curve : MapTarget::selection;
     return Mirror{.angle = angle, .what = what, .pivot = first};
 }

@@ -17,6 +17,7 @@ struct AxisPick {
     AxisUse use = AxisUse::mirror;
     std::size_t count = 0;               ///< how many curves there shall be around a center
     std::optional<core::Point> first{};  ///< of the two points of an axis
+    bool is_smooth = true;               ///< of a mirror link: ends near the axis meet their images smoothly
     bool operator==(const AxisPick&) const = default;
 };
 

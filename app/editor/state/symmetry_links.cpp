@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "app/editor/state/fit_curve.h"
 #include "app/editor/state/point_hues.h"
@@ -63,12 +64,27 @@ bool is_right_angle(const SeenFromMirror& seen, core::Point end, core::Point inn
     return turned <= rounding * core::distance(inner, end);
 }
 
+bool runs_along(const SeenFromMirror& seen, core::Point end, core::Point inner) {
+    return std::abs(seen.height(inner) - seen.height(end)) <= rounding * core::distance(inner, end);
+}
+
 core::Point mended(const SeenFromMirror& seen, core::Point end, core::Point inner) {
     return end + core::dot(inner - end, seen.across) * seen.across;
 }
 
+double degrees_between(core::Vector a, core::Vector b) {
+    return 180.0 / std::numbers::pi * std::atan2(std::abs(core::cross(a, b)), core::dot(a, b));
+}
+
 double size_of(const core::Curve& curve) {
     return core::length(core::control_box(curve).size());
+}
+
+// Whether points stand elsewhere by more than rounding.
+bool is_elsewhere(const core::Curve& curve, const core::Curve& other) {
+    const double tolerance = rounding * size_of(curve);
+    return !std::ranges::equal(curve.control_points(), other.control_points(),
+                               [&](core::Point a, core::Point b) { return core::distance(a, b) <= tolerance; });
 }
 
 // Ends that were on the mirror stay there, and at a right angle to it where they were.
@@ -138,16 +154,19 @@ std::optional<std::size_t> leader_of(const core::Document& before, const core::D
     return leader;
 }
 
-Outcome<void> follow(const core::Document& before, core::Document& after, const Members& members, std::size_t leader) {
+// Whether the edit had an end elsewhere than the mirror lets it be.
+Outcome<bool> follow(const core::Document& before, core::Document& after, const Members& members, std::size_t leader) {
     const core::Symmetry symmetry = *after.curves[leader].symmetry;
     auto original = core::transform(*after.curves[leader].curve, map_from_image(symmetry));
     std::shared_ptr<const core::FitPoints> fit = image_of_fit(after.curves[leader].fit, map_from_image(symmetry));
     const core::DocumentCurve* old = same_image(before, symmetry);
+    bool is_held = false;
     if (original && old != nullptr && !symmetry.turns) {
         const auto old_original = core::transform(*old->curve, map_from_image(*old->symmetry));
         auto seamed = old_original ? with_seams_of(*old_original, *original, symmetry) : original;
         // A curve whose seam had to be mended is not the one through its fit points any more.
         if (seamed && *seamed != *original) fit.reset();
+        is_held = seamed && is_elsewhere(*original, *seamed);
         original = std::move(seamed);
     }
     if (!original) return tl::unexpected(core::describe(original.error()));
@@ -165,7 +184,7 @@ Outcome<void> follow(const core::Document& before, core::Document& after, const 
         entry.pinned = pinned;
         entry.joints.knots = marks;
     }
-    return {};
+    return is_held;
 }
 
 }  // namespace
@@ -196,7 +215,8 @@ std::size_t free_group(const core::Document& document) {
     return group;
 }
 
-Outcome<void> keep_symmetry(const core::Document& before, core::Document& after) {
+Outcome<std::vector<std::string>> keep_symmetry(const core::Document& before, core::Document& after) {
+    std::vector<std::string> told;
     unlink_copies(after);
     for (const auto& [group, members] : groups_of(after)) {
         if (members.size() == 1) {
@@ -205,23 +225,37 @@ Outcome<void> keep_symmetry(const core::Document& before, core::Document& after)
         }
         const auto leader = leader_of(before, after, members);
         if (!leader) continue;
-        if (auto followed = follow(before, after, members, *leader); !followed) return followed;
+        const auto is_held = follow(before, after, members, *leader);
+        if (!is_held) return tl::unexpected(is_held.error());
+        if (*is_held)
+            told.push_back(
+                core::sentence("ends of '{name}' stay on the mirror, and at right angles to it where they were",
+                               {{"name", after.curves[*leader].name}}));
     }
-    return {};
+    return told;
 }
 
-core::Result<core::Curve> with_ends_on_mirror(const core::Curve& curve, const core::Symmetry& mirror, double reach,
+core::Result<SeatedCurve> with_ends_on_mirror(const core::Curve& curve, const core::Symmetry& mirror, double reach,
                                               bool is_smooth) {
     const SeenFromMirror seen(mirror);
     core::CurveDefinition definition = curve.definition();
+    std::vector<SeatedEnd> seated;
     for (const End& one : clamped_ends(curve)) {
         core::Point& end = definition.points[one.end];
+        core::Point& inner = definition.points[one.inner];
         if (!(std::abs(seen.height(end)) <= reach)) continue;
+        SeatedEnd now{one.end == 0 ? core::CurveEnd::start : core::CurveEnd::end, std::abs(seen.height(end))};
         end = seen.foot(end);
-        if (is_smooth && curve.degree() > 1)
-            definition.points[one.inner] = mended(seen, end, definition.points[one.inner]);
+        if (is_smooth && !is_right_angle(seen, end, inner)) {
+            now.keeps_corner = curve.degree() == 1 || runs_along(seen, end, inner);
+            const core::Point old = std::exchange(inner, now.keeps_corner ? inner : mended(seen, end, inner));
+            now.turned = now.keeps_corner ? 0.0 : degrees_between(old - end, inner - end);
+        }
+        seated.push_back(now);
     }
-    return core::Curve::make(std::move(definition));
+    return core::Curve::make(std::move(definition)).map([&](core::Curve made) {
+        return SeatedCurve{std::move(made), std::move(seated)};
+    });
 }
 
 }  // namespace batten::editor

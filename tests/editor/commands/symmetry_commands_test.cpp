@@ -93,6 +93,66 @@ TEST_F(SymmetryCommands, ends_near_the_line_are_made_smooth_where_that_is_asked_
     EXPECT_EQ(points_of(0)[3].y, -3.0);
 }
 
+TEST_F(SymmetryCommands, what_an_end_was_moved_and_turned_is_said) {
+    // The last leg goes from (2, -1) to (0, -3), half a right angle off; the start is right already.
+    EXPECT_TRUE(run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = true}));
+    EXPECT_EQ(message(),
+              "Linked the curve to its mirror image; its end was turned by 45° to meet its image smoothly (G2); linked "
+              "with 'smooth' off, it would keep its corners");
+    EXPECT_TRUE(run(Undo{}));
+    // Beside the line by 1/256; the leg is (1/2, 2) from there, and the angle of the turn has the tangent 4.
+    EXPECT_TRUE(run(SetPoint{.index = 4, .position = {0.00390625, -3}}));
+    EXPECT_TRUE(run(SetPoint{.index = 3, .position = {0.5, -1}}));
+    EXPECT_TRUE(run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = true}));
+    EXPECT_EQ(message().find("Linked the curve to its mirror image; its end was moved by 0.00390625 onto the line; its "
+                             "end was turned by 75.96375"),
+              0U)
+        << message();
+    EXPECT_TRUE(run(Undo{}));
+    EXPECT_TRUE(run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = false}));
+    EXPECT_EQ(message(), "Linked the curve to its mirror image; its end was moved by 0.00390625 onto the line");
+}
+
+TEST_F(SymmetryCommands, an_end_along_the_line_keeps_its_corner_and_its_shape) {
+    EXPECT_TRUE(run(SetPoint{.index = 3, .position = {0, -1}}));
+    EXPECT_TRUE(run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = true}));
+    EXPECT_EQ(message(),
+              "Linked the curve to its mirror image; its end cannot be turned to meet its image smoothly and keeps a "
+              "corner");
+    EXPECT_EQ(points_of(0)[3], core::Point(0, -1));
+}
+
+TEST_F(SymmetryCommands, a_polygon_keeps_its_corners) {
+    open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [
+      { "name": "roof", "degree": 1, "knots": [0,0,1,1], "points": [[0,2],[4,0]] } ] })");
+    EXPECT_TRUE(run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = true}));
+    EXPECT_EQ(message(),
+              "Linked the curve to its mirror image; its start cannot be turned to meet its image smoothly and keeps a "
+              "corner");
+    EXPECT_EQ(points_of(0)[1], core::Point(4, 0));
+}
+
+TEST_F(SymmetryCommands, a_turn_takes_fit_points_and_says_so) {
+    EXPECT_TRUE(run_typed(editor_, "through-points 0,0,3,2,1,4"));
+    EXPECT_TRUE(run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = true}));
+    EXPECT_NE(message().find("its start was turned by "), std::string::npos) << message();
+    EXPECT_NE(message().find("; the curve is an ordinary one now, without fit points"), std::string::npos) << message();
+}
+
+TEST_F(SymmetryCommands, what_a_seam_holds_back_is_said) {
+    EXPECT_TRUE(run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = false}));
+    EXPECT_TRUE(run(SetPoint{.index = 2, .position = {3.5, 1.0}}));
+    EXPECT_EQ(message().find("on the mirror"), std::string::npos) << message();
+    EXPECT_TRUE(run(SetPoint{.index = 1, .position = {1.5, 3.0}}));
+    EXPECT_EQ(points_of(0)[1], core::Point(1.5, 2));
+    EXPECT_NE(message().find("; ends of 'half' stay on the mirror, and at right angles to it where they were"),
+              std::string::npos)
+        << message();
+    // Mapped with the line, nothing is held back but rounding.
+    EXPECT_TRUE(run(Rotate{.angle = 31.0, .what = MapTarget::all, .pivot = core::Point(0.3, 0.7)}));
+    EXPECT_EQ(message().find("on the mirror"), std::string::npos) << message();
+}
+
 TEST_F(SymmetryCommands, points_that_a_curve_passes_have_images_too) {
     EXPECT_TRUE(run_typed(editor_, "through-points 1,0,3,2,1,4"));
     EXPECT_TRUE(run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = false}));

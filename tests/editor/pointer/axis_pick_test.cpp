@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/commands/axis_commands.h"
+#include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/selection_commands.h"
@@ -45,8 +46,22 @@ TEST_F(AxisPicking, snaps_to_points_and_mirrors_only_what_is_selected) {
     EXPECT_EQ(point(0), core::Point(-4, -2));
 }
 
+TEST_F(AxisPicking, links_a_mirror_image_with_or_without_a_corner) {
+    // Through the first point (-4, -2), from which the curve leaves aslant: the next one is (-2, 2).
+    const core::Point next = point(1);
+    for (const bool is_smooth : {false, true}) {
+        EXPECT_TRUE(run_typed(editor, is_smooth ? "pick-link-mirror yes" : "pick-link-mirror no"));
+        pointer.click(px(point(0).x, -5));
+        pointer.click(px(point(0).x, 5));
+        ASSERT_EQ(curves().size(), 2U);
+        EXPECT_EQ(point(1), is_smooth ? core::Point(next.x, point(0).y) : next);
+        EXPECT_EQ(state().message.text.find("turned") != std::string::npos, is_smooth) << state().message.text;
+        ASSERT_TRUE(editor.run(Undo{}));
+    }
+}
+
 TEST_F(AxisPicking, links_a_mirror_image) {
-    editor.run(PickLinkMirror{});
+    editor.run(PickLinkMirror{.is_smooth = true});
     pointer.click(px(5, 0));
     pointer.move(px(5, 3));
     EXPECT_EQ(state().shown().curves.size(), 2U);
