@@ -9,6 +9,7 @@
 #include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
+#include "core/measure/bounds.h"
 
 namespace batten::editor {
 
@@ -108,38 +109,31 @@ const char* pattern_of(const MeetingPatterns& patterns, const core::Meeting& mee
     return meeting.after ? patterns.whole : patterns.without_second;
 }
 
-std::string sentence_of_meeting(const MeetingPatterns& patterns, const core::Meeting& meeting,
-                                const core::Curve& joined) {
-    // The error of a curvature is relative to that of a circle as large as the curve.
-    const double size = shape_tolerance(joined, 1.0);
-    const double error = size > 0.0 ? least_curvature / size : 0.0;
-    return core::filled_as_needed(pattern_of(patterns, meeting),
-                                  {{"gap", text_above(coordinate_error(joined), meeting.gap)},
-                                   {"angle", degrees_text(meeting.angle.value_or(0.0))},
-                                   {"before", text_above(error, meeting.before.value_or(0.0))},
-                                   {"after", text_above(error, meeting.after.value_or(0.0))}});
+std::string number_of(const std::optional<double>& value) {
+    return core::shortest_text(value.value_or(0.0));
 }
 
-std::string change_sentence(const core::Meeting& before, const core::Meeting& after, const core::Curve& curve) {
-    const double size = shape_tolerance(curve, 1.0);
-    const double error = size > 0.0 ? least_curvature / size / size : 0.0;
-    const auto text = [&](const std::optional<double>& change, const core::Meeting& meeting) {
-        return text_above(std::max(error, meeting.change_noise), change.value_or(0.0));
-    };
+std::string sentence_of_meeting(const MeetingPatterns& patterns, const core::Meeting& meeting) {
+    return core::filled_as_needed(pattern_of(patterns, meeting), {{"gap", core::shortest_text(meeting.gap)},
+                                                                  {"angle", degrees_text(meeting.angle.value_or(0.0))},
+                                                                  {"before", number_of(meeting.before)},
+                                                                  {"after", number_of(meeting.after)}});
+}
+
+std::string change_sentence(const JointChange& joint) {
     return sentence(
         "per length the curvature changed by {before} and {after} there, now by {before_now} and {after_now}",
-        {{"before", text(before.change_before, before)},
-         {"after", text(before.change_after, before)},
-         {"before_now", text(after.change_before, after)},
-         {"after_now", text(after.change_after, after)}});
+        {{"before", number_of(joint.before.change_before)},
+         {"after", number_of(joint.before.change_after)},
+         {"before_now", number_of(joint.after.change_before)},
+         {"after_now", number_of(joint.after.change_after)}});
 }
 
 // What a joint was and is, and how much of the curve called `name` changed for it.
 struct ChangedJoint {
     const std::string& name;
     const core::Curve& curve;
-    const core::Meeting& before;
-    const core::Meeting& after;
+    JointChange change;
     core::Interval changed;
     std::span<const core::SmoothnessLoss> lost;
     int old_degree;
@@ -147,10 +141,12 @@ struct ChangedJoint {
 };
 
 void tell(std::vector<std::string>& sentences, const ChangedJoint& joint) {
-    sentences.push_back(sentence_of_meeting(as_it_was, joint.before, joint.curve));
+    const core::Box box = core::tight_box(joint.curve);
+    const JointChange change{without_noise(joint.change.before, box), without_noise(joint.change.after, box)};
+    sentences.push_back(sentence_of_meeting(as_it_was, change.before));
     if (joint.changed.length() > 0.0) {
-        sentences.push_back(sentence_of_meeting(as_it_is, joint.after, joint.curve));
-        if (joint.is_third_order) sentences.push_back(change_sentence(joint.before, joint.after, joint.curve));
+        sentences.push_back(sentence_of_meeting(as_it_is, change.after));
+        if (joint.is_third_order) sentences.push_back(change_sentence(change));
         sentences.push_back(
             sentence("'{name}' changed from u = {from} to {to}", {{"name", joint.name},
                                                                   {"from", core::shortest_text(joint.changed.lower)},
@@ -188,17 +184,44 @@ std::optional<std::string> lost_smoothness(std::span<const core::SmoothnessLoss>
     return told_in_turn(sentences);
 }
 
+JointChange change_of(const core::JoinedCurve& joined) {
+    if (joined.ends.first == core::CurveEnd::end) return {joined.before, joined.after};
+    return {core::run_back(joined.before), core::run_back(joined.after)};
+}
+
+JointChange change_of(const core::MatchedCurve& matched) {
+    return {core::run_back(matched.before), core::run_back(matched.after)};
+}
+
+core::Meeting without_noise(core::Meeting meeting, const core::Box& box) {
+    const double size = core::robust_length(box.size());
+    // The error of a curvature is relative to that of a circle as large as the curves.
+    const double of_curvature = size > 0.0 ? least_curvature / size : 0.0;
+    const double of_change = size > 0.0 ? of_curvature / size : 0.0;
+    const auto drop = [](std::optional<double>& value, double error) {
+        if (value && std::abs(*value) <= error) value = 0.0;
+    };
+    if (meeting.gap <= coordinate_error(box)) meeting.gap = 0.0;
+    if (meeting.angle) meeting.angle = std::abs(*meeting.angle);
+    drop(meeting.angle, least_degrees * std::numbers::pi / 180.0);
+    for (std::optional<double>* value : {&meeting.before, &meeting.after})
+        drop(*value, std::max(of_curvature, meeting.curvature_noise));
+    for (std::optional<double>* value : {&meeting.change_before, &meeting.change_after})
+        drop(*value, std::max(of_change, meeting.change_noise));
+    return meeting;
+}
+
 std::string join_report(const std::string& name, const core::JoinedCurve& joined, int degree) {
     std::vector<std::string> sentences;
     if (const auto placed = placing(name, joined.ends)) sentences.push_back(*placed);
-    tell(sentences, {name, joined.curve, joined.before, joined.after, joined.changed, joined.lost, degree, false});
+    tell(sentences, {name, joined.curve, change_of(joined), joined.changed, joined.lost, degree, false});
     return *told_in_turn(sentences);
 }
 
 std::string match_report(const std::string& name, const core::MatchedCurve& matched, int degree,
                          core::GeometricContinuity continuity) {
     std::vector<std::string> sentences;
-    tell(sentences, {name, matched.curve, matched.before, matched.after, matched.changed, matched.lost, degree,
+    tell(sentences, {name, matched.curve, change_of(matched), matched.changed, matched.lost, degree,
                      continuity == core::GeometricContinuity::g3});
     return *told_in_turn(sentences);
 }

@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 
+#include "core/curve/control_box.h"
+#include "core/measure/meeting.h"
 #include "core/measure/smoothness.h"
 #include "core/refine/join.h"
 #include "core/refine/match.h"
@@ -16,6 +18,18 @@ std::optional<std::string> told_in_turn(std::span<const std::string> sentences);
 
 /// "the curve now has a corner of 2.4° at u = 0.5"; none where nothing was lost.
 std::optional<std::string> lost_smoothness(std::span<const core::SmoothnessLoss> losses);
+
+/// What a joint was and is, run through from the curve that was named first into the other one.
+struct JointChange {
+    core::Meeting before;
+    core::Meeting after;
+};
+JointChange change_of(const core::JoinedCurve& joined);
+JointChange change_of(const core::MatchedCurve& matched);
+
+/// The meeting of curves in this box with 0 for all that is not above rounding, and a turn to the left or the right
+/// alike.
+core::Meeting without_noise(core::Meeting meeting, const core::Box& box);
 
 /// What a join did: which way the other curve, called `name`, was turned and where it stands, what the joint was and
 /// is, how far the curve changed, and the degree where it is no longer `degree`.

@@ -17,27 +17,22 @@ namespace {
 
 using core::sentence;
 
-std::string jump_row(const char* pattern, const std::optional<double>& before, const std::optional<double>& after,
-                     double noise) {
-    const auto text = [&](const std::optional<double>& value) {
-        return !value ? std::string("–") : number_text(std::abs(*value) <= noise ? 0.0 : *value);
-    };
+std::string jump_row(const char* pattern, const std::optional<double>& before, const std::optional<double>& after) {
+    const auto text = [](const std::optional<double>& value) { return value ? number_text(*value) : "–"; };
     return core::filled_as_needed(pattern, {{"before", text(before)}, {"after", text(after)}});
 }
 
 // Both sides, then what the meeting is called.
-std::vector<std::string> rows_of(const core::Meeting& meeting, double size) {
+std::vector<std::string> rows_of(const core::Meeting& found, const core::Box& box) {
     constexpr double degrees = 180.0 / std::numbers::pi;
-    const double angle = meeting.angle ? std::abs(*meeting.angle) * degrees : 0.0;
-    const int level = core::smoothness_of(meeting, size);
+    const int level = core::smoothness_of(found, core::robust_length(box.size()));
+    const core::Meeting meeting = without_noise(found, box);
     return {core::filled_as_needed(level < 0 ? "gap {gap}, turn {angle}°" : "{level}: gap {gap}, turn {angle}°",
                                    {{"level", level_text(level)},
                                     {"gap", number_text(meeting.gap)},
-                                    {"angle", number_text(angle < 1e-7 ? 0.0 : angle)}}),
-            jump_row("curvature {before} and {after}", meeting.before, meeting.after,
-                     std::max(meeting.curvature_noise, 1e-12 / size)),
-            jump_row("its change {before} and {after}", meeting.change_before, meeting.change_after,
-                     std::max(meeting.change_noise, 1e-12 / size / size))};
+                                    {"angle", number_text(degrees * meeting.angle.value_or(0.0))}}),
+            jump_row("curvature {before} and {after}", meeting.before, meeting.after),
+            jump_row("its change {before} and {after}", meeting.change_before, meeting.change_after)};
 }
 
 // So many control points at an end decide what becomes of a joint there.
@@ -82,14 +77,13 @@ PickedEnds ends_of(const EditorState& state, const PickingJoint& mode) {
             core::passing_beyond(first, ends.first), core::run_back(other)};
 }
 
-// The diagonal of the box of both.
-double size_of_both(const EditorState& state, const PickingJoint& mode) {
+core::Box box_of_both(const EditorState& state, const PickingJoint& mode) {
     const auto& curves = state.history.present().curves;
     core::Box box = state.derived.of(*curves[mode.first->curve].curve)->control_box;
     const core::Box other = state.derived.of(*curves[mode.hovered->curve].curve)->control_box;
     box.include(other.lower);
     box.include(other.upper);
-    return core::robust_length(box.size());
+    return box;
 }
 
 // The meetings that there would be: two of a blend, one of the others, none where it is refused.
@@ -97,12 +91,12 @@ std::vector<core::Meeting> meetings_after(const JointTool& tool, const PickedEnd
     if (tool.operation == JointOperation::match) {
         const auto matched = core::match(picked.first, picked.ends.first, core::run_back(picked.to), tool.continuity);
         if (!matched) return {};
-        return {core::run_back(matched->after)};
+        return {change_of(*matched).after};
     }
     if (tool.operation == JointOperation::join) {
         const auto joined = core::join(picked.first, picked.second, as_join(tool.continuity), picked.ends);
         if (!joined) return {};
-        return {joined->after};
+        return {change_of(*joined).after};
     }
     const core::BlendSide side{tool.continuity, 1.0};
     const auto blended = core::blend(picked.from, side, picked.to, side);
@@ -116,10 +110,10 @@ std::vector<core::Meeting> meetings_after(const JointTool& tool, const PickedEnd
 std::vector<std::string> joint_reading(const EditorState& state, const PickingJoint& mode) {
     if (mode.drag || !takes_ends(state.view.joint.operation) || !joint_command(state, mode)) return {};
     const PickedEnds picked = ends_of(state, mode);
-    const double size = size_of_both(state, mode);
-    std::vector<std::string> rows = rows_of(core::meeting_of(picked.from, picked.to), size);
+    const core::Box box = box_of_both(state, mode);
+    std::vector<std::string> rows = rows_of(core::meeting_of(picked.from, picked.to), box);
     for (const core::Meeting& meeting : meetings_after(state.view.joint, picked))
-        for (const std::string& row : rows_of(meeting, size)) rows.push_back(sentence("then {row}", {{"row", row}}));
+        for (const std::string& row : rows_of(meeting, box)) rows.push_back(sentence("then {row}", {{"row", row}}));
     return rows;
 }
 

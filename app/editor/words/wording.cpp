@@ -89,7 +89,11 @@ core::Vector without_rounding(core::Vector vector) {
 }
 
 double coordinate_error(const core::Curve& curve) {
-    return rounding_error * largest_coordinate(core::tight_box(curve));
+    return coordinate_error(core::tight_box(curve));
+}
+
+double coordinate_error(const core::Box& box) {
+    return rounding_error * largest_coordinate(box);
 }
 
 double shape_tolerance(const core::Curve& curve, double relative) {

@@ -40,6 +40,7 @@ core::Vector without_rounding(core::Vector vector);
 
 /// How far off a coordinate of a point on the curve may be by rounding; 0 where its box is not known.
 double coordinate_error(const core::Curve& curve);
+double coordinate_error(const core::Box& box);
 
 /// The length that `relative` (>= 0) means for the curve: times the larger side of the curve's own box, which far
 /// control points of small weight do not widen, and never less than the rounding of its coordinates; 0 where its box is

@@ -119,6 +119,18 @@ TEST_F(PieceCommands, join_tells_a_curvature_below_its_error_as_0) {
         << state().message.text;
 }
 
+TEST_F(PieceCommands, join_tells_the_active_side_first_whichever_goes_before) {
+    // The start of the bow, which bends to the right where it is run through backwards, meets the end of the line.
+    open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [
+      { "name": "bow", "degree": 2, "knots": [0,0,0,1,1,1], "points": [[0,0],[0.5,0],[1,1]] },
+      { "name": "line", "degree": 1, "knots": [0,0,1,1], "points": [[-1,0],[0,0]] } ] })");
+    ASSERT_TRUE(run(Join{.other = "line", .continuity = core::JoinContinuity::c0})) << state().message.text;
+    EXPECT_NE(state().message.text.find("'line' goes before; the joint had a gap of 0, a turn of 0° and the "
+                                        "curvatures -2 and 0; "),
+              std::string::npos)
+        << state().message.text;
+}
+
 TEST_F(PieceCommands, join_names_the_closed_curve) {
     open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [
       { "name": "a", "degree": 1, "knots": [0,0,1,1], "points": [[0,0],[1,0]] },

@@ -15,6 +15,7 @@
 #include "app/editor/commands/unit_commands.h"
 #include "app/editor/pointer/joint_reading.h"
 #include "app/editor/pointer/place_text.h"
+#include "app/editor/words/reading_text.h"
 #include "core/measure/area.h"
 #include "core/measure/continuity.h"
 #include "core/measure/meeting.h"
@@ -141,6 +142,44 @@ TEST_F(JointMode, matches_and_tells_what_jumps_before_and_after) {
     pointer.click(px(-1.1, 0));
     EXPECT_EQ(present().curves[1].curve->control_points().front(), core::Point(-1, 0));
     EXPECT_EQ(present().curves[0].curve->control_points().back(), core::Point(-1, 0));
+}
+
+// The parabola (1 + t, 1 + t^2), of curvature 2 where it starts: beyond that it bends to the right.
+TEST_F(JointMode, tells_beforehand_what_the_message_says) {
+    ASSERT_TRUE(editor.run(NewCurve{.points = {{1, 1}, {1.5, 1}, {2, 2}}}));
+    ASSERT_EQ(present().active_curve()->curve->degree(), 2);
+    ASSERT_TRUE(editor.run(DeleteCurve{.index = 1}));
+    struct Case {
+        JointOperation operation;
+        bool is_line_first;
+        std::string was, was_said, is, is_said;
+    };
+    for (const Case& one : {Case{JointOperation::match, true, "curvature 0 and 2", "the curvatures 0 and 2; it ",
+                                 "then curvature 2 and 2", " and the curvatures 2 and 2; "},
+                            Case{JointOperation::match, false, "curvature −2 and 0", "the curvatures -2 and 0; it ",
+                                 "then curvature 0 and 0", " and the curvatures 0 and 0; "},
+                            Case{JointOperation::join, true, "curvature 0 and 2", "the curvatures 0 and 2; it ",
+                                 "then curvature 0 and 0", " and the curvatures 0 and 0; "},
+                            Case{JointOperation::join, false, "curvature −2 and 0", "the curvatures -2 and 0; it ",
+                                 "then curvature −2 and −2", " and the curvatures -2 and -2; "}}) {
+        take(one.operation);
+        key(U'2');
+        const glm::dvec2 line = px(-1.02, 0);
+        const glm::dvec2 bow = px(1.02, 1);
+        pointer.click(one.is_line_first ? line : bow);
+        pointer.move(one.is_line_first ? bow : line);
+        const std::vector<std::string> reading = joint_reading(state(), picking());
+        ASSERT_EQ(reading.size(), 6U);
+        EXPECT_EQ(reading[1], one.was);
+        EXPECT_EQ(reading[4], one.is);
+        pointer.click(one.is_line_first ? bow : line);
+        const std::string said = state().message.text;
+        EXPECT_NE(said.find(one.was_said), std::string::npos) << said;
+        const std::size_t now = said.find("; it has a gap of 0, a turn of 0°");
+        ASSERT_NE(now, std::string::npos) << said;
+        EXPECT_EQ(reading_text(said.substr(now)).find(reading_text(one.is_said)) != std::string::npos, true) << said;
+        ASSERT_TRUE(editor.run(Undo{}));
+    }
 }
 
 TEST_F(JointMode, joins_the_ends_that_were_clicked) {
