@@ -240,6 +240,7 @@ void turn_canvas_wheel(const Gesture& gesture) {
 }
 
 CanvasMode with_present_tool(CanvasMode mode, const EditorState& state) {
+    if (auto* picking = std::get_if<PickingJoint>(&mode)) drop_gone_places(*picking, state);
     const auto* drawing = std::get_if<DrawingCurve>(&mode);
     if (drawing != nullptr && drawing->tool_changes != state.tool_changes) return CanvasIdle{};
     const auto* shape = std::get_if<DrawingShape>(&mode);

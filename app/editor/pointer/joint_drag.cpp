@@ -53,7 +53,7 @@ std::optional<PickedCurvePlace> end_beside(const EditorState& state, const Picke
         for (const core::CurveEnd end : {core::CurveEnd::start, core::CurveEnd::end}) {
             const double u = core::parameter_of(curves[i].curve->domain(), end);
             const core::Point point = core::point_at(*curves[i].curve, u);
-            if (core::distance(point, tip) <= reach) return PickedCurvePlace{i, u, end, point};
+            if (core::distance(point, tip) <= reach) return PickedCurvePlace{i, u, end, point, curves[i].curve};
         }
     }
     return std::nullopt;

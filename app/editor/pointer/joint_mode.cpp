@@ -54,7 +54,8 @@ std::optional<PickedCurvePlace> picked_place(const Gesture& gesture, bool is_fir
         least = core::distance(sample->point, pointer);
         const core::Curve& curve = *curves[i].curve;
         const core::CurveEnd end = nearer_end(curve, pointer);
-        picked = PickedCurvePlace{i, sample->u, end, marked_point(gesture, curve, end, *sample, is_first)};
+        picked =
+            PickedCurvePlace{i, sample->u, end, marked_point(gesture, curve, end, *sample, is_first), curves[i].curve};
     }
     return picked;
 }
@@ -155,6 +156,19 @@ CanvasMode go_back(PickingJoint mode, const Gesture& gesture) {
 
 CanvasMode begin_joint(const Gesture& gesture) {
     return step(PickingJoint{.tool_changes = gesture.state.tool_changes}, gesture);
+}
+
+void drop_gone_places(PickingJoint& mode, const EditorState& state) {
+    const auto& curves = state.history.present().curves;
+    const auto is_gone = [&](const std::optional<PickedCurvePlace>& place) {
+        return place && (place->curve >= curves.size() || curves[place->curve].curve != place->shape);
+    };
+    if (is_gone(mode.hovered)) {
+        mode.hovered.reset();
+        mode.part.reset();
+    }
+    if (mode.drag && (is_gone(mode.first) || is_gone(mode.drag->other))) mode.drag.reset();
+    if (is_gone(mode.first)) mode.first.reset();
 }
 
 std::optional<core::GeometricContinuity> continuity_of_key(const PointerEvent& event) {

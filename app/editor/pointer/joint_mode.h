@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <optional>
 
 #include "app/editor/state/joint_tool.h"
 #include "core/base/geometry.h"
+#include "core/curve/curve.h"
 #include "core/curve/curve_end.h"
 
 namespace batten::editor {
@@ -17,6 +19,7 @@ struct PickedCurvePlace {
     double u = 0.0;
     core::CurveEnd end = core::CurveEnd::start;  ///< the nearer one
     core::Point point{};                         ///< the end, or the place at u, whichever the operation is about
+    std::shared_ptr<const core::Curve> shape{};  ///< the curve as it was then
 };
 
 /// What is dragged out of the first place: the radius of a fillet, the distances of a chamfer or of an offset.

@@ -32,6 +32,9 @@ CanvasMode step(const Brushing& mode, const Gesture& gesture);
 CanvasMode begin_joint(const Gesture& gesture);
 CanvasMode step(PickingJoint mode, const Gesture& gesture);
 
+/// Forgets places of curves that an edit has changed or taken away since they were picked.
+void drop_gone_places(PickingJoint& mode, const EditorState& state);
+
 /// How many notches the brush grows by the key of a bracket; none for other keys.
 std::optional<double> brush_notches_of_key(const PointerEvent& event);
 

@@ -10,6 +10,7 @@
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/joint_tool_commands.h"
 #include "app/editor/commands/making_commands.h"
+#include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/commands/unit_commands.h"
@@ -180,6 +181,38 @@ TEST_F(JointMode, tells_beforehand_what_the_message_says) {
         EXPECT_EQ(reading_text(said.substr(now)).find(reading_text(one.is_said)) != std::string::npos, true) << said;
         ASSERT_TRUE(editor.run(Undo{}));
     }
+}
+
+TEST_F(JointMode, forgets_a_place_of_a_curve_that_is_another_one_since) {
+    take(JointOperation::join);
+    ASSERT_TRUE(editor.run(ActivateCurve{.index = 0}));
+    ASSERT_TRUE(editor.run(SetPoint{.index = 1, .position = {-1, 0.25}}));
+    pointer.move(px(-1, 0.25));
+    pointer.click(px(-1, 0.25));
+    ASSERT_TRUE(picking().first);
+    ASSERT_TRUE(editor.run(Undo{}));
+    EXPECT_FALSE(std::get<PickingJoint>(with_present_tool(pointer.mode(), state())).first);
+    pointer.move(px(1.1, 1));
+    EXPECT_FALSE(picking().first);
+    EXPECT_FALSE(state().preview);
+    // An edit of another curve leaves it.
+    pointer.move(px(-1, 0));
+    pointer.click(px(-1, 0));
+    ASSERT_TRUE(picking().first);
+    ASSERT_TRUE(editor.run(Redo{}));
+    ASSERT_TRUE(editor.run(Undo{}));
+    pointer.move(px(-1, 0));
+    EXPECT_TRUE(picking().first) << "the very same curve again";
+    ASSERT_TRUE(editor.run(ActivateCurve{.index = 2}));
+    ASSERT_TRUE(editor.run(SetPoint{.index = 1, .position = {2.5, -2}}));
+    ASSERT_TRUE(editor.run(ActivateCurve{.index = 0}));
+    pointer.move(px(1.1, 1));
+    EXPECT_TRUE(picking().first);
+    EXPECT_TRUE(state().preview);
+    // One that is gone is forgotten, too.
+    ASSERT_TRUE(editor.run(DeleteCurve{.index = 0}));
+    pointer.move(px(1.2, 1));
+    EXPECT_FALSE(picking().first);
 }
 
 TEST_F(JointMode, joins_the_ends_that_were_clicked) {
