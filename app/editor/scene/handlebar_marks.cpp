@@ -1,6 +1,7 @@
 #include "app/editor/scene/handlebar_marks.h"
 
 #include "app/editor/pointer/handlebar.h"
+#include "app/editor/scene/grip_marks.h"
 
 namespace batten::editor {
 
@@ -8,7 +9,6 @@ namespace {
 
 constexpr double middle_radius = 6.0;
 constexpr double tip_radius = 5.0;
-constexpr double larger_when_lit = 1.5;
 
 bool is_hovered_part(const CanvasFrame& frame, HandlebarPart part) {
     const auto* hovered = std::get_if<HoveredHandlebar>(&frame.state.hover);
@@ -16,13 +16,9 @@ bool is_hovered_part(const CanvasFrame& frame, HandlebarPart part) {
 }
 
 void draw_part(CanvasFrame& frame, glm::dvec2 place, HandlebarPart part) {
-    const bool is_lit = is_hovered_part(frame, part);
     const bool is_middle = part == HandlebarPart::middle;
-    frame.pen.symbol(place, {.shape = is_middle ? render::MarkerShape::square : render::MarkerShape::disc,
-                             .radius = (is_middle ? middle_radius : tip_radius) + (is_lit ? larger_when_lit : 0.0),
-                             .fill = frame.theme.canvas,
-                             .outline = frame.theme.accent,
-                             .outline_width = is_lit ? 2.5 : 2.0});
+    draw_grip(frame, place, is_middle ? render::MarkerShape::square : render::MarkerShape::disc,
+              is_middle ? middle_radius : tip_radius, is_hovered_part(frame, part));
 }
 
 }  // namespace

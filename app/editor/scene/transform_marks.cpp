@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/pointer/transform_box.h"
+#include "app/editor/scene/grip_marks.h"
 #include "core/edit/plane_map.h"
 
 namespace batten::editor {
@@ -10,7 +11,6 @@ namespace batten::editor {
 namespace {
 
 constexpr double grip_radius = 4.5;
-constexpr double lit_radius = 6.0;
 constexpr double pivot_radius = 6.0;
 constexpr double axis_radius = 4.0;
 
@@ -39,11 +39,8 @@ void draw_handle(CanvasFrame& frame, const TransformBox& box, TransformGrip grip
     const glm::dvec2 place = grip_place(frame.state, box, grip);
     if (grip.kind == GripKind::pivot) return draw_pivot(frame, place, box.has_own_pivot, is_lit(frame, grip));
     const bool is_square = grip.kind == GripKind::scale;
-    frame.pen.symbol(place, {.shape = is_square ? render::MarkerShape::square : render::MarkerShape::disc,
-                             .radius = is_lit(frame, grip) ? lit_radius : grip_radius,
-                             .fill = is_lit(frame, grip) ? frame.theme.accent : frame.theme.canvas,
-                             .outline = frame.theme.accent,
-                             .outline_width = 1.5});
+    draw_grip(frame, place, is_square ? render::MarkerShape::square : render::MarkerShape::disc, grip_radius,
+              is_lit(frame, grip));
 }
 
 void draw_lit_side(CanvasFrame& frame, const TransformBox& box) {
