@@ -186,7 +186,8 @@ class MarkKeeping {
                 unknown_.push_back(gone.name);
                 continue;
             }
-            entry.joints.knots.insert(entry.joints.knots.end(), marks->begin(), marks->end());
+            for (const core::KnotMark& mark : *marks)
+                if (!mark_of_knot(entry, mark.u)) entry.joints.knots.push_back(mark);
             std::ranges::sort(entry.joints.knots, {}, &core::KnotMark::u);
         }
     }

@@ -215,6 +215,23 @@ TEST_F(MarkedJoints, joining_curves_keeps_the_marks_of_both) {
     EXPECT_TRUE(entry().joints.ends.empty());
 }
 
+TEST_F(MarkedJoints, images_of_a_joined_curve_have_each_mark_once) {
+    open_text(editor, R"({ "format": "batten", "version": 1, "curves": [
+  { "name": "first", "degree": 3, "knots": [0,0,0,0,2,2,2,2], "points": [[-6,0],[-5,0],[-1,0],[0,0]] },
+  { "name": "second", "degree": 3, "knots": [0,0,0,0,3,3,3,4,4,4,4], "joints": [{"u": 3, "mark": "corner"}],
+    "points": [[9,0],[8,1],[7,0],[6,0],[5,2],[1,0],[0,0]] } ] })");
+    ASSERT_TRUE(run(LinkMirror{.center = {0, -8}, .angle = 0, .is_smooth = false}));
+    ASSERT_TRUE(run(MarkJoint{.mark = JointMark::corner, .u = 2})) << message();
+    ASSERT_TRUE(run(Join{.other = "second", .continuity = core::JoinContinuity::g2})) << message();
+    ASSERT_EQ(document(editor).curves.size(), 2U);
+    for (const std::size_t i : {0U, 1U}) {
+        const auto& marks = entry(i).joints.knots;
+        ASSERT_EQ(marks.size(), 2U);
+        EXPECT_EQ(marks[0].u, 2.0);
+        EXPECT_NEAR(core::distance(core::point_at(*entry(i).curve, marks[1].u), {6, i == 0 ? 0.0 : -16.0}), 0.0, 1e-9);
+    }
+}
+
 TEST_F(MarkedJoints, images_have_the_marks_of_each_other) {
     open_text(editor, pieces_text);
     run(MarkJoint{.mark = JointMark::smooth, .u = 1});
