@@ -201,6 +201,7 @@ core::Symmetry mapped_symmetry(core::Symmetry symmetry, const core::PlaneMap& ma
     const core::PlaneMap turn = core::rotation(symmetry.angle, {0.0, 0.0});
     const core::Point ahead = core::mapped(map, symmetry.center + core::Vector(turn.rows[0][0], turn.rows[1][0]));
     symmetry.center = core::mapped(map, symmetry.center);
+    if (symmetry.turns) return symmetry;
     const core::Vector way = ahead - symmetry.center;
     // A map that leaves the direction leaves the number, which need not be what atan2 makes of it.
     if (!(std::abs(way.x * turn.rows[1][0] - way.y * turn.rows[0][0]) <= rounding * core::length(way)))

@@ -177,6 +177,14 @@ TEST_F(SymmetryCommands, rotated_images_follow_and_lead) {
     EXPECT_EQ(points_of(3)[2], core::Point(6, -5));
 }
 
+TEST_F(SymmetryCommands, rotated_images_that_are_mapped_are_what_their_file_says) {
+    EXPECT_TRUE(run(LinkRotation{.turns = 4, .center = {0.0, 0.0}}));
+    EXPECT_TRUE(run(Mirror{.angle = 30.0, .what = MapTarget::all, .pivot = core::Point(2, 1)}));
+    const auto read = core::parse_document(core::format_document(document(editor_)));
+    ASSERT_TRUE(read);
+    EXPECT_TRUE(is_same_document(*read, document(editor_)));
+}
+
 TEST_F(SymmetryCommands, unlinking_leaves_ordinary_curves) {
     EXPECT_FALSE(run(Unlink{}));
     EXPECT_EQ(message(), "the curve is linked to no image");
