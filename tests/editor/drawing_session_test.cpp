@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/editor/commands/drawing_commands.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/fit_point_commands.h"
+#include "app/editor/commands/joint_mark_commands.h"
 #include "app/editor/commands/making_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/snap_commands.h"
@@ -130,11 +132,23 @@ class DrawingSessions : public ::testing::TestWithParam<unsigned> {
             editor_.run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = true});
         else if (chance == 1)
             editor_.run(ThroughPoints{.points = {{1, -3}, {2.5, -2}, {4, -3.5}}});
-        else if (chance < 24)
+        else if (chance < 5)
+            editor_.run(
+                MarkJoint{.mark = core::Names<core::JointMark>::table[generator_() % 3].value, .u = any_knot()});
+        else if (chance < 26)
             hand_.gesture();
         else
             editor_.perform(commands_.next(state()));
         return editor_.log().size() == logged ? "nothing" : format_command(editor_.log().back());
+    }
+
+    // Inside the domain of the active curve, or at an end of it.
+    double any_knot() {
+        const core::DocumentCurve* entry = document(editor_).active_curve();
+        if (entry == nullptr) return 0.0;
+        const auto [lower, upper] = entry->curve->domain();
+        const auto knots = entry->curve->knots().stored();
+        return std::clamp(knots[generator_() % knots.size()], lower, upper);
     }
 
     Editor editor_;
@@ -157,7 +171,7 @@ TEST_P(DrawingSessions, pitfall_14_500_random_edits_with_links_snaps_and_fit_poi
         ASSERT_TRUE(is_finite(document(editor_)));
         expect_images(document(editor_));
         expect_fits(document(editor_));
-        if (state().history.undo_count() % 10 == 0) {
+        if (state().history.undo_count() % 3 == 0) {
             const auto read = core::parse_document(core::format_document(document(editor_)));
             ASSERT_TRUE(read) << read.error().sentence();
             EXPECT_TRUE(is_same_document(*read, document(editor_)));
