@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
@@ -72,8 +73,13 @@ bool is_reversed(const core::Curve& old, const core::Curve& now) {
 }
 
 void follow_knots(const core::Curve& old, core::DocumentCurve& entry) {
-    for (core::KnotMark& mark : entry.joints.knots) mark.u = moved_knot(old, *entry.curve, mark.u);
-    std::ranges::sort(entry.joints.knots, {}, &core::KnotMark::u);
+    auto& marks = entry.joints.knots;
+    for (core::KnotMark& mark : marks) mark.u = moved_knot(old, *entry.curve, mark.u);
+    std::ranges::sort(marks, [](const core::KnotMark& a, const core::KnotMark& b) {
+        return std::pair(a.u, a.mark) < std::pair(b.u, b.mark);
+    });
+    const auto is_same_knot = [](const core::KnotMark& a, const core::KnotMark& b) { return a.u == b.u; };
+    marks.erase(std::unique(marks.begin(), marks.end(), is_same_knot), marks.end());
 }
 
 void follow_ends(const core::Curve& old, core::DocumentCurve& entry) {

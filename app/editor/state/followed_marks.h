@@ -13,7 +13,8 @@ bool is_reversed(const core::Curve& old, const core::Curve& now);
 
 /// Takes the marks of `old`, which `entry` still has, along to its present curve: those of knots to the knots of the
 /// same number where there are as many, also in a reversed curve, and where a closed one begins elsewhere; else to
-/// those of the same value. Those of ends change sides in a reversed curve.
+/// those of the same value. Of marks whose knots have become one the mark that asks for least stays. Those of ends
+/// change sides in a reversed curve.
 void follow_knots(const core::Curve& old, core::DocumentCurve& entry);
 void follow_ends(const core::Curve& old, core::DocumentCurve& entry);
 

@@ -90,7 +90,10 @@ class MarkKeeping {
     void follow(std::size_t i) {
         core::DocumentCurve& entry = after_.curves[i];
         if (old_[i] == nullptr || old_[i]->curve == entry.curve) return;
-        if (old_[i]->joints.knots == entry.joints.knots) follow_knots(*old_[i]->curve, entry);
+        if (old_[i]->joints.knots == entry.joints.knots) {
+            follow_knots(*old_[i]->curve, entry);
+            knots_met_ = knots_met_ || entry.joints.knots.size() < old_[i]->joints.knots.size();
+        }
         if (old_[i]->joints.ends == entry.joints.ends) follow_ends(*old_[i]->curve, entry);
     }
 
@@ -329,6 +332,7 @@ class MarkKeeping {
             told.push_back(core::sentence({.one = "u = {u} is no knot inside a curve any more, and its mark is gone",
                                            .many = "{count} marks are gone, whose knots are inside no curve any more"},
                                           gone_.size(), {{"u", core::shortest_text(gone_.front().u)}}));
+        if (knots_met_) told.emplace_back("marked knots that became one keep the mark that asks for least");
         return told;
     }
 
@@ -357,6 +361,7 @@ class MarkKeeping {
     std::vector<Source> sources_;
     std::vector<std::size_t> lost_;
     std::vector<std::string> unknown_;  // curves whose marks found no knots
+    bool knots_met_ = false;            // two marked ones are one now
     std::vector<core::KnotMark> gone_;  // whose knots are no joints any more
 };
 

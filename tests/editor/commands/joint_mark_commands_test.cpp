@@ -232,6 +232,16 @@ TEST_F(MarkedJoints, images_of_a_joined_curve_have_each_mark_once) {
     }
 }
 
+TEST_F(MarkedJoints, knots_that_become_one_keep_the_mark_that_asks_for_least) {
+    open_text(editor, R"({ "format": "batten", "version": 1, "curves": [
+  { "name": "bow", "degree": 3, "knots": [0,0,0,0,1,2,4,4,4,4], "points": [[0,0],[1,3],[3,4],[5,4],[7,3],[8,0]],
+    "joints": [{"u": 1, "mark": "curvature"}, {"u": 2, "mark": "smooth"}] } ] })");
+    ASSERT_TRUE(run(MoveKnot{.index = 4, .u = 2.0, .mode = core::KnotMove::snap, .snap_distance = 0.1})) << message();
+    EXPECT_EQ(entry().joints.knots, (std::vector<core::KnotMark>{{2, JointMark::smooth}}));
+    EXPECT_NE(message().find("; marked knots that became one keep the mark that asks for least"), std::string::npos)
+        << message();
+}
+
 TEST_F(MarkedJoints, images_have_the_marks_of_each_other) {
     open_text(editor, pieces_text);
     run(MarkJoint{.mark = JointMark::smooth, .u = 1});
