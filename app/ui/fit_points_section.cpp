@@ -57,7 +57,8 @@ void draw_fit_coordinate(const PanelContext& context, std::size_t i, bool is_x, 
     field.value = editor::in_units(units, is_x ? place.x : place.y);
     field.length = units;
     const double size = context.state.derived.of(*context.state.active_curve())->size;
-    field.decimals = editor::decimals_for(editor::in_units(units, size));
+    field.extent = editor::in_units(units, size);
+    field.decimals = editor::decimals_for(field.extent);
     field.speed = step_of(field.decimals);
     field.width_px = width;
     field.height = 20.0;

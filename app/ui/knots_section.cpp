@@ -156,6 +156,7 @@ void draw_value(const KnotTable& table, const Stack& stack) {
     field.value = stack.knot.value;
     const auto stored = table.curve.knots().stored();
     field.decimals = table.decimals;
+    field.extent = stored.back() - stored.front();
     field.most_decimals = decimals_in(context, table.value_width, stored.front(), stored.back());
     field.speed = step_of(table.decimals);
     field.width_px = table.value_width;

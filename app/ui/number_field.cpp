@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/editor/fields/expression.h"
+#include "app/editor/words/field_number.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/reading_text.h"
 #include "app/ui/imgui_compat.h"
@@ -24,38 +25,14 @@ constexpr double number_padding = 8.0;  // of the text, in design pixels
 constexpr float drag_threshold = 3.0F;  // design pixels before a press becomes a drag
 constexpr double slow_factor = 0.1;     // with Shift
 
-/// Whether the decimals would leave at most one digit of a small value that has more. What is a millionth of the last
-/// decimal is taken for rounding.
-bool hides_digits(const NumberField& field) {
-    constexpr double rounding = 1e-6;
-    const double magnitude = std::abs(field.value);
-    const double step = step_of(field.decimals);
-    const double steps = magnitude / step;
-    return magnitude >= rounding * step && steps < 10.0 && std::abs(steps - std::round(steps)) > rounding;
-}
-
-/// With `decimals` after the point; a small value, or a factor, that these would blur gets significant digits instead.
-std::string number_of(const NumberField& field) {
-    const double magnitude = std::abs(field.value);
-    const bool is_blurred = magnitude != 0.0 && magnitude < 10.0 * step_of(field.decimals);
-    const std::string all = editor::fixed_text(field.value, field.decimals);
-    const std::string text = editor::fixed_text(field.value, std::min(field.decimals, field.most_decimals));
-    const bool is_shortened = editor::without_trailing_zeros(all) != editor::without_trailing_zeros(text);
-    const bool stands_alone = is_blurred || is_shortened || magnitude >= editor::great_weight;
-    if (field.is_multiplicative) return stands_alone ? editor::number_text(field.value, 6) : text;
-    return hides_digits(field) ? editor::number_text(field.value, 3) : text;
-}
-
-/// The text that fits: fewer digits rather than cut ones, at last one digit and the power of ten.
+/// The text that fits: fewer digits rather than cut ones.
 std::string shown_number(const PanelContext& context, const NumberField& field, float room_px) {
     ImFont* font = context.fonts.number;
     const auto fits = [&](const std::string& text) {
-        return rich_text_size(text, font, font_height(font)).width_px <= room_px;
+        return rich_text_size(text + field.unit, font, font_height(font)).width_px <= room_px;
     };
-    std::string text = number_of(field) + field.unit;
-    for (int digits = 7; digits >= 2 && !fits(text); --digits)
-        text = editor::number_text(field.value, digits) + field.unit;
-    return fits(text) ? text : editor::full_reading_text(fmt::format("{:.0e}", field.value)) + field.unit;
+    const editor::FieldDigits digits{field.decimals, field.most_decimals, field.is_multiplicative, field.extent};
+    return editor::field_number(field.value, digits, fits) + field.unit;
 }
 
 /// What is not all on the field is in its tip.

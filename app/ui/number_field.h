@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "app/editor/words/length.h"
-#include "app/editor/words/number_column.h"
 #include "app/ui/panels.h"
 
 namespace batten::ui {
@@ -19,6 +18,7 @@ struct NumberField {
     double value = 0.0;              ///< shown when not being typed
     int decimals = 2;                ///< shown; dragged values are rounded to them. Typing shows all digits
     int most_decimals = 17;          ///< shown, where a column has no room for all
+    double extent = 0.0;             ///< how far the numbers of its column differ; 0 where that is not known
     double speed = 0.01;             ///< change per design pixel dragged; for multiplicative fields the relative change
     bool is_multiplicative = false;  ///< a drag multiplies, so that 0.01 and 100 are equally far from 1
     float width_px = 0.0F;           ///< 0: what is left

@@ -29,6 +29,7 @@ constexpr double largest_weight = 1e9;
 struct PointTable {
     const PanelContext& context;
     const core::Curve& curve;
+    double extent = 0.0;  ///< of the points, in the document's unit
     int decimals = 2;
     int weight_decimals = 2;
     float row_width = 0.0F;
@@ -128,6 +129,7 @@ NumberField field_of(const PointTable& table, std::size_t i, const char* axis, d
 NumberField coordinate_field(const PointTable& table, std::size_t i, const char* axis, double world) {
     NumberField field = field_of(table, i, axis, editor::in_units(table.units(), world));
     field.length = table.units();
+    field.extent = table.extent;
     return field;
 }
 
@@ -231,9 +233,11 @@ void draw_point_table(const PanelContext& context, const core::Curve& curve) {
     const editor::Units& units = context.state.shown().units;
     const core::Point lower = editor::in_units(units, facts->control_box.lower);
     const core::Point upper = editor::in_units(units, facts->control_box.upper);
+    const double extent = editor::in_units(units, facts->size);
     const PointTable table{context,
                            curve,
-                           editor::decimals_for(editor::in_units(units, facts->size)),
+                           extent,
+                           editor::decimals_for(extent),
                            std::max(2, weights->column.decimals),
                            content_width(context) + 2.0F * context.px(point_overhang) - bar,
                            field_width,
