@@ -10,6 +10,7 @@
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/pointer/edit_step.h"
 #include "app/editor/pointer/modes.h"
+#include "app/editor/pointer/nearest.h"
 #include "app/editor/pointer/point_drag.h"
 #include "core/edit/point_edit.h"
 #include "core/evaluate/evaluate.h"
@@ -35,16 +36,14 @@ core::Point gripped_place(const Gesture& gesture) {
     if (committed_curve(gesture.state) == nullptr) return pointer;
     const core::NearParts& parts = near_parts(gesture.state);
     const auto points = parts.curve().control_points();
-    double least = pixels(gesture.state, target_reach) / gesture.state.view.camera.scale;
-    std::optional<core::Point> found;
-    parts.visit_near(pointer, least, [&](std::size_t i) {
+    const double reach = pixels(gesture.state, target_reach) / gesture.state.view.camera.scale;
+    Nearest<core::Point> nearest(reach);
+    parts.visit_near(pointer, reach, [&](std::size_t i) {
         const core::Point point = points[i % points.size()];
-        if (!(core::distance(point, pointer) < least)) return;
-        least = core::distance(point, pointer);
-        found = point;
+        nearest.offer(point, core::distance(point, pointer));
     });
-    if (found) return *found;
-    const auto sample = parts.nearest(pointer, least);
+    if (nearest.found()) return *nearest.found();
+    const auto sample = parts.nearest(pointer, reach);
     return sample ? sample->point : pointer;
 }
 

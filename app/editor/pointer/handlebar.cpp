@@ -6,6 +6,7 @@
 
 #include "app/editor/commands/shape_commands.h"
 #include "app/editor/pointer/edit_step.h"
+#include "app/editor/pointer/nearest.h"
 #include "app/editor/pointer/point_drag.h"
 #include "core/edit/shape_edit.h"
 #include "core/evaluate/evaluate.h"
@@ -133,17 +134,11 @@ std::optional<core::Point> place_of(const Handlebar& bar, HandlebarPart part) {
 std::optional<HandlebarPart> handlebar_part_at(const EditorState& state, glm::dvec2 position_px, double reach_px) {
     const auto bar = shown_handlebar(state);
     if (!bar) return std::nullopt;
-    std::optional<HandlebarPart> found;
-    double nearest_px = reach_px;
-    for (const HandlebarPart part : {HandlebarPart::middle, HandlebarPart::ahead, HandlebarPart::behind}) {
-        const auto place = place_of(*bar, part);
-        if (!place) continue;
-        const double distance_px = glm::distance(position_px, render::screen_from_world(state.view.camera, *place));
-        if (!(distance_px <= nearest_px) || (found && distance_px == nearest_px)) continue;
-        nearest_px = distance_px;
-        found = part;
-    }
-    return found;
+    Nearest<HandlebarPart> nearest(reach_px);
+    for (const HandlebarPart part : {HandlebarPart::middle, HandlebarPart::ahead, HandlebarPart::behind})
+        if (const auto place = place_of(*bar, part))
+            nearest.offer(part, glm::distance(position_px, render::screen_from_world(state.view.camera, *place)));
+    return nearest.found();
 }
 
 CanvasMode begin_handlebar_drag(const Gesture& gesture, HandlebarPart part) {

@@ -9,6 +9,7 @@
 #include "app/editor/pointer/fit_point_drag.h"
 #include "app/editor/pointer/handlebar.h"
 #include "app/editor/pointer/inset_hit.h"
+#include "app/editor/pointer/nearest.h"
 #include "app/editor/pointer/snap.h"
 #include "app/editor/pointer/view_handle.h"
 #include "app/editor/pointer/weight_ring.h"
@@ -34,22 +35,7 @@ constexpr double leg = 5.0;
 constexpr double guide = 5.0;
 }  // namespace reach
 
-/// Keeps the nearest of the things offered that are within reach, the first of equally near ones.
-class Nearest {
-  public:
-    explicit Nearest(double reach_px) : distance_(reach_px) {}
-
-    void offer(const Hover& thing, double distance) {
-        if (!(distance <= distance_) || (found_ && distance == distance_)) return;
-        distance_ = distance;
-        found_ = thing;
-    }
-    const std::optional<Hover>& found() const { return found_; }
-
-  private:
-    double distance_;
-    std::optional<Hover> found_;
-};
+using NearestThing = Nearest<Hover>;
 
 double distance_to_segment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
     const glm::dvec2 along = b - a;
@@ -94,8 +80,8 @@ class ActiveCurve {
 
   private:
     std::optional<Hover> hit_parameter_or_points() const;
-    void offer_points(Nearest& nearest) const;
-    void offer_thinned_points(Nearest& nearest) const;
+    void offer_points(NearestThing& nearest) const;
+    void offer_thinned_points(NearestThing& nearest) const;
     std::optional<Hover> hit_fit_handles() const;
     std::optional<Hover> hit_rings() const;
     std::optional<Hover> hit_farin_points() const;
@@ -140,13 +126,13 @@ class ActiveCurve {
     const core::FitPoints* fit_;  ///< null unless the curve is made of such; its control points then cannot be held
 };
 
-void ActiveCurve::offer_points(Nearest& nearest) const {
+void ActiveCurve::offer_points(NearestThing& nearest) const {
     if (pointer_.state.view.overlays.is_drawing()) return offer_thinned_points(nearest);
     visit_near(reach::point, point_count(), [&](std::size_t i) { nearest.offer(HoveredPoint{i}, distance_to(i)); });
 }
 
 /// Those that the drawing mode shows; which they are the points around them say.
-void ActiveCurve::offer_thinned_points(Nearest& nearest) const {
+void ActiveCurve::offer_thinned_points(NearestThing& nearest) const {
     std::vector<MarkPlace> places;
     visit_near(reach::point + 2.0 * drawing_gap, point_count(), [&](std::size_t i) {
         places.push_back({i, place_of(i)});
@@ -161,7 +147,7 @@ void ActiveCurve::offer_thinned_points(Nearest& nearest) const {
 /// C(u) or a control point, whichever is nearer; the point where they coincide, because at the end of a clamped curve
 /// it could not be grabbed otherwise.
 std::optional<Hover> ActiveCurve::hit_parameter_or_points() const {
-    Nearest nearest(pointer_.px(reach::point));
+    NearestThing nearest(pointer_.px(reach::point));
     if (fit_ != nullptr) {
         visit_knots(reach::point, [&](std::size_t, double u) {
             if (const auto i = fit_point_at(*fit_, u))
@@ -175,7 +161,7 @@ std::optional<Hover> ActiveCurve::hit_parameter_or_points() const {
 }
 
 std::optional<Hover> ActiveCurve::hit_rings() const {
-    Nearest nearest(pointer_.px(reach::ring));
+    NearestThing nearest(pointer_.px(reach::ring));
     const auto offer = [&](std::size_t i) {
         if (const auto radius = weight_ring_radius_px(pointer_.state, i))
             nearest.offer(HoveredWeightRing{i}, std::abs(distance_to(i) - *radius));
@@ -190,7 +176,7 @@ std::optional<Hover> ActiveCurve::hit_rings() const {
 }
 
 std::optional<Hover> ActiveCurve::hit_farin_points() const {
-    Nearest nearest(pointer_.px(reach::farin_point));
+    NearestThing nearest(pointer_.px(reach::farin_point));
     visit_near(reach::farin_point, core::leg_count(curve_), [&](std::size_t leg) {
         nearest.offer(HoveredFarinPoint{leg}, pointer_.distance_to(core::farin_point(curve_, leg).point));
     });
@@ -198,7 +184,7 @@ std::optional<Hover> ActiveCurve::hit_farin_points() const {
 }
 
 std::optional<Hover> ActiveCurve::hit_knots() const {
-    Nearest nearest(pointer_.px(reach::knot));
+    NearestThing nearest(pointer_.px(reach::knot));
     visit_knots(reach::knot, [&](std::size_t index, double u) {
         nearest.offer(HoveredKnot{index - curve_.knots().stored_offset()},
                       pointer_.distance_to(core::point_at(curve_, u)));
@@ -208,7 +194,7 @@ std::optional<Hover> ActiveCurve::hit_knots() const {
 
 /// Both ends of the handles; of those that cover the same place the first.
 std::optional<Hover> ActiveCurve::hit_fit_handles() const {
-    Nearest nearest(pointer_.px(reach::point));
+    NearestThing nearest(pointer_.px(reach::point));
     for (const std::size_t i : points_with_handles(*fit_, pointer_.state.selection))
         for (const HandleEnd end : {HandleEnd::ahead, HandleEnd::behind})
             nearest.offer(HoveredFitHandle{i, end}, pointer_.distance_to(handle_tip(*fit_, i, end)));
@@ -216,7 +202,7 @@ std::optional<Hover> ActiveCurve::hit_fit_handles() const {
 }
 
 std::optional<Hover> ActiveCurve::hit_construction() const {
-    Nearest nearest(pointer_.px(reach::cell));
+    NearestThing nearest(pointer_.px(reach::cell));
     const core::DeBoorTriangle triangle = core::de_boor_triangle(curve_, pointer_.state.parameter());
     for (const auto [level, index] : marked_cells(pointer_.state.view, triangle))
         nearest.offer(HoveredCell{level, index}, pointer_.distance_to(triangle.levels[level][index].point));
@@ -229,7 +215,7 @@ std::optional<Hover> ActiveCurve::hit_curve() const {
 }
 
 std::optional<Hover> ActiveCurve::hit_legs() const {
-    Nearest nearest(pointer_.px(reach::leg));
+    NearestThing nearest(pointer_.px(reach::leg));
     visit_near(reach::leg, core::leg_count(curve_), [&](std::size_t i) {
         nearest.offer(HoveredLeg{i}, distance_to_segment(pointer_.position_px, place_of(i), place_of(i + 1)));
     });
@@ -261,7 +247,7 @@ std::optional<Hover> ActiveCurve::hit() const {
 
 /// Of the curves whose points are shown beside those of the active one.
 std::optional<Hover> hit_other_points(const CanvasPointer& pointer) {
-    Nearest nearest(pointer.px(reach::point));
+    NearestThing nearest(pointer.px(reach::point));
     const core::Document& document = pointer.state.shown();
     for (const std::size_t k : curves_showing_points(pointer.state)) {
         const auto points = document.curves[k].curve->control_points();
@@ -280,7 +266,7 @@ bool is_small(const Hover& hit) {
 }
 
 Hover hit_other_curves(const CanvasPointer& pointer) {
-    Nearest nearest(pointer.px(reach::curve));
+    NearestThing nearest(pointer.px(reach::curve));
     const core::Document& document = pointer.state.shown();
     for (std::size_t i = 0; i < document.curves.size(); ++i) {
         if (i == document.active || !document.curves[i].visible) continue;
@@ -291,7 +277,7 @@ Hover hit_other_curves(const CanvasPointer& pointer) {
 }
 
 Hover hit_guides(const CanvasPointer& pointer) {
-    Nearest nearest(pointer.px(reach::guide));
+    NearestThing nearest(pointer.px(reach::guide));
     const auto& guides = pointer.state.shown().guides;
     for (std::size_t k = 0; k < guides.size(); ++k)
         nearest.offer(HoveredGuide{k}, pointer.distance_to(nearest_on_guide(guides[k], pointer.world())));

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/derived/lifted_stage.h"
+#include "app/editor/pointer/nearest.h"
 #include "app/editor/scene/hodograph_inset.h"
 #include "app/editor/scene/inset_map.h"
 #include "core/curve/control_box.h"
@@ -25,15 +26,10 @@ class ShownHodograph {
         : curve_(std::move(curve)), scale_(state.view.interface_scale), map_(hodograph_area(box, scale_), seen()) {}
 
     std::optional<std::size_t> point_at(glm::dvec2 position_px) const {
-        std::optional<std::size_t> found;
-        double least = point_reach * scale_;
-        for (std::size_t i = 0; i < curve_.control_points().size(); ++i) {
-            const double distance = glm::distance(map_(curve_.control_points()[i]), position_px);
-            if (!(distance < least)) continue;
-            least = distance;
-            found = i;
-        }
-        return found;
+        Nearest<std::size_t> nearest(point_reach * scale_);
+        for (std::size_t i = 0; i < curve_.control_points().size(); ++i)
+            nearest.offer(i, glm::distance(map_(curve_.control_points()[i]), position_px));
+        return nearest.found();
     }
 
     std::optional<double> parameter_at(glm::dvec2 position_px) const {

@@ -6,6 +6,7 @@
 #include "app/editor/commands/corner_commands.h"
 #include "app/editor/commands/shape_commands.h"
 #include "app/editor/commands/suggestions.h"
+#include "app/editor/pointer/nearest.h"
 #include "app/editor/pointer/place_text.h"
 #include "app/editor/pointer/point_drag.h"
 #include "app/editor/pointer/typed_place.h"
@@ -33,15 +34,11 @@ std::optional<double> inner_corner(const Gesture& gesture, const PickedCurvePlac
     const core::Interval domain = curve.domain();
     const double speed = core::length(core::derivatives_at(curve, place.u, 1)[1]);
     const double away = speed > 0.0 ? std::min(2.0 * reach / speed, domain.length()) : domain.length();
-    std::optional<double> corner;
-    double least = reach;
-    for (const core::JointContinuity& joint : core::joint_continuity_within(curve, {place.u - away, place.u + away})) {
-        const double distance = core::distance(core::point_at(curve, joint.u), world_at_pointer(gesture));
-        if (joint.geometric >= 1 || !(distance <= least)) continue;
-        least = distance;
-        corner = joint.u;
-    }
-    return corner;
+    Nearest<double> nearest(reach);
+    for (const core::JointContinuity& joint : core::joint_continuity_within(curve, {place.u - away, place.u + away}))
+        if (joint.geometric < 1)
+            nearest.offer(joint.u, core::distance(core::point_at(curve, joint.u), world_at_pointer(gesture)));
+    return nearest.found();
 }
 
 /// The end of another visible curve where this one ends.

@@ -10,6 +10,7 @@
 #include "app/editor/pointer/joint_command.h"
 #include "app/editor/pointer/joint_drag.h"
 #include "app/editor/pointer/modes.h"
+#include "app/editor/pointer/nearest.h"
 #include "core/evaluate/evaluate.h"
 
 namespace batten::editor {
@@ -45,19 +46,17 @@ core::Point marked_point(const Gesture& gesture, const core::Curve& curve, core:
 std::optional<PickedCurvePlace> picked_place(const Gesture& gesture, bool is_first) {
     const auto& curves = gesture.state.history.present().curves;
     const core::Point pointer = world_at_pointer(gesture);
-    double least = pixels(gesture.state, pick_reach) / gesture.state.view.camera.scale;
-    std::optional<PickedCurvePlace> picked;
+    Nearest<PickedCurvePlace> nearest(pixels(gesture.state, pick_reach) / gesture.state.view.camera.scale);
     for (std::size_t i = 0; i < curves.size(); ++i) {
         if (!curves[i].visible) continue;
-        const auto sample = gesture.state.derived.near_parts(curves[i].curve)->nearest(pointer, least);
-        if (!sample || (picked && !(core::distance(sample->point, pointer) < least))) continue;
-        least = core::distance(sample->point, pointer);
+        const auto sample = gesture.state.derived.near_parts(curves[i].curve)->nearest(pointer, nearest.distance());
+        if (!sample) continue;
         const core::Curve& curve = *curves[i].curve;
         const core::CurveEnd end = nearer_end(curve, pointer);
-        picked =
-            PickedCurvePlace{i, sample->u, end, marked_point(gesture, curve, end, *sample, is_first), curves[i].curve};
+        nearest.offer({i, sample->u, end, marked_point(gesture, curve, end, *sample, is_first), curves[i].curve},
+                      core::distance(sample->point, pointer));
     }
-    return picked;
+    return nearest.found();
 }
 
 /// Whether the curves that an operation looks at are so short that what a click would do can be shown with every move:
@@ -152,6 +151,15 @@ CanvasMode go_back(PickingJoint mode, const Gesture& gesture) {
     return mode;
 }
 
+/// Where the tool has nothing to do; a place that was picked waits.
+CanvasMode aside(PickingJoint mode, const Gesture& gesture) {
+    if (gesture.state.preview) gesture.queue.cancel_preview();
+    if (!mode.first) return step_mode(CanvasIdle{}, gesture);
+    mode.hovered.reset();
+    mode.part.reset();
+    return mode;
+}
+
 }  // namespace
 
 CanvasMode begin_joint(const Gesture& gesture) {
@@ -181,6 +189,8 @@ std::optional<core::GeometricContinuity> continuity_of_key(const PointerEvent& e
 
 CanvasMode step(PickingJoint mode, const Gesture& gesture) {
     if (step_pan(mode.panned_px, gesture)) return mode;
+    // A ruler or an inset under the pointer, or an axis that is clicked, is no matter of the tool.
+    if ((is_move(gesture) || is_press(gesture)) && !mode.drag && !is_about_tool(gesture)) return aside(mode, gesture);
     switch (gesture.event.action) {
         case PointerAction::move:
             return mode.drag ? drag(std::move(mode), gesture) : hover(std::move(mode), gesture);

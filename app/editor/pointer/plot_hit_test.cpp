@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/editor/pointer/hit_test.h"
+#include "app/editor/pointer/nearest.h"
 #include "app/editor/scene/basis_areas.h"
 #include "core/evaluate/basis.h"
 
@@ -18,18 +19,14 @@ constexpr double strip = 16.0;  ///< above and below its axis
 }  // namespace plot_reach
 
 std::optional<Hover> hit_knot_marks(const EditorState& state, const PlotLayout& layout, glm::dvec2 position_px) {
-    double least = plot_reach::knot_diamond * state.view.interface_scale;
-    std::optional<std::size_t> nearest;
-    for (const KnotMark& mark : knot_marks(state, layout, {position_px.x - least, position_px.x + least})) {
-        const double distance = glm::distance(position_px, mark.center_px);
-        if (distance > least) continue;
-        least = distance;
-        nearest = mark.index;
-    }
-    if (!nearest) return std::nullopt;
+    const double reach = plot_reach::knot_diamond * state.view.interface_scale;
+    Nearest<std::size_t> nearest(reach);
+    for (const KnotMark& mark : knot_marks(state, layout, {position_px.x - reach, position_px.x + reach}))
+        nearest.offer(mark.index, glm::distance(position_px, mark.center_px));
+    if (!nearest.found()) return std::nullopt;
     const std::span<const double> stored = state.active_curve()->knots().stored();
-    std::size_t topmost = *nearest;
-    while (topmost + 1 < stored.size() && stored[topmost + 1] == stored[*nearest]) ++topmost;
+    std::size_t topmost = *nearest.found();
+    while (topmost + 1 < stored.size() && stored[topmost + 1] == stored[*nearest.found()]) ++topmost;
     return HoveredKnot{topmost};
 }
 

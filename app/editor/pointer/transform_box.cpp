@@ -9,6 +9,7 @@
 #include "app/editor/commands/map_selected.h"
 #include "app/editor/pointer/gesture.h"
 #include "app/editor/pointer/hit_test.h"
+#include "app/editor/pointer/nearest.h"
 #include "app/editor/scene/canvas_frame.h"
 
 namespace batten::editor {
@@ -60,15 +61,10 @@ double distance_to_side(const PixelFrame& frame, TransformGrip side, glm::dvec2 
 }
 
 std::optional<TransformGrip> handle_at(const EditorState& state, const TransformBox& box, glm::dvec2 position_px) {
-    double least = pixels(state, grip_reach);
-    std::optional<TransformGrip> found;
-    for (const TransformGrip grip : visible_grips(box)) {
-        const double away = glm::distance(grip_place(state, box, grip), position_px);
-        if (!(away < least)) continue;
-        least = away;
-        found = grip;
-    }
-    return found;
+    Nearest<TransformGrip> nearest(pixels(state, grip_reach));
+    for (const TransformGrip grip : visible_grips(box))
+        nearest.offer(grip, glm::distance(grip_place(state, box, grip), position_px));
+    return nearest.found();
 }
 
 std::optional<TransformGrip> side_at(const EditorState& state, const TransformBox& box, glm::dvec2 position_px) {

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/pointer/comb_tooth.h"
+#include "app/editor/pointer/nearest.h"
 #include "app/editor/pointer/point_drag.h"
 
 namespace batten::editor {
@@ -39,20 +40,16 @@ std::optional<ProbeLine> shown_probe_line(const EditorState& state) {
 
 std::optional<ViewHandle> handle_at(const EditorState& state, glm::dvec2 position_px) {
     if (state.tool != Tool::select) return std::nullopt;
-    std::optional<ViewHandle> found;
-    double least = pixels(state, handle_reach);
+    Nearest<ViewHandle> nearest(pixels(state, handle_reach));
     const auto offer = [&](ViewHandle handle, glm::dvec2 place_px) {
-        const double distance = glm::distance(place_px, position_px);
-        if (!(distance <= least)) return;
-        least = distance;
-        found = handle;
+        nearest.offer(handle, glm::distance(place_px, position_px));
     };
     if (const auto line = shown_probe_line(state)) {
         offer(ViewHandle::line_first, render::screen_from_world(state.view.camera, line->first));
         offer(ViewHandle::line_second, render::screen_from_world(state.view.camera, line->second));
     }
     if (const auto comb = comb_handle(state, state.view.shape.comb_factor)) offer(ViewHandle::comb, comb->place_px);
-    return found;
+    return nearest.found();
 }
 
 bool is_on_probe_line(const EditorState& state, glm::dvec2 position_px) {
