@@ -108,17 +108,20 @@ bool has_grip(const TransformBox& box, TransformGrip grip) {
         case GripKind::shear:
             // A side goes along itself, the farther the farther it is from the opposite one.
             return grip.x != 0 ? has_width : has_height;
+        case GripKind::pivot:
+            // It would lie on all that can be dragged.
         case GripKind::turn:
             return has_width || has_height || box.has_own_pivot;
         case GripKind::inside:
-        case GripKind::pivot:
             break;
     }
     return true;
 }
 
 std::vector<TransformGrip> visible_grips(const TransformBox& box) {
-    std::vector<TransformGrip> grips{{GripKind::pivot, 0, 0}};
+    const TransformGrip pivot{GripKind::pivot, 0, 0};
+    std::vector<TransformGrip> grips;
+    if (has_grip(box, pivot)) grips.push_back(pivot);
     for (const GripKind kind : {GripKind::scale, GripKind::turn})
         for (const auto& [x, y] : directions) {
             const TransformGrip grip{kind, x, y};

@@ -26,7 +26,8 @@ struct TransformBox {
 /// it must not be edited. Cost that of selected_box().
 std::optional<TransformBox> transform_box(const EditorState& state);
 
-/// Whether dragging the grip can do anything: a box without width has no grips that scale along x.
+/// Whether dragging the grip can do anything: a box without width has no grips that scale along x, and one without any
+/// size no pivot, unless that was chosen.
 bool has_grip(const TransformBox& box, TransformGrip grip);
 
 /// All but the inside and the sides, for those who draw them.

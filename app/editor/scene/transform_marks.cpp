@@ -69,7 +69,8 @@ void draw_transform_box(CanvasFrame& frame, const CanvasMode& mode) {
     const auto* drag = std::get_if<DraggingTransform>(&mode);
     if (drag != nullptr && drag->has_moved && drag->grip.kind != GripKind::pivot) {
         draw_dragged_box(frame, *box, drag->map);
-        return draw_pivot(frame, frame.screen(box->pivot), box->has_own_pivot, false);
+        if (has_grip(*box, {GripKind::pivot})) draw_pivot(frame, frame.screen(box->pivot), box->has_own_pivot, false);
+        return;
     }
     frame.pen.outline(box_corners_px(frame.state, *box), {.color = frame.theme.accent, .width = 1.0});
     draw_lit_side(frame, *box);
