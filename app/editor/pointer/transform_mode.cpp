@@ -211,8 +211,8 @@ CanvasMode ask(DraggingTransform mode, const Gesture& gesture, const TransformBo
     else
         request(gesture, phase, *made.command);
     if (phase == Phase::preview) return mode;
-    // What was chosen to stay goes along with what is moved.
-    if (box.has_own_pivot && mode.grip.kind == GripKind::inside)
+    // What was chosen to stay goes along with what is moved. A move that is refused showed nothing.
+    if (box.has_own_pivot && mode.grip.kind == GripKind::inside && gesture.state.preview)
         gesture.queue.change(SetPivot{core::mapped(made.map, box.pivot)});
     return CanvasIdle{};
 }

@@ -4,6 +4,7 @@
 
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/file_commands.h"
+#include "app/editor/commands/pin_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/tool_commands.h"
@@ -264,6 +265,22 @@ TEST_F(Transforming, a_single_point_can_only_be_moved) {
     EXPECT_TRUE(visible_grips(*box).empty());
     pointer.drag(px(0, -2) + glm::dvec2(10, 5), px(1, -2) + glm::dvec2(10, 5));
     EXPECT_EQ(points()[2], core::Point(1, -2));
+    pointer.drag(px(1, -2), px(1, -3));
+    EXPECT_EQ(points()[2], core::Point(1, -3));
+    EXPECT_FALSE(state().pivot);
+    EXPECT_EQ(selected(), Indices{2});
+}
+
+TEST_F(Transforming, a_move_that_is_refused_leaves_the_pivot) {
+    editor.run(SelectPoints{.points = {1, 3}});
+    editor.run(PinPoints{.points = {1, 3}});
+    pointer.click(px(0, 2));
+    ASSERT_TRUE(state().pivot);
+    const std::size_t before = steps();
+    pointer.drag(px(1, 2), px(1, 1));
+    EXPECT_TRUE(state().message.is_error);
+    EXPECT_EQ(steps(), before);
+    EXPECT_EQ(state().pivot->point, core::Point(0, 2));
 }
 
 TEST_F(Transforming, is_given_up_by_escape) {
