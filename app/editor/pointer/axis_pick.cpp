@@ -82,7 +82,10 @@ void click_axis(const Gesture& gesture) {
         return;
     }
     const auto command = axis_command(gesture.state, place);
-    if (!command) return;
+    if (!command) {
+        gesture.queue.change(ShowRefusal{"an axis leads through two points; click another one than the first"});
+        return;
+    }
     gesture.queue.run(*command);
     gesture.queue.change(EndAxisPick{});
 }

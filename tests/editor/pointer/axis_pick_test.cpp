@@ -37,6 +37,19 @@ TEST_F(AxisPicking, mirrors_in_the_line_through_two_clicks) {
     EXPECT_FALSE(state().axis_pick);
 }
 
+TEST_F(AxisPicking, says_that_an_axis_needs_two_points) {
+    editor.run(PickMirror{});
+    pointer.click(px(5, -3));
+    pointer.click(px(5, -3));
+    EXPECT_TRUE(state().message.is_error);
+    EXPECT_EQ(state().message.text, "an axis leads through two points; click another one than the first");
+    ASSERT_TRUE(state().axis_pick);
+    EXPECT_EQ(state().axis_pick->first, core::Point(5, -3));
+    EXPECT_EQ(steps(), 0U);
+    pointer.click(px(5, 1));
+    EXPECT_EQ(point(0), core::Point(14, -2));
+}
+
 TEST_F(AxisPicking, snaps_to_points_and_mirrors_only_what_is_selected) {
     editor.run(SelectPoints{.points = {2}});
     editor.run(PickMirror{});
