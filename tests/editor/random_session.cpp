@@ -602,7 +602,7 @@ std::string RandomSession::parts(const EditorState& state) {
 
 Command RandomSession::several_command(const EditorState& state) {
     const std::size_t count = state.history.present().curves.size();
-    switch (below(14)) {
+    switch (below(15)) {
         case 0:
         case 1:
         case 2:
@@ -627,6 +627,9 @@ Command RandomSession::several_command(const EditorState& state) {
             return suggested(state, below(3) == 0 ? UngroupCurves::spec() : GroupCurves::spec());
         case 12:
             return RenameGroup{.group = name(), .name = name()};
+        case 13:
+            return MoveGroup{.group = state.history.present().curves[index(count)].group,
+                             .before = below(2) == 0 ? std::optional(index(count)) : std::nullopt};
         default:
             return MoveCurve{.from = index(count),
                              .to = index(count),

@@ -34,30 +34,29 @@ Outcome<Edit> ungroup_curves(const EditorState& state, const UngroupCurves& comm
     return edit;
 }
 
+Outcome<Indices> curves_of_known_group(const core::Document& document, const std::string& group) {
+    Indices curves = curves_of_group(document, group);
+    if (curves.empty()) return tl::unexpected(sentence("there is no group '{group}'", {{"group", group}}));
+    return curves;
+}
+
 Outcome<Edit> rename_group(const EditorState& state, const RenameGroup& command) {
     if (command.name.empty()) return tl::unexpected(group_needs_name());
     const core::Document& document = state.history.present();
-    const Indices curves = curves_of_group(document, command.group);
-    const core::Place group("group", command.group);
-    if (curves.empty()) return tl::unexpected(sentence("there is no group '{group}'", {group}));
+    const auto curves = curves_of_known_group(document, command.group);
+    if (!curves) return tl::unexpected(curves.error());
     if (command.name != command.group && !curves_of_group(document, command.name).empty())
         return tl::unexpected(
             sentence("there is a group '{name}' already; names must differ", {{"name", command.name}}));
     Edit edit{document};
-    for (const std::size_t i : curves) edit.document.curves[i].group = command.name;
+    for (const std::size_t i : *curves) edit.document.curves[i].group = command.name;
     return edit;
 }
 
-// Where index `i` is after the item at `from` was taken out and put in at `to`.
-std::size_t moved_index(std::size_t i, std::size_t from, std::size_t to) {
-    if (i == from) return to;
-    if (from < i && i <= to) return i - 1;
-    return to <= i && i < from ? i + 1 : i;
-}
-
-Selection moved_selection(const EditorState& state, const MoveCurve& command, std::size_t active) {
+// With what is selected, where curve i of the document goes to `places[i]` and the active one to `active`.
+Selection moved_selection(const EditorState& state, const Indices& places, std::size_t active) {
     SelectedParts parts = selected_parts(state);
-    for (SelectedPart& part : parts) part.curve = moved_index(part.curve, command.from, command.to);
+    for (SelectedPart& part : parts) part.curve = places[part.curve];
     std::ranges::sort(parts, {}, &SelectedPart::curve);
     Selection selection = selection_of(std::move(parts), active);
     selection.knot = state.selection.knot;
@@ -65,20 +64,43 @@ Selection moved_selection(const EditorState& state, const MoveCurve& command, st
     return selection;
 }
 
-Outcome<Edit> move_curve(const EditorState& state, const MoveCurve& command) {
-    Edit edit{state.history.present()};
-    std::vector<core::DocumentCurve>& curves = edit.document.curves;
-    if (command.group) curves[command.from].group = *command.group;
-    const auto first = curves.begin();
-    const auto from = first + static_cast<std::ptrdiff_t>(command.from);
-    const auto to = first + static_cast<std::ptrdiff_t>(command.to);
-    if (from < to)
-        std::rotate(from, from + 1, to + 1);
-    else
-        std::rotate(to, from, from + 1);
-    edit.document.active = moved_index(edit.document.active, command.from, command.to);
-    edit.selection = moved_selection(state, command, edit.document.active);
+// The curves in the order of these indices, which are all there are.
+Edit reordered(const EditorState& state, const Indices& order) {
+    const core::Document& before = state.history.present();
+    Edit edit{before};
+    Indices places(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        edit.document.curves[k] = before.curves[order[k]];
+        places[order[k]] = k;
+    }
+    edit.document.active = places[before.active];
+    edit.selection = moved_selection(state, places, edit.document.active);
     return edit;
+}
+
+Outcome<Edit> move_curve(const EditorState& state, const MoveCurve& command) {
+    Indices order;
+    for (std::size_t i = 0; i < state.history.present().curves.size(); ++i)
+        if (i != command.from) order.push_back(i);
+    order.insert(order.begin() + static_cast<std::ptrdiff_t>(command.to), command.from);
+    Edit edit = reordered(state, order);
+    if (command.group) edit.document.curves[command.to].group = *command.group;
+    return edit;
+}
+
+// The curves of the group come to stand together.
+Outcome<Edit> move_group(const EditorState& state, const MoveGroup& command) {
+    const core::Document& document = state.history.present();
+    const auto members = curves_of_known_group(document, command.group);
+    if (!members) return tl::unexpected(members.error());
+    const std::size_t count = document.curves.size();
+    const std::size_t before = command.before.value_or(count);
+    Indices order;
+    for (std::size_t i = 0; i <= count; ++i) {
+        if (i == before) order.insert(order.end(), members->begin(), members->end());
+        if (i < count && document.curves[i].group != command.group) order.push_back(i);
+    }
+    return reordered(state, order);
 }
 
 // What is meant, with all of their groups, as far as they are in one.
@@ -200,8 +222,28 @@ const CommandSpec& MoveCurve::spec() {
     return spec;
 }
 
+const CommandSpec& MoveGroup::spec() {
+    static const CommandSpec spec{
+        .name = "move-group",
+        .title = "Move group in the list",
+        .explanation =
+            "Gives all curves of a group another place among the curves, where they stand together; later "
+            "curves are drawn above earlier ones.",
+        .synonyms = "order arrange raise lower front back",
+        .group = CommandGroup::curve,
+        .submenu = "Several curves",
+        .fields = {field::text<&MoveGroup::group>("group", "its name").beginning_with<group_meant>(),
+                   field::curve_index<&MoveGroup::before>(
+                       "before", "which curve then stands next, counted from 0; none where this is left out")},
+        .refusal = no_group,
+        .run = body_of<move_group>,
+        .step = "Move group '{group}' in the list",
+        .done = "Moved the group '{group}' in the list"};
+    return spec;
+}
+
 void add_group_commands(CommandTable& table) {
-    add_all<GroupCurves, UngroupCurves, RenameGroup, MoveCurve>(table);
+    add_all<GroupCurves, UngroupCurves, RenameGroup, MoveCurve, MoveGroup>(table);
 }
 
 }  // namespace batten::editor

@@ -33,6 +33,12 @@ struct MoveCurve {
     static const CommandSpec& spec();
 };
 
+struct MoveGroup {
+    std::string group;
+    std::optional<std::size_t> before{};  ///< the curve that stands next then; none: the group comes last
+    static const CommandSpec& spec();
+};
+
 /// The curves of the committed document that are in the group, ascending.
 std::vector<std::size_t> curves_of_group(const core::Document& document, const std::string& group);
 

@@ -355,6 +355,35 @@ TEST_F(SelectedCurveCommands, a_curve_gets_another_place_in_the_list) {
     EXPECT_EQ(message(), "there is no curve 4; the last one is 3");
 }
 
+TEST_F(SelectedCurveCommands, a_group_gets_another_place_in_the_list_as_one) {
+    run(GroupCurves{.name = "g", .curves = {0, 2}});
+    run(ActivateCurve{.index = 1});
+    select("0 1:2");
+    const std::size_t before = state().history.undo_count();
+    EXPECT_TRUE(type("move-group g")) << message();
+    EXPECT_EQ(names(), (Names{"high", "fixed", "low", "ring"}));
+    EXPECT_EQ(message(), "Moved the group 'g' in the list");
+    EXPECT_EQ(document(editor_).active, 0U);
+    EXPECT_EQ(selected(), "0:2 2") << "the same points and curves";
+    EXPECT_EQ(state().history.undo_count(), before + 1);
+    EXPECT_TRUE(type("move-group g 1")) << message();
+    EXPECT_EQ(names(), (Names{"high", "low", "ring", "fixed"}));
+    EXPECT_TRUE(run(MoveGroup{.group = "g", .before = 0}));
+    EXPECT_EQ(names(), (Names{"low", "ring", "high", "fixed"}));
+    run(Undo{});
+    run(Undo{});
+    run(Undo{});
+    EXPECT_EQ(names(), (Names{"low", "high", "ring", "fixed"}));
+    EXPECT_EQ(document(editor_).active, 1U);
+    // Before one of its own: they come together there.
+    EXPECT_TRUE(run(MoveGroup{.group = "g", .before = 2}));
+    EXPECT_EQ(names(), (Names{"high", "low", "ring", "fixed"}));
+    EXPECT_FALSE(type("move-group h 0"));
+    EXPECT_EQ(message(), "there is no group 'h'");
+    EXPECT_FALSE(type("move-group g 4"));
+    EXPECT_EQ(message(), "there is no curve 4; the last one is 3");
+}
+
 TEST_F(SelectedCurveCommands, a_selection_follows_its_curves_or_is_dropped) {
     select("1:2 2");
     run(RenameCurve{.index = 2, .name = "hoop"});
