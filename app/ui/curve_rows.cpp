@@ -74,4 +74,18 @@ std::optional<editor::MoveCurve> dropped_curve(const core::Document& document, c
     return command;
 }
 
+std::optional<editor::MoveGroup> dropped_group(const core::Document& document, const std::vector<CurveRow>& rows,
+                                               const CurveRow& heading, std::size_t slot) {
+    const std::string& group = document.curves[heading.curve].group;
+    const auto is_own = [&](std::size_t r) { return r < rows.size() && document.curves[rows[r].curve].group == group; };
+    if (is_own(slot) || (slot > 0 && is_own(slot - 1))) return std::nullopt;
+    editor::MoveGroup command{.group = group};
+    if (slot < rows.size()) command.before = rows[slot].curve;
+    return command;
+}
+
+bool can_be_dropped(const std::vector<CurveRow>& rows, const CurveRow& row, std::size_t slot) {
+    return !row.is_heading || slot == rows.size() || !rows[slot].is_member;
+}
+
 }  // namespace batten::ui

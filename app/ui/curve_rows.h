@@ -32,4 +32,12 @@ std::vector<std::size_t> curves_between(const std::vector<CurveRow>& rows, std::
 std::optional<editor::MoveCurve> dropped_curve(const core::Document& document, const std::vector<CurveRow>& rows,
                                                std::size_t from, std::size_t slot);
 
+/// What happens to the group of `heading` when it is dropped before row `slot`, which must not be a member's. None
+/// where it is there already.
+std::optional<editor::MoveGroup> dropped_group(const core::Document& document, const std::vector<CurveRow>& rows,
+                                               const CurveRow& heading, std::size_t slot);
+
+/// Whether the row can be dropped before row `slot`: a group between the members of another one cannot.
+bool can_be_dropped(const std::vector<CurveRow>& rows, const CurveRow& row, std::size_t slot);
+
 }  // namespace batten::ui

@@ -164,9 +164,10 @@ void click_group(const PanelContext& context, const CurveRow& row) {
 }
 
 /// Begins to drag the entry that was drawn last.
-void follow_drag(const PanelContext& context, std::size_t i) {
+void follow_drag(const PanelContext& context, const CurveRow& row) {
     CurveListState& list = context.panels.inspector.curves;
-    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) list.dragged = i;
+    if (list.is_given_up || !ImGui::IsItemActive() || !ImGui::IsMouseDragging(ImGuiMouseButton_Left)) return;
+    list.dragged = row;
 }
 
 TextField name_field(const PanelContext& context, const CurveRow& row, float width_px) {
@@ -179,7 +180,7 @@ TextField name_field(const PanelContext& context, const CurveRow& row, float wid
     field.font = row.is_heading ? context.fonts.bold : context.fonts.text;
     field.has_frame = false;
     field.needs_double_click = true;
-    field.tooltip = row.is_heading ? "Click to select the group, double-click to rename it"
+    field.tooltip = row.is_heading ? "Click to select the group, double-click to rename it, drag to move it in the list"
                                    : "Click to make it the active curve, with Ctrl or Shift to select several; "
                                      "double-click to rename it, drag to move it in the list";
     return field;
@@ -189,15 +190,16 @@ void draw_name(const PanelContext& context, const CurveRow& row, ImVec2 origin, 
     const TextField field = name_field(context, row, right - origin.x - context.px(row_gap));
     ImGui::SetCursorScreenPos(origin);
     const TextEvents events = draw_text_field(context, field);
-    if (!row.is_heading && !is_typing(context.panels.field, events.id)) follow_drag(context, row.curve);
+    if (!is_typing(context.panels.field, events.id)) follow_drag(context, row);
     if (events.begins) begin_typing(context.panels.field, events.id, field.shown);
     if (events.typed && row.is_heading)
         context.queue.run(editor::RenameGroup{.group = field.shown, .name = *events.typed});
     else if (events.typed)
         context.queue.run(editor::RenameCurve{.index = row.curve, .name = *events.typed});
-    if (events.is_clicked && row.is_heading)
+    if (!events.is_clicked || context.panels.inspector.curves.is_given_up) return;
+    if (row.is_heading)
         click_group(context, row);
-    else if (events.is_clicked)
+    else
         click_curve(context, row.curve);
 }
 
@@ -280,7 +282,10 @@ void follow_drop(const PanelContext& context, std::size_t r, ImVec2 origin, ImVe
     const float middle = 0.5F * (origin.y + end.y);
     const float line = y < middle ? origin.y : end.y;
     if (y < origin.y || y >= end.y) return;
-    list.slot = y < middle ? r : r + 1;
+    const std::size_t slot = y < middle ? r : r + 1;
+    list.slot.reset();
+    if (!can_be_dropped(list.rows, *list.dragged, slot)) return;
+    list.slot = slot;
     ImGui::GetWindowDrawList()->AddLine(ImVec2(origin.x, line), ImVec2(end.x, line), imgui_packed(context.theme.accent),
                                         context.px(2));
     const float top = ImGui::GetWindowPos().y;
@@ -308,16 +313,26 @@ void draw_curve_row(const PanelContext& context, std::size_t r, float width) {
     ImGui::Dummy(ImVec2(width, context.px(curve_row_height)));
 }
 
-/// Moves the dragged entry where it is let go; Escape drops the drag.
+/// Puts the dragged entry where it was let go.
+void drop(const PanelContext& context, const CurveRow& row, std::size_t slot) {
+    const CurveListState& list = context.panels.inspector.curves;
+    const core::Document& document = context.state.history.present();
+    if (row.curve >= document.curves.size() || slot > list.rows.size()) return;
+    if (row.is_heading) {
+        if (auto command = dropped_group(document, list.rows, row, slot)) context.queue.run(*std::move(command));
+    } else if (auto command = dropped_curve(document, list.rows, row.curve, slot)) {
+        context.queue.run(*std::move(command));
+    }
+}
+
+/// Escape gives the drag up until the button is released.
 void finish_drag(const PanelContext& context) {
     CurveListState& list = context.panels.inspector.curves;
-    if (!list.dragged || (ImGui::IsMouseDown(ImGuiMouseButton_Left) && !is_pressed(context, editor::Key::escape)))
-        return;
-    const core::Document& document = context.state.history.present();
-    const bool is_there = *list.dragged < document.curves.size() && list.slot && *list.slot <= list.rows.size();
-    if (is_there && !ImGui::IsMouseDown(ImGuiMouseButton_Left))
-        if (auto command = dropped_curve(document, list.rows, *list.dragged, *list.slot))
-            context.queue.run(*std::move(command));
+    const bool is_held = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    const bool is_given_up = list.is_given_up || is_pressed(context, editor::Key::escape);
+    if (is_held && !is_given_up) return;
+    if (list.dragged && list.slot && !is_given_up) drop(context, *list.dragged, *list.slot);
+    list.is_given_up = is_held && is_given_up;
     list.dragged.reset();
     list.slot.reset();
 }

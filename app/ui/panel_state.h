@@ -135,9 +135,10 @@ struct CardsState {
 struct CurveListState {
     std::vector<CurveRow> rows;  ///< of this frame
     std::set<std::string> folded_groups;
-    std::optional<std::size_t> dragged{};  ///< the curve whose entry is dragged
-    std::optional<std::size_t> slot{};     ///< the row before which it would be dropped
-    std::optional<std::size_t> anchor{};   ///< the curve from which Shift selects
+    std::optional<CurveRow> dragged{};
+    std::optional<std::size_t> slot{};    ///< the row before which it would be dropped
+    bool is_given_up = false;             ///< a drag, while the button is still held
+    std::optional<std::size_t> anchor{};  ///< the curve from which Shift selects
 };
 
 /// What the inspector remembers.

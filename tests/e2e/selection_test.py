@@ -131,6 +131,35 @@ class SelectionTest(WindowTest):
         editor.wait(lambda state: state["undo_count"] == 0 and state["is_settled"], "the order before")
         self.assertEqual(self.names(editor), ["low", "high", "bar", "rod"])
 
+    def test_escape_leaves_the_order_of_the_list(self):
+        editor = self.open_editor()
+        self.open_list(editor)
+        x, y = editor.widget_center("curve 0 name")
+        row = editor.widget_center("curve 1 name")[1] - y
+        editor.drag((x, y), (x, y + 2.3 * row), release=False)
+        editor.key("Escape")
+        editor.move(x, y + 3.2 * row)
+        editor.release()
+        self.assertEqual(editor.state()["undo_count"], 0)
+        self.assertEqual(self.names(editor), ["low", "high", "bar", "rod"])
+        editor.drag((x, y), (x, y + 1.3 * row))
+        editor.wait(lambda state: state["undo_count"] == 1 and state["is_settled"], "the next drag")
+
+    def test_a_group_is_dragged_by_its_heading(self):
+        curves = [dict(curve, group=group) for curve, group in zip(CURVES, ["", "g", "g", ""])]
+        self.path.write_text(json.dumps({"format": "batten", "version": 1, "curves": curves}))
+        editor = self.open_editor()
+        self.open_list(editor)
+        x, y = editor.widget_center("group g name")
+        row = editor.widget_center("curve 1 name")[1] - y
+        editor.drag((x, y), (x, y - 1.3 * row))
+        editor.wait(lambda state: state["undo_count"] == 1 and state["is_settled"], "the group first")
+        self.assertEqual([curve["name"] for curve in self.curves(editor)], ["high", "bar", "low", "rod"])
+        y = editor.widget_center("group g name")[1]
+        editor.drag((x, y), (x, y + 4.3 * row))
+        editor.wait(lambda state: state["undo_count"] == 2 and state["is_settled"], "the group last")
+        self.assertEqual([curve["name"] for curve in self.curves(editor)], ["low", "rod", "high", "bar"])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -69,5 +69,30 @@ TEST(CurveRows, a_dropped_curve_stands_before_the_row_below_it) {
             << stays.from << " before row " << stays.slot;
 }
 
+TEST(CurveRows, a_dropped_group_stands_before_the_row_below_it) {
+    const core::Document document = document_with({"", "a", "b", "", "a", "b"});
+    // 0, heading of a, 1, 4, heading of b, 2, 5, 3
+    const Rows rows = curve_rows(document, {});
+    ASSERT_EQ(rows.size(), 8U);
+    const auto dropped = [&](std::size_t row, std::size_t slot) {
+        return dropped_group(document, rows, rows[row], slot);
+    };
+    ASSERT_TRUE(dropped(4, 0));
+    EXPECT_EQ(dropped(4, 0)->group, "b");
+    EXPECT_EQ(dropped(4, 0)->before, 0U);
+    EXPECT_EQ(dropped(4, 1)->before, 1U);
+    EXPECT_EQ(dropped(1, 7)->group, "a");
+    EXPECT_EQ(dropped(1, 7)->before, 3U);
+    EXPECT_EQ(dropped(1, 8)->before, std::nullopt);
+    for (const std::size_t slot : std::vector<std::size_t>{1, 2, 3, 4}) EXPECT_FALSE(dropped(1, slot)) << slot;
+    for (const std::size_t slot : std::vector<std::size_t>{4, 5, 6, 7}) EXPECT_FALSE(dropped(4, slot)) << slot;
+    for (const std::size_t slot : std::vector<std::size_t>{0, 1, 4, 7, 8})
+        EXPECT_TRUE(can_be_dropped(rows, rows[1], slot)) << slot;
+    for (const std::size_t slot : std::vector<std::size_t>{2, 3, 5, 6}) {
+        EXPECT_FALSE(can_be_dropped(rows, rows[1], slot)) << slot;
+        EXPECT_TRUE(can_be_dropped(rows, rows[0], slot)) << slot;
+    }
+}
+
 }  // namespace
 }  // namespace batten::ui
