@@ -6,6 +6,7 @@
 #include "app/editor/pointer/brush.h"
 #include "app/editor/pointer/canvas_mode.h"
 #include "app/editor/pointer/gesture.h"
+#include "app/editor/pointer/handlebar.h"
 #include "app/editor/pointer/hint_text.h"
 #include "app/editor/pointer/joint_command.h"
 #include "app/editor/pointer/shape_hint.h"
@@ -92,6 +93,9 @@ struct SelectHint {
         if (selected > 1 && state.selection.contains_point(h.index))
             return sentence("Drag to move the {count} selected points · click to select {point} alone",
                             {{"count", selected}, {"point", point_text(h.index)}});
+        if (parameter_at_point(curve, h.index))
+            return sentence("Drag {point} to move it · hold Alt to change its weight · Ctrl-click for the tangent",
+                            {{"point", point_text(h.index)}});
         return sentence("Drag {point} to move it · hold Alt to change its weight", {{"point", point_text(h.index)}});
     }
     std::string operator()(const HoveredWeightRing& h) const {

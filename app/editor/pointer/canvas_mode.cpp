@@ -15,6 +15,7 @@
 #include "app/editor/pointer/edit_step.h"
 #include "app/editor/pointer/fit_point_drag.h"
 #include "app/editor/pointer/gesture.h"
+#include "app/editor/pointer/handlebar.h"
 #include "app/editor/pointer/hit_test.h"
 #include "app/editor/pointer/hover_request.h"
 #include "app/editor/pointer/modes.h"
@@ -86,7 +87,18 @@ void ask_to_move_points(const DraggingPoints& mode, const Gesture& gesture, Phas
     }
 }
 
+/// The pointer is over it then.
+void show_handlebar(const Gesture& gesture, double u) {
+    gesture.queue.run(ShowHandlebar{.u = u});
+    request_hover(HoveredHandlebar{}, gesture.state, gesture.queue);
+}
+
+/// Where the curve runs through the point, Ctrl asks for its tangent there.
 void click_on_point(const DraggingPoints& mode, const Gesture& gesture) {
+    const core::Curve* curve = committed_curve(gesture.state);
+    const bool wants_tangent = gesture.event.modifiers.ctrl && curve != nullptr && can_edit_curve(gesture.state);
+    if (const auto u = wants_tangent ? parameter_at_point(*curve, mode.grabbed) : std::nullopt)
+        return show_handlebar(gesture, *u);
     if (!mode.was_selected) return;
     std::vector<std::size_t> points{mode.grabbed};
     if (gesture.event.modifiers.shift) {
@@ -154,7 +166,7 @@ CanvasMode step(const DraggingCurvePoint& mode, const Gesture& gesture) {
     return step_edit(mode, gesture, ask_to_move_curve, [](const auto& pressed, const Gesture& click) {
         const core::Curve* curve = committed_curve(click.state);
         const bool wants_knot = click.event.modifiers.ctrl && curve != nullptr;
-        click.queue.run(ShowHandlebar{.u = wants_knot ? knot_beside(click, *curve, pressed.u) : pressed.u});
+        show_handlebar(click, wants_knot ? knot_beside(click, *curve, pressed.u) : pressed.u);
     });
 }
 

@@ -14,7 +14,10 @@
 namespace batten::editor {
 namespace {
 
-constexpr double least_arm = 40.0;  // design pixels
+// Design pixels. An arm ends so far from its place and from the control point to which it leads.
+constexpr double least_gap = 20.0;
+constexpr double least_arm = 2.0 * least_gap;
+constexpr double greatest_arm = 160.0;
 constexpr double same_direction = 1e-6;
 
 // Where a curve is looked at to see one side of a place.
@@ -40,14 +43,18 @@ double length_of_span(const core::Curve& curve, const Approach& at) {
     return knots[span + 1] - knots[span];
 }
 
-// So that the arm is as long as a leg of the Bézier piece, or as the least length on the screen.
+// Of an arm, beside a leg of the Bézier piece that is so long: half of it, or beyond it where that would be short.
+double arm_length(double leg) {
+    return leg >= least_arm ? std::min(leg / 2.0, greatest_arm) : std::max(least_arm, leg + least_gap);
+}
+
 double reach_of_arm(const EditorState& state, const Approach& at) {
     const core::Curve& curve = *committed_curve(state);
     const double reach = length_of_span(curve, at) / curve.degree();
     const double length_px =
         reach * core::length(core::derivatives_at(curve, at.u, 1, at.side)[1]) * state.view.camera.scale;
-    const double least_px = pixels(state, least_arm);
-    const double scaled = length_px > 0.0 ? std::max(1.0, least_px / length_px) * reach : reach;
+    const double leg = length_px / pixels(state, 1.0);
+    const double scaled = leg > 0.0 ? arm_length(leg) / leg * reach : reach;
     return std::isfinite(scaled) ? scaled : reach;
 }
 
@@ -115,6 +122,13 @@ Handlebar handlebar_of(const EditorState& state, const core::Curve& curve, doubl
                   .behind = arm_of(state, curve, u, core::Side::left)};
     bar.is_kinked = bar.ahead && bar.behind && !is_in_line(curve, *bar.ahead, *bar.behind);
     return bar;
+}
+
+std::optional<double> parameter_at_point(const core::Curve& curve, std::size_t index) {
+    const core::KnotVector& knots = curve.knots();
+    const auto p = static_cast<std::size_t>(curve.degree());
+    if (index >= curve.control_points().size() || knots[index + 1] != knots[index + p]) return std::nullopt;
+    return knots.into_domain(knots[index + 1]);
 }
 
 std::optional<Handlebar> shown_handlebar(const EditorState& state) {

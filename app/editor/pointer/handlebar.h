@@ -24,10 +24,14 @@ struct Handlebar {
     std::optional<HandlebarArm> behind{};
 };
 
-/// The handlebar of `curve` at u: arms as long as those of the Bézier piece over the span, so that where pieces meet
-/// they end in control points, but at least 40 design pixels. Those reaches are of the committed curve, and so stay
-/// while it is dragged. Cost O(p^2 + log n).
+/// The handlebar of `curve` at u: arms half as long as the legs of the Bézier piece over the span, from 20 to 160
+/// design pixels; beside a leg of less than 40 they are 40 pixels long, or 20 longer than it. So they lie on no control
+/// point where pieces meet. Those reaches are of the committed curve, and so stay while it is dragged. Cost O(p^2 + log
+/// n).
 Handlebar handlebar_of(const EditorState& state, const core::Curve& curve, double u);
+
+/// The parameter of the p-fold knot where the curve runs through control point `index`; none where it need not.
+std::optional<double> parameter_at_point(const core::Curve& curve, std::size_t index);
 
 /// What is shown and can be dragged: with the select tool, of a curve that is visible and not made of points.
 std::optional<Handlebar> shown_handlebar(const EditorState& state);

@@ -40,6 +40,7 @@ class HandlebarTest : public test::CanvasFixture {
         editor.run(NewDocument{});
         editor.run(AnswerUnsaved{.answer = UnsavedAnswer::discard});
         open_text(editor, core::format_document(document));
+        editor.change(ZoomCamera{64.0 / state().view.camera.scale, at(0, 0)});
         first_steps = 0;
     }
     Handlebar bar() const { return shown_handlebar(state()).value(); }
@@ -59,13 +60,15 @@ TEST_F(HandlebarTest, a_click_on_the_curve_shows_it) {
     ASSERT_TRUE(state().selection.handlebar);
     EXPECT_NEAR(*state().selection.handlebar, 1.5, 1e-9);
     EXPECT_EQ(steps(), 0U);
-    // As long as the legs of the Bézier piece: half of C'.
+    // Half as long as the legs of the Bézier piece, which are half of C'.
     expect_near(bar().place, {0, -1}, 1e-9);
-    expect_near(bar().ahead->tip, {1, -1}, 1e-9);
-    expect_near(bar().behind->tip, {-1, -1}, 1e-9);
+    expect_near(bar().ahead->tip, {0.5, -1}, 1e-9);
+    expect_near(bar().behind->tip, {-0.5, -1}, 1e-9);
     EXPECT_FALSE(bar().is_kinked);
-    EXPECT_EQ(hit_canvas(state(), at(1, -1)), Hover(HoveredHandlebar{HandlebarPart::ahead}));
-    EXPECT_EQ(hit_canvas(state(), at(-1, -1)), Hover(HoveredHandlebar{HandlebarPart::behind}));
+    EXPECT_EQ(state().hover, Hover(HoveredHandlebar{HandlebarPart::middle}));
+    EXPECT_TRUE(canvas_hint(pointer.mode(), state()).starts_with("Drag to move the curve here"));
+    EXPECT_EQ(hit_canvas(state(), at(0.5, -1)), Hover(HoveredHandlebar{HandlebarPart::ahead}));
+    EXPECT_EQ(hit_canvas(state(), at(-0.5, -1)), Hover(HoveredHandlebar{HandlebarPart::behind}));
     EXPECT_EQ(hit_canvas(state(), at(0, -1)), Hover(HoveredHandlebar{HandlebarPart::middle}));
     pointer.click(at(5, 3));
     EXPECT_FALSE(state().selection.handlebar);
@@ -79,13 +82,62 @@ TEST_F(HandlebarTest, with_ctrl_a_click_is_at_the_knot) {
     EXPECT_EQ(state().selection.handlebar, 1.0);
 }
 
+TEST_F(HandlebarTest, with_ctrl_a_click_on_a_corner_is_about_the_tangent_not_the_point) {
+    open(two_cubics({-2, 3}, {2, 2}));
+    pointer.click(at(0, 0));
+    EXPECT_EQ(selected(), test::Indices{3});
+    EXPECT_FALSE(state().selection.handlebar);
+    pointer.modifiers = test::ctrl;
+    pointer.click(at(0, 0) + glm::dvec2(5, 4));
+    EXPECT_EQ(state().selection.handlebar, 1.0);
+    EXPECT_EQ(selected(), test::Indices{});
+    EXPECT_TRUE(bar().is_kinked);
+    // The ends of the curve, too; not where it only passes by.
+    pointer.click(at(6, 0));
+    EXPECT_EQ(state().selection.handlebar, 2.0);
+    pointer.click(at(5, 3));
+    EXPECT_EQ(selected(), test::Indices{5});
+    EXPECT_FALSE(state().selection.handlebar);
+    EXPECT_EQ(steps(), 0U);
+    // A drag is that of the point, on the grid.
+    pointer.drag(at(6, 0), at(6.1, 2.05));
+    EXPECT_EQ(point(6), core::Point(6, 2));
+}
+
+TEST_F(HandlebarTest, knows_through_which_points_a_curve_runs) {
+    const auto smooth = core::Curve::make(test::cubic()).value();
+    EXPECT_EQ(parameter_at_point(smooth, 0), 0.0);
+    EXPECT_EQ(parameter_at_point(smooth, 6), 1.0);
+    for (std::size_t i = 1; i < 6; ++i) EXPECT_FALSE(parameter_at_point(smooth, i)) << i;
+    EXPECT_FALSE(parameter_at_point(smooth, 7));
+    const auto closed =
+        core::Curve::make({.degree = 1, .knots = {0, 1, 3, 4}, .points = {{0, 0}, {4, 0}, {0, 4}}, .periodic = true})
+            .value();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto u = parameter_at_point(closed, i);
+        ASSERT_TRUE(u) << i;
+        EXPECT_EQ(core::point_at(closed, *u), closed.control_points()[i]) << i;
+    }
+}
+
+TEST_F(HandlebarTest, arms_stay_within_reach_and_off_control_points) {
+    for (const double leg_px : {4.0, 19.0, 21.0, 39.0, 41.0, 100.0, 300.0, 5000.0}) {
+        open({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0, 0}, {leg_px / 64.0, 0}}});
+        show(0.0);
+        const double arm_px = 64.0 * bar().ahead->tip.x;
+        EXPECT_GE(arm_px, 20.0 - 1e-9) << leg_px;
+        EXPECT_LE(arm_px, 160.0 + 1e-9) << leg_px;
+        EXPECT_GE(std::abs(arm_px - leg_px), 20.0 - 1e-9) << leg_px;
+    }
+}
+
 TEST_F(HandlebarTest, a_tip_turns_the_tangent_with_the_least_change) {
     show(1.5);
-    pointer.press(at(1, -1));
-    pointer.move(at(1, 0));
+    pointer.press(at(0.5, -1));
+    pointer.move(at(0.5, -0.5));
     EXPECT_EQ(state().shown().active_curve()->curve->control_points()[1], core::Point(-2, 0));
     EXPECT_EQ(point(1), core::Point(-2, 2));
-    pointer.release(at(1, 0));
+    pointer.release(at(0.5, -0.5));
     expect_near(core::point_at(committed(editor), 1.5), {0, -1});
     expect_near(core::Point(derivative(1.5).x, derivative(1.5).y), {2, 2});
     EXPECT_EQ(point(1), core::Point(-2, 0));
@@ -94,15 +146,15 @@ TEST_F(HandlebarTest, a_tip_turns_the_tangent_with_the_least_change) {
     EXPECT_EQ(point(0), core::Point(-4, -2));
     EXPECT_EQ(point(4), core::Point(4, -2));
     EXPECT_EQ(steps(), 1U);
-    expect_near(bar().ahead->tip, {1, 0});
+    expect_near(bar().ahead->tip, {0.5, -0.5});
 }
 
 TEST_F(HandlebarTest, the_tip_behind_is_the_opposite_one) {
     show(1.5);
-    pointer.drag(at(-1, -1), at(-2, -2));
-    // The arm ahead is then (2, 1), so C' = (4, 2).
+    pointer.drag(at(-0.5, -1), at(-1, -1.5));
+    // The arm ahead is then (1, 1/2), a quarter of C' = (4, 2).
     expect_near(core::Point(derivative(1.5).x, derivative(1.5).y), {4, 2});
-    expect_near(bar().ahead->tip, {2, 0});
+    expect_near(bar().ahead->tip, {1, -0.5});
 }
 
 TEST_F(HandlebarTest, the_middle_moves_the_curve_and_keeps_the_tangent) {
@@ -130,10 +182,10 @@ TEST_F(HandlebarTest, off_the_middle_of_a_span_the_tangent_stays_too) {
 
 TEST_F(HandlebarTest, escape_restores_and_a_click_does_nothing) {
     show(1.5);
-    pointer.press(at(1, -1));
+    pointer.press(at(0.5, -1));
     pointer.move(at(2, 2));
     pointer.escape(at(2, 2));
-    pointer.click(at(1, -1));
+    pointer.click(at(0.5, -1));
     EXPECT_EQ(steps(), 0U);
     EXPECT_FALSE(state().preview);
     EXPECT_EQ(state().selection.handlebar, 1.5);
@@ -141,17 +193,17 @@ TEST_F(HandlebarTest, escape_restores_and_a_click_does_nothing) {
 
 TEST_F(HandlebarTest, typed_length_and_angle_are_those_of_the_arm) {
     show(1.5);
-    pointer.press(at(1, -1));
+    pointer.press(at(0.5, -1));
     pointer.move(at(1.5, -0.5));
     type(U"2<90\n", at(1.5, -0.5));
-    expect_near(core::Point(derivative(1.5).x, derivative(1.5).y), {0, 4});
+    expect_near(core::Point(derivative(1.5).x, derivative(1.5).y), {0, 8});
     EXPECT_EQ(steps(), 1U);
 }
 
 TEST_F(HandlebarTest, shift_keeps_the_arm_level_or_upright) {
     show(1.5);
     pointer.modifiers = test::shift;
-    pointer.drag(at(1, -1), at(1.25, 3));
+    pointer.drag(at(0.5, -1), at(0.6, 1));
     expect_near(core::Point(derivative(1.5).x, derivative(1.5).y), {0, 8});
 }
 
@@ -159,7 +211,7 @@ TEST_F(HandlebarTest, pinned_points_stay) {
     editor.run(PinPoints{.points = {1}});
     first_steps = state().history.undo_count();
     show(1.5);
-    pointer.drag(at(1, -1), at(1, 0));
+    pointer.drag(at(0.5, -1), at(0.5, -0.5));
     EXPECT_EQ(point(1), core::Point(-2, 2));
     expect_near(core::Point(derivative(1.5).x, derivative(1.5).y), {2, 2});
     expect_near(core::point_at(committed(editor), 1.5), {0, -1});
@@ -175,13 +227,13 @@ TEST_F(HandlebarTest, a_corner_has_two_arms_of_its_own) {
     open(two_cubics({-2, 3}, {2, 2}));
     show(1.0);
     ASSERT_TRUE(bar().is_kinked);
-    expect_near(bar().behind->tip, {-2, 3});
-    expect_near(bar().ahead->tip, {2, 2});
-    pointer.drag(at(2, 2), at(3, -1));
+    expect_near(bar().behind->tip, {-1, 1.5});
+    expect_near(bar().ahead->tip, {1, 1});
+    pointer.drag(at(1, 1), at(1.5, -0.5));
     expect_near(point(4), {3, -1});
     EXPECT_EQ(point(2), core::Point(-2, 3));
     EXPECT_EQ(point(3), core::Point(0, 0));
-    pointer.drag(at(-2, 3), at(-2, 1));
+    pointer.drag(at(-1, 1.5), at(-1, 0.5));
     expect_near(point(2), {-2, 1});
     expect_near(point(4), {3, -1});
     EXPECT_EQ(point(3), core::Point(0, 0));
@@ -194,7 +246,7 @@ TEST_F(HandlebarTest, a_smooth_joint_of_pieces_stays_smooth) {
     open(two_cubics({-2, -1}, {4, 2}));
     show(1.0);
     ASSERT_FALSE(bar().is_kinked);
-    pointer.drag(at(4, 2), at(3, 3));
+    pointer.drag(at(2, 1), at(1.5, 1.5));
     expect_near(point(4), {3, 3}, 1e-9);
     EXPECT_NEAR(core::cross(derivative(1.0, core::Side::left), derivative(1.0)), 0.0, 1e-8);
     EXPECT_GT(core::dot(derivative(1.0, core::Side::left), derivative(1.0)), 1.0);
@@ -211,16 +263,16 @@ TEST_F(HandlebarTest, ends_of_open_curves_have_one_arm_and_closed_ones_two) {
     open(test::closed_cubic());
     show(0.0);
     EXPECT_TRUE(bar().ahead && bar().behind && !bar().is_kinked);
-    const core::Point tip = bar().behind->tip;
-    pointer.drag(at(tip.x, tip.y), at(tip.x - 1, tip.y));
+    const HandlebarArm arm = *bar().behind;
+    pointer.drag(at(arm.tip.x, arm.tip.y), at(arm.tip.x - 0.25, arm.tip.y));
     EXPECT_EQ(steps(), 1U);
-    expect_near(bar().behind->tip, tip - core::Vector(1, 0), 1e-9);
+    expect_near(bar().place + arm.reach * derivative(0.0), arm.tip - core::Vector(0.25, 0), 1e-9);
     open({.degree = 2, .knots = {0, 0, 0, 1, 2, 2, 2}, .points = {{0, 0}, {3, 0}, {3, 3}, {0, 0}}});
     show(0.0);
     ASSERT_TRUE(bar().is_kinked);
     // The arm behind is that of the last span.
-    expect_near(bar().behind->tip, {3, 3});
-    pointer.drag(at(3, 3), at(1, 3));
+    expect_near(bar().behind->tip, {1.5, 1.5});
+    pointer.drag(at(1.5, 1.5), at(0.5, 1.5));
     expect_near(point(2), {1, 3});
     EXPECT_EQ(point(1), core::Point(3, 0));
 }
