@@ -60,6 +60,7 @@ void Input::listen_to(GLFWwindow* window) {
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
         Input& input = input_of(w);
         input.position_px_ = {x, y};
+        if (!input.is_near_last_press()) input.last_press_ = {};  // a drag is no click, wherever it ends
         input.add(input.pointer_event(PointerAction::move));
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
@@ -184,10 +185,14 @@ void Input::on_button(int button, int action, int modifiers) {
     add(event);
 }
 
+bool Input::is_near_last_press() const {
+    return glm::distance(position_px_, last_press_.position_px) < double_click_px;
+}
+
 bool Input::completes_double_click(PointerButton button) {
     const Press press{glfwGetTime(), position_px_, button};
-    const bool is_second = last_press_.button == button && press.time - last_press_.time < double_click_seconds &&
-                           glm::distance(press.position_px, last_press_.position_px) < double_click_px;
+    const bool is_second =
+        last_press_.button == button && press.time - last_press_.time < double_click_seconds && is_near_last_press();
     // A third press begins anew.
     last_press_ = is_second ? Press{} : press;
     return is_second;

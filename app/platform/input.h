@@ -72,6 +72,7 @@ class Input {
     void deliver(const KeyEvent& event);
     void on_button(int button, int action, int modifiers);
     void note_handled(const editor::PointerEvent& event);
+    bool is_near_last_press() const;
     bool completes_double_click(editor::PointerButton button);
 
     std::deque<Event> events_;

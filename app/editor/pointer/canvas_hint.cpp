@@ -276,6 +276,7 @@ struct ModeHint {
     const core::Curve* curve = state.active_curve();
 
     std::string operator()(const CanvasIdle&) const { return tool_hint(state); }
+    std::string operator()(const DoubleClicking&) const { return tool_hint(state); }
     std::string operator()(const PickingJoint& mode) const { return joint_hint(state, mode); }
     std::string operator()(const DraggingPoints& mode) const {
         if (mode.indices.size() > 1)

@@ -272,11 +272,12 @@ bool listens_to_drawing_keys(const CanvasMode& mode, const EditorState& state) {
     return std::holds_alternative<DrawingCurve>(mode) || (joint != nullptr && joint->first);
 }
 
+CanvasMode step_mode(const CanvasMode& mode, const Gesture& gesture) {
+    return std::visit([&gesture](const auto& alternative) { return step(alternative, gesture); }, mode);
+}
+
 CanvasMode step_canvas(const CanvasMode& mode, const PointerEvent& event, const EditorState& state,
                        CommandQueue& queue) {
-    const auto step_mode = [](const CanvasMode& current, const Gesture& gesture) {
-        return std::visit([&gesture](const auto& alternative) { return step(alternative, gesture); }, current);
-    };
     return step_placing(with_present_tool(mode, state), Gesture{event, state, queue}, step_mode);
 }
 

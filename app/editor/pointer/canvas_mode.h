@@ -26,6 +26,11 @@ namespace batten::editor {
 
 struct CanvasIdle {};
 
+/// The second press of a double click, which does what it does when it is released. A drag is that of a single press.
+struct DoubleClicking {
+    PointerEvent press;
+};
+
 /// The selected points follow the pointer. Ctrl snaps the grabbed point to the grid, Shift keeps to one axis.
 struct DraggingPoints {
     std::size_t grabbed = 0;
@@ -102,11 +107,12 @@ struct TurningOrbit {
     glm::dvec2 last_px{};
 };
 
-using CanvasMode = std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,
-                                DraggingCurveKnot, DraggingCurvePoint, DraggingHandle, DraggingFarinPoint,
-                                DraggingLiftedWeight, TurningOrbit, DrawingCurve, DraggingFitPoint, DraggingFitHandle,
-                                DrawingShape, DraggingGuide, PullingGuide, DraggingTransform, DraggingPicture,
-                                PencilStroke, PickingJoint, DraggingSelection, DraggingHandlebar, Brushing>;
+using CanvasMode =
+    std::variant<CanvasIdle, DraggingPoints, DraggingWeight, BoxSelecting, Panning, DraggingParameter,
+                 DraggingCurveKnot, DraggingCurvePoint, DraggingHandle, DraggingFarinPoint, DraggingLiftedWeight,
+                 TurningOrbit, DrawingCurve, DraggingFitPoint, DraggingFitHandle, DrawingShape, DraggingGuide,
+                 PullingGuide, DraggingTransform, DraggingPicture, PencilStroke, PickingJoint, DraggingSelection,
+                 DraggingHandlebar, Brushing, DoubleClicking>;
 
 /// The mode that is left where the tool was changed without the pointer: a curve half drawn is given up.
 CanvasMode with_present_tool(CanvasMode mode, const EditorState& state);

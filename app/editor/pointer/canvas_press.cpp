@@ -11,6 +11,7 @@
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/pointer/axis_pick.h"
 #include "app/editor/pointer/drawing.h"
+#include "app/editor/pointer/edit_step.h"
 #include "app/editor/pointer/fit_point_drag.h"
 #include "app/editor/pointer/guide_mode.h"
 #include "app/editor/pointer/hit_test.h"
@@ -104,43 +105,38 @@ struct SelectPress {
     }
 };
 
-/// What a double click of the select tool does; whether it does anything that a press does not.
+/// What a double click of the select tool does.
 struct SelectDoubleClick {
     const Gesture& gesture;
 
-    bool operator()(const HoveredCurve& hit) const { return insert_knot(hit.u); }
-    bool operator()(const HoveredParameter&) const { return insert_knot(gesture.state.parameter()); }
-    bool operator()(const HoveredHandlebar& hit) const {
-        return hit.part == HandlebarPart::middle && insert_knot(*gesture.state.selection.handlebar);
-    }
-    bool operator()(const HoveredFitPoint& hit) const {
-        turn_fit_joint(gesture, hit.index);
-        return true;
-    }
-    bool operator()(const HoveredKnot& hit) const {
-        gesture.queue.run(RaiseKnot{.index = hit.index});
-        return true;
-    }
-    bool operator()(const HoveredLeg& hit) const {
+    void operator()(const HoveredCurve& hit) const { insert_knot(hit.u); }
+    void operator()(const HoveredParameter&) const { insert_knot(gesture.state.parameter()); }
+    void operator()(const HoveredHandlebar&) const { insert_knot(*gesture.state.selection.handlebar); }
+    void operator()(const HoveredFitPoint& hit) const { turn_fit_joint(gesture, hit.index); }
+    void operator()(const HoveredKnot& hit) const { gesture.queue.run(RaiseKnot{.index = hit.index}); }
+    void operator()(const HoveredLeg& hit) const {
         const core::Point position = pointed_at(gesture);
         gesture.queue.run(AddPoint{.index = hit.index + 1, .position = position});
-        return true;
     }
     template <class Other>
-    bool operator()(const Other&) const {
-        return false;
-    }
+    void operator()(const Other&) const {}
 
   private:
-    bool insert_knot(double u) const {
-        if (committed_fit(gesture.state) != nullptr) {
+    void insert_knot(double u) const {
+        if (committed_fit(gesture.state) != nullptr)
             insert_fit_point_at(gesture, u);
-            return true;
-        }
-        gesture.queue.run(InsertKnot{.u = u});
-        return true;
+        else
+            gesture.queue.run(InsertKnot{.u = u});
     }
 };
+
+/// Whether it does anything that a press does not.
+bool takes_double_click(const Hover& hit) {
+    if (const auto* bar = std::get_if<HoveredHandlebar>(&hit)) return bar->part == HandlebarPart::middle;
+    return std::holds_alternative<HoveredCurve>(hit) || std::holds_alternative<HoveredParameter>(hit) ||
+           std::holds_alternative<HoveredFitPoint>(hit) || std::holds_alternative<HoveredKnot>(hit) ||
+           std::holds_alternative<HoveredLeg>(hit);
+}
 
 std::optional<std::size_t> point_of(const Hover& hit) {
     if (const auto* point = std::get_if<HoveredPoint>(&hit)) return point->index;
@@ -150,7 +146,7 @@ std::optional<std::size_t> point_of(const Hover& hit) {
 
 CanvasMode press_select(const Gesture& gesture, const Hover& hit) {
     const bool is_double = gesture.event.action == PointerAction::double_click;
-    if (is_double && std::visit(SelectDoubleClick{gesture}, hit)) return CanvasIdle{};
+    if (is_double && takes_double_click(hit)) return DoubleClicking{gesture.event};
     if (auto mode = press_over_curves(gesture, hit)) return *std::move(mode);
     return std::visit(SelectPress{gesture}, hit);
 }
@@ -233,6 +229,25 @@ std::size_t best_index_for(const core::FitPoints& fit, core::Point position) {
     std::vector<core::Point> places;
     for (const core::FitPoint& point : fit.points) places.push_back(point.place);
     return index_near_leg(places, fit.closed, position);
+}
+
+CanvasMode step(const DoubleClicking& mode, const Gesture& gesture) {
+    if (is_escape(gesture)) return CanvasIdle{};
+    if (!is_move(gesture) && !is_release(gesture)) return mode;
+    PointerEvent press = mode.press;
+    press.action = PointerAction::press;
+    const Gesture pressed{press, gesture.state, gesture.queue, gesture.typed, gesture.place};
+    if (is_drag(gesture.state, press.position_px, gesture.event.position_px))
+        return step_mode(begin_canvas_gesture(pressed), gesture);
+    if (!is_release(gesture)) return mode;
+    std::visit(SelectDoubleClick{pressed}, hit_canvas(gesture.state, press.position_px));
+    return CanvasIdle{};
+}
+
+bool is_about_tool(const Gesture& gesture) {
+    const glm::dvec2 place = gesture.event.position_px;
+    const bool is_covered = ruler_at(gesture.state, place) || inset_at(gesture.state, place);
+    return !is_covered && !is_gauging(gesture.state) && !gesture.state.axis_pick;
 }
 
 CanvasMode begin_canvas_gesture(const Gesture& gesture) {

@@ -68,6 +68,7 @@ struct CanvasCursor {
     const EditorState& state;
 
     Cursor operator()(const CanvasIdle&) const { return tool_cursor(state); }
+    Cursor operator()(const DoubleClicking&) const { return tool_cursor(state); }
     Cursor operator()(const DraggingPoints&) const { return Cursor::move; }
     Cursor operator()(const DraggingCurvePoint&) const { return Cursor::move; }
     Cursor operator()(const DraggingFitPoint&) const { return Cursor::move; }
@@ -104,7 +105,7 @@ Cursor canvas_cursor(const CanvasMode& mode, const EditorState& state, bool spac
 }
 
 Cursor plot_cursor(const PlotMode& mode, const EditorState& state, bool space_is_held) {
-    const bool is_idle = std::holds_alternative<PlotIdle>(mode);
+    const bool is_idle = std::holds_alternative<PlotIdle>(mode) || std::holds_alternative<DoubleClickingPlot>(mode);
     if (std::holds_alternative<PanningPlot>(mode) || (is_idle && space_is_held)) return Cursor::move;
     if (!is_idle || is_one_of<HoveredKnot, HoveredParameter>(state.hover)) return Cursor::horizontal;
     return Cursor::arrow;

@@ -6,6 +6,14 @@
 
 namespace batten::editor {
 
+/// The mode after an event, whichever it is in.
+CanvasMode step_mode(const CanvasMode& mode, const Gesture& gesture);
+
+CanvasMode step(const DoubleClicking& mode, const Gesture& gesture);
+
+/// Whether the pointer is where the tool acts: over no ruler and inset, while no axis and no gauge is clicked.
+bool is_about_tool(const Gesture& gesture);
+
 /// Zooms or pans as the wheel is turned.
 void turn_canvas_wheel(const Gesture& gesture);
 

@@ -94,6 +94,7 @@ struct PlotModeHint {
         if (active->locked && std::holds_alternative<HoveredKnot>(state.hover)) return locked_sentence(*active);
         return std::visit(HoverHint{state, curve}, state.hover);
     }
+    std::string operator()(const DoubleClickingPlot&) const { return (*this)(PlotIdle{}); }
     std::string operator()(const DraggingKnot& mode) const {
         return sentence(pattern_of_drag(state.view.knot_move),
                         {{"knot", knot_text(curve.knots(), moving_knot(state, mode.index))}});

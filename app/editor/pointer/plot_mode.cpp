@@ -85,24 +85,30 @@ PlotMode press_knot(const PlotGesture& gesture, std::size_t index) {
                         gesture.event.position_px.x};
 }
 
-/// What a double click does that a press does not; whether there was such a thing.
-bool double_click(const PlotGesture& gesture, const Hover& hit) {
-    if (const auto* knot = std::get_if<HoveredKnot>(&hit)) {
-        gesture.queue.run(RaiseKnot{.index = knot->index});
-        return true;
-    }
+Hover pointed_thing(const PlotGesture& gesture) {
+    return hit_plot(gesture.state, gesture.layout, gesture.event.position_px);
+}
+
+/// Whether a double click does anything that a press does not.
+bool takes_double_click(const PlotGesture& gesture, const Hover& hit) {
+    if (std::holds_alternative<HoveredKnot>(hit)) return true;
     const core::Curve* curve = gesture.state.active_curve();
-    const double u = gesture.pointed_parameter();
-    if (curve == nullptr || !gesture.is_on_strip() || !curve->domain().contains(u)) return false;
-    gesture.queue.run(InsertKnot{.u = u});
-    return true;
+    return curve != nullptr && gesture.is_on_strip() && curve->domain().contains(gesture.pointed_parameter());
+}
+
+void double_click(const PlotGesture& gesture, const Hover& hit) {
+    if (const auto* knot = std::get_if<HoveredKnot>(&hit))
+        gesture.queue.run(RaiseKnot{.index = knot->index});
+    else
+        gesture.queue.run(InsertKnot{.u = gesture.pointed_parameter()});
 }
 
 PlotMode press(const PlotGesture& gesture) {
     if (is_pan(gesture.event)) return PanningPlot{gesture.event.position_px.x};
     if (gesture.event.button != PointerButton::left || gesture.state.active_curve() == nullptr) return PlotIdle{};
-    const Hover hit = hit_plot(gesture.state, gesture.layout, gesture.event.position_px);
-    if (gesture.event.action == PointerAction::double_click && double_click(gesture, hit)) return PlotIdle{};
+    const Hover hit = pointed_thing(gesture);
+    if (gesture.event.action == PointerAction::double_click && takes_double_click(gesture, hit))
+        return DoubleClickingPlot{gesture.event};
     if (const auto* knot = std::get_if<HoveredKnot>(&hit)) return press_knot(gesture, knot->index);
     const double start = gesture.state.parameter();
     set_parameter(gesture);
@@ -113,8 +119,7 @@ PlotMode step(const PlotIdle& mode, const PlotGesture& gesture) {
     const PointerAction action = gesture.event.action;
     if (action == PointerAction::press || action == PointerAction::double_click) return press(gesture);
     if (action == PointerAction::wheel) turn_wheel(gesture);
-    if (action == PointerAction::move)
-        request_hover(hit_plot(gesture.state, gesture.layout, gesture.event.position_px), gesture.state, gesture.queue);
+    if (action == PointerAction::move) request_hover(pointed_thing(gesture), gesture.state, gesture.queue);
     if (action == PointerAction::leave) request_hover(HoveredNothing{}, gesture.state, gesture.queue);
     return mode;
 }
@@ -168,12 +173,30 @@ PlotMode step(const PanningPlot& mode, const PlotGesture& gesture) {
     return PanningPlot{x};
 }
 
+PlotMode step_mode(const PlotMode& mode, const PlotGesture& gesture);
+
+PlotMode step(const DoubleClickingPlot& mode, const PlotGesture& gesture) {
+    const PointerAction action = gesture.event.action;
+    if (action == PointerAction::escape) return PlotIdle{};
+    if (action != PointerAction::move && !is_release(gesture)) return mode;
+    PointerEvent event = mode.press;
+    event.action = PointerAction::press;
+    const PlotGesture pressed{{event, gesture.state, gesture.queue}, gesture.layout};
+    if (is_drag(gesture.state, event.position_px, gesture.event.position_px)) return step_mode(press(pressed), gesture);
+    if (!is_release(gesture)) return mode;
+    if (const Hover hit = pointed_thing(pressed); takes_double_click(pressed, hit)) double_click(pressed, hit);
+    return PlotIdle{};
+}
+
+PlotMode step_mode(const PlotMode& mode, const PlotGesture& gesture) {
+    return std::visit([&gesture](const auto& current) { return step(current, gesture); }, mode);
+}
+
 }  // namespace
 
 PlotMode step_plot(const PlotMode& mode, const PointerEvent& event, const EditorState& state, glm::dvec2 size_px,
                    CommandQueue& queue) {
-    const PlotGesture gesture{{event, state, queue}, plot_layout(state, size_px)};
-    return std::visit([&gesture](const auto& current) { return step(current, gesture); }, mode);
+    return step_mode(mode, PlotGesture{{event, state, queue}, plot_layout(state, size_px)});
 }
 
 }  // namespace batten::editor

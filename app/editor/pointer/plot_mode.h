@@ -31,7 +31,12 @@ struct PanningPlot {
     double last_x_px = 0.0;
 };
 
-using PlotMode = std::variant<PlotIdle, DraggingKnot, DraggingPlotParameter, PanningPlot>;
+/// The second press of a double click, which does what it does when it is released. A drag is that of a single press.
+struct DoubleClickingPlot {
+    PointerEvent press;
+};
+
+using PlotMode = std::variant<PlotIdle, DraggingKnot, DraggingPlotParameter, PanningPlot, DoubleClickingPlot>;
 
 /// The mode after `event` on a dock of `size_px`; what it asks of the editor goes to `queue`. Pure: depends on its
 /// arguments only.

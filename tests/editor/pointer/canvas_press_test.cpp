@@ -59,6 +59,48 @@ TEST_F(CanvasPress, a_second_press_that_comes_as_double_click_still_drags_a_poin
     EXPECT_EQ(point(1), core::Point(-1, 2));
 }
 
+TEST_F(CanvasPress, a_second_press_on_the_curve_that_is_dragged_moves_it_and_inserts_nothing) {
+    const core::Point at = core::point_at(*first_curve, 0.5);
+    const glm::dvec2 place = px(at.x, at.y);
+    pointer.click(place);
+    pointer.send(PointerAction::double_click, place);
+    EXPECT_EQ(steps(), 0U);
+    pointer.move(place + glm::dvec2(0, -64));
+    EXPECT_TRUE(state().preview);
+    pointer.release(place + glm::dvec2(0, -64));
+    ASSERT_EQ(test::stored_knots(committed(editor)).size(), 8U);
+    const core::Point now = core::point_at(committed(editor), 0.5);
+    EXPECT_NEAR(now.x, at.x, 1e-6);
+    EXPECT_NEAR(now.y, at.y + 1.0, 1e-6);
+    EXPECT_EQ(steps(), 1U);
+}
+
+TEST_F(CanvasPress, a_second_press_that_is_dragged_is_that_of_one_press) {
+    // A knot is dragged along the curve, a leg begins a box, the parameter follows.
+    pointer.click(px(-1, 0));
+    pointer.send(PointerAction::double_click, px(-1, 0));
+    pointer.move(px(-0.5, -0.75));
+    pointer.release(px(-0.5, -0.75));
+    EXPECT_NEAR(test::stored_knots(committed(editor))[3], 1.25, 1e-6);
+    EXPECT_EQ(steps(), 1U);
+    pointer.click(px(-3, 0));
+    pointer.send(PointerAction::double_click, px(-3, 0));
+    pointer.move(px(-5, -3));
+    EXPECT_TRUE(is_in<BoxSelecting>());
+    pointer.release(px(-5, -3));
+    EXPECT_EQ(selected(), Indices{0});
+    EXPECT_EQ(steps(), 1U);
+}
+
+TEST_F(CanvasPress, escape_gives_up_the_second_press) {
+    pointer.click(px(-3, 0));
+    pointer.send(PointerAction::double_click, px(-3, 0));
+    pointer.move(px(-3, 0) + glm::dvec2(1, 1));
+    pointer.escape(px(-3, 0));
+    pointer.release(px(-3, 0));
+    EXPECT_EQ(steps(), 0U);
+}
+
 TEST_F(CanvasPress, drag_of_the_parameter_follows_the_curve) {
     const core::Point target = core::point_at(*first_curve, 1.75);
     pointer.press(px(0, -1));

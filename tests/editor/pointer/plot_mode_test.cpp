@@ -188,6 +188,23 @@ TEST_F(PlotModes, double_click_on_the_strip_inserts_a_knot_there) {
     EXPECT_EQ(steps(), 1U);
 }
 
+TEST_F(PlotModes, a_second_press_at_once_still_drags) {
+    pointer.press(at(0.375));
+    pointer.release(at(0.375));
+    pointer.send(PointerAction::double_click, at(0.375));
+    pointer.move(at(0.625));
+    EXPECT_NEAR(state().parameter(), 0.625, 1e-15);
+    pointer.release(at(0.625));
+    EXPECT_EQ(steps(), 0U);
+    pointer.press(at(0.5));
+    pointer.release(at(0.5));
+    pointer.send(PointerAction::double_click, at(0.5));
+    pointer.move(at(0.625));
+    pointer.release(at(0.625));
+    EXPECT_EQ(interior(), (Knots{0.25, 0.625, 0.75}));
+    EXPECT_EQ(steps(), 1U);
+}
+
 TEST_F(PlotModes, press_sets_the_parameter_and_drags_it_within_the_domain) {
     pointer.press(at(0.625, 20.0));
     EXPECT_NEAR(state().parameter(), 0.625, 1e-15);
