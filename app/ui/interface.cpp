@@ -25,11 +25,6 @@ using editor::PlotIdle;
 using editor::PointerAction;
 using editor::PointerEvent;
 
-/// Whether nothing is dragged that a menu would interrupt.
-bool canvas_menu_applies(const editor::CanvasMode& mode) {
-    return std::holds_alternative<CanvasIdle>(mode);
-}
-
 /// What a key means to a curve that is being drawn.
 std::optional<PointerAction> drawing_action(const editor::Shortcut& shortcut) {
     using editor::Key;
@@ -209,16 +204,21 @@ void Interface::send(Picture picture, const PointerEvent& event, const editor::E
     }
 }
 
+bool Interface::is_at_rest(Picture picture) const {
+    if (picture == Picture::canvas) return editor::is_at_rest(canvas_mode_);
+    return picture == Picture::plot && std::holds_alternative<PlotIdle>(plot_mode_);
+}
+
 void Interface::open_picture_menu(const PanelContext& context, const FrameLayout& layout, Picture picture,
                                   glm::dvec2 position_px) const {
     const editor::EditorState& state = context.state;
-    if (picture == Picture::canvas && canvas_menu_applies(canvas_mode_)) {
+    if (picture == Picture::canvas) {
         const glm::dvec2 local = position_px - layout.canvas.origin_px;
         const bool has_pen = state.tool == editor::Tool::draw_curve;
         const editor::Hover hit = has_pen ? editor::HoveredNothing{} : editor::hit_canvas(state, local);
         const core::Point place(render::world_from_screen(state.view.camera, local));
         open_context_menu(context, editor::OnCanvas{hit, place});
-    } else if (picture == Picture::plot && std::holds_alternative<PlotIdle>(plot_mode_)) {
+    } else if (picture == Picture::plot) {
         const glm::dvec2 local = position_px - layout.plot.origin_px;
         const editor::PlotLayout plot = editor::plot_layout(state, layout.plot.size_px);
         open_context_menu(context,
@@ -251,13 +251,13 @@ void Interface::dispatch_pointer(const PanelContext& context, const FrameLayout&
             pointer.captured = under;
             pointer.button = event.button;
         }
-        const bool was_drawing = std::holds_alternative<editor::DrawingCurve>(canvas_mode_);
+        const bool was_at_rest = is_at_rest(target);
         if (event.action != PointerAction::leave) send(target, event, state, layout, queue);
         const bool is_end = event.action == PointerAction::release && event.button == pointer.button;
         if (is_end) pointer.captured = Picture::none;
-        // A right click ends a drawing.
+        // A right click ends a drawing, and interrupts no drag.
         const bool asks = event.action == PointerAction::release && event.button == editor::PointerButton::right &&
-                          !(was_drawing && target == Picture::canvas);
+                          was_at_rest && is_at_rest(target);
         if (asks) open_picture_menu(context, layout, target, event.position_px);
     }
 }

@@ -44,6 +44,7 @@ class Interface {
     PanelContext context_of(const editor::EditorState& state, const FrameInput& input, const Fonts& fonts,
                             editor::CommandQueue& queue, FrameLayout& layout) const;
     void dispatch_pointer(const PanelContext& context, const FrameLayout& layout);
+    bool is_at_rest(Picture picture) const;
     void open_picture_menu(const PanelContext& context, const FrameLayout& layout, Picture picture,
                            glm::dvec2 position_px) const;
     void dispatch_keys(const PanelContext& context);

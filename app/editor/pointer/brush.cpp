@@ -231,6 +231,9 @@ std::optional<double> brush_notches_of_key(const PointerEvent& event) {
 }
 
 CanvasMode step(const Brushing& mode, const Gesture& gesture) {
+    // A ruler or an inset under the pointer, or an axis that is clicked, is no matter of the brush.
+    const bool is_move_or_press = is_move(gesture) || is_press(gesture);
+    if (is_move_or_press && !mode.press_px && !is_about_tool(gesture)) return step_mode(CanvasIdle{}, gesture);
     switch (gesture.event.action) {
         case PointerAction::move:
             return mode.press_px ? dragged(mode, gesture) : hovering(gesture);

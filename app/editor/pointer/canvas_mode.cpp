@@ -58,15 +58,14 @@ CanvasMode step(const CanvasIdle& mode, const Gesture& gesture) {
     if (gesture.event.action == PointerAction::take_back && gesture.state.axis_pick) take_axis_click_back(gesture);
     if (!is_move(gesture)) return mode;
     const Tool tool = gesture.state.tool;
+    const bool shows_itself = (tool == Tool::joint || tool == Tool::brush) && is_about_tool(gesture);
     // These show themselves what a click would be about.
-    if (gesture.state.axis_pick || tool == Tool::joint || tool == Tool::brush)
-        request_hover(HoveredNothing{}, gesture.state, gesture.queue);
+    if (gesture.state.axis_pick || shows_itself) request_hover(HoveredNothing{}, gesture.state, gesture.queue);
     if (gesture.state.axis_pick) {
         hover_axis(gesture);
         return mode;
     }
-    if (tool == Tool::joint) return begin_joint(gesture);
-    if (tool == Tool::brush) return begin_brush(gesture);
+    if (shows_itself) return tool == Tool::joint ? begin_joint(gesture) : begin_brush(gesture);
     request_hover(hit_of_tool(gesture), gesture.state, gesture.queue);
     if (places_points(gesture.state.tool)) static_cast<void>(pointed_at(gesture));
     return mode;
@@ -264,6 +263,12 @@ CanvasMode with_present_tool(CanvasMode mode, const EditorState& state) {
     const auto* joint = std::get_if<PickingJoint>(&mode);
     if (joint != nullptr && joint->tool_changes != state.tool_changes) return CanvasIdle{};
     return mode;
+}
+
+bool is_at_rest(const CanvasMode& mode) {
+    if (const auto* brush = std::get_if<Brushing>(&mode)) return !brush->press_px;
+    if (const auto* joint = std::get_if<PickingJoint>(&mode)) return !joint->first && !joint->panned_px;
+    return std::holds_alternative<CanvasIdle>(mode);
 }
 
 bool listens_to_drawing_keys(const CanvasMode& mode, const EditorState& state) {

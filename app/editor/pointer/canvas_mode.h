@@ -123,6 +123,9 @@ CanvasMode with_present_tool(CanvasMode mode, const EditorState& state);
 CanvasMode step_canvas(const CanvasMode& mode, const PointerEvent& event, const EditorState& state,
                        CommandQueue& queue);
 
+/// Whether nothing is held or half done, so that a menu interrupts nothing; tools may show what a click would do.
+bool is_at_rest(const CanvasMode& mode);
+
 /// Whether Enter, Backspace and Ctrl+Z are about what is being clicked together, and not about the document.
 bool listens_to_drawing_keys(const CanvasMode& mode, const EditorState& state);
 

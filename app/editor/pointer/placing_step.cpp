@@ -19,9 +19,9 @@ class PlacedStep {
     /// After the last step, which led to `mode`.
     void show(const CanvasMode& mode, bool is_over) const {
         const Placing& shown = gesture_.state.placing;
-        const bool is_idle = std::holds_alternative<CanvasIdle>(mode);
-        if (!is_idle && !place_) return;  // a release between two places
-        const std::optional<ShownPlace> place = is_over && is_idle ? std::nullopt : place_;
+        const bool is_done = is_at_rest(mode);
+        if (!is_done && !place_) return;  // a release between two places
+        const std::optional<ShownPlace> place = is_over && is_done ? std::nullopt : place_;
         if (place != shown.place || (!place && !shown.typed.is_empty())) gesture_.queue.change(ShowPlace{place});
         if (is_over && place && !shown.typed.is_empty()) gesture_.queue.change(TypePlace{});
     }

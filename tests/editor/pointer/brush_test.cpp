@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/editor/commands/axis_commands.h"
 #include "app/editor/commands/brush_commands.h"
 #include "app/editor/commands/closing_commands.h"
 #include "app/editor/commands/document_commands.h"
@@ -9,6 +10,7 @@
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/fairing_commands.h"
 #include "app/editor/commands/fit_point_commands.h"
+#include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/pin_commands.h"
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/commands/unit_commands.h"
@@ -64,6 +66,55 @@ TEST_F(BrushTest, points_follow_the_less_the_farther_they_are) {
     EXPECT_EQ(steps(), 1U);
     editor.run(Undo{});
     EXPECT_EQ(committed(editor), *first_curve);
+}
+
+TEST_F(BrushTest, nothing_is_read_beside_it_after_the_drag) {
+    pointer.drag(px(-2, 2), px(-2, 3));
+    EXPECT_FALSE(state().placing.place);
+    pointer.press(px(-2, 3));
+    pointer.move(px(-2, 3.5));
+    EXPECT_TRUE(state().placing.place);
+    type(U"x0\t1\n", px(-2, 3.5));
+    EXPECT_EQ(point(1), core::Point(-2, 4));
+    EXPECT_EQ(steps(), 2U);
+    EXPECT_FALSE(state().placing.place);
+    EXPECT_TRUE(state().placing.typed.is_empty());
+    pointer.release(px(-2, 3.5));
+    pointer.move(px(0, 0));
+    EXPECT_FALSE(state().placing.place);
+    EXPECT_EQ(steps(), 2U);
+}
+
+TEST_F(BrushTest, leaves_rulers_to_guides_and_axes_to_clicks) {
+    editor.run(ToggleOverlay<Overlay::rulers>{});
+    pointer.move(px(0, 0));
+    EXPECT_TRUE(is_in<Brushing>());
+    pointer.move({640.0, -5.0});
+    EXPECT_TRUE(std::holds_alternative<HoveredRuler>(state().hover));
+    EXPECT_TRUE(is_in<CanvasIdle>());
+    pointer.move(px(0, 0));
+    EXPECT_TRUE(is_in<Brushing>());
+    EXPECT_FALSE(std::holds_alternative<HoveredRuler>(state().hover));
+    pointer.press({640.0, -5.0});
+    pointer.move(px(0.03, 1.02));
+    pointer.release(px(0.03, 1.02));
+    ASSERT_EQ(state().history.present().guides.size(), 1U);
+    EXPECT_EQ(committed(editor), *first_curve);
+    pointer.move(px(0, 0));
+    editor.run(PickMirror{});
+    pointer.click(px(5, -3));
+    pointer.click(px(5, 1));
+    EXPECT_EQ(point(0), core::Point(14, -2));
+}
+
+TEST_F(BrushTest, a_menu_interrupts_no_drag) {
+    EXPECT_TRUE(is_at_rest(pointer.mode()));
+    pointer.move(px(0, 0));
+    EXPECT_TRUE(is_at_rest(pointer.mode()));
+    pointer.press(px(-2, 2));
+    EXPECT_FALSE(is_at_rest(pointer.mode()));
+    pointer.release(px(-2, 2));
+    EXPECT_TRUE(is_at_rest(pointer.mode()));
 }
 
 TEST_F(BrushTest, pinned_points_stay) {

@@ -10,6 +10,7 @@
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/joint_tool_commands.h"
 #include "app/editor/commands/making_commands.h"
+#include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/tool_commands.h"
@@ -22,6 +23,7 @@
 #include "core/measure/meeting.h"
 #include "core/measure/nearest.h"
 #include "tests/editor/canvas_fixture.h"
+#include "tests/editor/scene_sample.h"
 
 namespace batten::editor {
 namespace {
@@ -95,6 +97,30 @@ TEST_F(JointMode, shows_the_end_that_is_near) {
     EXPECT_EQ(hint(), "Click the end that stays where it is · 0 to 3 choose the continuity");
     pointer.move(px(0, -1));
     EXPECT_FALSE(picking().hovered);
+}
+
+TEST_F(JointMode, leaves_rulers_to_guides_and_menus_to_the_right_button) {
+    editor.run(ToggleOverlay<Overlay::rulers>{});
+    take(JointOperation::blend);
+    pointer.move(px(-1.1, 0));
+    EXPECT_TRUE(is_at_rest(pointer.mode()));
+    pointer.press({300.0, -5.0});
+    pointer.move(px(-3, 2.5));
+    pointer.release(px(-3, 2.5));
+    EXPECT_EQ(present().guides.size(), 1U);
+    pointer.move(px(-1.1, 0));
+    pointer.click(px(-1.1, 0));
+    ASSERT_TRUE(picking().first);
+    EXPECT_FALSE(is_at_rest(pointer.mode()));
+    // What was picked waits while the pointer passes over a ruler.
+    pointer.move(px(1.1, 1));
+    EXPECT_TRUE(state().preview);
+    pointer.move({300.0, -5.0});
+    EXPECT_FALSE(state().preview);
+    EXPECT_TRUE(picking().first);
+    EXPECT_FALSE(picking().hovered);
+    pointer.move(px(1.1, 1));
+    EXPECT_TRUE(state().preview);
 }
 
 TEST_F(JointMode, blends_between_two_clicks_as_it_was_previewed) {
@@ -213,6 +239,47 @@ TEST_F(JointMode, forgets_a_place_of_a_curve_that_is_another_one_since) {
     ASSERT_TRUE(editor.run(DeleteCurve{.index = 0}));
     pointer.move(px(1.2, 1));
     EXPECT_FALSE(picking().first);
+}
+
+TEST_F(JointMode, tells_lengths_in_the_unit_and_curvatures_in_its_inverse) {
+    // A part of a unit circle from (4, -1) on, counterclockwise, whose curvature is 1: where a millimeter is 0.1,
+    // it is 0.1.
+    ASSERT_TRUE(editor.run(AddArc{.center = {3, -1}, .radius = 1.0, .start = 0.0, .sweep = 90.0}));
+    ASSERT_TRUE(editor.run(SetUnits{.unit = UnitChoice::mm, .scale = 0.1}));
+    take(JointOperation::match);
+    pointer.click(px(2, -2.9));
+    pointer.move(px(3.9, -0.9));
+    const std::vector<std::string> reading = joint_reading(state(), picking());
+    ASSERT_GE(reading.size(), 3U);
+    EXPECT_EQ(reading[0].find("gap 28.28 mm, turn"), 0U) << reading[0];
+    EXPECT_EQ(reading[1], "curvature 0 and 0.1");
+    pointer.click(px(3.9, -0.9));
+    const std::string& said = state().message.text;
+    EXPECT_NE(said.find("the joint had a gap of 28.28427124746"), std::string::npos) << said;
+    EXPECT_NE(said.find(" mm, a turn of "), std::string::npos) << said;
+    EXPECT_NE(said.find(" and the curvatures 0 and 0.0999999999"), std::string::npos) << said;
+}
+
+TEST_F(JointMode, reading_hides_what_is_beneath_and_is_small_in_a_low_picture) {
+    take(JointOperation::blend);
+    pointer.click(px(-1.1, 0));
+    pointer.move(px(1.1, 1));
+    EditorState seen = state();
+    const auto rows_in = [&](glm::dvec2 size_px) {
+        seen.view.camera.size_px = size_px;
+        const render::DrawList list = test::canvas_picture(seen, pointer.mode());
+        EXPECT_EQ(test::overlapping_labels(list), std::vector<std::string>());
+        std::vector<std::string> rows;
+        for (const std::string& text : test::texts_of(list))
+            for (const char* word : {"gap", "curvature", "change"})
+                if (text.find(word) != std::string::npos) rows.push_back(text);
+        return rows;
+    };
+    EXPECT_EQ(rows_in({1048.0, 566.0}).size(), 9U);
+    const std::vector<std::string> few = rows_in({410.0, 280.0});
+    ASSERT_EQ(few.size(), 3U);
+    EXPECT_EQ(few[0].find("gap 2.236, turn"), 0U) << few[0];
+    EXPECT_EQ(few[1], "then G²: gap 0, turn 0°");
 }
 
 TEST_F(JointMode, joins_the_ends_that_were_clicked) {
