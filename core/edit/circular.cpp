@@ -14,9 +14,7 @@ Result<Curve> make_circular(const Curve& curve, double u) {
             {.code = CurveErrorCode::degree_unsuitable, .value = static_cast<double>(curve.degree()), .lower = 2.0});
     if (auto check = check_parameter_finite(u); !check) return tl::unexpected(check.error());
     const KnotVector& knots = curve.knots();
-    const auto [lower, upper] = knots.domain();
-    if (!curve.domain().contains(u))
-        return refuse({.code = CurveErrorCode::parameter_outside_domain, .value = u, .lower = lower, .upper = upper});
+    if (const auto check = check_in_domain(knots, u); !check) return refuse(check.error());
     const std::size_t span = knots.span_at(u);
     if (knots.multiplicity(knots[span]) < 2 || knots.multiplicity(knots[span + 1]) < 2)
         return refuse({.code = CurveErrorCode::piece_not_bezier, .value = u});

@@ -16,12 +16,7 @@ namespace {
 
 Result<void> check_move(const Curve& curve, double u, Point target, Vector derivative) {
     if (const auto check = check_parameter_finite(u); !check) return check;
-    const Interval domain = curve.domain();
-    if (!domain.contains(u))
-        return refuse({.code = CurveErrorCode::parameter_outside_domain,
-                       .value = u,
-                       .lower = domain.lower,
-                       .upper = domain.upper});
+    if (const auto check = check_in_domain(curve.knots(), u); !check) return check;
     if (!is_finite(target) || !is_finite(derivative)) return refuse({.code = CurveErrorCode::vector_not_finite});
     return {};
 }

@@ -211,12 +211,8 @@ Result<Approximation> to_wrapped(const Curve& curve, double tolerance) {
 
 Result<Approximation> move_seam(const Curve& curve, double u, double tolerance) {
     if (const auto check = check_parameter_finite(u); !check) return refuse(check.error());
+    if (const auto check = check_in_domain(curve.knots(), u); !check) return refuse(check.error());
     const Interval domain = curve.domain();
-    if (!domain.contains(u))
-        return refuse({.code = CurveErrorCode::parameter_outside_domain,
-                       .value = u,
-                       .lower = domain.lower,
-                       .upper = domain.upper});
     Result<Approximation> closed = closed_form(curve, tolerance);
     if (!closed) return closed;
     if (u == domain.lower || u == domain.upper) return Approximation{curve, 0.0};
