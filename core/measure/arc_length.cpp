@@ -50,7 +50,7 @@ double from_middle(HalfPlace place) {
 
 Vector velocity_at(const Pieces& pieces, HalfPlace place) {
     const SpeedForm& form = pieces.forms[place.piece()];
-    return form.is_plain() ? form.velocity(from_middle(place)) : motion_at(pieces.motions, place).velocity;
+    return form.is_plain() ? form.velocity(from_middle(place)) : core::velocity_at(pieces.motions, place);
 }
 
 double speed_at(const Pieces& pieces, HalfPlace place) {

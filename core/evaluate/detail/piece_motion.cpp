@@ -17,7 +17,30 @@ P bernstein_sum(LocalPoints<P>& points, std::size_t count, Ratio ratio) {
     return points[0];
 }
 
+// The same in O(p): by powers of the one share and Horner's rule in the other. Not finite where a point times the
+// largest of the binomial coefficients is not. Source: Farin, Curves and Surfaces for CAGD, hornbez.
+Vector quick_sum(const LocalPoints<Vector>& points, std::size_t count, Ratio ratio) {
+    const std::size_t p = count - 1;
+    Vector sum = points[0];
+    double share = 1.0;  // of the power of the upper share and the binomial coefficient
+    for (std::size_t i = 1; i <= p; ++i) {
+        share *= ratio.upper_share * (static_cast<double>(p + 1 - i) / static_cast<double>(i));
+        sum = ratio.lower_share * sum + share * points[i];
+    }
+    return sum;
+}
+
 }  // namespace
+
+Vector PieceMotion::velocity_at(Ratio ratio) const {
+    if (!is_polynomial_) return rational_at(ratio).velocity;
+    const std::size_t p = piece_.points.size() - 1;
+    LocalPoints<Vector> legs;
+    for (std::size_t i = 0; i < p; ++i) legs[i] = plane_part(piece_.points[i + 1]) - plane_part(piece_.points[i]);
+    const Vector sum = quick_sum(legs, p, ratio);
+    if (!is_finite(sum)) return polynomial_at(ratio).velocity;
+    return static_cast<double>(p) * (sum / piece_.points.front().z);
+}
 
 Motion PieceMotion::at(Ratio ratio) const {
     return is_polynomial_ ? polynomial_at(ratio) : rational_at(ratio);

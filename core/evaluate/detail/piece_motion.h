@@ -35,6 +35,9 @@ class PieceMotion {
     /// At the share `ratio.upper_share`, which says as well how near the end is: the smaller share counts.
     Motion at(Ratio ratio) const;
 
+    /// The velocity alone, within the rounding of that of at(). Cost O(p) where all weights are equal.
+    Vector velocity_at(Ratio ratio) const;
+
     /// Whether all weights are equal.
     bool is_polynomial() const { return is_polynomial_; }
 

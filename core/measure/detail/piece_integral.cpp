@@ -40,6 +40,10 @@ Motion motion_at(std::span<const PieceMotion> pieces, HalfPlace place) {
     return pieces[place.piece()].at(ratio_of(place));
 }
 
+Vector velocity_at(std::span<const PieceMotion> pieces, HalfPlace place) {
+    return pieces[place.piece()].velocity_at(ratio_of(place));
+}
+
 double parameter_at(std::span<const PieceMotion> pieces, HalfPlace place) {
     const Interval interval = pieces[place.piece()].interval();
     if (place.is_second()) return interval.clamp(interval.upper + place.offset * interval.length());

@@ -17,6 +17,7 @@ struct HalfPlace {
 };
 
 Motion motion_at(std::span<const PieceMotion> pieces, HalfPlace place);
+Vector velocity_at(std::span<const PieceMotion> pieces, HalfPlace place);
 
 /// The parameter there, as sharp as it can be as one number.
 double parameter_at(std::span<const PieceMotion> pieces, HalfPlace place);

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/curve/knot_kinds.h"
 #include "core/evaluate/evaluate.h"
+#include "core/refine/degree.h"
 #include "tests/core/golden.h"
 #include "tests/core/random_curves.h"
 
@@ -85,6 +87,27 @@ TEST(ArcLength, closed_forms) {
     const Curve line =
         Curve::make({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{1, 1}, {4, 5}}, .weights = {1, 1e6}}).value();
     EXPECT_NEAR(arc_length(line).value, 5.0, 1e-12);
+}
+
+// The parabola and, far from evenly run through, a line; as pieces of degree 25.
+TEST(ArcLength, closed_forms_at_the_highest_degree) {
+    const Curve high = elevate_degree(parabola(), max_degree - 2).value();
+    EXPECT_NEAR(arc_length(high).value, std::sqrt(17.0) + std::asinh(4.0) / 4.0, 1e-14);
+    const double half = std::sqrt(5.0) / 2.0 + std::asinh(2.0) / 4.0;
+    EXPECT_NEAR(arc_length(high, 0.0, 0.5).value, half, 1e-14);
+    EXPECT_NEAR(ArcLengthTable(high).parameter_at(half), 0.5, 1e-14);
+    std::vector<Point> points;
+    for (int i = 0; i <= max_degree; ++i) points.emplace_back(3.0 * std::pow(0.5, i), 4.0 * std::pow(0.5, i));
+    const Curve line =
+        Curve::make(make_knots(KnotKind::bezier, max_degree, points.size(), {0.0, 1.0}).value(), points, {}).value();
+    EXPECT_NEAR(arc_length(line).value, 5.0 * (1.0 - std::pow(0.5, max_degree)), 1e-14);
+    const CurveDefinition definition = high.definition();
+    for (const double size : {1e-300, 1e300}) {
+        CurveDefinition sized = definition;
+        for (Point& point : sized.points) point = tip_of(size * vector_to(point));
+        EXPECT_NEAR(arc_length(Curve::make(sized).value()).value / size, std::sqrt(17.0) + std::asinh(4.0) / 4.0, 1e-13)
+            << size;
+    }
 }
 
 TEST(ArcLength, cusp_away_from_the_middle) {
