@@ -25,10 +25,15 @@ std::vector<std::size_t> CurveStrips::changed_spans(const Curve& other) const {
     if (knots.data() != other.knots().values().data())
         for (std::size_t k = 0; k < knots.size(); ++k)
             if (knots[k] != other.knots()[k]) add_spans(spans, k < p ? 0 : k - p, k + p, *curve_);
-    for (std::size_t i = 0; i < n; ++i)
-        if (curve_->control_points()[i] != other.control_points()[i] || curve_->weights()[i] != other.weights()[i])
-            for (std::size_t j = i; j < span_end(); j += n) add_spans(spans, j, j + p, *curve_);
-    std::sort(spans.begin(), spans.end());
+    std::size_t done = 0;  // the spans of the last point that differs end here
+    for (std::size_t i = 0; i < n; ++i) {
+        if (curve_->control_points()[i] == other.control_points()[i] && curve_->weights()[i] == other.weights()[i])
+            continue;
+        add_spans(spans, std::max(i, done), i + p, *curve_);
+        done = i + p + 1;
+        for (std::size_t j = i + n; j < span_end(); j += n) add_spans(spans, j, j + p, *curve_);
+    }
+    if (!std::is_sorted(spans.begin(), spans.end())) std::sort(spans.begin(), spans.end());
     spans.erase(std::unique(spans.begin(), spans.end()), spans.end());
     return spans;
 }

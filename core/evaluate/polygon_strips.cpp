@@ -126,10 +126,11 @@ void PolygonStrips::follow_points(std::shared_ptr<const Curve> curve) {
     if (is_seam_moved && legs.back() != corner_count() - 2) legs.push_back(corner_count() - 2);
     const Box before = box_of(legs);
     curve_ = std::move(curve);
-    std::size_t stretch = stretch_legs_.size();
+    std::vector<std::size_t> stretches;
     for (const std::size_t leg : legs)
-        if (stretch != std::exchange(stretch, stretch_legs_.stretch_of(leg)))
-            tree_.replace(stretch, strip_of_stretch(stretch));
+        if (stretches.empty() || leg >= stretch_legs_[stretches.back()].end)
+            stretches.push_back(stretch_legs_.stretch_of(leg));
+    tree_.replace_all(std::move(stretches), [this](std::size_t stretch) { return strip_of_stretch(stretch); });
     change_ = {change_.number + 1, false, false, std::move(legs), before};
 }
 

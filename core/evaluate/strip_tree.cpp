@@ -116,6 +116,15 @@ void StripTree::join(std::size_t level, std::size_t i) {
     levels_[level][i] = 2 * i + 1 < parts.size() ? joined(parts[2 * i], parts[2 * i + 1]) : parts[2 * i];
 }
 
+// On each level every pair above what is new is joined once.
+void StripTree::join_above(std::vector<std::size_t> stretches) {
+    for (std::size_t level = 1; level < levels_.size(); ++level) {
+        for (std::size_t& i : stretches) i /= 2;
+        stretches.erase(std::unique(stretches.begin(), stretches.end()), stretches.end());
+        for (const std::size_t i : stretches) join(level, i);
+    }
+}
+
 void StripTree::replace(std::size_t i, const Strip& strip) {
     levels_.front()[i] = strip;
     for (std::size_t level = 1; level < levels_.size(); ++level) join(level, i >> level);

@@ -107,6 +107,14 @@ class StripTree {
     /// Puts another strip in the place of stretch `i`. Cost logarithmic.
     void replace(std::size_t i, const Strip& strip);
 
+    /// Puts `strip_of(i)` in the place of each of these stretches, ascending. Cost linear in how many there are, but at
+    /// most logarithmic for each.
+    template <class StripOf>
+    void replace_all(std::vector<std::size_t> stretches, StripOf strip_of) {
+        for (const std::size_t i : stretches) levels_.front()[i] = strip_of(i);
+        join_above(std::move(stretches));
+    }
+
     /// Goes down from the whole line: `enter(strip, first, last)` says whether to look closer at the strip of the
     /// stretches first..last; where it does at a single one, `open(first)` is called. In order of the line. Empty
     /// stretches are skipped.
@@ -151,6 +159,7 @@ class StripTree {
     }
 
     void join(std::size_t level, std::size_t i);
+    void join_above(std::vector<std::size_t> stretches);
 
     std::vector<std::vector<Strip>> levels_;
 };
