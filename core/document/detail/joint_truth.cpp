@@ -17,10 +17,10 @@ std::string because_of(const Meeting& meeting, int level) {
         return sentence("a mark of ends that meet; these are {gap} apart", {{"gap", shortest_text(meeting.gap)}});
     if (!meeting.angle) return R"("corner", since there is no direction on one side)";
     if (level == 0)
-        return sentence("\"corner\", since the tangent turns by {angle}° there",
+        return sentence(R"("corner", since the tangent turns by {angle}° there)",
                         {{"angle", shortest_text(std::abs(*meeting.angle) * 180.0 / std::numbers::pi)}});
     if (!meeting.before || !meeting.after) return R"("smooth" or "corner", since there is no curvature on one side)";
-    return sentence("\"smooth\" or \"corner\", since the curvature jumps there from {before} to {after}",
+    return sentence(R"("smooth" or "corner", since the curvature jumps there from {before} to {after})",
                     {{"before", shortest_text(*meeting.before)}, {"after", shortest_text(*meeting.after)}});
 }
 
