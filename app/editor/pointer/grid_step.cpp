@@ -10,6 +10,7 @@ namespace batten::editor {
 namespace {
 
 constexpr double least_major_px = 80.0;
+constexpr double least_inch_major = 1.0 / 128.0;
 
 // digit * 10^exponent, rounded once: dividing by a power of ten is exact where multiplying by its inverse is not.
 struct Step {
@@ -75,18 +76,22 @@ GridSteps decimal_grid_steps(double scale) {
 }
 
 GridSteps inch_grid_steps(double scale) {
-    if (scale < least_major_px) return decimal_grid_steps(scale);
+    if (scale < least_major_px || scale * least_inch_major >= 2.0 * least_major_px) return decimal_grid_steps(scale);
     double major = 1.0;
     while (0.5 * major * scale >= least_major_px) major *= 0.5;
     return {major, major / 4.0, major / 8.0};
 }
 
-GridSteps canvas_grid_steps(const EditorState& state) {
+GridSteps unit_grid_steps(const EditorState& state) {
     const Units& units = state.shown().units;
-    const double world = world_per_length(units);
-    const double scale = world * state.view.camera.scale / state.view.interface_scale;
+    const double scale = world_per_length(units) * state.view.camera.scale / state.view.interface_scale;
     const bool has_inches = units && units->unit == core::LengthUnit::inch;
-    const GridSteps steps = has_inches ? inch_grid_steps(scale) : decimal_grid_steps(scale);
+    return has_inches ? inch_grid_steps(scale) : decimal_grid_steps(scale);
+}
+
+GridSteps canvas_grid_steps(const EditorState& state) {
+    const double world = world_per_length(state.shown().units);
+    const GridSteps steps = unit_grid_steps(state);
     return {steps.major * world, steps.minor * world, steps.fine * world};
 }
 

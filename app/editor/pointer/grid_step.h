@@ -25,11 +25,14 @@ struct GridSteps {
 /// The steps as above, the fine one a half or a fifth of the minor.
 GridSteps decimal_grid_steps(double scale);
 
-/// The same with powers of a half below 1, as inches are divided: minor lines are a quarter of the major, fine ticks an
-/// eighth.
+/// The same with powers of a half from 1 down to a 128th, as inches are divided: minor lines are a quarter of the
+/// major, fine ticks an eighth.
 GridSteps inch_grid_steps(double scale);
 
-/// Those of the canvas in world units: round numbers in the document's unit, binary fractions of inches.
+/// Those of the canvas in the document's unit: round numbers, and binary fractions of inches.
+GridSteps unit_grid_steps(const EditorState& state);
+
+/// The same in world units.
 GridSteps canvas_grid_steps(const EditorState& state);
 
 }  // namespace batten::editor

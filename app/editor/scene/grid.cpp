@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "app/editor/pointer/grid_step.h"
+#include "app/editor/scene/grid_number.h"
 #include "app/editor/scene/multiples.h"
 #include "app/editor/scene/text_size.h"
-#include "app/editor/words/formula.h"
+#include "app/editor/words/length.h"
 
 namespace batten::editor {
 
@@ -51,17 +52,19 @@ class NumberRow {
 
     void draw() {
         const core::Box seen = frame_.seen(0.0);
-        const double major = canvas_grid_steps(frame_.state).major;
-        const double lower = coordinate(seen.lower, axis_);
-        const double upper = coordinate(seen.upper, axis_);
+        const double major = unit_grid_steps(frame_.state).major;
+        const double lower = in_units(units(), coordinate(seen.lower, axis_));
+        const double upper = in_units(units(), coordinate(seen.upper, axis_));
         const double room = std::max(size_of(multiples(lower, upper, major))[axis_], frame_.pen.px(number_size));
-        const double stride =
-            round_number_from((room + frame_.pen.px(number_gap)) / (major * frame_.state.view.camera.scale));
+        const double px_per_unit = frame_.state.view.camera.scale * world_per_length(units());
+        const double stride = round_number_from((room + frame_.pen.px(number_gap)) / (major * px_per_unit));
         const Multiples shown = multiples(lower, upper, stride * major);
         for (int k = 0; k < shown.count; ++k) draw_number(shown.value(k), shown.step);
     }
 
   private:
+    const Units& units() const { return frame_.state.shown().units; }
+
     glm::dvec2 text_px(const std::string& text) const {
         return text_size(text, frame_.pen.px(number_size), render::LabelFont::number);
     }
@@ -69,18 +72,18 @@ class NumberRow {
     glm::dvec2 size_of(const Multiples& lines) const {
         glm::dvec2 most{};
         for (int k = 0; k < lines.count; ++k) {
-            const glm::dvec2 size = text_px(grid_number_text(lines.value(k), lines.step));
+            const glm::dvec2 size = text_px(grid_number_text(lines.value(k), lines.step, units()));
             most = {std::max(most.x, size.x), std::max(most.y, size.y)};
         }
         return most;
     }
 
     void draw_number(double value, double step) {
-        const std::string text = grid_number_text(value, step);
+        const std::string text = grid_number_text(value, step, units());
         const glm::dvec2 size = text_px(text);
         const glm::dvec2 picture = frame_.pen.size_px();
         const double edge = frame_.pen.px(number_edge_distance);
-        glm::dvec2 lower = frame_.screen(point_on_axis(axis_, value)) - 0.5 * size;
+        glm::dvec2 lower = frame_.screen(point_on_axis(axis_, value * world_per_length(units()))) - 0.5 * size;
         if (axis_ == 0)
             lower.y = picture.y - edge - 0.75 * size.y;
         else
@@ -117,14 +120,6 @@ std::vector<render::PixelBox> draw_grid_numbers(CanvasFrame& frame, const std::o
     if (frame.shows(Overlay::rulers)) return written;  // which have them
     for (int axis = 0; axis < 2; ++axis) NumberRow(frame, axis, covered, written).draw();
     return written;
-}
-
-std::string grid_number_text(double value, double step) {
-    if (value == 0.0) return "0";
-    // A hair more, so that 1000 counts four digits although its logarithm may come out just below 3.
-    const double value_decade = std::floor(std::log10(std::abs(value)) + 1e-9);
-    const double step_decade = std::floor(std::log10(step) + 1e-9);
-    return number_text(value, static_cast<int>(std::clamp(value_decade - step_decade + 1.0, 1.0, 17.0)));
 }
 
 }  // namespace batten::editor

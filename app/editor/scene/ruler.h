@@ -19,11 +19,10 @@ struct RulerTick {
 };
 
 /// The ticks that are seen, of the canvas's grid and between its lines: 1, 2 or 5 times powers of ten of the document's
-/// unit, binary fractions of inches. No two labels touch. No more than two for three design pixels.
+/// unit, binary fractions of inches. Labels are whole and do not touch; where the ruler is 300 design pixels long or
+/// more and its numbers have up to six digits, there are at least three. No more than two ticks for three design
+/// pixels.
 std::vector<RulerTick> ruler_ticks(const EditorState& state, RulerAxis axis);
-
-/// "1.5", "−20"; inches as "2 3/4". `value` is a multiple of `step` (> 0), in the document's unit.
-std::string ruler_number(double value, double step, const Units& units);
 
 /// What stands where the rulers meet: "mm", "in", "px", or nothing.
 std::string ruler_corner(const EditorState& state);

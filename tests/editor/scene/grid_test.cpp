@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "app/editor/scene/grid_number.h"
 #include "app/editor/scene/text_size.h"
 #include "tests/editor/scene_sample.h"
 
@@ -43,6 +45,20 @@ TEST(Grid, numbers_have_the_digits_of_the_step) {
     EXPECT_EQ(grid_number_text(3.0000000001, 1e-10), "3.0000000001");
     EXPECT_EQ(grid_number_text(2e-9, 1e-9), "2e−9");
     EXPECT_EQ(grid_number_text(-0.5, 0.1), "−0.5");
+}
+
+TEST(Grid, numbers_count_in_the_unit_of_the_document) {
+    // A tenth of the world is a millimeter: at 1000 px a unit of the world a millimeter is 100 px, and x = 0.3 is 3 mm.
+    EditorState state = state_at(1000.0, {0.3, 0.0});
+    core::Document document = state.history.present();
+    document.units = core::DocumentUnits{.unit = core::LengthUnit::mm, .scale = 0.1};
+    state.history = History(document);
+    const Grid grid = grid_of(state);
+    const auto found = std::find(grid.texts.begin(), grid.texts.end(), "3");
+    ASSERT_NE(found, grid.texts.end());
+    const render::PixelBox box = grid.numbers[static_cast<std::size_t>(found - grid.texts.begin())];
+    EXPECT_NEAR(0.5 * (box.lower_px.x + box.upper_px.x), 524.0, 1e-9);
+    EXPECT_EQ(std::find(grid.texts.begin(), grid.texts.end(), "0.3"), grid.texts.end());
 }
 
 TEST(Grid, lines_are_where_the_multiples_are) {
