@@ -37,6 +37,7 @@ struct Readout {
     std::size_t columns;
     std::string unit = {};
     std::string widget = {};  ///< what it is reported as where it has no name
+    bool is_kept = false;     ///< whatever else finds no room
 };
 
 std::size_t letter_count(const std::string& text) {
@@ -77,8 +78,8 @@ void add_position(const PanelContext& context, std::vector<Readout>& readouts) {
         x = coordinate_text(editor::in_units(units, world.x), decimals);
         y = coordinate_text(editor::in_units(units, world.y), decimals);
     }
-    readouts.push_back({"x", x, columns, editor::unit_ending(units)});
-    readouts.push_back({"y", y, columns, editor::unit_ending(units)});
+    readouts.push_back({"x", x, columns, editor::unit_ending(units), {}, true});
+    readouts.push_back({"y", y, columns, editor::unit_ending(units), {}, true});
 }
 
 std::string curvature_text(const editor::EditorState& state) {
@@ -105,14 +106,15 @@ std::string recording_text(const editor::LessonRecording& recording) {
                           recording.lesson.steps.size());
 }
 
-/// From left to right; where the window is narrow the left ones are given up first.
+/// From left to right; where the window is narrow those that are not kept are given up, the left ones first.
 std::vector<Readout> readouts_of(const PanelContext& context, double frames_per_second) {
     std::vector<Readout> readouts{frame_rate(context, frames_per_second), {"κ", curvature_text(context.state), 9}};
     add_position(context, readouts);
     const double zoom = 100.0 * context.state.view.camera.scale / (full_zoom * context.scale);
     readouts.push_back({"zoom", zoom_text(zoom), 5, " %"});
-    // Never given up: what runs unseen is forgotten.
-    if (context.state.recording) readouts.push_back({"", recording_text(*context.state.recording), 0, "", "recording"});
+    // What runs unseen is forgotten.
+    if (context.state.recording)
+        readouts.push_back({"", recording_text(*context.state.recording), 0, "", "recording", true});
     return readouts;
 }
 
@@ -168,21 +170,29 @@ StatusTexts arranged(const PanelContext& context, ImFont* font, const std::strin
     StatusTexts texts{font, {}, {}};
     const float most_px = hint.empty() ? room_px : share * room_px;
     texts.message = broken_into_lines(message, font, most_px, most_hint_lines);
-    texts.hint = broken_into_lines(hint, font, room_px - texts.message.width_px - context.px(gap), most_hint_lines);
+    const float rest_px = room_px - texts.message.width_px - context.px(gap);
+    texts.hint = broken_into_lines(hint, font, rest_px, most_hint_lines);
+    if (texts.hint.width_px > rest_px) texts.hint = {.lines = {}, .is_whole = false};
     return texts;
 }
 
-/// Gives up readouts from the left until hint and message are whole, then the size of the letters.
+/// Gives up readouts until hint and message are whole, then the size of the letters, then the end of the hint.
 StatusTexts arranged(const PanelContext& context, const std::string& hint, const std::string& message,
                      std::vector<Readout>& readouts, float room_px) {
     for (;;) {
-        const float room = room_px - readouts_width(context, readouts);
+        const float room = std::max(room_px - readouts_width(context, readouts), 0.0F);
         for (const float share : {0.5F, 0.35F}) {
             StatusTexts texts = arranged(context, context.fonts.text, hint, message, room, share);
             if (texts.are_whole()) return texts;
         }
-        if (readouts.size() <= 1) return arranged(context, context.fonts.small, hint, message, room, 0.3F);
-        readouts.erase(readouts.begin());
+        const auto next =
+            std::find_if(readouts.begin(), readouts.end(), [](const Readout& readout) { return !readout.is_kept; });
+        if (next != readouts.end()) {
+            readouts.erase(next);
+            continue;
+        }
+        StatusTexts texts = arranged(context, context.fonts.small, hint, message, room, 0.3F);
+        return texts.message.is_whole ? texts : arranged(context, context.fonts.small, hint, message, room, 0.6F);
     }
 }
 

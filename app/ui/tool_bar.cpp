@@ -16,6 +16,7 @@
 #include "app/ui/shell_widgets.h"
 #include "app/ui/style.h"
 #include "app/ui/tool_icon.h"
+#include "core/base/sentence.h"
 
 namespace batten::ui {
 
@@ -60,11 +61,11 @@ render::Color icon_color(const PanelContext& context, const ToolButton& button, 
     return ImGui::IsItemHovered() ? context.theme.text : context.theme.dim;
 }
 
-void draw_back(const PanelContext& context, const ToolButton& button, const Rectangle& place) {
-    if (!button.is_active && !ImGui::IsItemHovered()) return;
+void draw_back(const PanelContext& context, bool is_active, const Rectangle& place) {
+    if (!is_active && !ImGui::IsItemHovered()) return;
     const glm::vec2 low(place.origin_px);
     const glm::vec2 high(place.origin_px + place.size_px);
-    const render::Color color = render::faded(context.theme.accent, button.is_active ? 0.24 : 0.10);
+    const render::Color color = render::faded(context.theme.accent, is_active ? 0.24 : 0.10);
     ImGui::GetWindowDrawList()->AddRectFilled({low.x, low.y}, {high.x, high.y}, imgui_packed(color), context.px(8));
 }
 
@@ -87,7 +88,7 @@ void draw_tool_button(const PanelContext& context, const ToolButton& button) {
     report_item(context, button.place_name, button.is_active ? "active" : "");
     if (ImGui::IsItemHovered()) draw_side_tooltip(context, command_tooltip(button.spec, context.state));
     const Rectangle place = last_item_place();
-    draw_back(context, button, place);
+    draw_back(context, button.is_active, place);
     const glm::vec2 center(place.origin_px + 0.5 * place.size_px);
     draw_icon(ImGui::GetWindowDrawList(), button.spec, {center.x, center.y, context.px(18)},
               icon_color(context, button, is_enabled));
@@ -128,9 +129,17 @@ void draw_rest(const PanelContext& context, const std::vector<ToolButton>& rest)
     ImGui::SetCursorPosX(0.5F * (ImGui::GetWindowWidth() - context.px(button_size)));
     if (ImGui::InvisibleButton("##rest", ImVec2(context.px(button_size), context.px(button_size))))
         ImGui::OpenPopup("rest of the tools");
-    report_item(context, "tool-bar more");
-    if (ImGui::IsItemHovered()) draw_side_tooltip(context, "More tools");
-    const render::Color color = ImGui::IsItemHovered() ? context.theme.text : context.theme.dim;
+    const auto taken = std::ranges::find_if(rest, &ToolButton::is_active);
+    const bool has_taken = taken != rest.end();
+    report_item(context, "tool-bar more", has_taken ? "active" : "");
+    if (ImGui::IsItemHovered())
+        draw_side_tooltip(context, has_taken
+                                       ? core::sentence("More tools; taken is '{tool}'", {{"tool", taken->spec.title}})
+                                       : std::string("More tools"));
+    draw_back(context, has_taken, last_item_place());
+    const render::Color color = has_taken                ? context.theme.accent
+                                : ImGui::IsItemHovered() ? context.theme.text
+                                                         : context.theme.dim;
     const glm::dvec2 center = last_item_place().origin_px + 0.5 * last_item_place().size_px;
     for (const double offset : {-6.0, 0.0, 6.0})
         ImGui::GetWindowDrawList()->AddCircleFilled(
