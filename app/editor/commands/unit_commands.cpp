@@ -6,6 +6,7 @@
 #include "app/editor/words/length.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
+#include "core/document/unit_scale.h"
 
 namespace batten::editor {
 
@@ -56,9 +57,10 @@ const CommandSpec& SetUnits::spec() {
         .synonyms = "mm inch px millimeters dimension rulers scale",
         .group = CommandGroup::file,
         .fields = {field::choice<&SetUnits::unit>("unit", "what lengths are measured in").beginning_with<unit_now>(),
-                   field::number<&SetUnits::scale>("scale", "how much of the coordinates is one unit, above 0")
+                   field::number<&SetUnits::scale>("scale", "how much of the coordinates is one unit")
                        .suggesting<scale_now>()
-                       .above(0.0)},
+                       .at_least(core::allowed_unit_scales.lower)
+                       .at_most(core::allowed_unit_scales.upper)},
         .run = body_of<set_units>,
         .texts = texts_of<texts_of_units>};
     return spec;

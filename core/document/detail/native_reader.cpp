@@ -13,6 +13,7 @@
 #include "core/document/detail/json_text.h"
 #include "core/document/detail/native_format.h"
 #include "core/document/detail/object_reader.h"
+#include "core/document/unit_scale.h"
 
 namespace batten::core {
 
@@ -292,7 +293,7 @@ void read_units(ObjectReader& document_reader, std::optional<DocumentUnits>& uni
     DocumentUnits found;
     reader.required("unit", found.unit);
     reader.optional("scale", found.scale);
-    check_number(reader, "scale", found.scale, found.scale > 0.0, "a number above 0");
+    check_number(reader, "scale", found.scale, allowed_unit_scales.contains(found.scale), "a number from 1e-9 to 1e9");
     found.unknown_members = reader.unknown_members();
     if (reader.error()) return document_reader.note(reader.error());
     units = std::move(found);

@@ -449,7 +449,13 @@ TEST(NativeFormat, units_come_back_and_are_checked) {
     expect_error(with_units("3"), "/units", "an object");
     expect_error(with_units("{}"), "/units", "\"unit\" is missing");
     expect_error(with_units(R"({"unit": "cm"})"), "/units/unit", "inch");
-    expect_error(with_units(R"({"unit": "mm", "scale": 0})"), "/units/scale", "a number above 0");
+    expect_error(with_units(R"({"unit": "mm", "scale": 0})"), "/units/scale", "a number from 1e-9 to 1e9");
+    expect_error(with_units(R"({"unit": "mm", "scale": 1e-320})"), "/units/scale", "a number from 1e-9 to 1e9");
+    expect_error(with_units(R"({"unit": "mm", "scale": 0.99e-9})"), "/units/scale", "a number from 1e-9 to 1e9");
+    expect_error(with_units(R"({"unit": "mm", "scale": 1.01e9})"), "/units/scale", "a number from 1e-9 to 1e9");
+    for (const char* scale : {"1e-9", "1e9"})
+        EXPECT_EQ(parse_document(with_units(R"({"unit": "mm", "scale": )" + std::string(scale) + "}")).value().units,
+                  (DocumentUnits{.unit = LengthUnit::mm, .scale = std::stod(scale)}));
     expect_error(with_units(R"({"unit": "mm", "scale": -1})"), "/units/scale", "found -1");
     expect_error(with_units(R"({"unit": "mm", "scale": "1"})"), "/units/scale", "a number");
 }

@@ -38,6 +38,16 @@ TEST_F(UnitCommands, choose_the_unit_of_lengths) {
     EXPECT_EQ(document().units, (core::DocumentUnits{.unit = LengthUnit::mm}));
 }
 
+TEST_F(UnitCommands, refuse_a_scale_that_leaves_lengths_no_numbers) {
+    for (const char* scale : {"1e-320", "0.99e-9", "1.01e9", "1e300"}) {
+        EXPECT_FALSE(type(std::string("set-units mm ") + scale)) << scale;
+        EXPECT_NE(said().find("it must be from 1e-09 to 1e+09"), std::string::npos) << said();
+        EXPECT_EQ(document().units, std::nullopt);
+    }
+    EXPECT_TRUE(type("set-units mm 1e-9"));
+    EXPECT_TRUE(type("set-units mm 1e9"));
+}
+
 TEST_F(UnitCommands, lengths_are_typed_in_the_unit_and_logged_in_coordinates) {
     ASSERT_TRUE(type("set-units inch 96"));
     ASSERT_TRUE(type("set-length 1"));
