@@ -59,7 +59,8 @@ Outcome<Edit> match_end(const EditorState& state, const Match& command) {
     Outcome<Edit> edit = edit_active(state, matched->curve);
     if (!edit) return edit;
     if (matched->changed.length() > 0.0) edit->error = matched->error;
-    edit->remark = match_report(active.name, *matched, active.curve->degree(), command.continuity);
+    edit->remark =
+        match_report(active.name, *matched, active.curve->degree(), command.continuity, state.history.present().units);
     return edit;
 }
 

@@ -113,11 +113,12 @@ std::string number_of(const std::optional<double>& value) {
     return core::shortest_text(value.value_or(0.0));
 }
 
-std::string sentence_of_meeting(const MeetingPatterns& patterns, const core::Meeting& meeting) {
-    return core::filled_as_needed(pattern_of(patterns, meeting), {{"gap", core::shortest_text(meeting.gap)},
-                                                                  {"angle", degrees_text(meeting.angle.value_or(0.0))},
-                                                                  {"before", number_of(meeting.before)},
-                                                                  {"after", number_of(meeting.after)}});
+std::string sentence_of_meeting(const MeetingPatterns& patterns, const core::Meeting& meeting, const Units& units) {
+    return core::filled_as_needed(pattern_of(patterns, meeting),
+                                  {{"gap", with_unit(units, core::shortest_text(meeting.gap))},
+                                   {"angle", degrees_text(meeting.angle.value_or(0.0))},
+                                   {"before", number_of(meeting.before)},
+                                   {"after", number_of(meeting.after)}});
 }
 
 std::string change_sentence(const JointChange& joint) {
@@ -138,14 +139,16 @@ struct ChangedJoint {
     std::span<const core::SmoothnessLoss> lost;
     int old_degree;
     bool is_third_order;  // the change of curvature was asked for
+    const Units& units;
 };
 
 void tell(std::vector<std::string>& sentences, const ChangedJoint& joint) {
     const core::Box box = core::tight_box(joint.curve);
-    const JointChange change{without_noise(joint.change.before, box), without_noise(joint.change.after, box)};
-    sentences.push_back(sentence_of_meeting(as_it_was, change.before));
+    const JointChange change{in_units(joint.units, without_noise(joint.change.before, box)),
+                             in_units(joint.units, without_noise(joint.change.after, box))};
+    sentences.push_back(sentence_of_meeting(as_it_was, change.before, joint.units));
     if (joint.changed.length() > 0.0) {
-        sentences.push_back(sentence_of_meeting(as_it_is, change.after));
+        sentences.push_back(sentence_of_meeting(as_it_is, change.after, joint.units));
         if (joint.is_third_order) sentences.push_back(change_sentence(change));
         sentences.push_back(
             sentence("'{name}' changed from u = {from} to {to}", {{"name", joint.name},
@@ -211,18 +214,28 @@ core::Meeting without_noise(core::Meeting meeting, const core::Box& box) {
     return meeting;
 }
 
-std::string join_report(const std::string& name, const core::JoinedCurve& joined, int degree) {
+core::Meeting in_units(const Units& units, core::Meeting meeting) {
+    const double unit = world_per_length(units);
+    meeting.gap /= unit;
+    for (std::optional<double>* value : {&meeting.before, &meeting.after})
+        if (*value) **value *= unit;
+    for (std::optional<double>* value : {&meeting.change_before, &meeting.change_after})
+        if (*value) **value *= unit * unit;
+    return meeting;
+}
+
+std::string join_report(const std::string& name, const core::JoinedCurve& joined, int degree, const Units& units) {
     std::vector<std::string> sentences;
     if (const auto placed = placing(name, joined.ends)) sentences.push_back(*placed);
-    tell(sentences, {name, joined.curve, change_of(joined), joined.changed, joined.lost, degree, false});
+    tell(sentences, {name, joined.curve, change_of(joined), joined.changed, joined.lost, degree, false, units});
     return *told_in_turn(sentences);
 }
 
 std::string match_report(const std::string& name, const core::MatchedCurve& matched, int degree,
-                         core::GeometricContinuity continuity) {
+                         core::GeometricContinuity continuity, const Units& units) {
     std::vector<std::string> sentences;
     tell(sentences, {name, matched.curve, change_of(matched), matched.changed, matched.lost, degree,
-                     continuity == core::GeometricContinuity::g3});
+                     continuity == core::GeometricContinuity::g3, units});
     return *told_in_turn(sentences);
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "app/editor/words/length.h"
 #include "core/curve/control_box.h"
 #include "core/measure/meeting.h"
 #include "core/measure/smoothness.h"
@@ -31,14 +32,17 @@ JointChange change_of(const core::MatchedCurve& matched);
 /// alike.
 core::Meeting without_noise(core::Meeting meeting, const core::Box& box);
 
+/// The meeting with its gap in the document's unit, and curvatures and their changes in its inverse and the square.
+core::Meeting in_units(const Units& units, core::Meeting meeting);
+
 /// What a join did: which way the other curve, called `name`, was turned and where it stands, what the joint was and
 /// is, how far the curve changed, and the degree where it is no longer `degree`.
-std::string join_report(const std::string& name, const core::JoinedCurve& joined, int degree);
+std::string join_report(const std::string& name, const core::JoinedCurve& joined, int degree, const Units& units);
 
 /// What matching an end of the curve called `name` did: what the joint was and is, how far the curve changed, and the
 /// degree where it is no longer `degree`.
 std::string match_report(const std::string& name, const core::MatchedCurve& matched, int degree,
-                         core::GeometricContinuity continuity);
+                         core::GeometricContinuity continuity, const Units& units);
 
 /// "G²", or "gap".
 std::string level_text(int level);

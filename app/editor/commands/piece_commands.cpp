@@ -53,7 +53,7 @@ Outcome<Edit> join(const EditorState& state, const Join& command) {
     if (!joined) return tl::unexpected(refusal_of_ends(active, second, joined.error()));
     Edit edit = with_one_for_several(state, joined->curve, {*other});
     if (joined->changed.length() > 0.0) edit.error = joined->error;
-    edit.remark = join_report(second.name, *joined, active.curve->degree());
+    edit.remark = join_report(second.name, *joined, active.curve->degree(), state.history.present().units);
     return edit;
 }
 

@@ -7,6 +7,7 @@
 #include "app/editor/commands/joint_report.h"
 #include "app/editor/pointer/joint_command.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/length.h"
 #include "core/base/sentence.h"
 #include "core/refine/blend.h"
 #include "core/refine/match.h"
@@ -23,13 +24,13 @@ std::string jump_row(const char* pattern, const std::optional<double>& before, c
 }
 
 // Both sides, then what the meeting is called.
-std::vector<std::string> rows_of(const core::Meeting& found, const core::Box& box) {
+std::vector<std::string> rows_of(const core::Meeting& found, const core::Box& box, const Units& units) {
     constexpr double degrees = 180.0 / std::numbers::pi;
     const int level = core::smoothness_of(found, core::robust_length(box.size()));
-    const core::Meeting meeting = without_noise(found, box);
+    const core::Meeting meeting = in_units(units, without_noise(found, box));
     return {core::filled_as_needed(level < 0 ? "gap {gap}, turn {angle}°" : "{level}: gap {gap}, turn {angle}°",
                                    {{"level", level_text(level)},
-                                    {"gap", number_text(meeting.gap)},
+                                    {"gap", with_unit(units, number_text(meeting.gap))},
                                     {"angle", number_text(degrees * meeting.angle.value_or(0.0))}}),
             jump_row("curvature {before} and {after}", meeting.before, meeting.after),
             jump_row("its change {before} and {after}", meeting.change_before, meeting.change_after)};
@@ -111,9 +112,11 @@ std::vector<std::string> joint_reading(const EditorState& state, const PickingJo
     if (mode.drag || !takes_ends(state.view.joint.operation) || !joint_command(state, mode)) return {};
     const PickedEnds picked = ends_of(state, mode);
     const core::Box box = box_of_both(state, mode);
-    std::vector<std::string> rows = rows_of(core::meeting_of(picked.from, picked.to), box);
+    const Units& units = state.shown().units;
+    std::vector<std::string> rows = rows_of(core::meeting_of(picked.from, picked.to), box, units);
     for (const core::Meeting& meeting : meetings_after(state.view.joint, picked))
-        for (const std::string& row : rows_of(meeting, box)) rows.push_back(sentence("then {row}", {{"row", row}}));
+        for (const std::string& row : rows_of(meeting, box, units))
+            rows.push_back(sentence("then {row}", {{"row", row}}));
     return rows;
 }
 

@@ -10,6 +10,7 @@ namespace batten::editor {
 namespace {
 
 constexpr double pick_radius = 7.0;
+constexpr double most_reading_share = 0.5;  // of the picture's height
 
 void draw_pick(CanvasFrame& frame, const PickedCurvePlace& place, bool is_taken) {
     frame.pen.symbol(frame.screen(place.point), {.radius = pick_radius,
@@ -26,6 +27,16 @@ void draw_part(CanvasFrame& frame, const core::Curve& curve, core::Interval rang
     draw_line(frame, seen_curve(frame, kept, stroke), stroke);
 }
 
+/// What jumps; in a low picture only the first row of each meeting, so that the ends can be seen beside them.
+std::vector<ReadingRow> rows_of_joint(const CanvasFrame& frame, const PickingJoint& mode) {
+    const std::vector<std::string> reading = joint_reading(frame.state, mode);
+    const double most_px = most_reading_share * frame.pen.size_px().y;
+    const std::size_t step = reading_height_px(frame.pen, reading.size()) <= most_px ? 1 : rows_of_meeting;
+    std::vector<ReadingRow> rows;
+    for (std::size_t k = 0; k < reading.size(); k += step) rows.push_back({reading[k], frame.theme.text});
+    return rows;
+}
+
 }  // namespace
 
 void draw_picked_joint(CanvasFrame& frame, const PickingJoint& mode) {
@@ -35,8 +46,7 @@ void draw_picked_joint(CanvasFrame& frame, const PickingJoint& mode) {
     if (mode.first) draw_pick(frame, *mode.first, true);
     if (!mode.hovered || mode.drag) return;
     draw_pick(frame, *mode.hovered, false);
-    std::vector<ReadingRow> rows;
-    for (const std::string& row : joint_reading(frame.state, mode)) rows.push_back({row, frame.theme.text});
+    const std::vector<ReadingRow> rows = rows_of_joint(frame, mode);
     if (!rows.empty()) draw_reading(frame, frame.screen(mode.hovered->point), rows);
 }
 

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/editor/scene/text_size.h"
 #include "render/clip.h"
 
 namespace batten::editor {
@@ -29,6 +30,16 @@ float narrowed(double value) {
 /// A fraction of the way from a to b, computed from the nearer end, so that it is exact near both.
 glm::dvec2 between(glm::dvec2 a, glm::dvec2 b, double t) {
     return t <= 0.5 ? a + t * (b - a) : b - (1.0 - t) * (b - a);
+}
+
+/// About where a text stands, as its anchor says.
+render::PixelBox box_of(const render::Label& label) {
+    const glm::dvec2 size = text_size(label.text, label.size_px, label.font);
+    const double before = label.anchor == render::Anchor::left     ? 0.0
+                          : label.anchor == render::Anchor::center ? 0.5
+                                                                   : 1.0;
+    const glm::dvec2 lower(label.position.x - before * size.x, label.position.y - 0.5 * size.y);
+    return {lower, lower + size};
 }
 
 /// The pieces of a line that lie in `reach`, each as one command like `style`.
@@ -156,6 +167,13 @@ void Pen::text(glm::dvec2 position, const std::string& text, const TextStyle& st
                             .size_px = narrowed(px(style.size)),
                             .anchor = style.anchor,
                             .font = style.font});
+}
+
+void Pen::clear_texts(const render::PixelBox& box) {
+    std::erase_if(list_.commands, [&](const render::DrawCommand& command) {
+        const auto* label = std::get_if<render::Label>(&command);
+        return label != nullptr && box_of(*label).overlaps(box);
+    });
 }
 
 std::vector<glm::dvec2> rounded_rectangle(const render::PixelBox& box, double radius_px) {

@@ -69,6 +69,10 @@ class Pen {
     void symbol(glm::dvec2 center, const Symbol& symbol);
     void text(glm::dvec2 position, const std::string& text, const TextStyle& style);
 
+    /// Takes out the texts in the list that reach into `box`, for what lies over them there: texts are painted over all
+    /// else.
+    void clear_texts(const render::PixelBox& box);
+
   private:
     render::DrawList& list_;
     glm::dvec2 size_px_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "app/editor/scene/panel_box.h"
 #include "app/editor/scene/text_size.h"
 
 namespace batten::editor {
@@ -14,7 +15,6 @@ constexpr double reading_distance = 16.0;  // from the place
 constexpr double reading_row_height = 20.0;
 constexpr double reading_padding = 6.0;
 constexpr double width_is_at_most = 1.1;  // times what text_size says
-constexpr double reading_opacity = 0.94;
 
 render::PixelBox box_beside(const CanvasFrame& frame, glm::dvec2 place, glm::dvec2 size) {
     const double distance = frame.pen.px(reading_distance);
@@ -28,14 +28,19 @@ render::PixelBox box_beside(const CanvasFrame& frame, glm::dvec2 place, glm::dve
 
 }  // namespace
 
+double reading_height_px(const Pen& pen, std::size_t row_count) {
+    return pen.px(static_cast<double>(row_count) * reading_row_height + reading_padding);
+}
+
 void draw_reading(CanvasFrame& frame, glm::dvec2 place, std::span<const ReadingRow> rows) {
     const double padding = frame.pen.px(reading_padding);
     double width = 0.0;
     for (const ReadingRow& row : rows)
         width = std::max(width, width_is_at_most * text_size(row.text, frame.pen.px(reading_size)).x);
-    const double height = static_cast<double>(rows.size()) * frame.pen.px(reading_row_height);
-    const render::PixelBox box = box_beside(frame, place, {width + 2.0 * padding, height + padding});
-    frame.pen.fill(rounded_rectangle(box, padding), render::faded(frame.theme.panel, reading_opacity));
+    const render::PixelBox box =
+        box_beside(frame, place, {width + 2.0 * padding, reading_height_px(frame.pen, rows.size())});
+    frame.pen.clear_texts(box);
+    draw_panel_box(frame.pen, frame.theme, box);
     double y = box.lower_px.y + 0.5 * (padding + frame.pen.px(reading_row_height));
     for (const ReadingRow& row : rows) {
         frame.pen.text({box.lower_px.x + padding, y}, row.text, {.color = row.color, .size = reading_size});

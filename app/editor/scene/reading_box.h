@@ -13,7 +13,10 @@ struct ReadingRow {
     render::Color color;
 };
 
-/// Below and to the right of `place`, where there is room, else on the other side.
+/// How high a reading of so many rows is.
+double reading_height_px(const Pen& pen, std::size_t row_count);
+
+/// Below and to the right of `place`, where there is room, else on the other side. It hides what lies beneath.
 void draw_reading(CanvasFrame& frame, glm::dvec2 place, std::span<const ReadingRow> rows);
 
 }  // namespace batten::editor

@@ -70,5 +70,22 @@ TEST(Pen, fill_larger_than_the_picture_is_cut) {
     EXPECT_EQ(test::faults_of(list, size, 64.5), std::vector<std::string>{});
 }
 
+TEST(Pen, clears_the_texts_that_reach_into_a_box_and_nothing_else) {
+    render::DrawList list;
+    Pen pen(list, size, 1.0);
+    pen.segment({0, 0}, {100, 100}, dashed);
+    // Ten letters of 10 pixels are some 50 wide: to the right of 100, to the left of it, and on both sides.
+    const std::string text = "ten letter";
+    for (const auto anchor : {render::Anchor::left, render::Anchor::right, render::Anchor::center})
+        pen.text({100, 50}, text, {.color = dashed.color, .size = 10.0, .anchor = anchor});
+    pen.text({100, 80}, text, {.color = dashed.color, .size = 10.0});
+    pen.clear_texts({{110, 40}, {140, 60}});
+    const auto left = test::all_of<render::Label>(list);
+    ASSERT_EQ(left.size(), 2U);
+    EXPECT_EQ(left[0].anchor, render::Anchor::right);
+    EXPECT_EQ(left[1].position, render::Pixel(100, 80));
+    EXPECT_EQ(test::all_of<render::Polyline>(list).size(), 1U);
+}
+
 }  // namespace
 }  // namespace batten::editor
