@@ -129,12 +129,12 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, 
     }
     if (frame.shows(Overlay::directions)) draw_directions(frame);
     draw_finding_marks(frame);
+    if (has_legend(state)) draw_legend(frame);
     draw_transform_box(frame, mode);
     draw_gesture_marks(frame, mode);
     draw_axis_pick(frame);
     draw_picture_gauge(frame);
     if (frame.curve != nullptr) draw_insets(frame);
-    if (has_legend(state)) draw_legend(frame);
     draw_crowd_notes(frame, notes);
     draw_place(frame);
     return list;

@@ -4,6 +4,8 @@
 #include <string>
 
 #include "app/editor/pointer/canvas_cover.h"
+#include "app/editor/pointer/handlebar.h"
+#include "app/editor/pointer/transform_box.h"
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/panel_box.h"
 #include "app/editor/scene/text_size.h"
@@ -23,6 +25,8 @@ constexpr double disc_to_text = 10.0;
 constexpr double least_picture_height = 160.0;  // in a lower one the curve needs all the room
 constexpr double inset_distance = 16.0;         // below the insets
 constexpr int inset_cost = 1000;                // of covering it, which nothing makes good
+constexpr int handle_cost = 100;                // more than curves, which need not be reached
+constexpr double legend_reach = 12.0;           // around the legend
 constexpr int reluctance = 2;                   // how much less another corner must cover
 
 /// With words, or with numbers only where the canvas is narrow.
@@ -76,6 +80,25 @@ LegendTexts fitting_texts(const EditorState& state) {
     return texts;
 }
 
+/// Where what can be dragged beside the curve and its points is in the picture.
+std::vector<glm::dvec2> handle_places(const EditorState& state) {
+    std::vector<glm::dvec2> places;
+    if (const auto bar = shown_handlebar(state))
+        for (const HandlebarPart part : {HandlebarPart::middle, HandlebarPart::ahead, HandlebarPart::behind})
+            if (const auto place = place_of(*bar, part))
+                places.push_back(render::screen_from_world(state.view.camera, *place));
+    const auto box = state.tool == Tool::transform ? transform_box(state) : std::nullopt;
+    if (!box) return places;
+    for (const TransformGrip grip : visible_grips(*box)) places.push_back(grip_place(state, *box, grip));
+    return places;
+}
+
+int handle_cost_of(const std::vector<glm::dvec2>& handles, const render::PixelBox& box, double reach_px) {
+    const render::PixelBox around{box.lower_px - reach_px, box.upper_px + reach_px};
+    return handle_cost * static_cast<int>(std::ranges::count_if(
+                             handles, [&](const glm::dvec2& place) { return around.contains(place); }));
+}
+
 }  // namespace
 
 bool has_legend(const EditorState& state) {
@@ -104,9 +127,11 @@ bool meets_inset(const EditorState& state, Corner corner) {
 
 Corner free_corner(const EditorState& state, SceneCache& cache) {
     if (!has_legend(state)) return state.view.legend_corner;
+    const std::vector<glm::dvec2> handles = handle_places(state);
     const auto cost = [&](Corner corner) {
-        return covered(state, state.view.camera, legend_box(state, corner), cache) +
-               (meets_inset(state, corner) ? inset_cost : 0);
+        const render::PixelBox box = legend_box(state, corner);
+        return covered(state, state.view.camera, box, cache) + (meets_inset(state, corner) ? inset_cost : 0) +
+               handle_cost_of(handles, box, legend_reach * state.view.interface_scale);
     };
     Corner best = state.view.legend_corner;
     int least = cost(best);

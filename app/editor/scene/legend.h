@@ -15,8 +15,8 @@ render::PixelBox legend_box(const EditorState& state, Corner corner);
 /// Whether the legend and the insets would lie over each other.
 bool meets_inset(const EditorState& state, Corner corner);
 
-/// The corner where the legend covers nothing of the inset, if there is one, and least of the curves. It stays where it
-/// is while it covers nothing there, or little more than elsewhere.
+/// The corner where the legend covers nothing of the inset and no handle, if there is one, and least of the curves. It
+/// stays where it is while it covers nothing there, or little more than elsewhere.
 Corner free_corner(const EditorState& state, SceneCache& cache);
 
 /// "de Boor ● level 1 ● level 2 ● level 3", with all levels of one color together.

@@ -2,14 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <set>
 
 #include "app/editor/cards/floating_cards.h"
 #include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/point_commands.h"
+#include "app/editor/commands/tool_commands.h"
 #include "app/editor/commands/view_commands.h"
 #include "app/editor/editor.h"
+#include "app/editor/pointer/transform_box.h"
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/views.h"
@@ -239,6 +243,32 @@ TEST_F(Legend, gives_way_to_a_point_that_is_dragged_under_it) {
     const glm::dvec2 middle = 0.5 * (before.lower_px + before.upper_px);
     drag_to(middle);
     EXPECT_FALSE(legend_box(editor_.state(), corner()).contains(middle));
+}
+
+TEST_F(Legend, gives_way_to_the_grips_of_the_transform_box) {
+    editor_.run(TakeTool<Tool::transform>{});
+    const auto grips_under = [&](Corner corner) {
+        const PixelBox legend = legend_box(editor_.state(), corner);
+        const TransformBox box = transform_box(editor_.state()).value();
+        int count = 0;
+        for (const TransformGrip grip : visible_grips(box))
+            if (legend.contains(grip_place(editor_.state(), box, grip))) ++count;
+        return count;
+    };
+    for (const int x : {-1, 1})
+        for (const int y : {-1, 1}) {
+            const PixelBox before = legend_box(editor_.state(), corner());
+            const glm::dvec2 middle = 0.5 * (before.lower_px + before.upper_px);
+            const TransformGrip grip{GripKind::scale, x, y};
+            const auto place = [&] {
+                return grip_place(editor_.state(), transform_box(editor_.state()).value(), grip);
+            };
+            editor_.change(PanCamera{middle - place()});
+            ASSERT_NEAR(glm::distance(place(), middle), 0.0, 1e-6);
+            ASSERT_GT(grips_under(corner()), 0);
+            editor_.change(PlaceLegend{free_corner(editor_.state(), cache_)});
+            EXPECT_EQ(grips_under(corner()), 0) << x << y;
+        }
 }
 
 TEST_F(Legend, does_not_flicker_at_an_edge) {
