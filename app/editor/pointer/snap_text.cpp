@@ -1,6 +1,7 @@
 #include "app/editor/pointer/snap_text.h"
 
 #include "app/editor/words/formula.h"
+#include "app/editor/words/length.h"
 #include "app/editor/words/number_column.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -49,13 +50,17 @@ SnapTexts texts_of_crossing(const core::Document& document, const SnapFound& fou
                                   {"other", name_of_curve(document, found.other)}})};
 }
 
+std::string guide_place_text(const core::Document& document, double world) {
+    return with_unit(document.units, number_text(in_units(document.units, world)));
+}
+
 SnapTexts texts_of_guide(const core::Document& document, const SnapFound& found) {
     if (found.is_crossing) return {"guides", "Snaps to where two guides cross"};
     const core::Guide& guide = document.guides[found.thing];
     if (guide.angle == 0.0)
-        return {"guide", sentence("Snaps to the guide y = {y}", {{"y", number_text(guide.point.y)}})};
+        return {"guide", sentence("Snaps to the guide y = {y}", {{"y", guide_place_text(document, guide.point.y)}})};
     if (guide.angle == 90.0)
-        return {"guide", sentence("Snaps to the guide x = {x}", {{"x", number_text(guide.point.x)}})};
+        return {"guide", sentence("Snaps to the guide x = {x}", {{"x", guide_place_text(document, guide.point.x)}})};
     return {"guide", sentence("Snaps to the guide at {angle}°", {{"angle", number_text(guide.angle)}})};
 }
 

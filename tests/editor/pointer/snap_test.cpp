@@ -13,6 +13,7 @@
 #include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/snap_commands.h"
 #include "app/editor/commands/tool_commands.h"
+#include "app/editor/commands/unit_commands.h"
 #include "app/editor/state/same_document.h"
 #include "core/curve/knot_kinds.h"
 #include "tests/editor/canvas_fixture.h"
@@ -108,6 +109,9 @@ TEST_F(Snapping, to_guides_and_where_they_cross) {
     only({SnapKind::guides});
     expect({1.0, 3.1}, {1, 3}, "Snaps to the guide y = 3");
     expect({5.1, -1.0}, {5, -1}, "Snaps to the guide x = 5");
+    editor.run(SetUnits{.unit = UnitChoice::mm, .scale = 0.1});
+    expect({1.0, 3.1}, {1, 3}, "Snaps to the guide y = 30 mm");
+    expect({5.1, -1.0}, {5, -1}, "Snaps to the guide x = 50 mm");
     expect({1.05, 0.95}, {1, 1}, "Snaps to the guide at 45°");
     expect({5.05, 2.95}, {5, 3}, "Snaps to where two guides cross");
     expect({5.05, 4.95}, {5, 5}, "Snaps to where two guides cross");
