@@ -206,6 +206,8 @@ class Parser {
         if (std::count_if(found.begin(), found.end(), [](char c) { return c == '.' || c == ','; }) > 1)
             return fail(core::sentence("“{number}” has several points or commas; one is allowed, before the decimals",
                                        {{"number", found}}));
+        if (found.back() == ',' && found.size() < rest().size())
+            return fail(core::sentence("“{number}” has no decimals after its comma", {{"number", found}}));
         return plain_number();
     }
 

@@ -103,6 +103,8 @@ TEST(Expression, takes_a_decimal_comma) {
     EXPECT_EQ(value_of("-,25"), -0.25);
     EXPECT_EQ(value_of("1,5e3 + 2,5"), 1502.5);
     EXPECT_EQ(error_of("1,000.5"), "“1,000.5” has several points or commas; one is allowed, before the decimals");
+    EXPECT_EQ(error_of("40,-10"), "“40,” has no decimals after its comma") << "two numbers, not 30";
+    EXPECT_EQ(value_of("40,"), 40.0) << "as far as it is typed";
     EXPECT_EQ(error_of("1,2,3"), "“1,2,3” has several points or commas; one is allowed, before the decimals");
 }
 
