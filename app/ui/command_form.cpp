@@ -111,6 +111,7 @@ void begin_form(FormState& form, const editor::CommandSpec& spec, const editor::
         if (field.kind == FieldKind::flag && texts.front().empty()) texts.front() = "yes";
     }
     form.initial = form.typed;
+    form.earlier_message = state.message.text;
 }
 
 /// Shows on the canvas what the command would do, whenever something was changed.
@@ -133,7 +134,8 @@ std::string effect_of(const PanelContext& context) {
     const editor::CommandSpec& spec = *context.panels.form.spec;
     const std::optional<editor::Ghost>& ghost = context.state.ghost;
     const editor::Message& message = context.state.message;
-    if (spec.effect == editor::ShapeEffect::none && context.state.preview && !message.is_error)
+    const bool is_of_form = !message.is_error && message.text != context.panels.form.earlier_message;
+    if (spec.effect == editor::ShapeEffect::none && context.state.preview && is_of_form)
         return editor::reading_text(message.text);
     const bool is_told = ghost && !std::isnan(ghost->deviation);
     if (spec.effect != editor::ShapeEffect::changes || !context.state.preview || !is_told)

@@ -52,6 +52,7 @@ struct FormState {
     std::vector<std::vector<std::string>> previewed;  ///< what the canvas shows
     bool takes_focus = true;                          ///< `focused`, else the first input, becomes the active one
     std::string focused;                              ///< the part whose input was active last
+    std::string earlier_message;                      ///< what was told before the form, which is not of it
     bool was_previewed = false;
     bool was_tried = false;      ///< Apply or Enter was pressed
     bool was_submitted = false;  ///< the command has run when the next frame begins

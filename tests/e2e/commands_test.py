@@ -78,6 +78,16 @@ class CommandsTest(WindowTest):
         self.assertLessEqual(deviation, told * 1.001)
         self.assertGreater(deviation, 0.3 * told)
 
+    def test_a_form_does_not_take_an_earlier_message_for_its_own(self):
+        editor = self.open_editor()
+        editor.key("ctrl+c")
+        editor.wait(lambda state: state["widgets"]["status message"]["value"].startswith("Copied"), "the message")
+        editor.click_widget("menu file")
+        editor.click_widget("menu-item set-units")
+        shown = editor.wait(lambda state: state["dialog"] == "command-form" and state["has_preview"] and state["is_settled"], "the preview")
+        self.assertEqual([name for name in ("form effect", "form hint") if name in shown["widgets"]], [])
+        self.leave(editor)
+
     def test_escape_leaves_nothing_of_a_form(self):
         editor = self.open_editor()
         before = self.save(editor)
