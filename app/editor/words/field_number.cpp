@@ -90,7 +90,7 @@ std::optional<std::string> shortened(double value, const Fits& fits, const Good&
 }  // namespace
 
 std::string field_number(double value, const FieldDigits& digits, const Fits& fits) {
-    const std::string text = roomy_text(value, digits);
+    std::string text = roomy_text(value, digits);
     const bool may_read_alike = digits.extent > 0.0 && std::abs(value) > digits.extent && std::isfinite(value);
     if (fits(text) && (!may_read_alike || decimals_tell_apart(digits))) return text;
     if (may_read_alike) {
@@ -100,6 +100,8 @@ std::string field_number(double value, const FieldDigits& digits, const Fits& fi
         if (fits(text)) return text;
     }
     if (const auto shorter = shortened(value, fits, [](int) { return true; })) return *shorter;
+    std::string plain = fixed_text(value, shown_decimals(digits));
+    if (plain.find_first_of("123456789") != std::string::npos && fits(plain)) return plain;
     return full_reading_text(fmt::format("{:.0e}", value));
 }
 

@@ -46,6 +46,14 @@ TEST(FieldNumber, digits_go_by_magnitude_where_the_column_has_no_room_for_decima
     EXPECT_EQ(in_seven(0.0020, digits), "0.0020");
 }
 
+TEST(FieldNumber, a_narrow_field_has_a_decimal_rather_than_a_power_of_ten) {
+    const auto in_four = [](const std::string& text) { return letters(text) <= 4; };
+    const FieldDigits digits{.decimals = 3, .most_decimals = 1, .extent = 2.0};
+    EXPECT_EQ(field_number(-0.5385, digits, in_four), "−0.5");
+    EXPECT_EQ(field_number(0.5385, digits, in_four), "0.54");
+    EXPECT_EQ(field_number(2.0, digits, in_four), "2.0");
+}
+
 TEST(FieldNumber, a_small_number_beside_large_ones_keeps_three_digits) {
     const FieldDigits digits{.decimals = 2, .extent = 10.0};
     EXPECT_EQ(in_seven(0.00126, digits), "0.00126");
