@@ -21,9 +21,11 @@ std::filesystem::path assets_folder() {
 
 int profile(const batten::cli::ProfileOptions& options) {
     std::ostringstream results;
-    const int status = batten::platform::profile(
-        {.file = options.file, .gesture = options.gesture, .frame_count = options.frame_count}, options.as_json,
-        results);
+    const int status = batten::platform::profile({.file = options.file,
+                                                  .gesture = options.gesture,
+                                                  .frame_count = options.frame_count,
+                                                  .commands = options.commands},
+                                                 options.as_json, results);
     const bool is_written = batten::cli::write_results(results.str(), {std::cout, std::cerr});
     return is_written ? status : static_cast<int>(batten::cli::ExitStatus::wrong_input);
 }

@@ -34,9 +34,11 @@ def spiral(count):
     return {"name": "spiral", "degree": 3, "knots": knots, "points": points, "kind": "clamped-uniform"}
 
 
-def median_ms(batten, path, gesture, frames):
+def median_ms(batten, path, gesture, frames, before=()):
     command = ["xvfb-run", "-a", "-s", "-screen 0 1440x900x24", batten, "profile", str(path), f"--{gesture}"]
     command += ["--frames", str(frames), "--json"]
+    for typed in before:
+        command += ["--do", typed]
     environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1"}
     run = subprocess.run(command, env=environment, check=True, capture_output=True, text=True)
     return json.loads(run.stdout)["frame_ms"]["median"]

@@ -289,6 +289,11 @@ ProfileSubcommand::ProfileSubcommand(CLI::App& program) {
     command->add_option("--frames", options_.frame_count, "How many frames to measure, at most 100000 (default: 240)")
         ->check(CLI::Validator(CLI::Range(std::size_t{1}, most_frames)).description(""))
         ->type_name("N");
+    command
+        ->add_option("--do", options_.commands,
+                     "Do this before the gesture, as typed in the palette; may be given several times")
+        ->type_name("COMMAND")
+        ->allow_extra_args(false);
     add_json(*command, options_.as_json);
     command_ = command;
 }

@@ -79,6 +79,7 @@ ExitStatus handout(const HandoutOptions& options, Output output);
 struct ProfileOptions {
     std::filesystem::path file;
     editor::ScriptedGesture gesture = editor::ScriptedGesture::drag;
+    std::vector<std::string> commands;  ///< before the gesture, as typed in the palette
     std::size_t frame_count = 240;
     bool as_json = false;
 };

@@ -17,6 +17,7 @@
 #include "app/editor/scene/plot_scene.h"
 #include "app/editor/session.h"
 #include "app/editor/state/settings.h"
+#include "app/editor/typed_command.h"
 #include "app/platform/cursors.h"
 #include "app/platform/frame_clock.h"
 #include "app/platform/imgui_layer.h"
@@ -74,7 +75,8 @@ class Application {
   private:
     void open_start_document();
     void open_files(const std::vector<std::filesystem::path>& files);
-    bool open_whole(const std::filesystem::path& file);
+    editor::Outcome<void> run_whole(const editor::Command& command);
+    editor::Outcome<void> prepare(const ProfileOptions& options);
     void take_window_requests();
     void follow_presenting();
     void follow_scale();
@@ -274,12 +276,26 @@ tl::expected<std::vector<FrameCost>, std::string> Application::measure(const Pro
     return costs;
 }
 
-// Waits for a file that is read beside the frames.
-bool Application::open_whole(const std::filesystem::path& file) {
+// Waits for what works beside the frames.
+editor::Outcome<void> Application::run_whole(const editor::Command& command) {
     constexpr double seconds_between = 0.01;
-    editor_.run(editor::Open{.path = file});
+    editor_.run(command);
     for (; editor_.state().at_work; editor_.follow_work()) Window::wait(seconds_between);
-    return !editor_.state().message.is_error;
+    if (editor_.state().message.is_error) return tl::unexpected(editor_.state().message.text);
+    return {};
+}
+
+// Opens the file and does what is asked for before the gesture.
+editor::Outcome<void> Application::prepare(const ProfileOptions& options) {
+    auto prepared = run_whole(editor::Open{.path = options.file});
+    for (const std::string& typed : options.commands) {
+        if (!prepared) break;
+        draw_scripted({});
+        prepared = editor::parse_typed_command(typed, editor_.state()).and_then([this](const editor::Command& command) {
+            return run_whole(command);
+        });
+    }
+    return prepared;
 }
 
 tl::expected<Profile, std::string> Application::profile(const ProfileOptions& options) {
@@ -288,7 +304,7 @@ tl::expected<Profile, std::string> Application::profile(const ProfileOptions& op
     const double start_ms = processor_ms();
     auto empty = measure(options);
     if (!empty) return tl::unexpected(empty.error());
-    if (!open_whole(options.file)) return tl::unexpected(editor_.state().message.text);
+    if (const auto prepared = prepare(options); !prepared) return tl::unexpected(prepared.error());
     return measure(options).map([&](std::vector<FrameCost> frames) {
         return Profile{options, std::move(frames), *std::move(empty), start_ms};
     });

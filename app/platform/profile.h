@@ -14,7 +14,8 @@ namespace batten::platform {
 struct ProfileOptions {
     std::filesystem::path file;
     editor::ScriptedGesture gesture = editor::ScriptedGesture::drag;
-    std::size_t frame_count = 1;  ///< at least 1
+    std::size_t frame_count = 1;          ///< at least 1
+    std::vector<std::string> commands{};  ///< run before the gesture, as typed in the palette
 };
 
 /// The frames measured, of the file and before that without a curve.

@@ -49,6 +49,12 @@ class ProfileTest(WindowTest):
                 self.assertGreater(found["vertices"]["median"], found["empty"]["vertices"]["median"])
                 self.assertAlmostEqual(found["ratio"], found["frame_ms"]["median"] / found["empty"]["frame_ms"]["median"])
 
+    def test_what_is_to_be_done_before_the_gesture_is_done(self):
+        self.assertEqual(self.profile(self.path, "--pan", "--frames", 2, "--do", "select-all", "--do", "set-tool transform").returncode, 0)
+        refused = self.profile(self.path, "--pan", "--frames", 2, "--do", "select-none", "--do", "delete-points")
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("delete-points", refused.stderr)
+
     def test_it_leaves_the_file_and_the_settings_alone(self):
         before = self.path.read_text()
         self.measured(self.path, "--drag", "--frames", 2)
