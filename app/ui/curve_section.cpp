@@ -34,16 +34,21 @@ std::string info_text(const core::Curve& curve, const editor::KnotFacts& facts) 
                        facts.least_continuity ? editor::continuity_text(*facts.least_continuity) : "C^{∞}");
 }
 
-void draw_degree_number(const PanelContext& context, const core::Curve& curve, float width_px) {
+NumberField whole_field(const char* name, int value, int lowest, int highest) {
     NumberField field;
-    field.name = "degree";
-    field.value = curve.degree();
+    field.name = name;
+    field.value = value;
     field.decimals = 0;
     field.is_whole = true;
+    field.lowest = lowest;
+    field.highest = highest;
+    return field;
+}
+
+void draw_degree_number(const PanelContext& context, const core::Curve& curve, float width_px) {
+    NumberField field = whole_field("degree", curve.degree(), core::min_degree, core::max_degree);
     field.speed = 0.04;
     field.width_px = width_px;
-    field.lowest = core::min_degree;
-    field.highest = core::max_degree;
     field.is_enabled = is_editable(context.state);
     field.tooltip = locked_sentence(context.state);
     draw_number_field(context, field,
@@ -55,15 +60,10 @@ void draw_stroke_row(const PanelContext& context) {
     const editor::EditorState& state = context.state;
     if (editor::no_stroke(state) || state.stroke->curve != state.history.present().active) return;
     draw_row_label(context, "Smoothness");
-    NumberField field;
-    field.name = "stroke smoothness";
-    field.value = state.stroke->smoothness;
-    field.decimals = 0;
-    field.is_whole = true;
+    NumberField field =
+        whole_field("stroke smoothness", state.stroke->smoothness, core::least_smoothness, core::most_smoothness);
     field.speed = 0.1;
     field.width_px = field_width(context);
-    field.lowest = core::least_smoothness;
-    field.highest = core::most_smoothness;
     field.tooltip = "Drag to the right for a smoother stroke, to the left for one truer to the hand; from 0 to 10.";
     draw_number_field(context, field,
                       [](double value) { return editor::RefitStroke{.smoothness = static_cast<int>(value)}; });
