@@ -1,6 +1,8 @@
 #include "app/editor/pointer/point_drag.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -53,10 +55,22 @@ core::Point placed(const Gesture& gesture, const SnapQuery& query, Freedom freed
     return position;
 }
 
+double rounded_to_digits(double value, int digits) {
+    std::array<char, 32> text{};
+    const auto* const end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits - 1).ptr;
+    double rounded = value;
+    std::from_chars(text.data(), end, rounded);
+    return rounded;
+}
+
+/// That with the fewest digits, which is what was typed: what else is dragged moves by it, too.
 double exact_step(double start, double target) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double offset = target - start;
-    for (const double candidate : {offset, std::nextafter(offset, -infinity), std::nextafter(offset, infinity)})
+    for (int digits = 1; digits <= std::numeric_limits<double>::max_digits10; ++digits)
+        if (const double candidate = rounded_to_digits(offset, digits); start + candidate == target) return candidate;
+    for (const double candidate : {std::nextafter(offset, -infinity), std::nextafter(offset, infinity)})
         if (start + candidate == target) return candidate;
     return offset;
 }

@@ -27,7 +27,8 @@ core::Point dragged_position(const Gesture& gesture, core::Point start, glm::dve
 core::Point dragged_tip(const Gesture& gesture, core::Point from, core::Point start, glm::dvec2 press_px,
                         const Dragged& dragged = {});
 
-/// An offset such that start + offset is `target` to the last bit, as far as there is one.
+/// An offset such that start + offset is `target` to the last bit, as far as there is one; that with the fewest digits,
+/// by which what is typed for several points moves all of them.
 core::Vector exact_offset(core::Point start, core::Point target);
 
 /// `start_weight` after the pointer moved from `press_px` to the event's position; see DraggingWeight.

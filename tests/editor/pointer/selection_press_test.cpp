@@ -8,6 +8,7 @@
 #include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/selected_curve_commands.h"
 #include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/transform_commands.h"
 #include "tests/editor/canvas_fixture.h"
 
 namespace batten::editor {
@@ -209,6 +210,19 @@ TEST_F(SelectionPress, the_hint_tells_what_a_drag_moves) {
     pointer.move(px(2, -4));
     EXPECT_EQ(canvas_hint(pointer.mode(), state()),
               "Click to make 'curve 3' the active curve · Shift-click selects it, too");
+}
+
+// 0.3 + 2 is 2.3 and 2.3 - 0.3 is 1.9999999999999998, so that the others would not come to 2.
+TEST_F(SelectionPress, a_typed_way_is_that_of_all_that_is_dragged) {
+    editor.run(NewCurve{.points = {{0.3, 2.5}, {0.1, 3}, {0.0, 3.5}}, .degree = 1});
+    editor.run(SelectParts{.parts = "1:1 3"});
+    pointer.press(px(0.3, 2.5));
+    pointer.move(px(0.8, 2.5));
+    type(U"x2\t0\n", px(0.8, 2.5));
+    EXPECT_EQ(points_of(3), (Points{{2.3, 2.5}, {2.1, 3}, {2, 3.5}}));
+    EXPECT_EQ(points_of(1)[1], core::Point(2, 3.5));
+    ASSERT_NE(editor.log().back().as<Move>(), nullptr);
+    EXPECT_EQ(editor.log().back().as<Move>()->offset, core::Vector(2, 0));
 }
 
 }  // namespace
