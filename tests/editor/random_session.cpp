@@ -5,6 +5,7 @@
 #include "app/editor/command_reader.h"
 #include "app/editor/commands/analysis_commands.h"
 #include "app/editor/commands/arranging_commands.h"
+#include "app/editor/commands/array_commands.h"
 #include "app/editor/commands/axis_commands.h"
 #include "app/editor/commands/brush_commands.h"
 #include "app/editor/commands/closing_commands.h"

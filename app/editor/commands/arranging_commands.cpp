@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "app/editor/commands/active_curve.h"
-#include "app/editor/commands/curve_list.h"
+#include "app/editor/commands/array_commands.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/map_selected.h"
 #include "app/editor/commands/suggestions.h"
@@ -14,6 +14,7 @@
 #include "app/editor/state/point_hues.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/length.h"
+#include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/edit/point_edit.h"
@@ -25,8 +26,6 @@ namespace batten::editor {
 namespace {
 
 using core::sentence;
-
-constexpr double most_copies = 10'000.0;
 
 // What is arranged: control points, or whole curves, each with its box.
 struct Item {
@@ -182,45 +181,40 @@ Outcome<Edit> distribute(const EditorState& state, const Distribute& command) {
     return with_moved(state, *items, offsets);
 }
 
-// Copies of the active curve, number k mapped by `map_of(k)`, behind it in the list; the curve stays active.
-template <class MapOf>
-Outcome<Edit> with_copies(const EditorState& state, std::size_t count, MapOf map_of) {
-    Edit edit{state.history.present()};
-    const core::DocumentCurve original = *edit.document.active_curve();
-    if (auto refusal = too_many_copies(state, count)) return tl::unexpected(*std::move(refusal));
-    core::FreeNames names(edit.document);
-    for (std::size_t k = 1; k < count; ++k) {
-        core::tell(state.progress, k, count);
-        core::DocumentCurve copy = original;
-        if (const auto mapped = map_entry(copy, map_of(static_cast<double>(k))); !mapped)
-            return tl::unexpected(core::describe(mapped.error()));
-        copy.name = names.take(original.name);
-        copy.locked = false;
-        edit.document.curves.push_back(std::move(copy));
-    }
-    return edit;
+// By how much a curve is to be scaled about its beginning, which stays.
+Outcome<core::PlaneMap> scaled_to(const core::DocumentCurve& entry, double wanted) {
+    const core::Integral length = core::arc_length(*entry.curve);
+    if (!core::is_sharp(length) || length.value == 0.0)
+        return tl::unexpected(sentence("'{name}' has no length that could be set", {{"name", entry.name}}));
+    const double factor = wanted / length.value;
+    return core::scaling(factor, factor, entry.curve->control_points().front());
 }
 
-Outcome<Edit> linear_array(const EditorState& state, const LinearArray& command) {
-    return with_copies(state, command.count, [&](double k) { return core::translation(k * command.step); });
+std::optional<Refusal> nothing_to_scale(const EditorState& state) {
+    return state.selection.is_over_curves() ? nothing_to_map(state) : no_editable_curve(state);
 }
 
-Outcome<Edit> polar_array(const EditorState& state, const PolarArray& command) {
-    return with_copies(state, command.count,
-                       [&](double k) { return core::rotation(k * command.step, command.center); });
-}
-
-// Scaled about its beginning, which stays.
 Outcome<Edit> set_length(const EditorState& state, const SetLength& command) {
-    const core::Curve& curve = active_curve(state);
-    const core::Integral length = core::arc_length(curve);
     if (!(command.length > 0.0))
         return tl::unexpected(
             core::describe({.code = core::CurveErrorCode::length_not_positive, .value = command.length}));
-    if (!core::is_sharp(length) || length.value == 0.0)
-        return tl::unexpected(Refusal("the curve has no length that could be set"));
-    const double factor = command.length / length.value;
-    return map_active(state, core::scaling(factor, factor, curve.control_points().front()));
+    SelectedParts wholes;
+    std::vector<core::PlaneMap> maps;
+    for (const std::size_t i : curves_meant(state)) {
+        const auto map = scaled_to(state.history.present().curves[i], command.length);
+        if (!map) return tl::unexpected(map.error());
+        wholes.push_back({i});
+        maps.push_back(*map);
+    }
+    return map_parts(state, wholes, maps);
+}
+
+StepTexts texts_of_length(const EditorState& state, const SetLength& command) {
+    const core::Place length("length", length_words(state.history.present().units, command.length));
+    return {SetLength::spec().title,
+            curves_meant(state).size() == 1
+                ? sentence("Set length to {length}", {length})
+                : sentence("Set length of each of {curves} to {length}", {names_of_meant(state), length})};
 }
 
 Outcome<Edit> set_distance(const EditorState& state, const SetDistance& command) {
@@ -252,12 +246,6 @@ Arranged what_there_is(const EditorState& state) {
 std::optional<double> length_now(const EditorState& state) {
     if (no_curve(state)) return std::nullopt;
     return core::arc_length(active_curve(state)).value;
-}
-
-std::optional<core::Point> box_middle(const EditorState& state) {
-    if (no_curve(state)) return std::nullopt;
-    const core::Box box = core::tight_box(active_curve(state));
-    return core::middle(box.lower, box.upper);
 }
 
 }  // namespace
@@ -298,60 +286,20 @@ const CommandSpec& Distribute::spec() {
     return spec;
 }
 
-const CommandSpec& LinearArray::spec() {
-    static const CommandSpec spec{
-        .name = "array",
-        .title = "Array along a line",
-        .explanation = "Adds copies of the active curve, each one step further.",
-        .synonyms = "copies repeat pattern row",
-        .group = CommandGroup::edit,
-        .submenu = "Arrange",
-        .fields = {field::count<&LinearArray::count>("count", "how many there shall be, with the curve itself")
-                       .at_least(2.0)
-                       .at_most(most_copies),
-                   field::vector<&LinearArray::step>({"dx", "each one to the right"}, {"dy", "each one upwards"})},
-        .refusal = no_curve,
-        .run = body_of<linear_array>,
-        .at_work = "Copying the curve",
-        .done = "Made a row of {count} curves"};
-    return spec;
-}
-
-const CommandSpec& PolarArray::spec() {
-    static const CommandSpec spec{
-        .name = "array-polar",
-        .title = "Array around a point",
-        .explanation = "Adds copies of the active curve, each turned one step further around a point.",
-        .synonyms = "copies repeat pattern ring rotate",
-        .group = CommandGroup::edit,
-        .submenu = "Arrange",
-        .fields = {field::count<&PolarArray::count>("count", "how many there shall be, with the curve itself")
-                       .at_least(2.0)
-                       .at_most(most_copies),
-                   field::position<&PolarArray::center>({"x", "x of the center"}, {"y", "y of the center"})
-                       .beginning_with<box_middle>(),
-                   field::angle<&PolarArray::step>("step", "from one to the next, counterclockwise")},
-        .refusal = no_curve,
-        .run = body_of<polar_array>,
-        .at_work = "Copying the curve",
-        .done = "Made a ring of {count} curves"};
-    return spec;
-}
-
 const CommandSpec& SetLength::spec() {
     static const CommandSpec spec{
         .name = "set-length",
         .title = "Set length",
-        .explanation = "Scales the curve about its first control point, so that it has a given length.",
+        .explanation = "Scales the curve, or each that is selected, about its first control point to a given length.",
         .synonyms = "arc size scale",
         .group = CommandGroup::edit,
         .submenu = "Arrange",
         .effect = ShapeEffect::changes,
         .fields =
             {field::length<&SetLength::length>("length", "of the whole curve, above 0").beginning_with<length_now>()},
-        .refusal = no_editable_curve,
+        .refusal = nothing_to_scale,
         .run = body_of<set_length>,
-        .done = "Set length to {length}"};
+        .texts = texts_of<texts_of_length>};
     return spec;
 }
 

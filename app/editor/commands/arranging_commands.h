@@ -1,4 +1,4 @@
-/// Commands that put control points and curves into line, at even distances, and into rows and rings of copies.
+/// Commands that put control points and curves into line, at even distances, and to a given length or distance.
 #pragma once
 
 #include <optional>
@@ -25,19 +25,6 @@ struct Align {
 struct Distribute {
     Direction direction;
     Arranged what;
-    static const CommandSpec& spec();
-};
-
-struct LinearArray {
-    std::size_t count;  ///< with the curve itself
-    core::Vector step;
-    static const CommandSpec& spec();
-};
-
-struct PolarArray {
-    std::size_t count;  ///< with the curve itself
-    core::Point center;
-    double step;  ///< in degrees, counterclockwise
     static const CommandSpec& spec();
 };
 

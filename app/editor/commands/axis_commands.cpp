@@ -98,18 +98,19 @@ const CommandSpec& PickLinkRotation::spec() {
 }
 
 const CommandSpec& PickArrayPolar::spec() {
-    static const CommandSpec spec{.name = "pick-array-polar",
-                                  .title = "Array around a point that is clicked",
-                                  .explanation =
-                                      "Adds copies of the active curve, evenly around a center that is "
-                                      "clicked.",
-                                  .synonyms = "copies repeat pattern ring rotate center",
-                                  .group = CommandGroup::edit,
-                                  .submenu = "Arrange",
-                                  .offered = in_the_window,
-                                  .fields = {count_field<&PickArrayPolar::count>()},
-                                  .refusal = no_curve,
-                                  .run = body_of<pick_array_polar>};
+    static const CommandSpec spec{
+        .name = "pick-array-polar",
+        .title = "Array around a point that is clicked",
+        .explanation =
+            "Adds copies of the active curve, or of all that are selected, evenly around a center that is "
+            "clicked.",
+        .synonyms = "copies repeat pattern ring rotate center",
+        .group = CommandGroup::edit,
+        .submenu = "Arrange",
+        .offered = in_the_window,
+        .fields = {count_field<&PickArrayPolar::count>()},
+        .refusal = no_curve,
+        .run = body_of<pick_array_polar>};
     return spec;
 }
 

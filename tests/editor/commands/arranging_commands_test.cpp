@@ -4,9 +4,11 @@
 
 #include <cmath>
 
+#include "app/editor/commands/array_commands.h"
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/pin_commands.h"
+#include "app/editor/commands/selected_curve_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/symmetry_commands.h"
 #include "core/evaluate/evaluate.h"
@@ -90,10 +92,43 @@ TEST_F(ArrangingCommands, rows_and_rings_of_copies) {
     for (int i = 0; i <= 500; ++i) many.emplace_back(i, 0.0);
     run(NewCurve{.points = many});
     EXPECT_FALSE(run(LinearArray{.count = 10'000, .step = {5.0, 1.0}}));
-    EXPECT_EQ(message(),
-              "10000 curves of 501 control points each are too many; at most 5000000 points in all are allowed");
+    EXPECT_EQ(message(), "10000 times 501 control points are too many; at most 5000000 in all are allowed");
     EXPECT_FALSE(run(LinkRotation{.turns = 10'000, .center = {0.0, 0.0}}));
     EXPECT_FALSE(run(PolarArray{.count = 1, .center = {0.0, 0.0}, .step = 90.0}));
+}
+
+TEST_F(ArrangingCommands, rows_and_rings_of_all_curves_that_are_selected) {
+    run(NewCurve{.points = {{0, 5}, {1, 5}}, .degree = 1});
+    run(NewCurve{.points = {{9, 9}, {8, 9}}, .degree = 1});
+    ASSERT_TRUE(run(SelectParts{.parts = "0 1"}));
+    EXPECT_TRUE(run(LinearArray{.count = 3, .step = {5.0, 1.0}}));
+    EXPECT_EQ(message(), "Made a row of 3 of each of 2 curves");
+    ASSERT_EQ(document(editor_).curves.size(), 7U);
+    EXPECT_EQ(document(editor_).curves[3].curve->control_points()[1], core::Point(6, 3));
+    EXPECT_EQ(document(editor_).curves[4].curve->control_points()[1], core::Point(6, 6));
+    EXPECT_EQ(document(editor_).curves[6].curve->control_points()[0], core::Point(10, 7));
+    EXPECT_EQ(document(editor_).curves[6].name.rfind(document(editor_).curves[1].name, 0), 0U);
+    EXPECT_TRUE(run(Undo{}));
+    ASSERT_TRUE(run(SelectParts{.parts = "1 2"}));
+    EXPECT_TRUE(run(PolarArray{.count = 2, .center = {0.0, 0.0}, .step = 90.0}));
+    ASSERT_EQ(document(editor_).curves.size(), 5U);
+    EXPECT_EQ(document(editor_).curves[3].curve->control_points()[1], core::Point(-5, 1));
+    EXPECT_EQ(document(editor_).curves[4].curve->control_points()[1], core::Point(-9, 8));
+    EXPECT_EQ(message(), "Made a ring of 2 of each of 2 curves");
+}
+
+TEST_F(ArrangingCommands, set_length_of_all_curves_that_are_selected) {
+    run(NewCurve{.points = {{0, 5}, {1, 5}}, .degree = 1});
+    run(NewCurve{.points = {{9, 9}, {9, 5}}, .degree = 1});
+    ASSERT_TRUE(run(SelectParts{.parts = "1 2"}));
+    EXPECT_TRUE(run(SetLength{.length = 2.0}));
+    EXPECT_EQ(message().rfind("Set length of each of 2 curves to 2", 0), 0U) << message();
+    EXPECT_EQ(document(editor_).curves[1].curve->control_points()[1], core::Point(2, 5));
+    EXPECT_EQ(document(editor_).curves[2].curve->control_points()[1], core::Point(9, 7));
+    EXPECT_TRUE(run(Undo{}));
+    run(SetCurveLocked{.index = 1, .locked = true});
+    run(ActivateCurve{.index = 1});
+    EXPECT_FALSE(run(SetLength{.length = 2.0}));
 }
 
 TEST_F(ArrangingCommands, set_length_scales_about_the_first_point) {
