@@ -6,7 +6,9 @@
 
 #include "app/editor/command_reader.h"
 #include "app/editor/command_table.h"
+#include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/lesson_commands.h"
+#include "app/editor/pointer/hint_text.h"
 #include "app/editor/words/reading_text.h"
 #include "core/base/sentence.h"
 
@@ -57,6 +59,16 @@ const editor::CommandSpec* command_of(const editor::EditorState& state, const Ke
         return &editor::PreviousStep::spec();
     const editor::CommandSpec* by_key = editor::find_command(press.shortcut);
     return by_key != nullptr ? by_key : editor::find_command(press.printed);
+}
+
+void run_by_key(const PanelContext& context, const editor::CommandSpec& spec) {
+    const core::DocumentCurve* active = context.state.history.present().active_curve();
+    const bool is_edit = spec.effect != editor::ShapeEffect::none || &spec == &editor::Cut::spec();
+    const bool is_about_active = is_edit && !context.state.selection.is_over_curves();
+    if (is_about_active && active != nullptr && !active->visible)
+        context.queue.change(editor::ShowRefusal{editor::hidden_sentence(*active)});
+    else
+        run_command(context, spec);
 }
 
 const char* effect_sign(editor::ShapeEffect effect) {

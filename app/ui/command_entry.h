@@ -26,6 +26,9 @@ void run_command(const PanelContext& context, const editor::CommandSpec& spec);
 /// that presenter remotes send go through its steps. Null where it does nothing.
 const editor::CommandSpec* command_of(const editor::EditorState& state, const KeyPress& press);
 
+/// Runs the command of a key. An edit of a curve that is hidden is refused: what is not seen is not changed by keys.
+void run_by_key(const PanelContext& context, const editor::CommandSpec& spec);
+
 /// "≅" where the shape is kept, "≠" where it changes, else empty.
 const char* effect_sign(editor::ShapeEffect effect);
 

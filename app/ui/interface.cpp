@@ -63,7 +63,7 @@ void run_shortcut(const PanelContext& context, const KeyPress& press) {
     if (spec == &editor::Copy::spec() && !context.panels.text_at_pointer.empty())
         context.queue.run(editor::CopyText{.text = context.panels.text_at_pointer});
     else if (spec != nullptr)
-        run_command(context, *spec);
+        run_by_key(context, *spec);
 }
 
 FrameAreas areas_of(const PanelContext& context) {

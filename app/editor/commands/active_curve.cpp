@@ -1,6 +1,7 @@
 #include "app/editor/commands/active_curve.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 #include "app/editor/pointer/hint_text.h"
@@ -27,8 +28,19 @@ std::optional<Refusal> no_editable_curve(const EditorState& state) {
     return active == nullptr ? no_curve(state) : locked(*active);
 }
 
+std::optional<Refusal> locked_or_hidden(const core::DocumentCurve& curve) {
+    if (std::optional<Refusal> refusal = locked(curve)) return refusal;
+    if (curve.visible) return std::nullopt;
+    return hidden_sentence(curve);
+}
+
+std::optional<Refusal> no_curve_at_hand(const EditorState& state) {
+    const core::DocumentCurve* active = state.history.present().active_curve();
+    return active == nullptr ? no_curve(state) : locked_or_hidden(*active);
+}
+
 std::optional<Refusal> no_editable_points(const EditorState& state) {
-    if (std::optional<Refusal> refusal = no_editable_curve(state)) return refusal;
+    if (std::optional<Refusal> refusal = no_curve_at_hand(state)) return refusal;
     if (state.selection.points.empty()) return "no control point is selected";
     return std::nullopt;
 }
@@ -75,6 +87,7 @@ bool is_made_of_points(const EditorState& state) {
 }
 
 std::vector<std::size_t> ascending(std::vector<std::size_t> indices) {
+    if (std::ranges::adjacent_find(indices, std::ranges::greater_equal()) == indices.end()) return indices;
     std::sort(indices.begin(), indices.end());
     indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
     return indices;

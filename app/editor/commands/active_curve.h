@@ -8,13 +8,21 @@
 
 namespace batten::editor {
 
-/// Refusals: no active curve; no active curve or a locked one; no control point selected or one of these.
+/// Refusals: no active curve; no active curve or a locked one; no control point selected, a hidden curve or
+/// one of these.
 std::optional<Refusal> no_curve(const EditorState& state);
 std::optional<Refusal> no_editable_curve(const EditorState& state);
 std::optional<Refusal> no_editable_points(const EditorState& state);
 
 /// Why `curve` cannot be edited, if it cannot.
 std::optional<Refusal> locked(const core::DocumentCurve& curve);
+
+/// Why what is selected of `curve` cannot: that it is hidden counts, too, since what is not seen is not changed by keys
+/// and pointer. Commands that are told which curves and points they are about do not ask this.
+std::optional<Refusal> locked_or_hidden(const core::DocumentCurve& curve);
+
+/// The same of the active curve, which must be there, too.
+std::optional<Refusal> no_curve_at_hand(const EditorState& state);
 
 /// The committed active curve; there must be one.
 const core::Curve& active_curve(const EditorState& state);

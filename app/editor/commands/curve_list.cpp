@@ -117,13 +117,13 @@ core::Result<void> shift_entry(core::DocumentCurve& entry, double shift) {
     return map_entry(entry, core::translation({shift, -shift}));
 }
 
-std::optional<Refusal> too_many_copies(const EditorState& state, std::size_t count) {
+std::optional<Refusal> too_many_copies(const EditorState& state, const std::vector<std::size_t>& curves,
+                                       std::size_t count) {
     constexpr std::size_t most = 5'000'000;
-    const std::size_t points = active_curve(state).control_points().size();
+    const std::size_t points = control_point_count(state.history.present(), curves);
     if (count <= most / points) return std::nullopt;
-    return core::sentence(
-        "{count} curves of {points} control points each are too many; at most {most} points in all are allowed",
-        {{"count", count}, {"points", points}, {"most", most}});
+    return core::sentence("{count} times {points} control points are too many; at most {most} in all are allowed",
+                          {{"count", count}, {"points", points}, {"most", most}});
 }
 
 Outcome<Edit> with_duplicate(const EditorState& state, std::size_t index, double shift) {

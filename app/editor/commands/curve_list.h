@@ -47,8 +47,9 @@ bool are_all_points(const EditorState& state, const std::vector<std::size_t>& po
 /// Moves the entry's curve by `shift` to the right and down.
 [[nodiscard]] core::Result<void> shift_entry(core::DocumentCurve& entry, double shift);
 
-/// Why there cannot be `count` curves like the active one: they would have more control points than can be drawn.
-std::optional<Refusal> too_many_copies(const EditorState& state, std::size_t count);
+/// Why there cannot be each of `curves` `count` times: they would have more control points than can be drawn.
+std::optional<Refusal> too_many_copies(const EditorState& state, const std::vector<std::size_t>& curves,
+                                       std::size_t count);
 
 /// The committed document with a copy of curve `index`, which there must be, moved by `shift` to the right and down;
 /// the copy is active, visible and not locked.

@@ -30,7 +30,7 @@ std::vector<core::KnotMark> smooth_joints(const core::Curve& curve, const Bezier
     for (std::size_t i = path.closed ? 0 : 3; i + 1 < n; i += 3) {
         const core::Point place = path.points[i];
         if (path.points[(i + n - 1) % n] == place || path.points[i + 1] == place) continue;
-        const double u = static_cast<double>(i / 3);
+        const auto u = static_cast<double>(i / 3);
         if (core::is_kept(curves, {.before = {0, u, core::Side::left}, .after = {0, u, core::Side::right}}))
             marks.push_back({u, core::JointMark::smooth});
     }

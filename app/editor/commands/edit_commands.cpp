@@ -67,20 +67,10 @@ std::optional<Refusal> nothing_to_redo(const EditorState& state) {
     return "there is nothing to redo";
 }
 
-// Where more is selected than points of the active curve, all curves of it; else the active curve.
-std::vector<std::size_t> curves_meant(const EditorState& state) {
-    if (state.selection.is_over_curves()) return selected_curves(state);
-    return {state.history.present().active};
-}
-
 SelectedParts parts_meant(const EditorState& state) {
     SelectedParts parts;
     for (const std::size_t i : curves_meant(state)) parts.push_back({i});
     return parts;
-}
-
-core::Place names_of_meant(const EditorState& state) {
-    return {"curves", curves_text(state.history.present(), curves_meant(state))};
 }
 
 bool is_one_meant(const EditorState& state) {
@@ -194,12 +184,12 @@ StepTexts texts_of_duplicate(const EditorState& state, const Duplicate&) {
 }
 
 bool has_nothing_selected(const EditorState& state) {
-    return !no_editable_curve(state) && state.selection.is_empty();
+    return !no_curve_at_hand(state) && state.selection.is_empty();
 }
 
 std::optional<Refusal> nothing_to_delete(const EditorState& state) {
     if (state.selection.is_over_curves()) return nothing_to_map(state);
-    if (std::optional<Refusal> refusal = no_editable_curve(state)) return refusal;
+    if (std::optional<Refusal> refusal = no_curve_at_hand(state)) return refusal;
     if (!state.selection.is_empty()) return std::nullopt;
     return "nothing is selected";
 }

@@ -61,6 +61,7 @@ Selection moved_selection(const EditorState& state, const Indices& places, std::
     Selection selection = selection_of(std::move(parts), active);
     selection.knot = state.selection.knot;
     selection.fit_point = state.selection.fit_point;
+    selection.handlebar = state.selection.handlebar;
     return selection;
 }
 

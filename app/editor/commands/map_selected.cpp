@@ -4,6 +4,7 @@
 #include <map>
 
 #include "app/editor/commands/active_curve.h"
+#include "app/editor/commands/suggestions.h"
 #include "app/editor/state/fit_curve.h"
 #include "app/editor/state/point_hues.h"
 #include "app/editor/state/symmetry_links.h"
@@ -98,7 +99,7 @@ std::optional<Refusal> nothing_to_map(const EditorState& state) {
     if (!state.selection.is_over_curves()) return no_editable_points(state);
     const auto selected = selected_box(state);
     for (const SelectedPart& part : selected->parts)
-        if (auto refusal = locked(state.history.present().curves[part.curve])) return refusal;
+        if (auto refusal = locked_or_hidden(state.history.present().curves[part.curve])) return refusal;
     return std::nullopt;
 }
 
@@ -127,8 +128,8 @@ Outcome<Edit> map_parts(const EditorState& state, const SelectedParts& parts, co
 
 Outcome<Edit> map_selected(const EditorState& state, const core::PlaneMap& map) {
     if (std::optional<Refusal> refusal = nothing_to_map(state)) return tl::unexpected(*std::move(refusal));
-    const SelectedParts parts = selected_parts(state);
-    return map_parts(state, parts, std::vector<core::PlaneMap>(parts.size(), map));
+    const auto selected = selected_box(state);
+    return map_parts(state, selected->parts, std::vector<core::PlaneMap>(selected->parts.size(), map));
 }
 
 Outcome<Edit> without_parts(const EditorState& state, const SelectedParts& parts) {
@@ -147,6 +148,14 @@ Outcome<Edit> without_parts(const EditorState& state, const SelectedParts& parts
     }
     if (!gone.empty()) erase_curves(edit.document, gone);
     return edit;
+}
+
+std::vector<std::size_t> curves_meant(const EditorState& state) {
+    return suggest::curves_meant(state).value();
+}
+
+core::Place names_of_meant(const EditorState& state) {
+    return {"curves", curves_text(state.history.present(), curves_meant(state))};
 }
 
 std::string parts_words(const core::Document& document, const SelectedParts& parts, std::size_t active) {

@@ -3,11 +3,13 @@
 
 #include "app/editor/command_spec.h"
 #include "app/editor/state/selected_parts.h"
+#include "core/base/sentence.h"
 #include "core/edit/plane_map.h"
 
 namespace batten::editor {
 
-/// Refusals: nothing is selected that has a place, or a curve of it is locked; no curve of which anything is selected.
+/// Refusals: nothing is selected that has a place, or a curve of it is locked or hidden; no curve of which anything is
+/// selected.
 std::optional<Refusal> nothing_to_map(const EditorState& state);
 std::optional<Refusal> no_selected_curve(const EditorState& state);
 
@@ -22,6 +24,11 @@ Outcome<Edit> map_parts(const EditorState& state, const SelectedParts& parts, co
 
 /// The committed document without what is selected, which there must be; a curve goes where all its points do.
 Outcome<Edit> without_parts(const EditorState& state, const SelectedParts& parts);
+
+/// The curves of which anything is selected, else the active one, which there must be; and as the place {curves} of a
+/// sentence.
+std::vector<std::size_t> curves_meant(const EditorState& state);
+core::Place names_of_meant(const EditorState& state);
 
 /// "P₅", "3 points", "'wave'", "4 curves", "3 points of 2 curves": what is selected.
 std::string parts_words(const core::Document& document, const SelectedParts& parts, std::size_t active);

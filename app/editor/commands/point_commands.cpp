@@ -75,7 +75,7 @@ StepTexts texts_of_delete_points(const EditorState& state, const DeletePoints& c
 }
 
 std::optional<Refusal> nothing_to_nudge(const EditorState& state) {
-    return state.selection.fit_point ? no_editable_curve(state) : nothing_to_map(state);
+    return state.selection.fit_point ? no_curve_at_hand(state) : nothing_to_map(state);
 }
 
 Outcome<Edit> nudged_fit_point(const EditorState& state, std::size_t index, core::Vector offset) {
@@ -129,7 +129,7 @@ Outcome<Edit> nudge_toward(const EditorState& state, const Command& command) {
 }
 
 bool has_no_points_selected(const EditorState& state) {
-    return !no_editable_curve(state) && state.selection.points.empty() && !state.selection.is_over_curves() &&
+    return !no_curve_at_hand(state) && state.selection.points.empty() && !state.selection.is_over_curves() &&
            !state.selection.fit_point;
 }
 

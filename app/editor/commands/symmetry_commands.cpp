@@ -103,7 +103,8 @@ Outcome<Edit> link_mirror(const EditorState& state, const LinkMirror& command) {
 }
 
 Outcome<Edit> link_rotation(const EditorState& state, const LinkRotation& command) {
-    if (auto refusal = too_many_copies(state, command.turns)) return tl::unexpected(*std::move(refusal));
+    if (auto refusal = too_many_copies(state, {state.history.present().active}, command.turns))
+        return tl::unexpected(*std::move(refusal));
     return with_images(state, {.turns = command.turns, .center = command.center}, active_curve(state), command.turns);
 }
 

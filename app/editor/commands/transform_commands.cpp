@@ -73,9 +73,9 @@ core::PlaneMap map_of(const EditorState&, const MapProjectively& command) {
 
 bool are_whole_curves(const EditorState& state, MapTarget what) {
     const core::Document& document = state.history.present();
-    return what != MapTarget::selection || std::ranges::all_of(selected_parts(state), [&](const SelectedPart& part) {
-               return is_all_of(part, document.curves[part.curve]);
-           });
+    return what != MapTarget::selection ||
+           std::ranges::all_of(selected_box(state)->parts,
+                               [&](const SelectedPart& part) { return is_all_of(part, document.curves[part.curve]); });
 }
 
 // What the map did to the shape of the curves.

@@ -58,7 +58,9 @@ struct ShownText {
     std::string operator()(const std::vector<double>& values) const {
         return sentence({.one = "one number", .many = "{count} numbers"}, values.size());
     }
-    std::string operator()(const std::vector<std::size_t>& indices) const {
+    std::string operator()(std::vector<std::size_t> indices) const {
+        std::sort(indices.begin(), indices.end());
+        indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
         return field.kind == FieldKind::curve_indices ? curves_text(state.history.present(), indices)
                                                       : points_text(indices);
     }

@@ -3,7 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/editor/commands/arranging_commands.h"
+#include "app/editor/commands/array_commands.h"
+#include "app/editor/commands/suggestions.h"
 #include "app/editor/commands/symmetry_commands.h"
 #include "app/editor/commands/transform_commands.h"
 #include "app/editor/pointer/point_drag.h"
@@ -36,10 +37,17 @@ Command mirror_command(const EditorState& state, AxisUse use, core::Point first,
     return Mirror{.angle = angle, .what = what, .pivot = first};
 }
 
+/// The curves of which copies or images are shown: the selected ones, but links are made of the active one alone.
+std::vector<std::size_t> previewed_curves(const EditorState& state) {
+    const AxisUse use = state.axis_pick->use;
+    const bool is_of_selected = use == AxisUse::mirror || use == AxisUse::array_polar;
+    return is_of_selected ? *suggest::curves_meant(state) : std::vector{state.history.present().active};
+}
+
 bool is_quick(const EditorState& state) {
-    const core::Curve* curve = committed_curve(state);
-    return curve != nullptr &&
-           curve->control_points().size() * std::max<std::size_t>(state.axis_pick->count, 2) <= most_points_previewed;
+    if (committed_curve(state) == nullptr) return false;
+    const std::size_t count = control_point_count(state.history.present(), previewed_curves(state));
+    return count * std::max<std::size_t>(state.axis_pick->count, 2) <= most_points_previewed;
 }
 
 core::Point clicked_place(const Gesture& gesture) {

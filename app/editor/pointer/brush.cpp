@@ -87,12 +87,7 @@ Brushing hovering(const Gesture& gesture) {
 
 Brushing pressed(const Gesture& gesture) {
     Brushing mode = hovering(gesture);
-    if (!can_edit_curve(gesture.state)) {
-        gesture.queue.change(ShowRefusal{committed_curve(gesture.state) == nullptr
-                                             ? "there is no curve; draw one or open a file"
-                                             : "the curve is locked or hidden"});
-        return mode;
-    }
+    if (!may_edit_curve(gesture)) return mode;
     mode.press_px = mode.position_px;
     if (gesture.state.view.brush.kind == BrushKind::fair) paint(mode, gesture);
     return mode;

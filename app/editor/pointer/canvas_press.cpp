@@ -41,7 +41,7 @@ std::vector<std::size_t> with_point(std::vector<std::size_t> points, std::size_t
 
 CanvasMode begin_weight_drag(const Gesture& gesture, std::size_t index) {
     select_points(gesture, {index});
-    if (!can_edit_curve(gesture.state)) return CanvasIdle{};
+    if (!may_edit_curve(gesture)) return CanvasIdle{};
     return DraggingWeight{index, committed_curve(gesture.state)->weights()[index], gesture.event.position_px};
 }
 
@@ -75,7 +75,7 @@ struct SelectPress {
     CanvasMode operator()(const HoveredWeightRing& hit) const { return begin_weight_drag(gesture, hit.index); }
     CanvasMode operator()(const HoveredKnot& hit) const { return begin_knot_drag(gesture, hit.index); }
     CanvasMode operator()(const HoveredFarinPoint& hit) const {
-        if (!can_edit_curve(gesture.state)) return CanvasIdle{};
+        if (!may_edit_curve(gesture)) return CanvasIdle{};
         return DraggingFarinPoint{hit.leg, gesture.event.position_px};
     }
     CanvasMode operator()(const HoveredFitPoint& hit) const { return begin_fit_point_drag(gesture, hit.index); }
@@ -158,20 +158,19 @@ CanvasMode press_weight(const Gesture& gesture, const Hover& hit) {
 
 CanvasMode press_add_point(const Gesture& gesture, const Hover& hit) {
     if (const auto* point = std::get_if<HoveredPoint>(&hit)) return begin_point_drag(gesture, point->index);
-    const core::Curve* curve = committed_curve(gesture.state);
-    if (curve == nullptr) return CanvasIdle{};
+    if (!may_edit_curve(gesture)) return CanvasIdle{};
     const core::Point position = pointed_at(gesture);
     if (const core::FitPoints* fit = committed_fit(gesture.state)) {
         gesture.queue.run(InsertFitPoint{.index = best_index_for(*fit, position), .position = position});
         return CanvasIdle{};
     }
-    gesture.queue.run(AddPoint{.index = best_index_for(*curve, position), .position = position});
+    gesture.queue.run(
+        AddPoint{.index = best_index_for(*committed_curve(gesture.state), position), .position = position});
     return CanvasIdle{};
 }
 
 CanvasMode press_insert_knot(const Gesture& gesture, const Hover& hit) {
-    const core::Curve* curve = committed_curve(gesture.state);
-    if (curve == nullptr) return CanvasIdle{};
+    if (!may_edit_curve(gesture)) return CanvasIdle{};
     if (const auto* knot = std::get_if<HoveredKnot>(&hit)) {
         gesture.queue.run(RaiseKnot{.index = knot->index});
         return CanvasIdle{};

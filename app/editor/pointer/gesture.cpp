@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/editor/commands/active_curve.h"
+
 namespace batten::editor {
 namespace {
 
@@ -70,8 +72,13 @@ core::CurveSample nearest_to_pointer(const Gesture& gesture) {
 }
 
 bool can_edit_curve(const EditorState& state) {
-    const core::DocumentCurve* item = state.history.present().active_curve();
-    return item != nullptr && item->visible && !item->locked;
+    return !no_curve_at_hand(state);
+}
+
+bool may_edit_curve(const Gesture& gesture) {
+    const std::optional<Refusal> refusal = no_curve_at_hand(gesture.state);
+    if (refusal) gesture.queue.change(ShowRefusal{*refusal});
+    return !refusal;
 }
 
 double rounded_to_step(double value, double step) {

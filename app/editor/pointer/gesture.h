@@ -58,6 +58,9 @@ core::CurveSample nearest_to_pointer(const Gesture& gesture);
 /// Whether the active curve is there, visible and not locked, so that a drag may begin.
 bool can_edit_curve(const EditorState& state);
 
+/// The same; where it is not, says why.
+bool may_edit_curve(const Gesture& gesture);
+
 /// The multiple of `step` nearest to `value`; for a step like 0.2, 0.05 or 0.001 the double nearest to the decimal
 /// number.
 double rounded_to_step(double value, double step);

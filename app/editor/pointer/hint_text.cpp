@@ -19,4 +19,9 @@ std::string locked_sentence(const core::DocumentCurve& curve) {
     return core::sentence("curve '{name}' is locked; unlock it in the inspector", {{"name", curve.name}});
 }
 
+std::string hidden_sentence(const core::DocumentCurve& curve) {
+    return core::sentence("curve '{name}' is hidden; show it in the inspector, or all with Ctrl+Shift+H",
+                          {{"name", curve.name}});
+}
+
 }  // namespace batten::editor

@@ -10,7 +10,8 @@ namespace batten::editor {
 /// "u = 0.4", of the shown active curve.
 std::string parameter_text(const EditorState& state);
 
-/// Why a locked curve cannot be edited.
+/// Why a locked curve cannot be edited, and a hidden one not by what is selected, keys and pointer.
 std::string locked_sentence(const core::DocumentCurve& curve);
+std::string hidden_sentence(const core::DocumentCurve& curve);
 
 }  // namespace batten::editor

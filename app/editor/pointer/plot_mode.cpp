@@ -97,6 +97,7 @@ bool takes_double_click(const PlotGesture& gesture, const Hover& hit) {
 }
 
 void double_click(const PlotGesture& gesture, const Hover& hit) {
+    if (!may_edit_curve(gesture)) return;
     if (const auto* knot = std::get_if<HoveredKnot>(&hit))
         gesture.queue.run(RaiseKnot{.index = knot->index});
     else

@@ -169,8 +169,8 @@ SelectedParts parts_in_box(const BoxSelecting& mode, const Gesture& gesture) {
 }
 
 void ask_to_move(const DraggingSelection& mode, const Gesture& gesture, Phase phase) {
-    const SelectedParts parts = selected_parts(gesture.state);
-    const core::Point target = dragged_position(gesture, mode.start, mode.press_px, {.parts = parts});
+    const auto selected = selected_box(gesture.state);
+    const core::Point target = dragged_position(gesture, mode.start, mode.press_px, {.parts = selected->parts});
     if (target == mode.start)
         gesture.queue.cancel_preview();
     else

@@ -88,8 +88,7 @@ Outcome<SelectedPart> part_of_word(const std::string& word, const core::Document
                                        {{"index", *curve}, {"last", document.curves.size() - 1}}));
     const core::DocumentCurve& entry = document.curves[*curve];
     if (entry.locked) return tl::unexpected(locked_sentence(entry));
-    if (!entry.visible)
-        return tl::unexpected(sentence("curve '{name}' is hidden; show it first", {{"name", entry.name}}));
+    if (!entry.visible) return tl::unexpected(hidden_sentence(entry));
     if (rest.empty()) return SelectedPart{*curve};
     if (!take_sign(rest, ':')) return tl::unexpected(no_such_form(word));
     auto points = taken_points(rest, word, entry);
@@ -137,8 +136,12 @@ Selection selection_of(SelectedParts parts, std::size_t active) {
 }
 
 std::vector<std::size_t> selected_curves(const EditorState& state) {
+    // Without the points, which may be very many.
     Indices curves;
-    for (const SelectedPart& part : selected_parts(state)) curves.push_back(part.curve);
+    for (const SelectedPart& part : state.selection.others) curves.push_back(part.curve);
+    const std::size_t active = state.history.present().active;
+    if (state.selection.is_whole || !state.selection.points.empty())
+        curves.insert(std::ranges::lower_bound(curves, active), active);
     return curves;
 }
 
@@ -190,6 +193,12 @@ std::vector<std::size_t> selectable(const core::Document& document, const std::v
     for (const std::size_t i : curves)
         if (can_be_selected(document.curves[i])) found.push_back(i);
     return found;
+}
+
+std::size_t control_point_count(const core::Document& document, const std::vector<std::size_t>& curves) {
+    std::size_t count = 0;
+    for (const std::size_t i : curves) count += document.curves[i].curve->control_points().size();
+    return count;
 }
 
 std::vector<std::size_t> curves_showing_points(const EditorState& state) {

@@ -47,6 +47,9 @@ bool can_be_selected(const core::DocumentCurve& entry);
 /// The same curves, of which those that can be selected.
 std::vector<std::size_t> selectable(const core::Document& document, const std::vector<std::size_t>& curves);
 
+/// How many control points these curves have in all.
+std::size_t control_point_count(const core::Document& document, const std::vector<std::size_t>& curves);
+
 /// The visible curves beside the active one whose control points are shown, and can be taken: those of which points are
 /// selected, and where polygons of other curves are shown all that are not locked. Ascending.
 std::vector<std::size_t> curves_showing_points(const EditorState& state);
