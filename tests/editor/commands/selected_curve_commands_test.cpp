@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/editor/command_spec.h"
+#include "app/editor/commands/arranging_commands.h"
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/group_commands.h"
@@ -85,7 +87,7 @@ TEST_F(SelectedCurveCommands, what_cannot_be_selected_is_told) {
     EXPECT_EQ(message(), "curve 'fixed' is locked; unlock it in the inspector");
     run(SetCurveVisible{.index = 1, .visible = false});
     EXPECT_FALSE(select("1:0"));
-    EXPECT_EQ(message(), "curve 'high' is hidden; show it first");
+    EXPECT_EQ(message(), "curve 'high' is hidden; show it in the inspector, or all with Ctrl+Shift+H");
     EXPECT_EQ(state().selection, Selection{});
 }
 
@@ -235,6 +237,39 @@ TEST_F(SelectedCurveCommands, a_locked_curve_that_is_selected_as_active_refuses_
     run(SelectPoints{.points = {1}});
     EXPECT_FALSE(run(Move{.offset = {1, 0}, .what = MapTarget::selection}));
     EXPECT_EQ(message(), "curve 'fixed' is locked; unlock it in the inspector");
+}
+
+TEST_F(SelectedCurveCommands, what_is_named_twice_counts_once) {
+    EXPECT_TRUE(type("delete-curves 1,1,0"));
+    EXPECT_EQ(message(), "Deleted 2 curves");
+    EXPECT_EQ(names(), (Names{"ring", "fixed"}));
+}
+
+TEST_F(SelectedCurveCommands, moving_a_curve_in_the_list_keeps_where_it_is_held) {
+    ASSERT_TRUE(run(ShowHandlebar{.u = 1.25}));
+    EXPECT_TRUE(run(MoveCurve{.from = 0, .to = 2}));
+    EXPECT_EQ(document(editor_).active, 2U);
+    EXPECT_EQ(state().selection.handlebar, std::optional(1.25));
+}
+
+TEST_F(SelectedCurveCommands, what_is_selected_of_a_hidden_curve_stays_as_it_is) {
+    const std::string sentence = "curve 'low' is hidden; show it in the inspector, or all with Ctrl+Shift+H";
+    run(SetCurveVisible{.index = 0, .visible = false});
+    ASSERT_TRUE(run(SelectAll{})) << "logs that do so go on";
+    EXPECT_EQ(selected(), "0:0-2");
+    for (const Command& command :
+         {Command(Delete{}), Command(Nudge{.offset = {1, 0}}), Command(NudgeUpFar{.distance = 1.0, .continues = false}),
+          Command(Rotate{.angle = 90.0, .what = MapTarget::selection}),
+          Command(Align{.at = Alignment::left, .what = Arranged::points})}) {
+        EXPECT_FALSE(run(command)) << command.spec().name;
+        EXPECT_EQ(message(), sentence) << command.spec().name;
+    }
+    EXPECT_EQ(points_of(0), (Points{{0, 0}, {1, 0}, {2, 0}}));
+    EXPECT_TRUE(run(MovePoints{.points = {1}, .offset = {0, 1}})) << "which says itself what it is about";
+    EXPECT_EQ(points_of(0)[1], core::Point(1, 1));
+    EXPECT_TRUE(run(ShowCurves{.curves = {0}}));
+    EXPECT_TRUE(run(Nudge{.offset = {1, 0}}));
+    EXPECT_EQ(points_of(0)[0], core::Point(1, 0));
 }
 
 TEST_F(SelectedCurveCommands, pinned_points_stay_unless_the_curve_goes_as_a_whole) {

@@ -6,6 +6,7 @@
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/selected_curve_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/tool_commands.h"
 #include "tests/editor/canvas_fixture.h"
@@ -163,6 +164,23 @@ TEST_F(AxisPicking, shows_no_result_while_the_pointer_is_elsewhere) {
     EXPECT_FALSE(state().preview);
     pointer.move(px(5, 1));
     EXPECT_TRUE(state().preview);
+}
+
+TEST_F(AxisPicking, shows_nothing_before_the_click_where_all_that_is_selected_is_long) {
+    std::vector<core::Point> many;
+    for (int i = 0; i < 15'000; ++i) many.emplace_back(1e-3 * i, 50.0);
+    editor.run(NewCurve{.points = many, .degree = 1});
+    editor.run(ActivateCurve{.index = 0});
+    editor.run(PickArrayPolar{.count = 2});
+    pointer.move(px(5, 1));
+    EXPECT_TRUE(state().preview) << "of the active curve alone";
+    pointer.send(PointerAction::take_back, {0, 0});
+    editor.run(SelectParts{.parts = "0 1"});
+    editor.run(PickArrayPolar{.count = 2});
+    pointer.move(px(5, 1));
+    EXPECT_FALSE(state().preview) << "30 010 points of two curves";
+    pointer.click(px(5, 1));
+    EXPECT_EQ(document(editor).curves.size(), 4U);
 }
 
 TEST_F(AxisPicking, two_clicks_at_one_place_are_no_axis) {

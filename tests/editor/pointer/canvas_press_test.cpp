@@ -188,6 +188,18 @@ TEST_F(CanvasPress, a_locked_curve_is_not_dragged) {
     EXPECT_EQ(committed(editor), *first_curve);
 }
 
+TEST_F(CanvasPress, tools_leave_a_hidden_curve_as_it_is_and_say_so) {
+    const core::Point on = core::point_at(*first_curve, 0.5);
+    editor.run(SetCurveVisible{.index = 0, .visible = false});
+    for (const Tool tool : {Tool::insert_knot, Tool::add_point, Tool::brush}) {
+        editor.run(SetTool{.tool = tool});
+        pointer.click(px(on.x, on.y));
+        EXPECT_NE(state().message.text.find("is hidden; show it"), std::string::npos) << state().message.text;
+    }
+    EXPECT_EQ(committed(editor), *first_curve);
+    EXPECT_EQ(steps(), 1U) << "that which hid it";
+}
+
 TEST_F(CanvasPress, click_on_another_curve_makes_it_active) {
     editor.run(NewCurve{.points = {{-4, 4}, {4, 4}}, .degree = 1});
     ASSERT_EQ(state().history.present().active, 1U);

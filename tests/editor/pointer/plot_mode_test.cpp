@@ -295,6 +295,18 @@ TEST_F(PlotModes, a_locked_curve_keeps_its_knots) {
     EXPECT_EQ(state().selection.knot, std::optional<std::size_t>(4));
 }
 
+TEST_F(PlotModes, a_hidden_curve_keeps_its_knots) {
+    editor.run(SetCurveVisible{.index = 0, .visible = false});
+    const std::size_t steps = state().history.undo_count();
+    pointer.drag(at(0.25), at(0.35));
+    for (const double u : {0.25, 0.6}) {
+        pointer.double_click(at(u));
+        EXPECT_NE(state().message.text.find("is hidden; show it"), std::string::npos) << state().message.text;
+    }
+    EXPECT_EQ(interior(), (Knots{0.25, 0.5, 0.75}));
+    EXPECT_EQ(state().history.undo_count(), steps);
+}
+
 TEST_F(PlotModes, without_a_curve_nothing_breaks) {
     editor = Editor();
     pointer.drag(at(0.25), at(0.35));
