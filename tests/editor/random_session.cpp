@@ -629,7 +629,7 @@ Command RandomSession::several_command(const EditorState& state) {
         case 12:
             return RenameGroup{.group = name(), .name = name()};
         case 13:
-            return MoveGroup{.group = count > 0 ? state.history.present().curves[index(count)].group : name(),
+            return MoveGroup{.group = count > 0 ? state.history.present().curves[below(count)].group : name(),
                              .before = below(2) == 0 ? std::optional(index(count)) : std::nullopt};
         default:
             return MoveCurve{.from = index(count),
