@@ -8,6 +8,7 @@
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/words/continuity_words.h"
+#include "app/editor/words/length.h"
 #include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
 #include "core/curve/control_box.h"
@@ -44,7 +45,7 @@ std::string joint_label(const core::JointContinuity& joint) {
 
 // A jump is as uncertain as what it is relative to.
 FoundNumber jump_number(const char* name, const core::Jump& jump) {
-    return {name, jump.size, jump.relative > 0.0 ? rounding_error * jump.size / jump.relative : 0.0};
+    return {name, jump.size, jump.relative > 0.0 ? rounding_error * jump.size / jump.relative : 0.0, 1};
 }
 
 Finding continuity_row(const core::Curve& curve, const core::JointContinuity& joint) {
@@ -63,8 +64,8 @@ Finding continuity_row(const core::Curve& curve, const core::JointContinuity& jo
                             {"relative jump of C''", joint.second.relative, rounding_error}},
                 .note = continuity_verdict(joint)};
     if (joint.angle) row.numbers.push_back({"angle in degrees", glm::degrees(*joint.angle), 180.0 * rounding_error});
-    if (joint.before) row.numbers.push_back({"curvature before", *joint.before});
-    if (joint.after) row.numbers.push_back({"curvature after", *joint.after});
+    if (joint.before) row.numbers.push_back({"curvature before", *joint.before, 0.0, -1});
+    if (joint.after) row.numbers.push_back({"curvature after", *joint.after, 0.0, -1});
     return row;
 }
 
@@ -111,8 +112,8 @@ Outcome<void> find_curvature_extrema(EditorState& state, const FindCurvatureExtr
         Finding row{.label = found.is_maximum ? "maximum" : "minimum",
                     .parameter = found.u,
                     .point = found.point,
-                    .numbers = {{"curvature", found.curvature}}};
-        if (found.curvature != 0.0) row.numbers.push_back({"radius", 1.0 / found.curvature});
+                    .numbers = {{"curvature", found.curvature, 0.0, -1}}};
+        if (found.curvature != 0.0) row.numbers.push_back({"radius", 1.0 / found.curvature, 0.0, 1});
         add_interval(row, found.where);
         rows.push_back(std::move(row));
     }
@@ -174,22 +175,23 @@ Outcome<void> find_self_intersections(EditorState& state, const FindSelfIntersec
 
 Finding box_row(const char* label, const core::Box& box) {
     return {.label = label,
-            .numbers = {{"left", box.lower.x},
-                        {"right", box.upper.x},
-                        {"bottom", box.lower.y},
-                        {"top", box.upper.y},
-                        {"width", box.size().x},
-                        {"height", box.size().y}}};
+            .numbers = {{"left", box.lower.x, 0.0, 1},
+                        {"right", box.upper.x, 0.0, 1},
+                        {"bottom", box.lower.y, 0.0, 1},
+                        {"top", box.upper.y, 0.0, 1},
+                        {"width", box.size().x, 0.0, 1},
+                        {"height", box.size().y, 0.0, 1}}};
 }
 
 Outcome<void> find_bounds(EditorState& state, const FindBounds&) {
     const core::Curve& curve = active_curve(state);
     const core::Box box = core::tight_box(curve);
     if (box.is_empty()) return tl::unexpected(core::describe({.code = core::CurveErrorCode::not_computable}));
+    const Units& units = state.history.present().units;
     std::string summary =
         sentence("{name} is {width} wide and {height} high", {active_name(state),
-                                                              {"width", core::shortest_text(box.size().x)},
-                                                              {"height", core::shortest_text(box.size().y)}});
+                                                              {"width", length_words(units, box.size().x)},
+                                                              {"height", length_words(units, box.size().y)}});
     return show_rows(state, "Bounds", std::move(summary),
                      {box_row("curve", box), box_row("control points", core::control_box(curve))});
 }

@@ -7,6 +7,7 @@
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/words/length.h"
 #include "core/base/number_text.h"
 #include "core/measure/area.h"
 #include "core/measure/continuity.h"
@@ -152,11 +153,14 @@ Outcome<void> find_centroid(EditorState& state, const FindCentroid& command) {
     if (!sum) return tl::unexpected(core::describe(sum.error()));
     if (!(sum->area > 0.0)) return tl::unexpected(std::string("the curve encloses no area and has no centroid"));
     const core::Point centroid = origin + sum->moment / sum->area;
-    Finding row{.label = "centroid", .point = centroid, .numbers = {{"area", sum->area}}};
+    Finding row{.label = "centroid", .point = centroid, .numbers = {{"area", sum->area, 0.0, 2}}};
     add_numbers(row, "centroid", centroid, 0.0);
+    const Units& units = state.history.present().units;
+    const core::Point place = in_units(units, centroid);
     std::string summary =
-        sentence("The centroid of {name} is ({x}, {y})",
-                 {active_name(state), {"x", core::shortest_text(centroid.x)}, {"y", core::shortest_text(centroid.y)}});
+        sentence("The centroid of {name} is ({x}, {y})", {active_name(state),
+                                                          {"x", core::shortest_text(place.x)},
+                                                          {"y", with_unit(units, core::shortest_text(place.y))}});
     return show_rows(state, "Centroid", std::move(summary), {std::move(row)});
 }
 

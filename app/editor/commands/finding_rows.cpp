@@ -25,19 +25,19 @@ core::Place active_name(const EditorState& state) {
 
 namespace {
 
-void add_pair(Finding& finding, const char* name, core::Vector pair, double error) {
-    finding.numbers.push_back({fmt::format("{} x", name), pair.x, error});
-    finding.numbers.push_back({fmt::format("{} y", name), pair.y, error});
+void add_pair(Finding& finding, const char* name, core::Vector pair, double error, int power) {
+    finding.numbers.push_back({fmt::format("{} x", name), pair.x, error, power});
+    finding.numbers.push_back({fmt::format("{} y", name), pair.y, error, power});
 }
 
 }  // namespace
 
-void add_numbers(Finding& finding, const char* name, core::Vector vector) {
-    add_pair(finding, name, vector, rounding_error * core::robust_length(vector));
+void add_numbers(Finding& finding, const char* name, core::Vector vector, int power) {
+    add_pair(finding, name, vector, rounding_error * core::robust_length(vector), power);
 }
 
 void add_numbers(Finding& finding, const char* name, core::Point point, double error) {
-    add_pair(finding, name, core::vector_to(point), error);
+    add_pair(finding, name, core::vector_to(point), error, 1);
 }
 
 void add_interval(Finding& finding, core::Interval where) {

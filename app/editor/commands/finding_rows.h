@@ -12,7 +12,7 @@ namespace batten::editor {
 core::Place active_name(const EditorState& state);
 
 /// Two numbers for a vector, "tangent x", "tangent y", or a point, whose coordinates may be off by `error`.
-void add_numbers(Finding& finding, const char* name, core::Vector vector);
+void add_numbers(Finding& finding, const char* name, core::Vector vector, int power = 1);
 void add_numbers(Finding& finding, const char* name, core::Point point, double error);
 
 /// "from" and "to", unless the interval is a single parameter.

@@ -48,7 +48,7 @@ Outcome<void> find_closing(EditorState& state, const FindClosing&) {
     Finding finding{.label = core::title_of(report.closing),
                     .parameter = start,
                     .point = core::point_at(curve, start),
-                    .numbers = {{"gap", report.gap, coordinate_error(curve)},
+                    .numbers = {{"gap", report.gap, coordinate_error(curve), 1},
                                 {"continuity", static_cast<double>(report.continuity)}}};
     return show_rows(state, "Closing", summary_of_closing(state, report), {std::move(finding)});
 }

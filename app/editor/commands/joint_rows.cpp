@@ -35,8 +35,8 @@ std::string label_of(const core::Document& document, const core::Joint& joint) {
                   : sentence("end of '{first}' to end of '{second}'", {first, second});
 }
 
-void add_number(Finding& row, const char* name, const std::optional<double>& value, double error = 0.0) {
-    if (value) row.numbers.push_back({name, *value, error});
+void add_number(Finding& row, const char* name, const std::optional<double>& value, double error, int power) {
+    if (value) row.numbers.push_back({name, *value, error, power});
 }
 
 }  // namespace
@@ -72,12 +72,12 @@ Finding joint_row(const core::Document& document, const core::Joint& joint) {
     Finding row{.label = label_of(document, joint), .point = joint.place, .note = level_text(joint.level)};
     if (joint.first.curve == document.active) row.parameter = joint.first.u;
     row.numbers.push_back({"level", static_cast<double>(joint.level)});
-    row.numbers.push_back({"gap", meeting.gap});
+    row.numbers.push_back({"gap", meeting.gap, 0.0, 1});
     if (meeting.angle) row.numbers.push_back({"turn in degrees", *meeting.angle * 180.0 / std::numbers::pi, 1e-10});
-    add_number(row, "curvature before", meeting.before, meeting.curvature_noise);
-    add_number(row, "curvature behind", meeting.after, meeting.curvature_noise);
-    add_number(row, "change before", meeting.change_before, meeting.change_noise);
-    add_number(row, "change behind", meeting.change_after, meeting.change_noise);
+    add_number(row, "curvature before", meeting.before, meeting.curvature_noise, -1);
+    add_number(row, "curvature behind", meeting.after, meeting.curvature_noise, -1);
+    add_number(row, "change before", meeting.change_before, meeting.change_noise, -2);
+    add_number(row, "change behind", meeting.change_after, meeting.change_noise, -2);
     return row;
 }
 

@@ -48,10 +48,12 @@ const Units& units_of(const EditorState& state) {
 Outcome<void> measure_arc_length(EditorState& state, const MeasureArcLength& command) {
     const core::Curve& curve = active_curve(state);
     const core::Integral length = core::arc_length(curve, command.begin, command.end);
-    Finding row{
-        .label = "length",
-        .numbers = {{"length", length.value}, {"error", length.error}, {"from", command.begin}, {"to", command.end}},
-        .note = clamped_note(curve, {command.begin, command.end})};
+    Finding row{.label = "length",
+                .numbers = {{"length", length.value, 0.0, 1},
+                            {"error", length.error, 0.0, 1},
+                            {"from", command.begin},
+                            {"to", command.end}},
+                .note = clamped_note(curve, {command.begin, command.end})};
     const Units& units = units_of(state);
     std::string summary =
         is_doubtful(curve, length)
@@ -82,7 +84,7 @@ Outcome<void> find_point_at_length(EditorState& state, const FindPointAtLength& 
     Finding row{.label = "point",
                 .parameter = u,
                 .point = core::point_at(curve, u),
-                .numbers = {{"length", reached}, {"u", u}, {"whole length", whole}}};
+                .numbers = {{"length", reached, 0.0, 1}, {"u", u}, {"whole length", whole, 0.0, 1}}};
     add_numbers(row, "point", *row.point, coordinate_error(curve));
     const Units& units = units_of(state);
     std::string summary = core::filled_as_needed(pattern_of_length(curve, command.length, whole),
@@ -96,10 +98,10 @@ Outcome<void> find_point_at_length(EditorState& state, const FindPointAtLength& 
 Outcome<void> measure_area(EditorState& state, const MeasureArea&) {
     const auto area = core::enclosed_area(active_curve(state));
     if (!area) return tl::unexpected(core::describe(area.error()));
-    const core::Place value("area", core::shortest_text(area->signed_area));
+    const core::Place value("area", area_words(units_of(state), area->signed_area));
     Finding row{.label = sentence("area {area}", {value}),
                 .point = area->centroid,
-                .numbers = {{"area", area->signed_area, area->error}, {"error", area->error}},
+                .numbers = {{"area", area->signed_area, area->error, 2}, {"error", area->error, 0.0, 2}},
                 .note = area->signed_area < 0.0 ? "negative: the curve runs clockwise" : ""};
     if (area->centroid) add_numbers(row, "centroid", *area->centroid, coordinate_error(active_curve(state)));
     std::string summary = sentence("{name} encloses the area {area}", {active_name(state), value});
@@ -112,7 +114,7 @@ Outcome<void> find_nearest(EditorState& state, const FindNearest& command) {
     Finding row{.label = "nearest point",
                 .parameter = found.u,
                 .point = found.point,
-                .numbers = {{"distance", distance, coordinate_error(active_curve(state))}, {"u", found.u}}};
+                .numbers = {{"distance", distance, coordinate_error(active_curve(state)), 1}, {"u", found.u}}};
     add_numbers(row, "point", found.point, coordinate_error(active_curve(state)));
     std::string summary =
         sentence("{name} is {distance} away at u = {u}", {active_name(state),
@@ -196,10 +198,10 @@ Finding evaluation_row(const core::Curve& curve, const std::string& label, doubl
     add_numbers(row, "C'", jet[1]);
     add_numbers(row, "C''", jet[2]);
     add_numbers(row, "C'''", jet[3]);
-    if (const auto tangent = core::tangent_at(curve, u, side)) add_numbers(row, "tangent", *tangent);
+    if (const auto tangent = core::tangent_at(curve, u, side)) add_numbers(row, "tangent", *tangent, 0);
     if (const auto bending = core::bending_at(curve, u, side)) {
-        row.numbers.push_back({"curvature", bending->curvature});
-        row.numbers.push_back({"d curvature / ds", bending->by_arc_length});
+        row.numbers.push_back({"curvature", bending->curvature, 0.0, -1});
+        row.numbers.push_back({"d curvature / ds", bending->by_arc_length, 0.0, -2});
     }
     return row;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/words/length.h"
 #include "app/editor/words/number_column.h"
 #include "core/base/geometry.h"
 
@@ -18,10 +19,11 @@ struct FoundNumber {
     std::string name;
     double value = 0.0;
     double error = 0.0;  ///< by rounding; what is not above it is shown as zero
+    int power = 0;       ///< of a length: 1 of one, 2 of an area, -1 of a curvature, 0 of what has no unit
     bool operator==(const FoundNumber&) const = default;
 };
 
-/// One row of the result.
+/// One row of the result, in the world.
 struct Finding {
     std::string label;                   ///< "inflection", "knot 0.5", "point with w = 2": what the row is
     std::optional<double> parameter{};   ///< u on the active curve
@@ -44,6 +46,7 @@ struct Findings {
     std::string summary;  ///< one sentence for the status bar: "wave has 3 inflections"
     std::vector<Finding> rows{};
     double coordinate_error = 0.0;  ///< by rounding, of points on the curve
+    Units units{};                  ///< in which people read it; set by show_findings
     FindingColumns columns{};       ///< made by show_findings
     bool operator==(const Findings&) const = default;
 };

@@ -35,8 +35,18 @@ std::string with_unit(const Units& units, const std::string& number) {
     return core::sentence("{number} {unit}", {{"number", number}, {"unit", sign_of(units->unit)}});
 }
 
+std::string with_unit(const Units& units, const std::string& number, int power) {
+    if (!units || power < 1 || power > 2) return number;
+    if (power == 1) return with_unit(units, number);
+    return core::sentence("{number} {unit}²", {{"number", number}, {"unit", sign_of(units->unit)}});
+}
+
 std::string length_words(const Units& units, double world) {
     return with_unit(units, core::shortest_text(in_units(units, world)));
+}
+
+std::string area_words(const Units& units, double world) {
+    return with_unit(units, core::shortest_text(in_units(units, in_units(units, world))), 2);
 }
 
 std::string unit_ending(const Units& units) {

@@ -24,8 +24,14 @@ core::Point in_units(const Units& units, core::Point world);
 /// "12.5 mm", where `number` words a length in the document's unit; the number itself where there is none.
 std::string with_unit(const Units& units, const std::string& number);
 
+/// The same of a power of a length: "12.5 mm²" of the second; the number itself but of the first two.
+std::string with_unit(const Units& units, const std::string& number, int power);
+
 /// The same of a length of the world, with all digits.
 std::string length_words(const Units& units, double world);
+
+/// "12.5 mm²", an area of the world in the square of the unit, with all digits.
+std::string area_words(const Units& units, double world);
 
 /// What stands behind a number in a narrow place: " mm", " in", " px", or nothing.
 std::string unit_ending(const Units& units);

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/commands/edit_commands.h"
+#include "app/editor/commands/making_commands.h"
 #include "app/editor/commands/measuring_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
+#include "app/editor/commands/unit_commands.h"
 #include "tests/editor/sample_editor.h"
 #include "tests/editor/scene_sample.h"
 
@@ -52,6 +54,24 @@ TEST_F(FindingsTest, have_the_same_decimals_in_all_rows_and_all_digits_in_full) 
     EXPECT_EQ(column_text(0.5, found.columns.parameter), "0.500000");
     EXPECT_EQ(full_text(found, found.rows[1]),
               "b\nu = 0.3333333333333333\nx = 1.3333333333333333\ny = 2.5\ncurvature = 0");
+}
+
+// C(1/2) is (2, 1.5), C' there (4.5, 0) and C'' (0, -12): the curvature is -12 / 4.5^2.
+TEST_F(FindingsTest, are_read_in_the_unit_of_the_document) {
+    ASSERT_TRUE(editor_.run(SetUnits{.unit = UnitChoice::mm, .scale = 0.125}));
+    ASSERT_TRUE(editor_.run(Evaluate{.u = 0.5}));
+    const Finding& row = state().findings->rows.front();
+    const std::string full = full_text(*state().findings, row);
+    for (const char* line : {"\nx = 16 mm\ny = 12 mm\n", "\nC' x = 36 mm\n", "\nC'' y = -96 mm\n", "\ntangent x = 1\n",
+                             "\ncurvature = -0.07407407407407407"})
+        EXPECT_NE(full.find(line), std::string::npos) << line << " in " << full;
+    EXPECT_EQ(details_text(*state().findings, row).substr(0, 11), "(16, 12) mm");
+    EXPECT_EQ(row.point, core::Point(2.0, 1.5)) << "in the world, as programs read it";
+    ASSERT_TRUE(editor_.run(AddPolyline{.points = {{0, 0}, {2, 0}, {2, 2}, {0, 2}}, .closed = true}));
+    ASSERT_TRUE(editor_.run(MeasureArea{}));
+    EXPECT_EQ(state().message.text, "polyline encloses the area 256 mm²");
+    EXPECT_EQ(details_text(*state().findings, state().findings->rows.front()).substr(0, 25),
+              "(8, 8) mm   area 256 mm²");
 }
 
 TEST_F(FindingsTest, are_marked_where_they_are) {
