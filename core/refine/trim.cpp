@@ -6,8 +6,10 @@
 
 #include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
+#include "core/measure/continuity.h"
 #include "core/measure/intersect_curves.h"
 #include "core/refine/extend.h"
+#include "core/refine/join.h"
 #include "core/refine/split.h"
 
 namespace batten::core {
@@ -28,6 +30,18 @@ void add_contacts(std::vector<double>& cuts, const CurveContacts& found, bool wi
         cuts.push_back(contact.second_begin);
         cuts.push_back(contact.second_end);
     }
+}
+
+// The part of a closed curve from `begin` on to `end`, over the seam where that does not come after.
+Result<Curve> part_of_ring(const Curve& curve, double begin, double end) {
+    const Interval domain = curve.domain();
+    if (curve.is_periodic() || begin < end) return sub_curve(curve, begin, end);
+    auto before = sub_curve(curve, begin, domain.upper);
+    if (!before || end == domain.lower) return before;
+    const auto behind = sub_curve(curve, domain.lower, end);
+    if (!behind) return behind;
+    return join(*before, *behind, JoinContinuity::c0, {CurveEnd::end, CurveEnd::start})
+        .map([](const JoinedCurve& joined) { return joined.curve; });
 }
 
 double size_of_both(const Curve& curve, const Curve& other) {
@@ -73,23 +87,26 @@ std::vector<double> crossing_parameters(const Curve& curve, std::span<const Curv
     for (const Curve* other : others) add_contacts(cuts, intersect_curves(curve, *other, progress), false);
     const Interval domain = curve.domain();
     const double near = same_cut * domain.length();
+    const bool is_ring = is_closed(curve);
+    const auto is_at_end = [&](double u) { return u - domain.lower <= near || domain.upper - u <= near; };
+    if (is_ring)
+        std::ranges::replace_if(cuts, is_at_end, domain.lower);
+    else
+        std::erase_if(cuts, is_at_end);
     std::ranges::sort(cuts);
     std::vector<double> result;
-    for (const double u : cuts) {
-        const bool is_at_end = u - domain.lower <= near || domain.upper - u <= near;
-        if (is_at_end && !curve.is_periodic()) continue;
+    for (const double u : cuts)
         if (result.empty() || u - result.back() > near) result.push_back(u);
-    }
-    if (result.size() > 1 && result.front() + domain.length() - result.back() <= near) result.pop_back();
     return result;
 }
 
 Result<Interval> part_around(const Curve& curve, double u, std::span<const double> cuts) {
-    const std::size_t least = curve.is_periodic() ? 2 : 1;
+    const bool is_ring = is_closed(curve);
+    const std::size_t least = is_ring ? 2 : 1;
     if (cuts.size() < least) return refuse({.code = CurveErrorCode::nothing_crosses});
     const Interval domain = curve.domain();
     const auto next = std::ranges::upper_bound(cuts, u);
-    if (!curve.is_periodic())
+    if (!is_ring)
         return Interval{next == cuts.begin() ? domain.lower : *(next - 1), next == cuts.end() ? domain.upper : *next};
     if (next == cuts.begin() || next == cuts.end()) return Interval{cuts.back(), cuts.front() + domain.length()};
     return Interval{*(next - 1), *next};
@@ -97,14 +114,13 @@ Result<Interval> part_around(const Curve& curve, double u, std::span<const doubl
 
 Result<std::vector<Curve>> without_part(const Curve& curve, Interval part) {
     const Interval domain = curve.domain();
-    std::vector<Interval> kept;
-    if (curve.is_periodic()) {
+    if (is_closed(curve)) {
         const double begin = part.upper >= domain.upper ? part.upper - domain.length() : part.upper;
-        kept.push_back({begin, part.lower});
-    } else {
-        if (part.lower > domain.lower) kept.push_back({domain.lower, part.lower});
-        if (part.upper < domain.upper) kept.push_back({part.upper, domain.upper});
+        return part_of_ring(curve, begin, part.lower).map([](const Curve& left) { return std::vector{left}; });
     }
+    std::vector<Interval> kept;
+    if (part.lower > domain.lower) kept.push_back({domain.lower, part.lower});
+    if (part.upper < domain.upper) kept.push_back({part.upper, domain.upper});
     std::vector<Curve> parts;
     for (const Interval& range : kept) {
         auto left = sub_curve(curve, range.lower, range.upper);
@@ -115,8 +131,9 @@ Result<std::vector<Curve>> without_part(const Curve& curve, Interval part) {
 }
 
 Result<std::vector<Curve>> split_at(const Curve& curve, std::span<const double> cuts) {
+    const bool is_ring = is_closed(curve);
     std::vector<double> edges(cuts.begin(), cuts.end());
-    if (!curve.is_periodic()) {
+    if (!is_ring) {
         edges.insert(edges.begin(), curve.domain().lower);
         edges.push_back(curve.domain().upper);
     } else if (!cuts.empty()) {
@@ -124,7 +141,7 @@ Result<std::vector<Curve>> split_at(const Curve& curve, std::span<const double> 
     }
     std::vector<Curve> parts;
     for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-        auto part = sub_curve(curve, edges[i], edges[i + 1]);
+        auto part = is_ring ? part_of_ring(curve, edges[i], edges[i + 1]) : sub_curve(curve, edges[i], edges[i + 1]);
         if (!part) return refuse(part.error());
         parts.push_back(*std::move(part));
     }

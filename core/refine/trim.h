@@ -11,22 +11,22 @@
 namespace batten::core {
 
 /// The parameters at which a curve crosses or touches itself or one of `others`, ascending and each once, of pieces
-/// that coincide both ends; those at the ends of an open curve are left out. Right to about 1e-13 of the size. Cost:
-/// that of the intersections.
+/// that coincide both ends; those at the ends of an open curve are left out, and one where the ends of a curve meet is
+/// at its lower end. Right to about 1e-13 of the size. Cost: that of the intersections.
 std::vector<double> crossing_parameters(const Curve& curve, std::span<const Curve* const> others,
                                         const Progress& progress = {});
 
 /// The part of the curve around `u` that lies between two neighbors of `cuts`, which are ascending, or an end of the
-/// curve. On a periodic curve it may reach over the seam, its upper end then being above the domain. Error:
-/// nothing_crosses where there is no cut, or only one on a periodic curve.
+/// curve. A closed curve, periodic or with ends that meet, has no ends there: the part may reach over the seam, its
+/// upper end then being above the domain. Error: nothing_crosses where there is no cut, or only one on a closed curve.
 [[nodiscard]] Result<Interval> part_around(const Curve& curve, double u, std::span<const double> cuts);
 
 /// What is left of the curve without the part from part_around(): two curves, or one where that part is at an end or
-/// the curve periodic. Errors: those of sub_curve.
+/// the curve closed, which goes on over its seam. Errors: those of sub_curve and join.
 [[nodiscard]] Result<std::vector<Curve>> without_part(const Curve& curve, Interval part);
 
-/// The parts between `cuts`, which are ascending and inside the domain; of a periodic curve as many as there are cuts.
-/// Errors: those of sub_curve.
+/// The parts between `cuts`, which are ascending and inside the domain; of a closed curve as many as there are cuts,
+/// one of which goes on over the seam. Errors: those of sub_curve and join.
 [[nodiscard]] Result<std::vector<Curve>> split_at(const Curve& curve, std::span<const double> cuts);
 
 /// How a curve goes on beyond its end.

@@ -8,6 +8,7 @@
 #include "core/evaluate/evaluate.h"
 #include "core/make/conics.h"
 #include "core/make/shapes.h"
+#include "core/measure/continuity.h"
 #include "core/measure/nearest.h"
 #include "core/refine/periodic.h"
 #include "core/refine/reverse.h"
@@ -75,6 +76,53 @@ TEST(Trim, of_a_periodic_curve_goes_round_the_seam) {
     EXPECT_EQ(split_at(ring, cuts).value().size(), 2u);
 }
 
+// The ends of the circle meet at (1, 0), where nothing crosses.
+TEST(Trim, of_a_curve_whose_ends_meet_goes_round_the_seam_too) {
+    const Curve ring = circle({0, 0}, 1).value();
+    const Curve upright = line({-0.5, -2}, {-0.5, 2}).value();
+    const std::vector<const Curve*> others{&upright};
+    const auto cuts = crossing_parameters(ring, others);
+    ASSERT_EQ(cuts.size(), 2u);
+    // The left part goes: what is left runs from 240 degrees over the seam to 120 degrees.
+    const auto left = without_part(ring, part_around(ring, 0.5, cuts).value()).value();
+    ASSERT_EQ(left.size(), 1u);
+    EXPECT_LE(distance(left[0].control_points().front(), Point(-0.5, -std::sqrt(0.75))), 1e-14);
+    EXPECT_LE(distance(left[0].control_points().back(), Point(-0.5, std::sqrt(0.75))), 1e-14);
+    EXPECT_LE(distance(point_at(left[0], 1.0), Point(1, 0)), 1e-14);
+    for (int i = 0; i <= 40; ++i) {
+        const double u = left[0].domain().lower + left[0].domain().length() * i / 40.0;
+        const Point p = point_at(left[0], u);
+        EXPECT_NEAR(std::hypot(p.x, p.y), 1.0, 1e-14);
+        EXPECT_GE(p.x, -0.5 - 1e-14);
+    }
+    // The right part goes, picked on either side of the seam.
+    for (const double u : {0.0, 0.1, 0.9, 1.0}) {
+        const auto rest = without_part(ring, part_around(ring, u, cuts).value()).value();
+        ASSERT_EQ(rest.size(), 1u);
+        EXPECT_LE(distance(rest[0].control_points().front(), Point(-0.5, std::sqrt(0.75))), 1e-14);
+        EXPECT_LE(distance(rest[0].control_points().back(), Point(-0.5, -std::sqrt(0.75))), 1e-14);
+    }
+    EXPECT_EQ(split_at(ring, cuts).value().size(), 2u);
+    EXPECT_EQ(part_around(ring, 0.5, std::vector{0.3}).error().code, CurveErrorCode::nothing_crosses);
+}
+
+TEST(Trim, at_the_seam_itself_cuts_there) {
+    const Curve ring = circle({0, 0}, 1).value();
+    const Curve level = line({-2, 0}, {2, 0}).value();
+    const std::vector<const Curve*> others{&level};
+    const auto cuts = crossing_parameters(ring, others);
+    ASSERT_EQ(cuts.size(), 2u);
+    EXPECT_EQ(cuts[0], 0.0);
+    EXPECT_NEAR(cuts[1], 0.5, 1e-13);
+    for (const double u : {0.2, 0.8}) {
+        const auto rest = without_part(ring, part_around(ring, u, cuts).value()).value();
+        ASSERT_EQ(rest.size(), 1u);
+        const double half = rest[0].domain().lower + 0.5 * rest[0].domain().length();
+        EXPECT_LE(distance(point_at(rest[0], half), Point(0, u < 0.5 ? -1 : 1)), 1e-12);
+    }
+    EXPECT_EQ(split_at(ring, cuts).value().size(), 2u);
+}
+
 TEST(Trim, splits_at_crossings_and_keeps_the_shape) {
     RandomCurves random(771);
     for (int k = 0; k < 30; ++k) {
@@ -83,7 +131,7 @@ TEST(Trim, splits_at_crossings_and_keeps_the_shape) {
         const std::vector<const Curve*> others{&other};
         const auto cuts = crossing_parameters(curve, others);
         const auto parts = split_at(curve, cuts).value();
-        EXPECT_EQ(parts.size(), curve.is_periodic() ? std::max<std::size_t>(1, cuts.size()) : cuts.size() + 1);
+        EXPECT_EQ(parts.size(), is_closed(curve) ? std::max<std::size_t>(1, cuts.size()) : cuts.size() + 1);
         for (const Curve& part : parts)
             for (int i = 0; i <= 10; ++i) {
                 const double u = part.domain().lower + part.domain().length() * i / 10.0;
