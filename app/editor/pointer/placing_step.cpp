@@ -61,8 +61,27 @@ CanvasMode accept_typed(const CanvasMode& mode, const Gesture& gesture, const St
     return next;
 }
 
-std::optional<TypedPlace> typed_by(const PointerEvent& event, const TypedPlace& typed) {
-    return event.character != 0 ? typed_character(typed, event.character) : typed_key(typed, event.key);
+/// Whether points follow a brush.
+bool is_soft_move(const CanvasMode& mode) {
+    const auto* brush = std::get_if<Brushing>(&mode);
+    return brush != nullptr && brush->press_px && !brush->painted;
+}
+
+/// Whether a button holds something whose place may be typed.
+bool is_place_dragged(const CanvasMode& mode) {
+    return std::holds_alternative<DraggingPoints>(mode) || std::holds_alternative<DraggingCurvePoint>(mode) ||
+           std::holds_alternative<DraggingFitPoint>(mode) || std::holds_alternative<DraggingFitHandle>(mode) ||
+           std::holds_alternative<DraggingHandle>(mode) || std::holds_alternative<DraggingGuide>(mode) ||
+           std::holds_alternative<DraggingTransform>(mode) || std::holds_alternative<DraggingHandlebar>(mode) ||
+           std::holds_alternative<DraggingSelection>(mode) || is_soft_move(mode);
+}
+
+FirstLetters first_letters(const CanvasMode& mode) {
+    return is_place_dragged(mode) ? FirstLetters::begin_numbers : FirstLetters::are_shortcuts;
+}
+
+std::optional<TypedPlace> typed_by(const PointerEvent& event, const TypedPlace& typed, FirstLetters letters) {
+    return event.character != 0 ? typed_character(typed, event.character, letters) : typed_key(typed, event.key);
 }
 
 bool prints(Key key) {
@@ -88,7 +107,8 @@ CanvasMode step_placing(const CanvasMode& mode, const Gesture& gesture, const St
     if (event.action == PointerAction::escape && !typed.is_empty())
         return step_typed(mode, gesture, step, TypedPlace{});
     if (event.action == PointerAction::key && takes_numbers(mode, gesture.state)) {
-        if (const auto next = typed_by(event, typed)) return step_typed(mode, gesture, step, *next);
+        if (const auto next = typed_by(event, typed, first_letters(mode)))
+            return step_typed(mode, gesture, step, *next);
         if (event.key == Key::enter && !typed.is_empty()) return accept_typed(mode, gesture, step);
     }
     PlacedStep placed(gesture, step);
@@ -99,24 +119,8 @@ CanvasMode step_placing(const CanvasMode& mode, const Gesture& gesture, const St
     return next;
 }
 
-namespace {
-
-/// Whether points follow a brush.
-bool is_soft_move(const CanvasMode& mode) {
-    const auto* brush = std::get_if<Brushing>(&mode);
-    return brush != nullptr && brush->press_px && !brush->painted;
-}
-
-}  // namespace
-
 bool takes_numbers(const CanvasMode& mode, const EditorState& state) {
-    const bool is_drag =
-        std::holds_alternative<DraggingPoints>(mode) || std::holds_alternative<DraggingCurvePoint>(mode) ||
-        std::holds_alternative<DraggingFitPoint>(mode) || std::holds_alternative<DraggingFitHandle>(mode) ||
-        std::holds_alternative<DraggingHandle>(mode) || std::holds_alternative<DraggingGuide>(mode) ||
-        std::holds_alternative<DraggingTransform>(mode) || std::holds_alternative<DraggingHandlebar>(mode) ||
-        std::holds_alternative<DraggingSelection>(mode) || is_soft_move(mode);
-    return is_drag || state.placing.place.has_value();
+    return is_place_dragged(mode) || state.placing.place.has_value();
 }
 
 bool takes_key(const CanvasMode& mode, const EditorState& state, const PointerEvent& event) {
@@ -129,7 +133,8 @@ bool takes_key(const CanvasMode& mode, const EditorState& state, const PointerEv
     if (event.character != 0) {
         const bool is_sign = event.character == U'+' || event.character == U'-' || event.character == U'.' ||
                              event.character == U'x' || event.character == U'y';
-        return typed_character(typed, event.character) && (may_begin || !typed.is_empty() || !is_sign);
+        return typed_character(typed, event.character, first_letters(mode)) &&
+               (may_begin || !typed.is_empty() || !is_sign);
     }
     if (typed.is_empty()) return may_begin && begins_a_number(event.key);
     return event.key == Key::enter || event.key == Key::tab || event.key == Key::backspace || prints(event.key);

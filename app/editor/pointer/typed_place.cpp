@@ -12,7 +12,7 @@ namespace batten::editor {
 namespace {
 
 constexpr std::size_t longest_text = 60;
-constexpr std::u32string_view first_characters = U"0123456789+-.(@<\u2212";
+constexpr std::u32string_view first_characters = U"0123456789+-.(@<=\u2212";
 
 enum class Frame { polar, offsets, absolute };
 
@@ -38,10 +38,16 @@ Expressions expressions_of_text(std::string_view text, Frame frame) {
     return {is_relative ? Frame::offsets : frame, trimmed(text), {}};
 }
 
+std::string_view expression_in(const TypedPlace& typed, std::size_t field) {
+    std::string_view text = trimmed(typed.texts[field]);
+    if (text.starts_with('=')) text.remove_prefix(1);
+    return trimmed(text);
+}
+
 Expressions expressions_of(const TypedPlace& typed) {
     const Frame frame = typed.has_offsets ? Frame::offsets : Frame::polar;
-    if (typed.active == 0 && typed.texts[1].empty()) return expressions_of_text(typed.texts[0], frame);
-    return {frame, trimmed(typed.texts[0]), trimmed(typed.texts[1])};
+    if (typed.active == 0 && typed.texts[1].empty()) return expressions_of_text(expression_in(typed, 0), frame);
+    return {frame, expression_in(typed, 0), expression_in(typed, 1)};
 }
 
 Outcome<std::optional<double>> length_of(std::string_view text, const Units& units) {
@@ -59,7 +65,6 @@ Outcome<std::optional<double>> angle_of(std::string_view text) {
 }
 
 Outcome<std::optional<double>> factor_of(std::string_view text) {
-    text = trimmed(text);
     const bool is_percent = text.ends_with('%');
     if (is_percent) text.remove_suffix(1);
     if (text.empty()) return std::nullopt;
@@ -101,6 +106,11 @@ std::string with_character(std::string text, char32_t character) {
     return text.append(utf8_of(character));
 }
 
+bool is_letter(char32_t character) {
+    return (character >= U'a' && character <= U'z') || (character >= U'A' && character <= U'Z') ||
+           character == U'\u03c0';
+}
+
 bool can_be_in_expression(char32_t character) {
     constexpr std::u32string_view others = U"\u03c0\u2212\u00b0";
     constexpr char32_t last_ascii = 0x7e;
@@ -109,7 +119,7 @@ bool can_be_in_expression(char32_t character) {
 
 }  // namespace
 
-std::optional<TypedPlace> typed_character(TypedPlace typed, char32_t character) {
+std::optional<TypedPlace> typed_character(TypedPlace typed, char32_t character, FirstLetters letters) {
     std::string& text = typed.texts[typed.active];
     const bool is_first = typed.texts[0].empty() && typed.texts[1].empty();
     if (is_first && (character == U'x' || character == U'y')) {
@@ -117,7 +127,8 @@ std::optional<TypedPlace> typed_character(TypedPlace typed, char32_t character) 
         typed.active = character == U'y' ? 1 : 0;
         return typed;
     }
-    const bool begins = first_characters.find(character) != std::u32string_view::npos;
+    const bool begins = first_characters.find(character) != std::u32string_view::npos ||
+                        (letters == FirstLetters::begin_numbers && is_letter(character));
     if (typed.is_empty() ? !begins : !can_be_in_expression(character)) return std::nullopt;
     if (text.size() < longest_text) text = with_character(std::move(text), character);
     return typed;
@@ -169,11 +180,11 @@ std::optional<double> typed_length_alone(const TypedPlace& typed, const Units& u
 }
 
 std::optional<double> typed_factor(const TypedPlace& typed, std::size_t field) {
-    return factor_of(typed.texts[field]).value_or(std::nullopt);
+    return factor_of(expression_in(typed, field)).value_or(std::nullopt);
 }
 
 std::optional<double> typed_angle(const TypedPlace& typed) {
-    return angle_of(trimmed(typed.texts[0])).value_or(std::nullopt);
+    return angle_of(expression_in(typed, 0)).value_or(std::nullopt);
 }
 
 std::string typed_problem(const Placing& placing, core::Point pointed, const Units& units) {
@@ -183,8 +194,9 @@ std::string typed_problem(const Placing& placing, core::Point pointed, const Uni
         const auto place = place_typed(typed, placing.place ? placing.place->from : std::nullopt, pointed, units);
         return place ? std::string() : place.error();
     }
-    for (const std::string& text : typed.texts) {
-        const auto number = typed_for == TypedFor::angle ? angle_of(trimmed(text)) : factor_of(text);
+    for (std::size_t field = 0; field < typed.texts.size(); ++field) {
+        const std::string_view text = expression_in(typed, field);
+        const auto number = typed_for == TypedFor::angle ? angle_of(text) : factor_of(text);
         if (!number) return number.error();
     }
     return {};

@@ -10,10 +10,15 @@
 
 namespace batten::editor {
 
+/// Whether letters may be the first that is typed, "sqrt(2)": while a button is held nothing else listens to them.
+enum class FirstLetters { begin_numbers, are_shortcuts };
+
 /// What is typed after one character more; none where it is not for the place: a first one is a digit, a sign, a
-/// point, a parenthesis, '@' or '<'. 'x' and 'y' before any other ask for dx and dy instead of length and angle; what
-/// follows the first character is any part of an expression.
-std::optional<TypedPlace> typed_character(TypedPlace typed, char32_t character);
+/// point, a parenthesis, '@', '<', '=' as in a spreadsheet, or a letter where these begin numbers. 'x' and 'y' before
+/// any other ask for dx and dy instead of length and angle; what follows the first character is any part of an
+/// expression.
+std::optional<TypedPlace> typed_character(TypedPlace typed, char32_t character,
+                                          FirstLetters letters = FirstLetters::are_shortcuts);
 
 /// The same after a key: Backspace takes back the last character, and dx and dy where there is none; Tab goes to the
 /// other field. None where nothing is typed, or the key is another one.

@@ -53,6 +53,20 @@ TEST_F(Placed, a_handle_is_turned_to_a_typed_angle) {
     EXPECT_NEAR(handle().y, 1.0, 1e-12);
 }
 
+// The example of the documentation: sqrt(2)/2 in the direction of 30 degrees.
+TEST_F(Placed, an_expression_may_begin_with_a_function) {
+    pointer.press(px(-2, 2));
+    pointer.move(px(-1, 2.5));
+    type(U"sqrt(2)/2<pi/6 rad\n", px(-1, 2.5));
+    pointer.release(px(-1, 2.5));
+    expect_point(1, core::Point(-2 + std::sqrt(0.375), 2 + std::sqrt(0.125)));
+    pointer.press(px(2, 2));
+    pointer.move(px(2.5, 2.5));
+    type(U"sqrt(-1)\n", px(2.5, 2.5));
+    EXPECT_FALSE(is_in<CanvasIdle>());
+    EXPECT_TRUE(state().message.is_error) << state().message.text;
+}
+
 TEST_F(Placed, a_dragged_point_snaps_to_another_and_tells_it) {
     pointer.press(px(-2, 2));
     pointer.move(px(1.95, 1.93));

@@ -76,6 +76,24 @@ TEST(TypedPlace, begins_with_what_no_shortcut_is) {
     EXPECT_FALSE(typed_character(typed(U"5"), U'\u0436'));
 }
 
+TEST(TypedPlace, begins_with_letters_where_nothing_else_listens_to_them) {
+    const auto first = [](char32_t c) { return typed_character({}, c, FirstLetters::begin_numbers); };
+    EXPECT_EQ(first(U's')->texts[0], "s");
+    EXPECT_EQ(first(U'\u03c0')->texts[0], "π");
+    EXPECT_TRUE(first(U'x')->has_offsets) << "and no number";
+    EXPECT_FALSE(first(U'!'));
+    EXPECT_FALSE(first(U'\u0436'));
+}
+
+TEST(TypedPlace, may_begin_with_an_equals_sign_as_in_a_spreadsheet) {
+    expect_place(U"=sqrt(2)<45", {2, 3});
+    expect_place(U"= 3, sqrt(16)", {3, 4});
+    expect_place(U"=10\t= 90", {1, 12});
+    EXPECT_EQ(typed_factor(typed(U"=sqrt(9)"), 0), 3.0);
+    EXPECT_EQ(typed_angle(typed(U"=60+30")), 90.0);
+    EXPECT_FALSE(place_typed(typed(U"==3"), core::Point(0, 0), {1, 1}));
+}
+
 TEST(TypedPlace, refuses_what_cannot_be_read_in_a_sentence) {
     EXPECT_EQ(place_typed(typed(U"1+"), core::Point(0, 0), {1, 1}).error(), "a number is missing at the end");
     EXPECT_EQ(place_typed(typed(U"1e308*10"), core::Point(0, 0), {1, 1}).error(),
