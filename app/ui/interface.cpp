@@ -154,7 +154,7 @@ void Interface::take_pointer(const editor::EditorState& state, const FrameInput&
     const PanelContext context = context_of(state, input, fonts, queue, layout);
     const FrameAreas areas = place_pictures(context, layout);
     follow_canvas_size(state, areas.canvas, queue);
-    canvas_mode_ = editor::with_present_tool(std::move(canvas_mode_), state);
+    canvas_mode_ = editor::with_present_tool(std::move(canvas_mode_), state, queue);
     dispatch_pointer(context, layout);
 }
 
@@ -294,6 +294,14 @@ bool Interface::send_key(const PanelContext& context, const KeyPress& press) {
     return true;
 }
 
+/// Whether Ctrl+Z is about what is being dragged, which is no step yet.
+bool Interface::takes_back_drag(const PanelContext& context, const KeyPress& press) const {
+    const bool is_dragging = context.panels.pointer.captured != Picture::none;
+    return is_dragging && context.state.placing.typed.is_empty() &&
+           drawing_action(press.shortcut) == PointerAction::take_back && press.shortcut.modifiers.ctrl &&
+           !editor::listens_to_drawing_keys(canvas_mode_, context.state);
+}
+
 void Interface::dispatch_keys(const PanelContext& context) {
     for (const KeyPress& press : context.input.key_presses) {
         const bool is_escape = press.shortcut == editor::Shortcut{editor::Key::escape, {}};
@@ -302,7 +310,7 @@ void Interface::dispatch_keys(const PanelContext& context) {
             if (is_escape) close_popups();
         } else if (ImGui::GetIO().WantTextInput || ImGui::IsAnyItemActive()) {
             continue;  // the widget answers to its keys
-        } else if (is_escape && escape_gesture(context)) {
+        } else if ((is_escape || takes_back_drag(context, press)) && escape_gesture(context)) {
             continue;
         } else if (send_key(context, press) || press.character != 0) {
             continue;

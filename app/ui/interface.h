@@ -50,6 +50,7 @@ class Interface {
     void dispatch_keys(const PanelContext& context);
     editor::Cursor cursor(const editor::EditorState& state) const;
     bool escape_gesture(const PanelContext& context);
+    bool takes_back_drag(const PanelContext& context, const KeyPress& press) const;
     /// Offers a key or a character to the gesture on the canvas; whether it takes it.
     bool send_key(const PanelContext& context, const KeyPress& press);
     void send(Picture picture, const editor::PointerEvent& event, const editor::EditorState& state,

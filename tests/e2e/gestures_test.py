@@ -110,6 +110,23 @@ class GesturesTest(WindowTest):
         editor.wait(lambda state: state["undo_count"] == 1 and state["is_settled"], "the knot")
         self.assertEqual(self.save(editor)["knots"], [0, 0, 0, 0, 0.25, 0.5, 0.5, 0.75, 1, 1, 1, 1])
 
+    def test_the_middle_of_a_drag_listens_to_typed_functions_and_to_ctrl_z(self):
+        editor = self.open_editor()
+        before = self.save(editor)["points"]
+        start = editor.point(2)
+        editor.drag(start, (start[0] + 60, start[1] - 20), release=False)
+        editor.key("ctrl+z")
+        editor.release()
+        self.assertEqual((editor.settle()["undo_count"], self.save(editor)["points"]), (0, before))
+        editor.drag(editor.point(2), (start[0] + 60, start[1] - 20), release=False)
+        editor.type("sqrt(9)<90")
+        editor.key("Return")
+        editor.release()
+        self.assertEqual(editor.settle()["undo_count"], 1)
+        (x, y), (was_x, was_y) = self.save(editor)["points"][2], before[2]
+        self.assertAlmostEqual(x, was_x, delta=1e-12)
+        self.assertAlmostEqual(y, was_y + 3, delta=1e-12)
+
     def test_tools_show_their_pointer_and_escape_leaves_them(self):
         editor = self.open_editor()
         canvas = editor.state()["canvas"]
@@ -136,10 +153,12 @@ class GesturesTest(WindowTest):
         editor.click(*at(60, 60))
         editor.click(*at(160, 60))
         editor.key("v", "n")
+        kept = editor.wait(lambda state: state["curve_count"] == 2 and state["is_settled"], "the curve that another tool ended")
+        self.assertEqual(kept["undo_count"], 1)
         for place in (at(300, 300), at(400, 320), at(500, 300)):
             editor.click(*place)
         editor.key("Return")
-        drawn = editor.wait(lambda state: state["curve_count"] == 2 and state["is_settled"], "the curve")
+        drawn = editor.wait(lambda state: state["curve_count"] == 3 and state["is_settled"], "the curve")
         self.assertEqual(len(drawn["points"]), 5)
         self.assertAlmostEqual(drawn["points"][0]["x"], at(300, 300)[0], delta=0.01)
         self.assertEqual(drawn["tool"], "select")

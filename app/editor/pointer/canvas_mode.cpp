@@ -250,10 +250,13 @@ void turn_canvas_wheel(const Gesture& gesture) {
     gesture.queue.change(ZoomCamera{std::pow(zoom_per_notch, gesture.event.wheel), anchor});
 }
 
-CanvasMode with_present_tool(CanvasMode mode, const EditorState& state) {
+CanvasMode with_present_tool(CanvasMode mode, const EditorState& state, CommandQueue& queue) {
     if (auto* picking = std::get_if<PickingJoint>(&mode)) drop_gone_places(*picking, state);
     const auto* drawing = std::get_if<DrawingCurve>(&mode);
-    if (drawing != nullptr && drawing->tool_changes != state.tool_changes) return CanvasIdle{};
+    if (drawing != nullptr && drawing->tool_changes != state.tool_changes) {
+        keep_drawn(*drawing, state.view.pen_mode, queue);
+        return CanvasIdle{};
+    }
     const auto* shape = std::get_if<DrawingShape>(&mode);
     if (shape != nullptr && shape->tool_changes != state.tool_changes) return CanvasIdle{};
     const auto* stroke = std::get_if<PencilStroke>(&mode);
@@ -283,7 +286,7 @@ CanvasMode step_mode(const CanvasMode& mode, const Gesture& gesture) {
 
 CanvasMode step_canvas(const CanvasMode& mode, const PointerEvent& event, const EditorState& state,
                        CommandQueue& queue) {
-    return step_placing(with_present_tool(mode, state), Gesture{event, state, queue}, step_mode);
+    return step_placing(with_present_tool(mode, state, queue), Gesture{event, state, queue}, step_mode);
 }
 
 }  // namespace batten::editor

@@ -114,8 +114,9 @@ using CanvasMode =
                  PullingGuide, DraggingTransform, DraggingPicture, PencilStroke, PickingJoint, DraggingSelection,
                  DraggingHandlebar, Brushing, DoubleClicking>;
 
-/// The mode that is left where the tool was changed without the pointer: a curve half drawn is given up.
-CanvasMode with_present_tool(CanvasMode mode, const EditorState& state);
+/// The mode that is left where the tool was changed without the pointer: a curve that is being drawn ends with its last
+/// point, which is asked of `queue`; what else is half done is given up.
+CanvasMode with_present_tool(CanvasMode mode, const EditorState& state, CommandQueue& queue);
 
 /// The mode after `event`; what it asks of the editor goes to `queue`. Pure: depends on its arguments only. A gesture
 /// previews on every move and commits once on release; Escape cancels the preview. A press that moves less than 3

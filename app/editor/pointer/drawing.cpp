@@ -185,6 +185,10 @@ CanvasMode step_drawing(DrawingCurve mode, const Gesture& gesture) {
     return mode;
 }
 
+void keep_drawn(const DrawingCurve& drawing, PenMode mode, CommandQueue& queue) {
+    if (drawing.points.size() >= 2) queue.run(command_of(drawing, mode, false));
+}
+
 std::optional<core::Curve> drawn_curve(const DrawingCurve& drawing, PenMode mode) {
     DrawingCurve all = drawing;
     const bool is_elsewhere = drawing.points.empty() || drawing.next != drawing.points.back();

@@ -15,6 +15,9 @@ CanvasMode step_drawing(DrawingCurve mode, const Gesture& gesture);
 /// The drawing that a press of the tool at the pointer begins.
 DrawingCurve begin_drawing(const Gesture& gesture);
 
+/// Asks for the curve through the points that were clicked, open; nothing while they are fewer than two.
+void keep_drawn(const DrawingCurve& drawing, PenMode mode, CommandQueue& queue);
+
 /// The curve as it would be if a click came now; none while it is no curve.
 std::optional<core::Curve> drawn_curve(const DrawingCurve& drawing, PenMode mode);
 

@@ -12,7 +12,7 @@ namespace batten::editor {
 
 /// What the pen's mode (View::pen_mode) makes a curve of. Enter, a double click, a right click, or a click on the last
 /// point end it; one on the first point closes it; Backspace and Ctrl+Z take back the last point. The wheel, the middle
-/// button and Space move the view meanwhile. Escape gives it up with its tool, and so does a change of the tool.
+/// button and Space move the view meanwhile. Escape gives it up with its tool; taking another tool ends it, too.
 struct DrawingCurve {
     std::vector<core::Point> points;
     core::Point next{};

@@ -307,13 +307,20 @@ TEST_F(CanvasPress, drawing_ends_on_its_last_point_and_is_given_up_by_escape_or_
     EXPECT_EQ(state().history.present().curves.size(), 2U);
 }
 
-TEST_F(CanvasPress, the_pen_taken_anew_draws_a_new_curve_and_not_the_one_given_up) {
+TEST_F(CanvasPress, another_tool_ends_what_the_pen_draws_and_loses_no_click) {
     editor.run(TakeTool<Tool::draw_curve>{});
-    pointer.click(px(-1, 1));
-    pointer.click(px(0, 3));
+    for (const core::Point p : {core::Point(-1, 1), core::Point(0, 3), core::Point(2, 3)}) pointer.click(px(p.x, p.y));
     editor.run(TakeTool<Tool::select>{});
     editor.run(TakeTool<Tool::draw_curve>{});
-    EXPECT_TRUE(std::holds_alternative<CanvasIdle>(with_present_tool(pointer.mode(), state())));
+    pointer.move(px(3, 2));
+    EXPECT_TRUE(is_in<CanvasIdle>());
+    EXPECT_EQ(steps(), 1U);
+    ASSERT_EQ(state().history.present().curves.size(), 2U);
+    const auto& fit = state().history.present().active_curve()->fit;
+    ASSERT_TRUE(fit);
+    ASSERT_EQ(fit->points.size(), 3U);
+    EXPECT_EQ(fit->points[0].place, core::Point(-1, 1));
+    EXPECT_EQ(fit->points[2].place, core::Point(2, 3));
     pointer.click(px(2, 1));
     ASSERT_TRUE(is_in<DrawingCurve>());
     EXPECT_EQ(std::get<DrawingCurve>(pointer.mode()).points, (std::vector<core::Point>{{2, 1}}));

@@ -187,7 +187,8 @@ TEST_F(Drawing, the_mode_is_kept_and_chosen_with_the_pen) {
     EXPECT_EQ(state().tool, Tool::draw_curve);
     pointer.click(px(-3, 0));
     editor.run(UsePen<PenMode::through_c2>{});
-    EXPECT_TRUE(std::holds_alternative<DrawingCurve>(with_present_tool(pointer.mode(), state())))
+    CommandQueue queue;
+    EXPECT_TRUE(std::holds_alternative<DrawingCurve>(with_present_tool(pointer.mode(), state(), queue)))
         << "what is half drawn goes on";
 }
 

@@ -217,7 +217,8 @@ TEST_F(JointMode, forgets_a_place_of_a_curve_that_is_another_one_since) {
     pointer.click(px(-1, 0.25));
     ASSERT_TRUE(picking().first);
     ASSERT_TRUE(editor.run(Undo{}));
-    EXPECT_FALSE(std::get<PickingJoint>(with_present_tool(pointer.mode(), state())).first);
+    CommandQueue queue;
+    EXPECT_FALSE(std::get<PickingJoint>(with_present_tool(pointer.mode(), state(), queue)).first);
     pointer.move(px(1.1, 1));
     EXPECT_FALSE(picking().first);
     EXPECT_FALSE(state().preview);
