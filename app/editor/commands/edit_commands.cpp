@@ -4,6 +4,7 @@
 
 #include "app/editor/clipboard.h"
 #include "app/editor/commands/active_curve.h"
+#include "app/editor/commands/added_curves.h"
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/finding_rows.h"
 #include "app/editor/commands/fit_point_commands.h"
@@ -11,6 +12,7 @@
 #include "app/editor/commands/map_selected.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/state/symmetry_links.h"
 #include "app/editor/upkeep.h"
 #include "app/editor/words/wording.h"
 #include "core/base/sentence.h"
@@ -115,21 +117,20 @@ StepTexts texts_of_cut(const EditorState& state, const Cut&) {
 }
 
 Outcome<Edit> with_curves_of_text(const EditorState& state, const std::string& text, double shift) {
-    const core::FileResult<core::Document> pasted = core::parse_document(text);
+    core::FileResult<core::Document> pasted = core::parse_document(text);
     if (!pasted)
         return tl::unexpected(
             sentence("the clipboard holds no Batten curves: {reason}", {{"reason", pasted.error().sentence()}}));
     if (pasted->curves.empty()) return tl::unexpected(Refusal("the clipboard holds a document without curves"));
-    Edit edit{state.history.present(), Selection{}};
-    core::FreeNames names(edit.document);
-    for (core::DocumentCurve curve : pasted->curves) {
+    for (core::DocumentCurve& curve : pasted->curves) {
         if (const auto shifted = shift_entry(curve, shift); !shifted)
             return tl::unexpected(core::describe(shifted.error()));
-        curve.name = names.take(curve.name);
+        if (curve.symmetry) curve.symmetry = mapped_symmetry(*curve.symmetry, core::translation({shift, -shift}));
         curve.visible = true;
         curve.locked = false;
-        edit.document.curves.push_back(std::move(curve));
     }
+    Edit edit{state.history.present(), Selection{}};
+    add_curves(edit.document, std::move(pasted->curves));
     edit.document.active = edit.document.curves.size() - 1;
     return edit;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/editor/commands/added_curves.h"
 #include "app/editor/commands/joint_report.h"
 #include "app/editor/lesson/lesson_steps.h"
 #include "app/editor/pointer/fit_view.h"
@@ -107,11 +108,7 @@ Outcome<void> show_example(EditorState& state, const std::string& name) {
 
 // The curves of both, those of `added` under names that are not in use; the last one is active.
 core::Document joined(core::Document document, const core::Document& added) {
-    core::FreeNames names(document);
-    for (core::DocumentCurve curve : added.curves) {
-        curve.name = names.take(curve.name);
-        document.curves.push_back(std::move(curve));
-    }
+    add_curves(document, added.curves);
     document.active = document.curves.empty() ? 0 : document.curves.size() - 1;
     document.pictures.insert(document.pictures.end(), added.pictures.begin(), added.pictures.end());
     return document;

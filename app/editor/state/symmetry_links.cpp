@@ -174,11 +174,14 @@ Outcome<bool> follow(const core::Document& before, core::Document& after, const 
     const std::vector<core::KnotMark> marks = after.curves[leader].joints.knots;
     for (const std::size_t i : members) {
         core::DocumentCurve& entry = after.curves[i];
+        auto image = core::transform(*original, map_to_image(*entry.symmetry));
+        if (!image) return tl::unexpected(core::describe(image.error()));
+        // One that is new, as of a file that is added, is what it should be already.
+        const bool is_new = same_image(before, *entry.symmetry) == nullptr;
+        if (entry.locked && is_new && !is_elsewhere(*image, *entry.curve)) continue;
         if (entry.locked)
             return tl::unexpected(core::sentence("'{name}' is locked, and it is an image of the curve; unlock it first",
                                                  {{"name", entry.name}}));
-        auto image = core::transform(*original, map_to_image(*entry.symmetry));
-        if (!image) return tl::unexpected(core::describe(image.error()));
         replace_curve(entry, std::make_shared<const core::Curve>(*std::move(image)));
         entry.fit = image_of_fit(fit, map_to_image(*entry.symmetry));
         entry.pinned = pinned;

@@ -408,6 +408,22 @@ TEST_F(FileCommands, remember_ten_recent_files_newest_first) {
     EXPECT_EQ(state().recent_files[1], expected[0]);
 }
 
+// Of both files the joint has the number 0.
+TEST_F(FileCommands, marked_joints_of_a_file_that_is_added_stay_its_own) {
+    const char* text = R"({ "format": "batten", "version": 1, "curves": [
+      { "name": "a", "degree": 1, "knots": [0,0,1,1], "points": [[0,0],[1,0]],
+        "joints": [{"end": "end", "joint": 0, "mark": "corner"}] },
+      { "name": "b", "degree": 1, "knots": [0,0,1,1], "points": [[1,0],[2,1]],
+        "joints": [{"end": "start", "joint": 0, "mark": "corner"}] } ] })";
+    const std::filesystem::path path = folder_.write("joint.json", text);
+    EXPECT_TRUE(run(Open{.path = path}));
+    EXPECT_TRUE(run(AddFile{.path = path}));
+    std::vector<std::size_t> numbers;
+    for (const core::DocumentCurve& entry : document(editor_).curves)
+        for (const core::EndMark& mark : entry.joints.ends) numbers.push_back(mark.joint);
+    EXPECT_EQ(numbers, (std::vector<std::size_t>{0, 0, 1, 1}));
+}
+
 TEST_F(FileCommands, add_the_curves_of_a_file) {
     run(Open{.path = arch_});
     EXPECT_TRUE(run(AddFile{.path = wave_}));

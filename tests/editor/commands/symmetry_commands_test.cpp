@@ -205,6 +205,44 @@ TEST_F(SymmetryCommands, copies_and_what_is_left_alone_are_ordinary) {
     EXPECT_FALSE(document(editor_).curves[0].symmetry);
 }
 
+// The axis of the rosette is the point (10, 10), a quarter turn apart; places 2 and 3 there are none of a mirror.
+const char* rosette_text = R"({ "format": "batten", "version": 1, "curves": [
+  { "name": "half", "degree": 1, "knots": [0,0,1,1], "points": [[12,10],[13,11]],
+    "symmetry": {"group": 0, "place": 0, "center": [10, 10], "turns": 4}, "locked": true },
+  { "name": "b", "degree": 1, "knots": [0,0,1,1], "points": [[10,12],[9,13]],
+    "symmetry": {"group": 0, "place": 1, "center": [10, 10], "turns": 4} },
+  { "name": "c", "degree": 1, "knots": [0,0,1,1], "points": [[8,10],[7,9]],
+    "symmetry": {"group": 0, "place": 2, "center": [10, 10], "turns": 4} } ] })";
+
+TEST_F(SymmetryCommands, what_is_pasted_is_linked_to_nothing_that_was_there) {
+    EXPECT_TRUE(run(LinkMirror{.center = {0.0, 7.0}, .angle = 90.0, .is_smooth = false}));
+    const std::vector<core::Point> before(points_of(0).begin(), points_of(0).end());
+    EXPECT_TRUE(run(PasteBeside{.text = rosette_text, .shift = 5.0}));
+    ASSERT_EQ(document(editor_).curves.size(), 5U);
+    EXPECT_EQ(std::vector(points_of(0).begin(), points_of(0).end()), before);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        EXPECT_EQ(points_of(1)[i], core::Point(-before[i].x, before[i].y)) << i;
+    EXPECT_EQ(points_of(2)[0], core::Point(17.0, 5.0));
+    EXPECT_EQ(points_of(4)[1], core::Point(12.0, 4.0));
+    // They are linked to each other around the center that went along, (15, 5).
+    EXPECT_TRUE(run(SetPoint{.index = 1, .position = {11.0, 5.0}}));
+    EXPECT_EQ(points_of(2)[1], core::Point(19.0, 5.0));
+    EXPECT_EQ(points_of(3)[1], core::Point(15.0, 9.0));
+    EXPECT_EQ(std::vector(points_of(0).begin(), points_of(0).end()), before);
+}
+
+TEST_F(SymmetryCommands, a_file_that_is_added_brings_its_own_links) {
+    EXPECT_TRUE(run(LinkMirror{.center = {0.0, 7.0}, .angle = 90.0, .is_smooth = false}));
+    const TemporaryFolder folder;
+    EXPECT_TRUE(run(AddFile{.path = folder.write("rosette.json", rosette_text)})) << message();
+    ASSERT_EQ(document(editor_).curves.size(), 5U);
+    EXPECT_EQ(points_of(1)[0], core::Point(0.0, 2.0));
+    EXPECT_EQ(document(editor_).curves[2].symmetry->group, 1U);
+    EXPECT_EQ(document(editor_).curves[4].symmetry->place, 2U);
+    EXPECT_EQ(points_of(4)[1], core::Point(7.0, 9.0));
+    EXPECT_EQ(document(editor_).curves[2].name, "half 3");
+}
+
 TEST_F(SymmetryCommands, everything_moved_takes_the_mirror_along) {
     run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = false});
     EXPECT_TRUE(run(Move{.offset = {3.0, 1.0}, .what = MapTarget::all}));
