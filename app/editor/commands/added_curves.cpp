@@ -1,5 +1,6 @@
 #include "app/editor/commands/added_curves.h"
 
+#include <set>
 #include <utility>
 
 #include "app/editor/state/marked_ends.h"
@@ -17,6 +18,13 @@ void add_curves(core::Document& document, std::vector<core::DocumentCurve> curve
         for (core::EndMark& mark : curve.joints.ends) mark.joint += first_joint;
         document.curves.push_back(std::move(curve));
     }
+}
+
+void tell_names_apart(core::Document& document) {
+    core::FreeNames names(document);
+    std::set<std::string> met;
+    for (core::DocumentCurve& curve : document.curves)
+        if (!met.insert(curve.name).second) curve.name = names.take(curve.name);
 }
 
 }  // namespace batten::editor

@@ -11,4 +11,7 @@ namespace batten::editor {
 /// themselves alone, whatever numbers the links and marked joints of `document` have.
 void add_curves(core::Document& document, std::vector<core::DocumentCurve> curves);
 
+/// Gives each curve that is called as an earlier one a free name, since commands tell curves by their names.
+void tell_names_apart(core::Document& document);
+
 }  // namespace batten::editor

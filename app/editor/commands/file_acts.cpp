@@ -151,6 +151,7 @@ fs::path absolute_path(const fs::path& path) {
 }
 
 void show_document(EditorState& state, core::Document document, const fs::path& path) {
+    tell_names_apart(document);
     take_view(state.view, document);
     state.history = History(std::move(document));
     state.preview.reset();

@@ -408,6 +408,20 @@ TEST_F(FileCommands, remember_ten_recent_files_newest_first) {
     EXPECT_EQ(state().recent_files[1], expected[0]);
 }
 
+TEST_F(FileCommands, curves_of_one_name_are_told_apart) {
+    const auto line = [](const char* name) {
+        return std::string(R"({ "name": ")") + name +
+               R"(", "degree": 1, "knots": [0,0,1,1], "points": [[0,0],[1,1]] })";
+    };
+    const std::string text = R"({ "format": "batten", "version": 1, "curves": [)" + line("a") + "," + line("a") + "," +
+                             line("a 2") + "," + line("a") + "] }";
+    EXPECT_TRUE(run(Open{.path = folder_.write("same.json", text)}));
+    std::vector<std::string> names;
+    for (const core::DocumentCurve& entry : document(editor_).curves) names.push_back(entry.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"a", "a 3", "a 2", "a 4"}));
+    EXPECT_FALSE(state().is_modified());
+}
+
 // Of both files the joint has the number 0.
 TEST_F(FileCommands, marked_joints_of_a_file_that_is_added_stay_its_own) {
     const char* text = R"({ "format": "batten", "version": 1, "curves": [
