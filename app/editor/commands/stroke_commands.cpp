@@ -4,6 +4,7 @@
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/state/point_hues.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/edit/redraw.h"
@@ -64,7 +65,7 @@ Outcome<Edit> refit_stroke(const EditorState& state, const RefitStroke& command)
                                           : shape_of(*stroke.points, stroke.pixel, command.smoothness, true);
     if (!curve) return tl::unexpected(core::describe(curve.error()));
     Edit edit{.document = state.history.present(), .selection = Selection{}};
-    edit.document.curves[stroke.curve].curve = std::make_shared<const core::Curve>(*std::move(curve));
+    replace_curve(edit.document.curves[stroke.curve], std::make_shared<const core::Curve>(*std::move(curve)));
     edit.document.active = stroke.curve;
     edit.stroke = stroke;
     edit.stroke->smoothness = command.smoothness;

@@ -37,6 +37,26 @@ TEST_F(StrokeCommands, say_what_a_stroke_lacks) {
     EXPECT_FALSE(editor_.run(FitStroke{.points = {{0, 0}, {9, 9}}, .smoothness = -1, .pixel = 1.0}));
 }
 
+TEST_F(StrokeCommands, a_pin_stays_at_its_point_while_a_redrawn_part_is_fitted_anew) {
+    open_text(editor_, sample_text);
+    const core::Curve before = curve(editor_);
+    ASSERT_TRUE(run_typed(editor_, "pin-points 6"));
+    std::vector<core::Point> points;
+    for (int k = 0; k <= 300; ++k) {
+        const double t = k / 300.0;
+        points.push_back(core::point_at(before, 0.1 + 0.5 * t) +
+                         core::Vector{0.0, 0.3 * std::sin(40.0 * t) * t * (1 - t)});
+    }
+    ASSERT_TRUE(editor_.run(Redraw{.points = points, .smoothness = 0, .pixel = 0.01})) << message();
+    const std::size_t many = curve(editor_).control_points().size();
+    ASSERT_TRUE(editor_.run(RefitStroke{.smoothness = 10})) << message();
+    const core::DocumentCurve& entry = *document(editor_).active_curve();
+    ASSERT_LT(entry.curve->control_points().size(), many);
+    ASSERT_EQ(entry.pinned, std::vector{entry.curve->control_points().size() - 1});
+    EXPECT_EQ(entry.curve->control_points()[entry.pinned.front()], core::Point(6.2, 2.8));
+    EXPECT_TRUE(core::parse_document(core::format_document(document(editor_))));
+}
+
 TEST_F(StrokeCommands, redraw_a_part_and_fit_it_anew) {
     open_text(editor_, sample_text);
     const core::Curve before = curve(editor_);
