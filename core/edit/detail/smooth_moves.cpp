@@ -134,10 +134,16 @@ void SmoothMoves::require_end(SplineSystem& system, double end, double largest) 
     system.require_sum(basis.first, basis.derivatives[0], Vector{});
 }
 
-// What is left of the moves of such ends is taken back.
+// What is left of the moves of such ends is taken back, by points that are not held.
 Curve SmoothMoves::with_ends(Curve moved) const {
-    for (const double end : free_ends_)
-        if (auto corrected = move_curve_point(moved, end, point_at(curve_, end))) moved = *std::move(corrected);
+    std::vector<std::size_t> held;
+    for (std::size_t i = 0; i < is_held_.size(); ++i)
+        if (is_held_[i]) held.push_back(i);
+    for (const double end : free_ends_) {
+        const Point place = point_at(curve_, end);
+        if (point_at(moved, end) == place) continue;
+        if (auto corrected = move_curve_point(moved, end, place, held)) moved = *std::move(corrected);
+    }
     return moved;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/curve/knot_analysis.h"
@@ -214,6 +215,28 @@ TEST(FairPart, moves_what_lies_in_the_part_alone) {
             }
             EXPECT_EQ(moved, 4u);
         }
+}
+
+// Its ends are made by three points each, of which the first may be pinned, or outside of the part.
+TEST(FairPart, moves_nothing_else_at_ends_that_no_point_makes_alone) {
+    for (const bool rational : {false, true}) {
+        const Curve curve = bumpy(false, rational, false);
+        const Interval domain = curve.domain();
+        const Interval part{3.5, 9.5};
+        const Curve found = fair_part(curve, part, 0.3).value().curve;
+        for (std::size_t i = 0; i < 16; ++i)
+            EXPECT_EQ(found.control_points()[i] != curve.control_points()[i],
+                      part.contains(greville_abscissa(curve.knots(), i)))
+                << i;
+        const std::vector<std::size_t> pinned{0, 7, 15};
+        const Curve held = fair(curve, 0.3, {}, pinned).value().curve;
+        for (std::size_t i = 0; i < 16; ++i)
+            EXPECT_EQ(held.control_points()[i] == curve.control_points()[i], std::ranges::binary_search(pinned, i))
+                << i;
+        for (const Curve* one : {&found, &held})
+            for (const double end : {domain.lower, domain.upper})
+                EXPECT_LT(distance(point_at(*one, end), point_at(curve, end)), 1e-12);
+    }
 }
 
 TEST(FairPart, goes_over_the_seam_of_a_periodic_curve) {
