@@ -31,10 +31,6 @@ namespace batten::editor {
 namespace {
 
 /// Whether a click with the tool puts something at the place that is pointed at.
-bool places_points(Tool tool) {
-    return tool == Tool::add_point || tool == Tool::draw_curve || tool == Tool::shape;
-}
-
 // What is under the pointer; for the select tool a picture that it would drag, where that is nothing else.
 Hover hit_of_tool(const Gesture& gesture) {
     const glm::dvec2 place = gesture.event.position_px;
@@ -277,7 +273,8 @@ bool is_at_rest(const CanvasMode& mode) {
 bool listens_to_drawing_keys(const CanvasMode& mode, const EditorState& state) {
     if (std::holds_alternative<CanvasIdle>(mode)) return state.axis_pick.has_value();
     const auto* joint = std::get_if<PickingJoint>(&mode);
-    return std::holds_alternative<DrawingCurve>(mode) || (joint != nullptr && joint->first);
+    return std::holds_alternative<DrawingCurve>(mode) || std::holds_alternative<DrawingShape>(mode) ||
+           (joint != nullptr && joint->first);
 }
 
 CanvasMode step_mode(const CanvasMode& mode, const Gesture& gesture) {

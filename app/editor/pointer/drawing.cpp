@@ -18,7 +18,11 @@ namespace {
 
 constexpr double finish_reach = 9.0;  // design pixels
 constexpr int drawn_degree = 3;
-constexpr std::size_t fewest_closed = 3;
+
+/// Fewer points make no closed curve; handles make one of two.
+std::size_t fewest_closed(PenMode mode) {
+    return mode == PenMode::bezier ? 2 : 3;
+}
 
 std::optional<core::FitKind> fit_kind_of(PenMode mode) {
     switch (mode) {
@@ -87,7 +91,13 @@ bool is_pointed_at(const Gesture& gesture, core::Point point) {
 }
 
 bool would_close(const DrawingCurve& mode, const Gesture& gesture) {
-    return mode.points.size() >= fewest_closed && is_pointed_at(gesture, mode.points.front());
+    return mode.points.size() >= fewest_closed(gesture.state.view.pen_mode) &&
+           is_pointed_at(gesture, mode.points.front());
+}
+
+/// Whether a click is on the first point while there are too few to close the curve.
+bool closes_too_early(const DrawingCurve& mode, const Gesture& gesture) {
+    return mode.points.size() > 1 && is_pointed_at(gesture, mode.points.front());
 }
 
 CanvasMode give_up(const Gesture& gesture) {
@@ -107,6 +117,10 @@ CanvasMode press_left(DrawingCurve mode, const Gesture& gesture) {
         if (would_close(mode, gesture)) return finish(std::move(mode), gesture, true);
         const bool is_double = gesture.event.action == PointerAction::double_click;
         if (is_double || is_pointed_at(gesture, mode.points.back())) return finish(std::move(mode), gesture, false);
+        if (closes_too_early(mode, gesture)) {
+            gesture.queue.change(ShowRefusal{"a closed curve needs three points; click one more before the first"});
+            return mode;
+        }
     }
     const core::Point place = pointed_at(gesture, mode.points.back());
     if (place == mode.points.back()) return mode;

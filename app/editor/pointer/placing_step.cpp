@@ -119,8 +119,14 @@ CanvasMode step_placing(const CanvasMode& mode, const Gesture& gesture, const St
     return next;
 }
 
+bool places_points(Tool tool) {
+    return tool == Tool::add_point || tool == Tool::draw_curve || tool == Tool::shape;
+}
+
 bool takes_numbers(const CanvasMode& mode, const EditorState& state) {
-    return is_place_dragged(mode) || state.placing.place.has_value();
+    const bool waits_for_place =
+        std::holds_alternative<CanvasIdle>(mode) && (places_points(state.tool) || state.axis_pick.has_value());
+    return is_place_dragged(mode) || waits_for_place || state.placing.place.has_value();
 }
 
 bool takes_key(const CanvasMode& mode, const EditorState& state, const PointerEvent& event) {

@@ -16,6 +16,9 @@ using StepMode = std::function<CanvasMode(const CanvasMode& mode, const Gesture&
 /// picture shows of the place.
 CanvasMode step_placing(const CanvasMode& mode, const Gesture& gesture, const StepMode& step);
 
+/// Whether a click of the tool places a point, which may be typed as well.
+bool places_points(Tool tool);
+
 /// Whether keys and characters may be about the place of a gesture, so that they are no shortcuts.
 bool takes_numbers(const CanvasMode& mode, const EditorState& state);
 

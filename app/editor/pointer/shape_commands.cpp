@@ -74,10 +74,11 @@ Outcome<Command> rectangle_between(core::Point a, core::Point b) {
     return AddPolyline{.points = {a, {b.x, a.y}, b, {a.x, b.y}}, .closed = true};
 }
 
-Outcome<Command> ellipse_of(const std::vector<core::Point>& places) {
+Outcome<Command> ellipse_of(const std::vector<core::Point>& places, const ShapeHints& hints) {
     const core::Vector first = places[1] - places[0];
     const double length = core::robust_length(first);
-    const double second = std::abs(core::cross(first / length, places[2] - places[0]));
+    const double reach = core::cross(first / length, places[2] - places[0]);
+    const double second = std::abs(hints.length.value_or(reach));
     if (!(length > 0.0) || second == 0.0) return tl::make_unexpected("the ellipse has no width or no height");
     return AddEllipse{.center = places[0], .first_axis = length, .second_axis = second, .rotation = degrees_of(first)};
 }
@@ -137,7 +138,7 @@ Outcome<Command> shape_command(ShapeKind kind, const std::vector<core::Point>& p
         case ShapeKind::arc_through_points:
             return arc_through(places);
         case ShapeKind::ellipse:
-            return ellipse_of(places);
+            return ellipse_of(places, hints);
         case ShapeKind::conic:
             break;
     }

@@ -14,9 +14,11 @@ std::size_t place_count(ShapeKind kind);
 
 /// What is known of the last place of a shape beside where it is.
 struct ShapeHints {
-    std::size_t sides = 6;           ///< of a polygon
-    std::optional<double> length{};  ///< that was typed for the way to it, and counts to the last bit
-    double turned = 0.0;             ///< > 0 where an arc goes counterclockwise to it, < 0 clockwise
+    std::size_t sides = 6;  ///< of a polygon
+    /// That was typed for the way to it, and counts to the last bit; for an ellipse how far it reaches from its first
+    /// axis.
+    std::optional<double> length{};
+    double turned = 0.0;  ///< > 0 where an arc goes counterclockwise to it, < 0 clockwise
 };
 
 /// The command for places in the order of ShapeKind, as many as place_count says. Exact where the places are: a length

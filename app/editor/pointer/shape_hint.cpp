@@ -29,7 +29,7 @@ std::vector<const char*> step_hints(ShapeKind kind) {
         case ShapeKind::ellipse:
             return {"Click on the center of the ellipse, or type x,y",
                     "Click on the end of an axis, or type its length",
-                    "Click as far from that axis as the ellipse is to reach"};
+                    "Click as far from that axis as the ellipse is to reach, or type how far"};
         case ShapeKind::conic:
             break;
     }

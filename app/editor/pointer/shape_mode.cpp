@@ -36,7 +36,10 @@ core::Point next_place(const DrawingShape& mode, const Gesture& gesture) {
 
 ShapeHints hints_of(const DrawingShape& mode, const Gesture& gesture) {
     const TypedPlace& typed = typed_for(gesture);
-    return {gesture.state.view.polygon_sides, typed_length(typed, gesture.state.shown().units), mode.turned};
+    const Units& units = gesture.state.shown().units;
+    // A length in no direction is how far an ellipse reaches from its first axis.
+    const auto length = mode.kind == ShapeKind::ellipse ? typed_length_alone(typed, units) : typed_length(typed, units);
+    return {gesture.state.view.polygon_sides, length, mode.turned};
 }
 
 DrawingShape moved(DrawingShape mode, core::Point next) {
@@ -73,7 +76,10 @@ CanvasMode follow_pointer(DrawingShape mode, const Gesture& gesture) {
 CanvasMode take_place(DrawingShape mode, const Gesture& gesture) {
     const core::Point next = next_place(mode, gesture);
     mode = moved(std::move(mode), next);
-    if (mode.next == mode.points.back()) return mode;
+    if (mode.next == mode.points.back()) {
+        if (is_typed(gesture)) gesture.queue.change(ShowRefusal{"this is the place before; the next one is another"});
+        return mode;
+    }
     if (!is_complete(mode)) {
         mode.points.push_back(mode.next);
         mode.turned = 0.0;
@@ -88,6 +94,18 @@ CanvasMode take_place(DrawingShape mode, const Gesture& gesture) {
     return CanvasIdle{};
 }
 
+CanvasMode give_up(const Gesture& gesture) {
+    gesture.queue.cancel_preview();
+    return CanvasIdle{};
+}
+
+CanvasMode take_back(DrawingShape mode, const Gesture& gesture) {
+    gesture.queue.cancel_preview();
+    mode.points.pop_back();
+    mode.turned = 0.0;
+    return mode.points.empty() ? CanvasMode(CanvasIdle{}) : CanvasMode(mode);
+}
+
 }  // namespace
 
 CanvasMode begin_shape(const Gesture& gesture) {
@@ -97,10 +115,10 @@ CanvasMode begin_shape(const Gesture& gesture) {
 
 CanvasMode step(DrawingShape mode, const Gesture& gesture) {
     if (step_pan(mode.panned_px, gesture)) return mode;
-    if (is_escape(gesture)) {
-        gesture.queue.cancel_preview();
-        return CanvasIdle{};
-    }
+    const bool is_right_click =
+        gesture.event.action == PointerAction::release && gesture.event.button == PointerButton::right;
+    if (is_escape(gesture) || is_right_click) return give_up(gesture);
+    if (gesture.event.action == PointerAction::take_back) return take_back(std::move(mode), gesture);
     if (gesture.event.action == PointerAction::wheel) turn_canvas_wheel(gesture);
     if (is_move(gesture)) return follow_pointer(mode, gesture);
     if (is_press(gesture) && gesture.event.button == PointerButton::left) return take_place(mode, gesture);

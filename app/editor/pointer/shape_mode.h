@@ -11,8 +11,8 @@
 
 namespace batten::editor {
 
-/// Each click, or each typed place, is one of the places that make the shape; the last one makes it. Escape gives it
-/// up, and so does a change of the tool.
+/// Each click, or each typed place, is one of the places that make the shape; the last one makes it. Backspace and
+/// Ctrl+Z take back the last one. Escape gives it up, and so do a right click and a change of the tool.
 struct DrawingShape {
     ShapeKind kind = ShapeKind::line;
     std::vector<core::Point> points;  ///< so far, at least one

@@ -106,7 +106,7 @@ std::string with_character(std::string text, char32_t character) {
     return text.append(utf8_of(character));
 }
 
-bool is_letter(char32_t character) {
+bool is_name_letter(char32_t character) {
     return (character >= U'a' && character <= U'z') || (character >= U'A' && character <= U'Z') ||
            character == U'\u03c0';
 }
@@ -128,7 +128,7 @@ std::optional<TypedPlace> typed_character(TypedPlace typed, char32_t character, 
         return typed;
     }
     const bool begins = first_characters.find(character) != std::u32string_view::npos ||
-                        (letters == FirstLetters::begin_numbers && is_letter(character));
+                        (letters == FirstLetters::begin_numbers && is_name_letter(character));
     if (typed.is_empty() ? !begins : !can_be_in_expression(character)) return std::nullopt;
     if (text.size() < longest_text) text = with_character(std::move(text), character);
     return typed;

@@ -180,6 +180,31 @@ TEST_F(Drawing, a_bezier_path_is_closed_by_a_click) {
     EXPECT_EQ(core::derivatives_at(ring, 3.0, 1, core::Side::left)[1], core::Vector(0, 3));
 }
 
+TEST_F(Drawing, a_click_on_the_first_of_two_points_says_what_a_closed_curve_needs) {
+    editor.run(UsePen<PenMode::through_c2>{});
+    pointer.click(px(-2, 0));
+    pointer.click(px(2, 0));
+    pointer.click(px(-2, 0));
+    ASSERT_TRUE(std::holds_alternative<DrawingCurve>(pointer.mode()));
+    EXPECT_EQ(std::get<DrawingCurve>(pointer.mode()).points.size(), 2U);
+    EXPECT_EQ(state().message.text, "a closed curve needs three points; click one more before the first");
+    pointer.click(px(0, 3));
+    pointer.click(px(-2, 0));
+    EXPECT_TRUE(committed(editor).is_periodic());
+}
+
+// Handles make a closed curve of two points: (0, 2) up at one, (0, -2) down at the other.
+TEST_F(Drawing, two_points_with_handles_make_a_closed_curve) {
+    editor.run(UsePen<PenMode::bezier>{});
+    pointer.drag(px(-2, 0), px(-2, 2));
+    pointer.drag(px(2, 0), px(2, -2));
+    pointer.click(px(-2, 0));
+    const core::Curve& ring = committed(editor);
+    EXPECT_TRUE(ring.is_periodic());
+    EXPECT_EQ(core::point_at(ring, 0.5), core::Point(0, 1.5));
+    EXPECT_EQ(core::point_at(ring, 1.5), core::Point(0, -1.5));
+}
+
 TEST_F(Drawing, the_mode_is_kept_and_chosen_with_the_pen) {
     EXPECT_EQ(state().view.pen_mode, PenMode::through_c2);
     editor.run(UsePen<PenMode::bezier>{});

@@ -375,6 +375,65 @@ TEST_F(Shapes, rectangles_polygons_ellipses_and_conics) {
     EXPECT_NEAR(last().curve->weights()[1], 1.0, 1e-15);
 }
 
+// The pointer has not come to the canvas since the tool was taken.
+TEST_F(Shapes, the_first_place_may_be_typed_at_once) {
+    draw(ShapeKind::line);
+    type(U"1,2\n", px(0, 0));
+    ASSERT_TRUE(is_in<DrawingShape>());
+    type(U"10<45\n", px(0, 0));
+    ASSERT_EQ(document().curves.size(), 2U);
+    expect_at(0.0, {1, 2});
+    expect_at(1.0, {1 + std::sqrt(50.0), 2 + std::sqrt(50.0)});
+    editor.run(TakeTool<Tool::draw_curve>{});
+    type(U"-1,3\n", px(0, 0));
+    ASSERT_TRUE(is_in<DrawingCurve>());
+    EXPECT_EQ(std::get<DrawingCurve>(pointer.mode()).points.front(), core::Point(-1, 3));
+}
+
+TEST_F(Shapes, places_are_taken_back_one_by_one_and_no_step_of_the_document) {
+    draw(ShapeKind::arc_through_points);
+    pointer.click(px(3, 0));
+    pointer.click(px(0, 3));
+    pointer.move(px(0, -3));
+    EXPECT_TRUE(listens_to_drawing_keys(pointer.mode(), state()));
+    pointer.send(PointerAction::take_back, px(0, -3));
+    ASSERT_TRUE(is_in<DrawingShape>());
+    EXPECT_EQ(std::get<DrawingShape>(pointer.mode()).points, (std::vector<core::Point>{{3, 0}}));
+    EXPECT_FALSE(state().preview);
+    pointer.click(px(-3, 0));
+    pointer.click(px(0, 3));
+    expect_at(1.0, {-3, 0});
+    expect_at(0.5, {0, 3});
+    EXPECT_EQ(steps(), 1U);
+    pointer.click(px(1, 1));
+    pointer.send(PointerAction::take_back, px(1, 1));
+    EXPECT_TRUE(is_in<CanvasIdle>());
+    pointer.click(px(1, 1));
+    pointer.button = PointerButton::right;
+    pointer.click(px(2, 2));
+    EXPECT_TRUE(is_in<CanvasIdle>());
+    EXPECT_EQ(steps(), 1U);
+}
+
+// The first axis leads 20 away at 30 degrees, and the pointer is anywhere.
+TEST_F(Shapes, an_ellipse_reaches_as_far_from_its_axis_as_is_typed) {
+    draw(ShapeKind::ellipse);
+    pointer.move(px(0, 0));
+    type(U"0,0\n2<30\n", px(0, 0));
+    pointer.move(px(0, 2));
+    type(U"1\n", px(0, 2));
+    EXPECT_NEAR(core::enclosed_area(*last().curve)->signed_area, 2.0 * std::numbers::pi, 1e-13);
+    expect_at(0.0, {std::sqrt(3.0), 1});
+    expect_at(0.25, {-0.5, std::sqrt(0.75)});
+}
+
+TEST_F(Shapes, a_place_typed_twice_is_refused) {
+    draw(ShapeKind::line);
+    type(U"1,2\n1,2\n", px(0, 0));
+    EXPECT_TRUE(is_in<DrawingShape>());
+    EXPECT_EQ(state().message.text, "this is the place before; the next one is another");
+}
+
 TEST_F(Shapes, are_given_up_with_the_tool) {
     draw(ShapeKind::circle);
     pointer.click(px(0, 0));
