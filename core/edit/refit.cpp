@@ -55,43 +55,41 @@ std::vector<MoveCondition> places_of(const Curve& truth, const Curve& pattern) {
     return goals;
 }
 
-// How many of the first control points, over the same first knots, are the same in both curves.
-std::size_t common_start(const Curve& a, const Curve& b) {
-    const auto p = static_cast<std::size_t>(a.degree());
-    const std::size_t count = std::min(a.control_points().size(), b.control_points().size());
-    std::size_t i = 0;
-    while (i <= p && a.knots()[i] == b.knots()[i]) ++i;
-    if (i <= p) return 0;
-    i = 0;
-    while (i < count && a.control_points()[i] == b.control_points()[i] && a.weights()[i] == b.weights()[i] &&
-           a.knots()[i + p + 1] == b.knots()[i + p + 1])
-        ++i;
-    return i;
+// Whether point i of the one curve is point j of the other, over the same knots.
+bool are_alike(const Curve& a, std::size_t i, const Curve& b, std::size_t j) {
+    if (a.control_points()[i] != b.control_points()[j] || a.weights()[i] != b.weights()[j]) return false;
+    const std::size_t count = static_cast<std::size_t>(a.degree()) + 2;
+    return std::ranges::equal(a.knots().values().subspan(i, count), b.knots().values().subspan(j, count));
 }
 
-std::size_t common_end(const Curve& a, const Curve& b) {
-    const auto p = static_cast<std::size_t>(a.degree());
-    const std::size_t n = a.control_points().size();
-    const std::size_t m = b.control_points().size();
-    std::size_t i = 0;
-    while (i <= p && a.knots()[n + p - i] == b.knots()[m + p - i]) ++i;
-    if (i <= p) return 0;
-    i = 0;
-    while (i < std::min(n, m) && a.control_points()[n - 1 - i] == b.control_points()[m - 1 - i] &&
-           a.weights()[n - 1 - i] == b.weights()[m - 1 - i] && a.knots()[n - 1 - i] == b.knots()[m - 1 - i])
-        ++i;
-    return i;
+// Whether point i of the pattern is none of the truth, counted from the start or from the end.
+bool differs(const Curve& pattern, const Curve& truth, std::size_t i) {
+    const std::size_t n = pattern.control_points().size();
+    const std::size_t m = truth.control_points().size();
+    const bool is_of_start = i < m && are_alike(pattern, i, truth, i);
+    const bool is_of_end = n - i <= m && are_alike(pattern, i, truth, m - (n - i));
+    return !is_of_start && !is_of_end;
 }
 
-// What is far from all that differs is left as it is.
+// What is far from all that differs is left as it is; in a closed curve both ways around.
 std::vector<bool> held_far_away(const Curve& pattern, const Curve& truth) {
     const std::size_t n = pattern.control_points().size();
-    std::vector<bool> is_held(n, false);
-    if (pattern.degree() != truth.degree() || pattern.is_periodic() || truth.is_periodic()) return is_held;
+    if (pattern.degree() != truth.degree() || pattern.is_periodic() != truth.is_periodic())
+        return std::vector<bool>(n, false);
+    std::vector<bool> is_other(n);
+    for (std::size_t i = 0; i < n; ++i) is_other[i] = differs(pattern, truth, i);
+    std::vector<bool> is_held(n, true);
     const std::size_t reach = 2 * static_cast<std::size_t>(pattern.degree());
-    const std::size_t start = common_start(pattern, truth);
-    const std::size_t end = common_end(pattern, truth);
-    for (std::size_t i = 0; i < n; ++i) is_held[i] = i + reach < start || n - 1 - i + reach < end;
+    const std::size_t steps = pattern.is_periodic() ? n + reach : n;
+    std::size_t forward = reach;
+    std::size_t backward = reach;
+    for (std::size_t k = 0; k < steps; ++k) {
+        forward = is_other[k % n] ? 0 : forward + 1;
+        if (forward <= reach) is_held[k % n] = false;
+        const std::size_t i = n - 1 - k % n;
+        backward = is_other[i] ? 0 : backward + 1;
+        if (backward <= reach) is_held[i] = false;
+    }
     return is_held;
 }
 

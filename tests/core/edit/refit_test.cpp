@@ -74,6 +74,28 @@ TEST(Refit, finds_a_curve_that_is_over_the_same_knots_again) {
     }
 }
 
+// Of a closed curve also where the point is beside the seam, where the last ones are near it.
+TEST(Refit, what_is_far_from_a_point_that_goes_keeps_every_bit) {
+    for (const bool periodic : {false, true})
+        for (const std::size_t gone : {std::size_t{1}, std::size_t{30}, std::size_t{58}}) {
+            const Curve curve = cubic_run(60, periodic);
+            const std::vector<std::size_t> indices{gone};
+            const auto pattern = delete_control_points(curve, indices).value();
+            const auto found = delete_points_and_refit(curve, indices).value();
+            EXPECT_LE(found.error, largest_deviation(curve, pattern));
+            std::size_t kept = 0;
+            for (std::size_t i = 0; i < 59; ++i) {
+                const std::size_t old = i < gone ? i : i + 1;
+                const std::size_t along = old < gone ? gone - old : old - gone;
+                const std::size_t away = periodic ? std::min(along, 60 - along) : along;
+                const bool is_kept = found.curve.control_points()[i] == curve.control_points()[old];
+                kept += is_kept ? 1 : 0;
+                EXPECT_TRUE(is_kept || away <= 12) << periodic << gone << ' ' << i;
+            }
+            EXPECT_LT(kept, 58U);
+        }
+}
+
 TEST(Refit, no_move_of_a_point_brings_a_curve_nearer) {
     for (const bool periodic : {false, true}) {
         const Curve curve = cubic_run(24, periodic);
