@@ -1,10 +1,11 @@
 #include "app/ui/text_lines.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <sstream>
 
+#include "app/editor/words/clauses.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/rich_text.h"
 
@@ -26,25 +27,47 @@ std::string ended_early(std::string line, ImFont* font, float width_px) {
     }
 }
 
-}  // namespace
+void measure(TextLines& broken, ImFont* font) {
+    for (const std::string& line : broken.lines) broken.width_px = std::max(broken.width_px, width_of(line, font));
+}
 
-TextLines broken_into_lines(const std::string& text, ImFont* font, float width_px, std::size_t most) {
+/// As many words as find room.
+TextLines filled_with_words(const std::string& text, ImFont* font, float width_px, std::size_t most) {
     TextLines broken;
     std::istringstream words(text);
     std::string word;
     while (broken.is_whole && words >> word) {
-        const std::string longer = broken.lines.empty() ? word : fmt::format("{} {}", broken.lines.back(), word);
+        const bool is_first = broken.lines.empty() || broken.lines.back().empty();
+        const std::string longer = is_first ? word : fmt::format("{} {}", broken.lines.back(), word);
         if (broken.lines.empty())
             broken.lines.push_back(word);
-        else if (width_of(longer, font) <= width_px)
+        else if (is_first || width_of(longer, font) <= width_px)
             broken.lines.back() = longer;
         else if (broken.lines.size() < most)
-            broken.lines.push_back(word);
+            // The break itself tells apart what would stand on both sides of the dot.
+            broken.lines.push_back(word == "·" ? "" : word);
         else
             broken.is_whole = false;
     }
-    if (!broken.is_whole) broken.lines.back() = ended_early(broken.lines.back(), font, width_px);
-    for (const std::string& line : broken.lines) broken.width_px = std::max(broken.width_px, width_of(line, font));
+    return broken;
+}
+
+}  // namespace
+
+TextLines broken_into_lines(const std::string& text, ImFont* font, float width_px, std::size_t most) {
+    TextLines broken = filled_with_words(text, font, width_px, most);
+    if (!broken.is_whole) {
+        for (const std::string& beginning :
+             editor::shorter_beginnings(fmt::format("{}", fmt::join(broken.lines, " ")))) {
+            TextLines shorter = filled_with_words(beginning, font, width_px, most);
+            if (!shorter.is_whole) continue;
+            measure(shorter, font);
+            shorter.is_whole = false;
+            return shorter;
+        }
+        broken.lines.back() = ended_early(broken.lines.back(), font, width_px);
+    }
+    measure(broken, font);
     return broken;
 }
 

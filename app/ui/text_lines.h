@@ -16,7 +16,7 @@ struct TextLines {
 };
 
 /// At most `most` (> 0) lines of `text` in `font`, each at most `width_px` wide unless a single word is wider; where
-/// that is not enough the last one ends in "…".
+/// that is not enough the text ends with a clause and "…", else with a word and "…".
 TextLines broken_into_lines(const std::string& text, ImFont* font, float width_px, std::size_t most);
 
 }  // namespace batten::ui
