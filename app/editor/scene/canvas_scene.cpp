@@ -38,8 +38,9 @@ namespace {
 /// findings.
 std::vector<render::PixelBox> draw_background(CanvasFrame& frame) {
     std::vector<render::PixelBox> covered;
-    const auto legend =
-        has_legend(frame.state) ? std::optional(legend_box(frame.state, frame.state.view.legend_corner)) : std::nullopt;
+    const auto legend = shows_legend(frame.state)
+                            ? std::optional(legend_box(frame.state, frame.state.view.legend_corner))
+                            : std::nullopt;
     if (frame.shows(Overlay::grid)) {
         draw_grid(frame);
         covered = draw_grid_numbers(frame, legend);
@@ -129,7 +130,7 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, 
     }
     if (frame.shows(Overlay::directions)) draw_directions(frame);
     draw_finding_marks(frame);
-    if (has_legend(state)) draw_legend(frame);
+    if (shows_legend(state)) draw_legend(frame);
     draw_transform_box(frame, mode);
     draw_gesture_marks(frame, mode);
     draw_axis_pick(frame);

@@ -52,7 +52,7 @@ std::vector<std::string> note_texts(const CanvasMarks& marks, double room) {
 }
 
 bool is_on_left(const CanvasFrame& frame) {
-    return has_legend(frame.state) && frame.state.view.legend_corner == Corner::lower_right;
+    return shows_legend(frame.state) && frame.state.view.legend_corner == Corner::lower_right;
 }
 
 /// About the height `y`.
@@ -64,7 +64,7 @@ CrowdNote note_at(const CanvasFrame& frame, std::string text, double y) {
 }
 
 bool meets_legend(const CanvasFrame& frame, const render::PixelBox& box) {
-    if (!has_legend(frame.state)) return false;
+    if (!shows_legend(frame.state)) return false;
     const glm::dvec2 around(frame.pen.px(note_distance));
     const render::PixelBox legend = legend_box(frame.state, frame.state.view.legend_corner);
     return legend.overlaps({box.lower_px - around, box.upper_px + around});

@@ -27,7 +27,8 @@ constexpr double inset_distance = 16.0;         // below the insets
 constexpr int inset_cost = 1000;                // of covering it, which nothing makes good
 constexpr int handle_cost = 100;                // more than curves, which need not be reached
 constexpr double legend_reach = 12.0;           // around the legend
-constexpr int reluctance = 2;                   // how much less another corner must cover
+constexpr double handle_radius = 6.0;
+constexpr int reluctance = 2;  // how much less another corner must cover
 
 /// With words, or with numbers only where the canvas is narrow.
 enum class Length { full, brief };
@@ -104,6 +105,12 @@ int handle_cost_of(const std::vector<glm::dvec2>& handles, const render::PixelBo
 bool has_legend(const EditorState& state) {
     const bool is_low = state.view.camera.size_px.y < least_picture_height * state.view.interface_scale;
     return !is_low && state.visible_active_curve() != nullptr && state.view.overlays.is_shown(Overlay::construction);
+}
+
+bool shows_legend(const EditorState& state) {
+    if (!has_legend(state)) return false;
+    const render::PixelBox box = legend_box(state, state.view.legend_corner);
+    return handle_cost_of(handle_places(state), box, handle_radius * state.view.interface_scale) == 0;
 }
 
 render::PixelBox legend_box(const EditorState& state, Corner corner) {

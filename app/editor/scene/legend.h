@@ -9,6 +9,9 @@ namespace batten::editor {
 /// are for such states.
 bool has_legend(const EditorState& state);
 
+/// Whether it is drawn: not while it would lie over a handle, which is where every corner is taken.
+bool shows_legend(const EditorState& state);
+
 /// Where the legend is when it stands in `corner`.
 render::PixelBox legend_box(const EditorState& state, Corner corner);
 

@@ -20,6 +20,7 @@
 #include "core/document/native_file.h"
 #include "core/evaluate/evaluate.h"
 #include "tests/editor/pointer_driver.h"
+#include "tests/editor/scene_sample.h"
 
 namespace batten::editor {
 namespace {
@@ -269,6 +270,33 @@ TEST_F(Legend, gives_way_to_the_grips_of_the_transform_box) {
             editor_.change(PlaceLegend{free_corner(editor_.state(), cache_)});
             EXPECT_EQ(grips_under(corner()), 0) << x << y;
         }
+}
+
+TEST_F(Legend, is_left_out_where_every_corner_is_taken_by_a_grip) {
+    const auto tells_levels = [&] {
+        return test::has_text(test::canvas_picture(editor_.state(), CanvasIdle{}), "level 1");
+    };
+    // The corners of the box, which is 12 pixels around 8 x 4 units, are in the middle of the legend in each corner.
+    const PixelBox first = legend_box(editor_.state(), Corner::lower_left);
+    const glm::dvec2 size{8.0 * 64.0 + 24.0 + 28.0 + (first.upper_px.x - first.lower_px.x), 4.0 * 64.0 + 24.0 + 72.0};
+    editor_.change(ResizeCanvas{size});
+    editor_.change(ZoomCamera{64.0 / editor_.state().view.camera.scale, {}});
+    editor_.change(PanCamera{glm::dvec2(0.5 * size.x, 0.5 * size.y - 7.0) - seen(editor_.state(), {0, 0})});
+    editor_.change(PlaceLegend{free_corner(editor_.state(), cache_)});
+    EXPECT_TRUE(shows_legend(editor_.state()));
+    editor_.run(TakeTool<Tool::transform>{});
+    const TransformBox box = transform_box(editor_.state()).value();
+    for (const Corner corner : all_corners) {
+        const PixelBox legend = legend_box(editor_.state(), corner);
+        const auto grips = visible_grips(box);
+        ASSERT_TRUE(std::ranges::any_of(
+            grips, [&](TransformGrip grip) { return legend.contains(grip_place(editor_.state(), box, grip)); }));
+    }
+    editor_.change(PlaceLegend{free_corner(editor_.state(), cache_)});
+    EXPECT_FALSE(shows_legend(editor_.state()));
+    EXPECT_FALSE(tells_levels());
+    editor_.run(TakeTool<Tool::select>{});
+    EXPECT_TRUE(tells_levels());
 }
 
 TEST_F(Legend, does_not_flicker_at_an_edge) {
