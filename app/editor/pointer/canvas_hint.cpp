@@ -10,6 +10,7 @@
 #include "app/editor/pointer/hint_text.h"
 #include "app/editor/pointer/joint_command.h"
 #include "app/editor/pointer/shape_hint.h"
+#include "app/editor/pointer/transform_box.h"
 #include "app/editor/state/selected_parts.h"
 #include "app/editor/upkeep.h"
 #include "app/editor/words/formula.h"
@@ -222,6 +223,9 @@ std::string transform_hint(const EditorState& state) {
     if (std::holds_alternative<HoveredGrip>(state.hover) || std::holds_alternative<HoveredOtherCurve>(state.hover) ||
         std::holds_alternative<HoveredRuler>(state.hover))
         return select_hint(state);
+    const std::optional<TransformBox> box = transform_box(state);
+    if (box && box->box.lower == box->box.upper)
+        return "Drag the point to move it · drag around several to scale and turn them · Escape leaves the tool";
     return "Drag the handles of the box, its sides or what is in it · drag around points to take them alone · Escape "
            "leaves the tool";
 }
@@ -232,8 +236,14 @@ std::string axis_hint(const AxisPick& pick) {
                       : "Click the first point of the axis · Escape gives up";
 }
 
+std::string gauge_hint(const PictureGauge& gauge) {
+    return gauge.points.empty() ? "Click the first point of the picture · Escape gives up"
+                                : "Click the second point, whose distance from the first you know · Escape gives up";
+}
+
 std::string tool_hint(const EditorState& state) {
     if (state.axis_pick) return axis_hint(*state.axis_pick);
+    if (is_gauging(state)) return gauge_hint(*state.gauge);
     if (state.tool == Tool::draw_curve)
         return sentence(
             "Click to set the first point of a new curve by {mode} · right-click for other pens · Escape leaves",

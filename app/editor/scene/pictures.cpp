@@ -8,6 +8,7 @@ namespace {
 
 constexpr double problem_size = 12.5;
 constexpr double gauge_radius = 5.0;
+constexpr double gauge_line = 1.5;
 
 core::PicturePlace corner(double x, double y) {
     return {x, y};
@@ -48,9 +49,12 @@ void draw_picture_gauge(CanvasFrame& frame) {
     if (!frame.state.gauge) return;
     std::vector<glm::dvec2> places;
     for (const core::Point point : frame.state.gauge->points) places.push_back(frame.screen(point));
-    if (places.size() == 2) frame.pen.line(places, {.color = frame.theme.accent, .width = 1.5});
+    if (places.size() == 2) frame.pen.line(places, {.color = frame.theme.accent, .width = gauge_line});
     for (const glm::dvec2 place : places)
-        frame.pen.symbol(place, {.radius = gauge_radius, .fill = frame.theme.canvas, .outline = frame.theme.accent});
+        frame.pen.symbol(place, {.radius = gauge_radius,
+                                 .fill = frame.theme.canvas,
+                                 .outline = frame.theme.accent,
+                                 .outline_width = gauge_line});
 }
 
 }  // namespace batten::editor

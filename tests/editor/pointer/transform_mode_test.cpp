@@ -320,7 +320,9 @@ TEST_F(Transforming, tells_what_the_grips_do) {
     EXPECT_TRUE(hint_at(top_side).starts_with("Drag along the side"));
     EXPECT_TRUE(hint_at(px(0, 0)).starts_with("Drag the pivot"));
     EXPECT_TRUE(hint_at(px(-0.5, 0.5)).starts_with("Drag to move"));
-    EXPECT_FALSE(hint_at(px(9, 5)).empty());
+    EXPECT_TRUE(hint_at(px(9, 5)).starts_with("Drag the handles of the box"));
+    editor.run(SelectPoints{.points = {2}});
+    EXPECT_EQ(hint_at(px(9, 5)).find("handles"), std::string::npos) << "a single point has none";
 }
 
 TEST_F(Transforming, draws_finite_numbers_for_any_box) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/picture_commands.h"
 #include "app/editor/commands/selection_commands.h"
@@ -103,12 +105,29 @@ TEST_F(Pictures, leave_points_to_be_taken) {
 
 TEST_F(Pictures, clicks_gauge_them) {
     editor.run(MeasurePicture{.picture = 0});
+    EXPECT_TRUE(canvas_hint(pointer.mode(), state()).starts_with("Click the first point"));
     pointer.click(px(-0.5, 0.5));
+    EXPECT_TRUE(canvas_hint(pointer.mode(), state()).starts_with("Click the second point"));
     pointer.click(px(0.5, 0.5));
     ASSERT_TRUE(state().gauge);
     EXPECT_EQ(state().gauge->points, (std::vector<core::Point>{{-0.5, 0.5}, {0.5, 0.5}}));
     EXPECT_EQ(state().dialog, Dialog::command_form);
     EXPECT_EQ(steps(), 0U);
+}
+
+TEST_F(Pictures, points_that_gauge_them_stand_out_from_light_and_dark) {
+    editor.run(MeasurePicture{.picture = 0});
+    pointer.click(px(-0.5, 0.5));
+    const Theme theme = shown_theme(state().view);
+    int found = 0;
+    for (const render::Marker& marker : all_of<render::Marker>(canvas_picture(state(), CanvasIdle{}))) {
+        if (glm::distance(glm::dvec2(marker.center), px(-0.5, 0.5)) > 0.01) continue;
+        ++found;
+        EXPECT_EQ(marker.fill, theme.canvas);
+        EXPECT_EQ(marker.outline, theme.accent);
+        EXPECT_GE(marker.outline_px, 1.0F);
+    }
+    EXPECT_EQ(found, 1);
 }
 
 }  // namespace
