@@ -16,7 +16,8 @@ struct ReadingRow {
 /// How high a reading of so many rows is.
 double reading_height_px(const Pen& pen, std::size_t row_count);
 
-/// Below and to the right of `place`, where there is room, else on the other side. It hides what lies beneath.
-void draw_reading(CanvasFrame& frame, glm::dvec2 place, std::span<const ReadingRow> rows);
+/// Below and to the right of `place`, where there is room, else on the other side. It hides what lies beneath. Rows
+/// that are wider than the picture are broken, if they can, between parts (" · "), else between words.
+void draw_reading(CanvasFrame& frame, glm::dvec2 place, std::span<const ReadingRow> given);
 
 }  // namespace batten::editor

@@ -15,9 +15,11 @@
 #include "app/editor/commands/snap_commands.h"
 #include "app/editor/commands/tool_commands.h"
 #include "app/editor/commands/unit_commands.h"
+#include "app/editor/pointer/place_text.h"
 #include "core/evaluate/evaluate.h"
 #include "core/measure/area.h"
 #include "tests/editor/canvas_fixture.h"
+#include "tests/editor/scene_sample.h"
 
 namespace batten::editor {
 namespace {
@@ -176,6 +178,23 @@ TEST_F(Placed, what_cannot_be_read_is_refused_at_enter_and_the_drag_goes_on) {
     EXPECT_TRUE(is_in<DraggingPoints>());
     type(U"1\n", px(-1, 2));
     expect_point(1, {4, 2});
+}
+
+TEST_F(Placed, the_reading_is_broken_between_its_parts_where_the_canvas_is_narrow) {
+    constexpr double width = 170.0;
+    editor.change(ResizeCanvas{{width, 300.0}});
+    const auto at = [&](core::Point place) { return render::screen_from_world(state().view.camera, place); };
+    pointer.press(at({-2, 2}));
+    pointer.move(at({-1.25, 1.5}));
+    ASSERT_TRUE(place());
+    std::string told;
+    for (const auto& label : test::all_of<render::Label>(test::canvas_picture(state(), pointer.mode()))) {
+        if (label.text.find("∠") == std::string::npos && !label.text.starts_with("d")) continue;
+        EXPECT_GE(test::box_of(label).lower_px.x, 0.0) << label.text;
+        EXPECT_LE(test::box_of(label).upper_px.x, width) << label.text;
+        told += (told.empty() ? "" : " · ") + label.text;
+    }
+    EXPECT_EQ(told, reading_of(state(), *place()));
 }
 
 // C(1.5) = (0, -1).
