@@ -6,6 +6,7 @@
 
 #include "app/editor/command_reader.h"
 #include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/picture_commands.h"
 #include "app/editor/fields/expression.h"
 #include "app/editor/fields/field_text.h"
 #include "app/editor/words/length.h"
@@ -33,7 +34,11 @@ constexpr double form_width = 380.0;
 constexpr double form_margin = 20.0;
 constexpr double explanation_gap = 12.0;
 constexpr double rows_gap = 16.0;  // below the rows
-constexpr int message_lines = 3;
+constexpr int message_lines = 3;   // kept free, where there is room
+constexpr double footer_gap = 12.0;
+constexpr double digits_shown = 6.0;  // of a number that suggests itself
+constexpr double least_decimals = 3.0;
+constexpr std::size_t digits_worth_a_cut = 2;
 
 /// What is written in a form for `argument`.
 struct TextOf {
@@ -54,9 +59,10 @@ bool is_empty(const std::vector<std::string>& texts) {
 }
 
 /// The texts of a field's parts as arguments; empty ones stand for what suggests itself, or for nothing.
-editor::Outcome<std::vector<Argument>> arguments_of(const Field& field, const std::vector<std::string>& texts,
-                                                    const std::vector<std::string>& initial,
+editor::Outcome<std::vector<Argument>> arguments_of(const FormState& form, std::size_t i,
                                                     const editor::EditorState& state) {
+    const Field& field = form.spec->fields[i];
+    const std::vector<std::string>& texts = form.typed[i];
     if (!field.is_asked || is_empty(texts)) {
         const editor::FieldValue suggestion = field.suggestion(state);
         if (editor::is_absent(suggestion) && !field.is_optional)
@@ -65,9 +71,11 @@ editor::Outcome<std::vector<Argument>> arguments_of(const Field& field, const st
         return editor::arguments_of(field, suggestion);
     }
     std::vector<Argument> arguments;
-    for (std::size_t k = 0; k < texts.size(); ++k)
-        arguments.emplace_back(
-            editor::Word{editor::takes_text(field) ? texts[k] : editor::typed_over(texts[k], initial[k])});
+    for (std::size_t k = 0; k < texts.size(); ++k) {
+        const std::string& initial = form.initial[i][k];
+        const std::string& text = texts[k] == form.shown[i][k] ? initial : texts[k];
+        arguments.emplace_back(editor::Word{editor::takes_text(field) ? text : editor::typed_over(text, initial)});
+    }
     return arguments;
 }
 
@@ -84,11 +92,20 @@ bool lacks_a_text(const FormState& form, const editor::EditorState& state) {
 editor::Outcome<editor::Command> command_of(const FormState& form, const editor::EditorState& state) {
     std::vector<Argument> all;
     for (std::size_t i = 0; i < form.spec->fields.size(); ++i) {
-        auto arguments = arguments_of(form.spec->fields[i], form.typed[i], form.initial[i], state);
+        auto arguments = arguments_of(form, i, state);
         if (!arguments) return tl::unexpected(arguments.error());
         all.insert(all.end(), arguments->begin(), arguments->end());
     }
     return editor::read_command(*form.spec, state, all);
+}
+
+/// A number with the digits that someone reads, `exact` where that is hardly longer.
+std::string text_in_digits(const std::string& exact, double value) {
+    const double decade = value == 0.0 ? 0.0 : std::floor(std::log10(std::abs(value)));
+    const double unit = std::pow(10.0, std::max(least_decimals, digits_shown - 1.0 - decade));
+    const double rounded = std::round(value * unit) / unit;
+    const std::string text = std::isfinite(rounded) ? core::shortest_text(rounded) : exact;
+    return text.size() + digits_worth_a_cut < exact.size() ? text : exact;
 }
 
 /// A length is written in the document's unit. One that suggests itself is a share of a size, of which the first digits
@@ -100,17 +117,45 @@ std::string text_of_argument(const Field& field, const Argument& argument, const
     return editor::with_unit(units, fmt::format("{:.4g}", editor::in_units(units, *world)));
 }
 
+/// What stands there at first for an argument that is written as `exact`.
+std::string shown_text_of(const Field& field, const Argument& argument, const std::string& exact,
+                          const editor::Units& units) {
+    const auto* world = std::get_if<double>(&argument);
+    if (world == nullptr) return exact;
+    if (field.kind != FieldKind::length) return text_in_digits(exact, *world);
+    const double length = editor::in_units(units, *world);
+    const std::string text = text_in_digits(core::shortest_text(length), length);
+    return field.suggestion_from == nullptr ? editor::with_unit(units, text) : exact;
+}
+
+/// The part to be typed first, where that is not the first one: pictures, and points of them, were pointed at.
+std::string first_part(const editor::CommandSpec& spec) {
+    if (&spec == &editor::ScalePicture::spec()) return "length";
+    const auto is_of_picture = [](const Field& field) {
+        return std::string_view(field.parts.front().name) == "picture";
+    };
+    if (spec.fields.size() < 2 || !is_of_picture(spec.fields.front())) return {};
+    const Field& second = spec.fields[1];
+    return second.kind == FieldKind::flag ? "" : second.parts.front().name;
+}
+
 void begin_form(FormState& form, const editor::CommandSpec& spec, const editor::EditorState& state) {
     form = {};
     form.spec = &spec;
     for (const Field& field : spec.fields) {
-        std::vector<std::string>& texts = form.typed.emplace_back();
-        for (const Argument& argument : editor::arguments_of(field, field.initial(state)))
-            texts.push_back(text_of_argument(field, argument, state.history.present().units));
+        const editor::Units& units = state.history.present().units;
+        std::vector<std::string>& texts = form.initial.emplace_back();
+        std::vector<std::string>& shown = form.shown.emplace_back();
+        for (const Argument& argument : editor::arguments_of(field, field.initial(state))) {
+            texts.push_back(text_of_argument(field, argument, units));
+            shown.push_back(shown_text_of(field, argument, texts.back(), units));
+        }
         if (field.kind == FieldKind::choice && texts.front().empty()) texts.front() = field.choices.front().name;
         if (field.kind == FieldKind::flag && texts.front().empty()) texts.front() = "yes";
+        if (shown.front().empty()) shown = texts;
     }
-    form.initial = form.typed;
+    form.typed = form.shown;
+    form.focused = first_part(spec);
     form.earlier_message = state.message.text;
 }
 
@@ -140,6 +185,7 @@ std::string effect_of(const PanelContext& context) {
     const bool is_told = ghost && !std::isnan(ghost->deviation);
     if (spec.effect != editor::ShapeEffect::changes || !context.state.preview || !is_told)
         return effect_text(spec.effect);
+    if (ghost->deviation == 0.0) return effect_text(editor::ShapeEffect::keeps);
     if (!std::isfinite(ghost->deviation)) return "≠ changes the shape; how far cannot be computed";
     return editor::reading_text(
         sentence("≠ changes the shape by at most {deviation}",
@@ -168,29 +214,57 @@ void apply(const PanelContext& context) {
 }
 
 /// What is wrong, else what the command does to the shape.
-void draw_message(const PanelContext& context, const std::string& problem) {
+std::string message_of(const PanelContext& context) {
+    const std::string problem = problem_of(context);
+    return problem.empty() ? effect_of(context) : problem;
+}
+
+void draw_message(const PanelContext& context) {
     const FormState& form = context.panels.form;
-    const std::string effect = effect_of(context);
+    const bool is_problem = !problem_of(context).empty();
     const bool only_lacks = !form.was_tried && lacks_a_text(form, context.state);
-    if (!problem.empty() && !only_lacks) return draw_dialog_error(context, problem);
+    const std::string message = message_of(context);
+    if (is_problem && !only_lacks) return draw_dialog_error(context, message);
     ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.dim));
-    ImGui::TextWrapped("%s", context.notated(problem.empty() ? effect : problem).c_str());
+    ImGui::TextWrapped("%s", context.notated(message).c_str());
     ImGui::PopStyleColor();
-    report_item(context, problem.empty() ? "form effect" : "form hint", problem.empty() ? effect : problem);
+    report_item(context, is_problem ? "form hint" : "form effect", message);
+}
+
+/// Of the message with so many lines.
+float message_height_px(int lines) {
+    return static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing();
 }
 
 /// Message and buttons, with the gap above them.
-float footer_height_px(const PanelContext& context) {
-    return static_cast<float>(message_lines) * ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeight() +
-           context.px(12);
+float footer_height_px(const PanelContext& context, float message_px) {
+    return message_px + ImGui::GetFrameHeight() + context.px(footer_gap);
 }
 
-void draw_footer(const PanelContext& context) {
+float rows_height_px(const PanelContext& context, float width_px) {
+    float height = 0.0F;
+    for (const Field& field : context.panels.form.spec->fields)
+        if (field.is_asked) height += form_row_height_px(context, field, width_px);
+    return height;
+}
+
+/// What the message takes below the rows: no more than it needs where the window is too low for all.
+float kept_message_height_px(const PanelContext& context) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float most = message_height_px(message_lines);
+    if (rows_height_px(context, room.x) + footer_height_px(context, most) <= room.y) return most;
+    // As wide as with the sign of an error.
+    const std::string message = fmt::format("⚠ {}", context.notated(message_of(context)));
+    const float height = wrapped_height_px(message, context.fonts.text, room.x);
+    return std::clamp(height + ImGui::GetStyle().ItemSpacing.y, message_height_px(1), most);
+}
+
+void draw_footer(const PanelContext& context, float message_px) {
     FormState& form = context.panels.form;
     const std::string problem = problem_of(context);
     const float top = ImGui::GetCursorPosY();
-    draw_message(context, problem);
-    ImGui::SetCursorPosY(top + static_cast<float>(message_lines) * ImGui::GetTextLineHeightWithSpacing());
+    draw_message(context);
+    ImGui::SetCursorPosY(top + message_px);
     const float width = label_button_width(context, "Apply") + label_button_width(context, "Cancel") + context.px(8);
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - width);
     if (draw_label_button(context, "form cancel", "Cancel")) form.is_given_up = true;
@@ -201,12 +275,16 @@ void draw_footer(const PanelContext& context) {
     if (problem.empty()) apply(context);
 }
 
-void draw_form_rows(const PanelContext& context) {
+void draw_form_rows(const PanelContext& context, float message_px) {
     FormState& form = context.panels.form;
-    ImGui::BeginChild("rows", ImVec2(0.0F, -footer_height_px(context)), false);
+    ImGui::BeginChild("rows", ImVec2(0.0F, -footer_height_px(context, message_px)), false);
     for (std::size_t i = 0; i < form.spec->fields.size(); ++i)
         if (form.spec->fields[i].is_asked) draw_form_row(context, form.spec->fields[i], form.typed[i]);
+    const bool is_cut = ImGui::GetScrollY() < ImGui::GetScrollMaxY();
     ImGui::EndChild();
+    if (is_cut)
+        draw_edge(context, {ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y},
+                  {ImGui::GetItemRectMax().x, ImGui::GetItemRectMax().y});
 }
 
 /// Over the inspector, so that the canvas shows what would come of it.
@@ -222,11 +300,12 @@ DialogFrame frame_of(const PanelContext& context, const Rectangle& place) {
     const float width = context.px(form_width) - 2.0F * dialog_padding_px(context);
     float height = wrapped_height_px(context.notated(spec.explanation), context.fonts.text, width) +
                    context.px(explanation_gap + rows_gap);
-    for (const Field& field : spec.fields)
-        if (field.is_asked) height += form_row_height_px(context, field, width);
+    height += rows_height_px(context, width);
     DialogFrame frame;
     frame.title = context.notated(spec.title);
-    frame.size = {form_width, (height + footer_height_px(context) + dialog_head_px(context)) / context.scale};
+    frame.size = {form_width,
+                  (height + footer_height_px(context, message_height_px(message_lines)) + dialog_head_px(context)) /
+                      context.scale};
     frame.beside = place;
     frame.closes_on_outside = false;
     return frame;
@@ -258,8 +337,9 @@ void draw_command_form(const PanelContext& context, const Rectangle& window, con
     ImGui::TextDisabled("%s", context.notated(form.spec->explanation).c_str());
     ImGui::PopTextWrapPos();
     ImGui::Dummy(ImVec2(1.0F, context.px(explanation_gap) - ImGui::GetStyle().ItemSpacing.y));
-    draw_form_rows(context);
-    draw_footer(context);
+    const float message_px = kept_message_height_px(context);
+    draw_form_rows(context, message_px);
+    draw_footer(context, message_px);
     end_dialog();
     follow_texts(context);
     if (!form.is_given_up) return;

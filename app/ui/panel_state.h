@@ -48,7 +48,8 @@ struct PaletteState {
 struct FormState {
     const editor::CommandSpec* spec = nullptr;
     std::vector<std::vector<std::string>> typed;      ///< a text for each part of each field
-    std::vector<std::vector<std::string>> initial;    ///< what stood there at first, which "+=2" changes
+    std::vector<std::vector<std::string>> initial;    ///< what suggests itself, with all digits; "+=2" changes it
+    std::vector<std::vector<std::string>> shown;      ///< the same as it stood there at first, with a few digits
     std::vector<std::vector<std::string>> previewed;  ///< what the canvas shows
     bool takes_focus = true;                          ///< `focused`, else the first input, becomes the active one
     std::string focused;                              ///< the part whose input was active last

@@ -78,8 +78,11 @@ void add_position(const PanelContext& context, std::vector<Readout>& readouts) {
         x = coordinate_text(editor::in_units(units, world.x), decimals);
         y = coordinate_text(editor::in_units(units, world.y), decimals);
     }
-    readouts.push_back({"x", x, columns, editor::unit_ending(units), {}, true});
-    readouts.push_back({"y", y, columns, editor::unit_ending(units), {}, true});
+    // What has no value has no unit, but its place stays as wide.
+    std::string unit = editor::unit_ending(units);
+    if (!context.panels.pointer.canvas_px) unit.assign(letter_count(unit), ' ');
+    readouts.push_back({"x", x, columns, unit, {}, true});
+    readouts.push_back({"y", y, columns, unit, {}, true});
 }
 
 std::string curvature_text(const editor::EditorState& state) {
@@ -147,6 +150,7 @@ editor::Message message_of(const editor::EditorState& state) {
     // A preview of very much does not tell how far it goes.
     if (state.preview && state.ghost && !std::isnan(state.ghost->deviation)) {
         if (!std::isfinite(state.ghost->deviation)) return {"How far the curve moves cannot be computed", false};
+        if (state.ghost->deviation == 0.0) return {"The curve stays as it is", false};
         const editor::Units& units = state.shown().units;
         const std::string deviation =
             editor::with_unit(units, editor::bound_text(editor::in_units(units, state.ghost->deviation), 3));

@@ -114,6 +114,20 @@ class CommandsTest(WindowTest):
         editor.click_widget("form cancel")
         editor.wait(lambda state: state["dialog"] == "none" and not state["has_preview"], "the end of the form")
 
+    def test_a_number_that_suggests_itself_is_shown_with_a_few_digits_and_taken_with_all(self):
+        editor = self.open_editor()
+        before = self.save(editor)
+        length = spline.length(before)
+        self.open_form(editor, "set-length")
+        shown = editor.wait(lambda state: state["has_preview"] and state["is_settled"], "the preview")["widgets"]
+        self.assertAlmostEqual(float(shown["form length"]["value"]), length, delta=0.001)
+        self.assertLess(len(shown["form length"]["value"]), 9)
+        self.assertEqual(shown["form effect"]["value"], "≅ keeps the shape")
+        self.retype(editor, "form length", "*=2")
+        editor.key("Return")
+        editor.wait(lambda state: state["dialog"] == "none" and state["undo_count"] == 1, "the edit")
+        self.assertAlmostEqual(spline.length(self.save(editor)) / length, 2, 9)
+
     def test_a_choice_is_chosen_from_a_list(self):
         editor = self.open_editor()
         self.open_form(editor, "extend")

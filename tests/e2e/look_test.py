@@ -89,6 +89,32 @@ class LookTest(WindowTest):
                     self.assert_reachable_triangle(editor)
                     self.assert_whole_key_sheet(editor)
 
+    def test_a_title_that_finds_no_room_ends_with_a_clause(self):
+        size = (1024, 700)
+        settings = {"window": {"x": 0, "y": 0, "width": size[0], "height": size[1]}, "user_scale": 2.0}
+        with self.start(self.display(*size), "--example", "wave", settings=settings) as editor:
+            editor.screenshot("small-title")
+            state = editor.settle()
+            sentence, canvas = state["widgets"]["title sentence"], state["canvas"]
+            self.assertGreater(sentence["height"], 10)
+            self.assertLess(sentence["y"] + sentence["height"], canvas["y"])
+
+    def test_a_form_in_a_low_window_shows_its_first_rows_whole(self):
+        size = (1024, 700)
+        settings = {"window": {"x": 0, "y": 0, "width": size[0], "height": size[1]}, "user_scale": 2.0}
+        with self.start(self.display(*size), settings=settings) as editor:
+            editor.key("ctrl+p")
+            editor.wait(lambda state: state["dialog"] == "command-palette" and state["is_settled"], "the palette")
+            editor.type("set-units")
+            editor.wait(lambda state: state["widgets"]["palette input"]["value"] == "set-units", "the name")
+            editor.key("Return")
+            widgets = editor.wait(lambda state: "form scale" in state["widgets"] and state["is_settled"], "the form")["widgets"]
+            editor.screenshot("low-form")
+            unit, scale, button = widgets["form unit"], widgets["form scale"], widgets["form apply"]
+            self.assertGreater(unit["height"], 40)
+            self.assertAlmostEqual(unit["height"], scale["height"], delta=1)
+            self.assertLess(scale["y"] + scale["height"], button["y"])
+
     def test_the_numbers_of_a_narrow_table_have_the_same_decimals(self):
         size = (1024, 700)
         settings = {"window": {"x": 0, "y": 0, "width": size[0], "height": size[1]}}

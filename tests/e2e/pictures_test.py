@@ -54,6 +54,10 @@ class PicturesTest(WindowTest):
         editor.click(middle[0] - 100, middle[1])
         editor.click(middle[0] + 100, middle[1])
         self.wait_for_form(editor)
+        # The length is what is left to be typed; what was clicked is told with a few digits.
+        self.retype(editor, "form length", "32")
+        for name in ("x1", "y1", "x2", "y2"):
+            self.assertLessEqual(len(editor.state()["widgets"][f"form {name}"]["value"]), 9)
         editor.screenshot("scaled")
         editor.key("Escape")
         editor.click_widget("menu make")
