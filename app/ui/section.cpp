@@ -103,7 +103,7 @@ void stay_in_row(const PanelContext& context, double gap) {
 }
 
 void draw_row_list(const PanelContext& context, const RowList& list,
-                   void (*draw_row)(const PanelContext& context, std::size_t i, float width)) {
+                   const std::function<void(const PanelContext& context, std::size_t i, float width)>& draw_row) {
     const bool scrolls = list.count > list.most;
     const float row = context.px(list.row_height);
     const float width = content_width(context) + 2.0F * context.px(list.overhang);

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <functional>
 #include <string>
 
 #include "app/ui/panels.h"
@@ -53,7 +54,7 @@ struct RowList {
 
 /// Draws the rows in sight: `draw_row` gets the index of each and its width in window pixels.
 void draw_row_list(const PanelContext& context, const RowList& list,
-                   void (*draw_row)(const PanelContext& context, std::size_t i, float width));
+                   const std::function<void(const PanelContext& context, std::size_t i, float width)>& draw_row);
 
 /// Whether the active curve may be edited; a locked one may not.
 bool is_editable(const editor::EditorState& state);
