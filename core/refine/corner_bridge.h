@@ -24,13 +24,13 @@ struct PickedPlace {
 };
 
 /// The arc of a circle of this radius (> 0) that touches both curves, as a rational quadratic in pieces of at most 90
-/// degrees. Of all such arcs of at most 180 degrees, of which two lines that cross have four, the one whose ends are
-/// nearest to the places picked. Each curve is kept on the side from which it runs smoothly into the arc. The circle is
-/// found by Newton's iteration on the intersection of the offset curves, right to about 1e-14 of the size of both;
-/// where two such intersections are nearer than a tenth of a span, they may be missed. Where both places are on one
-/// curve (the same object), the arc joins what is before it to what is behind it. Errors: length_not_positive;
-/// fillet_too_large and fillet_not_possible, which say what is allowed, of short curves; no_fillet. Cost O(n p^2 log
-/// n); some hundred times that for an error.
+/// degrees. Of all such arcs of at most 180 degrees and more than 1e-6 radians, of which two lines that cross have
+/// four, the one whose ends are nearest to the places picked. Each curve is kept on the side from which it runs
+/// smoothly into the arc. The circle is found by Newton's iteration on the intersection of the offset curves, right to
+/// about 1e-14 of the size of both; where two such intersections are nearer than a tenth of a span, they may be missed.
+/// Where both places are on one curve (the same object), the arc joins what is before it to what is behind it. Errors:
+/// length_not_positive; fillet_too_large and fillet_not_possible, which say what is allowed, of short curves;
+/// no_fillet. Cost O(n p^2 log n); some hundred times that for an error.
 [[nodiscard]] Result<CornerBridge> fillet(PickedPlace first, PickedPlace second, double radius);
 
 /// The straight line between the places that are so far from the corner, along the curves on the sides of the places

@@ -22,8 +22,8 @@ constexpr int halvings = 40;
 // Of longer curves it takes too long.
 constexpr std::size_t most_stretches = 20000;
 
-// Arcs shorter than this part of their radius are none.
-constexpr double least_sweep = 1e-9;
+// Arcs that turn by less, in radians, round no corner: so far a smooth knot may be off.
+constexpr double least_sweep = ContinuityTolerances{}.angle;
 
 struct FilletPick {
     PickedPlace first;

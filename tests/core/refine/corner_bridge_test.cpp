@@ -7,6 +7,7 @@
 
 #include "core/make/conics.h"
 #include "core/make/shapes.h"
+#include "core/make/through_points.h"
 #include "core/measure/continuity.h"
 #include "core/measure/intersect_curves.h"
 #include "core/refine/periodic.h"
@@ -181,6 +182,22 @@ TEST(Fillet, says_which_radii_there_are) {
     const Curve still =
         Curve::make({.degree = 1, .knots = {0, 0, 1, 2, 2}, .points = {{2, 3}, {2, 3}, {2, 3}}}).value();
     EXPECT_EQ(fillet({still, 0.5}, {still, 1.5}, 1.0).error().code, CurveErrorCode::no_fillet);
+}
+
+// A smooth curve with a double knot is no corner, although circles touch both of its sides there.
+TEST(Fillet, of_a_smooth_knot_is_refused) {
+    const std::vector<Point> points{{0, 0}, {3, 4}, {6, 0}, {9, 4}};
+    const Curve curve = fit_points_at(points, {.kind = FitKind::local})
+                            .and_then([](const FitPoints& fit) { return through_points(fit); })
+                            .value();
+    const double u = curve.knots().values()[5];
+    ASSERT_EQ(curve.knots().multiplicity(u), 2);
+    const auto tiny = fillet({curve, u}, {curve, u}, 1e-3);
+    ASSERT_FALSE(tiny) << tiny->u << " to " << tiny->v;
+    EXPECT_EQ(tiny.error().code, CurveErrorCode::fillet_not_possible);
+    // The bend beside the knot is narrower than this circle, which rounds it.
+    const CornerBridge wide = fillet({curve, u}, {curve, u}, 0.5).value();
+    EXPECT_GT(distance(wide.bridge.control_points().front(), wide.bridge.control_points().back()), 0.1);
 }
 
 TEST(Fillet, joins_in_every_direction) {
