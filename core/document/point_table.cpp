@@ -106,9 +106,27 @@ class PointReader {
         return {"", "no line with two numbers was found; a table of points has x and y in two of its columns"};
     }
 
+    // The column whose heading is this letter, small or capital, from 1; 0 where there is none.
+    std::size_t column_named(char letter) const {
+        const auto is_name = [letter](const std::string& heading) {
+            return heading.size() == 1 && (heading[0] | 0x20) == letter;
+        };
+        const auto found = std::find_if(table_.headings.begin(), table_.headings.end(), is_name);
+        return found == table_.headings.end() ? 0 : static_cast<std::size_t>(found - table_.headings.begin()) + 1;
+    }
+
+    std::optional<TableColumns> named_columns() const {
+        const TableColumns named{column_named('x'), column_named('y')};
+        return named.x != 0 && named.y != 0 ? std::optional(named) : std::nullopt;
+    }
+
     FileResult<void> choose_columns(std::size_t first) {
         if (asked_) {
             table_.columns = *asked_;
+            return {};
+        }
+        if (const auto named = named_columns()) {
+            table_.columns = *named;
             return {};
         }
         split(lines_[first].text, dialect_.separator, cells_);

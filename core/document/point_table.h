@@ -36,11 +36,11 @@ struct PointTable {
 /// The points in `text`, one a line. Between cells stand tabs, semicolons, commas or blanks, and decimals have a point
 /// or a comma: which of them, the whole table decides, as what makes most of its lines numbers throughout. Cells may be
 /// quoted. Left out are empty lines, what stands behind #, and lines above the numbers that are none: headings, titles.
-/// `columns` left out are the first two that hold numbers. An airfoil may be given around (Selig), or as two numbers of
-/// points and then its upper and its lower side from the nose (Lednicer); the latter becomes the former. Line ends of
-/// all systems, a byte order mark, typographic minus signs and blanks do no harm. The error names line and column: a
-/// cell that is empty or no finite number, a column that the line does not have; or there are no two columns of
-/// numbers. Cost O(n).
+/// `columns` left out are those with the headings x and y, in any case, else the first two that hold numbers. An
+/// airfoil may be given around (Selig), or as two numbers of points and then its upper and its lower side from the nose
+/// (Lednicer); the latter becomes the former. Line ends of all systems, a byte order mark, typographic minus signs and
+/// blanks do no harm. The error names line and column: a cell that is empty or no finite number, a column that the line
+/// does not have; or there are no two columns of numbers. Cost O(n).
 [[nodiscard]] FileResult<PointTable> read_point_table(std::string_view text,
                                                       std::optional<TableColumns> columns = std::nullopt);
 

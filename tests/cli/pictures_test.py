@@ -63,10 +63,10 @@ class Pictures(unittest.TestCase):
     def test_points_of_a_file(self):
         table = self.folder / "offsets.csv"
         table.write_text("station;x;y\n1;0,0;1,25\n2;1,5;2\n3;3,0;1,75\n4;4,5;1\n")
-        (curve,) = self.made("points-from-file", table, "control")["curves"]
-        # The first two columns of numbers.
+        (curve,) = self.made("points-from-file", table, "control", "usual", "open", "1", "2")["curves"]
         self.assertEqual(curve["points"], [[1, 0], [2, 1.5], [3, 3], [4, 4.5]])
-        (curve,) = self.made("points-from-file", table, "control", "usual", "open", "2", "3")["curves"]
+        # Those named x and y.
+        (curve,) = self.made("points-from-file", table, "control")["curves"]
         self.assertEqual(curve["points"], [[0, 1.25], [1.5, 2], [3, 1.75], [4.5, 1]])
         self.assertEqual(curve["name"], "offsets")
 

@@ -59,6 +59,9 @@ TEST(PointTable, chooses_columns) {
     EXPECT_EQ(table_of(stations).points, (Points{{1, 2}, {4, 5}}));
     EXPECT_EQ(table_of(stations).columns.x, 2U);
     EXPECT_EQ(table_of(stations, TableColumns{4, 2}).points, (Points{{3, 1}, {6, 4}}));
+    // Headings say which are x and y, whatever stands before them.
+    EXPECT_EQ(table_of("station,Y,X\n1,2,3\n4,5,6\n").points, (Points{{3, 2}, {6, 5}}));
+    EXPECT_EQ(table_of("station,y,z\n1,2,3\n4,5,6\n").points, (Points{{1, 2}, {4, 5}}));
     // A column that is empty in front stays one.
     EXPECT_EQ(table_of("\tx\ty\n\t1\t2\n\t3\t4\n").points, (Points{{1, 2}, {3, 4}}));
 }
