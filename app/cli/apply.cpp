@@ -76,7 +76,8 @@ std::string place_of(std::size_t index, const Operation& operation) {
 
 // Why the operation could not be run, if it could not.
 std::optional<editor::Refusal> run(editor::Editor& editor, Operation& operation) {
-    if (const auto outcome = read_tables(operation); !outcome) return outcome.error();
+    if (const auto outcome = read_tables(operation, editor.state().history.present().units); !outcome)
+        return outcome.error();
     const auto command = editor::read_command(*operation.spec, editor.state(), operation.arguments);
     if (!command) return command.error();
     if (!editor.run(*command)) return editor.state().message.text;

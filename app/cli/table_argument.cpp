@@ -58,7 +58,7 @@ std::vector<std::string> table_words(const Operation& operation) {
     return words;
 }
 
-editor::Outcome<void> read_tables(Operation& operation) {
+editor::Outcome<void> read_tables(Operation& operation, const editor::Units& units) {
     const auto fields = fields_of_arguments(*operation.spec, operation.arguments.size());
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const std::string* word = table_word(*fields[i], operation.arguments[i]);
@@ -66,6 +66,8 @@ editor::Outcome<void> read_tables(Operation& operation) {
         const bool are_points = fields[i]->kind == editor::FieldKind::positions;
         auto numbers = read_table(*word, are_points ? TableContent::points : TableContent::numbers);
         if (!numbers) return tl::unexpected(numbers.error().sentence());
+        if (are_points)
+            for (double& number : *numbers) number *= editor::world_per_length(units);
         operation.arguments[i] = *std::move(numbers);
     }
     return {};

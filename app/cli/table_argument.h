@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/cli/operation.h"
+#include "app/editor/words/length.h"
 #include "core/document/file_text.h"
 
 namespace batten::cli {
@@ -32,7 +33,7 @@ core::FileResult<std::vector<double>> read_table(const std::string& word, TableC
 /// The words of `operation` that name a table where a list of points, numbers or indices is needed.
 std::vector<std::string> table_words(const Operation& operation);
 
-/// Puts the numbers of those tables in their place. The refusal is one sentence.
-editor::Outcome<void> read_tables(Operation& operation);
+/// Puts the numbers of those tables in their place; points of a table are in `units`. The refusal is one sentence.
+editor::Outcome<void> read_tables(Operation& operation, const editor::Units& units);
 
 }  // namespace batten::cli

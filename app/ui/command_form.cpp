@@ -72,7 +72,13 @@ editor::Outcome<std::vector<Argument>> arguments_of(const FormState& form, std::
     }
     std::vector<Argument> arguments;
     for (std::size_t k = 0; k < texts.size(); ++k) {
+        const Argument& begun = form.begun[i][k];
         const std::string& initial = form.initial[i][k];
+        // A length is not as long to the last bit when it is read back in the document's unit.
+        if (editor::is_of_lengths(field) && texts[k] == form.shown[i][k] && begun != Argument(std::monostate{})) {
+            arguments.push_back(begun);
+            continue;
+        }
         const std::string& text = texts[k] == form.shown[i][k] ? initial : texts[k];
         arguments.emplace_back(editor::Word{editor::takes_text(field) ? text : editor::typed_over(text, initial)});
     }
@@ -108,12 +114,20 @@ std::string text_in_digits(const std::string& exact, double value) {
     return text.size() + digits_worth_a_cut < exact.size() ? text : exact;
 }
 
+std::vector<double> numbers_in_units(const editor::Units& units, std::vector<double> numbers) {
+    for (double& number : numbers) number = editor::in_units(units, number);
+    return numbers;
+}
+
 /// A length is written in the document's unit. One that suggests itself is a share of a size, of which the first digits
 /// are enough.
 std::string text_of_argument(const Field& field, const Argument& argument, const editor::Units& units) {
+    const auto* list = std::get_if<std::vector<double>>(&argument);
+    if (editor::is_of_lengths(field) && list != nullptr) return TextOf{}(numbers_in_units(units, *list));
     const auto* world = std::get_if<double>(&argument);
-    if (field.kind != FieldKind::length || world == nullptr) return std::visit(TextOf{}, argument);
-    if (field.suggestion_from == nullptr) return editor::length_words(units, *world);
+    if (!editor::is_of_lengths(field) || world == nullptr) return std::visit(TextOf{}, argument);
+    const bool is_place = field.kind != FieldKind::length;
+    if (is_place || field.suggestion_from == nullptr) return editor::length_words(units, *world);
     return editor::with_unit(units, fmt::format("{:.4g}", editor::in_units(units, *world)));
 }
 
@@ -122,10 +136,11 @@ std::string shown_text_of(const Field& field, const Argument& argument, const st
                           const editor::Units& units) {
     const auto* world = std::get_if<double>(&argument);
     if (world == nullptr) return exact;
-    if (field.kind != FieldKind::length) return text_in_digits(exact, *world);
+    if (!editor::is_of_lengths(field)) return text_in_digits(exact, *world);
     const double length = editor::in_units(units, *world);
     const std::string text = text_in_digits(core::shortest_text(length), length);
-    return field.suggestion_from == nullptr ? editor::with_unit(units, text) : exact;
+    const bool is_place = field.kind != FieldKind::length;
+    return is_place || field.suggestion_from == nullptr ? editor::with_unit(units, text) : exact;
 }
 
 /// The part to be typed first, where that is not the first one: pictures, and points of them, were pointed at.
@@ -146,7 +161,8 @@ void begin_form(FormState& form, const editor::CommandSpec& spec, const editor::
         const editor::Units& units = state.history.present().units;
         std::vector<std::string>& texts = form.initial.emplace_back();
         std::vector<std::string>& shown = form.shown.emplace_back();
-        for (const Argument& argument : editor::arguments_of(field, field.initial(state))) {
+        form.begun.push_back(editor::arguments_of(field, field.initial(state)));
+        for (const Argument& argument : form.begun.back()) {
             texts.push_back(text_of_argument(field, argument, units));
             shown.push_back(shown_text_of(field, argument, texts.back(), units));
         }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/editor/command_spec.h"
+#include "app/editor/fields/argument.h"
 #include "app/editor/pointer/context_menu.h"
 #include "app/editor/pointer/pointer.h"
 #include "app/editor/state/overlay.h"
@@ -47,13 +48,14 @@ struct PaletteState {
 /// The form that asks for the fields of a command.
 struct FormState {
     const editor::CommandSpec* spec = nullptr;
-    std::vector<std::vector<std::string>> typed;      ///< a text for each part of each field
-    std::vector<std::vector<std::string>> initial;    ///< what suggests itself, with all digits; "+=2" changes it
-    std::vector<std::vector<std::string>> shown;      ///< the same as it stood there at first, with a few digits
-    std::vector<std::vector<std::string>> previewed;  ///< what the canvas shows
-    bool takes_focus = true;                          ///< `focused`, else the first input, becomes the active one
-    std::string focused;                              ///< the part whose input was active last
-    std::string earlier_message;                      ///< what was told before the form, which is not of it
+    std::vector<std::vector<std::string>> typed;       ///< a text for each part of each field
+    std::vector<std::vector<editor::Argument>> begun;  ///< what suggests itself
+    std::vector<std::vector<std::string>> initial;     ///< what suggests itself, with all digits; "+=2" changes it
+    std::vector<std::vector<std::string>> shown;       ///< the same as it stood there at first, with a few digits
+    std::vector<std::vector<std::string>> previewed;   ///< what the canvas shows
+    bool takes_focus = true;                           ///< `focused`, else the first input, becomes the active one
+    std::string focused;                               ///< the part whose input was active last
+    std::string earlier_message;                       ///< what was told before the form, which is not of it
     bool was_previewed = false;
     bool was_tried = false;      ///< Apply or Enter was pressed
     bool was_submitted = false;  ///< the command has run when the next frame begins

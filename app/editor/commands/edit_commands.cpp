@@ -17,6 +17,7 @@
 #include "app/editor/words/wording.h"
 #include "core/base/sentence.h"
 #include "core/document/native_file.h"
+#include "core/document/point_table.h"
 #include "core/edit/knot_edit.h"
 
 namespace batten::editor {
@@ -118,6 +119,9 @@ StepTexts texts_of_cut(const EditorState& state, const Cut&) {
 
 Outcome<Edit> with_curves_of_text(const EditorState& state, const std::string& text, double shift) {
     core::FileResult<core::Document> pasted = core::parse_document(text);
+    if (!pasted && core::read_point_table(text))
+        return tl::unexpected(
+            Refusal("the clipboard holds a table of points; Edit > Paste points… makes a curve of it"));
     if (!pasted)
         return tl::unexpected(
             sentence("the clipboard holds no Batten curves: {reason}", {{"reason", pasted.error().sentence()}}));

@@ -10,6 +10,7 @@
 #include "app/editor/pointer/fit_view.h"
 #include "app/editor/state/dialog.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/length.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/curve/knot_kinds.h"
@@ -165,11 +166,17 @@ std::string free_name(const core::Document& document, const std::string& wish) {
 
 Outcome<Edit> with_points(const EditorState& state, std::string_view text, const TableChoice& choice,
                           const std::string& name) {
-    const core::FileResult<core::PointTable> table = core::read_point_table(text, columns_of(choice));
+    core::FileResult<core::PointTable> table = core::read_point_table(text, columns_of(choice));
     if (!table) return tl::unexpected(table.error().where.empty() ? table.error().what : table.error().sentence());
+    const Units& units = state.history.present().units;
+    for (core::Point& point : table->points)
+        point = core::Point(0.0, 0.0) + world_per_length(units) * core::vector_to(point);
     core::Result<MadeCurve> made = curve_of(table->points, choice, state.progress);
     if (!made) return tl::unexpected(core::describe(made.error()));
     std::string remark = remark_of(*table, *made, choice.use);
+    if (units)
+        remark =
+            sentence("{remark}; its numbers are {unit}", {{"remark", remark}, {"unit", core::title_of(units->unit)}});
     const std::string wish = table->title.empty() ? name : free_name(state.history.present(), table->title);
     Edit edit = with_curve(state, wish, std::move(made->curve));
     edit.document.curves.back().fit = std::move(made->fit);
@@ -230,20 +237,22 @@ std::optional<fs::path> file_to_open(const EditorState& state) {
 
 template <class Command>
 std::vector<Field> table_fields(Field source) {
-    return {std::move(source),
-            field::choice<&Command::use>("use", "what the points are to the curve").usually(TableUse::through),
-            field::length<&Command::tolerance>("tolerance",
-                                               "how near a fit comes; left out, a thousandth of the size of the points")
-                .above(0.0)
-                .absent_as("usual"),
-            field::choice<&Command::ends>("ends", "whether and how the curve returns to the first point")
-                .usually(TableEnds::open),
-            field::count<&Command::x_column>("x", "the column of x, from 1; left out, the first one of numbers")
-                .at_least(1.0)
-                .absent_as("first"),
-            field::count<&Command::y_column>("y", "the column of y; left out, the next one of numbers")
-                .at_least(1.0)
-                .absent_as("next")};
+    return {
+        std::move(source),
+        field::choice<&Command::use>("use", "what the points are to the curve").usually(TableUse::through),
+        field::length<&Command::tolerance>("tolerance",
+                                           "how near a fit comes; left out, a thousandth of the size of the points")
+            .above(0.0)
+            .absent_as("usual"),
+        field::choice<&Command::ends>("ends", "whether and how the curve returns to the first point")
+            .usually(TableEnds::open),
+        field::count<&Command::x_column>(
+            "x", "the column of x, from 1; left out, the one named x, or the first one of numbers")
+            .at_least(1.0)
+            .absent_as("first"),
+        field::count<&Command::y_column>("y", "the column of y; left out, the one named y, or the next one of numbers")
+            .at_least(1.0)
+            .absent_as("next")};
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct PointsFromTable {
     TableUse use = TableUse::through;
     std::optional<double> tolerance{};  ///< of a fit; none: a thousandth of the size of the points
     TableEnds ends = TableEnds::open;
-    std::optional<std::size_t> x_column{};  ///< counted from 1; none: the first two columns of numbers
+    std::optional<std::size_t> x_column{};  ///< counted from 1; none: see core::read_point_table
     std::optional<std::size_t> y_column{};
     static const CommandSpec& spec();
 };
@@ -34,7 +34,7 @@ struct PointsFromFile {
     TableUse use = TableUse::through;
     std::optional<double> tolerance{};  ///< of a fit; none: a thousandth of the size of the points
     TableEnds ends = TableEnds::open;
-    std::optional<std::size_t> x_column{};  ///< counted from 1; none: the first two columns of numbers
+    std::optional<std::size_t> x_column{};  ///< counted from 1; none: see core::read_point_table
     std::optional<std::size_t> y_column{};
     static const CommandSpec& spec();
 };

@@ -210,25 +210,11 @@ bool is_list(const Field& field) {
     }
 }
 
-// Whether what is typed may have a unit of length: a length, or a place.
-bool has_lengths(const Field& field) {
-    switch (field.kind) {
-        case FieldKind::length:
-        case FieldKind::position:
-        case FieldKind::positions:
-        case FieldKind::vector:
-            return true;
-        default:
-            return false;
-    }
-}
-
 tl::expected<Argument, std::string> evaluated(const Field& field, const std::string& text, const Units& units) {
-    const core::DocumentUnits* lengths = units && has_lengths(field) ? &*units : nullptr;
-    if (field.kind == FieldKind::length) return parse_length(text, units);
-    if (is_list(field)) return parse_expressions(text, lengths);
-    return parse_expression(text, field.kind == FieldKind::angle ? ExpressionUnit::degrees : ExpressionUnit::number,
-                            lengths);
+    if (is_of_lengths(field) && is_list(field)) return parse_lengths(text, units);
+    if (is_of_lengths(field)) return parse_length(text, units);
+    if (is_list(field)) return parse_expressions(text);
+    return parse_expression(text, field.kind == FieldKind::angle ? ExpressionUnit::degrees : ExpressionUnit::number);
 }
 
 // A word is a text where the field is one, else the number or list that it stands for. What has no digit is no formula
@@ -280,6 +266,18 @@ bool takes_text(const Field& field) {
         case FieldKind::color:
         case FieldKind::text:
         case FieldKind::file:
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool is_of_lengths(const Field& field) {
+    switch (field.kind) {
+        case FieldKind::length:
+        case FieldKind::position:
+        case FieldKind::positions:
+        case FieldKind::vector:
             return true;
         default:
             return false;

@@ -17,9 +17,12 @@ constexpr const char* flag_text(bool flag) {
 /// Whether a word that is typed for the field is taken as it stands, not as a number or a list.
 bool takes_text(const Field& field);
 
+/// Whether the field is a length or a place, which is read and typed in the document's unit.
+bool is_of_lengths(const Field& field);
+
 /// The value that `given` means, one argument for each part of the field. The sentence names the part, what was found
 /// and what is needed; whether there is such a thing is check_field's to say. Lengths and coordinates may be typed with
-/// a unit; a length without one that is typed in words is in that of `units`, a number is one of the world.
+/// a unit; those without one that are typed in words are in that of `units`, numbers are those of the world.
 Outcome<FieldValue> read_field(const Field& field, std::span<const Argument> given, const Units& units = std::nullopt);
 
 /// The arguments that mean `value`: as many as the field has parts.

@@ -16,6 +16,12 @@ const char* sign_of(core::LengthUnit unit) {
     return unit == core::LengthUnit::inch ? "in" : core::name_of(unit);
 }
 
+tl::expected<double, std::string> in_world(const core::DocumentUnits& units, double length) {
+    const double world = length * units.scale;
+    if (!std::isfinite(world)) return tl::make_unexpected("the result is too large for a number");
+    return world;
+}
+
 }  // namespace
 
 double world_per_length(const Units& units) {
@@ -56,11 +62,22 @@ std::string unit_ending(const Units& units) {
 tl::expected<double, std::string> parse_length(std::string_view text, const Units& units) {
     if (!units) return parse_expression(text);
     const core::DocumentUnits unit_alone{.unit = units->unit};
-    auto length = parse_expression(text, ExpressionUnit::number, &unit_alone);
-    if (!length) return length;
-    const double world = *length * units->scale;
-    if (!std::isfinite(world)) return tl::make_unexpected("the result is too large for a number");
-    return world;
+    return parse_expression(text, ExpressionUnit::number, &unit_alone).and_then([&](double length) {
+        return in_world(*units, length);
+    });
+}
+
+tl::expected<std::vector<double>, std::string> parse_lengths(std::string_view text, const Units& units) {
+    if (!units) return parse_expressions(text);
+    const core::DocumentUnits unit_alone{.unit = units->unit};
+    auto lengths = parse_expressions(text, &unit_alone);
+    if (!lengths) return lengths;
+    for (double& length : *lengths) {
+        const auto world = in_world(*units, length);
+        if (!world) return tl::make_unexpected(world.error());
+        length = *world;
+    }
+    return lengths;
 }
 
 }  // namespace batten::editor

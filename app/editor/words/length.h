@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "core/base/geometry.h"
 #include "core/document/units.h"
@@ -40,5 +41,8 @@ std::string unit_ending(const Units& units);
 /// what is written as "12.5mm", "1/2 in" or "96px" is so long. Refused where the document has no unit, and one is
 /// written.
 [[nodiscard]] tl::expected<double, std::string> parse_length(std::string_view text, const Units& units);
+
+/// The same for each number of a list; see parse_expressions.
+[[nodiscard]] tl::expected<std::vector<double>, std::string> parse_lengths(std::string_view text, const Units& units);
 
 }  // namespace batten::editor

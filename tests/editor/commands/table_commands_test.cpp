@@ -10,6 +10,7 @@
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/commands/fit_point_commands.h"
 #include "app/editor/commands/picture_commands.h"
+#include "app/editor/commands/unit_commands.h"
 #include "app/editor/session.h"
 #include "core/evaluate/evaluator.h"
 #include "core/make/through_points.h"
@@ -35,6 +36,20 @@ class TableCommands : public ::testing::Test {
 };
 
 constexpr const char* square = "x;y\n0,5;0\n2;0\n2;1,5\n0,5;1,5\n";
+
+TEST_F(TableCommands, points_are_in_the_unit_of_the_document) {
+    ASSERT_TRUE(editor_.run(SetUnits{.unit = UnitChoice::mm, .scale = 0.125}));
+    ASSERT_TRUE(paste(square, TableUse::control)) << said();
+    EXPECT_EQ(points(editor_), (std::vector<core::Point>{{0.0625, 0}, {0.25, 0}, {0.25, 0.1875}, {0.0625, 0.1875}}));
+    EXPECT_TRUE(said().ends_with("; its numbers are millimeters")) << said();
+}
+
+TEST_F(TableCommands, paste_says_where_a_table_can_be_pasted) {
+    Editor editor;
+    EXPECT_FALSE(editor.run(Paste{.text = square}));
+    EXPECT_EQ(editor.state().message.text,
+              "the clipboard holds a table of points; Edit > Paste points… makes a curve of it");
+}
 
 TEST_F(TableCommands, points_control) {
     ASSERT_TRUE(paste(square, TableUse::control)) << said();

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/pointer/place_text.h"
+#include "app/editor/session.h"
+#include "core/evaluate/evaluate.h"
 #include "core/measure/arc_length.h"
 #include "tests/editor/pointer_driver.h"
 #include "tests/editor/sample_editor.h"
@@ -48,6 +50,23 @@ TEST_F(UnitCommands, refuse_a_scale_that_leaves_lengths_no_numbers) {
     EXPECT_TRUE(type("set-units mm 1e9"));
 }
 
+TEST_F(UnitCommands, places_and_offsets_are_typed_in_the_unit_as_lengths_are) {
+    ASSERT_TRUE(type("set-units mm 0.125"));
+    ASSERT_TRUE(type("circle 40 -8 16"));
+    const auto ring = document().curves.back().curve;
+    EXPECT_EQ(core::point_at(*ring, 0.0), core::Point(7, -1));
+    ASSERT_TRUE(type("move 1in*80/25.4 -8 curve"));
+    EXPECT_EQ(core::point_at(*document().curves.back().curve, 0.0), core::Point(17, -2));
+    ASSERT_TRUE(type("polyline 0,0,80,0,80,16mm no"));
+    const auto path = document().curves.back().curve;
+    EXPECT_EQ(path->control_points()[1], core::Point(10, 0));
+    EXPECT_EQ(path->control_points()[2], core::Point(10, 2));
+    EXPECT_FALSE(type("line 0 0 1e308in 0"));
+    // Numbers of logs and scripts are coordinates.
+    ASSERT_TRUE(editor.run(*parse_command(R"(["circle", 40, -8, 16])", editor.state())));
+    EXPECT_EQ(core::point_at(*document().curves.back().curve, 0.0), core::Point(56, -8));
+}
+
 TEST_F(UnitCommands, lengths_are_typed_in_the_unit_and_logged_in_coordinates) {
     ASSERT_TRUE(type("set-units inch 96"));
     ASSERT_TRUE(type("set-length 1"));
@@ -60,9 +79,8 @@ TEST_F(UnitCommands, lengths_are_typed_in_the_unit_and_logged_in_coordinates) {
     const auto points = test::committed(editor).control_points();
     EXPECT_NEAR(core::distance(points[0], points[1]), 48.0, 1e-12);
     EXPECT_TRUE(said().starts_with("Moved P₁ to the distance 0.5 in from P₀; the curve moved by at most 0.09"));
-    // A place without a unit is of the curve's coordinates, as everywhere in commands.
-    ASSERT_TRUE(type("set-point 2 1in 7"));
-    EXPECT_EQ(test::committed(editor).control_points()[2], core::Point(96, 7));
+    ASSERT_TRUE(type("set-point 2 1in 127mm"));
+    EXPECT_EQ(test::committed(editor).control_points()[2], core::Point(96, 480));
     ASSERT_TRUE(type("set-units none"));
     EXPECT_FALSE(type("set-length 25.4mm"));
 }
