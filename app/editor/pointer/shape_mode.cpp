@@ -94,7 +94,7 @@ CanvasMode take_place(DrawingShape mode, const Gesture& gesture) {
     return CanvasIdle{};
 }
 
-CanvasMode give_up(const Gesture& gesture) {
+CanvasMode give_up_shape(const Gesture& gesture) {
     gesture.queue.cancel_preview();
     return CanvasIdle{};
 }
@@ -117,7 +117,7 @@ CanvasMode step(DrawingShape mode, const Gesture& gesture) {
     if (step_pan(mode.panned_px, gesture)) return mode;
     const bool is_right_click =
         gesture.event.action == PointerAction::release && gesture.event.button == PointerButton::right;
-    if (is_escape(gesture) || is_right_click) return give_up(gesture);
+    if (is_escape(gesture) || is_right_click) return give_up_shape(gesture);
     if (gesture.event.action == PointerAction::take_back) return take_back(std::move(mode), gesture);
     if (gesture.event.action == PointerAction::wheel) turn_canvas_wheel(gesture);
     if (is_move(gesture)) return follow_pointer(mode, gesture);
