@@ -31,21 +31,28 @@ void measure(TextLines& broken, ImFont* font) {
     for (const std::string& line : broken.lines) broken.width_px = std::max(broken.width_px, width_of(line, font));
 }
 
+/// A dot between two hints begins no line: it takes the last word of the line before along, if that has more.
+std::string with_word_before(std::string& line, const std::string& dot) {
+    const std::size_t space = line.rfind(' ');
+    if (space == std::string::npos) return dot;
+    const std::string begun = fmt::format("{} {}", line.substr(space + 1), dot);
+    line.resize(space);
+    return begun;
+}
+
 /// As many words as find room.
 TextLines filled_with_words(const std::string& text, ImFont* font, float width_px, std::size_t most) {
     TextLines broken;
     std::istringstream words(text);
     std::string word;
     while (broken.is_whole && words >> word) {
-        const bool is_first = broken.lines.empty() || broken.lines.back().empty();
-        const std::string longer = is_first ? word : fmt::format("{} {}", broken.lines.back(), word);
+        const std::string longer = broken.lines.empty() ? word : fmt::format("{} {}", broken.lines.back(), word);
         if (broken.lines.empty())
             broken.lines.push_back(word);
-        else if (is_first || width_of(longer, font) <= width_px)
+        else if (width_of(longer, font) <= width_px)
             broken.lines.back() = longer;
         else if (broken.lines.size() < most)
-            // The break itself tells apart what would stand on both sides of the dot.
-            broken.lines.push_back(word == "·" ? "" : word);
+            broken.lines.push_back(word == "·" ? with_word_before(broken.lines.back(), word) : word);
         else
             broken.is_whole = false;
     }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <string_view>
 
 namespace batten::editor {
@@ -12,7 +13,11 @@ namespace {
 /// How many bytes of the text are kept where a clause ends at `i`; 0 where none does.
 std::size_t kept_at(std::string_view text, std::size_t i) {
     const std::string_view rest = text.substr(i);
-    if (rest.starts_with(" · ")) return i;
+    if (rest == " ·" || rest.starts_with(" · ")) return i;
+    // "to fair (changes the shape)"; a pair of coordinates is not beside the point.
+    const bool is_aside =
+        rest.size() > 2 && rest.starts_with(" (") && std::isalpha(static_cast<unsigned char>(rest[2])) != 0;
+    if (is_aside) return i;
     const bool is_at_word_end = rest.size() == 1 || rest[1] == ' ';
     if (!is_at_word_end) return 0;
     if (rest[0] == '.') return i + 1;

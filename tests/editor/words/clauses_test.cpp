@@ -27,6 +27,12 @@ TEST(Clauses, do_not_end_inside_a_pair_of_coordinates) {
     EXPECT_EQ(shorter_beginnings("N_{i, 3} is one word"), Texts{});
 }
 
+TEST(Clauses, end_before_an_aside_and_before_a_dot_that_is_left_over) {
+    EXPECT_EQ(shorter_beginnings("Paint over the part (changes the shape) · the wheel"),
+              (Texts{"Paint over the part (changes the shape) …", "Paint over the part …"}));
+    EXPECT_EQ(shorter_beginnings("Click two points ·"), Texts{"Click two points …"});
+}
+
 TEST(Clauses, are_never_the_whole_text) {
     EXPECT_EQ(shorter_beginnings(""), Texts{});
     EXPECT_EQ(shorter_beginnings("One."), Texts{});
