@@ -70,7 +70,10 @@ double height_of_plots(const View& view) {
 }
 
 core::Interval whole_plot_range(const EditorState& state) {
-    const core::DocumentCurve* item = state.history.present().active_curve();
+    // A knot that is dragged does not move the axis below it, but another curve has one of its own.
+    const core::Document& present = state.history.present();
+    const bool is_same = state.shown().active == present.active;
+    const core::DocumentCurve* item = is_same ? present.active_curve() : nullptr;
     const core::Curve* curve = item != nullptr ? item->curve.get() : state.active_curve();
     if (curve == nullptr) return {0.0, 1.0};
     const std::span<const double> knots = curve->knots().stored();

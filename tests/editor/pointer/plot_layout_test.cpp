@@ -30,6 +30,21 @@ TEST(PlotLayout, scales_with_the_interface) {
     EXPECT_DOUBLE_EQ(layout.stack_px, 20.0);
 }
 
+TEST(PlotLayout, shows_all_of_a_curve_that_a_preview_adds_and_follows_no_knot_that_it_moves) {
+    EditorState state = test::state_with(test::cubic());
+    core::Document moved = state.history.present();
+    const core::Curve longer =
+        core::Curve::make({.degree = 1, .knots = {2, 2, 5, 5}, .points = {{0, 0}, {1, 0}}}).value();
+    moved.curves.front().curve = std::make_shared<const core::Curve>(longer);
+    state.preview = moved;
+    EXPECT_EQ(plot_layout(state, {1048.0, 260.0}).range, (core::Interval{0.0, 1.0}));
+    core::Document added = state.history.present();
+    added.curves.push_back(moved.curves.front());
+    added.active = 1;
+    state.preview = added;
+    EXPECT_EQ(plot_layout(state, {1048.0, 260.0}).range, (core::Interval{2.0, 5.0}));
+}
+
 TEST(PlotLayout, stays_usable_at_every_size) {
     const EditorState state = test::state_with(test::cubic());
     for (double height = 160.0; height <= 600.0; height += 20.0) {
