@@ -16,8 +16,6 @@ namespace batten::editor {
 
 namespace {
 
-using core::sentence;
-
 std::string jump_row(const char* pattern, const std::optional<double>& before, const std::optional<double>& after) {
     const auto text = [](const std::optional<double>& value) { return value ? number_text(*value) : "–"; };
     return core::filled_as_needed(pattern, {{"before", text(before)}, {"after", text(after)}});
@@ -114,9 +112,13 @@ std::vector<std::string> joint_reading(const EditorState& state, const PickingJo
     const core::Box box = box_of_both(state, mode);
     const Units& units = state.shown().units;
     std::vector<std::string> rows = rows_of(core::meeting_of(picked.from, picked.to), box, units);
-    for (const core::Meeting& meeting : meetings_after(state.view.joint, picked))
-        for (const std::string& row : rows_of(meeting, box, units))
-            rows.push_back(sentence("then {row}", {{"row", row}}));
+    const std::vector<core::Meeting> meetings = meetings_after(state.view.joint, picked);
+    for (std::size_t i = 0; i < meetings.size(); ++i) {
+        const std::vector<std::string> told = rows_of(meetings[i], box, units);
+        const char* pattern = meetings.size() == 1 ? "then {row}" : i == 0 ? "first end {row}" : "other end {row}";
+        for (const std::string& row : told)
+            rows.push_back(core::filled_as_needed(&row == &told.front() ? pattern : "then {row}", {{"row", row}}));
+    }
     return rows;
 }
 

@@ -135,8 +135,8 @@ TEST_F(JointMode, blends_between_two_clicks_as_it_was_previewed) {
     EXPECT_EQ(present().curves.size(), 4U);
     const std::vector<std::string> reading = joint_reading(state(), picking());
     ASSERT_EQ(reading.size(), 9U);
-    EXPECT_EQ(reading[3], "then G²: gap 0, turn 0°");
-    EXPECT_EQ(reading[6], "then G²: gap 0, turn 0°");
+    EXPECT_EQ(reading[3], "first end G²: gap 0, turn 0°");
+    EXPECT_EQ(reading[6], "other end G²: gap 0, turn 0°");
     EXPECT_EQ(reading[7], "then curvature 0 and 0");
     EXPECT_EQ(reading[0].find("gap 2.236"), 0U) << reading[0];
     EXPECT_EQ(reading[1].find("curvature 0"), 0U) << reading[1];
@@ -280,7 +280,8 @@ TEST_F(JointMode, reading_hides_what_is_beneath_and_is_small_in_a_low_picture) {
     const std::vector<std::string> few = rows_in({410.0, 280.0});
     ASSERT_EQ(few.size(), 3U);
     EXPECT_EQ(few[0].find("gap 2.236, turn"), 0U) << few[0];
-    EXPECT_EQ(few[1], "then G²: gap 0, turn 0°");
+    EXPECT_EQ(few[1], "first end G²: gap 0, turn 0°");
+    EXPECT_EQ(few[2], "other end G²: gap 0, turn 0°");
 }
 
 TEST_F(JointMode, joins_the_ends_that_were_clicked) {
