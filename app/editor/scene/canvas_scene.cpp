@@ -51,6 +51,7 @@ std::vector<render::PixelBox> draw_background(CanvasFrame& frame) {
     for (const render::PixelBox& box : finding_boxes(frame)) covered.push_back(box);
     draw_filled_shapes(frame);
     draw_guides(frame);
+    reserve_transform_box(frame);
     draw_ghost(frame);
     draw_selected_others(frame);
     draw_other_curves(frame);

@@ -77,6 +77,20 @@ void draw_transform_box(CanvasFrame& frame, const CanvasMode& mode) {
     for (const TransformGrip grip : visible_grips(*box)) draw_handle(frame, *box, grip);
 }
 
+void reserve_transform_box(CanvasFrame& frame) {
+    if (frame.state.tool != Tool::transform) return;
+    const auto box = transform_box(frame.state);
+    if (!box) return;
+    const glm::dvec2 reach(frame.pen.px(pivot_radius + 2.0));
+    for (const TransformGrip grip : visible_grips(*box)) {
+        const glm::dvec2 place = grip_place(frame.state, *box, grip);
+        frame.covered.push_back({place - reach, place + reach});
+    }
+    std::vector<glm::dvec2> sides = box_corners_px(frame.state, *box);
+    sides.push_back(sides.front());
+    frame.lines.push_back(std::move(sides));
+}
+
 void draw_axis_pick(CanvasFrame& frame) {
     const auto& pick = frame.state.axis_pick;
     const auto& place = frame.state.placing.place;

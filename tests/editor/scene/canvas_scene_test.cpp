@@ -1,4 +1,3 @@
-#include "app/editor/scene/canvas_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/cards/floating_cards.h"
+#include "app/editor/pointer/transform_box.h"
+#include "app/editor/pointer/transform_box.h"
 #include "core/edit/point_edit.h"
 #include "core/evaluate/evaluate.h"
 #include "tests/editor/pointer_driver.h"
@@ -161,6 +162,22 @@ TEST(CanvasScene, name_of_the_curve_point_covers_no_mark) {
             const bool is_in_legend = center.x < 300.0 && center.y > 500.0;
             EXPECT_TRUE(is_in_legend || !test::box_of(*name).overlaps({center - reach, center + reach}))
                 << name->text << " at " << center.x << ", " << center.y;
+        }
+    }
+}
+
+TEST(CanvasScene, labels_keep_clear_of_the_grips_of_the_transform_box) {
+    EditorState state = test::sample_state();
+    state.tool = Tool::transform;
+    const TransformBox box = transform_box(state).value();
+    for (int k = 0; k <= 100; ++k) {
+        state.view.parameter = 0.01 * k;
+        for (const auto& label : test::all_of<render::Label>(scene_of(state))) {
+            if (!label.text.starts_with("C(") && !label.text.starts_with("P")) continue;
+            for (const TransformGrip grip : visible_grips(box)) {
+                const glm::dvec2 place = grip_place(state, box, grip);
+                EXPECT_FALSE(test::box_of(label).overlaps({place - 5.0, place + 5.0})) << label.text << " at u = " << k;
+            }
         }
     }
 }
