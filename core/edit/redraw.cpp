@@ -171,19 +171,20 @@ class PartFitter {
             for (std::size_t j = 0; j <= p; ++j) {
                 const std::size_t i = (basis.span - p + j) % n;
                 const double share = basis.derivatives[0][j] * points.weights[i] / sum;
-                if (i < points.first || i >= points.end) {
+                const std::size_t number = points.number_of_free(i);
+                if (number >= points.count) {
                     equation.right -= share * (points.points[i] - origin);
                     continue;
                 }
-                if (!has_free) equation.first = i - points.first;
+                if (!has_free) equation.first = number;
                 has_free = true;
                 equation.coefficients.push_back(share);
             }
             if (has_free) equations.push_back(std::move(equation));
         }
-        const auto found = solve_least_squares(equations, points.end - points.first);
+        const auto found = solve_least_squares(equations, points.count);
         if (!found) return false;
-        for (std::size_t i = points.first; i < points.end; ++i) points.points[i] = origin + (*found)[i - points.first];
+        for (std::size_t k = 0; k < points.count; ++k) points.points[(points.first + k) % n] = origin + (*found)[k];
         return true;
     }
 

@@ -156,12 +156,11 @@ std::optional<RedrawnPoints> redrawn_points(const Curve& curve, const RedrawnPar
     const Remainder remainder(curve, part);
     RedrawnPoints found;
     const std::size_t n = knots.control_point_count();
-    found.first = found.end = n;
+    std::vector<bool> is_free(n, false);
     for (std::size_t i = 0; i < n; ++i) {
         const Support support = support_of(knots[i], knots[i + p + 1], remainder, part, curve);
         if (support == Support::inside) {
-            if (found.first == n) found.first = i;
-            found.end = i + 1;
+            is_free[i] = true;
             found.points.emplace_back(0.0, 0.0);
             found.weights.push_back(curve.weights().front());
             continue;
@@ -178,17 +177,21 @@ std::optional<RedrawnPoints> redrawn_points(const Curve& curve, const RedrawnPar
         found.points.push_back(project(point));
         found.weights.push_back(curve.is_rational() ? point.z : curve.weights().front());
     }
-    if (found.first == n) return std::nullopt;
+    // Of a closed curve whose seam is a multiple knot some of them are behind it.
+    for (std::size_t i = 0; i < n; ++i)
+        if (is_free[i] && !(i > 0 ? is_free[i - 1] : curve.is_periodic() && is_free[n - 1])) found.first = i;
+    found.count = static_cast<std::size_t>(std::ranges::count(is_free, true));
+    if (found.count == 0 || (curve.is_periodic() && found.count == n)) return std::nullopt;
+    const std::size_t end = found.first + found.count;
     // From what stays before to what stays behind.
     const auto weight_of = [&](std::size_t i) { return found.weights[(i + n) % n]; };
     const bool has_before = found.first > 0 || curve.is_periodic();
-    const bool has_behind = found.end < n || curve.is_periodic();
-    const double first = has_before ? weight_of(found.first + n - 1) : has_behind ? weight_of(found.end) : 1.0;
-    const double last = has_behind ? weight_of(found.end) : first;
-    for (std::size_t i = found.first; i < found.end && curve.is_rational(); ++i) {
-        const double share =
-            static_cast<double>(i - found.first + 1) / static_cast<double>(found.end - found.first + 1);
-        found.weights[i] = first + share * (last - first);
+    const bool has_behind = end < n || curve.is_periodic();
+    const double first = has_before ? weight_of(found.first + n - 1) : has_behind ? weight_of(end) : 1.0;
+    const double last = has_behind ? weight_of(end) : first;
+    for (std::size_t k = 0; k < found.count && curve.is_rational(); ++k) {
+        const double share = static_cast<double>(k + 1) / static_cast<double>(found.count + 1);
+        found.weights[(found.first + k) % n] = first + share * (last - first);
     }
     return found;
 }

@@ -21,12 +21,16 @@ struct RedrawnPart {
 Result<KnotVector> redrawn_knots(const Curve& curve, const RedrawnPart& part, std::size_t spans);
 
 /// Control points over the new knots: those that decide the curve outside the part, to the bit where the knots that
-/// they belong to are old ones. The others, which act inside alone, are first..end-1.
+/// they belong to are old ones. The others, which act inside alone, are `count` from `first` on, in a closed curve
+/// perhaps behind its last point on from its first one.
 struct RedrawnPoints {
     std::vector<Point> points{};
     std::vector<double> weights{};
     std::size_t first = 0;
-    std::size_t end = 0;
+    std::size_t count = 0;
+
+    /// Which of them point i is; `count` or more for one that is known.
+    std::size_t number_of_free(std::size_t i) const { return (i + points.size() - first) % points.size(); }
 };
 
 /// None where what stays cannot be described over these knots with weights above 0.
