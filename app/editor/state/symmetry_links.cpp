@@ -122,13 +122,23 @@ std::map<std::size_t, Members> groups_of(const core::Document& document) {
     return groups;
 }
 
-// The same image before the edit; null for a new one.
-const core::DocumentCurve* same_image(const core::Document& before, const core::Symmetry& symmetry) {
-    for (const core::DocumentCurve& entry : before.curves)
-        if (entry.symmetry && entry.symmetry->group == symmetry.group && entry.symmetry->place == symmetry.place)
-            return &entry;
-    return nullptr;
-}
+// The images before the edit, found by group and place.
+class OldImages {
+  public:
+    explicit OldImages(const core::Document& before) {
+        for (const core::DocumentCurve& entry : before.curves)
+            if (entry.symmetry) images_.emplace(std::pair(entry.symmetry->group, entry.symmetry->place), &entry);
+    }
+
+    // Null for a new one.
+    const core::DocumentCurve* same(const core::Symmetry& symmetry) const {
+        const auto found = images_.find({symmetry.group, symmetry.place});
+        return found == images_.end() ? nullptr : found->second;
+    }
+
+  private:
+    std::map<std::pair<std::size_t, std::size_t>, const core::DocumentCurve*> images_;
+};
 
 void unlink_copies(core::Document& document) {
     std::set<std::pair<std::size_t, std::size_t>> seen;
@@ -143,11 +153,10 @@ bool is_as_it_was(const core::DocumentCurve& old, const core::DocumentCurve& now
 }
 
 // The member that leads; none where the edit changed none of them.
-std::optional<std::size_t> leader_of(const core::Document& before, const core::Document& after,
-                                     const Members& members) {
+std::optional<std::size_t> leader_of(const OldImages& before, const core::Document& after, const Members& members) {
     std::optional<std::size_t> leader;
     for (const std::size_t i : members) {
-        const core::DocumentCurve* old = same_image(before, *after.curves[i].symmetry);
+        const core::DocumentCurve* old = before.same(*after.curves[i].symmetry);
         if (old != nullptr && is_as_it_was(*old, after.curves[i])) continue;
         if (!leader || i == after.active) leader = i;
     }
@@ -155,11 +164,11 @@ std::optional<std::size_t> leader_of(const core::Document& before, const core::D
 }
 
 // Whether the edit had an end elsewhere than the mirror lets it be.
-Outcome<bool> follow(const core::Document& before, core::Document& after, const Members& members, std::size_t leader) {
+Outcome<bool> follow(const OldImages& before, core::Document& after, const Members& members, std::size_t leader) {
     const core::Symmetry symmetry = *after.curves[leader].symmetry;
     auto original = core::transform(*after.curves[leader].curve, map_from_image(symmetry));
     std::shared_ptr<const core::FitPoints> fit = image_of_fit(after.curves[leader].fit, map_from_image(symmetry));
-    const core::DocumentCurve* old = same_image(before, symmetry);
+    const core::DocumentCurve* old = before.same(symmetry);
     bool is_held = false;
     if (original && old != nullptr && !symmetry.turns) {
         const auto old_original = core::transform(*old->curve, map_from_image(*old->symmetry));
@@ -177,7 +186,7 @@ Outcome<bool> follow(const core::Document& before, core::Document& after, const 
         auto image = core::transform(*original, map_to_image(*entry.symmetry));
         if (!image) return tl::unexpected(core::describe(image.error()));
         // One that is new, as of a file that is added, is what it should be already.
-        const bool is_new = same_image(before, *entry.symmetry) == nullptr;
+        const bool is_new = before.same(*entry.symmetry) == nullptr;
         if (entry.locked && is_new && !is_elsewhere(*image, *entry.curve)) continue;
         if (entry.locked)
             return tl::unexpected(core::sentence("'{name}' is locked, and it is an image of the curve; unlock it first",
@@ -222,14 +231,15 @@ std::size_t free_group(const core::Document& document) {
 Outcome<std::vector<std::string>> keep_symmetry(const core::Document& before, core::Document& after) {
     std::vector<std::string> told;
     unlink_copies(after);
+    const OldImages old(before);
     for (const auto& [group, members] : groups_of(after)) {
         if (members.size() == 1) {
             after.curves[members.front()].symmetry.reset();
             continue;
         }
-        const auto leader = leader_of(before, after, members);
+        const auto leader = leader_of(old, after, members);
         if (!leader) continue;
-        const auto is_held = follow(before, after, members, *leader);
+        const auto is_held = follow(old, after, members, *leader);
         if (!is_held) return tl::unexpected(is_held.error());
         if (*is_held)
             told.push_back(
