@@ -107,8 +107,10 @@ CanvasMode give_up(const Gesture& gesture) {
 
 CanvasMode finish(DrawingCurve mode, const Gesture& gesture, bool closed) {
     if (mode.points.size() < 2) return mode;
-    gesture.queue.run(command_of(mode, gesture.state.view.pen_mode, closed));
-    return give_up(gesture);
+    const PenMode pen = gesture.state.view.pen_mode;
+    gesture.queue.run(command_of(mode, pen, closed));
+    // What is refused is not lost: points can be taken back.
+    return curve_of(mode, pen, closed) ? give_up(gesture) : CanvasMode(std::move(mode));
 }
 
 CanvasMode press_left(DrawingCurve mode, const Gesture& gesture) {

@@ -126,6 +126,25 @@ TEST_F(Drawing, the_last_point_is_taken_back) {
     EXPECT_EQ(steps(), 0U);
 }
 
+// A point that was typed onto the first one cannot be passed twice by a closed curve.
+TEST_F(Drawing, what_cannot_be_made_is_not_lost) {
+    take_pen(PenMode::through_c2);
+    const std::size_t before = curves();
+    click_all({px(-3, 0), px(-1, 2), px(1, 0)});
+    type(U"-3,0\n", px(2, 2));
+    ASSERT_EQ(drawing().points.size(), 4U);
+    pointer.click(px(-3, 0));
+    EXPECT_EQ(curves(), before);
+    EXPECT_TRUE(state().message.is_error) << state().message.text;
+    ASSERT_TRUE(is_in<DrawingCurve>());
+    EXPECT_EQ(drawing().points.size(), 4U);
+    pointer.send(PointerAction::take_back, {0, 0});
+    pointer.click(px(-3, 0));
+    EXPECT_EQ(curves(), before + 1);
+    EXPECT_TRUE(fit().closed);
+    EXPECT_EQ(fit().points.size(), 3U);
+}
+
 TEST_F(Drawing, the_view_moves_meanwhile) {
     take_pen(PenMode::through_c2);
     click_all({px(-3, 0), px(-1, 2)});
