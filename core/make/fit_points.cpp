@@ -107,9 +107,11 @@ Result<FitPoints> with_near_parameter(FitPoints moved, std::size_t i, const FitP
         found = like_span(moved, last - 1, u[last] - u[last - 1], step_after(fit, last - 1)).map([&](double span) {
             return u[last - 1] + span;
         });
-    else if (i > 0)
-        found = parted(moved, i, u[i - 1], u[i + 1]);
+    else
+        found = parted(moved, i, i > 0 ? u[i - 1] : u[last] - (u.back() - u[0]), u[i + 1]);
     if (!found) return refuse(found.error());
+    // The period stays as long.
+    if (moved.closed && i == 0) u.back() += *found - u[0];
     u[i] = *found;
     return moved;
 }

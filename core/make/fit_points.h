@@ -64,7 +64,8 @@ struct FitForm {
 [[nodiscard]] Result<void> check_fit_points(const FitPoints& fit);
 
 /// With point `i` at `place`. The parameters are made anew, but of the local kind only that of the point itself: it
-/// divides the part between its neighbors as their distances are, and at an end its span changes as its length does.
+/// divides the part between its neighbors as their distances are, and at an end its span changes as its length does; of
+/// the first point of a closed curve both ends of the period do, which stays as long.
 /// Errors: fit_point_index_out_of_range; those of fit_points_at.
 [[nodiscard]] Result<FitPoints> move_fit_point(const FitPoints& fit, std::size_t i, Point place);
 
