@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "app/editor/pointer/direction.h"
 #include "app/editor/pointer/typed_place.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/length.h"
@@ -15,8 +15,7 @@ namespace {
 using core::sentence;
 
 std::string angle_text(core::Vector way) {
-    constexpr double half_turn = 180.0;
-    return number_text(std::atan2(way.y, way.x) * half_turn / std::numbers::pi);
+    return number_text(degrees_of(way));
 }
 
 std::string with_caret(const TypedPlace& typed, std::size_t field) {

@@ -2,24 +2,14 @@
 
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 #include "app/editor/commands/making_commands.h"
+#include "app/editor/pointer/direction.h"
 
 namespace batten::editor {
 namespace {
 
 constexpr double whole_turn = 360.0;
-
-/// The direction of `way` in degrees, exact along the axes and between them.
-double degrees_of(core::Vector way) {
-    constexpr double eighth = 45.0;
-    constexpr double half_turn = 180.0;
-    const double degrees = std::atan2(way.y, way.x) * half_turn / std::numbers::pi;
-    const double exact = eighth * std::round(degrees / eighth);
-    const bool is_eighth = way.x == 0.0 || way.y == 0.0 || std::abs(way.x) == std::abs(way.y);
-    return is_eighth ? exact : degrees;
-}
 
 /// From one direction to another, in [0, 360).
 double turn_between(core::Vector from, core::Vector to) {

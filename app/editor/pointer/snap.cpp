@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "app/editor/pointer/direction.h"
 #include "app/editor/pointer/gesture.h"
 #include "app/editor/pointer/grid_step.h"
 #include "app/editor/pointer/snap_text.h"
@@ -20,8 +20,7 @@
 namespace batten::editor {
 namespace {
 
-constexpr double right_angle = 90.0;  // degrees
-constexpr double half_turn = 180.0;
+constexpr double right_angle = 90.0;            // degrees
 constexpr std::size_t most_near_points = 1000;  // of a curve; more are a smear
 constexpr std::size_t most_near_curves = 50;    // likewise
 constexpr std::size_t most_near_spans = 16;     // that perpendiculars and tangents are looked for on
@@ -273,7 +272,7 @@ class Snapper {
         const core::Vector way = query_.place - from;
         if (core::length(way) < reach_) return;
         const double step = state_.view.snap.angle_step;
-        const double degrees = std::round(std::atan2(way.y, way.x) * half_turn / std::numbers::pi / step) * step;
+        const double degrees = std::round(degrees_of(way) / step) * step;
         const core::Vector along = direction_of(degrees);
         const core::Point position = from + core::dot(way, along) * along;
         SnapFound found{SnapKind::angles, position, 0, 0, degrees};
@@ -312,10 +311,6 @@ core::Point nearest_on_guide(const core::Guide& guide, core::Point place) {
     if (guide.angle == right_angle) return {guide.point.x, place.y};
     const core::Vector along = direction_of(guide.angle);
     return guide.point + core::dot(place - guide.point, along) * along;
-}
-
-core::Vector direction_of(double degrees) {
-    return core::vector_to(core::mapped(core::rotation(degrees, {0.0, 0.0}), {1.0, 0.0}));
 }
 
 }  // namespace batten::editor

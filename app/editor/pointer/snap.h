@@ -38,7 +38,4 @@ core::Point grid_corner(const EditorState& state, core::Point place);
 /// The place of a guide that is nearest to `place`; exact where the guide is level or upright.
 core::Point nearest_on_guide(const core::Guide& guide, core::Point place);
 
-/// (cos, sin), exact at quarters of a turn.
-core::Vector direction_of(double degrees);
-
 }  // namespace batten::editor

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/editor/fields/expression.h"
+#include "app/editor/pointer/direction.h"
 #include "app/editor/pointer/snap.h"
 #include "app/editor/words/ascii.h"
 
@@ -81,9 +82,8 @@ core::Point polar_place(core::Point from, std::optional<double> length, std::opt
         const core::Vector along = direction_of(*angle);
         return from + length.value_or(core::dot(way, along)) * along;
     }
-    const double present = core::robust_length(way);
     // Where the pointer shows no direction it is to the right.
-    return present > 0.0 ? from + *length * (way / present) : core::Point(from.x + *length, from.y);
+    return from + *length * (way == core::Vector(0.0, 0.0) ? core::Vector(1.0, 0.0) : direction_of(way));
 }
 
 core::Point place_of(Frame frame, std::optional<double> first, std::optional<double> second, core::Point from,

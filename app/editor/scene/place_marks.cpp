@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "app/editor/pointer/direction.h"
 #include "app/editor/pointer/place_text.h"
 #include "app/editor/pointer/snap.h"
 #include "app/editor/scene/reading_box.h"

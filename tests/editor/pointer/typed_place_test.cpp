@@ -44,6 +44,40 @@ TEST(TypedPlace, is_length_and_angle_from_the_start) {
     expect_place(U"2*sin(30 deg)<pi rad", {0, 2});
 }
 
+// sin 30 deg is 1/2, and a quarter of a turn has no part along the other axis, to the last bit.
+TEST(TypedPlace, at_the_usual_angles_is_exact) {
+    const core::Point from(0.1, 0.3);
+    const auto way = [&](const std::u32string& text, core::Point pointed) {
+        return place_typed(typed(text), core::Point(0, 0), pointed).value_or(core::Point(9, 9));
+    };
+    EXPECT_EQ(place_typed(typed(U"1<90"), from, {5, 5}), core::Point(0.1, 0.3 + 1.0));
+    EXPECT_EQ(place_typed(typed(U"7<180"), from, {5, 5}), core::Point(0.1 - 7.0, 0.3));
+    EXPECT_EQ(place_typed(typed(U"7<270"), from, {5, 5}), core::Point(0.1, 0.3 - 7.0));
+    EXPECT_EQ(place_typed(typed(U"7<-450"), from, {5, 5}), core::Point(0.1, 0.3 - 7.0));
+    EXPECT_EQ(way(U"2<30", {5, 5}).y, 1.0);
+    EXPECT_EQ(way(U"2<120", {5, 5}).x, -1.0);
+    EXPECT_EQ(way(U"2<45", {5, 5}).x, way(U"2<45", {5, 5}).y);
+}
+
+// The pointer snaps to a direction, at places that are rounded, and only the length is typed.
+TEST(TypedPlace, is_exact_in_the_direction_that_the_pointer_shows) {
+    for (const core::Point from : {core::Point(0, 0), core::Point(0.1, 0.3), core::Point(-12.7, 3.9)})
+        for (int k = 0; k < 24; ++k) {
+            const double angle = 15.0 * k;
+            const std::string degrees = std::to_string(15 * k);
+            const std::u32string polar = U"2<" + std::u32string(degrees.begin(), degrees.end());
+            for (const double reach : {0.1, 1.7, 33.3}) {
+                const double radians = angle * std::acos(-1.0) / 180.0;
+                const core::Point pointed(from.x + reach * std::cos(radians), from.y + reach * std::sin(radians));
+                const auto place = place_typed(typed(U"2"), from, pointed);
+                EXPECT_EQ(place, place_typed(typed(polar), from, {50, 70})) << angle << " from " << from.x;
+            }
+        }
+    EXPECT_EQ(place_typed(typed(U"2"), core::Point(0, 0), {5.0 * std::sqrt(0.75), 2.5})->y, 1.0);
+    EXPECT_EQ(place_typed(typed(U"1"), core::Point(0, 0), {6e-17, 1.0}), core::Point(0, 1));
+    EXPECT_EQ(place_typed(typed(U"10"), core::Point(0, 0), {3, 4}), core::Point(6, 8));
+}
+
 TEST(TypedPlace, is_dx_and_dy_after_x_or_y) {
     expect_place(U"x10", {11, 6});
     expect_place(U"y-3", {4, -1});
