@@ -1,4 +1,4 @@
-"""Checks that texts for people are written whole: templates with named places, nothing glued, one spelling."""
+"""Checks that texts for people are written whole: templates with named places, nothing glued, one spelling, lengths in the unit of the document."""
 
 import pathlib
 import re
@@ -17,6 +17,7 @@ WORDS = {
     "reckon": "compute", "is no operation": "is not an operation", "is called like that": "is called that",
 }
 NAME_OF_0_1 = {"maximis"}  # a member of the settings' file of version 0.1
+DESCRIBES = "app/editor/words/refusal.cpp"
 ALLOWED = {"app/editor/state/settings.cpp": NAME_OF_0_1, "tests/editor/state/settings_test.cpp": NAME_OF_0_1}
 
 
@@ -77,6 +78,11 @@ def wrong_places(path, source):
             yield f"{path}: a sentence has no place {{{name}}}"
 
 
+def refusals_without_units(path, source):
+    if path.startswith(("app/editor/", "app/ui/")) and path != DESCRIBES and "core::describe(" in without_comments(source):
+        yield f"{path}: core::describe leaves lengths in the world; refusal_words ({DESCRIBES}) has them in the document's unit"
+
+
 def foreign_words(path, source):
     for number, line in enumerate(source.splitlines(), 1):
         for word, better in WORDS.items():
@@ -95,6 +101,7 @@ def main():
         if source.suffix == ".cpp" and not path.startswith("tests/"):
             found += glued_texts(path, text)
             found += wrong_places(path, text)
+            found += refusals_without_units(path, text)
     print("\n".join(found) or f"{len(sources)} files have whole sentences")
     sys.exit(1 if found or not sources else 0)
 

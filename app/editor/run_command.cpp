@@ -12,7 +12,6 @@
 #include "app/editor/state/symmetry_links.h"
 #include "app/editor/upkeep.h"
 #include "app/editor/words/wording.h"
-#include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/measure/deviation.h"
 #include "core/measure/geometric_distance.h"
@@ -104,7 +103,7 @@ bool preview_edit(EditorState& state, const Command& command) {
 
 // How far the step went. An edit that tells its own error compares other parameters, or shapes.
 Distances distances_of(const EditorState& state, const std::optional<Ghost>& ghost, const Edit& edit) {
-    Distances distances{.error = edit.error, .units = state.history.present().units};
+    Distances distances{.error = edit.error, .units = units_of(state)};
     if (!ghost) return distances;
     distances.deviation = ghost->deviation;
     distances.is_rounding = is_within_tolerance(*ghost->curve, ghost->deviation, rounding_of_size);
@@ -162,7 +161,8 @@ void push_step(EditorState& state, const Command& command, Edit& edit) {
     if (const auto lost = lost_fit_points(before, state.history.present())) told.push_back(*lost);
     if (ghost && command.spec().tells_smoothness)
         if (const auto lost =
-                lost_smoothness(core::smoothness_losses(*ghost->curve, *state.history.present().active_curve()->curve)))
+                lost_smoothness(units_of(state),
+                                core::smoothness_losses(*ghost->curve, *state.history.present().active_curve()->curve)))
             told.push_back(*lost);
     state.message = {*told_in_turn(told), false};
     if (ghost && ghost->deviation != 0.0) state.ghost = ghost;
@@ -211,8 +211,8 @@ std::vector<core::Place> places_of(const Command& command, const EditorState& st
             continue;
         }
         const core::Point pair = std::get<core::Point>(value);
-        places.emplace_back(field.parts[0].name, core::shortest_text(pair.x));
-        places.emplace_back(field.parts[1].name, core::shortest_text(pair.y));
+        places.emplace_back(field.parts[0].name, length_words(units_of(state), pair.x));
+        places.emplace_back(field.parts[1].name, length_words(units_of(state), pair.y));
     }
     return places;
 }

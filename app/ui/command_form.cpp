@@ -127,7 +127,8 @@ std::string text_of_argument(const Field& field, const Argument& argument, const
     const auto* world = std::get_if<double>(&argument);
     if (!editor::is_of_lengths(field) || world == nullptr) return std::visit(TextOf{}, argument);
     const bool is_place = field.kind != FieldKind::length;
-    if (is_place || field.suggestion_from == nullptr) return editor::length_words(units, *world);
+    if (is_place || field.suggestion_from == nullptr)
+        return editor::with_unit(units, core::shortest_text(editor::in_units(units, *world)));
     return editor::with_unit(units, fmt::format("{:.4g}", editor::in_units(units, *world)));
 }
 

@@ -9,6 +9,7 @@
 #include "app/editor/commands/stroke_commands.h"
 #include "app/editor/commands/tear_commands.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/refusal.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"
@@ -128,7 +129,9 @@ void draw_knot_choice(const PanelContext& context, const core::Curve& curve, Kno
     button.is_enabled = result && (kind != KnotKind::custom || kind == present);
     if (kind == KnotKind::custom) button.tooltip = "Any other spacing: move a knot, or type the knots.";
     if (!result)
-        button.tooltip = core::sentence("Not possible: {reason}.", {{"reason", core::describe(result.error())}});
+        button.tooltip =
+            core::sentence("Not possible: {reason}.",
+                           {{"reason", editor::refusal_words(context.state.shown().units, result.error())}});
     if (draw_choice(context, button)) context.queue.run(editor::SetKind{.kind = kind});
 }
 
@@ -165,9 +168,11 @@ void draw_closed_row(const PanelContext& context, const core::Curve& curve) {
     const bool is_possible =
         !curve.is_periodic() || curve.control_points().size() > static_cast<std::size_t>(curve.degree());
     box.is_enabled = is_possible && is_editable(context.state);
-    box.tooltip = is_possible ? locked_sentence(context.state)
-                              : core::sentence("Not possible: {reason}.",
-                                               {{"reason", core::describe(core::set_periodic(curve, false).error())}});
+    box.tooltip = is_possible
+                      ? locked_sentence(context.state)
+                      : core::sentence("Not possible: {reason}.",
+                                       {{"reason", editor::refusal_words(context.state.shown().units,
+                                                                         core::set_periodic(curve, false).error())}});
     if (draw_check_box(context, box)) context.queue.run(editor::CloseOrOpen{});
     stay_in_row(context);
     draw_tears_box(context, field_width(context) - box.width_px - context.px(row_gap));

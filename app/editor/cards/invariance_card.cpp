@@ -8,6 +8,7 @@
 #include "app/editor/commands/invariance_commands.h"
 #include "app/editor/commands/transform_commands.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 
@@ -60,6 +61,7 @@ void add_projective_reason(Card& card, const EditorState& state, const core::Cur
     card.line("It is so because the map is linear in homogeneous coordinates, where weights are mapped too:",
               CardTone::dim);
     card.formula("w_{i}^{*} = w_{i} (h_{1} x_{i} + h_{2} y_{i} + h_{3})");
+    const Units& units = state.shown().units;
     const auto [least, most] = std::ranges::minmax(check.image->weights());
     const core::Place lower("lower", exact_text(state.view.notation, least));
     const core::Place upper("upper", exact_text(state.view.notation, most));
@@ -70,10 +72,11 @@ void add_projective_reason(Card& card, const EditorState& state, const core::Cur
     else
         card.line(sentence("The weights are now from {lower} to {upper}.", {lower, upper}));
     if (check.kept_difference && check.kept_difference->distance > 1e3 * check.difference.distance)
-        card.line(sentence("With the old weights (red dots) the results would be {distance} apart at u = {u}.",
-                           {{"distance", number_text(check.kept_difference->distance, 3)},
-                            {"u", number_text(check.kept_difference->parameter, 3)}}),
-                  CardTone::bad);
+        card.line(
+            sentence("With the old weights (red dots) the results would be {distance} apart at u = {u}.",
+                     {{"distance", with_unit(units, number_text(in_units(units, check.kept_difference->distance), 3))},
+                      {"u", number_text(check.kept_difference->parameter, 3)}}),
+            CardTone::bad);
 }
 
 CardButtons kinds(const EditorState& state) {
@@ -135,9 +138,9 @@ Card invariance_card(const EditorState& state) {
     const core::PlaneMap map = map_over(shown, box);
     const auto check = state.derived.map_check({*curve, map});
     if (!check->image) {
-        card.line(
-            sentence("This map is not possible here: {problem}.", {{"problem", core::describe(check->image.error())}}),
-            CardTone::bad);
+        card.line(sentence("This map is not possible here: {problem}.",
+                           {{"problem", refusal_words(state.shown().units, check->image.error())}}),
+                  CardTone::bad);
         return card;
     }
     card.add(invariance_picture(state, {*curve, map}, check));

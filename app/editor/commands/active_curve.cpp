@@ -8,6 +8,7 @@
 #include "app/editor/state/fit_curve.h"
 #include "app/editor/state/point_hues.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/rational_basis.h"
 
@@ -95,7 +96,7 @@ std::vector<std::size_t> ascending(std::vector<std::size_t> indices) {
 
 Outcome<Edit> edit_active(const EditorState& state, core::Result<core::Curve> curve,
                           std::optional<Selection> selection) {
-    if (!curve) return tl::unexpected(core::describe(curve.error()));
+    if (!curve) return refused(state, curve.error());
     Edit edit{state.history.present(), std::move(selection)};
     replace_curve(edit.document.curves[edit.document.active], std::make_shared<const core::Curve>(*std::move(curve)));
     return edit;
@@ -103,7 +104,7 @@ Outcome<Edit> edit_active(const EditorState& state, core::Result<core::Curve> cu
 
 Outcome<Edit> edit_active(const EditorState& state, core::Result<core::Approximation> found,
                           std::optional<Selection> selection) {
-    if (!found) return tl::unexpected(core::describe(found.error()));
+    if (!found) return refused(state, found.error());
     Outcome<Edit> edit = edit_active(state, core::Result<core::Curve>(std::move(found->curve)), std::move(selection));
     if (edit) edit->error = found->error;
     return edit;
@@ -112,7 +113,7 @@ Outcome<Edit> edit_active(const EditorState& state, core::Result<core::Approxima
 Outcome<Edit> map_active(const EditorState& state, const core::PlaneMap& map) {
     Edit edit{state.history.present()};
     const auto mapped = map_entry(edit.document.curves[edit.document.active], map);
-    if (!mapped) return tl::unexpected(core::describe(mapped.error()));
+    if (!mapped) return refused(state, mapped.error());
     return edit;
 }
 

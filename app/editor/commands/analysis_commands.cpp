@@ -9,6 +9,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/words/continuity_words.h"
 #include "app/editor/words/length.h"
+#include "app/editor/words/refusal.h"
 #include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
 #include "core/curve/control_box.h"
@@ -186,8 +187,8 @@ Finding box_row(const char* label, const core::Box& box) {
 Outcome<void> find_bounds(EditorState& state, const FindBounds&) {
     const core::Curve& curve = active_curve(state);
     const core::Box box = core::tight_box(curve);
-    if (box.is_empty()) return tl::unexpected(core::describe({.code = core::CurveErrorCode::not_computable}));
-    const Units& units = state.history.present().units;
+    if (box.is_empty()) return refused(state, {.code = core::CurveErrorCode::not_computable});
+    const Units& units = units_of(state);
     std::string summary =
         sentence("{name} is {width} wide and {height} high", {active_name(state),
                                                               {"width", length_words(units, box.size().x)},

@@ -14,8 +14,8 @@
 #include "app/editor/state/point_hues.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/length.h"
+#include "app/editor/words/refusal.h"
 #include "app/editor/words/wording.h"
-#include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/edit/point_edit.h"
 #include "core/measure/arc_length.h"
@@ -94,14 +94,14 @@ Outcome<std::vector<Item>> items_of(const EditorState& state, Arranged what, std
 }
 
 // Moves the points of one curve, which follow each other in `items` from `first` on; the item behind them.
-Outcome<std::size_t> move_points_of(core::DocumentCurve& entry, const std::vector<Item>& items,
+Outcome<std::size_t> move_points_of(const Units& units, core::DocumentCurve& entry, const std::vector<Item>& items,
                                     const std::vector<core::Vector>& offsets, std::size_t first) {
     core::CurveDefinition definition = entry.curve->definition();
     std::size_t k = first;
     for (; k < items.size() && items[k].point && items[k].curve == items[first].curve; ++k)
         definition.points[*items[k].point] += offsets[k];
     auto moved = core::Curve::make(std::move(definition));
-    if (!moved) return tl::unexpected(core::describe(moved.error()));
+    if (!moved) return refused(units, moved.error());
     replace_curve(entry, std::make_shared<const core::Curve>(*std::move(moved)));
     return k;
 }
@@ -113,14 +113,14 @@ Outcome<Edit> with_moved(const EditorState& state, const std::vector<Item>& item
     for (std::size_t k = 0; k < items.size();) {
         core::DocumentCurve& entry = edit.document.curves[items[k].curve];
         if (items[k].point) {
-            const auto next = move_points_of(entry, items, offsets, k);
+            const auto next = move_points_of(edit.document.units, entry, items, offsets, k);
             if (!next) return tl::unexpected(next.error());
             k = *next;
             continue;
         }
         if (offsets[k] != core::Vector(0.0, 0.0))
             if (const auto moved = map_entry(entry, core::translation(offsets[k])); !moved)
-                return tl::unexpected(core::describe(moved.error()));
+                return refused(state, moved.error());
         ++k;
     }
     return edit;
@@ -196,8 +196,7 @@ std::optional<Refusal> nothing_to_scale(const EditorState& state) {
 
 Outcome<Edit> set_length(const EditorState& state, const SetLength& command) {
     if (!(command.length > 0.0))
-        return tl::unexpected(
-            core::describe({.code = core::CurveErrorCode::length_not_positive, .value = command.length}));
+        return refused(state, {.code = core::CurveErrorCode::length_not_positive, .value = command.length});
     SelectedParts wholes;
     std::vector<core::PlaneMap> maps;
     for (const std::size_t i : curves_meant(state)) {
@@ -210,7 +209,7 @@ Outcome<Edit> set_length(const EditorState& state, const SetLength& command) {
 }
 
 StepTexts texts_of_length(const EditorState& state, const SetLength& command) {
-    const core::Place length("length", length_words(state.history.present().units, command.length));
+    const core::Place length("length", length_words(units_of(state), command.length));
     return {SetLength::spec().title,
             curves_meant(state).size() == 1
                 ? sentence("Set length to {length}", {length})
@@ -222,8 +221,7 @@ Outcome<Edit> set_distance(const EditorState& state, const SetDistance& command)
     const core::Vector way = points[command.to] - points[command.from];
     const double now = core::length(way);
     if (!(command.distance > 0.0))
-        return tl::unexpected(
-            core::describe({.code = core::CurveErrorCode::length_not_positive, .value = command.distance}));
+        return refused(state, {.code = core::CurveErrorCode::length_not_positive, .value = command.distance});
     if (now == 0.0)
         return tl::unexpected(Refusal("the two control points are one place; there is no direction between them"));
     if (const auto free = free_points(state, {command.to}); !free) return tl::unexpected(free.error());
@@ -236,7 +234,7 @@ StepTexts texts_of_distance(const EditorState& state, const SetDistance& command
     const core::Place to("to", point_text(command.to));
     return {sentence("Set distance of {to} from {from}", {to, from}),
             sentence("Moved {to} to the distance {distance} from {from}",
-                     {to, {"distance", length_words(state.history.present().units, command.distance)}, from})};
+                     {to, {"distance", length_words(units_of(state), command.distance)}, from})};
 }
 
 Arranged what_there_is(const EditorState& state) {

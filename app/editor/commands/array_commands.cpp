@@ -5,6 +5,7 @@
 #include "app/editor/commands/map_selected.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/state/fit_curve.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/sentence.h"
 #include "core/measure/bounds.h"
 
@@ -29,7 +30,7 @@ Outcome<Edit> with_copies(const EditorState& state, std::size_t count, MapOf map
         for (const std::size_t i : originals) {
             core::DocumentCurve copy = edit.document.curves[i];
             if (const auto mapped = map_entry(copy, map_of(static_cast<double>(k))); !mapped)
-                return tl::unexpected(core::describe(mapped.error()));
+                return refused(state, mapped.error());
             copy.name = names.take(copy.name);
             copy.locked = false;
             edit.document.curves.push_back(std::move(copy));

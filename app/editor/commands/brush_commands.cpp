@@ -9,6 +9,7 @@
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/state/point_hues.h"
 #include "app/editor/words/length.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/sentence.h"
 #include "core/edit/fair.h"
 
@@ -59,7 +60,7 @@ Outcome<Edit> refair_part(const EditorState& state, const RefairPart& command) {
     const FairedPart& faired = *state.faired;
     const core::DocumentCurve& before = state.history.previous().curves[faired.curve];
     auto found = core::fair_part(*before.curve, faired.part, command.distance, state.progress, held_points(before));
-    if (!found) return tl::unexpected(core::describe(found.error()));
+    if (!found) return refused(state, found.error());
     Edit edit{.document = state.history.present(), .error = found->error, .faired = faired, .extends = true};
     replace_curve(edit.document.curves[faired.curve], std::make_shared<const core::Curve>(std::move(found->curve)));
     edit.faired->distance = command.distance;
@@ -69,7 +70,7 @@ Outcome<Edit> refair_part(const EditorState& state, const RefairPart& command) {
 StepTexts texts_of_refairing(const EditorState& state, const RefairPart& command) {
     return {state.history.undo_label(),
             core::sentence("Faired the part within {distance}",
-                           {{"distance", length_words(state.history.present().units, command.distance)}})};
+                           {{"distance", length_words(units_of(state), command.distance)}})};
 }
 
 }  // namespace

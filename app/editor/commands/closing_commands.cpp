@@ -5,6 +5,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/sentence.h"
 #include "core/edit/end_vertices.h"
 #include "core/edit/knot_edit.h"
@@ -17,7 +18,7 @@ namespace {
 
 // Equal parameters need not mean equal places afterward, so the deviation is what the conversion says.
 Outcome<Edit> edit_with_error(const EditorState& state, const core::Result<core::Approximation>& found) {
-    if (!found) return tl::unexpected(core::describe(found.error()));
+    if (!found) return refused(state, found.error());
     Outcome<Edit> edit = edit_active(state, found->curve);
     if (edit) edit->error = found->error;
     return edit;

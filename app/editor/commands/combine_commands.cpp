@@ -8,7 +8,8 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/words/length.h"
-#include "core/base/number_text.h"
+#include "app/editor/words/refusal.h"
+#include "app/editor/words/wording.h"
 #include "core/measure/area.h"
 #include "core/measure/continuity.h"
 #include "core/shape/combine.h"
@@ -116,7 +117,7 @@ Outcome<Edit> combined(const EditorState& state, const std::optional<std::string
     core::Shape second{{}, rule};
     for (const std::size_t i : *others) second.curves.push_back(*document.curves[i].curve);
     auto boundary = core::combine({{active_curve(state)}, rule}, second, operation, state.progress);
-    if (!boundary) return tl::unexpected(core::describe(boundary.error()));
+    if (!boundary) return refused(state, boundary.error());
     if (boundary->empty())
         return tl::unexpected(sentence("nothing would be left of '{name}'", {{"name", document.active_curve()->name}}));
     const auto sum = measured(*boundary, core::Point(0.0, 0.0));
@@ -124,7 +125,7 @@ Outcome<Edit> combined(const EditorState& state, const std::optional<std::string
     if (sum)
         edit.remark = sentence({.one = "one closed curve encloses the area {area}",
                                 .many = "{count} closed curves enclose the area {area}"},
-                               boundary->size(), {{"area", core::shortest_text(sum->area)}});
+                               boundary->size(), {{"area", area_words(document.units, sum->area)}});
     return edit;
 }
 
@@ -147,20 +148,16 @@ Outcome<Edit> exclude_shapes(const EditorState& state, const ExcludeShapes& comm
 Outcome<void> find_centroid(EditorState& state, const FindCentroid& command) {
     const core::Curve& curve = active_curve(state);
     const auto boundary = core::combine({{curve}, command.rule}, {}, core::ShapeOperation::unite, state.progress);
-    if (!boundary) return tl::unexpected(core::describe(boundary.error()));
+    if (!boundary) return refused(state, boundary.error());
     const core::Point origin = curve.control_points().front();
     const auto sum = measured(*boundary, origin);
-    if (!sum) return tl::unexpected(core::describe(sum.error()));
+    if (!sum) return refused(state, sum.error());
     if (!(sum->area > 0.0)) return tl::unexpected(std::string("the curve encloses no area and has no centroid"));
     const core::Point centroid = origin + sum->moment / sum->area;
     Finding row{.label = "centroid", .point = centroid, .numbers = {{"area", sum->area, 0.0, 2}}};
     add_numbers(row, "centroid", centroid, 0.0);
-    const Units& units = state.history.present().units;
-    const core::Point place = in_units(units, centroid);
-    std::string summary =
-        sentence("The centroid of {name} is ({x}, {y})", {active_name(state),
-                                                          {"x", core::shortest_text(place.x)},
-                                                          {"y", with_unit(units, core::shortest_text(place.y))}});
+    std::string summary = sentence("The centroid of {name} is {place}",
+                                   {active_name(state), {"place", place_words(units_of(state), centroid)}});
     return show_rows(state, "Centroid", std::move(summary), {std::move(row)});
 }
 

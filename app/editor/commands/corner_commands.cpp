@@ -9,6 +9,7 @@
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/state/point_hues.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 #include "core/measure/continuity.h"
@@ -70,7 +71,7 @@ Outcome<Edit> bridged_apart(const EditorState& state, const CornerSides& sides, 
                             const char* name) {
     auto before = core::kept_part(sides.first.curve, bridge.kept_of_first, bridge.u);
     auto behind = core::kept_part(sides.second.curve, bridge.kept_of_second, bridge.v);
-    if (!before || !behind) return tl::unexpected(core::describe(!before ? before.error() : behind.error()));
+    if (!before || !behind) return refused(state, !before ? before.error() : behind.error());
     Edit edit = with_curve(state, name, bridge.bridge);
     replace_by(edit.document.curves[state.history.present().active], *std::move(before));
     replace_by(edit.document.curves[*sides.other], *std::move(behind));
@@ -79,13 +80,14 @@ Outcome<Edit> bridged_apart(const EditorState& state, const CornerSides& sides, 
 
 Outcome<Edit> bridged(const EditorState& state, const CornerSides& sides,
                       const core::Result<core::CornerBridge>& bridge, bool is_joined, const char* name) {
-    if (!bridge) return tl::unexpected(core::describe(bridge.error()));
+    if (!bridge) return refused(state, bridge.error());
     if (!sides.other) return edit_active(state, core::with_corner_bridged(sides.first.curve, *bridge));
     if (!is_joined) return bridged_apart(state, sides, *bridge, name);
     const core::Document& document = state.history.present();
     auto joined = core::joined_by_bridge(sides.first.curve, sides.second.curve, *bridge);
     if (!joined)
-        return tl::unexpected(refusal_of_ends(*document.active_curve(), document.curves[*sides.other], joined.error()));
+        return tl::unexpected(
+            refusal_of_ends(document.units, *document.active_curve(), document.curves[*sides.other], joined.error()));
     return with_one_for_several(state, *std::move(joined), {*sides.other});
 }
 

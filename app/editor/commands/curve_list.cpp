@@ -9,6 +9,7 @@
 #include "app/editor/state/point_hues.h"
 #include "app/editor/state/selected_parts.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/sentence.h"
 #include "core/edit/point_edit.h"
 
@@ -138,8 +139,7 @@ Outcome<Edit> with_duplicates(const EditorState& state, const std::vector<std::s
     SelectedParts copies;
     for (const std::size_t i : curves) {
         core::DocumentCurve copy = edit.document.curves[i];
-        if (const auto shifted = shift_entry(copy, shift); !shifted)
-            return tl::unexpected(core::describe(shifted.error()));
+        if (const auto shifted = shift_entry(copy, shift); !shifted) return refused(state, shifted.error());
         copy.name = names.take(copy.name);
         copy.visible = true;
         copy.locked = false;

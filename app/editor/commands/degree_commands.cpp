@@ -6,6 +6,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/degree_range.h"
 #include "core/base/sentence.h"
 #include "core/curve/knot_analysis.h"
@@ -29,7 +30,7 @@ Outcome<Edit> reduce(const EditorState& state, const Reduce& command) {
     const double tolerance = command.tolerance.value_or(std::numeric_limits<double>::max());
     core::Result<core::Approximation> reduced =
         core::reduce_degree(active_curve(state), command.by, tolerance, state.progress);
-    if (!reduced) return tl::unexpected(core::describe(reduced.error()));
+    if (!reduced) return refused(state, reduced.error());
     return edit_active(state, std::move(reduced->curve));
 }
 

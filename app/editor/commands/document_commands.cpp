@@ -7,6 +7,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/sentence.h"
 #include "core/curve/knot_kinds.h"
 
@@ -20,7 +21,7 @@ constexpr const char* which_curve = "which curve, counted from 0";
 
 Outcome<Edit> new_curve(const EditorState& state, const NewCurve& command) {
     core::Result<core::Curve> curve = curve_of_control_points(command.points, command.degree, command.closed);
-    if (!curve) return tl::unexpected(core::describe(curve.error()));
+    if (!curve) return refused(state, curve.error());
     return with_curve(state, "curve", *std::move(curve));
 }
 

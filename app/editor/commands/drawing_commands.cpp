@@ -4,6 +4,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/words/refusal.h"
 #include "core/edit/joint_keeping.h"
 #include "core/make/shapes.h"
 #include "core/make/through_points.h"
@@ -16,7 +17,7 @@ Outcome<Edit> through_points(const EditorState& state, const ThroughPoints& comm
     auto fit = core::fit_points_at(command.points, {command.kind, command.parametrization, command.closed});
     auto curve =
         fit ? core::through_points(*fit, state.progress) : core::Result<core::Curve>(core::refuse(fit.error()));
-    if (!curve) return tl::unexpected(core::describe(curve.error()));
+    if (!curve) return refused(state, curve.error());
     Edit edit = with_curve(state, "curve", *std::move(curve));
     edit.document.curves.back().fit = std::make_shared<const core::FitPoints>(*std::move(fit));
     return edit;
@@ -39,7 +40,7 @@ std::vector<core::KnotMark> smooth_joints(const core::Curve& curve, const Bezier
 
 Outcome<Edit> bezier_path(const EditorState& state, const BezierPath& command) {
     auto curve = core::bezier_path(command.points, command.closed);
-    if (!curve) return tl::unexpected(core::describe(curve.error()));
+    if (!curve) return refused(state, curve.error());
     std::vector<core::KnotMark> marks = smooth_joints(*curve, command);
     Edit edit = with_curve(state, "curve", *std::move(curve));
     edit.document.curves.back().joints.knots = std::move(marks);

@@ -14,6 +14,7 @@
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/state/symmetry_links.h"
 #include "app/editor/upkeep.h"
+#include "app/editor/words/refusal.h"
 #include "app/editor/words/wording.h"
 #include "core/base/sentence.h"
 #include "core/document/native_file.h"
@@ -127,8 +128,7 @@ Outcome<Edit> with_curves_of_text(const EditorState& state, const std::string& t
             sentence("the clipboard holds no Batten curves: {reason}", {{"reason", pasted.error().sentence()}}));
     if (pasted->curves.empty()) return tl::unexpected(Refusal("the clipboard holds a document without curves"));
     for (core::DocumentCurve& curve : pasted->curves) {
-        if (const auto shifted = shift_entry(curve, shift); !shifted)
-            return tl::unexpected(core::describe(shifted.error()));
+        if (const auto shifted = shift_entry(curve, shift); !shifted) return refused(state, shifted.error());
         if (curve.symmetry) curve.symmetry = mapped_symmetry(*curve.symmetry, core::translation({shift, -shift}));
         curve.visible = true;
         curve.locked = false;

@@ -4,6 +4,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/state/fit_curve.h"
+#include "app/editor/words/refusal.h"
 #include "app/editor/words/wording.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
@@ -31,7 +32,7 @@ Outcome<Edit> edit_fit(const EditorState& state, core::Result<core::FitPoints> f
     Edit edit{state.history.present(), std::move(selection)};
     const auto set = std::move(fit).and_then(
         [&](core::FitPoints points) { return set_fit(edit.document.curves[edit.document.active], std::move(points)); });
-    if (!set) return tl::unexpected(core::describe(set.error()));
+    if (!set) return refused(state, set.error());
     return edit;
 }
 
@@ -48,8 +49,8 @@ StepTexts texts_of_moved_fit_point(const EditorState& state, const MoveFitPoint&
     return {sentence("Move fit point {index}", {index}),
             sentence("Moved fit point {index} from {from} to {to}",
                      {index,
-                      {"from", place_words(active_fit(state).points[command.index].place)},
-                      {"to", place_words(command.position)}})};
+                      {"from", place_words(units_of(state), active_fit(state).points[command.index].place)},
+                      {"to", place_words(units_of(state), command.position)}})};
 }
 
 Outcome<Edit> insert_fit_point(const EditorState& state, const InsertFitPoint& command) {
@@ -81,12 +82,12 @@ Outcome<Edit> set_fit_joint(const EditorState& state, const SetFitJoint& command
     return edit_fit(state, core::set_fit_joint(fit, command.index, command.joint, handle));
 }
 
-StepTexts texts_of_joint(const EditorState&, const SetFitJoint& command) {
+StepTexts texts_of_joint(const EditorState& state, const SetFitJoint& command) {
     const core::Place index("index", command.index);
     if (command.joint == core::FitJoint::tangent && command.handle)
         return {sentence("Turn tangent at fit point {index}", {index}),
                 sentence("Set handle of fit point {index} to {handle}",
-                         {index, {"handle", place_words(core::tip_of(*command.handle))}})};
+                         {index, {"handle", place_words(units_of(state), core::tip_of(*command.handle))}})};
     const core::Place joint("joint", core::title_of(command.joint));
     return {sentence("Set joint of fit point {index}", {index}),
             sentence("Set joint of fit point {index} to '{joint}'", {index, joint})};
@@ -107,9 +108,9 @@ Outcome<Edit> make_ordinary(const EditorState& state, const MakeOrdinary&) {
 
 Outcome<void> select_fit_point(EditorState& state, const SelectFitPoint& command) {
     if (command.index && *command.index >= active_fit(state).points.size())
-        return tl::unexpected(core::describe({.code = core::CurveErrorCode::fit_point_index_out_of_range,
-                                              .index = *command.index,
-                                              .upper = static_cast<double>(active_fit(state).points.size()) - 1.0}));
+        return refused(state, {.code = core::CurveErrorCode::fit_point_index_out_of_range,
+                               .index = *command.index,
+                               .upper = static_cast<double>(active_fit(state).points.size()) - 1.0});
     state.selection = {{}, {}, command.index};
     return {};
 }

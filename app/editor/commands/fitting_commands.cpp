@@ -7,6 +7,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/words/refusal.h"
 #include "core/make/fit.h"
 #include "core/make/interpolate.h"
 
@@ -20,7 +21,7 @@ template <class Command>
 Outcome<Edit> interpolated(const EditorState& state, const Command& command, int degree, core::Ends ends) {
     auto result =
         core::interpolate(command.points, {degree, command.parametrization, std::move(ends), {}}, state.progress);
-    if (!result) return tl::unexpected(core::describe(result.error()));
+    if (!result) return refused(state, result.error());
     return with_curve(state, "curve", std::move(result->curve));
 }
 
@@ -68,7 +69,7 @@ Outcome<core::FitRequest> request_of(const Command& command) {
 }
 
 Outcome<Edit> with_fitted(const EditorState& state, core::Result<core::Approximation> found) {
-    if (!found) return tl::unexpected(core::describe(found.error()));
+    if (!found) return refused(state, found.error());
     Edit edit = with_curve(state, "fit", std::move(found->curve));
     edit.error = found->error;
     return edit;

@@ -9,6 +9,7 @@
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/words/cell_names.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/refusal.h"
 #include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
 #include "core/evaluate/blossom.h"
@@ -30,7 +31,7 @@ std::string summary_of_closing(const EditorState& state, const core::ClosingRepo
     switch (report.closing) {
         case core::Closing::open:
             return sentence("{name} is open; its ends are {gap} apart",
-                            {active_name(state), {"gap", core::shortest_text(report.gap)}});
+                            {active_name(state), {"gap", length_words(units_of(state), report.gap)}});
         case core::Closing::ends_meet:
             return sentence("{name} is closed by ends that meet", {active_name(state)});
         case core::Closing::wrapped:
@@ -82,7 +83,7 @@ std::string segment_label(std::size_t index) {
 Outcome<void> find_matrix_form(EditorState& state, const FindMatrixForm&) {
     const core::Curve& curve = active_curve(state);
     const auto segments = core::cubic_segments(curve);
-    if (!segments) return tl::unexpected(core::describe(segments.error()));
+    if (!segments) return refused(state, segments.error());
     std::vector<Finding> rows;
     for (const core::CubicSegment& segment : *segments) {
         Finding finding{.label = segment_label(rows.size()),
@@ -106,7 +107,7 @@ Outcome<void> find_matrix_form(EditorState& state, const FindMatrixForm&) {
 
 Outcome<void> find_ferguson_form(EditorState& state, const FindFergusonForm&) {
     const auto segments = core::ferguson_segments(active_curve(state));
-    if (!segments) return tl::unexpected(core::describe(segments.error()));
+    if (!segments) return refused(state, segments.error());
     std::vector<Finding> rows;
     const double error = coordinate_error(active_curve(state));
     for (const core::FergusonSegment& segment : *segments) {
@@ -127,7 +128,7 @@ Outcome<void> find_ferguson_form(EditorState& state, const FindFergusonForm&) {
 
 Outcome<void> find_anticentroids(EditorState& state, const FindAnticentroids&) {
     const auto joints = core::anticentroids(active_curve(state));
-    if (!joints) return tl::unexpected(core::describe(joints.error()));
+    if (!joints) return refused(state, joints.error());
     std::vector<Finding> rows;
     const double error = coordinate_error(active_curve(state));
     for (const core::Anticentroid& joint : *joints) {
@@ -171,8 +172,7 @@ Outcome<void> find_conic_form(EditorState& state, const FindConicForm&) {
     const double error = coordinate_error(active_curve(state));
     for (const core::BezierPiece& piece : core::bezier_pieces(active_curve(state))) {
         const auto form = core::conic_form(piece);
-        if (!form && form.error().code != core::CurveErrorCode::points_collinear)
-            return tl::unexpected(core::describe(form.error()));
+        if (!form && form.error().code != core::CurveErrorCode::points_collinear) return refused(state, form.error());
         rows.push_back(form ? row_of(*form, error)
                             : Finding{.label = "straight line", .parameter = piece.interval.lower});
     }

@@ -9,7 +9,6 @@
 #include "app/editor/commands/other_curve.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
-#include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/measure/arc_length.h"
 #include "core/measure/nearest.h"
@@ -55,12 +54,11 @@ Outcome<Edit> match_end(const EditorState& state, const Match& command) {
     const core::DocumentCurve& other = state.history.present().curves[*index];
     const MatchPlace place = place_of_match(*active.curve, *other.curve, command);
     const auto matched = core::match(*active.curve, place.end, place.target, command.continuity);
-    if (!matched) return tl::unexpected(refusal_of_ends(active, active, matched.error()));
+    if (!matched) return tl::unexpected(refusal_of_ends(units_of(state), active, active, matched.error()));
     Outcome<Edit> edit = edit_active(state, matched->curve);
     if (!edit) return edit;
     if (matched->changed.length() > 0.0) edit->error = matched->error;
-    edit->remark =
-        match_report(active.name, *matched, active.curve->degree(), command.continuity, state.history.present().units);
+    edit->remark = match_report(active.name, *matched, active.curve->degree(), command.continuity, units_of(state));
     return edit;
 }
 
@@ -72,17 +70,18 @@ Outcome<Edit> blend_between(const EditorState& state, const Blend& command) {
     const core::JoinedEnds ends = chosen_ends(*active.curve, *other.curve, command.end, command.other_end);
     auto blended = core::blend(*active.curve, *other.curve, ends, {command.continuity, command.tension},
                                {command.other_continuity, command.other_tension});
-    if (!blended) return tl::unexpected(refusal_of_ends(active, other, blended.error()));
+    if (!blended) return tl::unexpected(refusal_of_ends(units_of(state), active, other, blended.error()));
     return with_curve(state, sentence("{first} to {second}", {{"first", active.name}, {"second", other.name}}),
                       *std::move(blended));
 }
 
-StepTexts texts_of_blend(const EditorState&, const Blend& command, const core::Curve& after) {
+StepTexts texts_of_blend(const EditorState& state, const Blend& command, const core::Curve& after) {
     const core::Place other("other", command.other);
-    return {
-        sentence("Blend to '{other}'", {other}),
-        sentence("Made a blend to '{other}' of degree {degree}, {length} long",
-                 {other, {"degree", after.degree()}, {"length", core::shortest_text(core::arc_length(after).value)}})};
+    return {sentence("Blend to '{other}'", {other}),
+            sentence("Made a blend to '{other}' of degree {degree}, {length} long",
+                     {other,
+                      {"degree", after.degree()},
+                      {"length", length_words(units_of(state), core::arc_length(after).value)}})};
 }
 
 Outcome<void> check_joints(EditorState& state, const CheckJoints& command) {

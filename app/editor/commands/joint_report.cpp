@@ -28,9 +28,9 @@ std::string degrees_text(double radians) {
     return sentence("{degrees}°", {{"degrees", core::shortest_text(degrees < least_degrees ? 0.0 : degrees)}});
 }
 
-// 0 where the number is not above its own error.
-std::string text_above(double error, double number) {
-    return core::shortest_text(std::abs(number) <= error ? 0.0 : number);
+// 0 where the curvature is not above its own error.
+std::string text_above(const Units& units, double error, double curvature) {
+    return quantity_words(units, std::abs(curvature) <= error ? 0.0 : curvature, -1);
 }
 
 double turn_of(const core::SmoothnessLoss& loss) {
@@ -49,7 +49,7 @@ std::string corners_sentence(std::span<const core::SmoothnessLoss> corners) {
                     {{"angle", degrees_text(turn_of(worst))}, {"u", core::shortest_text(worst.after.u)}});
 }
 
-std::string jumps_sentence(std::span<const core::SmoothnessLoss> jumps) {
+std::string jumps_sentence(const Units& units, std::span<const core::SmoothnessLoss> jumps) {
     const auto& worst = *std::ranges::max_element(jumps, {}, jump_of);
     const core::Place u("u", core::shortest_text(worst.after.u));
     if (!worst.after.before || !worst.after.after)
@@ -57,15 +57,16 @@ std::string jumps_sentence(std::span<const core::SmoothnessLoss> jumps) {
                          .many = "its curvature now jumps at {count} more knots; on one side of u = {u} there is none"},
                         jumps.size(), {u});
     const double error = least_curvature * jump_of(worst);
-    return sentence(
-        {.one = "its curvature now jumps from {before} to {after} at u = {u}",
-         .many = "its curvature now jumps at {count} more knots, most from {before} to {after} at u = {u}"},
-        jumps.size(),
-        {{"before", text_above(error, *worst.after.before)}, {"after", text_above(error, *worst.after.after)}, u});
+    return sentence({.one = "its curvature now jumps from {before} to {after} at u = {u}",
+                     .many = "its curvature now jumps at {count} more knots, most from {before} to {after} at u = {u}"},
+                    jumps.size(),
+                    {{"before", text_above(units, error, *worst.after.before)},
+                     {"after", text_above(units, error, *worst.after.after)},
+                     u});
 }
 
-std::string gap_sentence(const core::SmoothnessLoss& loss) {
-    const core::Place gap("gap", core::shortest_text(loss.after.position.size));
+std::string gap_sentence(const Units& units, const core::SmoothnessLoss& loss) {
+    const core::Place gap("gap", length_words(units, loss.after.position.size));
     if (loss.after.kind == core::JointKind::ends) return sentence("its ends, which met, are now {gap} apart", {gap});
     return sentence("the curve now has a gap of {gap} at u = {u}", {gap, {"u", core::shortest_text(loss.after.u)}});
 }
@@ -110,15 +111,14 @@ const char* pattern_of(const MeetingPatterns& patterns, const core::Meeting& mee
 }
 
 std::string number_of(const std::optional<double>& value) {
-    return core::shortest_text(value.value_or(0.0));
+    return message_text(value.value_or(0.0));
 }
 
 std::string sentence_of_meeting(const MeetingPatterns& patterns, const core::Meeting& meeting, const Units& units) {
-    return core::filled_as_needed(pattern_of(patterns, meeting),
-                                  {{"gap", with_unit(units, core::shortest_text(meeting.gap))},
-                                   {"angle", degrees_text(meeting.angle.value_or(0.0))},
-                                   {"before", number_of(meeting.before)},
-                                   {"after", number_of(meeting.after)}});
+    return core::filled_as_needed(pattern_of(patterns, meeting), {{"gap", with_unit(units, message_text(meeting.gap))},
+                                                                  {"angle", degrees_text(meeting.angle.value_or(0.0))},
+                                                                  {"before", number_of(meeting.before)},
+                                                                  {"after", number_of(meeting.after)}});
 }
 
 std::string change_sentence(const JointChange& joint) {
@@ -160,7 +160,7 @@ void tell(std::vector<std::string>& sentences, const ChangedJoint& joint) {
     if (joint.curve.degree() != joint.old_degree)
         sentences.push_back(sentence("the degree rose from {from} to {to}",
                                      {{"from", joint.old_degree}, {"to", joint.curve.degree()}}));
-    if (const auto lost = lost_smoothness(joint.lost)) sentences.push_back(*lost);
+    if (const auto lost = lost_smoothness(joint.units, joint.lost)) sentences.push_back(*lost);
 }
 
 }  // namespace
@@ -173,17 +173,17 @@ std::optional<std::string> told_in_turn(std::span<const std::string> sentences) 
     return told;
 }
 
-std::optional<std::string> lost_smoothness(std::span<const core::SmoothnessLoss> losses) {
+std::optional<std::string> lost_smoothness(const Units& units, std::span<const core::SmoothnessLoss> losses) {
     std::vector<core::SmoothnessLoss> corners;
     std::vector<core::SmoothnessLoss> jumps;
     std::vector<std::string> sentences;
     for (const core::SmoothnessLoss& loss : losses)
         if (loss.after.geometric < 0)
-            sentences.push_back(gap_sentence(loss));
+            sentences.push_back(gap_sentence(units, loss));
         else
             (loss.after.geometric < 1 ? corners : jumps).push_back(loss);
     if (!corners.empty()) sentences.push_back(corners_sentence(corners));
-    if (!jumps.empty()) sentences.push_back(jumps_sentence(jumps));
+    if (!jumps.empty()) sentences.push_back(jumps_sentence(units, jumps));
     return told_in_turn(sentences);
 }
 

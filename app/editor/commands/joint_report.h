@@ -18,7 +18,7 @@ namespace batten::editor {
 std::optional<std::string> told_in_turn(std::span<const std::string> sentences);
 
 /// "the curve now has a corner of 2.4° at u = 0.5"; none where nothing was lost.
-std::optional<std::string> lost_smoothness(std::span<const core::SmoothnessLoss> losses);
+std::optional<std::string> lost_smoothness(const Units& units, std::span<const core::SmoothnessLoss> losses);
 
 /// What a joint was and is, run through from the curve that was named first into the other one.
 struct JointChange {

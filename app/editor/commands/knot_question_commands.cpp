@@ -11,6 +11,7 @@
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/knot_text.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/sentence.h"
 #include "core/curve/knot_kinds.h"
 
@@ -40,7 +41,7 @@ Outcome<core::KnotVector> vector_of(const SampleCurve& command) {
                      {{"knots", vector_text(typed->knots)}}));
     const auto knots = command.periodic ? core::KnotVector::make_periodic(*degree, typed->knots)
                                         : core::KnotVector::make(*degree, typed->knots);
-    if (!knots) return tl::unexpected(core::describe(knots.error()));
+    if (!knots) return refused(std::nullopt, knots.error());
     return *knots;
 }
 
@@ -70,7 +71,7 @@ Outcome<Edit> sample_curve(const EditorState& state, const SampleCurve& command)
     const std::size_t count = knots->control_point_count();
     core::Result<core::Curve> curve =
         core::Curve::make(*knots, command.periodic ? star(count) : wave(count), std::vector<double>(count, 1.0));
-    if (!curve) return tl::unexpected(core::describe(curve.error()));
+    if (!curve) return refused(state, curve.error());
     return with_curve(state, "sample", *std::move(curve));
 }
 

@@ -9,6 +9,7 @@
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/pointer/grid_step.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/bezier_pieces.h"
@@ -25,7 +26,7 @@ using core::sentence;
 constexpr double most_sides = 1000.0;
 
 Outcome<Edit> added(const EditorState& state, const char* name, core::Result<core::Curve> curve) {
-    if (!curve) return tl::unexpected(core::describe(curve.error()));
+    if (!curve) return refused(state, curve.error());
     return with_curve(state, name, *std::move(curve));
 }
 
@@ -65,8 +66,14 @@ Outcome<Edit> add_elliptic_arc(const EditorState& state, const AddEllipticArc& c
 }
 
 Outcome<Edit> add_parabola(const EditorState& state, const AddParabola& command) {
-    return added(state, "parabola",
-                 core::parabola_arc(command.vertex, command.focal_length, command.axis, {command.from, command.to}));
+    auto arc = core::parabola_arc(command.vertex, command.focal_length, command.axis, {command.from, command.to});
+    // Across the axis the range is one of lengths.
+    const Units& units = units_of(state);
+    if (!arc && arc.error().code == core::CurveErrorCode::range_empty)
+        return tl::unexpected(
+            sentence("the range begins at {lower} and ends at {upper}; its end must be above its beginning",
+                     {{"lower", length_words(units, command.from)}, {"upper", length_words(units, command.to)}}));
+    return added(state, "parabola", std::move(arc));
 }
 
 Outcome<Edit> add_hyperbola(const EditorState& state, const AddHyperbola& command) {

@@ -9,6 +9,7 @@
 #include "app/editor/state/point_hues.h"
 #include "app/editor/state/symmetry_links.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/refusal.h"
 #include "app/editor/words/wording.h"
 #include "core/base/sentence.h"
 #include "core/edit/point_edit.h"
@@ -25,9 +26,9 @@ bool goes_as_a_whole(const SelectedPart& part, const core::DocumentCurve& entry)
     return is_all_of(part, entry) && (part.is_whole() || entry.pinned.empty());
 }
 
-Refusal naming(const core::DocumentCurve& entry, const core::CurveError& error) {
+Refusal naming(const EditorState& state, const core::DocumentCurve& entry, const core::CurveError& error) {
     return sentence("'{name}' cannot be changed so: {problem}",
-                    {{"name", entry.name}, {"problem", core::describe(error)}});
+                    {{"name", entry.name}, {"problem", refusal_words(units_of(state), error)}});
 }
 
 core::Result<void> map_points(core::DocumentCurve& entry, const std::vector<std::size_t>& points,
@@ -117,8 +118,8 @@ Outcome<Edit> map_parts(const EditorState& state, const SelectedParts& parts, co
             continue;
         }
         const auto mapped = is_whole ? map_entry(entry, maps[k]) : map_points(entry, *points, maps[k]);
-        if (!mapped && parts.size() == 1) return tl::unexpected(core::describe(mapped.error()));
-        if (!mapped) return tl::unexpected(naming(entry, mapped.error()));
+        if (!mapped && parts.size() == 1) return refused(state, mapped.error());
+        if (!mapped) return tl::unexpected(naming(state, entry, mapped.error()));
         ++moved;
     }
     if (moved == 0 && all_pinned) return tl::unexpected(*std::move(all_pinned));
@@ -143,7 +144,7 @@ Outcome<Edit> without_parts(const EditorState& state, const SelectedParts& parts
             continue;
         }
         auto rest = core::delete_control_points(*entry.curve, part.points);
-        if (!rest) return tl::unexpected(naming(entry, rest.error()));
+        if (!rest) return tl::unexpected(naming(state, entry, rest.error()));
         replace_curve(entry, std::make_shared<const core::Curve>(*std::move(rest)));
     }
     if (!gone.empty()) erase_curves(edit.document, gone);

@@ -8,6 +8,7 @@
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/words/length.h"
+#include "app/editor/words/refusal.h"
 #include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
 #include "core/evaluate/evaluate.h"
@@ -39,10 +40,6 @@ std::string clamped_note(const core::Curve& curve, std::initializer_list<double>
         if (!curve.is_periodic() && !curve.domain().contains(u))
             sentences.push_back(clamped_sentence(curve.knots(), u, curve.knots().into_domain(u)));
     return told_in_turn(sentences).value_or("");
-}
-
-const Units& units_of(const EditorState& state) {
-    return state.history.present().units;
 }
 
 Outcome<void> measure_arc_length(EditorState& state, const MeasureArcLength& command) {
@@ -97,7 +94,7 @@ Outcome<void> find_point_at_length(EditorState& state, const FindPointAtLength& 
 
 Outcome<void> measure_area(EditorState& state, const MeasureArea&) {
     const auto area = core::enclosed_area(active_curve(state));
-    if (!area) return tl::unexpected(core::describe(area.error()));
+    if (!area) return refused(state, area.error());
     const core::Place value("area", area_words(units_of(state), area->signed_area));
     Finding row{.label = sentence("area {area}", {value}),
                 .point = area->centroid,
@@ -139,7 +136,7 @@ Finding contact_row(const core::LineContact& contact) {
 
 // `pattern` has the places {name}, {crossings} and {polygon_crossings}.
 Outcome<void> show_line_contacts(EditorState& state, const char* pattern, core::Result<core::LineContacts> contacts) {
-    if (!contacts) return tl::unexpected(core::describe(contacts.error()));
+    if (!contacts) return refused(state, contacts.error());
     std::vector<Finding> rows;
     for (const core::LineContact& contact : contacts->contacts) rows.push_back(contact_row(contact));
     std::string summary = sentence(pattern, {active_name(state),
@@ -222,9 +219,9 @@ Outcome<void> evaluate(EditorState& state, const Evaluate& command) {
     }
     if (!domain.contains(command.u))
         for (Finding& row : rows) row.note = clamped_sentence(curve.knots(), command.u, u);
-    std::string summary =
-        sentence("{name} is at {place} for u = {u}",
-                 {active_name(state), {"place", place_words(*rows.back().point, coordinate_error(curve))}, at});
+    std::string summary = sentence(
+        "{name} is at {place} for u = {u}",
+        {active_name(state), {"place", place_words(units_of(state), *rows.back().point, coordinate_error(curve))}, at});
     return show_rows(state, "Point and derivatives", std::move(summary), std::move(rows));
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 #include "core/measure/continuity.h"
@@ -28,10 +29,10 @@ Outcome<std::size_t> editable_other_curve(const EditorState& state, const std::s
     return other;
 }
 
-Refusal refusal_of_ends(const core::DocumentCurve& active, const core::DocumentCurve& other,
+Refusal refusal_of_ends(const Units& units, const core::DocumentCurve& active, const core::DocumentCurve& other,
                         const core::CurveError& error) {
     using Code = core::CurveErrorCode;
-    if (error.code != Code::curve_periodic && error.code != Code::curve_closed) return core::describe(error);
+    if (error.code != Code::curve_periodic && error.code != Code::curve_closed) return refusal_words(units, error);
     const std::string& name = core::is_closed(*active.curve) ? active.name : other.name;
     return sentence("'{name}' is closed and has no end to join; an open curve is needed", {{"name", name}});
 }

@@ -17,7 +17,7 @@ Outcome<std::size_t> other_curve_named(const EditorState& state, const std::stri
 Outcome<std::size_t> editable_other_curve(const EditorState& state, const std::string& name);
 
 /// Which of the two curves has no ends, where that is the reason, else the reason.
-Refusal refusal_of_ends(const core::DocumentCurve& active, const core::DocumentCurve& other,
+Refusal refusal_of_ends(const Units& units, const core::DocumentCurve& active, const core::DocumentCurve& other,
                         const core::CurveError& error);
 
 /// The ends asked for; of those left open the ones that are nearest to each other.

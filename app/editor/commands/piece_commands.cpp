@@ -7,6 +7,7 @@
 #include "app/editor/commands/other_curve.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/sentence.h"
 #include "core/measure/arc_length.h"
 #include "core/measure/continuity.h"
@@ -22,7 +23,7 @@ namespace {
 using core::sentence;
 
 Outcome<Edit> with_parts_of_active(const EditorState& state, core::Result<std::vector<core::Curve>> parts) {
-    if (!parts) return tl::unexpected(core::describe(parts.error()));
+    if (!parts) return refused(state, parts.error());
     return with_parts(state, *std::move(parts));
 }
 
@@ -50,10 +51,10 @@ Outcome<Edit> join(const EditorState& state, const Join& command) {
     const core::DocumentCurve& active = *state.history.present().active_curve();
     const core::DocumentCurve& second = state.history.present().curves[*other];
     const core::Result<core::JoinedCurve> joined = joined_as_asked(*active.curve, *second.curve, command);
-    if (!joined) return tl::unexpected(refusal_of_ends(active, second, joined.error()));
+    if (!joined) return tl::unexpected(refusal_of_ends(units_of(state), active, second, joined.error()));
     Edit edit = with_one_for_several(state, joined->curve, {*other});
     if (joined->changed.length() > 0.0) edit.error = joined->error;
-    edit.remark = join_report(second.name, *joined, active.curve->degree(), state.history.present().units);
+    edit.remark = join_report(second.name, *joined, active.curve->degree(), units_of(state));
     return edit;
 }
 
@@ -68,7 +69,7 @@ Outcome<Edit> join_pieces(const EditorState& state, const JoinPieces& command) {
         if (i != document.active) others.push_back(i);
     }
     core::Result<core::Approximation> joined = core::join_pieces(pieces, command.tolerance);
-    if (!joined) return tl::unexpected(core::describe(joined.error()));
+    if (!joined) return refused(state, joined.error());
     Edit edit = with_one_for_several(state, std::move(joined->curve), others);
     edit.error = joined->error;
     return edit;
@@ -83,7 +84,9 @@ Outcome<Edit> extend(const EditorState& state, const Extend& command) {
 }
 
 Outcome<Edit> extend_parameter(const EditorState& state, const ExtendParameter& command) {
-    return edit_active(state, core::extend_parameter(active_curve(state), command.end, command.by));
+    auto longer = core::extend_parameter(active_curve(state), command.end, command.by);
+    if (!longer) return refused(std::nullopt, longer.error());
+    return edit_active(state, std::move(longer));
 }
 
 Outcome<Edit> extend_straight(const EditorState& state, const ExtendStraight& command) {

@@ -44,8 +44,8 @@ StepTexts texts_of_place(const EditorState& state, const SetPoint& command) {
     return {sentence("Move {point}", {point}),
             sentence("Moved {point} from {from} to {to}",
                      {point,
-                      {"from", place_words(active_curve(state).control_points()[command.index])},
-                      {"to", place_words(command.position)}})};
+                      {"from", place_words(units_of(state), active_curve(state).control_points()[command.index])},
+                      {"to", place_words(units_of(state), command.position)}})};
 }
 
 Outcome<Edit> set_weight(const EditorState& state, const SetWeight& command) {
@@ -101,13 +101,14 @@ StepTexts texts_of_nudge_by(const EditorState& state, core::Vector offset, bool 
     const core::Vector total = burst_after(state, offset, continues).total;
     if (state.selection.fit_point) {
         const core::Place index("index", *state.selection.fit_point);
-        return {
-            sentence("Nudge fit point {index}", {index}),
-            sentence("Nudged fit point {index} by {offset}", {index, {"offset", place_words(core::tip_of(total))}})};
+        return {sentence("Nudge fit point {index}", {index}),
+                sentence("Nudged fit point {index} by {offset}",
+                         {index, {"offset", place_words(units_of(state), core::tip_of(total))}})};
     }
     const core::Place points("points", selected_words(state));
     return {sentence("Nudge {points}", {points}),
-            sentence("Nudged {points} by {offset}", {points, {"offset", place_words(core::tip_of(total))}})};
+            sentence("Nudged {points} by {offset}",
+                     {points, {"offset", place_words(units_of(state), core::tip_of(total))}})};
 }
 
 Outcome<Edit> nudge(const EditorState& state, const Nudge& command) {

@@ -7,6 +7,7 @@
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/commands/tear_commands.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/words/refusal.h"
 #include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -36,9 +37,9 @@ Outcome<Edit> insert_knots(const EditorState& state, const InsertKnots& command)
 }
 
 // What is wrong when not all knots asked for could be removed: nothing is changed then.
-Refusal not_removed(const core::KnotRemoval& removal, double tolerance) {
+Refusal not_removed(const Units& units, const core::KnotRemoval& removal, double tolerance) {
     const double deviation = removal.refused.value_or(removal.error);
-    if (!std::isfinite(deviation)) return core::describe({.code = core::CurveErrorCode::not_computable});
+    if (!std::isfinite(deviation)) return refusal_words(units, {.code = core::CurveErrorCode::not_computable});
     return sentence({.one = "only one knot can be removed; removing another would change the curve by {deviation}, and "
                             "{tolerance} is allowed",
                      .many = "only {count} knots can be removed; removing another would change the curve by "
@@ -46,30 +47,30 @@ Refusal not_removed(const core::KnotRemoval& removal, double tolerance) {
                      .none = "the knot cannot be removed; that would change the curve by {deviation}, and {tolerance} "
                              "is allowed"},
                     static_cast<std::size_t>(removal.count),
-                    {{"deviation", core::shortest_text(deviation)}, {"tolerance", core::shortest_text(tolerance)}});
+                    {{"deviation", length_words(units, deviation)}, {"tolerance", length_words(units, tolerance)}});
 }
 
 Outcome<Edit> remove_knot(const EditorState& state, const RemoveKnot& command) {
     core::Result<core::KnotRemoval> removal =
         core::remove_knot(active_curve(state), command.u, command.times, command.tolerance);
-    if (!removal) return tl::unexpected(core::describe(removal.error()));
-    if (removal->refused) return tl::unexpected(not_removed(*removal, command.tolerance));
+    if (!removal) return refused(state, removal.error());
+    if (removal->refused) return tl::unexpected(not_removed(units_of(state), *removal, command.tolerance));
     return edit_active(state, std::move(removal->curve));
 }
 
 Outcome<Edit> remove_knots(const EditorState& state, const RemoveKnots& command) {
     core::Result<core::KnotRemoval> removal =
         core::remove_knots(active_curve(state), command.tolerance, state.progress);
-    if (!removal) return tl::unexpected(core::describe(removal.error()));
+    if (!removal) return refused(state, removal.error());
     if (removal->count == 0)
         return tl::unexpected(sentence("no knot can be removed within a deviation of {tolerance}",
-                                       {{"tolerance", core::shortest_text(command.tolerance)}}));
+                                       {{"tolerance", length_words(units_of(state), command.tolerance)}}));
     return edit_active(state, std::move(removal->curve));
 }
 
 Outcome<Edit> merge_knots(const EditorState& state, const MergeKnots& command) {
     core::Result<core::KnotMerging> merging = core::merge_knots(active_curve(state), command.tolerance);
-    if (!merging) return tl::unexpected(core::describe(merging.error()));
+    if (!merging) return refused(std::nullopt, merging.error());
     if (merging->count == 0)
         return tl::unexpected(sentence("no two knots are nearer than {tolerance} of the domain",
                                        {{"tolerance", core::shortest_text(command.tolerance)}}));
@@ -150,12 +151,11 @@ Outcome<Edit> unclamp(const EditorState& state, const Unclamp& command) {
                              : edit_active(state, change_ends(curve, command.end, core::unclamp));
     if (!edit) return edit;
     const double deviation = core::largest_deviation(curve, *edit->document.active_curve()->curve);
-    if (!std::isfinite(deviation))
-        return tl::unexpected(core::describe({.code = core::CurveErrorCode::not_computable}));
+    if (!std::isfinite(deviation)) return refused(state, {.code = core::CurveErrorCode::not_computable});
     if (!is_within_tolerance(curve, deviation, largest_rounding))
         return tl::unexpected(sentence(
             "unclamped, the control points would be so far away that rounding moves the curve by at most {deviation}",
-            {{"deviation", core::shortest_text(deviation)}}));
+            {{"deviation", length_words(units_of(state), deviation)}}));
     if (!is_within_tolerance(curve, deviation, least_rounding)) edit->error = deviation;
     return edit;
 }

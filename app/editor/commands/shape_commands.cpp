@@ -5,6 +5,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/sentence.h"
 #include "core/edit/fair.h"
 #include "core/edit/offset.h"
@@ -50,7 +51,7 @@ core::Result<core::OffsetCurves> offset_curves(const EditorState& state, const O
 
 Outcome<Edit> offset(const EditorState& state, const Offset& command) {
     auto found = offset_curves(state, command);
-    if (!found) return tl::unexpected(core::describe(found.error()));
+    if (!found) return refused(state, found.error());
     const std::string& name = state.history.present().active_curve()->name;
     const std::size_t count = found->curves.size();
     Edit edit = with_curves(state, core::sentence("offset of {name}", {{"name", name}}), std::move(found->curves));

@@ -5,6 +5,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/state/point_hues.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/edit/redraw.h"
@@ -38,7 +39,7 @@ DrawnStroke stroke_of(const Command& command) {
 
 Outcome<Edit> fit_stroke(const EditorState& state, const FitStroke& command) {
     auto curve = shape_of(command.points, command.pixel, command.smoothness, true);
-    if (!curve) return tl::unexpected(core::describe(curve.error()));
+    if (!curve) return refused(state, curve.error());
     Edit edit = with_curve(state, "stroke", *std::move(curve));
     edit.stroke = stroke_of(command);
     edit.stroke->curve = edit.document.active;
@@ -47,7 +48,7 @@ Outcome<Edit> fit_stroke(const EditorState& state, const FitStroke& command) {
 
 Outcome<Edit> redraw(const EditorState& state, const Redraw& command) {
     const auto found = redrawn(active_curve(state), command.points, command.pixel, command.smoothness);
-    if (!found) return tl::unexpected(core::describe(found.error()));
+    if (!found) return refused(state, found.error());
     Outcome<Edit> edit = edit_active(state, found->curve, Selection{});
     if (!edit) return edit;
     edit->stroke = stroke_of(command);
@@ -63,7 +64,7 @@ Outcome<Edit> refit_stroke(const EditorState& state, const RefitStroke& command)
                                                     *stroke.points, stroke.pixel, command.smoothness)
                                                 .map([](const core::Approximation& found) { return found.curve; })
                                           : shape_of(*stroke.points, stroke.pixel, command.smoothness, true);
-    if (!curve) return tl::unexpected(core::describe(curve.error()));
+    if (!curve) return refused(state, curve.error());
     Edit edit{.document = state.history.present(), .selection = Selection{}};
     replace_curve(edit.document.curves[stroke.curve], std::make_shared<const core::Curve>(*std::move(curve)));
     edit.document.active = stroke.curve;

@@ -23,13 +23,13 @@ constexpr std::size_t most_points = 1'000'000;
 constexpr std::size_t most_measured_points = 5000;  // their distance takes a hundredth of a second
 
 // How far the control polygon is from the curve, before and after; none where that takes too long or is not known.
-std::optional<std::string> distance_remark(const core::Curve& before, const core::Curve& after) {
+std::optional<std::string> distance_remark(const Units& units, const core::Curve& before, const core::Curve& after) {
     if (after.control_points().size() > most_measured_points) return std::nullopt;
     const double old_distance = core::polygon_distance(before);
     const double distance = core::polygon_distance(after);
     if (!std::isfinite(old_distance) || !std::isfinite(distance)) return std::nullopt;
     return sentence("the control polygon is at most {distance} from it now, {old_distance} before",
-                    {{"distance", core::shortest_text(distance)}, {"old_distance", core::shortest_text(old_distance)}});
+                    {{"distance", length_words(units, distance)}, {"old_distance", length_words(units, old_distance)}});
 }
 
 Outcome<Edit> refine_midpoints(const EditorState& state, const RefineMidpoints& command) {
@@ -43,7 +43,7 @@ Outcome<Edit> refine_midpoints(const EditorState& state, const RefineMidpoints& 
     core::Result<core::Curve> refined = before;
     for (int round = 0; round < command.rounds && refined; ++round) refined = core::insert_midpoint_knots(*refined);
     Outcome<Edit> edit = edit_active(state, refined);
-    if (edit) edit->remark = distance_remark(before, *refined);
+    if (edit) edit->remark = distance_remark(units_of(state), before, *refined);
     return edit;
 }
 

@@ -10,6 +10,7 @@
 #include "app/editor/state/point_hues.h"
 #include "app/editor/state/symmetry_links.h"
 #include "app/editor/words/length.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/curve/control_box.h"
@@ -66,7 +67,7 @@ Edit with_images(const EditorState& state, core::Symmetry symmetry, const core::
 // "its start was turned by 12.5° ...", for each end that is not as it was.
 std::vector<std::string> told_of_end(const EditorState& state, const SeatedEnd& seated) {
     const bool is_start = seated.end == core::CurveEnd::start;
-    const core::Place moved("distance", length_words(state.history.present().units, seated.moved));
+    const core::Place moved("distance", length_words(units_of(state), seated.moved));
     const core::Place turned("angle", core::shortest_text(seated.turned));
     std::vector<std::string> told;
     if (seated.moved > rounding_of_seat * size_of_curve(active_curve(state)))
@@ -96,7 +97,7 @@ Outcome<Edit> link_mirror(const EditorState& state, const LinkMirror& command) {
     const core::Curve& curve = active_curve(state);
     const double reach = meant_on_mirror * size_of_curve(curve);
     const auto seamed = with_ends_on_mirror(curve, mirror, reach, command.is_smooth);
-    if (!seamed) return tl::unexpected(core::describe(seamed.error()));
+    if (!seamed) return refused(state, seamed.error());
     Edit edit = with_images(state, mirror, seamed->curve, 2);
     edit.remark = told_of_ends(state, seamed->ends);
     return edit;

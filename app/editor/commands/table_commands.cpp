@@ -11,7 +11,8 @@
 #include "app/editor/state/dialog.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/length.h"
-#include "core/base/number_text.h"
+#include "app/editor/words/refusal.h"
+#include "app/editor/words/wording.h"
 #include "core/base/sentence.h"
 #include "core/curve/knot_kinds.h"
 #include "core/document/point_table.h"
@@ -147,7 +148,7 @@ const char* pattern_of_reading(const core::PointTable& table) {
 }
 
 // How the table was read, and what came of it.
-std::string remark_of(const core::PointTable& table, const MadeCurve& made, TableUse use) {
+std::string remark_of(const Units& units, const core::PointTable& table, const MadeCurve& made, TableUse use) {
     const std::string reading = sentence(pattern_of_reading(table), {{"read", table.points.size()},
                                                                      {"x", table.columns.x},
                                                                      {"y", table.columns.y},
@@ -155,7 +156,7 @@ std::string remark_of(const core::PointTable& table, const MadeCurve& made, Tabl
     const core::Place count("count", made.curve.control_points().size());
     if (use != TableUse::fit) return sentence("{reading}; {count} control points", {{"reading", reading}, count});
     return sentence("{reading}; {count} control points, the farthest point {error} from the curve",
-                    {{"reading", reading}, count, {"error", bound_text(made.error)}});
+                    {{"reading", reading}, count, {"error", bound_words(units, made.error)}});
 }
 
 // A name for the curve that keeps the number in the name of an airfoil.
@@ -172,8 +173,8 @@ Outcome<Edit> with_points(const EditorState& state, std::string_view text, const
     for (core::Point& point : table->points)
         point = core::Point(0.0, 0.0) + world_per_length(units) * core::vector_to(point);
     core::Result<MadeCurve> made = curve_of(table->points, choice, state.progress);
-    if (!made) return tl::unexpected(core::describe(made.error()));
-    std::string remark = remark_of(*table, *made, choice.use);
+    if (!made) return refused(state, made.error());
+    std::string remark = remark_of(units_of(state), *table, *made, choice.use);
     if (units)
         remark =
             sentence("{remark}; its numbers are {unit}", {{"remark", remark}, {"unit", core::title_of(units->unit)}});

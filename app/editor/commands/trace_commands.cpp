@@ -5,6 +5,7 @@
 #include "app/editor/commands/picture_list.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/refusal.h"
 #include "app/picture/image_file.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -55,7 +56,7 @@ Outcome<Edit> with_outlines(const EditorState& state, const Command& command, co
                                                          .speckle = command.speckle,
                                                          .is_inverted = command.inverted},
                                                         state.progress);
-    if (!found) return tl::unexpected(core::describe(found.error()));
+    if (!found) return refused(std::nullopt, found.error());
     if (found->curves.empty())
         return tl::unexpected(sentence("nothing is outlined with the threshold {threshold}; another one is needed",
                                        {{"threshold", core::shortest_text(found->threshold)}}));
@@ -64,7 +65,7 @@ Outcome<Edit> with_outlines(const EditorState& state, const Command& command, co
     core::FreeNames names(edit.document);
     for (const core::Curve& outline : found->curves) {
         core::Result<core::Curve> curve = placed(outline, picture);
-        if (!curve) return tl::unexpected(core::describe(curve.error()));
+        if (!curve) return refused(state, curve.error());
         core::DocumentCurve added;
         added.name = names.take(picture.path.stem().string());
         added.curve = std::make_shared<const core::Curve>(*std::move(curve));

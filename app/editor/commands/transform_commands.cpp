@@ -9,6 +9,7 @@
 #include "app/editor/state/fit_curve.h"
 #include "app/editor/state/symmetry_links.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/refusal.h"
 #include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -97,8 +98,9 @@ Outcome<Edit> map_all(const EditorState& state, const core::PlaneMap& map) {
     for (core::DocumentCurve& item : edit.document.curves) {
         if (std::optional<Refusal> refusal = locked(item)) return tl::unexpected(*std::move(refusal));
         if (const auto mapped = map_entry(item, map); !mapped)
-            return tl::unexpected(sentence("'{name}' cannot be mapped: {problem}",
-                                           {{"name", item.name}, {"problem", core::describe(mapped.error())}}));
+            return tl::unexpected(
+                sentence("'{name}' cannot be mapped: {problem}",
+                         {{"name", item.name}, {"problem", refusal_words(edit.document.units, mapped.error())}}));
         if (item.symmetry) item.symmetry = mapped_symmetry(*item.symmetry, map);
     }
     return edit;
@@ -131,21 +133,26 @@ core::Place number_place(const char* name, double value) {
 StepTexts texts_of_moving(const EditorState& state, const Move& command) {
     const core::Place what = what_place(state, command.what);
     return {sentence("Move {what}", {what}),
-            sentence("Moved {what} by {offset}", {what, {"offset", place_words(core::tip_of(command.offset))}})};
+            sentence("Moved {what} by {offset}",
+                     {what, {"offset", place_words(units_of(state), core::tip_of(command.offset))}})};
 }
 
 StepTexts texts_of_rotate(const EditorState& state, const Rotate& command) {
     const core::Place what = what_place(state, command.what);
     return {sentence("Rotate {what}", {what}),
             sentence("Rotated {what} by {angle}° about {pivot}",
-                     {what, number_place("angle", command.angle), {"pivot", place_words(pivot_of(state, command))}})};
+                     {what,
+                      number_place("angle", command.angle),
+                      {"pivot", place_words(units_of(state), pivot_of(state, command))}})};
 }
 
 StepTexts texts_of_scale(const EditorState& state, const Scale& command) {
     const core::Place what = what_place(state, command.what);
     return {sentence("Scale {what}", {what}),
             sentence("Scaled {what} by {factor} from {pivot}",
-                     {what, number_place("factor", command.factor), {"pivot", place_words(pivot_of(state, command))}})};
+                     {what,
+                      number_place("factor", command.factor),
+                      {"pivot", place_words(units_of(state), pivot_of(state, command))}})};
 }
 
 StepTexts texts_of_stretch(const EditorState& state, const Stretch& command) {
@@ -155,7 +162,7 @@ StepTexts texts_of_stretch(const EditorState& state, const Stretch& command) {
                      {what,
                       number_place("along_x", command.along_x),
                       number_place("along_y", command.along_y),
-                      {"pivot", place_words(pivot_of(state, command))}})};
+                      {"pivot", place_words(units_of(state), pivot_of(state, command))}})};
 }
 
 StepTexts texts_of_shear(const EditorState& state, const Shear& command) {
@@ -169,7 +176,9 @@ StepTexts texts_of_mirror(const EditorState& state, const Mirror& command) {
     const core::Place what = what_place(state, command.what);
     return {sentence("Mirror {what}", {what}),
             sentence("Mirrored {what} in the line through {pivot} in the direction {angle}°",
-                     {what, {"pivot", place_words(pivot_of(state, command))}, number_place("angle", command.angle)})};
+                     {what,
+                      {"pivot", place_words(units_of(state), pivot_of(state, command))},
+                      number_place("angle", command.angle)})};
 }
 
 StepTexts texts_of_affine(const EditorState& state, const MapAffinely& command) {

@@ -6,6 +6,7 @@
 #include "app/editor/commands/other_curve.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
@@ -28,7 +29,7 @@ Outcome<Edit> trim(const EditorState& state, const Trim& command) {
     const Outcome<core::Interval> part = trimmed_part(state, state.history.present().active, command.u);
     if (!part) return tl::unexpected(part.error());
     auto left = core::without_part(active_curve(state), *part);
-    if (!left) return tl::unexpected(core::describe(left.error()));
+    if (!left) return refused(state, left.error());
     return with_parts(state, *std::move(left));
 }
 
@@ -53,7 +54,7 @@ Outcome<Edit> split_at_crossings(const EditorState& state, const SplitAtCrossing
         const bool is_meant =
             i == before.active || (command.scope == SplitScope::all && entry.visible && !entry.locked);
         auto parts = core::split_at(*entry.curve, is_meant ? cuts_of(state, i) : std::vector<double>{});
-        if (!parts) return tl::unexpected(core::describe(parts.error()));
+        if (!parts) return refused(state, parts.error());
         if (parts->size() == 1) {
             edit.document.curves.push_back(entry);
             continue;
@@ -85,7 +86,7 @@ StepTexts texts_of_splitting(const EditorState& state, const void*, const Edit& 
 Outcome<core::Interval> trimmed_part(const EditorState& state, std::size_t index, double u) {
     const core::Curve& curve = *state.history.present().curves[index].curve;
     auto part = core::part_around(curve, curve.knots().into_domain(u), cuts_of(state, index));
-    if (!part) return tl::unexpected(core::describe(part.error()));
+    if (!part) return refused(state, part.error());
     return *part;
 }
 

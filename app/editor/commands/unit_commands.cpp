@@ -40,11 +40,11 @@ StepTexts texts_of_units(const EditorState&, const SetUnits& command) {
 }
 
 UnitChoice unit_now(const EditorState& state) {
-    return choice_of(state.history.present().units);
+    return choice_of(units_of(state));
 }
 
 double scale_now(const EditorState& state) {
-    return world_per_length(state.history.present().units);
+    return world_per_length(units_of(state));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "app/editor/derived/shown_cutting.h"
 
 #include "app/editor/state/point_hues.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
@@ -63,13 +64,13 @@ std::optional<core::UndoneCutting> last_cutting(const EditorState& state, const 
     return undone ? std::optional(*std::move(undone)) : std::nullopt;
 }
 
-Refusal reason_for_none(const core::Curve& curve, double u, const core::CurveError& error) {
+Refusal reason_for_none(const EditorState& state, const core::Curve& curve, double u, const core::CurveError& error) {
     if (error.code == core::CurveErrorCode::multiplicity_full)
         return core::sentence("{u} has multiplicity {multiplicity} already",
                               {{"u", core::shortest_text(u)}, {"multiplicity", curve.knots().multiplicity(u)}});
     if (error.code == core::CurveErrorCode::too_few_points)
         return "the period is so short that it winds round itself, and each leg is cut more than once";
-    return core::describe(error);
+    return refusal_words(state.shown().units, error);
 }
 
 }  // namespace
@@ -85,7 +86,7 @@ Outcome<ShownCutting> shown_cutting(const EditorState& state) {
     }
     const double u = state.parameter();
     auto cutting = core::corner_cutting(*entry->curve, u);
-    if (!cutting) return tl::unexpected(reason_for_none(*entry->curve, u, cutting.error()));
+    if (!cutting) return tl::unexpected(reason_for_none(state, *entry->curve, u, cutting.error()));
     shown.cutting = *std::move(cutting);
     color_before(shown, *entry);
     return shown;

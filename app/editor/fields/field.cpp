@@ -50,11 +50,11 @@ struct ShownText {
     std::string operator()(bool value) const { return flag_text(value); }
     std::string operator()(std::int64_t value) const { return shown_whole(field, value, state); }
     std::string operator()(double value) const {
-        if (field.kind == FieldKind::length) return length_words(state.history.present().units, value);
+        if (field.kind == FieldKind::length) return length_words(units_of(state), value);
         return core::shortest_text(value);
     }
     std::string operator()(const std::string& value) const { return shown_string(field, value, state); }
-    std::string operator()(core::Point value) const { return place_words(value); }
+    std::string operator()(core::Point value) const { return place_words(units_of(state), value); }
     std::string operator()(const std::vector<double>& values) const {
         return sentence({.one = "one number", .many = "{count} numbers"}, values.size());
     }

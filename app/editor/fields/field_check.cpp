@@ -3,6 +3,7 @@
 
 #include "app/editor/fields/field.h"
 #include "app/editor/state/state.h"
+#include "app/editor/words/length.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
@@ -35,22 +36,28 @@ Refusal not_finite(const Field& field) {
         {{"name", name_of(field)}, {"needed", needed_text(field)}, {"meaning", field.parts.front().meaning}});
 }
 
-// `found` is how a person would write the value.
-std::optional<Refusal> check_limits(const Field& field, double value, const core::Place& found) {
+// `words` is how a person would write the value and its limits.
+template <class Words>
+std::optional<Refusal> check_limits(const Field& field, double value, Words words) {
     const auto& [lower, upper, excludes_lower] = field.limits;
     const bool is_below = lower && (excludes_lower ? value <= *lower : value < *lower);
     if (!is_below && !(upper && value > *upper)) return std::nullopt;
     const core::Place name("name", name_of(field));
-    const core::Place least("lower", core::shortest_text(lower.value_or(0.0)));
+    const core::Place found("value", words(value));
+    const core::Place least("lower", words(lower.value_or(0.0)));
     if (upper)
         return sentence("{name} is {value}; it must be from {lower} to {upper}",
-                        {name, found, least, {"upper", core::shortest_text(*upper)}});
+                        {name, found, least, {"upper", words(*upper)}});
     if (excludes_lower) return sentence("{name} is {value}; it must be above {lower}", {name, found, least});
     return sentence("{name} is {value}; it must be {lower} or more", {name, found, least});
 }
 
 std::optional<Refusal> check_number(const Field& field, double value) {
-    return check_limits(field, value, {"value", core::shortest_text(value)});
+    return check_limits(field, value, core::shortest_text);
+}
+
+std::optional<Refusal> check_length(const Field& field, double value, const Units& units) {
+    return check_limits(field, value, [&](double length) { return length_words(units, length); });
 }
 
 std::optional<Refusal> check_item_count(const Field& field, std::size_t count) {
@@ -78,7 +85,8 @@ std::optional<Refusal> check_item_count(const Field& field, std::size_t count) {
 std::optional<Refusal> check_whole(const Field& field, std::int64_t value) {
     const core::Place name("name", name_of(field));
     const core::Place found("value", value);
-    if (std::optional<Refusal> refusal = check_limits(field, static_cast<double>(value), found)) return refusal;
+    const auto words = [](double number) { return std::to_string(static_cast<std::int64_t>(number)); };
+    if (std::optional<Refusal> refusal = check_limits(field, static_cast<double>(value), words)) return refusal;
     if (value < 0) return sentence("{name} is {value}; a whole number from 0 is needed", {name, found});
     if (value > greatest_whole)
         return sentence("{name} is {value}; a whole number from 0 to 1000000000 is needed", {name, found});
@@ -144,9 +152,10 @@ std::optional<Refusal> check_kind(const Field& field, const FieldValue& value, c
     switch (field.kind) {
         case FieldKind::number:
         case FieldKind::parameter:
-        case FieldKind::length:
         case FieldKind::angle:
             return check_number(field, std::get<double>(value));
+        case FieldKind::length:
+            return check_length(field, std::get<double>(value), units_of(state));
         case FieldKind::count:
             return check_whole(field, std::get<std::int64_t>(value));
         case FieldKind::point_index:

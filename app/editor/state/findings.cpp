@@ -18,7 +18,7 @@ double unless_noise(double value, double error) {
 
 // As people read it.
 double shown(const Findings& findings, const FoundNumber& number) {
-    return unless_noise(number.value, number.error) / std::pow(world_per_length(findings.units), number.power);
+    return in_units(findings.units, unless_noise(number.value, number.error), number.power);
 }
 
 core::Point shown(const Findings& findings, core::Point place) {
@@ -79,7 +79,7 @@ std::string full_text(const Findings& findings, const Finding& row) {
 }
 
 void show_findings(EditorState& state, Findings findings) {
-    findings.units = state.history.present().units;
+    findings.units = units_of(state);
     findings.columns = columns_of(findings);
     state.message = {findings.summary, false};
     state.findings = std::move(findings);

@@ -9,6 +9,7 @@
 
 #include "app/editor/state/fit_curve.h"
 #include "app/editor/state/point_hues.h"
+#include "app/editor/words/refusal.h"
 #include "core/base/sentence.h"
 #include "core/curve/control_box.h"
 #include "core/edit/transform.h"
@@ -178,13 +179,13 @@ Outcome<bool> follow(const OldImages& before, core::Document& after, const Membe
         is_held = seamed && is_elsewhere(*original, *seamed);
         original = std::move(seamed);
     }
-    if (!original) return tl::unexpected(core::describe(original.error()));
+    if (!original) return refused(after.units, original.error());
     const std::vector<std::size_t> pinned = after.curves[leader].pinned;
     const std::vector<core::KnotMark> marks = after.curves[leader].joints.knots;
     for (const std::size_t i : members) {
         core::DocumentCurve& entry = after.curves[i];
         auto image = core::transform(*original, map_to_image(*entry.symmetry));
-        if (!image) return tl::unexpected(core::describe(image.error()));
+        if (!image) return refused(after.units, image.error());
         // One that is new, as of a file that is added, is what it should be already.
         const bool is_new = before.same(*entry.symmetry) == nullptr;
         if (entry.locked && is_new && !is_elsewhere(*image, *entry.curve)) continue;

@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <limits>
 
 #include "app/editor/fields/expression.h"
+#include "app/editor/state/state.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
@@ -24,6 +26,10 @@ tl::expected<double, std::string> in_world(const core::DocumentUnits& units, dou
 
 }  // namespace
 
+const Units& units_of(const EditorState& state) {
+    return state.history.present().units;
+}
+
 double world_per_length(const Units& units) {
     return units ? units->scale : 1.0;
 }
@@ -34,6 +40,10 @@ double in_units(const Units& units, double world) {
 
 core::Point in_units(const Units& units, core::Point world) {
     return {in_units(units, world.x), in_units(units, world.y)};
+}
+
+double in_units(const Units& units, double world, int power) {
+    return world / std::pow(world_per_length(units), power);
 }
 
 std::string with_unit(const Units& units, const std::string& number) {
@@ -47,12 +57,22 @@ std::string with_unit(const Units& units, const std::string& number, int power) 
     return core::sentence("{number} {unit}²", {{"number", number}, {"unit", sign_of(units->unit)}});
 }
 
+std::string message_text(double value) {
+    constexpr int digits = std::numeric_limits<double>::digits10;
+    const auto rounded = core::leading_number(fmt::format("{:.{}g}", value, digits));
+    return core::shortest_text(rounded ? rounded->value : value);
+}
+
+std::string quantity_words(const Units& units, double world, int power) {
+    return with_unit(units, message_text(in_units(units, world, power)), power);
+}
+
 std::string length_words(const Units& units, double world) {
-    return with_unit(units, core::shortest_text(in_units(units, world)));
+    return quantity_words(units, world, 1);
 }
 
 std::string area_words(const Units& units, double world) {
-    return with_unit(units, core::shortest_text(in_units(units, in_units(units, world))), 2);
+    return quantity_words(units, world, 2);
 }
 
 std::string unit_ending(const Units& units) {

@@ -12,8 +12,13 @@
 
 namespace batten::editor {
 
+struct EditorState;
+
 /// Of a document; none where its lengths are plain numbers.
 using Units = std::optional<core::DocumentUnits>;
+
+/// Of the committed document.
+const Units& units_of(const EditorState& state);
 
 /// How much of the world the length 1 is.
 double world_per_length(const Units& units);
@@ -22,16 +27,25 @@ double world_per_length(const Units& units);
 double in_units(const Units& units, double world);
 core::Point in_units(const Units& units, core::Point world);
 
+/// The same of a power of a length: 2 of an area, -1 of a curvature.
+double in_units(const Units& units, double world, int power);
+
 /// "12.5 mm", where `number` words a length in the document's unit; the number itself where there is none.
 std::string with_unit(const Units& units, const std::string& number);
 
 /// The same of a power of a length: "12.5 mm²" of the second; the number itself but of the first two.
 std::string with_unit(const Units& units, const std::string& number, int power);
 
-/// The same of a length of the world, with all digits.
+/// The shortest text of a number that was computed, of which a message has 15 significant digits: "0.3" of 0.1 * 3.
+std::string message_text(double value);
+
+/// A power of a length of the world in the document's unit, as messages have it.
+std::string quantity_words(const Units& units, double world, int power);
+
+/// The same of a length.
 std::string length_words(const Units& units, double world);
 
-/// "12.5 mm²", an area of the world in the square of the unit, with all digits.
+/// "12.5 mm²", an area of the world in the square of the unit.
 std::string area_words(const Units& units, double world);
 
 /// What stands behind a number in a narrow place: " mm", " in", " px", or nothing.

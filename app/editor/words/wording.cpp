@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/editor/words/formula.h"
+#include "app/editor/words/number_column.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/curve/control_box.h"
@@ -117,9 +118,19 @@ std::string clamped_sentence(const core::KnotVector& knots, double asked, double
                            {"taken", core::shortest_text(taken)}});
 }
 
-std::string place_words(core::Point place, double error) {
-    const auto words = [error](double value) { return core::shortest_text(std::abs(value) <= error ? 0.0 : value); };
-    return core::sentence("({x}, {y})", {{"x", words(place.x)}, {"y", words(place.y)}});
+std::string place_words(const Units& units, core::Point place, double error) {
+    const auto words = [&](double value) {
+        return message_text(in_units(units, std::abs(value) <= error ? 0.0 : value));
+    };
+    return with_unit(units, core::sentence("({x}, {y})", {{"x", words(place.x)}, {"y", words(place.y)}}));
+}
+
+std::string bound_words(const Units& units, double world, int digits) {
+    return with_unit(units, bound_text(in_units(units, world), digits));
+}
+
+std::string place_text(const Units& units, double size, core::Point place) {
+    return with_unit(units, place_text(in_units(units, size), in_units(units, place)));
 }
 
 std::string curves_text(const core::Document& document, const std::vector<std::size_t>& curves) {

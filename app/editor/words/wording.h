@@ -50,8 +50,14 @@ double shape_tolerance(const core::Curve& curve, double relative);
 /// Whether `deviation` is at most that length. Quick where it is much more.
 bool is_within_tolerance(const core::Curve& curve, double deviation, double relative);
 
-/// "(1, -0.5)", in full, with 0 for a coordinate that is not above `error`.
-std::string place_words(core::Point place, double error = 0.0);
+/// "(1, -0.5)", or "(1, -0.5) mm", with 0 for a coordinate that is not above `error`.
+std::string place_words(const Units& units, core::Point place, double error = 0.0);
+
+/// What a length of the world is at most, as bound_text has it: "0.0625 mm".
+std::string bound_words(const Units& units, double world, int digits = 4);
+
+/// "(1, -0.5)" with as many decimals as show where it is among things of `size` (number_column.h).
+std::string place_text(const Units& units, double size, core::Point place);
 
 /// "'wave'", or "3 curves".
 std::string curves_text(const core::Document& document, const std::vector<std::size_t>& curves);

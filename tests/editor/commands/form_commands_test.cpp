@@ -22,7 +22,7 @@ TEST_F(FormCommands, closing_is_told_by_the_data) {
     find(FindClosing{});
     EXPECT_EQ(rows()[0].label, "open");
     EXPECT_NEAR(number(0, "gap"), std::hypot(12.2, 5.0), 1e-14);
-    EXPECT_EQ(state().message.text, "wave is open; its ends are 13.184839779079606 apart");
+    EXPECT_EQ(state().message.text, "wave is open; its ends are 13.1848397790796 apart");
     editor_.run(ActivateCurve{.index = 1});
     find(FindClosing{});
     EXPECT_EQ(rows()[0].label, "periodic");

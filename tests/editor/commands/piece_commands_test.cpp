@@ -89,7 +89,7 @@ TEST_F(PieceCommands, join_turns_and_changes_only_a_short_part_of_the_other) {
     // The line's beginning was moved from (3, 5) to (2, 4); it is sqrt(17) long, less than three times that.
     EXPECT_EQ(core::point_at(curve_at(0), 1.0), core::Point(2.0, 4.0));
     const std::string said = state().message.text;
-    EXPECT_NE(said.find("; the joint had a gap of 1.4142135623730951, a turn of 0°"), std::string::npos) << said;
+    EXPECT_NE(said.find("; the joint had a gap of 1.4142135623731, a turn of 0°"), std::string::npos) << said;
     EXPECT_NE(said.find("; it has a gap of 0, a turn of "), std::string::npos) << said;
     EXPECT_NE(said.find("; 'line' changed from u = 1 to 2; the degree rose from 2 to 3"), std::string::npos) << said;
 }

@@ -120,10 +120,10 @@ TEST_F(PointCommands, nudge_by_the_grid) {
     EXPECT_NEAR(points(editor_)[3].x, 5.45, 1e-14);
 }
 
-TEST_F(PointCommands, tells_a_nudge_with_numbers_in_full) {
+TEST_F(PointCommands, tells_a_nudge_to_15_digits) {
     run(SelectPoints{.points = {0}});
     EXPECT_TRUE(run(Nudge{.offset = {1.0 / 3.0, -1.0 / 3.0}}));
-    const std::string told = "Nudged P₀ by (0.3333333333333333, -0.3333333333333333); ";
+    const std::string told = "Nudged P₀ by (0.333333333333333, -0.333333333333333); ";
     EXPECT_EQ(state().message.text.substr(0, told.size()), told);
 }
 

@@ -106,6 +106,17 @@ TEST_F(TableCommands, points_are_near) {
     }
     EXPECT_NE(said().find("2000 points in columns 2 and 3, separated by commas"), std::string::npos) << said();
     EXPECT_NE(said().find("the farthest point 0.0"), std::string::npos) << said();
+    const std::string plain = said().substr(said().find("the farthest point "));
+    ASSERT_TRUE(run_typed(editor_, "set-units mm 0.1"));
+    ASSERT_TRUE(editor_.run(PointsFromTable{.text = text,
+                                            .use = TableUse::fit,
+                                            .tolerance = 0.01,
+                                            .ends = TableEnds::closed,
+                                            .x_column = 2,
+                                            .y_column = 3}));
+    const std::string tenfold = said().substr(said().find("the farthest point "));
+    EXPECT_NE(tenfold.find(" mm from the curve"), std::string::npos) << tenfold;
+    EXPECT_NEAR(std::stod(tenfold.substr(19)), 10.0 * std::stod(plain.substr(19)), 2e-4);
 }
 
 // NACA 2412 by its formula (Jacobs, Ward and Pinkerton 1933), with the last coefficient of a sharp trailing edge.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/editor/command_reader.h"
+#include "app/editor/commands/joint_tool_commands.h"
 #include "app/editor/pointer/place_text.h"
 #include "app/editor/session.h"
 #include "core/evaluate/evaluate.h"
@@ -92,6 +94,72 @@ TEST_F(UnitCommands, what_is_placed_is_told_in_the_unit) {
     EXPECT_EQ(reading_of(editor.state(), place), "5 mm ∠ 53.13° · dx 3 mm · dy 4 mm");
     ASSERT_TRUE(type("set-units inch 2"));
     EXPECT_EQ(reading_of(editor.state(), {{3, 4}, std::nullopt, std::nullopt}), "x 1.5 in · y 2 in");
+}
+
+// A millimeter is 10 of the coordinates.
+class RefusalsInUnits : public UnitCommands {
+  protected:
+    void SetUp() override { ASSERT_TRUE(type("set-units mm 10")); }
+
+    std::string refused(const std::string& text) {
+        EXPECT_FALSE(type(text)) << text;
+        return said();
+    }
+};
+
+TEST_F(RefusalsInUnits, of_the_core_have_lengths_in_the_unit) {
+    ASSERT_TRUE(type("circle 0 0 3"));
+    EXPECT_TRUE(refused("offset 4 1e-3").starts_with("the distance is 4 mm, but the radius of curvature at "))
+        << said();
+    EXPECT_NE(said().find(" is 3 mm; toward the inside the distance must be less"), std::string::npos) << said();
+    EXPECT_EQ(refused("circle 0 0 -1"), "a length is -1 mm; radii, axes and other lengths must be above 0");
+    EXPECT_EQ(refused("parabola 0 0 1 90 2 1"),
+              "the range begins at 2 mm and ends at 1 mm; its end must be above its beginning");
+    ASSERT_TRUE(type("polyline 0,0,100,0,100,50"));
+    // The shorter leg is 50 long, and so is the largest radius.
+    EXPECT_EQ(refused("fillet 6 1"),
+              "the radius 6 mm is too large for an arc that touches both sides here; 4.999 mm is the most");
+}
+
+TEST_F(RefusalsInUnits, about_parameters_have_no_unit) {
+    ASSERT_TRUE(type("polyline 0,0,100,0,100,50"));
+    EXPECT_EQ(refused("extend-parameter -1"), "a length is -1; radii, axes and other lengths must be above 0");
+    EXPECT_EQ(refused("extend -1"), "a length is -1 mm; radii, axes and other lengths must be above 0");
+    EXPECT_EQ(refused("merge-knots -1"), "the tolerance is -1; it must be above 0 and finite");
+    EXPECT_EQ(refused("simplify -1"), "the tolerance is -1 mm; it must be above 0 and finite");
+}
+
+TEST_F(RefusalsInUnits, of_the_limits_of_a_field_do_too) {
+    const auto refusal = check_fields(Command(SetJointRadius{.radius = -20.0}), editor.state());
+    EXPECT_EQ(refusal, "radius is -2 mm; it must be above 0 mm");
+}
+
+TEST_F(RefusalsInUnits, are_answered_by_sentences_in_the_unit) {
+    ASSERT_TRUE(type("polyline 0,0,30,0,30,40"));
+    ASSERT_TRUE(type("closing"));
+    EXPECT_EQ(said(), "polyline is open; its ends are 5 mm apart");
+    ASSERT_TRUE(type("evaluate 0"));
+    EXPECT_EQ(said(), "polyline is at (0, 0) mm for u = 0");
+    // A way of 20 and 10 is sqrt(5) = 2.236... mm long.
+    ASSERT_TRUE(type("set-point 0 20 10"));
+    EXPECT_EQ(said(), "Moved P₀ from (0, 0) mm to (2, 1) mm; the curve moved by at most 2.23606797749979 mm");
+    ASSERT_TRUE(type("set-point 0 0 0"));
+    ASSERT_TRUE(type("select-points 0,1,2"));
+    ASSERT_TRUE(type("move 10 -20"));
+    EXPECT_TRUE(said().starts_with("Moved 3 points by (1, -2) mm; the curve moved by at most 2.23606797749979 mm"));
+    ASSERT_TRUE(type("move-curve-point 0 0 0"));
+    EXPECT_EQ(said(), "Moved C(0) to (0 mm, 0 mm); the curve moved by at most 2.23606797749979 mm");
+    ASSERT_TRUE(type("circle 0 0 1"));
+    ASSERT_TRUE(type("centroid"));
+    EXPECT_EQ(said(), "The centroid of circle is (0, 0) mm");
+}
+
+// The quadratic (0, 0) (10, 20) (20, 0) is half of 20 below its middle point, and a quarter of that after halving.
+TEST_F(RefusalsInUnits, distance_of_a_polygon_is_in_the_unit) {
+    ASSERT_TRUE(type("new-curve 0,0,10,20,20,0 2"));
+    ASSERT_TRUE(type("refine-midpoints 1"));
+    EXPECT_NE(said().find("the control polygon is at most 0.25 mm from it now, 1 mm before"), std::string::npos)
+        << said();
 }
 
 }  // namespace

@@ -258,7 +258,7 @@ TEST_F(JointMode, tells_lengths_in_the_unit_and_curvatures_in_its_inverse) {
     const std::string& said = state().message.text;
     EXPECT_NE(said.find("the joint had a gap of 28.28427124746"), std::string::npos) << said;
     EXPECT_NE(said.find(" mm, a turn of "), std::string::npos) << said;
-    EXPECT_NE(said.find(" and the curvatures 0 and 0.0999999999"), std::string::npos) << said;
+    EXPECT_NE(said.find(" and the curvatures 0 and 0.1;"), std::string::npos) << said;
 }
 
 TEST_F(JointMode, reading_hides_what_is_beneath_and_is_small_in_a_low_picture) {

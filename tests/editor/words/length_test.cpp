@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "app/editor/fields/expression.h"
 
 namespace batten::editor {
@@ -21,6 +23,28 @@ TEST(Length, is_worded_in_the_unit) {
     EXPECT_EQ(unit_ending(none), "");
     EXPECT_EQ(unit_ending(millimeters), " mm");
     EXPECT_EQ(in_units(inches_of_96, core::Point(96, -24)), core::Point(1, -0.25));
+}
+
+TEST(Length, in_a_message_has_15_digits) {
+    EXPECT_EQ(length_words(none, 0.1 * 3.0), "0.3");
+    EXPECT_EQ(length_words(millimeters, 0.10000000000000012), "0.1 mm");
+    EXPECT_EQ(length_words(millimeters, -12345678.901234567), "-12345678.9012346 mm");
+    EXPECT_EQ(length_words(millimeters, 1.0 / 3.0), "0.333333333333333 mm");
+    EXPECT_EQ(area_words(millimeters, 0.1 * 3.0), "0.3 mm²");
+    EXPECT_EQ(length_words(none, 1e300 / 3.0), "3.33333333333333e+299");
+    EXPECT_EQ(length_words(none, 5e-324), "5e-324");
+    // With 15 digits this would be more than there is.
+    EXPECT_EQ(length_words(none, std::numeric_limits<double>::max()), "1.7976931348623157e+308");
+    EXPECT_EQ(length_words(none, std::numeric_limits<double>::infinity()), "inf");
+}
+
+TEST(Length, of_any_power_is_in_units) {
+    EXPECT_EQ(in_units(inches_of_96, 48.0, 1), 0.5);
+    EXPECT_EQ(in_units(inches_of_96, 9216.0, 2), 1.0);
+    EXPECT_EQ(in_units(inches_of_96, 0.25, -1), 24.0);
+    EXPECT_EQ(in_units(inches_of_96, 0.25, 0), 0.25);
+    EXPECT_EQ(in_units(none, 0.25, -1), 0.25);
+    EXPECT_EQ(quantity_words(inches_of_96, 0.25, -1), "24");
 }
 
 TEST(Length, is_typed_in_any_unit) {
