@@ -13,8 +13,6 @@ namespace batten::editor {
 
 namespace {
 
-using core::sentence;
-
 constexpr double most_copies = 10'000.0;
 
 // Copies of the curves that are meant, numbers k mapped by `map_of(k)`, at the end of the list; what is active stays
@@ -39,20 +37,20 @@ Outcome<Edit> with_copies(const EditorState& state, std::size_t count, MapOf map
     return edit;
 }
 
+// `of_one` has the place {count}, `of_each` also {curves}.
+template <class Command>
+StepTexts texts_of_copies(const EditorState& state, const Command& command, const char* of_one, const char* of_each) {
+    return {Command::spec().title, core::filled_as_needed(curves_meant(state).size() == 1 ? of_one : of_each,
+                                                          {{"count", command.count}, names_of_meant(state)})};
+}
+
 StepTexts texts_of_row(const EditorState& state, const LinearArray& command) {
-    const core::Place count("count", command.count);
-    return {LinearArray::spec().title,
-            curves_meant(state).size() == 1
-                ? sentence("Made a row of {count} curves", {count})
-                : sentence("Made a row of {count} of each of {curves}", {count, names_of_meant(state)})};
+    return texts_of_copies(state, command, "Made a row of {count} curves", "Made a row of {count} of each of {curves}");
 }
 
 StepTexts texts_of_ring(const EditorState& state, const PolarArray& command) {
-    const core::Place count("count", command.count);
-    return {PolarArray::spec().title,
-            curves_meant(state).size() == 1
-                ? sentence("Made a ring of {count} curves", {count})
-                : sentence("Made a ring of {count} of each of {curves}", {count, names_of_meant(state)})};
+    return texts_of_copies(state, command, "Made a ring of {count} curves",
+                           "Made a ring of {count} of each of {curves}");
 }
 
 Outcome<Edit> linear_array(const EditorState& state, const LinearArray& command) {
@@ -62,6 +60,13 @@ Outcome<Edit> linear_array(const EditorState& state, const LinearArray& command)
 Outcome<Edit> polar_array(const EditorState& state, const PolarArray& command) {
     return with_copies(state, command.count,
                        [&](double k) { return core::rotation(k * command.step, command.center); });
+}
+
+template <auto member>
+Field copy_count_field() {
+    return field::count<member>("count", "how many there shall be, with the curve itself")
+        .at_least(2.0)
+        .at_most(most_copies);
 }
 
 std::optional<core::Point> box_middle(const EditorState& state) {
@@ -86,9 +91,7 @@ const CommandSpec& LinearArray::spec() {
         .synonyms = "copies repeat pattern row",
         .group = CommandGroup::edit,
         .submenu = "Arrange",
-        .fields = {field::count<&LinearArray::count>("count", "how many there shall be, with the curve itself")
-                       .at_least(2.0)
-                       .at_most(most_copies),
+        .fields = {copy_count_field<&LinearArray::count>(),
                    field::vector<&LinearArray::step>({"dx", "each one to the right"}, {"dy", "each one upwards"})},
         .refusal = no_curve,
         .run = body_of<linear_array>,
@@ -107,9 +110,7 @@ const CommandSpec& PolarArray::spec() {
         .synonyms = "copies repeat pattern ring rotate",
         .group = CommandGroup::edit,
         .submenu = "Arrange",
-        .fields = {field::count<&PolarArray::count>("count", "how many there shall be, with the curve itself")
-                       .at_least(2.0)
-                       .at_most(most_copies),
+        .fields = {copy_count_field<&PolarArray::count>(),
                    field::position<&PolarArray::center>({"x", "x of the center"}, {"y", "y of the center"})
                        .beginning_with<box_middle>(),
                    field::angle<&PolarArray::step>("step", "from one to the next, counterclockwise")},
