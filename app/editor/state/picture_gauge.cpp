@@ -15,6 +15,7 @@ void add_gauge_point(EditorState& state, core::Point point) {
     state.gauge->points.push_back(point);
     if (is_gauging(state)) return;
     const PictureGauge complete = *state.gauge;
+    state.message = {};  // which asked for the clicks
     show_dialog(state, Dialog::command_form);
     state.form = &ScalePicture::spec();
     state.gauge = complete;

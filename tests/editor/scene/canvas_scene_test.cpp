@@ -6,7 +6,6 @@
 
 #include "app/editor/cards/floating_cards.h"
 #include "app/editor/pointer/transform_box.h"
-#include "app/editor/pointer/transform_box.h"
 #include "core/edit/point_edit.h"
 #include "core/evaluate/evaluate.h"
 #include "tests/editor/pointer_driver.h"

@@ -112,6 +112,7 @@ TEST_F(Pictures, clicks_gauge_them) {
     ASSERT_TRUE(state().gauge);
     EXPECT_EQ(state().gauge->points, (std::vector<core::Point>{{-0.5, 0.5}, {0.5, 0.5}}));
     EXPECT_EQ(state().dialog, Dialog::command_form);
+    EXPECT_EQ(state().message.text, "") << "no more clicks are asked for";
     EXPECT_EQ(steps(), 0U);
 }
 
