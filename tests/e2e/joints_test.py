@@ -4,6 +4,7 @@ import json
 import math
 import unittest
 
+import views
 from case import WindowTest
 
 CURVES = [
@@ -116,6 +117,15 @@ class JointsTest(WindowTest):
         # The arc leaves the upper side at (2.5, -1) and arrives at (3, -1.5).
         for place in ([2.5, -1], [3, -1.5]):
             self.assertLess(min(math.dist(place, point) for point in corner["points"]), 1e-12)
+
+    def test_the_list_of_joints_has_lines_for_turn_and_curvature(self):
+        editor = self.open_editor()
+        views.run_typed(editor, "check-joints 0.001")
+        row = editor.wait(lambda state: "finding 0" in state["widgets"] and state["is_settled"], "the list")["widgets"]["finding 0"]
+        editor.screenshot("list")
+        self.assertIn("turn in degrees −90", row["value"])
+        # In one line of the inspector there is room for the place and the gap only.
+        self.assertGreater(row["height"], 50)
 
     def test_an_offset_is_dragged_out_of_a_curve(self):
         editor = self.open_editor()
