@@ -34,13 +34,6 @@ OffsetSource::OffsetSource(const Curve& curve, double distance)
     is_smoothly_closed_ = is_smoothly_closed_ && is_closed_ && stretches_.size() == 1;
 }
 
-std::vector<double> OffsetSource::joints() const {
-    std::vector<double> found;
-    for (std::size_t k = 0; k + 1 < stretches_.size(); ++k) found.push_back(stretches_[k].upper);
-    if (is_closed_ && !is_smoothly_closed_) found.push_back(curve_.domain().upper);
-    return found;
-}
-
 Result<OffsetPlace> OffsetSource::at(double u, Side side) const {
     const Interval domain = curve_.domain();
     if (is_smoothly_closed_ && u > domain.upper) u -= domain.length();

@@ -14,13 +14,6 @@ struct OffsetPlace {
     Vector tangent{};  ///< of the curve, of length 1
 };
 
-/// Where two stretches of a curve meet, which is a corner or a jump of the curvature.
-struct OffsetJoint {
-    Point point{};
-    Vector before{};  ///< unit tangents
-    Vector after{};
-};
-
 class OffsetSource {
   public:
     /// Of a curve that is not torn.
@@ -34,9 +27,6 @@ class OffsetSource {
     /// Parts of the domain on which the curve is G2, in order. One that is_smoothly_closed goes on over the seam.
     const std::vector<Interval>& stretches() const { return stretches_; }
     bool is_smoothly_closed() const { return is_smoothly_closed_; }
-
-    /// The parameters of the joints between stretches k and k + 1; of a closed curve one more, at the seam.
-    std::vector<double> joints() const;
 
     /// The true offset; beyond the domain of a curve that is smoothly closed it goes on. Error: curve_stands_still.
     Result<OffsetPlace> at(double u, Side side) const;
