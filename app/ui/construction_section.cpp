@@ -8,6 +8,7 @@
 #include "app/editor/derived/blend_lines.h"
 #include "app/editor/derived/construction_cells.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/wording.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/number_field.h"
@@ -39,7 +40,7 @@ struct Construction {
     std::size_t level() const { return editor::shown_level(context.state.view, curve.degree()); }
 
     std::string point_text(core::Point point) const {
-        return editor::place_text(context.state.derived.of(curve)->size, point);
+        return editor::place_text(context.state.shown().units, context.state.derived.of(curve)->size, point);
     }
 };
 

@@ -63,14 +63,16 @@ void draw_fields(const PanelContext& context, std::size_t i, const core::Picture
     opacity.highest = 1.0;
     draw_number_field(context, opacity,
                       [i](double value) { return editor::DimPicture{.picture = i, .opacity = value}; });
+    const editor::Units& units = context.state.shown().units;
     draw_row_label(context, "width");
-    NumberField width = field_of(context, i, "width", picture.scale * picture.width);
+    NumberField width = field_of(context, i, "width", editor::in_units(units, picture.scale * picture.width));
+    width.length = units;
     width.is_multiplicative = true;
     width.is_enabled = !picture.locked;
     width.tooltip = "How wide the picture is in the plane";
     draw_number_field(context, width, [&](double value) {
         editor::PlacePicture command = placed(i, picture);
-        command.width = value;
+        command.width = value * editor::world_per_length(units);
         return command;
     });
     draw_row_label(context, "rotation");

@@ -8,6 +8,7 @@
 #include "app/editor/words/formula.h"
 #include "app/editor/words/length.h"
 #include "app/editor/words/reading_text.h"
+#include "app/editor/words/wording.h"
 #include "app/ui/context_popup.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/panels.h"
@@ -91,7 +92,7 @@ std::string curvature_text(const editor::EditorState& state) {
     const std::optional<double> curvature = core::curvature_at(*curve, state.parameter());
     if (!curvature) return "–";
     const bool is_noise = std::abs(*curvature) * state.derived.of(*curve)->size < straight;
-    return editor::number_text(is_noise ? 0.0 : *curvature, 3);
+    return editor::number_text(is_noise ? 0.0 : editor::in_units(state.shown().units, *curvature, -1), 3);
 }
 
 std::string zoom_text(double percent) {
@@ -152,8 +153,7 @@ editor::Message message_of(const editor::EditorState& state) {
         if (!std::isfinite(state.ghost->deviation)) return {"How far the curve moves cannot be computed", false};
         if (state.ghost->deviation == 0.0) return {"The curve stays as it is", false};
         const editor::Units& units = state.shown().units;
-        const std::string deviation =
-            editor::with_unit(units, editor::bound_text(editor::in_units(units, state.ghost->deviation), 3));
+        const std::string deviation = editor::bound_words(units, state.ghost->deviation, 3);
         return {core::sentence("The curve moves by at most {deviation}", {{"deviation", deviation}}), false};
     }
     return state.message;

@@ -78,6 +78,22 @@ class PicturesTest(WindowTest):
             for point in spline.samples(curve):
                 self.assertLess(abs(math.dist(point, center) / scale - radius), 0.5)
 
+    def test_a_width_is_in_the_unit_of_the_document(self):
+        """A millimeter is 10 of the world."""
+        self.path.write_text(json.dumps({**EMPTY, "units": {"unit": "mm", "scale": 10}}))
+        editor = self.open_editor()
+        self.file_dialog(editor, "choose-picture", "open-picture", PICTURES / "ring_gray.png")
+        state = editor.wait(lambda state: "picture 0 width" in state["widgets"] and state["is_settled"], "the picture")
+        shown = state["widgets"]["picture 0 width"]["value"]
+        (picture,) = self.document(editor)["pictures"]
+        self.assertAlmostEqual(float(shown.removesuffix(" mm")), picture["scale"] * 64 / 10, 2)
+        editor.click_widget("picture 0 width")
+        self.retype(editor, "picture 0 width", "2.54")
+        editor.key("Return")
+        editor.wait(lambda state: state["is_modified"] and state["is_settled"], "the new width")
+        (picture,) = self.document(editor)["pictures"]
+        self.assertAlmostEqual(picture["scale"] * 64, 25.4, 12)
+
 
 if __name__ == "__main__":
     unittest.main()

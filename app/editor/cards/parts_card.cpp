@@ -69,12 +69,13 @@ Card equal_lengths_card(const EditorState& state) {
     }
     const auto parts = state.measured.equal_lengths(*curve, count);
     if (parts->ends.empty()) return card.line("This curve has no length that can be told.", CardTone::bad), card;
+    const Units& units = state.shown().units;
+    const auto words = [&](double length) { return with_unit(units, number_text(in_units(units, length), 6)); };
     card.line("The rings divide the curve into parts of one length.");
     card.formula("s = ∫ |C′(u)| du");
     card.formula(
-        core::sentence("length {length} = {count} × {part}", {{"length", number_text(count * parts->length, 6)},
-                                                              {"count", count},
-                                                              {"part", number_text(parts->length, 6)}}),
+        core::sentence("length {length} = {count} × {part}",
+                       {{"length", words(count * parts->length)}, {"count", count}, {"part", words(parts->length)}}),
         CardTone::strong);
     card.add(count_buttons(count));
     return card;

@@ -7,6 +7,7 @@
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/scene/polygon_distance_scene.h"
 #include "app/editor/words/formula.h"
+#include "app/editor/words/wording.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -25,7 +26,7 @@ CardTable table_of_rounds(const EditorState& state, const std::vector<PolygonRou
         table.rows.push_back(
             {{.text = r == 0 ? "now" : core::sentence("{round}", {{"round", r}}), .color = color},
              {.text = core::sentence("{count}", {{"count", rounds[r].curve->control_points().size()}})},
-             {.text = bound_text(rounds[r].distance), .tone = CardTone::strong},
+             {.text = bound_words(state.shown().units, rounds[r].distance), .tone = CardTone::strong},
              {.text = has_ratio ? number_text(rounds[r].distance / before, 2) : ""}});
     }
     return table;
@@ -51,7 +52,7 @@ Card polygon_distance_card(const EditorState& state) {
         return card;
     }
     card.line(core::sentence("The control polygon is at most {distance} from the curve.",
-                             {{"distance", bound_text(rounds->front().distance)}}),
+                             {{"distance", bound_words(state.shown().units, rounds->front().distance)}}),
               CardTone::strong);
     card.line(
         "A knot in the middle of every span brings it nearer; round by round the ratio of the distances tends to 1/4.");

@@ -112,9 +112,12 @@ struct Checker {
     const Curve& curve;
 
     std::string number(double value) const { return exact_text(state.view.notation, value, digits); }
-    std::string length_text(double value) const { return exact_text(state.view.notation, value); }
-    std::string place_text(core::Point place) const {
-        return sentence("({x}, {y})", {{"x", number(place.x)}, {"y", number(place.y)}});
+    std::string length_text(double world) const {
+        return with_unit(document.units, exact_text(state.view.notation, in_units(document.units, world)));
+    }
+    std::string place_text(core::Point world) const {
+        const core::Point place = in_units(document.units, world);
+        return with_unit(document.units, sentence("({x}, {y})", {{"x", number(place.x)}, {"y", number(place.y)}}));
     }
     const core::DocumentCurve* curve_at(std::size_t index) const {
         return index < document.curves.size() ? &document.curves[index] : nullptr;

@@ -16,6 +16,7 @@
 #include "app/editor/words/formula.h"
 #include "app/editor/words/length.h"
 #include "app/editor/words/number_column.h"
+#include "app/editor/words/wording.h"
 #include "core/base/sentence.h"
 #include "core/evaluate/evaluate.h"
 #include "core/make/fit_points.h"
@@ -66,8 +67,7 @@ std::string weight_in(const EditorState& state, const core::Curve& curve, std::s
 }
 
 std::string place_in(const EditorState& state, const core::Curve& curve, core::Point place) {
-    const Units& units = state.shown().units;
-    return with_unit(units, place_text(in_units(units, state.derived.of(curve)->size), in_units(units, place)));
+    return place_text(state.shown().units, state.derived.of(curve)->size, place);
 }
 
 bool has_point(const core::Curve& curve, std::size_t i) {

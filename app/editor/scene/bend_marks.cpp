@@ -60,7 +60,9 @@ void mark_extremum(CanvasFrame& frame, const core::CurvatureExtremum& extremum, 
     const char* pattern = extremum.is_maximum ? "max κ = {curvature}" : "min κ = {curvature}";
     if (has_name)
         name(frame, place,
-             core::sentence(pattern, {{"curvature", short_text(frame.state.view.notation, extremum.curvature)}}));
+             core::sentence(pattern,
+                            {{"curvature", short_text(frame.state.view.notation,
+                                                      in_units(frame.state.shown().units, extremum.curvature, -1))}}));
 }
 
 }  // namespace

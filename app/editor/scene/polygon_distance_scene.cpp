@@ -47,9 +47,10 @@ void wish_length(CanvasFrame& frame, const Gap& gap) {
     const glm::dvec2 to = frame.screen(gap.on_curve);
     const bool is_steep = std::abs(to.y - from.y) >= std::abs(to.x - from.x);
     const glm::dvec2 middle = 0.5 * (from + to);
+    const Units& units = frame.state.shown().units;
     frame.labels.push_back(
         {.place = middle,
-         .words = {{number_text(gap.length()),
+         .words = {{with_unit(units, number_text(in_units(units, gap.length()))),
                     {.color = frame.theme.error, .size = gap_label_size, .font = render::LabelFont::bold}}},
          .distance = 12.0,
          .first = is_steep ? LabelSide::right : LabelSide::below,

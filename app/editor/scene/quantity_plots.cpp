@@ -62,9 +62,15 @@ class QuantityPlot {
         frame_.pen.outline(corners_of(box_), {.color = render::blended(frame_.theme.line, 0.7, frame_.theme.panel)});
     }
 
+    /// Curvatures are per unit of the document; speeds are of the parameter's world.
+    double shown(double value) const {
+        return quantity_ == core::Quantity::curvature ? in_units(frame_.state.shown().units, value, -1) : value;
+    }
+
     void draw_levels() {
         const double height = (box_.upper_px.y - box_.lower_px.y) / frame_.pen.px(1.0);
-        const double step = major_grid_step(levels_in_grid * height / values_.length());
+        const double unit = shown(1.0);
+        const double step = major_grid_step(levels_in_grid * height / (values_.length() * unit)) / unit;
         TextRow row;
         const double first = std::ceil(values_.lower / step);
         for (double k = first; k * step <= values_.upper && k < first + 20.0; k += 1.0) draw_level(row, k * step);
@@ -78,7 +84,7 @@ class QuantityPlot {
             {.color = is_zero ? frame_.theme.dim : render::blended(frame_.theme.line, 0.7, frame_.theme.panel)});
         // Not so high that it would run into the title.
         if (y(value) < box_.lower_px.y + frame_.pen.px(7.0)) return;
-        row.write(frame_.pen, {left - frame_.pen.px(5.0), y(value)}, number_text(value),
+        row.write(frame_.pen, {left - frame_.pen.px(5.0), y(value)}, number_text(shown(value)),
                   {.color = frame_.theme.dim, .size = 11.0, .anchor = render::Anchor::right});
     }
 
@@ -146,7 +152,7 @@ class QuantityPlot {
         frame_.pen.text({frame_.pen.px(16.0), height}, is_curvature ? "Curvature κ(u)" : "Speed |C′(u)|",
                         {.color = frame_.theme.text, .size = 12.5, .font = render::LabelFont::bold});
         const auto value = core::quantity_at(frame_.curve, quantity_, frame_.u);
-        const std::string number = value ? number_text(*value) : "none";
+        const std::string number = value ? number_text(shown(*value)) : "none";
         frame_.pen.text({frame_.pen.size_px().x - frame_.pen.px(16.0), height},
                         is_curvature ? fmt::format("κ = {}", number) : fmt::format("|C′| = {}", number),
                         {.color = frame_.theme.parameter,

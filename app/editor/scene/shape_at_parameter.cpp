@@ -59,7 +59,9 @@ void draw_radius(CanvasFrame& frame, const core::OsculatingCircle& circle) {
     frame.pen.segment(contact, center, {.color = frame.theme.comb, .width = 1.5, .dash = 5.0, .gap = 4.0});
     frame.pen.symbol(center,
                      {.radius = 4.0, .fill = frame.theme.comb, .outline = frame.theme.canvas, .outline_width = 1.5});
-    const std::string text = fmt::format("ρ = {}", short_text(frame.state.view.notation, circle.radius));
+    const Units& units = frame.state.shown().units;
+    const std::string radius = with_unit(units, short_text(frame.state.view.notation, in_units(units, circle.radius)));
+    const std::string text = fmt::format("ρ = {}", radius);
     frame.labels.push_back({.place = center,
                             .words = {{text, {.color = frame.theme.text, .size = name_height}}},
                             .distance = 10.0,

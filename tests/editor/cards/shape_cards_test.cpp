@@ -115,6 +115,10 @@ TEST_F(ShapeCards, parts_are_counted_and_measured) {
     EXPECT_TRUE(state().view.overlays.is_shown(Overlay::equal_lengths));
     EXPECT_TRUE(says(equal_steps_card(state()), "6 steps of Δu = 1/2")) << card_text(equal_steps_card(state()));
     EXPECT_TRUE(says(equal_lengths_card(state()), "= 6 × ")) << card_text(equal_lengths_card(state()));
+    ASSERT_TRUE(run_typed(editor, "line 0 0 30 0"));
+    ASSERT_TRUE(run_typed(editor, "set-units mm 10"));
+    EXPECT_TRUE(says(equal_lengths_card(state()), "length 3 mm = 6 × 0.5 mm"))
+        << card_text(equal_lengths_card(state()));
     EXPECT_FALSE(run_typed(editor, "set-part-count 0"));
     EXPECT_FALSE(run_typed(editor, "set-part-count 201"));
 }

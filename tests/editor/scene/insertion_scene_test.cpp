@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "app/editor/cards/polygon_distance_card.h"
+#include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/scene/polygon_distance_scene.h"
@@ -114,6 +116,17 @@ TEST_F(InsertionScene, shows_the_rounds_and_the_distance) {
     for (const std::size_t r : {1u, 2u, 3u})
         EXPECT_FALSE(test::lines_of(list, round_color(theme, r), 1.5F).empty()) << r;
     EXPECT_TRUE(test::faults_of(list, state.view.camera.size_px, 200.0).empty());
+}
+
+// The Bezier curve (0, 0) (3, 6) (6, 0) is at (3, 3) halfway, 3 below its corner.
+TEST_F(InsertionScene, has_the_distance_in_the_unit) {
+    ASSERT_TRUE(editor_.run(NewCurve{.points = {{0, 0}, {3, 6}, {6, 0}}, .degree = 2}));
+    EXPECT_TRUE(test::has_text(test::canvas_picture(state_with(Overlay::polygon_distance), CanvasIdle{}), "3"));
+    ASSERT_TRUE(run_typed(editor_, "set-units mm 10"));
+    const EditorState state = state_with(Overlay::polygon_distance);
+    EXPECT_TRUE(test::has_text(test::canvas_picture(state, CanvasIdle{}), "0.3 mm"));
+    const Card card = polygon_distance_card(state);
+    EXPECT_EQ(std::get<CardLine>(card.blocks.at(0)).text.text, "The control polygon is at most 0.3 mm from the curve.");
 }
 
 TEST_F(InsertionScene, names_the_bezier_points) {

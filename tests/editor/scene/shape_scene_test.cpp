@@ -154,6 +154,32 @@ TEST(CurvatureScene, osculating_circle_of_a_circle_is_the_circle) {
     EXPECT_TRUE(test::has_text(list, "ρ = 2"));
 }
 
+// A millimeter is 10 of the world: the circle of radius 2 has one of 0.2 mm and is bent by 5 for each of them.
+TEST(CurvatureScene, is_in_the_unit_of_the_document) {
+    core::Document document = showing(circle(2.0), {}).shown();
+    document.units = core::DocumentUnits{.unit = core::LengthUnit::mm, .scale = 10.0};
+    EditorState state = showing(circle(2.0), {Overlay::osculating_circle, Overlay::curvature_plot});
+    state.history = History(std::move(document));
+    state.view.parameter = 0.3;
+    EXPECT_TRUE(test::has_text(scene_of(state), "ρ = 1/5 mm"));
+    const render::DrawList plot = test::plot_picture(state, PlotIdle{}, {1048.0, 342.0});
+    EXPECT_TRUE(test::has_text(plot, "κ = 5"));
+    EXPECT_TRUE(test::has_text(plot, "5")) << "the level on which the graph is";
+}
+
+TEST(CurvatureScene, extremes_are_in_the_unit_of_the_document) {
+    // An ellipse of half axes 2 and 1 has the curvatures 2/1 and 1/4 at its ends.
+    core::CurveDefinition ellipse = circle(1.0);
+    for (core::Point& point : ellipse.points) point.x *= 2.0;
+    EditorState state = showing(ellipse, {Overlay::curvature_marks});
+    EXPECT_TRUE(test::has_text(scene_of(state), "max κ = 2"));
+    core::Document document = state.shown();
+    document.units = core::DocumentUnits{.unit = core::LengthUnit::mm, .scale = 10.0};
+    state.history = History(std::move(document));
+    EXPECT_TRUE(test::has_text(scene_of(state), "max κ = 20"));
+    EXPECT_TRUE(test::has_text(scene_of(state), "min κ = 5/2"));
+}
+
 TEST(CurvatureScene, tangent_and_normal_stand_square_on_each_other) {
     EditorState state = showing(circle(2.0), {Overlay::tangent_normal});
     state.view.parameter = 1.0;  // (0, 2), going left
