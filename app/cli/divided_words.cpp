@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/cli/operation.h"
+#include "app/editor/command_reader.h"
 
 namespace batten::cli {
 
@@ -30,10 +31,12 @@ class Divider {
     void take_word() {
         const std::string& word = words_[next_];
         if (misses_file_) return take_before_file();
-        if (needed_ > 0) return take_needed();
+        if (spec_ != nullptr && given_ < needed_count(*spec_)) return take_needed();
         if (word != mark && is_option(word)) return take_option();
-        const editor::CommandSpec* spec = operation_called(word);
-        if (spec != nullptr) needed_ = needed_count(*spec);
+        if (const editor::CommandSpec* spec = operation_called(word)) {
+            spec_ = spec;
+            given_ = 0;
+        }
         move_to(result_.operations);
     }
 
@@ -47,8 +50,9 @@ class Divider {
 
     void take_needed() {
         if (words_[next_] == mark) move_to(result_.operations);
-        if (next_ < words_.size()) move_to(result_.operations);
-        --needed_;
+        if (next_ == words_.size()) return;
+        given_ += editor::arguments_of_word(*spec_, given_, words_[next_]).size();
+        move_to(result_.operations);
     }
 
     void take_option() {
@@ -67,8 +71,9 @@ class Divider {
     const std::vector<std::string>& words_;
     std::size_t next_ = 0;
     bool misses_file_;
-    std::size_t needed_ = 0;        // how many arguments the operation still needs
-    std::size_t option_count_ = 0;  // without the file
+    const editor::CommandSpec* spec_ = nullptr;  // the operation that was named last
+    std::size_t given_ = 0;                      // how many arguments it has
+    std::size_t option_count_ = 0;               // without the file
     DividedWords result_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/editor/command_reader.h"
 #include "app/editor/command_table.h"
 #include "app/editor/fields/field_text.h"
 #include "core/base/sentence.h"
@@ -110,7 +111,9 @@ bool OperationReader::is_argument(const editor::CommandSpec& spec, std::size_t g
 void OperationReader::take_arguments(Operation& operation, const core::Document& document) {
     while (is_argument(*operation.spec, operation.arguments.size(), document)) {
         operation.text = fmt::format("{} {}", operation.text, words_[next_]);
-        operation.arguments.emplace_back(editor::Word{words_[next_]});
+        for (editor::Argument& argument :
+             editor::arguments_of_word(*operation.spec, operation.arguments.size(), words_[next_]))
+            operation.arguments.push_back(std::move(argument));
         ++next_;
     }
 }

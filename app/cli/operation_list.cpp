@@ -61,7 +61,8 @@ void print_operation(std::ostream& out, const editor::CommandSpec& spec) {
 
 void list_operations(std::ostream& out) {
     out << "Operations act on the active curve, in the order given. <needed> [may be left out]\n"
-           "A list is written 1,2.5,3; points as x0,y0,x1,y1. Knots, points and curves are counted from 0.\n"
+           "A list is written 1,2.5,3; points as x0,y0,x1,y1, and one point as x,y or x y. Knots, points and curves "
+           "are counted from 0.\n"
            "A list can also be read from a table of numbers, @FILE or @- for standard input: the points one a line,\n"
            "numbers separated by commas, semicolons, tabs or blanks. Empty lines, a first line of names and what "
            "stands\n"

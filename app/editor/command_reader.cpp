@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "app/editor/fields/expression.h"
 #include "app/editor/fields/field_text.h"
 #include "app/editor/state/state.h"
 #include "core/base/sentence.h"
@@ -46,6 +47,16 @@ std::vector<bool> left_out(const CommandSpec& spec, std::size_t given) {
         --missing;
     }
     return result;
+}
+
+// Whether the argument behind `given` others is the first number of two that make a point.
+bool begins_point(const CommandSpec& spec, std::size_t given) {
+    std::size_t part = 0;
+    for (const Field& field : spec.fields) {
+        if (part == given) return field.parts.size() == 2;
+        part += field.parts.size();
+    }
+    return false;
 }
 
 // A word for a curve's number may be its name.
@@ -110,6 +121,14 @@ Outcome<Command> read_command(const CommandSpec& spec, const EditorState& state,
         field.set(command.get(), *value);
     }
     return Command(spec, std::move(command));
+}
+
+std::vector<Argument> arguments_of_word(const CommandSpec& spec, std::size_t given, const std::string& word) {
+    if (begins_point(spec, given))
+        for (const char* separator : {";", ","})
+            if (const std::size_t at = find_outside_parentheses(word, separator); at != std::string::npos)
+                return {Word{word.substr(0, at)}, Word{word.substr(at + 1)}};
+    return {Word{word}};
 }
 
 std::vector<Argument> arguments_of(const Command& command) {

@@ -14,6 +14,10 @@ namespace batten::editor {
 Outcome<Command> read_command(const CommandSpec& spec, const EditorState& state,
                               const std::vector<Argument>& given = {});
 
+/// The arguments that are typed as `word` where `given` come before it: x and y of a point that is typed whole, "1,2"
+/// or "1;2", else the word itself.
+std::vector<Argument> arguments_of_word(const CommandSpec& spec, std::size_t given, const std::string& word);
+
 /// The arguments that stand for `command`: reading them gives it back, whatever the state.
 std::vector<Argument> arguments_of(const Command& command);
 

@@ -43,7 +43,11 @@ Outcome<Command> parse_typed_command(const std::string& typed, const EditorState
     for (skip_blanks(rest); !rest.empty(); skip_blanks(rest)) {
         Outcome<Argument> word = take_word(rest);
         if (!word) return tl::unexpected(word.error());
-        arguments.push_back(*std::move(word));
+        if (const auto* plain = std::get_if<Word>(&*word))
+            for (Argument& argument : arguments_of_word(**spec, arguments.size(), plain->text))
+                arguments.push_back(std::move(argument));
+        else
+            arguments.push_back(*std::move(word));
     }
     return read_command(**spec, state, arguments);
 }

@@ -52,6 +52,20 @@ class Operations(unittest.TestCase):
         fair, faired = self.made("through-points 0,0,2,3,5,0,9,1 fair"), self.made("through-points 0,0,2,3,5,0,9,1 -- fair 0.1")
         self.assertEqual([curves[0]["degree"] for curves in (fair, faired)], [5, 3])
 
+    def test_a_point_is_two_numbers_in_one_word(self):
+        """The circle of 9 points about (1, -2) through (31, -2) is in the square from (-29, -32) to (31, 28)."""
+        for center in ("1,-2", "1;-2", "1 -2"):
+            [circle] = self.made(f"circle {center} 30")
+            points = circle["points"]
+            self.assertEqual([min(p[k] for p in points) for k in (0, 1)], [-29, -32], center)
+            self.assertEqual([max(p[k] for p in points) for k in (0, 1)], [31, 28], center)
+        [circle] = self.made("circle 0,0 2,5")
+        self.assertEqual(max(p[0] for p in circle["points"]), 2.5)
+
+    def test_a_point_that_is_needed_is_two_arguments(self):
+        [circle] = self.made("circle 0 0 9 set-point 0 10,0.5")
+        self.assertEqual(circle["points"][0], [10, 0.5])
+
     def test_a_mark_ends_the_arguments(self):
         curves = self.made("line 0 0 20 20 circle 0 0 9 line 0 1 20 21 intersect -- circle 5 5 2")
         self.assertEqual([curve["name"] for curve in curves], ["line", "circle", "line 2", "circle 2"])

@@ -89,6 +89,24 @@ TEST_F(CommandReader, computes_words_that_are_formulas) {
     EXPECT_EQ(read<SetKnots>({Word{"0,0,0,0,1/4,1/2,3/4,1,1,1,1"}}).knots.at(6), 0.75);
 }
 
+TEST_F(CommandReader, takes_the_two_numbers_of_a_point_as_one_word) {
+    const auto texts = [](const CommandSpec& spec, std::size_t given, const std::string& word) {
+        std::vector<std::string> found;
+        for (const Argument& argument : arguments_of_word(spec, given, word))
+            found.push_back(std::get<Word>(argument).text);
+        return found;
+    };
+    using Texts = std::vector<std::string>;
+    EXPECT_EQ(texts(AddCircle::spec(), 0, "0,0"), (Texts{"0", "0"}));
+    EXPECT_EQ(texts(AddCircle::spec(), 0, "-1.5,(2,5)"), (Texts{"-1.5", "(2,5)"}));
+    EXPECT_EQ(texts(AddCircle::spec(), 0, "1,5;2,5"), (Texts{"1,5", "2,5"}));
+    EXPECT_EQ(texts(AddCircle::spec(), 1, "0,5"), Texts{"0,5"});
+    EXPECT_EQ(texts(AddCircle::spec(), 2, "0,5"), Texts{"0,5"});
+    EXPECT_EQ(texts(AddCircle::spec(), 0, "5"), Texts{"5"});
+    EXPECT_EQ(texts(SetPoint::spec(), 1, "3,4"), (Texts{"3", "4"}));
+    EXPECT_EQ(texts(AddPolyline::spec(), 0, "0,0,1,1"), Texts{"0,0,1,1"});
+}
+
 TEST_F(CommandReader, says_what_is_wrong_with_a_formula) {
     EXPECT_EQ(refusal<InsertKnot>({Word{"1/0"}}), "u is 1/0; a division by zero has no value");
     EXPECT_EQ(refusal<SetPoint>({Word{"0"}, Word{"0"}, Word{"2*(1"}}), "y is 2*(1; a closing parenthesis is missing");
