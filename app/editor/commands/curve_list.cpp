@@ -74,6 +74,12 @@ Edit with_parts(const EditorState& state, std::vector<core::Curve> parts) {
 Edit with_one_for_several(const EditorState& state, core::Curve curve, const std::vector<std::size_t>& others) {
     Edit edit{state.history.present(), Selection{}};
     std::vector<core::DocumentCurve>& curves = edit.document.curves;
+    std::optional<core::Symmetry>& link = curves[edit.document.active].symmetry;
+    const auto is_image_too = [&](std::size_t i) {
+        return link && curves[i].symmetry && curves[i].symmetry->group == link->group;
+    };
+    // One of several images is none of them.
+    if (std::ranges::any_of(others, is_image_too)) link.reset();
     replace_curve(curves[edit.document.active], std::make_shared<const core::Curve>(std::move(curve)));
     std::vector<core::DocumentCurve> kept;
     for (std::size_t i = 0; i < curves.size(); ++i) {

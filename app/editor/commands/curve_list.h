@@ -28,7 +28,8 @@ std::vector<core::DocumentCurve> entries_of_parts(const core::DocumentCurve& ent
 /// name, the others follow it under free names and look like it.
 Edit with_parts(const EditorState& state, std::vector<core::Curve> parts);
 
-/// The committed document with `curve` in place of the active one and without `others`, which are ascending.
+/// The committed document with `curve` in place of the active one and without `others`, which are ascending. One of
+/// several images of a link is no image any more.
 Edit with_one_for_several(const EditorState& state, core::Curve curve, const std::vector<std::size_t>& others);
 
 /// The committed document without curve `index`, which there must be; a locked one is refused.

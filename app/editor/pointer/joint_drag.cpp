@@ -86,7 +86,14 @@ double signed_distance(const EditorState& state, const PickedCurvePlace& curve_p
 }
 
 TypedFor size_of_drag(const EditorState& state) {
-    return state.view.joint.operation == JointOperation::fillet ? TypedFor::radius : TypedFor::distance;
+    switch (state.view.joint.operation) {
+        case JointOperation::fillet:
+            return TypedFor::radius;
+        case JointOperation::chamfer:
+            return TypedFor::sides;
+        default:
+            return TypedFor::distance;
+    }
 }
 
 }  // namespace
@@ -94,6 +101,9 @@ TypedFor size_of_drag(const EditorState& state) {
 std::string size_words(const EditorState& state, const JointDrag& drag) {
     const core::Place size("size", length_text(state, std::abs(drag.distance)));
     if (size_of_drag(state) == TypedFor::radius) return core::sentence("Radius {size}", {size});
+    if (drag.second)
+        return core::sentence("Distances {size} and {second}",
+                              {size, {"second", length_text(state, std::abs(*drag.second))}});
     return core::sentence("Distance {size}", {size});
 }
 
@@ -111,7 +121,11 @@ std::optional<JointDrag> begin_joint_drag(const Gesture& gesture, PickedCurvePla
 
 JointDrag dragged_joint(const Gesture& gesture, const PickedCurvePlace& place, JointDrag drag) {
     const core::Point target = pointed_at(gesture, drag.from);
-    const std::optional<double> length = typed_length(typed_for(gesture), gesture.state.shown().units);
+    const TypedPlace& typed = typed_for(gesture);
+    const Units& units = gesture.state.shown().units;
+    const bool has_sides = size_of_drag(gesture.state) == TypedFor::sides;
+    const std::optional<double> length = has_sides ? typed_length_in(typed, 0, units) : typed_length(typed, units);
+    drag.second = has_sides ? typed_length_in(typed, 1, units) : std::nullopt;
     const bool is_offset = gesture.state.view.joint.operation == JointOperation::offset;
     drag.distance = is_offset ? signed_distance(gesture.state, place, target) : core::distance(drag.from, target);
     if (length) drag.distance = std::copysign(*length, drag.distance);
@@ -138,8 +152,11 @@ Command command_of_drag(const EditorState& state, const PickedCurvePlace& place,
     }
     if (tool.operation == JointOperation::fillet)
         return Fillet{.radius = drag.distance, .u = place.u, .other = other, .other_u = other_u};
-    return Chamfer{
-        .distance = drag.distance, .other_distance = drag.distance, .u = place.u, .other = other, .other_u = other_u};
+    return Chamfer{.distance = drag.distance,
+                   .other_distance = drag.second.value_or(drag.distance),
+                   .u = place.u,
+                   .other = other,
+                   .other_u = other_u};
 }
 
 }  // namespace batten::editor

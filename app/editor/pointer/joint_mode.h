@@ -25,8 +25,9 @@ struct PickedCurvePlace {
 /// What is dragged out of the first place: the radius of a fillet, the distances of a chamfer or of an offset.
 struct JointDrag {
     glm::dvec2 press_px{};
-    core::Point from{};     ///< the corner, or the place of the curve
-    double distance = 0.0;  ///< from there; of a curve above 0 on its left; 0 until the pointer has moved
+    core::Point from{};              ///< the corner, or the place of the curve
+    double distance = 0.0;           ///< from there; of a curve above 0 on its left; 0 until the pointer has moved
+    std::optional<double> second{};  ///< the distance along the other side of a corner, where it is typed
     std::optional<PickedCurvePlace> other{};  ///< the end of another curve at the corner; none: a corner of one curve
 };
 

@@ -28,6 +28,7 @@ const char* pattern_of(TypedFor typed_for) {
         case TypedFor::radius:
             return "radius {length}";
         case TypedFor::distance:
+        case TypedFor::sides:
             return "distance {length}";
         case TypedFor::x:
             return "x {length}";
@@ -71,6 +72,9 @@ std::string typed_reading(const TypedPlace& typed, TypedFor typed_for) {
     if (typed_for == TypedFor::angle) return sentence("angle {angle}", {{"angle", with_caret(typed, 0)}});
     if (typed_for == TypedFor::factors)
         return sentence("factor {first} · along y {second}",
+                        {{"first", with_caret(typed, 0)}, {"second", with_caret(typed, 1)}});
+    if (typed_for == TypedFor::sides && (typed.active == 1 || !typed.texts[1].empty()))
+        return sentence("first {first} · second {second}",
                         {{"first", with_caret(typed, 0)}, {"second", with_caret(typed, 1)}});
     const bool is_whole = typed.active == 0 && typed.texts[1].empty();
     const bool names_itself = typed.texts[0].find_first_of("@<,;") != std::string::npos;

@@ -179,6 +179,10 @@ std::optional<double> typed_length_alone(const TypedPlace& typed, const Units& u
     return expressions_of(typed).second.empty() ? typed_length(typed, units) : std::nullopt;
 }
 
+std::optional<double> typed_length_in(const TypedPlace& typed, std::size_t field, const Units& units) {
+    return length_of(expression_in(typed, field), units).value_or(std::nullopt);
+}
+
 std::optional<double> typed_factor(const TypedPlace& typed, std::size_t field) {
     return factor_of(expression_in(typed, field)).value_or(std::nullopt);
 }
@@ -190,13 +194,17 @@ std::optional<double> typed_angle(const TypedPlace& typed) {
 std::string typed_problem(const Placing& placing, core::Point pointed, const Units& units) {
     const TypedPlace& typed = placing.typed;
     const TypedFor typed_for = placing.place ? placing.place->typed_for : TypedFor::place;
-    if (typed_for != TypedFor::factors && typed_for != TypedFor::angle) {
+    const bool is_number_in_fields =
+        typed_for == TypedFor::factors || typed_for == TypedFor::angle || typed_for == TypedFor::sides;
+    if (!is_number_in_fields) {
         const auto place = place_typed(typed, placing.place ? placing.place->from : std::nullopt, pointed, units);
         return place ? std::string() : place.error();
     }
     for (std::size_t field = 0; field < typed.texts.size(); ++field) {
         const std::string_view text = expression_in(typed, field);
-        const auto number = typed_for == TypedFor::angle ? angle_of(text) : factor_of(text);
+        const auto number = typed_for == TypedFor::angle   ? angle_of(text)
+                            : typed_for == TypedFor::sides ? length_of(text, units)
+                                                           : factor_of(text);
         if (!number) return number.error();
     }
     return {};

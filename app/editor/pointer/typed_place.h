@@ -39,13 +39,16 @@ std::optional<double> typed_length(const TypedPlace& typed, const Units& units);
 /// The length that is typed alone, in the world; none where there is none, or more.
 std::optional<double> typed_length_alone(const TypedPlace& typed, const Units& units);
 
+/// The length that is typed in a field, in the world; none where there is none.
+std::optional<double> typed_length_in(const TypedPlace& typed, std::size_t field, const Units& units);
+
 /// A factor that is typed in a field, "1.5" or "150%"; none where there is none.
 std::optional<double> typed_factor(const TypedPlace& typed, std::size_t field);
 
 /// An angle that is typed in the first field, in degrees; none where there is none.
 std::optional<double> typed_angle(const TypedPlace& typed);
 
-/// Why what is typed for `placing` is no place, no factor or no angle; empty where it is one.
+/// Why what is typed for `placing` is no place, length, factor or angle, as it is to be; empty where it is one.
 std::string typed_problem(const Placing& placing, core::Point pointed, const Units& units);
 
 /// "dx, dy" of the field that is typed: what a person reads before it.

@@ -35,6 +35,7 @@ enum class TypedFor {
     angle,     ///< by how many degrees something is turned or sheared
     radius,    ///< how large an arc is
     distance,  ///< how far something is from what it goes along
+    sides,     ///< how far from a corner it is cut, along the one side and, if that differs, along the other
     x,         ///< where an upright line is
     y          ///< where a level line is
 };

@@ -68,6 +68,24 @@ TEST_F(SymmetryCommands, every_edit_of_either_curve_is_made_to_both) {
     expect_mirrored();
 }
 
+TEST_F(SymmetryCommands, images_that_are_joined_leave_the_link_and_the_others_stay) {
+    ASSERT_TRUE(run(LinkRotation{.turns = 5, .center = {0.0, 0.0}}));
+    const auto third = document(editor_).curves[2].curve;
+    ASSERT_TRUE(run(Join{.other = "1", .continuity = core::JoinContinuity::c0}));
+    ASSERT_EQ(document(editor_).curves.size(), 4U);
+    EXPECT_FALSE(document(editor_).curves[0].symmetry);
+    EXPECT_GT(points_of(0).size(), third->control_points().size());
+    EXPECT_EQ(document(editor_).curves[1].curve, third) << "as it was";
+    for (std::size_t i = 1; i < 4; ++i) EXPECT_TRUE(document(editor_).curves[i].symmetry) << i;
+    // Of two mirror images one is left.
+    Editor other;
+    open_text(other, half_text);
+    ASSERT_TRUE(other.run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = false}));
+    ASSERT_TRUE(other.run(Join{.other = "1", .continuity = core::JoinContinuity::c0}));
+    ASSERT_EQ(document(other).curves.size(), 1U);
+    EXPECT_FALSE(document(other).curves[0].symmetry);
+}
+
 TEST_F(SymmetryCommands, a_seam_that_is_smooth_stays_so_and_a_corner_stays_a_corner) {
     EXPECT_TRUE(run(LinkMirror{.center = {0.0, 0.0}, .angle = 90.0, .is_smooth = false}));
     EXPECT_TRUE(run(SetPoint{.index = 0, .position = {0.4, 2.5}}));

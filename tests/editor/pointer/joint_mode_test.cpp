@@ -433,6 +433,27 @@ TEST_F(JointMode, a_chamfer_is_dragged_between_the_ends_of_two_curves) {
     for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_LE(core::distance(corners[i], wanted[i]), 1e-12) << i;
 }
 
+// 2 along the level line that is picked, 0.5 along the upright one.
+TEST_F(JointMode, both_distances_of_a_chamfer_can_be_typed) {
+    ASSERT_TRUE(editor.run(AddLine{.from = {-1, 0}, .to = {-1, 3}}));
+    ASSERT_TRUE(editor.run(ActivateCurve{.index = 1}));
+    take(JointOperation::chamfer);
+    pointer.press(px(-1, 0));
+    pointer.modifiers = test::alt;
+    pointer.move(px(-1, 1));
+    type(U"2\t0.5", px(-1, 1));
+    EXPECT_EQ(typed_reading(state().placing.typed, state().placing.place->typed_for), "first 2 · second 0.5|");
+    EXPECT_NE(hint().find("Distances 2 and 0.5"), std::string::npos) << hint();
+    const bool is_level_picked = present().curves[picking().first->curve].curve->control_points()[0].y == 0.0;
+    type(U"\n", px(-1, 1));
+    const auto corners = present().active_curve()->curve->control_points();
+    ASSERT_EQ(corners.size(), 4U);
+    for (const core::Point wanted :
+         is_level_picked ? std::vector<core::Point>{{-3, 0}, {-1, 0.5}} : std::vector<core::Point>{{-1.5, 0}, {-1, 2}})
+        EXPECT_TRUE(std::ranges::any_of(corners, [&](core::Point p) { return core::distance(p, wanted) < 1e-12; }))
+            << wanted.x << ", " << wanted.y;
+}
+
 TEST_F(JointMode, a_press_beside_a_corner_drags_nothing) {
     take(JointOperation::fillet);
     pointer.press(px(0, -2));
