@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 
 #include "app/editor/commands/added_curves.h"
 #include "app/editor/commands/joint_report.h"
@@ -72,14 +71,18 @@ void take_view(View& view, const core::Document& document) {
     }
 }
 
-// That a file was opened, and what of it could not be kept.
+// What of a file could not be kept.
+std::optional<std::string> told_of_lost_fits(std::size_t count) {
+    if (count == 0) return std::nullopt;
+    return sentence({.one = "one curve does not go through its fit points, so that it is an ordinary curve now",
+                     .many = "{count} curves do not go through their fit points, so that they are ordinary curves now"},
+                    count);
+}
+
 std::string told_of_opening(std::string done, std::size_t lost_fits) {
-    if (lost_fits == 0) return done;
-    const std::string lost =
-        sentence({.one = "one curve does not go through its fit points, so that it is an ordinary curve now",
-                  .many = "{count} curves do not go through their fit points, so that they are ordinary curves now"},
-                 lost_fits);
-    return *told_in_turn(std::array{std::move(done), lost});
+    std::vector<std::string> told{std::move(done)};
+    if (auto lost = told_of_lost_fits(lost_fits)) told.push_back(*std::move(lost));
+    return *told_in_turn(told);
 }
 
 Outcome<void> open_file(EditorState& state, const fs::path& path) {
@@ -185,7 +188,9 @@ Outcome<Edit> with_curves_of(const EditorState& state, const fs::path& path) {
     if (!added) return tl::unexpected(added.error());
     if (added->curves.empty())
         return tl::unexpected(sentence("{file}: the file has no curves", {{"file", path.filename().string()}}));
-    return Edit{joined(state.history.present(), *added), Selection{}};
+    Edit edit{joined(state.history.present(), *added), Selection{}};
+    edit.remark = told_of_lost_fits(added->lost_fits);
+    return edit;
 }
 
 Outcome<void> save_document_to(EditorState& state, const fs::path& path) {

@@ -67,6 +67,9 @@ TEST_F(FileCommands, open_tells_of_fit_points_that_are_not_of_their_curve) {
               "Opened lost.json; one curve does not go through its fit points, so that it is an ordinary curve now");
     EXPECT_EQ(opened(lost + "," + lost),
               "Opened lost.json; 2 curves do not go through their fit points, so that they are ordinary curves now");
+    EXPECT_TRUE(run(AddFile{.path = folder_.path() / "lost.json"}));
+    EXPECT_NE(state().message.text.find("; 2 curves do not go through their fit points"), std::string::npos)
+        << state().message.text;
 }
 
 TEST_F(FileCommands, open_with_the_view_of_the_file) {
