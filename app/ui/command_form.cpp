@@ -231,7 +231,7 @@ void apply(const PanelContext& context) {
 }
 
 /// What is wrong, else what the command does to the shape.
-std::string message_of(const PanelContext& context) {
+std::string line_below_fields(const PanelContext& context) {
     const std::string problem = problem_of(context);
     return problem.empty() ? effect_of(context) : problem;
 }
@@ -240,7 +240,7 @@ void draw_message(const PanelContext& context) {
     const FormState& form = context.panels.form;
     const bool is_problem = !problem_of(context).empty();
     const bool only_lacks = !form.was_tried && lacks_a_text(form, context.state);
-    const std::string message = message_of(context);
+    const std::string message = line_below_fields(context);
     if (is_problem && !only_lacks) return draw_dialog_error(context, message);
     ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.dim));
     ImGui::TextWrapped("%s", context.notated(message).c_str());
@@ -271,7 +271,7 @@ float kept_message_height_px(const PanelContext& context) {
     const float most = message_height_px(message_lines);
     if (rows_height_px(context, room.x) + footer_height_px(context, most) <= room.y) return most;
     // As wide as with the sign of an error.
-    const std::string message = fmt::format("⚠ {}", context.notated(message_of(context)));
+    const std::string message = fmt::format("⚠ {}", context.notated(line_below_fields(context)));
     const float height = wrapped_height_px(message, context.fonts.text, room.x);
     return std::clamp(height + ImGui::GetStyle().ItemSpacing.y, message_height_px(1), most);
 }

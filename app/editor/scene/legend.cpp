@@ -27,7 +27,7 @@ constexpr double inset_distance = 16.0;         // below the insets
 constexpr int inset_cost = 1000;                // of covering it, which nothing makes good
 constexpr int handle_cost = 100;                // more than curves, which need not be reached
 constexpr double legend_reach = 12.0;           // around the legend
-constexpr double handle_radius = 6.0;
+constexpr double radius_of_grips = 6.0;
 constexpr int reluctance = 2;  // how much less another corner must cover
 
 /// With words, or with numbers only where the canvas is narrow.
@@ -110,7 +110,7 @@ bool has_legend(const EditorState& state) {
 bool shows_legend(const EditorState& state) {
     if (!has_legend(state)) return false;
     const render::PixelBox box = legend_box(state, state.view.legend_corner);
-    return handle_cost_of(handle_places(state), box, handle_radius * state.view.interface_scale) == 0;
+    return handle_cost_of(handle_places(state), box, radius_of_grips * state.view.interface_scale) == 0;
 }
 
 render::PixelBox legend_box(const EditorState& state, Corner corner) {
