@@ -115,14 +115,14 @@ TEST_F(RefusalsInUnits, of_the_core_have_lengths_in_the_unit) {
     EXPECT_EQ(refused("circle 0 0 -1"), "a length is -1 mm; radii, axes and other lengths must be above 0");
     EXPECT_EQ(refused("parabola 0 0 1 90 2 1"),
               "the range begins at 2 mm and ends at 1 mm; its end must be above its beginning");
-    ASSERT_TRUE(type("polyline 0,0,100,0,100,50"));
-    // The shorter leg is 50 long, and so is the largest radius.
+    ASSERT_TRUE(type("polyline 0,0,10,0,10,5"));
+    // The shorter leg is 5 mm long, and so is the largest radius.
     EXPECT_EQ(refused("fillet 6 1"),
               "the radius 6 mm is too large for an arc that touches both sides here; 4.999 mm is the most");
 }
 
 TEST_F(RefusalsInUnits, about_parameters_have_no_unit) {
-    ASSERT_TRUE(type("polyline 0,0,100,0,100,50"));
+    ASSERT_TRUE(type("polyline 0,0,10,0,10,5"));
     EXPECT_EQ(refused("extend-parameter -1"), "a length is -1; radii, axes and other lengths must be above 0");
     EXPECT_EQ(refused("extend -1"), "a length is -1 mm; radii, axes and other lengths must be above 0");
     EXPECT_EQ(refused("merge-knots -1"), "the tolerance is -1; it must be above 0 and finite");
@@ -135,17 +135,17 @@ TEST_F(RefusalsInUnits, of_the_limits_of_a_field_do_too) {
 }
 
 TEST_F(RefusalsInUnits, are_answered_by_sentences_in_the_unit) {
-    ASSERT_TRUE(type("polyline 0,0,30,0,30,40"));
+    ASSERT_TRUE(type("polyline 0,0,3,0,3,4"));
     ASSERT_TRUE(type("closing"));
     EXPECT_EQ(said(), "polyline is open; its ends are 5 mm apart");
     ASSERT_TRUE(type("evaluate 0"));
     EXPECT_EQ(said(), "polyline is at (0, 0) mm for u = 0");
-    // A way of 20 and 10 is sqrt(5) = 2.236... mm long.
-    ASSERT_TRUE(type("set-point 0 20 10"));
+    // A way of 2 and 1 is sqrt(5) = 2.236... long.
+    ASSERT_TRUE(type("set-point 0 2 1"));
     EXPECT_EQ(said(), "Moved P₀ from (0, 0) mm to (2, 1) mm; the curve moved by at most 2.23606797749979 mm");
     ASSERT_TRUE(type("set-point 0 0 0"));
     ASSERT_TRUE(type("select-points 0,1,2"));
-    ASSERT_TRUE(type("move 10 -20"));
+    ASSERT_TRUE(type("move 1 -2"));
     EXPECT_TRUE(said().starts_with("Moved 3 points by (1, -2) mm; the curve moved by at most 2.23606797749979 mm"));
     ASSERT_TRUE(type("move-curve-point 0 0 0"));
     EXPECT_EQ(said(), "Moved C(0) to (0 mm, 0 mm); the curve moved by at most 2.23606797749979 mm");
@@ -154,9 +154,9 @@ TEST_F(RefusalsInUnits, are_answered_by_sentences_in_the_unit) {
     EXPECT_EQ(said(), "The centroid of circle is (0, 0) mm");
 }
 
-// The quadratic (0, 0) (10, 20) (20, 0) is half of 20 below its middle point, and a quarter of that after halving.
+// The quadratic (0, 0) (1, 2) (2, 0) is half of 2 below its middle point, and a quarter of that after halving.
 TEST_F(RefusalsInUnits, distance_of_a_polygon_is_in_the_unit) {
-    ASSERT_TRUE(type("new-curve 0,0,10,20,20,0 2"));
+    ASSERT_TRUE(type("new-curve 0,0,1,2,2,0 2"));
     ASSERT_TRUE(type("refine-midpoints 1"));
     EXPECT_NE(said().find("the control polygon is at most 0.25 mm from it now, 1 mm before"), std::string::npos)
         << said();
