@@ -1,6 +1,8 @@
 #include "app/editor/commands/corner_commands.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
@@ -27,11 +29,13 @@ struct CornerSides {
     core::PickedPlace second;
 };
 
-// The corner of the curve that is nearest by the parameter; `u` where it has none.
+// The corner of the curve that is nearest by the parameter, over the seam of a closed one; `u` where it has none.
 double nearest_corner(const core::Curve& curve, double u) {
+    const double around = core::is_closed(curve) ? curve.domain().length() : std::numeric_limits<double>::infinity();
+    const auto away = [&](double corner) { return std::min(std::abs(corner - u), around - std::abs(corner - u)); };
     std::optional<double> nearest;
     for (const core::JointContinuity& joint : core::joint_continuity(curve))
-        if (joint.geometric < 1 && (!nearest || std::abs(joint.u - u) < std::abs(*nearest - u))) nearest = joint.u;
+        if (joint.geometric < 1 && (!nearest || away(joint.u) < away(*nearest))) nearest = joint.u;
     return nearest.value_or(u);
 }
 

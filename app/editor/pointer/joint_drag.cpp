@@ -67,7 +67,8 @@ std::optional<JointDrag> begin_corner_drag(const Gesture& gesture, PickedCurvePl
         const core::Point tip = core::point_at(curve, u);
         if (curve.is_periodic() || core::distance(tip, world_at_pointer(gesture)) > reach) return std::nullopt;
         drag.other = end_beside(gesture.state, place, tip);
-        if (!drag.other) return std::nullopt;
+        // Of a curve whose ends meet in a corner this is one of its corners.
+        if (!drag.other && core::continuity_of_ends(curve).geometric != 0) return std::nullopt;
         place.u = u;
     }
     drag.from = place.point = core::point_at(curve, place.u);

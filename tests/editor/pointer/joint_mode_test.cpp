@@ -433,6 +433,23 @@ TEST_F(JointMode, a_chamfer_is_dragged_between_the_ends_of_two_curves) {
     for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_LE(core::distance(corners[i], wanted[i]), 1e-12) << i;
 }
 
+// The triangle's ends meet at (-5, 3), in a corner of 45 degrees whose legs leave to the right and down to the right.
+TEST_F(JointMode, the_corner_where_the_ends_of_a_curve_meet_is_rounded_too) {
+    ASSERT_TRUE(editor.run(NewCurve{.points = {{-5, 3}, {-1, 3}, {-1, -1}, {-5, 3}}, .degree = 1}));
+    take(JointOperation::fillet);
+    pointer.press(px(-5, 3));
+    pointer.modifiers = test::alt;
+    pointer.move(px(-4.5, 2.8));
+    ASSERT_TRUE(picking().drag);
+    type(U"0.5\n", px(-4.5, 2.8));
+    const core::Curve& rounded = *present().active_curve()->curve;
+    EXPECT_TRUE(core::is_closed(rounded));
+    // The center is 0.5 below the level leg, and as far from the other one.
+    const core::Point center(-5 + 0.5 * (1 + std::sqrt(2.0)), 2.5);
+    EXPECT_NEAR(core::distance(core::nearest_point(rounded, center).point, center), 0.5, 1e-12);
+    EXPECT_GT(core::distance(core::nearest_point(rounded, {-5, 3}).point, core::Point(-5, 3)), 0.5);
+}
+
 // 2 along the level line that is picked, 0.5 along the upright one.
 TEST_F(JointMode, both_distances_of_a_chamfer_can_be_typed) {
     ASSERT_TRUE(editor.run(AddLine{.from = {-1, 0}, .to = {-1, 3}}));
