@@ -246,7 +246,7 @@ class Subcommands(unittest.TestCase):
         joints = answer("check", "--joints", "--within", 5.2, file)[0]["joints"]
         self.assertEqual(sorted(round(joint["gap"], 3) for joint in joints), [0, 0, 1.414, 2.828, 4, 5.006])
         lines = run("check", "--joints", file).stdout.splitlines()
-        self.assertEqual(lines[1], "2 joints: 0 gaps, 1 with G⁰, 1 with G¹, 0 with G², 0 with G³")
+        self.assertEqual(lines[1], "2 joints: gaps 0, G⁰ 1, G¹ 1, G² 0, G³ 0")
         self.assertRegex(lines[2], "^  end of 'start' to start of 'quarter'\\t.*\\tlevel = 1\\tgap = 0\\tturn in degrees = .*\\tG¹$")
         self.assertRegex(lines[3], "^  u = 1 of 'end'\\t.*\\tlevel = 0\\tgap = 0\\tturn in degrees = 14\\.03.*\\tG⁰$")
         self.assertEqual(run("check", "--joints", "--within", "0", file).returncode, 2)

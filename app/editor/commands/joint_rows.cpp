@@ -84,8 +84,8 @@ Finding joint_row(const core::Document& document, const core::Joint& joint) {
 std::string joints_summary(const std::vector<core::Joint>& joints) {
     std::array<std::size_t, 5> counts{};
     for (const core::Joint& joint : joints) ++counts[static_cast<std::size_t>(std::max(1 + joint.level, 0))];
-    return sentence({.one = "one joint: {gaps} gaps, {g0} with G⁰, {g1} with G¹, {g2} with G², {g3} with G³",
-                     .many = "{count} joints: {gaps} gaps, {g0} with G⁰, {g1} with G¹, {g2} with G², {g3} with G³",
+    return sentence({.one = "one joint: gaps {gaps}, G⁰ {g0}, G¹ {g1}, G² {g2}, G³ {g3}",
+                     .many = "{count} joints: gaps {gaps}, G⁰ {g0}, G¹ {g1}, G² {g2}, G³ {g3}",
                      .none = "no ends are near each other, and no curve has a corner or a jump of curvature"},
                     joints.size(),
                     {{"gaps", counts[0]}, {"g0", counts[1]}, {"g1", counts[2]}, {"g2", counts[3]}, {"g3", counts[4]}});

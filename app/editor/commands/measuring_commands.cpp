@@ -101,7 +101,10 @@ Outcome<void> measure_area(EditorState& state, const MeasureArea&) {
                 .numbers = {{"area", area->signed_area, area->error, 2}, {"error", area->error, 0.0, 2}},
                 .note = area->signed_area < 0.0 ? "negative: the curve runs clockwise" : ""};
     if (area->centroid) add_numbers(row, "centroid", *area->centroid, coordinate_error(active_curve(state)));
-    std::string summary = sentence("{name} encloses the area {area}", {active_name(state), value});
+    const char* pattern = area->centroid
+                              ? "{name} encloses the area {area}"
+                              : "{name} encloses the area {area}, as parts to its left and to its right cancel";
+    std::string summary = core::filled_as_needed(pattern, {active_name(state), value});
     return show_rows(state, "Area", std::move(summary), {std::move(row)});
 }
 

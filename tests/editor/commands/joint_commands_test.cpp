@@ -229,7 +229,7 @@ TEST_F(JointCommands, extend_to_meets_the_other_curve) {
 TEST_F(JointCommands, check_joints_lists_and_marks_them) {
     ASSERT_TRUE(type("check-joints 0.6")) << said();
     ASSERT_TRUE(state().findings);
-    EXPECT_EQ(state().findings->summary, "2 joints: 1 gaps, 1 with G⁰, 0 with G¹, 0 with G², 0 with G³");
+    EXPECT_EQ(state().findings->summary, "2 joints: gaps 1, G⁰ 1, G¹ 0, G² 0, G³ 0");
     const auto& rows = state().findings->rows;
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[0].label, "start of 'line' to end of 'arc'");

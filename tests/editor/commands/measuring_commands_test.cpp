@@ -36,6 +36,14 @@ TEST_F(MeasuringCommands, arc_length_and_its_inverse) {
     EXPECT_NEAR(number(0, "point y"), 1.0, 1e-13);
 }
 
+TEST_F(MeasuringCommands, area_of_a_figure_of_eight_says_what_cancels) {
+    open_text(editor_, R"({ "format": "batten", "version": 1, "curves": [
+      { "name": "eight", "degree": 1, "knots": [0,0,1,2,3,4,4], "points": [[0,0],[2,2],[2,0],[0,2],[0,0]] } ] })");
+    find(MeasureArea{});
+    EXPECT_EQ(number(0, "area"), 0.0);
+    EXPECT_EQ(state().message.text, "eight encloses the area 0, as parts to its left and to its right cancel");
+}
+
 TEST_F(MeasuringCommands, arc_length_says_where_the_curve_ends) {
     ASSERT_TRUE(editor_.run(ActivateCurve{.index = 2}));
     find(MeasureArcLength{.begin = -1.0, .end = 3.0});
