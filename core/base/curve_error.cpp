@@ -152,7 +152,7 @@ constexpr std::array templates{
     Template{Code::shape_vanishes,
              "nothing is left at the distance {value}; it must be less than half of the width of the shape"},
     Template{Code::stroke_too_short,
-             "the stroke extends over {value} pixels only; it must extend over at least {lower}"},
+             "the stroke is too short: it extends over {value} px and must extend over at least {lower}"},
     Template{Code::not_computable,
              "the result cannot be computed: points, weights or knots are too far apart, too large or too small"},
 };

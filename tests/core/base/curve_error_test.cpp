@@ -118,7 +118,7 @@ TEST(CurveError, says_what_was_found_where_and_what_is_allowed) {
 
 TEST(CurveError, says_that_a_stroke_is_a_dot) {
     EXPECT_EQ(describe({.code = CurveErrorCode::stroke_too_short, .value = 1.5, .lower = 2}),
-              "the stroke extends over 1.5 pixels only; it must extend over at least 2");
+              "the stroke is too short: it extends over 1.5 px and must extend over at least 2");
 }
 
 TEST(CurveError, says_what_the_weights_of_a_leg_or_piece_lack) {

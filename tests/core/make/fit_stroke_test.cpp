@@ -251,7 +251,7 @@ TEST(FitStroke, refuses_in_a_written_order) {
     EXPECT_EQ(refusal({{1, 1}}, -1.0).code, Code::length_not_positive);
     EXPECT_EQ(refusal({{1, 1}}).code, Code::stroke_too_short);
     EXPECT_EQ(describe(refusal({{1, 1}, {2, 1.5}})),
-              "the stroke extends over 1 pixels only; it must extend over at least 2");
+              "the stroke is too short: it extends over 1 px and must extend over at least 2");
 }
 
 }  // namespace batten::core

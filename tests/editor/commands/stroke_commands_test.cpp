@@ -29,7 +29,7 @@ TEST_F(StrokeCommands, fit_a_stroke_that_is_typed) {
 
 TEST_F(StrokeCommands, say_what_a_stroke_lacks) {
     EXPECT_FALSE(editor_.run(FitStroke{.points = {{0, 0}, {1, 1}}, .smoothness = 4, .pixel = 1.0}));
-    EXPECT_EQ(message(), "the stroke extends over 1 pixels only; it must extend over at least 2");
+    EXPECT_EQ(message(), "the stroke is too short: it extends over 1 px and must extend over at least 2");
     EXPECT_TRUE(editor_.run(FitStroke{.points = {{0, 0}, {1, 1}}, .smoothness = 4, .pixel = 0.01}));
     EXPECT_FALSE(editor_.run(FitStroke{.points = {{0, 0}, {9, 9}}, .smoothness = 4, .pixel = 0.0}));
     EXPECT_FALSE(editor_.run(FitStroke{.points = {{0, 0}, {9, 9}}, .smoothness = 11, .pixel = 1.0}));
