@@ -178,6 +178,9 @@ bool commit_edit(EditorState& state, const Command& command) {
         push_step(state, command, *edit);
     } else {
         state.burst.reset();
+        // Another smoothness or distance is what was asked for, although the same curve came of it.
+        if (edit->stroke) note_stroke(state, std::move(edit->stroke));
+        if (edit->faired) note_faired(state, *edit);
         if (!edit->clipboard && !edit->selection)
             state.message = {edit->remark ? *edit->remark : nothing_changed_sentence(), false};
     }

@@ -27,6 +27,17 @@ TEST_F(StrokeCommands, fit_a_stroke_that_is_typed) {
     EXPECT_EQ(state().history.undo_label(), "Draw stroke");
 }
 
+TEST_F(StrokeCommands, a_smoothness_that_changes_nothing_is_kept) {
+    ASSERT_TRUE(editor_.run(FitStroke{.points = {{0, 0}, {9, 9}}, .smoothness = 4, .pixel = 0.01}));
+    const core::Curve line = curve(editor_);
+    ASSERT_TRUE(editor_.run(RefitStroke{.smoothness = 7}));
+    EXPECT_EQ(curve(editor_), line);
+    ASSERT_TRUE(state().stroke);
+    EXPECT_EQ(state().stroke->smoothness, 7);
+    EXPECT_EQ(state().view.smoothness, 7);
+    EXPECT_EQ(state().history.undo_count(), 1U);
+}
+
 TEST_F(StrokeCommands, say_what_a_stroke_lacks) {
     EXPECT_FALSE(editor_.run(FitStroke{.points = {{0, 0}, {1, 1}}, .smoothness = 4, .pixel = 1.0}));
     EXPECT_EQ(message(), "the stroke is too short: it extends over 1 px and must extend over at least 2");
