@@ -12,6 +12,13 @@
 
 namespace batten::ui {
 
+/// Leaves the menu open in which a row is clicked.
+#if IMGUI_VERSION_NUM >= 19100
+inline constexpr int row_leaves_menu_open = ImGuiSelectableFlags_NoAutoClosePopups;
+#else
+inline constexpr int row_leaves_menu_open = ImGuiSelectableFlags_DontClosePopups;
+#endif
+
 /// The height in pixels of a line of `font`, as it was loaded.
 float font_height(const ImFont* font);
 

@@ -56,9 +56,9 @@ void draw_menu_entry(const PanelContext& context, const editor::MenuEntry& entry
     const bool is_enabled = !refusal_of(spec, context.state);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::PushID(spec.name);
-    const bool is_chosen =
-        ImGui::Selectable("##entry", false, is_enabled ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled,
-                          ImVec2(columns.total(), 0.0F));
+    const int flags = (is_enabled ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled) |
+                      (entry.stays_open ? row_leaves_menu_open : ImGuiSelectableFlags_None);
+    const bool is_chosen = ImGui::Selectable("##entry", false, flags, ImVec2(columns.total(), 0.0F));
     ImGui::PopID();
     report_item(context, fmt::format("menu-item {}", spec.name), is_enabled ? "enabled" : "disabled");
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {

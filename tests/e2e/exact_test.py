@@ -126,8 +126,12 @@ class ExactTest(WindowTest):
         editor.click_widget("tool-bar set-snap")
         editor.wait(lambda state: "menu-item toggle-snap-grid" in state["widgets"] and state["is_settled"], "the kinds")
         editor.screenshot("kinds")
+        # Several are switched one after another.
         editor.click_widget("menu-item toggle-snap-grid")
-        editor.settle()
+        editor.click_widget("menu-item toggle-snap-knots")
+        editor.click_widget("menu-item toggle-snap-knots")
+        editor.key("Escape")
+        editor.wait(lambda state: "menu-item toggle-snap-grid" not in state["widgets"] and state["is_settled"], "the end of the menu")
         start = editor.point(3)
         editor.drag(start, (start[0] + 43, start[1] - 31))
         x, y = self.curves(editor)[0]["points"][3]

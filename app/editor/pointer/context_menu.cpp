@@ -205,7 +205,8 @@ class Menu {
     }
 
     void snapping() {
-        for (std::size_t i = 0; i < snap_kind_count; ++i) put({&toggle_snap_spec(static_cast<SnapKind>(i))});
+        for (std::size_t i = 0; i < snap_kind_count; ++i)
+            put({.spec = &toggle_snap_spec(static_cast<SnapKind>(i)), .stays_open = true});
         group();
         offer<SetAngleStep, AddGuide, RemoveGuides>();
     }

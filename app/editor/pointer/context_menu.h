@@ -70,6 +70,7 @@ struct MenuEntry {
     const CommandSpec* spec;
     std::optional<Command> command{};  ///< none: with what suggests itself, or by its form
     bool begins_group = false;
+    bool stays_open = false;  ///< the menu, since several of its lines are wanted at once
 };
 
 /// Selects the control point or knot that the menu is about, unless it is selected already, or activates the curve.
