@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "app/editor/commands/document_commands.h"
 #include "app/editor/commands/drawing_commands.h"
@@ -113,10 +114,18 @@ CanvasMode finish(DrawingCurve mode, const Gesture& gesture, bool closed) {
     return curve_of(mode, pen, closed) ? give_up(gesture) : CanvasMode(std::move(mode));
 }
 
+// In Bézier mode a drag draws out the handle of the first point before.
+CanvasMode close(DrawingCurve mode, const Gesture& gesture) {
+    if (gesture.state.view.pen_mode != PenMode::bezier) return finish(std::move(mode), gesture, true);
+    mode.pulled_px = gesture.event.position_px;
+    mode.first_handle = handle_of(mode, 0);
+    return mode;
+}
+
 CanvasMode press_left(DrawingCurve mode, const Gesture& gesture) {
     // What is typed is about a place, whatever lies under the pointer.
     if (!is_typed(gesture)) {
-        if (would_close(mode, gesture)) return finish(std::move(mode), gesture, true);
+        if (would_close(mode, gesture)) return close(std::move(mode), gesture);
         const bool is_double = gesture.event.action == PointerAction::double_click;
         if (is_double || is_pointed_at(gesture, mode.points.back())) return finish(std::move(mode), gesture, false);
         if (closes_too_early(mode, gesture)) {
@@ -135,17 +144,18 @@ CanvasMode press(DrawingCurve mode, const Gesture& gesture) {
     return gesture.event.button == PointerButton::left ? press_left(std::move(mode), gesture) : CanvasMode(mode);
 }
 
-// The press that set the last point drags its handle out.
+// The press that set the last point, or closes the curve at the first one, drags its handle out.
 void pull_handle(DrawingCurve& mode, const Gesture& gesture) {
     mode.handles.resize(mode.points.size(), core::Vector(0.0, 0.0));
+    const std::size_t i = mode.first_handle ? 0 : mode.points.size() - 1;
     const bool is_click = !is_drag(gesture.state, *mode.pulled_px, gesture.event.position_px);
-    mode.handles.back() =
-        is_click ? core::Vector(0.0, 0.0) : pointed_at(gesture, mode.points.back()) - mode.points.back();
+    mode.handles[i] = is_click ? mode.first_handle.value_or(core::Vector(0.0, 0.0))
+                               : pointed_at(gesture, mode.points[i]) - mode.points[i];
 }
 
 CanvasMode move(DrawingCurve mode, const Gesture& gesture) {
     if (mode.pulled_px) pull_handle(mode, gesture);
-    mode.closes = !mode.pulled_px && would_close(mode, gesture);
+    mode.closes = mode.first_handle || (!mode.pulled_px && would_close(mode, gesture));
     mode.next = pointed_at(gesture, mode.points.back());
     return mode;
 }
@@ -154,12 +164,14 @@ CanvasMode release(DrawingCurve mode, const Gesture& gesture) {
     if (gesture.event.button == PointerButton::right)
         return mode.points.size() < 2 ? give_up(gesture) : finish(std::move(mode), gesture, false);
     mode.pulled_px.reset();
-    return mode;
+    if (!std::exchange(mode.first_handle, std::nullopt)) return mode;
+    return finish(std::move(mode), gesture, true);
 }
 
 CanvasMode take_back(DrawingCurve mode) {
     mode.points.pop_back();
     mode.pulled_px.reset();
+    mode.first_handle.reset();
     mode.closes = false;
     if (mode.points.empty()) return CanvasIdle{};
     if (mode.handles.size() > mode.points.size()) mode.handles.resize(mode.points.size());

@@ -19,6 +19,8 @@ struct DrawingCurve {
     std::size_t tool_changes = 0;           ///< of the state when it began
     std::vector<core::Vector> handles{};    ///< in Bézier mode, of the first points; zero for a corner
     std::optional<glm::dvec2> pulled_px{};  ///< where the press was whose handle is being drawn out
+    /// The handle that is being drawn out is that of the first point, which had this one; the release closes the curve.
+    std::optional<core::Vector> first_handle{};
     std::optional<glm::dvec2> panned_px{};  ///< where the pointer was while the view is being moved
     bool closes = false;                    ///< the pointer is where a click closes the curve
 };

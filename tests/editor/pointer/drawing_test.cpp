@@ -212,6 +212,21 @@ TEST_F(Drawing, a_click_on_the_first_of_two_points_says_what_a_closed_curve_need
     EXPECT_TRUE(committed(editor).is_periodic());
 }
 
+// The handle of the first point is drawn out by the press that closes the curve: C' there is three times (0, -2).
+TEST_F(Drawing, the_handle_of_the_first_point_is_drawn_out_while_the_curve_is_closed) {
+    editor.run(UsePen<PenMode::bezier>{});
+    pointer.click(px(-2, 0));
+    pointer.click(px(2, 0));
+    pointer.press(px(-2, 0));
+    pointer.move(px(-2, -2));
+    EXPECT_TRUE(std::get<DrawingCurve>(pointer.mode()).closes);
+    pointer.release(px(-2, -2));
+    const core::Curve& ring = committed(editor);
+    ASSERT_TRUE(ring.is_periodic());
+    EXPECT_EQ(core::derivatives_at(ring, 0.0, 1, core::Side::right)[1], core::Vector(0, -6));
+    EXPECT_EQ(core::derivatives_at(ring, ring.domain().upper, 1, core::Side::left)[1], core::Vector(0, -6));
+}
+
 // Handles make a closed curve of two points: (0, 2) up at one, (0, -2) down at the other.
 TEST_F(Drawing, two_points_with_handles_make_a_closed_curve) {
     editor.run(UsePen<PenMode::bezier>{});
