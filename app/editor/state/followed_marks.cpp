@@ -22,14 +22,22 @@ bool has_points_backwards(const core::Curve& old, const core::Curve& now) {
            std::equal(b.rbegin(), std::make_reverse_iterator(first), a.begin() + (first - b.begin()));
 }
 
-// Whether a closed curve begins elsewhere now, with the same parameters but for a period.
+// Whether a closed curve, or a part of it, begins elsewhere now and goes on over the seam, with the same parameters but
+// for a period.
 bool has_moved_seam(const core::Curve& old, const core::Curve& now) {
     constexpr double rounding = 1e-12;
     const core::Interval before = old.domain();
     const core::Interval after = now.domain();
-    return before.lower < after.lower && after.lower < before.upper &&
-           std::abs(after.length() - before.length()) <= rounding * before.length() &&
+    return before.lower < after.lower && after.lower < before.upper && before.upper < after.upper &&
+           after.length() <= (1.0 + rounding) * before.length() &&
            !std::ranges::equal(old.control_points(), now.control_points());
+}
+
+// The knot that is `wanted` but for rounding; `otherwise` where there is none.
+double knot_like(std::span<const double> knots, double wanted, double otherwise) {
+    constexpr double rounding = 1e-9;
+    const double nearest = *std::ranges::min_element(knots, {}, [&](double knot) { return std::abs(knot - wanted); });
+    return std::abs(nearest - wanted) <= rounding * (knots.back() - knots.front()) ? nearest : otherwise;
 }
 
 // Where the knot u of `old` is in `now`: the same one by its number where there are as many, else by its value.
@@ -38,8 +46,7 @@ double moved_knot(const core::Curve& old, const core::Curve& now, double u) {
     const auto after = now.knots().stored();
     if (has_moved_seam(old, now)) {
         if (u >= now.domain().lower) return u;
-        const double wanted = u + old.domain().length();
-        return *std::ranges::min_element(after, {}, [&](double knot) { return std::abs(knot - wanted); });
+        return knot_like(after, u + old.domain().length(), u);
     }
     if (old.degree() != now.degree() || before.size() != after.size() || old.is_periodic() != now.is_periodic())
         return u;

@@ -201,7 +201,9 @@ class MarkKeeping {
         auto ends = ends_by_joint(after_);
         for (const LeftEnd& left : left_) {
             const std::size_t others = ends.contains(left.number) ? ends.at(left.number).size() : 0;
-            if (others == 1 || (others == 0 && !left.is_knot)) unknown_.push_back(after_.curves[left.curve].name);
+            const bool is_knot = std::ranges::any_of(
+                left_, [&](const LeftEnd& other) { return other.number == left.number && other.is_knot; });
+            if (others == 1 || (others == 0 && !is_knot)) unknown_.push_back(after_.curves[left.curve].name);
         }
         for (auto& [number, pair] : ends) {
             std::stable_partition(pair.begin(), pair.end(),

@@ -17,6 +17,7 @@
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/shape_commands.h"
 #include "app/editor/commands/symmetry_commands.h"
+#include "app/editor/commands/trim_commands.h"
 #include "app/editor/state/kept_joints.h"
 #include "app/editor/state/same_document.h"
 #include "core/evaluate/evaluate.h"
@@ -376,6 +377,26 @@ TEST_F(MarkedJoints, marks_of_a_periodic_curve_follow_its_seam_and_its_direction
         expect_at_places();
         run(Undo{});
     }
+}
+
+// A square of four pieces, cut by a level line through its middle: the lower half goes on over the seam at (0, 0).
+TEST_F(MarkedJoints, of_what_is_left_of_a_closed_curve_follow_over_its_seam) {
+    constexpr const char* square_text = R"({ "format": "batten", "version": 1, "curves": [
+      { "name": "square", "degree": 2, "knots": [0,0,0,1,1,2,2,3,3,4,4,4],
+        "points": [[0,0],[2,0],[4,0],[4,2],[4,4],[2,4],[0,4],[0,2],[0,0]] },
+      { "name": "level", "degree": 1, "knots": [0,0,1,1], "points": [[-1,2],[5,2]] } ] })";
+    open_text(editor, square_text);
+    for (const double u : {1.0, 2.0, 0.0}) ASSERT_TRUE(run(MarkJoint{.mark = JointMark::corner, .u = u})) << message();
+    ASSERT_TRUE(run(Trim{.u = 2.5}));
+    EXPECT_EQ(message(),
+              "Trimmed the part from u = 1.5 to 3.5; u = 2 is no knot inside a curve any more, and its mark is gone");
+    const std::vector<core::KnotMark>& marks = entry().joints.knots;
+    ASSERT_EQ(marks.size(), 2U);
+    EXPECT_EQ(marks[0].u, 4.0);
+    EXPECT_EQ(marks[1].u, 5.0);
+    EXPECT_EQ(core::point_at(*entry().curve, 4.0), core::Point(0, 0));
+    EXPECT_EQ(core::point_at(*entry().curve, 5.0), core::Point(4, 0));
+    EXPECT_TRUE(core::parse_document(core::format_document(document(editor))));
 }
 
 TEST_F(MarkedJoints, ends_of_a_curve_that_is_closed_are_its_seam) {
