@@ -73,14 +73,12 @@ editor::Outcome<std::vector<Argument>> arguments_of(const FormState& form, std::
     std::vector<Argument> arguments;
     for (std::size_t k = 0; k < texts.size(); ++k) {
         const Argument& begun = form.begun[i][k];
-        const std::string& initial = form.initial[i][k];
-        // A length is not as long to the last bit when it is read back in the document's unit.
-        if (editor::is_of_lengths(field) && texts[k] == form.shown[i][k] && begun != Argument(std::monostate{})) {
+        // What was not typed counts to the last bit; in few digits or in the document's unit it would not.
+        if (texts[k] == form.shown[i][k] && begun != Argument(std::monostate{}))
             arguments.push_back(begun);
-            continue;
-        }
-        const std::string& text = texts[k] == form.shown[i][k] ? initial : texts[k];
-        arguments.emplace_back(editor::Word{editor::takes_text(field) ? text : editor::typed_over(text, initial)});
+        else
+            arguments.emplace_back(
+                editor::Word{editor::takes_text(field) ? texts[k] : editor::typed_over(texts[k], form.initial[i][k])});
     }
     return arguments;
 }
