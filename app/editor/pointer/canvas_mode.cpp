@@ -30,7 +30,6 @@
 namespace batten::editor {
 namespace {
 
-/// Whether a click with the tool puts something at the place that is pointed at.
 // What is under the pointer; for the select tool a picture that it would drag, where that is nothing else.
 Hover hit_of_tool(const Gesture& gesture) {
     const glm::dvec2 place = gesture.event.position_px;

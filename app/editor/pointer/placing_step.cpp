@@ -67,13 +67,19 @@ bool is_soft_move(const CanvasMode& mode) {
     return brush != nullptr && brush->press_px && !brush->painted;
 }
 
+/// Whether a radius or a distance is dragged out.
+bool is_joint_drag(const CanvasMode& mode) {
+    const auto* picking = std::get_if<PickingJoint>(&mode);
+    return picking != nullptr && picking->drag;
+}
+
 /// Whether a button holds something whose place may be typed.
 bool is_place_dragged(const CanvasMode& mode) {
     return std::holds_alternative<DraggingPoints>(mode) || std::holds_alternative<DraggingCurvePoint>(mode) ||
            std::holds_alternative<DraggingFitPoint>(mode) || std::holds_alternative<DraggingFitHandle>(mode) ||
            std::holds_alternative<DraggingHandle>(mode) || std::holds_alternative<DraggingGuide>(mode) ||
            std::holds_alternative<DraggingTransform>(mode) || std::holds_alternative<DraggingHandlebar>(mode) ||
-           std::holds_alternative<DraggingSelection>(mode) || is_soft_move(mode);
+           std::holds_alternative<DraggingSelection>(mode) || is_soft_move(mode) || is_joint_drag(mode);
 }
 
 FirstLetters first_letters(const CanvasMode& mode) {

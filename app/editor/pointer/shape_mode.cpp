@@ -77,7 +77,7 @@ CanvasMode take_place(DrawingShape mode, const Gesture& gesture) {
     const core::Point next = next_place(mode, gesture);
     mode = moved(std::move(mode), next);
     if (mode.next == mode.points.back()) {
-        if (is_typed(gesture)) gesture.queue.change(ShowRefusal{"this is the place before; the next one is another"});
+        if (is_typed(gesture)) gesture.queue.change(ShowRefusal{"the next place must be another one than the last"});
         return mode;
     }
     if (!is_complete(mode)) {

@@ -450,6 +450,16 @@ TEST_F(JointMode, the_corner_where_the_ends_of_a_curve_meet_is_rounded_too) {
     EXPECT_GT(core::distance(core::nearest_point(rounded, {-5, 3}).point, core::Point(-5, 3)), 0.5);
 }
 
+TEST_F(JointMode, the_radius_may_be_an_expression_that_begins_with_a_function) {
+    take(JointOperation::fillet);
+    pointer.press(px(2, -2));
+    pointer.modifiers = test::alt;
+    pointer.move(px(1.7, -2.4));
+    ASSERT_TRUE(picking().drag);
+    type(U"sqrt(1/4)", px(1.7, -2.4));
+    EXPECT_EQ(picking().drag->distance, 0.5);
+}
+
 // 2 along the level line that is picked, 0.5 along the upright one.
 TEST_F(JointMode, both_distances_of_a_chamfer_can_be_typed) {
     ASSERT_TRUE(editor.run(AddLine{.from = {-1, 0}, .to = {-1, 3}}));

@@ -450,7 +450,7 @@ TEST_F(Shapes, a_place_typed_twice_is_refused) {
     draw(ShapeKind::line);
     type(U"1,2\n1,2\n", px(0, 0));
     EXPECT_TRUE(is_in<DrawingShape>());
-    EXPECT_EQ(state().message.text, "this is the place before; the next one is another");
+    EXPECT_EQ(state().message.text, "the next place must be another one than the last");
 }
 
 TEST_F(Shapes, are_given_up_with_the_tool) {
