@@ -35,7 +35,7 @@ void measure(TextLines& broken, ImFont* font) {
 std::string with_word_before(std::string& line, const std::string& dot) {
     const std::size_t space = line.rfind(' ');
     if (space == std::string::npos) return dot;
-    const std::string begun = fmt::format("{} {}", line.substr(space + 1), dot);
+    std::string begun = fmt::format("{} {}", line.substr(space + 1), dot);
     line.resize(space);
     return begun;
 }

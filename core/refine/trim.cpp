@@ -38,7 +38,7 @@ Result<Curve> part_of_ring(const Curve& curve, double begin, double end) {
     if (curve.is_periodic() || begin < end) return sub_curve(curve, begin, end);
     auto before = sub_curve(curve, begin, domain.upper);
     if (!before || end == domain.lower) return before;
-    const auto behind = sub_curve(curve, domain.lower, end);
+    auto behind = sub_curve(curve, domain.lower, end);
     if (!behind) return behind;
     return join(*before, *behind, JoinContinuity::c0, {CurveEnd::end, CurveEnd::start})
         .map([](const JoinedCurve& joined) { return joined.curve; });

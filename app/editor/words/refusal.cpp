@@ -15,7 +15,8 @@ struct LengthsOfError {
     bool upper = false;
 };
 
-LengthsOfError lengths_of(core::CurveErrorCode code) {
+// A line for each code, so that a new one is decided on.
+LengthsOfError lengths_of(core::CurveErrorCode code) {  // NOLINT(readability-function-size)
     using enum core::CurveErrorCode;
     switch (code) {
         case length_not_positive:

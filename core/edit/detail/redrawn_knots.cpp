@@ -140,6 +140,30 @@ Support support_of(double first, double last, const Remainder& remainder, const 
     return Support::behind;
 }
 
+// Of a closed curve whose seam is a multiple knot some of them are behind it.
+void number_free_points(RedrawnPoints& found, const std::vector<bool>& is_free, bool is_periodic) {
+    for (std::size_t i = 0; i < is_free.size(); ++i) {
+        const bool follows_one = i > 0 ? is_free[i - 1] : is_periodic && is_free.back();
+        if (is_free[i] && !follows_one) found.first = i;
+    }
+    found.count = static_cast<std::size_t>(std::ranges::count(is_free, true));
+}
+
+// From what stays before to what stays behind.
+void blend_free_weights(RedrawnPoints& found, bool is_periodic) {
+    const std::size_t n = found.weights.size();
+    const std::size_t end = found.first + found.count;
+    const bool has_before = found.first > 0 || is_periodic;
+    const bool has_behind = end < n || is_periodic;
+    const double after = has_behind ? found.weights[end % n] : 1.0;
+    const double first = has_before ? found.weights[(found.first + n - 1) % n] : after;
+    const double last = has_behind ? after : first;
+    for (std::size_t k = 0; k < found.count; ++k) {
+        const double share = static_cast<double>(k + 1) / static_cast<double>(found.count + 1);
+        found.weights[(found.first + k) % n] = first + share * (last - first);
+    }
+}
+
 }  // namespace
 
 Result<KnotVector> redrawn_knots(const Curve& curve, const RedrawnPart& part, std::size_t spans) {
@@ -177,22 +201,9 @@ std::optional<RedrawnPoints> redrawn_points(const Curve& curve, const RedrawnPar
         found.points.push_back(project(point));
         found.weights.push_back(curve.is_rational() ? point.z : curve.weights().front());
     }
-    // Of a closed curve whose seam is a multiple knot some of them are behind it.
-    for (std::size_t i = 0; i < n; ++i)
-        if (is_free[i] && !(i > 0 ? is_free[i - 1] : curve.is_periodic() && is_free[n - 1])) found.first = i;
-    found.count = static_cast<std::size_t>(std::ranges::count(is_free, true));
+    number_free_points(found, is_free, curve.is_periodic());
     if (found.count == 0 || (curve.is_periodic() && found.count == n)) return std::nullopt;
-    const std::size_t end = found.first + found.count;
-    // From what stays before to what stays behind.
-    const auto weight_of = [&](std::size_t i) { return found.weights[(i + n) % n]; };
-    const bool has_before = found.first > 0 || curve.is_periodic();
-    const bool has_behind = end < n || curve.is_periodic();
-    const double first = has_before ? weight_of(found.first + n - 1) : has_behind ? weight_of(end) : 1.0;
-    const double last = has_behind ? weight_of(end) : first;
-    for (std::size_t k = 0; k < found.count && curve.is_rational(); ++k) {
-        const double share = static_cast<double>(k + 1) / static_cast<double>(found.count + 1);
-        found.weights[(found.first + k) % n] = first + share * (last - first);
-    }
+    if (curve.is_rational()) blend_free_weights(found, curve.is_periodic());
     return found;
 }
 
