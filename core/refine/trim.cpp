@@ -137,7 +137,7 @@ Result<std::vector<Curve>> split_at(const Curve& curve, std::span<const double> 
         edges.insert(edges.begin(), curve.domain().lower);
         edges.push_back(curve.domain().upper);
     } else if (!cuts.empty()) {
-        edges.push_back(cuts.front());
+        edges.insert(edges.begin(), cuts.back());
     }
     std::vector<Curve> parts;
     for (std::size_t i = 0; i + 1 < edges.size(); ++i) {

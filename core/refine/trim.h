@@ -26,7 +26,7 @@ std::vector<double> crossing_parameters(const Curve& curve, std::span<const Curv
 [[nodiscard]] Result<std::vector<Curve>> without_part(const Curve& curve, Interval part);
 
 /// The parts between `cuts`, which are ascending and inside the domain; of a closed curve as many as there are cuts,
-/// one of which goes on over the seam. Errors: those of sub_curve and join.
+/// the first of which goes on over the seam. Errors: those of sub_curve and join.
 [[nodiscard]] Result<std::vector<Curve>> split_at(const Curve& curve, std::span<const double> cuts);
 
 /// How a curve goes on beyond its end.

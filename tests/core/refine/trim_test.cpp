@@ -102,7 +102,10 @@ TEST(Trim, of_a_curve_whose_ends_meet_goes_round_the_seam_too) {
         EXPECT_LE(distance(rest[0].control_points().front(), Point(-0.5, std::sqrt(0.75))), 1e-14);
         EXPECT_LE(distance(rest[0].control_points().back(), Point(-0.5, -std::sqrt(0.75))), 1e-14);
     }
-    EXPECT_EQ(split_at(ring, cuts).value().size(), 2u);
+    const auto halves = split_at(ring, cuts).value();
+    ASSERT_EQ(halves.size(), 2u);
+    EXPECT_EQ(halves[0], left[0]) << "the one over the seam";
+    EXPECT_EQ(halves[1].domain(), (Interval{cuts[0], cuts[1]}));
     EXPECT_EQ(part_around(ring, 0.5, std::vector{0.3}).error().code, CurveErrorCode::nothing_crosses);
 }
 
