@@ -76,7 +76,7 @@ StepTexts texts_of_trimming(const EditorState& state, const Trim& command) {
 
 StepTexts texts_of_splitting(const EditorState& state, const void*, const Edit& edit) {
     const std::size_t added = edit.document.curves.size() - state.history.present().curves.size();
-    return {SplitAtCrossings::spec().title, sentence({.one = "Split at one crossing: there is one curve more",
+    return {SplitAtCrossings::spec().title, sentence({.one = "Split at crossings: there is one curve more",
                                                       .many = "Split at crossings: there are {count} curves more"},
                                                      added)};
 }

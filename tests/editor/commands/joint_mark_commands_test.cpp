@@ -397,6 +397,15 @@ TEST_F(MarkedJoints, of_what_is_left_of_a_closed_curve_follow_over_its_seam) {
     EXPECT_EQ(core::point_at(*entry().curve, 4.0), core::Point(0, 0));
     EXPECT_EQ(core::point_at(*entry().curve, 5.0), core::Point(4, 0));
     EXPECT_TRUE(core::parse_document(core::format_document(document(editor))));
+    // Both halves have the marks of the whole, and none is lost.
+    ASSERT_TRUE(run(Undo{}));
+    ASSERT_TRUE(run(SplitAtCrossings{.scope = SplitScope::active}));
+    EXPECT_EQ(message(), "Split at crossings: there is one curve more; the curve is unchanged");
+    ASSERT_EQ(entry(0).joints.knots.size(), 2U);
+    EXPECT_EQ(entry(0).joints.knots[0].u, 4.0);
+    EXPECT_EQ(entry(0).joints.knots[1].u, 5.0);
+    ASSERT_EQ(entry(1).joints.knots.size(), 1U);
+    EXPECT_EQ(entry(1).joints.knots[0].u, 2.0);
 }
 
 TEST_F(MarkedJoints, ends_of_a_curve_that_is_closed_are_its_seam) {
