@@ -7,12 +7,13 @@ import sys
 # Folder: the folders of the project and the outside headers it may include (beside the standard library).
 LAYERS = {
     "core": ({"core"}, {"glm", "tl", "Eigen", "fmt", "hwy", "nlohmann", "posix"}),
+    "exchange": ({"core", "exchange"}, {"glm", "tl", "fmt", "nlohmann"}),
     "render": ({"render"}, {"glm", "tl", "fmt", "glad", "cairo", "cairo-svg"}),
     "app/picture": ({"core", "app/picture"}, {"tl", "stb"}),
-    "app/editor": ({"core", "app/editor", "app/picture"}, {"glm", "tl", "fmt", "nlohmann"}),
+    "app/editor": ({"core", "exchange", "app/editor", "app/picture"}, {"glm", "tl", "fmt", "nlohmann"}),
     "app/ui": ({"core", "app/editor", "app/ui"}, {"glm", "tl", "fmt", "imgui", "misc"}),
     "app/platform": ({"core", "render", "app/editor", "app/ui", "app/platform"}, {"glm", "tl", "fmt", "imgui", "backends", "nlohmann", "GLFW"}),
-    "app/cli": ({"core", "render", "app/editor", "app/cli"}, {"glm", "tl", "fmt", "CLI", "nlohmann", "posix"}),
+    "app/cli": ({"core", "exchange", "render", "app/editor", "app/cli"}, {"glm", "tl", "fmt", "CLI", "nlohmann", "posix"}),
     "app": ({"app/platform", "app/cli"}, set()),
 }
 
@@ -95,7 +96,7 @@ def is_allowed(path, layer, quote, header):
 
 def main():
     root = pathlib.Path(sys.argv[1])
-    sources = [p for layer in ("core", "render", "app") for p in (root / layer).rglob("*") if p.suffix in (".h", ".cpp")]
+    sources = [p for layer in ("core", "exchange", "render", "app") for p in (root / layer).rglob("*") if p.suffix in (".h", ".cpp")]
     wrong = []
     for source in sorted(sources):
         path = source.relative_to(root).as_posix()

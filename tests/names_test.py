@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-LIBRARIES = ("core", "render", "app/editor", "app/ui", "app/cli", "app/platform")
+LIBRARIES = ("core", "exchange", "render", "app/editor", "app/ui", "app/cli", "app/platform")
 # These are compiled alone.
 APART = {"evaluate/detail/span_block.cpp", "evaluate/detail/taylor_samples.cpp"}
 NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.M)

@@ -93,7 +93,7 @@ def foreign_words(path, source):
 def main():
     root = pathlib.Path(sys.argv[1])
     found = []
-    sources = [p for layer in ("core", "render", "app", "tests") for p in (root / layer).rglob("*") if p.suffix in (".h", ".cpp", ".md")]
+    sources = [p for layer in ("core", "exchange", "render", "app", "tests") for p in (root / layer).rglob("*") if p.suffix in (".h", ".cpp", ".md")]
     for source in sorted(sources + list(root.glob("*.md"))):
         path, text = source.relative_to(root).as_posix(), source.read_text()
         if path != "CHANGELOG.md":

@@ -1,0 +1,57 @@
+#include "exchange/format.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace batten::exchange {
+
+namespace {
+
+std::string in_small_letters(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+    return text;
+}
+
+}  // namespace
+
+std::span<const FormatSpec> all_formats() {
+    static const std::vector<FormatSpec> formats{{.format = Format::svg, .endings = {".svg"}},
+
+                                                 {.format = Format::dxf, .endings = {".dxf"}},
+
+                                                 {.format = Format::nurbs_python, .endings = {".nurbs-python.json"}},
+
+                                                 {.format = Format::tinyspline, .endings = {".tinyspline.json"}},
+
+                                                 {.format = Format::rhino, .endings = {".rhino.json"}},
+
+                                                 {.format = Format::opencascade, .endings = {".opencascade.json"}},
+
+                                                 {.format = Format::iges, .endings = {".igs", ".iges"}},
+
+                                                 {.format = Format::step, .endings = {".step", ".stp"}},
+
+                                                 {.format = Format::csv, .endings = {".csv"}}};
+    return formats;
+}
+
+const FormatSpec& spec_of(Format format) {
+    return all_formats()[static_cast<std::size_t>(format)];
+}
+
+std::optional<Format> format_of(const std::filesystem::path& path) {
+    const std::string name = in_small_letters(path.filename().string());
+    std::optional<Format> found;
+    std::size_t longest = 0;
+    for (const FormatSpec& spec : all_formats()) {
+        for (const std::string& ending : spec.endings) {
+            if (ending.size() <= longest || ending.size() >= name.size() || !name.ends_with(ending)) continue;
+            found = spec.format;
+            longest = ending.size();
+        }
+    }
+    return found;
+}
+
+}  // namespace batten::exchange
