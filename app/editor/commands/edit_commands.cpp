@@ -84,6 +84,7 @@ bool is_one_meant(const EditorState& state) {
 // As the text of a file.
 std::string text_of_meant(const EditorState& state) {
     core::Document document;
+    document.units = units_of(state);
     for (const std::size_t i : curves_meant(state)) document.curves.push_back(state.history.present().curves[i]);
     return core::format_document(document);
 }
@@ -118,7 +119,13 @@ StepTexts texts_of_cut(const EditorState& state, const Cut&) {
     return {sentence("Cut curve '{name}'", {active_name(state)}), sentence("Cut curve '{name}'", {active_name(state)})};
 }
 
-Outcome<Edit> with_curves_of_text(const EditorState& state, const std::string& text, double shift) {
+/// Curves that were copied, in the units of the document, and what is to be said of them.
+struct CopiedCurves {
+    core::Document document;
+    std::optional<std::string> remark{};
+};
+
+Outcome<CopiedCurves> copied_curves(const EditorState& state, const std::string& text) {
     core::FileResult<core::Document> pasted = core::parse_document(text);
     if (!pasted && core::read_point_table(text))
         return tl::unexpected(
@@ -127,15 +134,24 @@ Outcome<Edit> with_curves_of_text(const EditorState& state, const std::string& t
         return tl::unexpected(
             sentence("the clipboard holds no Batten curves: {reason}", {{"reason", pasted.error().sentence()}}));
     if (pasted->curves.empty()) return tl::unexpected(Refusal("the clipboard holds a document without curves"));
-    for (core::DocumentCurve& curve : pasted->curves) {
+    return convert_units(*pasted, units_of(state)).map([&](std::optional<std::string> remark) {
+        return CopiedCurves{*std::move(pasted), std::move(remark)};
+    });
+}
+
+Outcome<Edit> with_curves_of_text(const EditorState& state, const std::string& text, double shift) {
+    Outcome<CopiedCurves> copied = copied_curves(state, text);
+    if (!copied) return tl::unexpected(copied.error());
+    for (core::DocumentCurve& curve : copied->document.curves) {
         if (const auto shifted = shift_entry(curve, shift); !shifted) return refused(state, shifted.error());
         if (curve.symmetry) curve.symmetry = mapped_symmetry(*curve.symmetry, core::translation({shift, -shift}));
         curve.visible = true;
         curve.locked = false;
     }
     Edit edit{state.history.present(), Selection{}};
-    add_curves(edit.document, std::move(pasted->curves));
+    add_curves(edit.document, std::move(copied->document.curves));
     edit.document.active = edit.document.curves.size() - 1;
+    edit.remark = std::move(copied->remark);
     return edit;
 }
 
@@ -162,12 +178,12 @@ bool would_cover(const EditorState& state, const core::Document& pasted, double 
 // The first of 0, 1, 2, ... steps of the grid at which nothing is covered; every curve of the document can stop
 // one of them for each that is pasted.
 double free_shift(const EditorState& state) {
-    const core::FileResult<core::Document> pasted = core::parse_document(read_clipboard(state));
-    if (!pasted) return 0.0;
+    const Outcome<CopiedCurves> copied = copied_curves(state, read_clipboard(state));
+    if (!copied) return 0.0;
     const double step = suggest::grid_step(state);
-    const std::size_t most = state.history.present().curves.size() * pasted->curves.size();
+    const std::size_t most = state.history.present().curves.size() * copied->document.curves.size();
     std::size_t steps = 0;
-    while (steps < most && would_cover(state, *pasted, static_cast<double>(steps) * step)) ++steps;
+    while (steps < most && would_cover(state, copied->document, static_cast<double>(steps) * step)) ++steps;
     return static_cast<double>(steps) * step;
 }
 

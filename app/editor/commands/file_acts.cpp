@@ -109,12 +109,25 @@ Outcome<void> show_example(EditorState& state, const std::string& name) {
     return {};
 }
 
-// The curves of both, those of `added` under names that are not in use; the last one is active.
-core::Document joined(core::Document document, const core::Document& added) {
-    add_curves(document, added.curves);
+bool is_bare(const core::Document& document) {
+    return document.curves.empty() && document.pictures.empty() && document.guides.empty() && !document.units;
+}
+
+// What both hold, the curves of `added` under names that are not in use; the last one is active.
+core::Document joined(core::Document document, core::Document added) {
+    if (is_bare(document)) document.units = added.units;
+    add_curves(document, std::move(added.curves));
     document.active = document.curves.empty() ? 0 : document.curves.size() - 1;
     document.pictures.insert(document.pictures.end(), added.pictures.begin(), added.pictures.end());
+    document.guides.insert(document.guides.end(), added.guides.begin(), added.guides.end());
     return document;
+}
+
+std::optional<std::string> told_together(std::vector<std::optional<std::string>> told) {
+    std::vector<std::string> said;
+    for (std::optional<std::string>& text : told)
+        if (text) said.push_back(*std::move(text));
+    return told_in_turn(said);
 }
 
 // The overlays shown, and those that a newer version knows.
@@ -184,12 +197,17 @@ Outcome<void> ask_or_proceed(EditorState& state, Pending command) {
 }
 
 Outcome<Edit> with_curves_of(const EditorState& state, const fs::path& path) {
-    const Outcome<core::Document> added = load(path, state.progress);
+    Outcome<core::Document> added = load(path, state.progress);
     if (!added) return tl::unexpected(added.error());
     if (added->curves.empty())
         return tl::unexpected(sentence("{file}: the file has no curves", {{"file", path.filename().string()}}));
-    Edit edit{joined(state.history.present(), *added), Selection{}};
-    edit.remark = told_of_lost_fits(added->lost_fits);
+    Outcome<std::optional<std::string>> converted = convert_units(*added, units_of(state));
+    if (!converted)
+        return tl::unexpected(
+            sentence("{file}: {what}", {{"file", path.filename().string()}, {"what", converted.error()}}));
+    std::optional<std::string> lost = told_of_lost_fits(added->lost_fits);
+    Edit edit{joined(state.history.present(), *std::move(added)), Selection{}};
+    edit.remark = told_together({*std::move(converted), std::move(lost)});
     return edit;
 }
 

@@ -14,6 +14,7 @@
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/commands/shape_view_commands.h"
+#include "app/editor/commands/unit_commands.h"
 #include "app/editor/commands/view_commands.h"
 #include "app/editor/commands/weight_commands.h"
 #include "core/base/sentence.h"
@@ -454,6 +455,77 @@ TEST_F(FileCommands, add_the_curves_of_a_file) {
     run(Undo{});
     run(Undo{});
     EXPECT_FALSE(state().is_modified());
+}
+
+// A line of an inch with a guide, a picture and a mirror, in a document of inches, one of which is `scale`.
+std::string inch_text(const char* scale) {
+    return core::sentence(R"({{ "format": "batten", "version": 1, "curves": [
+      {{ "name": "a", "degree": 1, "knots": [0,0,1,1], "points": [[1,2],[2,2]],
+        "symmetry": {{"group": 0, "place": 0, "center": [3,0], "mirror": 90}} }},
+      {{ "name": "b", "degree": 1, "knots": [0,0,1,1], "points": [[5,2],[4,2]],
+        "symmetry": {{"group": 0, "place": 1, "center": [3,0], "mirror": 90}} }} ],
+      "pictures": [{{ "path": "scan.png", "width": 100, "height": 50, "position": [-1,4], "scale": 0.01 }}],
+      "guides": [{{ "point": [0,3], "angle": 0 }}],
+      "units": {{ "unit": "inch", "scale": {scale} }} }})",
+                          {{"scale", scale}});
+}
+
+TEST_F(FileCommands, lengths_of_a_file_that_is_added_stay_what_they_are) {
+    run(Open{.path = arch_});
+    run(SetUnits{.unit = UnitChoice::mm, .scale = 2.0});
+    EXPECT_TRUE(run(AddFile{.path = folder_.write("inches.json", inch_text("1"))}));
+    EXPECT_TRUE(
+        state().message.text.ends_with("its coordinates were multiplied by 50.8, so that lengths stay what they are"))
+        << state().message.text;
+    const core::Document& both = document(editor_);
+    ASSERT_EQ(both.curves.size(), 3U);
+    EXPECT_EQ(both.units->unit, core::LengthUnit::mm);
+    EXPECT_NEAR(both.curves[1].curve->control_points()[0].x, 50.8, 1e-12);
+    EXPECT_NEAR(both.curves[1].curve->control_points()[0].y, 101.6, 1e-12);
+    EXPECT_NEAR(both.curves[2].curve->control_points()[0].x, 254.0, 1e-12);
+    EXPECT_NEAR(both.curves[2].symmetry->center.x, 152.4, 1e-12);
+    EXPECT_NEAR(both.guides.at(0).point.y, 152.4, 1e-12);
+    EXPECT_NEAR(both.pictures.at(0).position.x, -50.8, 1e-12);
+    EXPECT_NEAR(both.pictures.at(0).scale, 0.508, 1e-14);
+}
+
+TEST_F(FileCommands, plain_numbers_stay_what_they_are_beside_lengths) {
+    run(Open{.path = arch_});
+    EXPECT_TRUE(run(AddFile{.path = folder_.write("inches.json", inch_text("1"))}));
+    EXPECT_EQ(document(editor_).curves[1].curve->control_points()[0], core::Point(1.0, 2.0));
+    EXPECT_FALSE(document(editor_).units);
+}
+
+TEST_F(FileCommands, an_empty_document_takes_the_units_of_what_is_added) {
+    EXPECT_TRUE(run(AddFile{.path = folder_.write("inches.json", inch_text("3"))}));
+    EXPECT_EQ(document(editor_).curves[0].curve->control_points()[0], core::Point(1.0, 2.0));
+    ASSERT_TRUE(document(editor_).units);
+    EXPECT_EQ(document(editor_).units->unit, core::LengthUnit::inch);
+    EXPECT_EQ(document(editor_).units->scale, 3.0);
+}
+
+TEST_F(FileCommands, a_curve_that_becomes_too_large_in_the_units_is_not_added) {
+    run(Open{.path = arch_});
+    run(SetUnits{.unit = UnitChoice::mm, .scale = 1e9});
+    const std::string text = R"({ "format": "batten", "version": 1, "curves": [
+      { "name": "far", "degree": 1, "knots": [0,0,1,1], "points": [[0,0],[1e300,0]] } ],
+      "units": { "unit": "inch", "scale": 1e-9 } })";
+    EXPECT_FALSE(run(AddFile{.path = folder_.write("far.json", text)}));
+    EXPECT_TRUE(state().message.text.starts_with("far.json: 'far' cannot be measured in millimeters: "))
+        << state().message.text;
+    EXPECT_EQ(document(editor_).curves.size(), 1U);
+}
+
+TEST_F(FileCommands, lengths_of_curves_that_are_pasted_stay_what_they_are) {
+    run(Open{.path = folder_.write("inches.json", inch_text("1"))});
+    run(Copy{});
+    const std::string copied = state().clipboard;
+    run(Open{.path = arch_});
+    run(SetUnits{.unit = UnitChoice::mm, .scale = 1.0});
+    EXPECT_TRUE(run(Paste{.text = copied}));
+    EXPECT_NEAR(document(editor_).curves[1].curve->control_points()[1].x, 50.8, 1e-12);
+    EXPECT_TRUE(run(PasteBeside{.text = copied, .shift = 1.0}));
+    EXPECT_NEAR(document(editor_).curves[2].curve->control_points()[1].x, 51.8, 1e-12);
 }
 
 }  // namespace
