@@ -18,6 +18,7 @@ enum class Format { svg, dxf, nurbs_python, tinyspline, rhino, opencascade, iges
 struct FormatSpec {
     Format format;
     std::vector<std::string> endings;  ///< in small letters, the one that is written first: ".step", ".stp"
+    const char* note;                  ///< how it differs from what is usual here, as a clause: "n + p − 1 knots"
     Reader read = nullptr;             ///< null: it is not read
     Writer write = nullptr;            ///< null: it is not written
 };

@@ -11,7 +11,7 @@ LAYERS = {
     "render": ({"render"}, {"glm", "tl", "fmt", "glad", "cairo", "cairo-svg"}),
     "app/picture": ({"core", "app/picture"}, {"tl", "stb"}),
     "app/editor": ({"core", "exchange", "app/editor", "app/picture"}, {"glm", "tl", "fmt", "nlohmann"}),
-    "app/ui": ({"core", "app/editor", "app/ui"}, {"glm", "tl", "fmt", "imgui", "misc"}),
+    "app/ui": ({"core", "exchange", "app/editor", "app/ui"}, {"glm", "tl", "fmt", "imgui", "misc"}),
     "app/platform": ({"core", "render", "app/editor", "app/ui", "app/platform"}, {"glm", "tl", "fmt", "imgui", "backends", "nlohmann", "GLFW"}),
     "app/cli": ({"core", "exchange", "render", "app/editor", "app/cli"}, {"glm", "tl", "fmt", "CLI", "nlohmann", "posix"}),
     "app": ({"app/platform", "app/cli"}, set()),
