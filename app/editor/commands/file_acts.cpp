@@ -6,6 +6,7 @@
 
 #include "app/editor/commands/added_curves.h"
 #include "app/editor/commands/joint_report.h"
+#include "app/editor/commands/loaded_file.h"
 #include "app/editor/lesson/lesson_steps.h"
 #include "app/editor/pointer/fit_view.h"
 #include "app/editor/state/dialog.h"
@@ -13,6 +14,7 @@
 #include "app/editor/state/view_forms.h"
 #include "core/base/sentence.h"
 #include "core/document/native_file.h"
+#include "exchange/curve_file.h"
 
 namespace batten::editor {
 
@@ -26,32 +28,6 @@ void remember(std::vector<fs::path>& recent_files, const fs::path& path) {
     recent_files.erase(std::remove(recent_files.begin(), recent_files.end(), path), recent_files.end());
     recent_files.insert(recent_files.begin(), path);
     if (recent_files.size() > most_recent_files) recent_files.resize(most_recent_files);
-}
-
-// "wave.json: line 3, column 7: ..."; an error of the whole file names its path, of which the file's name is enough.
-Refusal file_refusal(const fs::path& path, const core::FileError& error) {
-    return sentence("{file}: {what}", {{"file", path.filename().string()},
-                                       {"what", error.where == path.string() ? error.what : error.sentence()}});
-}
-
-// Only ordinary files: a pipe would keep the window waiting.
-Outcome<core::Document> load(const fs::path& path, const core::Progress& progress,
-                             const core::PointsRead& points_read = {}) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
-        return tl::unexpected(
-            file_refusal(path, {path.string(), "this is not an ordinary file, so it cannot be opened"}));
-    Outcome<core::Document> document =
-        core::load_document(path, progress, points_read).map_error([&](const core::FileError& found) {
-            return file_refusal(path, found);
-        });
-    if (!document) return document;
-    const Outcome<ViewForms> forms = read_forms(document->view.unknown_members);
-    if (!forms)
-        return tl::unexpected(
-            sentence("{file}: {what}", {{"file", path.filename().string()}, {"what", forms.error()}}));
-    return document;
 }
 
 void take_view(View& view, const core::Document& document) {
@@ -71,28 +47,20 @@ void take_view(View& view, const core::Document& document) {
     }
 }
 
-// What of a file could not be kept.
-std::optional<std::string> told_of_lost_fits(std::size_t count) {
-    if (count == 0) return std::nullopt;
-    return sentence({.one = "one curve does not go through its fit points, so that it is an ordinary curve now",
-                     .many = "{count} curves do not go through their fit points, so that they are ordinary curves now"},
-                    count);
-}
-
-std::string told_of_opening(std::string done, std::size_t lost_fits) {
+// What was done, and then the remarks.
+std::string told_of(std::string done, const std::vector<std::string>& remarks) {
     std::vector<std::string> told{std::move(done)};
-    if (auto lost = told_of_lost_fits(lost_fits)) told.push_back(*std::move(lost));
+    told.insert(told.end(), remarks.begin(), remarks.end());
     return *told_in_turn(told);
 }
 
-Outcome<void> open_file(EditorState& state, const fs::path& path) {
-    Outcome<core::Document> document = load(path, state.progress, state.points_read);
-    if (!document) return tl::unexpected(document.error());
-    const std::size_t lost_fits = document->lost_fits;
-    show_document(state, *std::move(document), path);
+Outcome<void> open_file(EditorState& state, const fs::path& path, std::optional<exchange::Format> format) {
+    Outcome<LoadedFile> file = load_file(path, format, {state.progress, state.points_read});
+    if (!file) return tl::unexpected(file.error());
+    show_document(state, std::move(file->document), file->is_foreign ? fs::path() : path);
+    if (file->is_foreign) state.source = path;
     remember(state.recent_files, path);
-    state.message = {told_of_opening(sentence("Opened {file}", {{"file", path.filename().string()}}), lost_fits),
-                     false};
+    state.message = {told_of(sentence("Opened {file}", {{"file", path.filename().string()}}), file->remarks), false};
     return {};
 }
 
@@ -102,9 +70,9 @@ Outcome<void> show_example(EditorState& state, const std::string& name) {
     std::error_code error;
     if (name.empty() || fs::path(name).has_parent_path() || !fs::is_regular_file(path, error))
         return tl::unexpected(sentence("there is no example called '{name}'", {{"name", name}}));
-    Outcome<core::Document> document = load(path, state.progress, state.points_read);
-    if (!document) return tl::unexpected(document.error());
-    show_document(state, *std::move(document), {});
+    Outcome<LoadedFile> file = load_file(path, std::nullopt, {state.progress, state.points_read});
+    if (!file) return tl::unexpected(file.error());
+    show_document(state, std::move(file->document), {});
     state.message = {sentence("Opened example {name}", {{"name", name}}), false};
     return {};
 }
@@ -121,13 +89,6 @@ core::Document joined(core::Document document, core::Document added) {
     document.pictures.insert(document.pictures.end(), added.pictures.begin(), added.pictures.end());
     document.guides.insert(document.guides.end(), added.guides.begin(), added.guides.end());
     return document;
-}
-
-std::optional<std::string> told_together(std::vector<std::optional<std::string>> told) {
-    std::vector<std::string> said;
-    for (std::optional<std::string>& text : told)
-        if (text) said.push_back(*std::move(text));
-    return told_in_turn(said);
 }
 
 // The overlays shown, and those that a newer version knows.
@@ -149,7 +110,9 @@ struct Proceed {
         show_document(state, {}, {});
         return {};
     }
-    Outcome<void> operator()(const Open& command) const { return open_file(state, absolute_path(*command.path)); }
+    Outcome<void> operator()(const Open& command) const {
+        return open_file(state, absolute_path(*command.path), command.format);
+    }
     Outcome<void> operator()(const OpenExample& command) const { return show_example(state, command.name); }
     Outcome<void> operator()(const OpenLesson& command) const { return open_lesson(state, command.name); }
     Outcome<void> operator()(const Quit&) const {
@@ -179,6 +142,7 @@ void show_document(EditorState& state, core::Document document, const fs::path& 
     state.axis_pick.reset();
     state.hover = HoveredNothing{};
     state.path = path;
+    state.source.clear();
     state.view.title_is_open = true;
     show_dialog(state, Dialog::none);
     fit_view(state);
@@ -196,19 +160,26 @@ Outcome<void> ask_or_proceed(EditorState& state, Pending command) {
     return {};
 }
 
-Outcome<Edit> with_curves_of(const EditorState& state, const fs::path& path) {
-    Outcome<core::Document> added = load(path, state.progress);
+Outcome<Edit> with_curves_of(const EditorState& state, const fs::path& path, std::optional<exchange::Format> format) {
+    Outcome<LoadedFile> added = load_file(path, format, {state.progress});
     if (!added) return tl::unexpected(added.error());
-    if (added->curves.empty())
-        return tl::unexpected(sentence("{file}: the file has no curves", {{"file", path.filename().string()}}));
-    Outcome<std::optional<std::string>> converted = convert_units(*added, units_of(state));
-    if (!converted)
-        return tl::unexpected(
-            sentence("{file}: {what}", {{"file", path.filename().string()}, {"what", converted.error()}}));
-    std::optional<std::string> lost = told_of_lost_fits(added->lost_fits);
-    Edit edit{joined(state.history.present(), *std::move(added)), Selection{}};
-    edit.remark = told_together({*std::move(converted), std::move(lost)});
+    if (added->document.curves.empty()) return tl::unexpected(file_refusal(path, {"", "the file has no curves"}));
+    Outcome<std::optional<std::string>> converted = convert_units(added->document, units_of(state));
+    if (!converted) return tl::unexpected(file_refusal(path, {"", converted.error()}));
+    Edit edit{joined(state.history.present(), std::move(added->document)), Selection{}};
+    if (*converted) added->remarks.insert(added->remarks.begin(), **std::move(converted));
+    edit.remark = told_in_turn(added->remarks);
     return edit;
+}
+
+Outcome<void> export_document_to(EditorState& state, const fs::path& path, exchange::Format format) {
+    const core::Document& document = state.history.present();
+    const core::FileResult<exchange::Report> saved = exchange::save_curves(document, path, format);
+    if (!saved) return tl::unexpected(file_refusal(path, saved.error()));
+    state.message = {told_of(sentence("Exported {file}", {{"file", path.filename().string()}}),
+                             report_words(units_of(state), *saved)),
+                     false};
+    return {};
 }
 
 Outcome<void> save_document_to(EditorState& state, const fs::path& path) {
@@ -224,6 +195,7 @@ Outcome<void> save_document_to(EditorState& state, const fs::path& path) {
     const core::FileResult<void> saved = core::save_document(document, path, state.progress);
     if (!saved) return tl::unexpected(file_refusal(path, saved.error()));
     state.path = path;
+    state.source.clear();
     state.history.mark_saved();
     remember(state.recent_files, path);
     state.message = {sentence("Saved {file}", {{"file", path.filename().string()}}), false};

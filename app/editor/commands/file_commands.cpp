@@ -28,7 +28,7 @@ Outcome<void> open_example(EditorState& state, const OpenExample& command) {
 }
 
 Outcome<Edit> add_file(const EditorState& state, const AddFile& command) {
-    return with_curves_of(state, absolute_path(command.path));
+    return with_curves_of(state, absolute_path(command.path), command.format);
 }
 
 Outcome<void> quit(EditorState& state, const Quit& command) {
@@ -63,10 +63,18 @@ Outcome<void> save(EditorState& state, const Save&) {
     return state.path.empty() ? ask_for_path(state) : save_to(state, state.path);
 }
 
+// A copy is not what an answer about unsaved changes waits for.
+Outcome<void> export_to(EditorState& state, const fs::path& path, exchange::Format format) {
+    Outcome<void> exported = export_document_to(state, path, format);
+    if (exported) show_dialog(state, Dialog::none);
+    return exported;
+}
+
 Outcome<void> save_as(EditorState& state, const SaveAs& command) {
     if (!command.path) return ask_for_path(state);
-    return native_path(*command.path).and_then([&](const fs::path& path) {
-        return save_to(state, absolute_path(path));
+    return saved_name(*command.path, command.format).and_then([&](const SavedName& name) {
+        const fs::path path = absolute_path(name.path);
+        return name.format ? export_to(state, path, *name.format) : save_to(state, path);
     });
 }
 
@@ -89,6 +97,13 @@ std::optional<Refusal> no_question(const EditorState& state) {
     return "no question about unsaved changes is open";
 }
 
+template <class C>
+Field format_field() {
+    return field::choice<&C::format>("format", "what kind of file it is; left out: by its ending")
+        .absent_as("")
+        .unasked();
+}
+
 }  // namespace
 
 const CommandSpec& NewDocument::spec() {
@@ -106,12 +121,13 @@ const CommandSpec& Open::spec() {
     static const CommandSpec spec{
         .name = "open",
         .title = "Open…",
-        .explanation = "Opens a Batten file.",
-        .synonyms = "load",
+        .explanation = "Opens a file of Batten, or of another program.",
+        .synonyms = "load import svg dxf step iges",
         .group = CommandGroup::file,
         .offered = in_the_window,
         .shortcut = {Key::o, with_ctrl},
-        .fields = {field::file<&Open::path>("path", "the file; left out: asks for one").absent_as("").unasked()},
+        .fields = {field::file<&Open::path>("path", "the file; left out: asks for one").absent_as("").unasked(),
+                   format_field<Open>()},
         .run = body_of<open>,
         .at_work = "Opening {path}"};
     return spec;
@@ -124,7 +140,7 @@ const CommandSpec& AddFile::spec() {
                                   .synonyms = "import load",
                                   .group = CommandGroup::file,
                                   .offered = in_the_window,
-                                  .fields = {field::file<&AddFile::path>("path", "the file")},
+                                  .fields = {field::file<&AddFile::path>("path", "the file"), format_field<AddFile>()},
                                   .run = body_of<add_file>,
                                   .at_work = "Adding {path}",
                                   .step = "Add file {path}",
@@ -162,12 +178,13 @@ const CommandSpec& SaveAs::spec() {
     static const CommandSpec spec{
         .name = "save-as",
         .title = "Save as…",
-        .explanation = "Saves the document to another file.",
-        .synonyms = "write",
+        .explanation = "Saves the document to another file, or a copy of its curves for another program.",
+        .synonyms = "write export svg dxf step iges",
         .group = CommandGroup::file,
         .offered = in_the_window,
         .shortcut = {Key::s, with_ctrl_shift},
-        .fields = {field::file<&SaveAs::path>("path", "the file; left out: asks for one").absent_as("").unasked()},
+        .fields = {field::file<&SaveAs::path>("path", "the file; left out: asks for one").absent_as("").unasked(),
+                   format_field<SaveAs>()},
         .run = body_of<save_as>,
         .at_work = "Saving {path}"};
     return spec;

@@ -8,6 +8,7 @@
 
 #include "app/editor/command.h"
 #include "core/base/names.h"
+#include "exchange/format.h"
 
 namespace batten::editor {
 
@@ -20,11 +21,13 @@ struct NewDocument {
 
 struct Open {
     std::optional<std::filesystem::path> path{};  ///< none: asks for one
+    std::optional<exchange::Format> format{};     ///< none: by its ending
     static const CommandSpec& spec();
 };
 
 struct AddFile {
     std::filesystem::path path;
+    std::optional<exchange::Format> format{};  ///< none: by its ending
     static const CommandSpec& spec();
 };
 
@@ -39,6 +42,7 @@ struct Save {
 
 struct SaveAs {
     std::optional<std::filesystem::path> path{};  ///< none: asks for one
+    std::optional<exchange::Format> format{};     ///< none: by its ending
     static const CommandSpec& spec();
 };
 

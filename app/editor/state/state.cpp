@@ -10,7 +10,8 @@ double EditorState::parameter() const {
 }
 
 std::string EditorState::file_name() const {
-    return path.empty() ? "untitled" : path.filename().string();
+    const std::filesystem::path& file = path.empty() ? source : path;
+    return file.empty() ? "untitled" : file.filename().string();
 }
 
 void take_tool(EditorState& state, Tool tool) {

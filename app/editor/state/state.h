@@ -125,7 +125,8 @@ struct EditorState {
     core::Progress progress;            ///< is told how far a long command is; may stop it
     core::PointsRead points_read;       ///< is told what is read of the file that is being opened
     Message message;
-    std::filesystem::path path;  ///< empty for a document without a file
+    std::filesystem::path path;    ///< empty for a document without a file
+    std::filesystem::path source;  ///< the file of another program that it was read from; empty for most
     std::vector<std::filesystem::path> recent_files;
     bool wants_quit = false;
     Desktop desktop;

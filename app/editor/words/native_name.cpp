@@ -57,8 +57,12 @@ std::optional<Refusal> foreign_ending(const std::filesystem::path& path) {
     const std::string ending = ending_of(path);
     if (ending.empty() || is_native(ending)) return std::nullopt;
     const std::filesystem::path native = native_instead(path);
-    return core::sentence("'{name}' ends in .{ending}, but curves are written as .json alone; name it '{native}'",
+    return core::sentence("'{name}' ends in .{ending}, as no file that curves are written to; name it '{native}'",
                           {{"name", name}, {"ending", ending}, {"native", native.string()}});
+}
+
+std::optional<Refusal> foreign_result(const std::filesystem::path& path) {
+    return exchange::format_of(path) ? std::nullopt : foreign_ending(path);
 }
 
 Outcome<std::filesystem::path> native_path(const std::filesystem::path& path) {
@@ -66,6 +70,15 @@ Outcome<std::filesystem::path> native_path(const std::filesystem::path& path) {
     std::filesystem::path result = path;
     if (!is_native(ending_of(path))) result += ".json";
     return result;
+}
+
+Outcome<SavedName> saved_name(const std::filesystem::path& path, std::optional<exchange::Format> format) {
+    if (!format) format = exchange::format_of(path);
+    if (!format)
+        return native_path(path).map([](std::filesystem::path native) { return SavedName{std::move(native)}; });
+    std::filesystem::path named = path;
+    if (ending_of(path).empty()) named += exchange::spec_of(*format).endings.front();
+    return SavedName{std::move(named), format};
 }
 
 }  // namespace batten::editor

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "app/editor/fields/field.h"
+#include "exchange/format.h"
 
 namespace batten::editor {
 
@@ -12,7 +14,20 @@ namespace batten::editor {
 /// temporary "out.Yk3xQz" have none. An ending without a name, ".svg" or ".json", would be a hidden file.
 std::optional<Refusal> foreign_ending(const std::filesystem::path& path);
 
+/// The same for a name that may have the ending of a format of exchange.
+std::optional<Refusal> foreign_result(const std::filesystem::path& path);
+
 /// The path of a file to save: with the ending of native files where it has none. A foreign one is refused.
 Outcome<std::filesystem::path> native_path(const std::filesystem::path& path);
+
+/// A file to save, and as what.
+struct SavedName {
+    std::filesystem::path path;
+    std::optional<exchange::Format> format{};  ///< none: Batten's own
+};
+
+/// The file that is meant by `path` and `format`, by the ending where none is chosen. A name without an ending is given
+/// that of the format; one with a foreign ending needs a format.
+Outcome<SavedName> saved_name(const std::filesystem::path& path, std::optional<exchange::Format> format);
 
 }  // namespace batten::editor

@@ -223,13 +223,13 @@ TEST_F(FileCommands, save_as_another_file) {
 
 TEST_F(FileCommands, a_foreign_ending_is_not_given_curves) {
     run(Open{.path = wave_});
-    for (const char* name : {"wave.svg", "wave.PDF", "wave.txt", "wave.3dm", "wave.json.gz", "wave.geojson"}) {
+    for (const char* name : {"wave.ai", "wave.PDF", "wave.txt", "wave.3dm", "wave.json.gz", "wave.geojson"}) {
         EXPECT_FALSE(run(SaveAs{.path = folder_.path() / name})) << name;
         EXPECT_FALSE(fs::exists(folder_.path() / name)) << name;
     }
-    EXPECT_FALSE(run(SaveAs{.path = folder_.path() / "v1.2.svg"}));
+    EXPECT_FALSE(run(SaveAs{.path = folder_.path() / "v1.2.ai"}));
     EXPECT_EQ(state().message.text,
-              "'v1.2.svg' ends in .svg, but curves are written as .json alone; name it 'v1.2.json'");
+              "'v1.2.ai' ends in .ai, as no file that curves are written to; name it 'v1.2.json'");
     EXPECT_EQ(state().path, wave_);
 }
 
@@ -237,7 +237,7 @@ TEST_F(FileCommands, advice_for_a_name_is_a_name_of_its_own) {
     run(Open{.path = wave_});
     EXPECT_FALSE(run(SaveAs{.path = folder_.path() / "x.json.bak"}));
     EXPECT_EQ(state().message.text,
-              "'x.json.bak' ends in .bak, but curves are written as .json alone; name it 'x.bak.json'");
+              "'x.json.bak' ends in .bak, as no file that curves are written to; name it 'x.bak.json'");
     for (const char* name : {".svg", ".json"}) {
         EXPECT_FALSE(run(SaveAs{.path = folder_.path() / name}));
         EXPECT_EQ(state().message.text,
