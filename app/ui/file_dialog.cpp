@@ -11,6 +11,7 @@
 #include "app/editor/commands/table_commands.h"
 #include "app/editor/words/native_name.h"
 #include "app/ui/dialog_frame.h"
+#include "app/ui/format_choice.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/panels.h"
@@ -37,21 +38,22 @@ struct FilePurpose {
     const char* title;
     const char* accept_label;
     const char* nothing_here;
-    std::vector<std::string> endings;  ///< of the files that are listed
+    std::vector<std::string> endings;  ///< of the files that are listed; empty: of all that have curves
     void (*open)(const PanelContext& context, const fs::path& path);
 };
 
 const FilePurpose* purpose_of(editor::Dialog dialog) {
     static const std::array purposes{
+        FilePurpose{editor::Dialog::open_file,
+                    "Open",
+                    "Open",
+                    "No folders and no files with curves here.",
+                    {},
+                    [](const PanelContext& context, const fs::path& path) {
+                        context.queue.run(editor::Open{path, context.panels.file_dialog.format});
+                    }},
         FilePurpose{
-            editor::Dialog::open_file,
-            "Open",
-            "Open",
-            "No folders and no .json files here.",
-            {".json"},
-            [](const PanelContext& context, const fs::path& path) { context.queue.run(editor::Open{.path = path}); }},
-        FilePurpose{
-            editor::Dialog::save_file, "Save as", "Save", "No folders and no .json files here.", {".json"}, nullptr},
+            editor::Dialog::save_file, "Save as", "Save", "No folders and no files with curves here.", {}, nullptr},
         FilePurpose{editor::Dialog::open_table,
                     "Open table",
                     "Open",
@@ -76,10 +78,16 @@ const FilePurpose* purpose_of(editor::Dialog dialog) {
 
 /// Where the dialog begins: beside the file that is open, else beside the last one, else where the program was started.
 fs::path first_folder(const editor::EditorState& state) {
-    if (!state.path.empty()) return state.path.parent_path();
+    for (const fs::path& file : {state.path, state.source})
+        if (!file.empty()) return file.parent_path();
     if (!state.recent_files.empty()) return state.recent_files.front().parent_path();
     std::error_code error;
     return fs::current_path(error);
+}
+
+std::string suggested_name(const editor::EditorState& state) {
+    if (!state.path.empty()) return state.path.filename().string();
+    return state.source.empty() ? "untitled.json" : state.source.filename().replace_extension(".json").string();
 }
 
 void show_folder(FileDialogState& dialog, const fs::path& folder) {
@@ -92,8 +100,8 @@ void begin_choice(const PanelContext& context) {
     dialog = {};
     dialog.was_open = true;
     dialog.choice.endings = purpose_of(context.state.dialog)->endings;
-    const fs::path& path = context.state.path;
-    if (is_saving(context)) dialog.suggested_name = path.empty() ? "untitled.json" : path.filename().string();
+    if (dialog.choice.endings.empty()) dialog.choice.endings = endings_of_curves(is_saving(context));
+    if (is_saving(context)) dialog.suggested_name = suggested_name(context.state);
     show_folder(dialog, first_folder(context.state));
     // The folder may be gone.
     if (dialog.choice.folder.empty()) show_folder(dialog, "/");
@@ -103,13 +111,13 @@ void begin_choice(const PanelContext& context) {
 
 void save_as(const PanelContext& context, const fs::path& typed) {
     FileDialogState& dialog = context.panels.file_dialog;
-    const editor::Outcome<fs::path> path = editor::native_path(typed);
+    const editor::Outcome<editor::SavedName> name = editor::saved_name(typed, dialog.format);
     std::error_code error;
-    if (path && fs::exists(*path, error) && *path != context.state.path) {
-        dialog.to_replace = *path;
+    if (name && fs::exists(name->path, error) && name->path != context.state.path) {
+        dialog.to_replace = name->path;
         dialog.is_replacing = false;
     } else {
-        context.queue.run(editor::SaveAs{.path = typed});
+        context.queue.run(editor::SaveAs{typed, dialog.format});
     }
 }
 
@@ -307,8 +315,10 @@ void draw_sentence(const PanelContext& context) {
         show_cut_text(context, dialog.to_replace->string(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     } else if (message.is_error) {
         draw_dialog_error(context, message.text);
-    } else {
+    } else if (!dialog.problem.empty() || !dialog.choice.listed.problem.empty()) {
         draw_dialog_error(context, dialog.problem.empty() ? dialog.choice.listed.problem : dialog.problem);
+    } else if (asks_for_format(context.state.dialog)) {
+        draw_format_note(context);
     }
     ImGui::SetCursorScreenPos({corner.x, corner.y + height + context.px(6)});
 }
@@ -340,7 +350,7 @@ void draw_question(const PanelContext& context, bool is_left) {
     ImGui::SameLine();
     const bool is_replaced = draw_label_button(context, "dialog replace", "Replace", look_of(dialog.is_replacing));
     if (is_replaced || (is_answered && dialog.is_replacing))
-        context.queue.run(editor::SaveAs{.path = *dialog.to_replace});
+        context.queue.run(editor::SaveAs{*dialog.to_replace, dialog.format});
     if (!is_replaced && !is_kept && !is_left && !is_answered) return;
     dialog.to_replace.reset();
     dialog.takes_focus = dialog.shows_choice = true;
@@ -379,6 +389,7 @@ void draw_file_dialog(const PanelContext& context, const Rectangle& window) {
     if (dialog.to_replace) {
         draw_question(context, is_left);
     } else {
+        if (asks_for_format(context.state.dialog)) draw_format_choice(context);
         draw_answers(context, is_left);
     }
     end_dialog();

@@ -19,6 +19,7 @@
 #include "app/ui/file_choice.h"
 #include "app/ui/frame.h"
 #include "core/document/document.h"
+#include "exchange/format.h"
 
 namespace batten::ui {
 
@@ -27,6 +28,7 @@ struct FileDialogState {
     bool was_open = false;
     FileChoice choice;
     std::string suggested_name;                       ///< where a document is saved
+    std::optional<exchange::Format> format;           ///< that was chosen; none: by the ending
     std::optional<std::filesystem::path> to_replace;  ///< the file that saving would overwrite, asked about
     bool is_replacing = false;                        ///< the answer that keys chose; at first to keep the file
     std::string problem;                              ///< why the folder cannot be shown

@@ -1,0 +1,87 @@
+#include "app/ui/format_choice.h"
+
+#include <imgui.h>
+
+#include "app/ui/inspector_widgets.h"
+#include "app/ui/style.h"
+#include "core/base/sentence.h"
+
+namespace batten::ui {
+
+namespace {
+
+using core::sentence;
+using exchange::Format;
+
+constexpr double field_width = 240.0;
+
+bool is_saving_curves(const PanelContext& context) {
+    return context.state.dialog == editor::Dialog::save_file;
+}
+
+bool is_offered(const exchange::FormatSpec& spec, bool is_saving) {
+    return is_saving ? spec.write != nullptr : spec.read != nullptr;
+}
+
+// The format of the file: the one that is chosen, else that of the name; none for Batten's own.
+std::optional<Format> format_meant(const FileDialogState& dialog) {
+    return dialog.format ? dialog.format : exchange::format_of(dialog.choice.typed);
+}
+
+std::string text_of_choice(const FileDialogState& dialog) {
+    if (dialog.format) return sentence("as {format}", {{"format", core::title_of(*dialog.format)}});
+    const auto format = format_meant(dialog);
+    return sentence("by its ending: {format}", {{"format", format ? core::title_of(*format) : "Batten"}});
+}
+
+void draw_one(const PanelContext& context, const char* name, const std::string& text, std::optional<Format> format) {
+    FileDialogState& dialog = context.panels.file_dialog;
+    Button button{sentence("format {name}", {{"name", name}}), text};
+    button.width_px = context.px(field_width);
+    button.anchor = render::Anchor::left;
+    button.is_active = dialog.format == format;
+    if (draw_choice(context, button)) dialog.format = format;
+}
+
+}  // namespace
+
+bool asks_for_format(editor::Dialog dialog) {
+    return dialog == editor::Dialog::open_file || dialog == editor::Dialog::save_file;
+}
+
+std::vector<std::string> endings_of_curves(bool is_saving) {
+    std::vector<std::string> endings{".json"};
+    for (const exchange::FormatSpec& spec : exchange::all_formats()) {
+        if (!is_offered(spec, is_saving)) continue;
+        endings.insert(endings.end(), spec.endings.begin(), spec.endings.end());
+    }
+    return endings;
+}
+
+void draw_format_choice(const PanelContext& context) {
+    const FileDialogState& dialog = context.panels.file_dialog;
+    ImGui::SetCursorPos({context.px(18), ImGui::GetWindowHeight() - context.px(46)});
+    const ChoiceField field{"file-dialog format", text_of_choice(dialog), context.px(field_width)};
+    if (!begin_choices(context, field)) return;
+    draw_one(context, "by-ending", "by its ending", std::nullopt);
+    for (const exchange::FormatSpec& spec : exchange::all_formats())
+        if (is_offered(spec, is_saving_curves(context)))
+            draw_one(context, core::name_of(spec.format), core::title_of(spec.format), spec.format);
+    end_choices();
+}
+
+void draw_format_note(const PanelContext& context) {
+    const std::optional<Format> format = format_meant(context.panels.file_dialog);
+    if (!format) return;
+    const core::Place note("note", exchange::spec_of(*format).note);
+    const std::string text =
+        is_saving_curves(context)
+            ? sentence("A copy of the visible curves is written: {note}.", {note})
+            : sentence("It is read as {format}: {note}.", {{"format", core::title_of(*format)}, note});
+    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.dim));
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
+    report_item(context, "file-dialog note", text);
+}
+
+}  // namespace batten::ui

@@ -1,0 +1,23 @@
+/// The choice of a format in the file dialog.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/ui/panels.h"
+
+namespace batten::ui {
+
+/// Whether the dialog is about files with curves, whose format can be chosen.
+bool asks_for_format(editor::Dialog dialog);
+
+/// The endings of all files with curves, which can be read, or written.
+std::vector<std::string> endings_of_curves(bool is_saving);
+
+/// The field, at the lower left of the dialog.
+void draw_format_choice(const PanelContext& context);
+
+/// A sentence on what the chosen format, or that of the name, does to curves; nothing for Batten's own.
+void draw_format_note(const PanelContext& context);
+
+}  // namespace batten::ui
