@@ -9,11 +9,13 @@
 #include "app/cli/standard_streams.h"
 #include "app/cli/table_argument.h"
 #include "app/editor/command_reader.h"
+#include "app/editor/commands/loaded_file.h"
 #include "app/editor/editor.h"
 #include "app/editor/words/native_name.h"
 #include "app/editor/words/wording.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
+#include "exchange/curve_file.h"
 
 namespace batten::cli {
 
@@ -136,16 +138,23 @@ ExitStatus save(const core::Document& document, const std::filesystem::path& fil
         output.results << core::format_document(document);
         return ExitStatus::done;
     }
-    const core::FileResult<void> saved = core::save_document(document, file);
-    if (saved) return ExitStatus::done;
-    say_error(output, file, saved.error());
-    return ExitStatus::wrong_input;
+    const auto format = exchange::format_of(file);
+    const core::FileResult<exchange::Report> saved =
+        format ? exchange::save_curves(document, file, *format)
+               : core::save_document(document, file).map([] { return exchange::Report{}; });
+    if (!saved) {
+        say_error(output, file, saved.error());
+        return ExitStatus::wrong_input;
+    }
+    if (format)
+        for (const std::string& told : editor::report_words(document.units, *saved)) say_error(output, file, "", told);
+    return ExitStatus::done;
 }
 
 }  // namespace
 
 ExitStatus apply(const ApplyOptions& options, Output output) {
-    if (const auto refusal = editor::foreign_ending(options.result)) return say_wrong_usage(output, options, *refusal);
+    if (const auto refusal = editor::foreign_result(options.result)) return say_wrong_usage(output, options, *refusal);
     std::optional<core::Document> document = first_document(options, output);
     if (!document) return ExitStatus::wrong_input;
     editor::Editor editor(*std::move(document));

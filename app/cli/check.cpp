@@ -55,7 +55,7 @@ ExitStatus check(const CheckOptions& options, Output output) {
     ExitStatus status = ExitStatus::done;
     Json results = Json::array();
     for (const std::filesystem::path& file : options.files) {
-        const core::FileResult<core::Document> document = read_document(file);
+        const core::FileResult<core::Document> document = read_document(output, file);
         if (!document) {
             status = ExitStatus::wrong_input;
             say_error(output, file, document.error());

@@ -1,16 +1,17 @@
 #include "app/cli/command_line.h"
 
-// The only source that reads CLI11, which takes long.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <new>
 #include <ostream>
 #include <sstream>
 
+#include "app/cli/command_options.h"
 #include "app/cli/divided_words.h"
 #include "app/cli/help_text.h"
 #include "app/cli/standard_streams.h"
 #include "app/cli/table_argument.h"
+#include "app/cli/window_options.h"
 #include "app/editor/fields/expression.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -20,16 +21,12 @@ namespace batten::cli {
 
 namespace {
 
-constexpr const char* file_meaning = "A curve file in Batten's own format; - is standard input";
+constexpr const char* file_meaning =
+    "A curve file of Batten, or of the program that its ending names; - is standard input";
 constexpr const char* result_meaning = "Where the result is written; - is standard output";
 constexpr int most_derivatives = 25;
-constexpr std::size_t most_frames = 100000;
-
-CLI::App* add_command(CLI::App& program, const char* name, const char* description) {
-    CLI::App* command = program.add_subcommand(name, description);
-    command->set_help_all_flag();
-    return command;
-}
+constexpr std::size_t least_samples = 2;
+constexpr std::size_t most_samples = 10'000'000;
 
 // Replaces a formula by the number that it stands for; returns what is wrong with it. The name of a table stays.
 std::string evaluate(std::string& text) {
@@ -40,8 +37,14 @@ std::string evaluate(std::string& text) {
     return {};
 }
 
-void add_json(CLI::App& command, bool& as_json) {
-    command.add_flag("--json", as_json, "Print JSON, whose members stay the same from version to version");
+void add_format(CLI::App& command, const char* name, std::optional<exchange::Format>& format, const char* meaning) {
+    std::vector<std::string> names;
+    for (const auto& entry : core::Names<exchange::Format>::table) names.emplace_back(entry.name);
+    command
+        .add_option_function<std::string>(
+            name, [&format](const std::string& given) { format = core::value_named<exchange::Format>(given); }, meaning)
+        ->check(CLI::Validator(CLI::IsMember(names)).description(""))
+        ->type_name("FORMAT");
 }
 
 void add_operations(CLI::App& command, ApplyOptions& options) {
@@ -76,6 +79,7 @@ class Subcommands {
     void add_apply(CLI::App& program);
     void add_new(CLI::App& program);
     void add_check(CLI::App& program);
+    void add_convert(CLI::App& program);
     void add_handout(CLI::App& program);
 
     InfoOptions info_;
@@ -83,6 +87,7 @@ class Subcommands {
     ApplyOptions apply_;
     ApplyOptions new_;
     CheckOptions check_;
+    ConvertOptions convert_;
     HandoutOptions handout_;
     bool lists_operations_ = false;
     const CLI::App* info_command_ = nullptr;
@@ -90,6 +95,7 @@ class Subcommands {
     const CLI::App* apply_command_ = nullptr;
     const CLI::App* new_command_ = nullptr;
     const CLI::App* check_command_ = nullptr;
+    const CLI::App* convert_command_ = nullptr;
     const CLI::App* handout_command_ = nullptr;
 };
 
@@ -98,6 +104,7 @@ Subcommands::Subcommands(CLI::App& program) {
     add_eval(program);
     add_apply(program);
     add_new(program);
+    add_convert(program);
     add_check(program);
     add_handout(program);
     // A file may still be called like a subcommand: batten ./info
@@ -175,6 +182,27 @@ void Subcommands::add_check(CLI::App& program) {
     check_command_ = command;
 }
 
+void Subcommands::add_convert(CLI::App& program) {
+    CLI::App* command = add_command(program, "convert", "Read curves from one kind of file and write them to another");
+    command->add_option("file", convert_.file, file_meaning)->required()->type_name("FILE");
+    command->add_option("-o,--output", convert_.result, "Where the curves are written; - is standard output")
+        ->required()
+        ->type_name("FILE");
+    add_format(*command, "--from", convert_.from, "What kind of file it is, instead of by its ending");
+    add_format(*command, "--to", convert_.to, "What kind of file is written, instead of by its ending");
+    command
+        ->add_option("--tolerance", convert_.write.tolerance,
+                     "How far curves may be from their copies where the format cannot hold them as they are (default: "
+                     "a millionth of the size of the drawing)")
+        ->check(CLI::Validator(CLI::PositiveNumber).description(""))
+        ->type_name("LENGTH");
+    command->add_option("--samples", convert_.write.samples, "How many rows a curve has in a table (default: 101)")
+        ->check(CLI::Validator(CLI::Range(least_samples, most_samples)).description(""))
+        ->type_name("N");
+    add_json(*command, convert_.as_json);
+    convert_command_ = command;
+}
+
 void Subcommands::add_handout(CLI::App& program) {
     CLI::App* command = add_command(program, "handout", "Write a lesson as a page to be printed");
     command->add_option("lesson", handout_.lesson, "The file of a lesson")->required()->type_name("LESSON");
@@ -202,6 +230,7 @@ std::optional<ExitStatus> Subcommands::run(Output output) const {
     if (info_command_->parsed()) return info(info_, output);
     if (eval_command_->parsed()) return run_eval(output);
     if (check_command_->parsed()) return run_check(output);
+    if (convert_command_->parsed()) return convert(convert_, output);
     if (handout_command_->parsed()) return handout(handout_, output);
     if (new_command_->parsed()) return run_new(output);
     if (apply_command_->parsed()) return run_apply(output);
@@ -242,77 +271,6 @@ ExitStatus Subcommands::run_apply(Output output) const {
         output, "batten apply: a file and at least one operation are needed; batten apply --list explains them");
 }
 
-void add_window_options(CLI::App& program, WindowOptions& options) {
-    program.add_option("files", options.files, "Files to open; the curves of all but the first are added")
-        ->check(CLI::Validator(CLI::ExistingFile).description(""))
-        ->type_name("FILE");
-    program.add_option("--example", options.example, "Open this example, for instance circle-nurbs")->type_name("NAME");
-    program.add_option("--assets", options.assets, "Folder that holds examples/")->type_name("FOLDER");
-    program
-        .add_option("--display-scale", options.display_scale,
-                    "Window pixels per design pixel, from 0.5 to 4, instead of what the display says")
-        ->check(CLI::Validator(CLI::Range(0.5, 4.0)).description(""))
-        ->type_name("NUMBER");
-    program.add_option("--state-report", options.state_report, "Write what is on screen to this file after each frame")
-        ->type_name("FILE");
-    program.add_option("--session-log", options.session_log, "Write the commands of the session to this file")
-        ->type_name("FILE");
-}
-
-// The subcommand that opens the window itself.
-class ProfileSubcommand {
-  public:
-    explicit ProfileSubcommand(CLI::App& program);
-
-    bool is_given() const { return command_->parsed(); }
-
-    // What was asked for; none after saying what is wrong with it.
-    std::optional<ProfileOptions> options(Output output) const;
-
-  private:
-    ProfileOptions options_;
-    std::vector<editor::ScriptedGesture> gestures_;
-    const CLI::App* command_ = nullptr;
-};
-
-ProfileSubcommand::ProfileSubcommand(CLI::App& program) {
-    CLI::App* command =
-        add_command(program, "profile", "Make a gesture in the window, and print what its frames cost the processor");
-    command->add_option("file", options_.file, "A curve file in Batten's own format")
-        ->required()
-        ->check(CLI::Validator(CLI::ExistingFile).description(""))
-        ->type_name("FILE");
-    for (const auto& entry : core::Names<editor::ScriptedGesture>::table)
-        command->add_flag_callback(
-            core::sentence("--{gesture}", {{"gesture", entry.name}}),
-            [this, gesture = entry.value] { gestures_.push_back(gesture); }, entry.title);
-    command->add_option("--frames", options_.frame_count, "How many frames to measure, at most 100000 (default: 240)")
-        ->check(CLI::Validator(CLI::Range(std::size_t{1}, most_frames)).description(""))
-        ->type_name("N");
-    command
-        ->add_option("--do", options_.commands,
-                     "Do this before the gesture, as typed in the palette; may be given several times")
-        ->type_name("COMMAND")
-        ->allow_extra_args(false);
-    add_json(*command, options_.as_json);
-    command_ = command;
-}
-
-std::optional<ProfileOptions> ProfileSubcommand::options(Output output) const {
-    if (gestures_.size() != 1) {
-        std::vector<std::string> names;
-        for (const auto& entry : core::Names<editor::ScriptedGesture>::table)
-            names.push_back(core::sentence("--{gesture}", {{"gesture", entry.name}}));
-        output.errors << core::sentence("batten profile: one gesture is needed: {gestures}",
-                                        {{"gestures", core::listed_as_alternatives(names)}})
-                      << '\n';
-        return std::nullopt;
-    }
-    ProfileOptions result = options_;
-    result.gesture = gestures_.front();
-    return result;
-}
-
 // What the process ends with; none where the window is to be opened.
 std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, WindowOptions* window, Output output) {
     CLI::App program("Batten: an interactive editor for B-spline and NURBS curves", "batten");
@@ -342,7 +300,8 @@ std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, W
         return window->profile ? std::nullopt : std::optional(ExitStatus::wrong_usage);
     }
     return say_wrong_usage(
-        output, "batten: this build has no window; the subcommands are info, eval, apply, new, check and handout");
+        output,
+        "batten: this build has no window; the subcommands are info, eval, apply, new, convert, check and handout");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "app/cli/standard_streams.h"
 #include "core/base/sentence.h"
+#include "exchange/curve_file.h"
 
 namespace batten::cli {
 
@@ -15,12 +16,26 @@ void say_error(Output output, const std::filesystem::path& file, const core::Fil
     say_error(output, file, error.where == shown_name(file) ? "" : error.where, error.what);
 }
 
-core::FileResult<core::Document> read_document(const std::filesystem::path& file) {
-    return is_standard(file) ? core::load_document(standard_input, shown_name(file)) : core::load_document(file);
+core::FileResult<exchange::Imported> read_curves(const std::filesystem::path& file,
+                                                 std::optional<exchange::Format> format) {
+    if (!format) format = exchange::format_of(file);
+    if (format)
+        return is_standard(file) ? exchange::load_curves(standard_input, shown_name(file), *format)
+                                 : exchange::load_curves(file, *format);
+    core::FileResult<core::Document> document =
+        is_standard(file) ? core::load_document(standard_input, shown_name(file)) : core::load_document(file);
+    return std::move(document).map([](core::Document read) { return exchange::Imported{std::move(read)}; });
+}
+
+core::FileResult<core::Document> read_document(Output output, const std::filesystem::path& file) {
+    return read_curves(file).map([&](exchange::Imported read) {
+        for (const std::string& left_out : read.report.left_out) say_error(output, file, "", left_out);
+        return std::move(read.document);
+    });
 }
 
 std::optional<core::Document> load(Output output, const std::filesystem::path& file) {
-    core::FileResult<core::Document> document = read_document(file);
+    core::FileResult<core::Document> document = read_document(output, file);
     if (document) return *std::move(document);
     say_error(output, file, document.error());
     return std::nullopt;

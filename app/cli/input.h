@@ -6,6 +6,7 @@
 #include "app/cli/subcommands.h"
 #include "core/document/document.h"
 #include "core/document/native_file.h"
+#include "exchange/format.h"
 
 namespace batten::cli {
 
@@ -15,8 +16,13 @@ void say_error(Output output, const std::filesystem::path& file, const std::stri
 /// The same for why `file` could not be read or written.
 void say_error(Output output, const std::filesystem::path& file, const core::FileError& error);
 
-/// The document in `file`, or on standard input.
-core::FileResult<core::Document> read_document(const std::filesystem::path& file);
+/// The curves in `file`, or on standard input, read as `format`: none means by the ending, which for most is that of
+/// Batten's own files.
+core::FileResult<exchange::Imported> read_curves(const std::filesystem::path& file,
+                                                 std::optional<exchange::Format> format = std::nullopt);
+
+/// The document in `file`, or on standard input; what of it was left out goes to the errors.
+core::FileResult<core::Document> read_document(Output output, const std::filesystem::path& file);
 
 /// The same; none after saying why not.
 std::optional<core::Document> load(Output output, const std::filesystem::path& file);

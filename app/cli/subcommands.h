@@ -1,4 +1,5 @@
-/// The subcommands: info, eval, apply, new, check and handout, which need no window, and what profile is asked for.
+/// The subcommands: info, eval, apply, new, convert, check and handout, which need no window, and what profile is asked
+/// for.
 #pragma once
 
 #include <filesystem>
@@ -9,6 +10,7 @@
 
 #include "app/editor/pointer/gesture_script.h"
 #include "core/curve/knot_vector.h"
+#include "exchange/format.h"
 
 namespace batten::cli {
 
@@ -66,6 +68,19 @@ struct CheckOptions {
 
 /// Says of each file whether it is valid, and what is wrong where it is not; lists its joints where they are asked for.
 ExitStatus check(const CheckOptions& options, Output output);
+
+struct ConvertOptions {
+    std::filesystem::path file;
+    std::optional<exchange::Format> from{};  ///< none: by the ending
+    std::filesystem::path result;
+    std::optional<exchange::Format> to{};  ///< likewise
+    exchange::WriteOptions write{};
+    bool as_json = false;
+};
+
+/// Reads the curves of a file and writes them to another one, of another program or of Batten's own kind; prints how
+/// true the copies are and what was left out, to the errors where the file is written to standard output.
+ExitStatus convert(const ConvertOptions& options, Output output);
 
 struct HandoutOptions {
     std::filesystem::path lesson;

@@ -1,0 +1,72 @@
+#include "app/cli/window_options.h"
+
+#include <CLI/CLI.hpp>
+#include <ostream>
+
+#include "app/cli/command_options.h"
+#include "core/base/sentence.h"
+
+namespace batten::cli {
+
+namespace {
+
+constexpr std::size_t most_frames = 100000;
+
+}  // namespace
+
+void add_window_options(CLI::App& program, WindowOptions& options) {
+    program.add_option("files", options.files, "Files to open; the curves of all but the first are added")
+        ->check(CLI::Validator(CLI::ExistingFile).description(""))
+        ->type_name("FILE");
+    program.add_option("--example", options.example, "Open this example, for instance circle-nurbs")->type_name("NAME");
+    program.add_option("--assets", options.assets, "Folder that holds examples/")->type_name("FOLDER");
+    program
+        .add_option("--display-scale", options.display_scale,
+                    "Window pixels per design pixel, from 0.5 to 4, instead of what the display says")
+        ->check(CLI::Validator(CLI::Range(0.5, 4.0)).description(""))
+        ->type_name("NUMBER");
+    program.add_option("--state-report", options.state_report, "Write what is on screen to this file after each frame")
+        ->type_name("FILE");
+    program.add_option("--session-log", options.session_log, "Write the commands of the session to this file")
+        ->type_name("FILE");
+}
+
+ProfileSubcommand::ProfileSubcommand(CLI::App& program) {
+    CLI::App* command =
+        add_command(program, "profile", "Make a gesture in the window, and print what its frames cost the processor");
+    command->add_option("file", options_.file, "A curve file in Batten's own format")
+        ->required()
+        ->check(CLI::Validator(CLI::ExistingFile).description(""))
+        ->type_name("FILE");
+    for (const auto& entry : core::Names<editor::ScriptedGesture>::table)
+        command->add_flag_callback(
+            core::sentence("--{gesture}", {{"gesture", entry.name}}),
+            [this, gesture = entry.value] { gestures_.push_back(gesture); }, entry.title);
+    command->add_option("--frames", options_.frame_count, "How many frames to measure, at most 100000 (default: 240)")
+        ->check(CLI::Validator(CLI::Range(std::size_t{1}, most_frames)).description(""))
+        ->type_name("N");
+    command
+        ->add_option("--do", options_.commands,
+                     "Do this before the gesture, as typed in the palette; may be given several times")
+        ->type_name("COMMAND")
+        ->allow_extra_args(false);
+    add_json(*command, options_.as_json);
+    command_ = command;
+}
+
+std::optional<ProfileOptions> ProfileSubcommand::options(Output output) const {
+    if (gestures_.size() != 1) {
+        std::vector<std::string> names;
+        for (const auto& entry : core::Names<editor::ScriptedGesture>::table)
+            names.push_back(core::sentence("--{gesture}", {{"gesture", entry.name}}));
+        output.errors << core::sentence("batten profile: one gesture is needed: {gestures}",
+                                        {{"gestures", core::listed_as_alternatives(names)}})
+                      << '\n';
+        return std::nullopt;
+    }
+    ProfileOptions result = options_;
+    result.gesture = gestures_.front();
+    return result;
+}
+
+}  // namespace batten::cli

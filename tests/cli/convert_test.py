@@ -1,0 +1,51 @@
+"""Curves of other programs, and for them."""
+
+import json
+import pathlib
+import tempfile
+import unittest
+
+from program import answer, run, write_document
+
+LINE = {"name": "a", "degree": 1, "knots": [0, 0, 1, 1], "points": [[0, 0], [1, 0]]}
+
+
+class Convert(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.line = write_document(self.folder / "line.json", LINE)
+
+    def test_a_native_file_stays_what_it_is(self):
+        copy = self.folder / "copy.json"
+        process = run("convert", self.line, "-o", copy)
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        self.assertEqual(process.stdout, f"{self.line}: its curves are exact\n{copy}: its curves are exact\n")
+        self.assertEqual(json.loads(copy.read_text())["curves"][0]["points"], LINE["points"])
+
+    def test_what_is_told_goes_to_the_errors_beside_a_result(self):
+        process = run("convert", self.line, "-o", "-")
+        self.assertEqual(json.loads(process.stdout)["curves"][0]["points"], LINE["points"])
+        self.assertIn("its curves are exact", process.stderr)
+
+    def test_json_tells_of_both_files(self):
+        copy = self.folder / "copy.json"
+        told = [{"file": str(path), "largest_error": 0.0, "left_out": []} for path in (self.line, copy)]
+        self.assertEqual(answer("convert", self.line, "-o", copy), told)
+
+    def test_what_is_wrong_is_told_and_nothing_is_written(self):
+        result = self.folder / "out.json"
+        missing = run("convert", self.folder / "none.json", "-o", result)
+        self.assertEqual(missing.returncode, 1)
+        self.assertIn("none.json: ", missing.stderr)
+        foreign = run("convert", self.line, "-o", self.folder / "out.ai")
+        self.assertEqual((foreign.returncode, foreign.stdout), (2, ""))
+        self.assertEqual(foreign.stderr, "batten convert: 'out.ai' ends in .ai, as no file that curves are written to; name it 'out.json'\n")
+        for words in (("--from", "word"), ("--tolerance", "0"), ("--samples", "1")):
+            self.assertEqual(run("convert", self.line, "-o", result, *words).returncode, 2, words)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["line.json"])
+
+
+if __name__ == "__main__":
+    unittest.main()
