@@ -60,7 +60,7 @@ std::vector<std::string> endings_of_curves(bool is_saving) {
 
 void draw_format_choice(const PanelContext& context) {
     const FileDialogState& dialog = context.panels.file_dialog;
-    ImGui::SetCursorPos({context.px(18), ImGui::GetWindowHeight() - context.px(46)});
+    ImGui::SetCursorPos({context.px(18), ImGui::GetWindowHeight() - context.px(44)});
     const ChoiceField field{"file-dialog format", text_of_choice(dialog), context.px(field_width)};
     if (!begin_choices(context, field)) return;
     draw_one(context, "by-ending", "by its ending", std::nullopt);
