@@ -77,6 +77,7 @@ DistinctKnot distinct_knot(const KnotVector& knots, std::size_t first) {
 
 std::vector<DistinctKnot> distinct_knots(const KnotVector& knots) {
     std::vector<DistinctKnot> distinct;
+    distinct.reserve(knots.stored().size());
     visit_runs(knots, [&](std::size_t first) { distinct.push_back(distinct_knot(knots, first)); });
     return distinct;
 }

@@ -21,7 +21,8 @@ struct FileError {
 template <class T>
 using FileResult = tl::expected<T, FileError>;
 
-/// Files of more bytes are refused, so that input without end has one.
+/// Texts of more bytes, which are held whole, are refused, so that input without end has one. Documents, which are not
+/// held whole, may be larger (native_file.h).
 inline constexpr std::size_t most_file_bytes = std::size_t{128} << 20U;
 
 /// The content of the file at `path`. A zero byte, which no text has, is the last one read. Errors: a folder; what

@@ -1,5 +1,6 @@
 #include "core/document/native_file.h"
 
+#include "core/base/sentence.h"
 #include "core/document/detail/native_reader.h"
 
 namespace batten::core {
@@ -34,6 +35,13 @@ Document with_relative_pictures(Document document, const fs::path& path) {
     return document;
 }
 
+FileResult<void> replace_document(const fs::path& path, std::string_view text) {
+    if (text.size() <= most_document_bytes) return replace_text(path, text);
+    return tl::unexpected(
+        FileError{path.string(), sentence("the document has more than {most} MiB, the most that can be read again",
+                                          {{"most", most_document_bytes >> 20U}})});
+}
+
 }  // namespace
 
 FileResult<Curve> load_curve(const fs::path& path) {
@@ -58,19 +66,19 @@ FileResult<Document> parse_document(std::string_view text) {
 }
 
 FileResult<Document> load_document(const fs::path& path, const Progress& progress, const PointsRead& points_read) {
-    return InputFile::open(path)
+    return InputFile::open(path, most_document_bytes)
         .and_then([&](InputFile file) { return read_file(file, progress, points_read); })
         .map([&](Document document) { return with_absolute_pictures(std::move(document), path); });
 }
 
 FileResult<Document> load_document(int descriptor, const std::string& name) {
-    InputFile file(descriptor, name);
+    InputFile file(descriptor, name, most_document_bytes);
     return read_file(file, {}, {});
 }
 
 FileResult<void> save_document(const Document& document, const fs::path& path, const Progress& progress) {
-    if (document.pictures.empty()) return replace_text(path, format_document(document, progress));
-    return replace_text(path, format_document(with_relative_pictures(document, path), progress));
+    if (document.pictures.empty()) return replace_document(path, format_document(document, progress));
+    return replace_document(path, format_document(with_relative_pictures(document, path), progress));
 }
 
 }  // namespace batten::core

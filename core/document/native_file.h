@@ -13,6 +13,10 @@
 
 namespace batten::core {
 
+/// Files of more bytes are refused, so that input without end has one, and never written. The numbers of curves alone
+/// can be so many: documents of 10,000,000 points, rational and of 17 digits each, are smaller.
+inline constexpr std::size_t most_document_bytes = std::size_t{1} << 30U;
+
 /// Is told the control points of all curves of a file while they are read, the next few at a time, in its order.
 /// Nothing about them is checked yet, and those that are written in an unusual way are left out.
 using PointsRead = std::function<void(std::span<const Point> points)>;
@@ -35,7 +39,8 @@ std::string format_document(const Document& document, const Progress& progress =
 
 /// parse_document of the file's content, which is never held whole: besides the document itself the numbers of its
 /// curves take at most twice their memory. `progress` is told how much is read, where the size of the file is known;
-/// `points_read` then is told the points up to there. Errors also: those of read_text.
+/// `points_read` then is told the points up to there. Errors also: those of read_text, with
+/// most_document_bytes for its limit.
 [[nodiscard]] FileResult<Document> load_document(const std::filesystem::path& path, const Progress& progress = {},
                                                  const PointsRead& points_read = {});
 
@@ -43,6 +48,7 @@ std::string format_document(const Document& document, const Progress& progress =
 [[nodiscard]] FileResult<Document> load_document(int descriptor, const std::string& name);
 
 /// Saves format_document by replace_text, so that the old file stays whole on any error, and where `progress` stops it.
+/// Errors also: a text of more than most_document_bytes, which could not be read again.
 [[nodiscard]] FileResult<void> save_document(const Document& document, const std::filesystem::path& path,
                                              const Progress& progress = {});
 

@@ -30,24 +30,28 @@ std::size_t bytes_ahead(int descriptor) {
 
 }  // namespace
 
-FileResult<InputFile> InputFile::open(const fs::path& path) {
+FileResult<InputFile> InputFile::open(const fs::path& path, std::size_t most_bytes) {
     std::error_code error;
     if (fs::is_directory(path, error))
         return tl::unexpected(FileError{path.string(), "this is a folder; a file is needed"});
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
     if (descriptor < 0) return refused_input(path.string(), "the file cannot be opened: {reason}");
-    InputFile file(descriptor, path.string());
+    InputFile file(descriptor, path.string(), most_bytes);
     file.is_own_ = true;
     return file;
 }
 
-InputFile::InputFile(int descriptor, std::string name)
-    : descriptor_(descriptor), name_(std::move(name)), expected_bytes_(bytes_ahead(descriptor)) {}
+InputFile::InputFile(int descriptor, std::string name, std::size_t most_bytes)
+    : descriptor_(descriptor),
+      name_(std::move(name)),
+      most_bytes_(most_bytes),
+      expected_bytes_(bytes_ahead(descriptor)) {}
 
 InputFile::InputFile(InputFile&& other) noexcept
     : descriptor_(other.descriptor_),
       is_own_(std::exchange(other.is_own_, false)),
       name_(std::move(other.name_)),
+      most_bytes_(other.most_bytes_),
       expected_bytes_(other.expected_bytes_),
       bytes_read_(other.bytes_read_) {}
 
@@ -62,9 +66,9 @@ FileResult<std::size_t> InputFile::read(char* target, std::size_t room) {
     } while (count < 0 && errno == EINTR);
     if (count < 0) return refused_input(name_, "the file cannot be read: {reason}");
     bytes_read_ += static_cast<std::size_t>(count);
-    if (bytes_read_ <= most_file_bytes) return static_cast<std::size_t>(count);
+    if (bytes_read_ <= most_bytes_) return static_cast<std::size_t>(count);
     return tl::unexpected(FileError{
-        name_, sentence("there are more than {most} MiB, the most that is read", {{"most", most_file_bytes >> 20U}})});
+        name_, sentence("there are more than {most} MiB, the most that is read", {{"most", most_bytes_ >> 20U}})});
 }
 
 }  // namespace batten::core

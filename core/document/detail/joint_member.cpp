@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
+#include "core/curve/control_box.h"
 #include "core/document/detail/joint_truth.h"
 
 namespace batten::core {
@@ -14,7 +16,7 @@ constexpr double most_joints = 1e9;
 
 class JointsReader {
   public:
-    explicit JointsReader(const Curve& curve) : curve_(curve) {}
+    explicit JointsReader(const Curve& curve) : curve_(curve), size_(robust_length(control_box(curve).size())) {}
 
     std::optional<FileError> read(Json& object, const std::string& pointer) {
         ObjectReader reader(object, pointer);
@@ -40,9 +42,8 @@ class JointsReader {
         if (reader.error()) return;
         if (!is_inner_knot(curve_, u))
             return reader.note(wrong_value(reader.place("u"), *reader.find("u"), "a knot inside the domain"));
-        if (std::ranges::any_of(marks_.knots, [&](const KnotMark& other) { return other.u == u; }))
-            return reader.note(FileError{reader.place("u"), "the knot is marked twice"});
-        if (const auto allowed = marks_instead(curve_, u, mark))
+        if (!marked_.insert(u).second) return reader.note(FileError{reader.place("u"), "the knot is marked twice"});
+        if (const auto allowed = marks_instead(curve_, size_, u, mark))
             return reader.note(wrong_value(reader.place("mark"), name_of(mark), *allowed));
         marks_.knots.push_back({u, mark, reader.unknown_members()});
     }
@@ -65,6 +66,8 @@ class JointsReader {
     }
 
     const Curve& curve_;
+    double size_;
+    std::set<double> marked_;  // knots
     JointMarks marks_;
 };
 

@@ -37,11 +37,10 @@ JointArm arm_of(std::size_t index, const Curve& curve, CurveEnd end) {
 
 }  // namespace
 
-std::optional<std::string> marks_instead(const Curve& curve, double u, JointMark mark) {
+std::optional<std::string> marks_instead(const Curve& curve, double size, double u, JointMark mark) {
     if (mark == JointMark::corner) return std::nullopt;
-    return unless_true(meeting_of(passing_at(curve, u, Side::left), passing_at(curve, u, Side::right)),
-                       robust_length(control_box(curve).size()), {{.curve = curve}},
-                       {{0, u, Side::left}, {0, u, Side::right}, static_cast<int>(mark)});
+    return unless_true(meeting_of(passing_at(curve, u, Side::left), passing_at(curve, u, Side::right)), size,
+                       {{.curve = curve}}, {{0, u, Side::left}, {0, u, Side::right}, static_cast<int>(mark)});
 }
 
 std::optional<std::string> marks_instead(const Curve& first, CurveEnd first_end, const Curve& second,

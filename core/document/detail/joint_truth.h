@@ -10,8 +10,9 @@
 namespace batten::core {
 
 /// Which marks the knot u of the curve can have, with the reason, as an end of "it must be ..."; none where it can have
-/// `mark`. A joint is what smoothness_of says, or as smooth as is_kept says: what edits keep can always be marked so.
-std::optional<std::string> marks_instead(const Curve& curve, double u, JointMark mark);
+/// `mark`; `size` is that of the curve's control box. A joint is what smoothness_of says, or as smooth as is_kept says:
+/// what edits keep can always be marked so.
+std::optional<std::string> marks_instead(const Curve& curve, double size, double u, JointMark mark);
 
 /// The same of two ends that shall meet.
 std::optional<std::string> marks_instead(const Curve& first, CurveEnd first_end, const Curve& second,

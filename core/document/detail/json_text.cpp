@@ -7,6 +7,7 @@
 
 #include "core/base/sentence.h"
 #include "core/document/detail/number_list.h"
+#include "core/document/detail/object_reader.h"
 
 namespace batten::core {
 
@@ -25,7 +26,7 @@ std::string without_decoration(std::string message) {
     return message;
 }
 
-// The stream as the library reads it: a range that ends where the stream does.
+// The stream as the library reads it: a range that ends where the stream does, or where no more may be read.
 class StreamIterator {
   public:
     using iterator_category = std::input_iterator_tag;
@@ -35,19 +36,24 @@ class StreamIterator {
     using reference = char;
 
     // Without a stream it is the end of every range.
-    explicit StreamIterator(TextStream* text = nullptr) : text_(text) {}
+    StreamIterator() = default;
+
+    // `allowance` is of how many bytes may be read.
+    StreamIterator(TextStream& text, std::size_t& allowance) : text_(&text), allowance_(&allowance) {}
 
     char operator*() const { return text_->front(); }
     StreamIterator& operator++() {
         text_->skip(1);
+        --*allowance_;
         return *this;
     }
     bool operator==(const StreamIterator& other) const { return is_at_end() == other.is_at_end(); }
 
   private:
-    bool is_at_end() const { return text_ == nullptr || text_->is_at_end(); }
+    bool is_at_end() const { return text_ == nullptr || *allowance_ == 0 || text_->is_at_end(); }
 
-    TextStream* text_;
+    TextStream* text_ = nullptr;
+    std::size_t* allowance_ = nullptr;
 };
 
 // Builds the tree and notes the first defect. The numbers of curves it takes from under the library's eyes: that
@@ -72,19 +78,21 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
 
     bool start_array(std::size_t) override {
         if (!enter(Json::array())) return false;
-        if (is_member_of_curve("knots") || is_member_of_curve("weights")) take_packed(ListItem::number, {});
+        if (is_member_of_curve("knots") || is_member_of_curve("weights") || is_member_of_fit("parameters"))
+            take_packed(ListItem::number, {});
         if (is_member_of_curve("points")) take_packed(ListItem::pair, teller_of_points());
+        if (is_member_of_fit("points") || is_member_of_fit("handles")) take_packed(ListItem::pair, {});
         return true;
     }
 
     bool key(string_t& name) override {
         Open& object = open_.back();
         if (object.names.size() == most_members)
-            return refuse({"", sentence("an object has more than {most} members; this is not a curve document",
-                                        {{"most", most_members}})});
+            return refuse_here(sentence("an object has more than {most} members; this is not a curve document",
+                                        {{"most", most_members}}));
         if (!object.names.insert(name).second)
-            return refuse({"", sentence("the member \"{name}\" occurs twice in one object; every name may occur once",
-                                        {{"name", name}})});
+            return refuse_here(sentence("the member \"{name}\" occurs twice in one object; every name may occur once",
+                                        {{"name", short_name(name)}}));
         object.next_name = std::move(name);
         return true;
     }
@@ -111,22 +119,31 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
     Json& added(Json value) {
         if (open_.empty()) return tree_ = std::move(value);
         Open& around = open_.back();
-        if (around.value->is_object()) return (*around.value)[around.next_name] = std::move(value);
+        if (around.value->is_object()) return added_member(*around.value, around.next_name, std::move(value));
         around.value->push_back(std::move(value));
         return around.value->back();
     }
 
     bool add(Json value) {
+        if (++value_count_ > most_values) return refuse_values();
         added(std::move(value));
         return true;
     }
 
+    bool refuse_values() {
+        return refuse_here(
+            sentence("beside the numbers of curves there are more than {most} values; this is not a "
+                     "curve document",
+                     {{"most", most_values}}));
+    }
+
     bool enter(Json value) {
+        if (++value_count_ > most_values) return refuse_values();
         const std::string name = open_.empty() ? std::string() : open_.back().next_name;
         open_.push_back({&added(std::move(value)), name});
         if (open_.size() <= deepest_nesting) return true;
-        return refuse({"", sentence("lists and objects are nested more than {most} deep; this is not a curve document",
-                                    {{"most", deepest_nesting}})});
+        return refuse_here(sentence("lists and objects are nested more than {most} deep; this is not a curve document",
+                                    {{"most", deepest_nesting}}));
     }
 
     bool leave() {
@@ -134,10 +151,16 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
         return true;
     }
 
-    // Whether what was opened last is /curves/i/`name`.
-    bool is_member_of_curve(std::string_view name) const {
-        return open_.size() == 4 && open_[3].name == name && open_[2].value->is_object() && open_[1].name == "curves" &&
+    // Whether the list or object opened at depth 3 is /curves/i/`name`.
+    bool is_in_curve(std::string_view name) const {
+        return open_[3].name == name && open_[2].value->is_object() && open_[1].name == "curves" &&
                open_[1].value->is_array() && open_[0].value->is_object();
+    }
+
+    // Whether what was opened last is /curves/i/`name`, or /curves/i/fit/`name`.
+    bool is_member_of_curve(std::string_view name) const { return open_.size() == 4 && is_in_curve(name); }
+    bool is_member_of_fit(std::string_view name) const {
+        return open_.size() == 5 && open_[4].name == name && open_[3].value->is_object() && is_in_curve("fit");
     }
 
     NumbersTaken teller_of_points() const {
@@ -156,6 +179,11 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
         if (!items.get_binary().empty()) add(std::move(items));
     }
 
+    // At what was read last.
+    bool refuse_here(const std::string& what) {
+        return refuse({text_.line_and_column(std::max<std::size_t>(text_.position(), 1) - 1), what});
+    }
+
     bool refuse(FileError found) {
         error_ = std::move(found);
         return false;
@@ -164,6 +192,7 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
     TextStream& text_;
     const PointsRead& points_read_;
     std::size_t bytes_taken_ = 0;
+    std::size_t value_count_ = 0;
     Json tree_;
     std::vector<Open> open_;
     FileError error_;
@@ -173,8 +202,14 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
 
 FileResult<Json> parse_json(TextStream& text, const PointsRead& points_read) {
     TreeBuilder builder(text, points_read);
-    const bool is_read = Json::sax_parse(StreamIterator(&text), StreamIterator(), &builder);
+    std::size_t allowance = most_other_bytes;
+    const bool is_read = Json::sax_parse(StreamIterator(text, allowance), StreamIterator(), &builder);
     if (text.is_at_end() && text.error()) return tl::unexpected(*text.error());
+    if (allowance == 0)
+        return tl::unexpected(FileError{text.line_and_column(text.position()),
+                                        sentence("beside the numbers of curves there are more than {most} MiB; this is "
+                                                 "not a curve document",
+                                                 {{"most", most_other_bytes >> 20U}})});
     if (!is_read) return tl::unexpected(builder.error());
     return std::move(builder.tree());
 }

@@ -23,8 +23,16 @@ std::string quotation(const Json& value) {
 
 }  // namespace
 
+std::string short_name(std::string_view name) {
+    if (name.size() <= longest_quotation) return std::string(name);
+    const auto continues = [&](std::size_t at) { return (static_cast<unsigned char>(name[at]) & 0xC0U) == 0x80U; };
+    std::size_t length = longest_quotation;
+    while (length > 0 && continues(length)) --length;
+    return fmt::format("{}…", name.substr(0, length));
+}
+
 std::string place_in(std::string_view pointer, std::string_view name) {
-    return fmt::format("{}/{}", pointer, name);
+    return fmt::format("{}/{}", pointer, short_name(name));
 }
 
 std::string place_in(std::string_view pointer, std::size_t index) {
@@ -78,11 +86,19 @@ std::optional<FileError> take(const Json& value, const std::string& pointer, Poi
     return take(value[1], place_in(pointer, 1), target.y);
 }
 
+// The library looks for the name first.
+Json& added_member(Json& object, const std::string& name, Json value) {
+    using Members = Json::object_t::Container;
+    return static_cast<Members&>(object.get_ref<Json::object_t&>()).emplace_back(name, std::move(value)).second;
+}
+
 void add_unknown_members(Json& object, const std::string& unknown) {
     const Json members = Json::parse(unknown, nullptr, false);
     if (!members.is_object()) return;
+    std::set<std::string> known;
+    for (const auto& [name, value] : object.items()) known.insert(name);
     for (const auto& [name, value] : members.items())
-        if (!object.contains(name)) object[name] = value;
+        if (!known.contains(name)) added_member(object, name, value);
 }
 
 ObjectReader::ObjectReader(Json& object, std::string pointer) : object_(object), pointer_(std::move(pointer)) {
@@ -104,7 +120,7 @@ std::string ObjectReader::unknown_members() const {
     if (!object_.is_object()) return {};
     Json unknown = Json::object();
     for (const auto& [name, value] : object_.items())
-        if (!known_.contains(name)) unknown[name] = value;
+        if (!known_.contains(name)) added_member(unknown, name, value);
     return unknown.empty() ? std::string() : unknown.dump();
 }
 

@@ -13,6 +13,9 @@
 
 namespace batten::core {
 
+/// `name` for a sentence: whole, or its beginning and "…" where it is long. It is UTF-8.
+std::string short_name(std::string_view name);
+
 /// The JSON pointer of a member or an item of what stands at `pointer`.
 std::string place_in(std::string_view pointer, std::string_view name);
 std::string place_in(std::string_view pointer, std::size_t index);
@@ -68,6 +71,9 @@ template <class T>
 std::optional<FileError> take(Json& value, const std::string& pointer, std::optional<T>& target) {
     return take(value, pointer, target.emplace());
 }
+
+/// Adds a member that `object` does not have yet, at once, however many there are; returns its value.
+Json& added_member(Json& object, const std::string& name, Json value);
 
 /// Gives `object` the members of `unknown`, a JSON object as text, that it does not have yet.
 void add_unknown_members(Json& object, const std::string& unknown);

@@ -266,8 +266,9 @@ TEST(NativeFormat, numbers_beyond_doubles_are_refused) {
 }
 
 TEST(NativeFormat, doubled_members_are_refused) {
-    expect_error(file_of(plain_members + R"(, "degree": 3)"), "", "\"degree\" occurs twice");
-    expect_error(R"({"format": "batten", "version": 1, "x": {"y": 1, "y": 2}})", "", "\"y\" occurs twice");
+    expect_error(file_of(plain_members + R"(, "degree": 3)"), "line 1, column 123", "\"degree\" occurs twice");
+    expect_error(R"({"format": "batten", "version": 1, "x": {"y": 1, "y": 2}})", "line 1, column 52",
+                 "\"y\" occurs twice");
     EXPECT_TRUE(parse_document(R"({"format": "batten", "version": 1, "x": [{"y": 1}, {"y": 2}]})").has_value());
 }
 
@@ -462,18 +463,26 @@ TEST(NativeFormat, units_come_back_and_are_checked) {
 
 TEST(NativeFormat, nesting_without_end_is_refused) {
     const std::size_t deep = 1'000'000;
-    expect_error(std::string(deep, '['), "", "nested");
+    expect_error(std::string(deep, '['), "line 1, column 101", "nested");
     expect_error(R"({"format": "batten", "version": 1, "x": )" + std::string(deep, '[') + std::string(deep, ']') + "}",
-                 "", "nested");
+                 "line 1, column 140", "nested");
     std::string objects;
     for (int i = 0; i < 100'000; ++i) objects += "{\"a\":";
-    expect_error(objects, "", "nested");
+    expect_error(objects, "line 1, column 501", "nested");
 }
 
 TEST(NativeFormat, members_without_end_are_refused) {
     std::string members = R"({"format": "batten", "version": 1)";
     for (int i = 0; i < 20'000; ++i) members += ", \"m" + std::to_string(i) + "\": 1";
-    expect_error(members + "}", "", "members");
+    expect_error(members + "}", "line 1, column 118908", "members");
+}
+
+TEST(NativeFormat, long_names_are_told_by_their_beginnings) {
+    const std::string name = std::string(59, 'n') + "é" + std::string(100'000, 'm');
+    expect_error("{\"" + name + "\": 1, \"" + name + "\": 2}", "line 1, column 200132",
+                 "the member \"" + std::string(59, 'n') + "…\" occurs twice");
+    expect_error(R"({"format": "batten", "version": 1, "view": {"notation": {")" + name + "\": 1}}}",
+                 "/view/notation/" + std::string(59, 'n') + "…", "found 1, but it must be a text");
 }
 
 TEST(NativeFormat, large_files_are_read) {
