@@ -22,6 +22,9 @@ constexpr double sharp = 1e-6;
 
 constexpr int most_length_steps = 60;
 
+// So many spans are measured at a time: a long curve then takes little more memory than its numbers.
+constexpr std::size_t most_spans_at_once = 4096;
+
 // The error of the longer rule, which converges much faster than the shorter one that it is compared with.
 double error_of(const RulePair<double>& rules) {
     const double size = std::abs(rules.kronrod);
@@ -100,14 +103,16 @@ std::vector<PieceRange> ranges_of(const Pieces& pieces, Interval wanted) {
     return ranges;
 }
 
-// The parts of the ranges, on which the rules are as accurate as they should be, or as can be.
-std::vector<IntegratedPart<double>> parts_of(const Pieces& pieces, std::span<const PieceRange> ranges) {
+// The parts of the ranges, on which the rules are as accurate as they should be, or as can be. The whole of which the
+// ranges are a part is about `times` as long.
+std::vector<IntegratedPart<double>> parts_of(const Pieces& pieces, std::span<const PieceRange> ranges,
+                                             double times = 1.0) {
     return integrate_by_rules<double>(
         ranges, [&](std::size_t half, Interval offsets) { return rules_of(pieces, half, offsets); },
         [&](std::size_t half, const RulePair<double>& rules) {
             return error_of(rules) + unseen_error(pieces, half, rules.interval);
         },
-        [](double error, double sum) { return !(error > enough_of_length * sum); });
+        [times](double error, double sum) { return !(error > enough_of_length * times * sum); });
 }
 
 Integral sum_of(std::span<const IntegratedPart<double>> parts) {
@@ -174,9 +179,38 @@ Integral sum_over(const Pieces& pieces, Interval wanted, std::span<const Integra
     return within(bounds, found);
 }
 
-Integral integrate(const Pieces& pieces, Interval wanted) {
-    return sum_over(pieces, wanted, parts_of(pieces, ranges_of(pieces, wanted)));
-}
+// A curve seen from its middle, between whose parameters lengths are asked for.
+class MeasuredCurve {
+  public:
+    explicit MeasuredCurve(const Curve& curve) : curve_(seen_from(curve, middle_of(curve))) {}
+
+    Integral integrate(Interval wanted) const {
+        const KnotVector& knots = curve_.knots();
+        const auto p = static_cast<std::size_t>(curve_.degree());
+        const std::size_t end = knots.size() - p - 1;
+        const double runs = std::ceil(static_cast<double>(end - p) / static_cast<double>(most_spans_at_once));
+        DoubleDouble sum;
+        double error = 0.0;
+        for (std::size_t first = p; first < end; first += most_spans_at_once) {
+            const std::size_t last = std::min(first + most_spans_at_once, end) - 1;
+            if (knots[last + 1] <= wanted.lower || knots[first] >= wanted.upper) continue;
+            const Integral run = integrate_run(motions_of(curve_, first, last), wanted, runs);
+            if (!std::isfinite(run.value)) return run;
+            sum = sum + DoubleDouble(run.value);
+            error += run.error;
+        }
+        return {sum.rounded(), error};
+    }
+
+  private:
+    static Integral integrate_run(const std::vector<PieceMotion>& motions, Interval wanted, double runs) {
+        const auto forms = forms_of(motions);
+        const Pieces pieces{motions, forms};
+        return sum_over(pieces, wanted, parts_of(pieces, ranges_of(pieces, wanted), runs));
+    }
+
+    Curve curve_;
+};
 
 // How often the period goes into the way from the domain's beginning to `u`, and what is left.
 std::pair<double, double> whole_periods(Interval domain, double u) {
@@ -184,13 +218,13 @@ std::pair<double, double> whole_periods(Interval domain, double u) {
     return {count, domain.clamp(u - count * domain.length())};
 }
 
-Integral around(const Pieces& pieces, Interval domain, double from, double to) {
+Integral around(const MeasuredCurve& curve, Interval domain, double from, double to) {
     const auto [first_period, first] = whole_periods(domain, from);
     const auto [last_period, last] = whole_periods(domain, to);
-    if (first_period == last_period) return integrate(pieces, {first, last});
-    const Integral whole = integrate(pieces, domain);
-    const Integral begun = integrate(pieces, {first, domain.upper});
-    const Integral ended = integrate(pieces, {domain.lower, last});
+    if (first_period == last_period) return curve.integrate({first, last});
+    const Integral whole = curve.integrate(domain);
+    const Integral begun = curve.integrate({first, domain.upper});
+    const Integral ended = curve.integrate({domain.lower, last});
     const double between = last_period - first_period - 1.0;
     return {begun.value + between * whole.value + ended.value, begun.error + between * whole.error + ended.error};
 }
@@ -211,13 +245,11 @@ Integral arc_length(const Curve& curve, double from, double to) {
         const Integral reverse = arc_length(curve, to, from);
         return {-reverse.value, reverse.error};
     }
-    const auto motions = motions_of(curve, middle_of(curve));
-    const auto forms = forms_of(motions);
-    const Pieces pieces{motions, forms};
+    const MeasuredCurve measured(curve);
     const Interval domain = curve.domain();
     const bool is_inside = domain.contains(from) && domain.contains(to);
-    if (curve.is_periodic() && !is_inside && std::isfinite(to - from)) return around(pieces, domain, from, to);
-    return integrate(pieces, {domain.clamp(from), domain.clamp(to)});
+    if (curve.is_periodic() && !is_inside && std::isfinite(to - from)) return around(measured, domain, from, to);
+    return measured.integrate({domain.clamp(from), domain.clamp(to)});
 }
 
 ArcLengthTable::ArcLengthTable(const Curve& curve)

@@ -46,8 +46,11 @@ std::vector<Vector> closed_legs(std::span<const Point> points) {
     return legs;
 }
 
-bool contains(const Box& box, std::span<const Point> points) {
-    return std::all_of(points.begin(), points.end(), [&](Point point) { return box.contains(point); });
+bool contains_span(const Box& box, const Curve& curve, std::size_t span) {
+    const auto points = curve.control_points();
+    for (std::size_t i = span - static_cast<std::size_t>(curve.degree()); i <= span; ++i)
+        if (!box.contains(points[i % points.size()])) return false;
+    return true;
 }
 
 // The points of a curve that a box must hold; `are_known` is false once one of them cannot be computed.
@@ -76,18 +79,20 @@ void include_turns(Extremes& extremes, const PieceForms& piece, const Expression
 }  // namespace
 
 Box tight_box(const Curve& curve) {
-    const auto pieces = piece_forms(curve, 1);
+    const KnotVector& knots = curve.knots();
+    const auto p = static_cast<std::size_t>(curve.degree());
     Extremes extremes{.curve = curve};
-    for (const PieceForms& piece : pieces) {
-        extremes.include(piece.interval.lower, Side::right);
-        extremes.include(piece.interval.upper, Side::left);
+    for (std::size_t s = p; s + p + 1 < knots.size(); ++s) {
+        if (!(knots[s] < knots[s + 1])) continue;
+        extremes.include(knots[s], Side::right);
+        extremes.include(knots[s + 1], Side::left);
     }
-    for (const PieceForms& piece : pieces) {
-        const std::size_t span = curve.knots().span_at(piece.interval.lower);
-        if (contains(extremes.box, control_points_of_span(curve, span))) continue;
-        include_turns(extremes, piece, hodograph_x);
-        include_turns(extremes, piece, hodograph_y);
-    }
+    visit_piece_forms(
+        curve, 1, [&](std::size_t span) { return !contains_span(extremes.box, curve, span); },
+        [&](const PieceForms& piece) {
+            include_turns(extremes, piece, hodograph_x);
+            include_turns(extremes, piece, hodograph_y);
+        });
     return extremes.are_known ? extremes.box : Box{};
 }
 

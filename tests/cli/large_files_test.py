@@ -1,10 +1,12 @@
-"""Files of many points: what they cost in memory, and that the numbers are the same behind them."""
+"""Files of many points: what they cost in memory, and that the numbers are the same behind them.
+Called with a number of points, and perhaps "long", it writes such a file for bench/README.md."""
 
 import json
 import math
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -41,6 +43,7 @@ class LargeFiles(unittest.TestCase):
         small.write_text('{"format": "batten", "version": 1}')
         numbers = 8 * sum(len(self.curve[name]) * (2 if name == "points" else 1) for name in ("knots", "points", "weights"))
         self.assertLess(peak_memory("check", self.file) - peak_memory("check", small), 4 * numbers)
+        self.assertLess(peak_memory("info", self.file) - peak_memory("info", small), 4 * numbers)
 
     def test_every_number_comes_back(self):
         output = self.folder / "out.json"
@@ -59,5 +62,18 @@ class LargeFiles(unittest.TestCase):
         self.assertIn("cut.json: line 1, column", process.stderr)
 
 
+def write_large(count, is_long):
+    """Numbers of all their digits, or of few."""
+    noise = (lambda i: i * 7919 % 1000 * 0.000123456789) if is_long else (lambda i: 0)
+    knots = [0] * 3 + [i + noise(i) for i in range(count - 2)]
+    points = ",".join(f"[{i + 7 * noise(i)},{9 * noise(3 * i)}]" if is_long else f"[{i % 1000},{i * 7919 % 10}]" for i in range(count))
+    weights = ', "weights": [%s]' % ",".join(str(1 + i % 2) for i in range(count)) if is_long else ""
+    print('{"format": "batten", "version": 1, "curves": [{"degree": 3, "knots": %s, "points": [%s]%s}]}'
+          % (json.dumps(knots + knots[-1:] * 3), points, weights))
+
+
 if __name__ == "__main__":
-    unittest.main()
+    if sys.argv[1:2] and sys.argv[1].isdigit():
+        write_large(int(sys.argv[1]), "long" in sys.argv)
+    else:
+        unittest.main()

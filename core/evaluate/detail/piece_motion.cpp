@@ -70,12 +70,17 @@ Motion PieceMotion::rational_at(Ratio ratio) const {
     return {position, static_cast<double>(p) * (bernstein_sum(legs, p, ratio) / here.z)};
 }
 
-std::vector<PieceMotion> motions_of(const Curve& curve, Point origin) {
-    const BezierPieces pieces = bezier_pieces(seen_from(curve, origin));
+std::vector<PieceMotion> motions_of(const Curve& curve, std::size_t first, std::size_t last) {
+    const BezierPieces pieces = bezier_pieces(curve, first, last);
     std::vector<PieceMotion> motions;
     motions.reserve(pieces.size());
     for (BezierPiece piece : pieces) motions.emplace_back(std::move(piece));
     return motions;
+}
+
+std::vector<PieceMotion> motions_of(const Curve& curve, Point origin) {
+    const auto p = static_cast<std::size_t>(curve.degree());
+    return motions_of(seen_from(curve, origin), p, curve.knots().size() - p - 2);
 }
 
 }  // namespace batten::core

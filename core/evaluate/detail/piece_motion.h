@@ -52,6 +52,9 @@ class PieceMotion {
     bool is_polynomial_ = true;
 };
 
+/// The pieces over the non-empty spans among `first`..`last`, spans of the domain, as the curve stands.
+std::vector<PieceMotion> motions_of(const Curve& curve, std::size_t first, std::size_t last);
+
 /// All pieces of `curve`, seen from `origin`.
 std::vector<PieceMotion> motions_of(const Curve& curve, Point origin);
 

@@ -134,6 +134,14 @@ std::vector<PieceForms> piece_forms(const Curve& curve, int order) {
     return result;
 }
 
+void visit_piece_forms(const Curve& curve, int order, const std::function<bool(std::size_t span)>& wanted,
+                       const std::function<void(const PieceForms&)>& take) {
+    const FormMaker maker(curve, order);
+    const auto [first, last] = span_range(curve);
+    for (std::size_t s = first; s <= last; ++s)
+        if (curve.knots()[s] < curve.knots()[s + 1] && wanted(s)) maker.make(s, s, take);
+}
+
 std::vector<SignRun> sign_runs_along(const Curve& curve, int order, const Expression& expression) {
     return sign_runs_along(curve, order, expression, [](std::size_t) { return std::nullopt; });
 }

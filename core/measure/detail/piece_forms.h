@@ -25,6 +25,11 @@ struct PieceForms {
 /// The forms of all pieces with derivatives up to `order` (>= 0).
 std::vector<PieceForms> piece_forms(const Curve& curve, int order);
 
+/// Tells `take` the forms of those non-empty spans that are `wanted`, one after the other. Cost O(n) and that of
+/// theirs.
+void visit_piece_forms(const Curve& curve, int order, const std::function<bool(std::size_t span)>& wanted,
+                       const std::function<void(const PieceForms&)>& take);
+
 /// The signs of `expression` in forms up to `order` along the whole curve, over its domain. `expression` sees the forms
 /// of a piece (see PieceForms); its sign must not depend on the length of the piece's interval.
 std::vector<SignRun> sign_runs_along(const Curve& curve, int order, const Expression& expression);

@@ -62,6 +62,35 @@ Curve loop() {
         .value();
 }
 
+// Up and down 3 and across 4, each leg of length 5, over more spans than are measured at a time; leg k from k to k + 1.
+Curve zigzag(std::size_t legs, bool is_periodic) {
+    CurveDefinition definition{.degree = 1, .periodic = is_periodic};
+    for (std::size_t k = 0; k <= legs; ++k) {
+        definition.knots.push_back(static_cast<double>(k));
+        if (k < legs || !is_periodic)
+            definition.points.push_back({4.0 * static_cast<double>(k), k % 2 == 0 ? 0.0 : 3.0});
+    }
+    if (is_periodic) return Curve::make(std::move(definition)).value();
+    definition.knots.insert(definition.knots.begin(), 0.0);
+    definition.knots.push_back(static_cast<double>(legs));
+    return Curve::make(std::move(definition)).value();
+}
+
+TEST(ArcLength, long_curves_are_measured_over_all_their_spans) {
+    const Curve open = zigzag(20'000, false);
+    EXPECT_DOUBLE_EQ(arc_length(open).value, 100'000.0);
+    EXPECT_LT(arc_length(open).error, 1e-6);
+    EXPECT_DOUBLE_EQ(arc_length(open, 4095.5, 4097.25).value, 8.75);
+    EXPECT_DOUBLE_EQ(arc_length(open, 8000.0, 4000.0).value, -20'000.0);
+    EXPECT_DOUBLE_EQ(arc_length(open, -1.0, 8193.0).value, 40'965.0);
+    const Curve closed = zigzag(10'000, true);
+    const double back = std::hypot(4.0 * 9'999, 3.0);
+    EXPECT_NEAR(arc_length(closed).value, 5.0 * 9'999 + back, 1e-7);
+    // The legs of a periodic curve begin where its second point is.
+    EXPECT_NEAR(arc_length(closed, 9'999.0, 10'001.0).value + arc_length(closed, 1.0, 9'999.0).value,
+                5.0 * 9'999 + back, 1e-7);
+}
+
 TEST(Golden, arc_length) {
     golden::Tally tally("arc_length.json");
     for (const auto& members : golden::cases("arc_length.json")) {
