@@ -1,5 +1,6 @@
 #include "core/document/file_text.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -73,6 +74,13 @@ FileResult<std::string> read_text(const fs::path& path) {
     return InputFile::open(path).and_then([](InputFile file) { return whole_text(file); });
 }
 
+void flush_folder(const fs::path& folder) {
+    const int opened = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (opened < 0) return;
+    fsync(opened);
+    close(opened);
+}
+
 FileResult<void> replace_text(const fs::path& path, std::string_view text) {
     const fs::path target = resolved(path);
     const auto fail = [&](const char* pattern) { return refused_by_system(path.string(), pattern); };
@@ -86,7 +94,7 @@ FileResult<void> replace_text(const fs::path& path, std::string_view text) {
     TemporaryFile temporary(target);
     if (!temporary.is_open()) return fail("no file can be made in this folder: {reason}");
     constexpr mode_t permission_bits = 07777;
-    if (exists && !temporary.set_permissions(old.st_mode & permission_bits))
+    if (exists && !temporary.set_rights(old.st_uid, old.st_gid, old.st_mode & permission_bits))
         return fail("its permissions cannot be kept: {reason}");
     if (!temporary.write_all(text) || !temporary.flush_to_disk()) return fail("the file cannot be written: {reason}");
     if (!temporary.replace(target)) return fail("the file cannot be replaced: {reason}");

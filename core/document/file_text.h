@@ -32,10 +32,15 @@ inline constexpr std::size_t most_file_bytes = std::size_t{128} << 20U;
 /// The same for what the open file `descriptor` still has; `name` stands for it in errors.
 [[nodiscard]] FileResult<std::string> read_text(int descriptor, const std::string& name);
 
-/// Writes `text` to a temporary file beside `path`, flushes it to disk and renames it, so that the file has the old
-/// content or the new one. A link is followed, also to a file that is not there yet. Signals that arrive meanwhile wait
-/// for the end; going beyond the limit of file sizes is an error like others. Errors leave the old file as it was and
-/// no temporary one. Keeps the permissions of the old file.
+/// Writes `text` to a temporary file beside `path`, flushes it to disk, renames it and flushes the folder, so that the
+/// file has the old content or the new one. A link is followed, also to a file that is not there yet. Signals that
+/// arrive meanwhile wait for the end; going beyond the limit of file sizes is an error like others. Errors leave the
+/// old file as it was and no temporary one. Keeps the permissions of the old file, and its owner and group where the
+/// user may.
 [[nodiscard]] FileResult<void> replace_text(const std::filesystem::path& path, std::string_view text);
+
+/// Has the names of new files in `folder` on disk, so that they are there after a crash; does nothing where the file
+/// system cannot.
+void flush_folder(const std::filesystem::path& folder);
 
 }  // namespace batten::core

@@ -18,12 +18,17 @@ class TemporaryFile {
     bool is_open() const { return file_ >= 0; }
     bool write_all(std::string_view text);
     bool flush_to_disk();
-    bool set_permissions(unsigned mode);
+    /// Owner and group as far as the user may give them away; the permissions of a group that is another are those of
+    /// all others.
+    bool set_rights(unsigned owner, unsigned group, unsigned mode);
+    /// Closes the file and gives it the name of `target`. Once that is done, the folder is flushed to disk as well
+    /// where its file system can do so.
     bool replace(const std::filesystem::path& target);
 
   private:
     std::filesystem::path path_;
     int file_ = -1;
+    bool is_made_ = false;
     bool has_replaced_ = false;
 };
 

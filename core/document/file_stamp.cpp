@@ -1,0 +1,13 @@
+#include "core/document/file_stamp.h"
+
+#include <sys/stat.h>
+
+namespace batten::core {
+
+std::optional<FileStamp> file_stamp(const std::filesystem::path& path) {
+    struct stat found {};
+    if (stat(path.c_str(), &found) != 0) return std::nullopt;
+    return FileStamp{found.st_dev, found.st_ino, found.st_size, found.st_mtim.tv_sec, found.st_mtim.tv_nsec};
+}
+
+}  // namespace batten::core
