@@ -81,6 +81,7 @@ class Subcommands {
     void add_check(CLI::App& program);
     void add_convert(CLI::App& program);
     void add_handout(CLI::App& program);
+    void add_code(CLI::App& program);
 
     InfoOptions info_;
     EvalOptions eval_;
@@ -89,6 +90,7 @@ class Subcommands {
     CheckOptions check_;
     ConvertOptions convert_;
     HandoutOptions handout_;
+    CodeOptions code_;
     bool lists_operations_ = false;
     const CLI::App* info_command_ = nullptr;
     const CLI::App* eval_command_ = nullptr;
@@ -97,6 +99,7 @@ class Subcommands {
     const CLI::App* check_command_ = nullptr;
     const CLI::App* convert_command_ = nullptr;
     const CLI::App* handout_command_ = nullptr;
+    const CLI::App* code_command_ = nullptr;
 };
 
 Subcommands::Subcommands(CLI::App& program) {
@@ -107,6 +110,7 @@ Subcommands::Subcommands(CLI::App& program) {
     add_convert(program);
     add_check(program);
     add_handout(program);
+    add_code(program);
     // A file may still be called like a subcommand: batten ./info
     program.require_subcommand(0, 1);
 }
@@ -212,6 +216,24 @@ void Subcommands::add_handout(CLI::App& program) {
     handout_command_ = command;
 }
 
+void Subcommands::add_code(CLI::App& program) {
+    CLI::App* command = add_command(program, "code", "Print a curve as text for programs and papers");
+    command->add_option("file", code_.file, file_meaning)->required()->type_name("FILE");
+    std::vector<std::string> languages;
+    for (const auto& entry : core::Names<exchange::CodeLanguage>::table) languages.emplace_back(entry.name);
+    command
+        ->add_option_function<std::string>(
+            "--as",
+            [this](const std::string& name) { code_.language = *core::value_named<exchange::CodeLanguage>(name); },
+            core::sentence("The language: {languages}", {{"languages", core::listed_as_alternatives(languages)}}))
+        ->required()
+        ->check(CLI::Validator(CLI::IsMember(languages)).description(""))
+        ->type_name("LANGUAGE");
+    command->add_option("--curve", code_.curve, "The name or number of the curve, instead of the active one")
+        ->type_name("NAME");
+    code_command_ = command;
+}
+
 void Subcommands::parse(CLI::App& program, const std::vector<std::string>& words) {
     ApplyOptions* options = nullptr;
     if (!words.empty() && words.front() == "apply") options = &apply_;
@@ -232,6 +254,7 @@ std::optional<ExitStatus> Subcommands::run(Output output) const {
     if (check_command_->parsed()) return run_check(output);
     if (convert_command_->parsed()) return convert(convert_, output);
     if (handout_command_->parsed()) return handout(handout_, output);
+    if (code_command_->parsed()) return code(code_, output);
     if (new_command_->parsed()) return run_new(output);
     if (apply_command_->parsed()) return run_apply(output);
     return std::nullopt;
@@ -301,7 +324,7 @@ std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, W
     }
     return say_wrong_usage(
         output,
-        "batten: this build has no window; the subcommands are info, eval, apply, new, convert, check and handout");
+        "batten: this build has no window; the subcommands are info, eval, apply, new, convert, check, handout and code");
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-/// The subcommands: info, eval, apply, new, convert, check and handout, which need no window, and what profile is asked
-/// for.
+/// The subcommands, which need no window, and what profile is asked for.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +9,7 @@
 
 #include "app/editor/pointer/gesture_script.h"
 #include "core/curve/knot_vector.h"
+#include "exchange/code/code.h"
 #include "exchange/format.h"
 
 namespace batten::cli {
@@ -89,6 +89,15 @@ struct HandoutOptions {
 
 /// Writes a lesson as a page to be printed: its texts, what its cards say, and a figure for each step.
 ExitStatus handout(const HandoutOptions& options, Output output);
+
+struct CodeOptions {
+    std::filesystem::path file;
+    exchange::CodeLanguage language = exchange::CodeLanguage::json;
+    std::string curve;  ///< its name or number; empty: the active one
+};
+
+/// Prints a curve as text for programs and papers.
+ExitStatus code(const CodeOptions& options, Output output);
 
 /// What `profile` is asked for. It needs the window, so that whoever has one runs it.
 struct ProfileOptions {
