@@ -12,6 +12,8 @@ if(BATTEN_PROGRAM)
   find_package(CLI11 REQUIRED)
   find_package(Threads REQUIRED)
   pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
+  find_package(pugixml REQUIRED)
+  find_package(Freetype REQUIRED)
   # Only headers, in a folder of their own or not.
   find_path(BATTEN_STB stb_image.h PATH_SUFFIXES stb REQUIRED)
 endif()

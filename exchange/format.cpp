@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "exchange/svg_reader.h"
+
 namespace batten::exchange {
 
 namespace {
@@ -17,35 +19,52 @@ std::string in_small_letters(std::string text) {
 
 std::span<const FormatSpec> all_formats() {
     static const std::vector<FormatSpec> formats{
-        {.format = Format::svg,
-         .endings = {".svg"},
-         .note = "paths as Bézier pieces, within a millionth of the size where they are not cubic"},
-
-        {.format = Format::dxf,
-         .endings = {".dxf"},
-         .note = "curves as splines; entities without a plane curve are left out"},
-
-        {.format = Format::nurbs_python,
-         .endings = {".nurbs-python.json"},
-         .note = "n + p + 1 knots, weights apart from the points"},
-
-        {.format = Format::tinyspline,
-         .endings = {".tinyspline.json"},
-         .note = "homogeneous control points (xw, yw, w) where weights differ"},
-
-        {.format = Format::rhino, .endings = {".rhino.json"}, .note = "n + p − 1 knots: one fewer at each end"},
-
-        {.format = Format::opencascade,
-         .endings = {".opencascade.json"},
-         .note = "distinct knots with their multiplicities"},
-
-        {.format = Format::iges, .endings = {".igs", ".iges"}, .note = "plane curves of type 126"},
-
-        {.format = Format::step,
-         .endings = {".step", ".stp"},
-         .note = "plane curves with distinct knots and multiplicities"},
-
-        {.format = Format::csv, .endings = {".csv"}, .note = "samples with u, x, y, derivatives and curvature"}};
+        {
+            .format = Format::svg,
+            .endings = {".svg"},
+            .note = "paths as Bézier pieces, within a millionth of the size where they are not cubic",
+            .read = read_svg,
+        },
+        {
+            .format = Format::dxf,
+            .endings = {".dxf"},
+            .note = "curves as splines; entities without a plane curve are left out",
+        },
+        {
+            .format = Format::nurbs_python,
+            .endings = {".nurbs-python.json"},
+            .note = "n + p + 1 knots, weights apart from the points",
+        },
+        {
+            .format = Format::tinyspline,
+            .endings = {".tinyspline.json"},
+            .note = "homogeneous control points (xw, yw, w) where weights differ",
+        },
+        {
+            .format = Format::rhino,
+            .endings = {".rhino.json"},
+            .note = "n + p − 1 knots: one fewer at each end",
+        },
+        {
+            .format = Format::opencascade,
+            .endings = {".opencascade.json"},
+            .note = "distinct knots with their multiplicities",
+        },
+        {
+            .format = Format::iges,
+            .endings = {".igs", ".iges"},
+            .note = "plane curves of type 126",
+        },
+        {
+            .format = Format::step,
+            .endings = {".step", ".stp"},
+            .note = "plane curves with distinct knots and multiplicities",
+        },
+        {
+            .format = Format::csv,
+            .endings = {".csv"},
+            .note = "samples with u, x, y, derivatives and curvature",
+        }};
     return formats;
 }
 

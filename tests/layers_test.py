@@ -7,7 +7,7 @@ import sys
 # Folder: the folders of the project and the outside headers it may include (beside the standard library).
 LAYERS = {
     "core": ({"core"}, {"glm", "tl", "Eigen", "fmt", "hwy", "nlohmann", "posix"}),
-    "exchange": ({"core", "exchange"}, {"glm", "tl", "fmt", "nlohmann"}),
+    "exchange": ({"core", "exchange"}, {"glm", "tl", "fmt", "nlohmann", "pugixml", "ft2build", "freetype"}),
     "render": ({"render"}, {"glm", "tl", "fmt", "glad", "cairo", "cairo-svg"}),
     "app/picture": ({"core", "app/picture"}, {"tl", "stb"}),
     "app/editor": ({"core", "exchange", "app/editor", "app/picture"}, {"glm", "tl", "fmt", "nlohmann"}),
@@ -41,6 +41,9 @@ ONLY_IN = {
     ("core", "hwy"): {"core/evaluate/detail/span_block.cpp", "core/evaluate/detail/taylor_samples.cpp"},
     ("core", "nlohmann"): {"core/document/"},
     ("core", "posix"): {"core/document/"},
+    ("exchange", "pugixml"): {"exchange/svg"},
+    ("exchange", "ft2build"): {"exchange/font_reader.cpp"},
+    ("exchange", "freetype"): {"exchange/font_reader.cpp"},
     ("render", "cairo"): {"render/cairo_painter.cpp"},
     ("render", "cairo-svg"): {"render/cairo_painter.cpp"},
     ("app/cli", "posix"): {"app/cli/standard_streams.cpp"},

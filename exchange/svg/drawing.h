@@ -1,0 +1,26 @@
+/// What an SVG tree draws, as curves.
+#pragma once
+
+#include <pugixml.hpp>
+#include <string_view>
+#include <vector>
+
+#include "core/document/document.h"
+#include "exchange/svg/left_out.h"
+
+namespace batten::exchange {
+
+struct SvgDrawing {
+    std::vector<core::DocumentCurve> curves;
+    std::optional<core::DocumentUnits> units{};
+    double largest_error = 0.0;
+    LeftOut left_out{};
+};
+
+/// Walks through `svg`, the outermost element, as read_svg() says.
+SvgDrawing drawing_of(const pugi::xml_node& svg);
+
+/// The name without the prefix of its namespace.
+std::string_view local_name(const pugi::xml_node& element);
+
+}  // namespace batten::exchange

@@ -1,0 +1,55 @@
+/// What an svg element says of sizes: its viewBox, its width and height, and lengths in it.
+#pragma once
+
+#include <optional>
+#include <pugixml.hpp>
+#include <string_view>
+
+#include "core/document/units.h"
+#include "core/edit/plane_map.h"
+
+namespace batten::exchange {
+
+/// A length as it is written: "12", "3mm", "50%".
+struct SvgLength {
+    double value = 0.0;
+    std::string_view unit{};  ///< empty where there is none
+
+    /// In px; `whole` stands for 100%. None for units that need a font.
+    std::optional<double> in_px(double whole) const;
+};
+
+/// None where the text is no length.
+std::optional<SvgLength> read_length(std::string_view text);
+
+/// Where an svg element puts what is in it.
+struct Viewport {
+    double left = 0.0;
+    double top = 0.0;
+    double width = 0.0;   ///< of what is in it, of which lengths in % are parts; 0 where the file does not say
+    double height = 0.0;  ///< likewise
+
+    /// The length of attribute `name`, which is along x ("x", "width", "cx", ...), y or neither; `missing` where there
+    /// is none or it cannot be read.
+    double length(const pugi::xml_node& element, const char* name, double missing = 0.0) const;
+};
+
+/// The outermost svg element.
+struct Page {
+    Viewport viewport{};
+    core::PlaneMap map{};  ///< to the plane: coordinates stay, but y goes up
+    std::optional<core::DocumentUnits> units{};
+};
+
+/// Coordinates of the document are those of the viewBox. y is counted up from the line `batten:baseline` where the
+/// file has it, as ours do; else from the lower edge. Lengths have the unit of the width or height.
+Page page_of(const pugi::xml_node& svg);
+
+/// The map of an svg or symbol element inside, which stands in a box of `outer`; and its viewport.
+struct InnerViewport {
+    Viewport viewport{};
+    core::PlaneMap map{};
+};
+InnerViewport inner_viewport(const pugi::xml_node& element, const Viewport& outer);
+
+}  // namespace batten::exchange

@@ -1,0 +1,73 @@
+#include "exchange/svg_reader.h"
+
+#include <algorithm>
+#include <pugixml.hpp>
+#include <string>
+#include <utility>
+
+#include "core/base/sentence.h"
+#include "exchange/svg/drawing.h"
+
+namespace batten::exchange {
+
+namespace {
+
+tl::unexpected<core::FileError> svg_refused(std::string where, std::string what) {
+    return tl::unexpected(core::FileError{std::move(where), std::move(what)});
+}
+
+std::string line_at(std::string_view text, std::size_t offset) {
+    const std::string_view before = text.substr(0, offset);
+    const auto breaks = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    return core::sentence("line {line}", {{"line", breaks + 1}});
+}
+
+// Refuses what would take much memory as a tree, or is no text.
+core::FileResult<void> check_text(std::string_view text) {
+    if (text.starts_with("\x1f\x8b"))
+        return svg_refused("", "this is a compressed SVG; gunzip unpacks it, then it can be read");
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
+        return svg_refused(line_at(text, zero), "there is a zero byte, which no XML has; SVG is read as UTF-8");
+    const auto count = std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; });
+    if (static_cast<std::size_t>(count) > most_svg_elements)
+        return svg_refused("",
+                           core::sentence("there are more than {most} elements and attributes, the most that are read",
+                                          {{"most", most_svg_elements}}));
+    return {};
+}
+
+// Whether the file defines entities, which are never expanded.
+bool has_entities(const pugi::xml_document& file) {
+    for (const pugi::xml_node& node : file.children())
+        if (node.type() == pugi::node_doctype &&
+            std::string_view(node.value()).find("<!ENTITY") != std::string_view::npos)
+            return true;
+    return false;
+}
+
+}  // namespace
+
+core::FileResult<Imported> read_svg(std::string_view text) {
+    if (const auto check = check_text(text); !check) return tl::unexpected(check.error());
+    pugi::xml_document file;
+    const pugi::xml_parse_result parsed =
+        file.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype);
+    if (!parsed)
+        return svg_refused(line_at(text, static_cast<std::size_t>(parsed.offset)),
+                           core::sentence("this is no XML: {reason}", {{"reason", parsed.description()}}));
+    const pugi::xml_node svg = file.document_element();
+    if (local_name(svg) != "svg")
+        return svg_refused("", core::sentence("the file is a '{name}'; an 'svg' is needed", {{"name", svg.name()}}));
+    SvgDrawing drawing = drawing_of(svg);
+    if (has_entities(file)) drawing.left_out.count(SvgLoss::entities);
+    Imported imported{.document = {}, .report = {drawing.largest_error, drawing.left_out.sentences()}};
+    if (drawing.curves.empty()) {
+        const auto& left_out = imported.report.left_out;
+        return svg_refused("", left_out.empty() ? "no path and no shape is drawn in this file" : left_out.front());
+    }
+    imported.document.curves = std::move(drawing.curves);
+    imported.document.units = std::move(drawing.units);
+    return imported;
+}
+
+}  // namespace batten::exchange

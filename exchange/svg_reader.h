@@ -1,0 +1,29 @@
+/// Reads curves from SVG: paths and basic shapes, where they are drawn.
+#pragma once
+
+#include "exchange/report.h"
+
+namespace batten::exchange {
+
+/// More curves than these are left out, with a sentence.
+inline constexpr std::size_t most_svg_curves = 100'000;
+
+/// Elements that are nested deeper are left out, also where they are used (`use`).
+inline constexpr std::size_t most_svg_depth = 256;
+
+/// Files with more elements and attributes are refused.
+inline constexpr std::size_t most_svg_elements = 4'000'000;
+
+/// So many elements are visited at most, also where `use` repeats them; the others are left out.
+inline constexpr std::size_t most_svg_visits = 500'000;
+
+/// The paths, rects, circles, ellipses, lines, polylines and polygons that are drawn, with all transforms, also those
+/// that `use` repeats; each subpath is a curve. Lines, Bézier pieces and arcs are exact; the degree is that of the
+/// highest piece, and closed subpaths are periodic. Coordinates are those of the viewBox, but y goes up from its lower
+/// edge (files of ours say from where); lengths have the unit of the width. Colors are those of strokes, else of fills;
+/// names those of labels, titles, ids. Our own document in the file is what is read, where the file still draws just
+/// its curves. Nothing outside the text is read and no entity expanded. Errors: no XML, with its line; compressed;
+/// no SVG; too many elements; nothing that is drawn.
+[[nodiscard]] core::FileResult<Imported> read_svg(std::string_view text);
+
+}  // namespace batten::exchange

@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+
+#include "exchange/svg_reader.h"
+
+namespace batten::exchange {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::string repeated(const std::string& text, std::size_t count) {
+    std::string all;
+    all.reserve(text.size() * count);
+    for (std::size_t i = 0; i < count; ++i) all += text;
+    return all;
+}
+
+std::string svg_file(const std::string& elements) {
+    return "<svg>" + elements + "</svg>";
+}
+
+// Whatever it is, it is read or refused with a sentence, soon.
+core::FileResult<Imported> read_soon(const std::string& text) {
+    const auto start = Clock::now();
+    auto imported = read_svg(text);
+    EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), 20.0);
+    EXPECT_TRUE(imported || !imported.error().what.empty());
+    return imported;
+}
+
+}  // namespace
+
+TEST(BadSvg, IsRefusedWithItsLine) {
+    EXPECT_EQ(read_svg("<svg>\n<path\n</svg>").error().where, "line 3");
+    EXPECT_EQ(read_svg("").error().sentence(), "line 1: this is no XML: No document element found");
+    EXPECT_EQ(read_svg("<html/>").error().sentence(), "the file is a 'html'; an 'svg' is needed");
+    EXPECT_EQ(read_svg("\x1f\x8b\x08...").error().sentence(),
+              "this is a compressed SVG; gunzip unpacks it, then it can be read");
+    EXPECT_EQ(read_svg(std::string("<svg>\n\0</svg>", 13)).error().where, "line 2");
+    EXPECT_EQ(read_svg("<svg><text>a</text></svg>").error().sentence(),
+              "a text is left out; in the program that made it, it can be turned into paths");
+}
+
+TEST(BadSvg, IsReadOrRefusedTruncatedAnywhere) {
+    const std::string text =
+        R"svg(<?xml version="1.0"?><!DOCTYPE svg [<!ENTITY a "b">]><svg viewBox="0 0 10 10" width="3mm"><!-- c -->)svg"
+        R"svg(<g transform="rotate(30 1 2)" style="stroke:#f80"><path id="a" d="M0 0C1 2 3 4 5 6A1 2 30 0 1 3 3z"/></g>)svg"
+        R"svg(<use href="#a" x="3"/><polygon points="1,2 3,4 5,6"/><![CDATA[x]]></svg>)svg";
+    ASSERT_TRUE(read_svg(text));
+    for (std::size_t size = 0; size < text.size(); ++size) EXPECT_FALSE(read_soon(text.substr(0, size))) << size;
+    for (std::size_t i = 0; i < text.size(); ++i)
+        for (const char c : {'\xff', '<', '"', '9', '-', ' '}) {
+            std::string changed = text;
+            changed[i] = c;
+            read_soon(changed);
+        }
+}
+
+TEST(BadSvg, ExpandsNoEntity) {
+    std::string bomb = R"(<!DOCTYPE svg [<!ENTITY a0 "M0 0h1 ">)";
+    for (int i = 1; i < 30; ++i)
+        bomb += "<!ENTITY a" + std::to_string(i) + " \"" + repeated("&a" + std::to_string(i - 1) + ";", 10) + "\">";
+    bomb +=
+        R"(<!ENTITY f SYSTEM "file:///etc/passwd">]><svg><path id="p" d="&a29;"/><path d="M0 0h1"/><text>&f;</text></svg>)";
+    const auto imported = read_soon(bomb);
+    ASSERT_TRUE(imported);
+    EXPECT_EQ(imported->document.curves.size(), 1U);
+    EXPECT_EQ(imported->report.left_out.front(),
+              "the path data of 'p' go wrong at character 1; they are read up to there");
+    EXPECT_EQ(imported->report.left_out.back(), "entities that the file defines are not read");
+}
+
+TEST(BadSvg, MayBeNestedDeep) {
+    constexpr std::size_t depth = 100'000;
+    const auto imported = read_soon(
+        svg_file("<path d='M0 0h1'/>" + repeated("<g>", depth) + "<path d='M0 0h1'/>" + repeated("</g>", depth)));
+    ASSERT_TRUE(imported);
+    EXPECT_EQ(imported->document.curves.size(), 1U);
+    EXPECT_EQ(imported->report.left_out,
+              std::vector<std::string>{"elements that are nested more than 256 deep are left out"});
+}
+
+TEST(BadSvg, MayUseElementsTooOften) {
+    std::string elements = "<g id='a0'><path d='M0 0h1'/></g>";
+    for (int i = 1; i < 12; ++i)
+        elements += "<g id='a" + std::to_string(i) + "'>" +
+                    repeated("<use href='#a" + std::to_string(i - 1) + "'/>", 10) + "</g>";
+    const auto imported = read_soon(svg_file(elements));
+    ASSERT_TRUE(imported);
+    EXPECT_EQ(imported->document.curves.size(), most_svg_curves);
+    EXPECT_EQ(imported->report.left_out,
+              std::vector<std::string>{"what follows the first 100000 curves or elements is left out"});
+    std::string empty = "<path d='M0 0h1'/><g id='a0'/>";
+    for (int i = 1; i < 12; ++i)
+        empty += "<g id='a" + std::to_string(i) + "'>" + repeated("<use href='#a" + std::to_string(i - 1) + "'/>", 10) +
+                 "</g>";
+    EXPECT_EQ(read_soon(svg_file(empty))->document.curves.size(), 1U);
+}
+
+TEST(BadSvg, MayHaveAMillionSubpaths) {
+    const auto imported = read_soon(
+        svg_file("<path id='" + std::string(1'000'000, 'n') + "' d='" + repeated("M0 0h1", 1'000'000) + "'/>"));
+    ASSERT_TRUE(imported);
+    EXPECT_EQ(imported->document.curves.size(), most_svg_curves);
+    EXPECT_LE(imported->document.curves[0].name.size(), 200U);
+    EXPECT_FALSE(read_soon(svg_file(repeated("<a/>", 5'000'000))));
+}
+
+TEST(BadSvg, MayHaveManyPiecesInOnePath) {
+    const auto imported = read_soon(svg_file("<path d='M0 0" + repeated("l1 1c1 2 3 4 5 6", 100'000) + "'/>"));
+    ASSERT_TRUE(imported);
+    EXPECT_EQ(imported->document.curves[0].curve->control_points().size(), 600'001U);
+}
+
+}  // namespace batten::exchange
