@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "exchange/dxf_reader.h"
+#include "exchange/dxf_writer.h"
 #include "exchange/svg_reader.h"
 
 namespace batten::exchange {
@@ -29,6 +31,8 @@ std::span<const FormatSpec> all_formats() {
             .format = Format::dxf,
             .endings = {".dxf"},
             .note = "curves as splines; entities without a plane curve are left out",
+            .read = read_dxf,
+            .write = write_dxf,
         },
         {
             .format = Format::nurbs_python,

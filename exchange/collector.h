@@ -1,0 +1,57 @@
+/// Gathers what a reader finds: the curves, and a bounded number of sentences about what it leaves out.
+#pragma once
+
+#include <map>
+
+#include "core/base/sentence.h"
+#include "exchange/report.h"
+
+namespace batten::exchange {
+
+/// More curves of one file are left out, so that a small file cannot take all memory.
+inline constexpr std::size_t most_curves = 100'000;
+
+/// A curve, or a part of a sentence that says why there is none.
+using MadeCurve = tl::expected<core::Curve, std::string>;
+
+/// `made` with its error in words.
+MadeCurve in_words(core::Result<core::Curve> made);
+
+/// The curve of unchecked data, which may tear; its kind is what its knots say.
+MadeCurve make_curve(core::CurveDefinition definition);
+
+class Collector {
+  public:
+    core::Document& document() { return document_; }
+
+    /// Adds a visible curve called `wish`, or like it where that name is used; where there is none, notes that `what`
+    /// at `place` ("line 12") was left out. The pointer, null then, holds until the next curve comes.
+    core::DocumentCurve* add(MadeCurve made, const std::string& wish, std::string_view what, std::string_view place);
+
+    /// Notes what happened to `what` at `place`. Each pattern and `what` make one sentence, which has the places
+    /// {what}, {place} of the first, {reason} of the first, and {count}.
+    void note(const core::PluralPattern& pattern, std::string_view what, std::string_view place,
+              std::string_view reason = {});
+
+    /// All that was gathered; refused where it has no curves, with the first sentence or else `nothing_found`.
+    core::FileResult<Imported> finish(const char* nothing_found) &&;
+
+  private:
+    struct Note {
+        const core::PluralPattern* pattern;
+        std::string what;
+        std::string place;
+        std::string reason;
+        std::size_t count = 1;
+    };
+
+    std::vector<std::string> sentences() const;
+
+    core::Document document_;
+    core::FreeNames names_{document_};
+    std::vector<Note> notes_;
+    std::map<std::pair<const core::PluralPattern*, std::string>, std::size_t> note_indices_;
+    std::size_t further_notes_ = 0;  // of kinds that there was no room for
+};
+
+}  // namespace batten::exchange

@@ -1,0 +1,226 @@
+#include "exchange/dxf_reader.h"
+
+#include <array>
+#include <charconv>
+#include <unordered_map>
+
+#include "exchange/dxf_curves.h"
+#include "exchange/utf8_text.h"
+
+namespace batten::exchange {
+
+namespace {
+
+using core::PluralPattern;
+
+constexpr PluralPattern not_read{
+    "an entity {what} at {place} was left out; SPLINE, LWPOLYLINE, POLYLINE, LINE, ARC, CIRCLE and ELLIPSE are read",
+    "{count} entities {what} were left out, the first at {place}; SPLINE, LWPOLYLINE, POLYLINE, LINE, ARC, CIRCLE and "
+    "ELLIPSE are read"};
+constexpr PluralPattern in_paper_space{
+    "{what} at {place} was left out, since it is on a sheet of paper, not in the model",
+    "{count} times {what} was left out, first at {place}, since it is on a sheet of "
+    "paper, not in the model"};
+constexpr PluralPattern off_plane{"{what} at {place} has heights other than 0, which were let go",
+                                  "{count} times {what} has heights other than 0, first at {place}, which were let go"};
+constexpr PluralPattern interpolated{
+    "{what} at {place} has only points that it passes; a curve through them was made, which may be another between "
+    "them",
+    "{count} times {what} has only points that it passes, first at {place}; curves through them were made, which may "
+    "be "
+    "others between them"};
+constexpr PluralPattern unit_not_known{"the unit of length at {place} is not known here and was let go",
+                                       "{count} units of length are not known here and were let go"};
+
+// How a layer looks, which its entities have unless they say otherwise.
+struct Look {
+    std::optional<core::DocumentColor> color{};
+    bool visible = true;
+};
+
+// The nine colors of the index that are the same everywhere; the seventh is black or white as the paper asks.
+std::optional<core::DocumentColor> indexed_color(double index) {
+    constexpr std::array<std::array<std::uint8_t, 3>, 6> pure{
+        {{255, 0, 0}, {255, 255, 0}, {0, 255, 0}, {0, 255, 255}, {0, 0, 255}, {255, 0, 255}}};
+    const double i = std::abs(index);
+    if (i == 8.0) return core::DocumentColor{128, 128, 128};
+    if (i == 9.0) return core::DocumentColor{192, 192, 192};
+    if (!(i >= 1.0 && i <= 6.0)) return std::nullopt;
+    const auto& color = pure[static_cast<std::size_t>(i) - 1];
+    return core::DocumentColor{color[0], color[1], color[2]};
+}
+
+std::optional<core::DocumentColor> color_of(const DxfEntity& entity) {
+    constexpr double most = 16777215.0;
+    const double found = entity.number(420, -1.0);
+    if (!(found >= 0.0 && found <= most)) return indexed_color(entity.number(62, 0.0));
+    const auto color = static_cast<std::uint32_t>(found);
+    const auto part = [&](unsigned shift) { return static_cast<std::uint8_t>((color >> shift) & 0xffU); };
+    return core::DocumentColor{part(16), part(8), part(0)};
+}
+
+Look look_of_layer(const DxfEntity& layer) {
+    constexpr unsigned frozen = 1;
+    return {color_of(layer), layer.number(62, 1.0) >= 0.0 && !layer.has_bit(70, frozen)};
+}
+
+// The scale is how much of the drawing one unit of the document is.
+std::optional<core::DocumentUnits> units_of(std::string_view code) {
+    using enum core::LengthUnit;
+    if (code == "1") return core::DocumentUnits{inch, 1.0};
+    if (code == "2") return core::DocumentUnits{inch, 1.0 / 12.0};
+    if (code == "4") return core::DocumentUnits{mm, 1.0};
+    if (code == "5") return core::DocumentUnits{mm, 0.1};
+    if (code == "6") return core::DocumentUnits{mm, 0.001};
+    if (code == "7") return core::DocumentUnits{mm, 1e-6};
+    if (code == "13") return core::DocumentUnits{mm, 1000.0};
+    if (code == "14") return core::DocumentUnits{mm, 0.01};
+    return std::nullopt;
+}
+
+// "\U+00e4" stands for a character.
+std::string decoded(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        constexpr std::size_t length = 7;
+        unsigned long character = 0;
+        const bool is_escape =
+            text.size() >= length && text.starts_with("\\U+") &&
+            std::from_chars(text.data() + 3, text.data() + length, character, 16).ptr == text.data() + length;
+        if (is_escape)
+            append_utf8(result, character);
+        else
+            result.push_back(text.front());
+        text.remove_prefix(is_escape ? length : 1);
+    }
+    return result;
+}
+
+std::string name_of(const DxfEntity& entity) {
+    if (!entity.layer().empty() && entity.layer() != "0") return decoded(utf8_text(entity.layer()));
+    if (entity.name() == "SPLINE") return "spline";
+    if (entity.name() == "LINE") return "line";
+    if (entity.name() == "ARC") return "arc";
+    if (entity.name() == "CIRCLE") return "circle";
+    return entity.name() == "ELLIPSE" ? "ellipse" : "polyline";
+}
+
+class DxfReader {
+  public:
+    explicit DxfReader(std::string_view text) : groups_(text) {}
+
+    core::FileResult<Imported> read();
+
+  private:
+    void begin(const DxfGroup& group);
+    void take(const DxfGroup& group);
+    void take_variable(const DxfGroup& group);
+    void end_entity();
+    void end_polyline();
+    void add_curve(const DxfEntity& entity);
+
+    DxfGroups groups_;
+    Collector found_;
+    std::string_view section_{};
+    std::string_view variable_{};
+    std::optional<DxfEntity> entity_{};
+    std::optional<DxfEntity> polyline_{};  // whose vertices follow
+    std::unordered_map<std::string_view, Look> layers_;
+};
+
+core::FileResult<Imported> DxfReader::read() {
+    while (const std::optional<DxfGroup> group = groups_.next()) {
+        if (group->code != 0) {
+            take(*group);
+            continue;
+        }
+        begin(*group);
+        if (group->value == "EOF") return std::move(found_).finish("there are no curves in this file");
+    }
+    if (groups_.error()) return tl::unexpected(*groups_.error());
+    return tl::unexpected(
+        core::FileError{line_place(groups_.line()), "the file ends without its end mark, EOF; it is not whole"});
+}
+
+void DxfReader::begin(const DxfGroup& group) {
+    end_entity();
+    const bool is_vertex = group.value == "VERTEX";
+    if (polyline_ && !is_vertex) end_polyline();
+    if (group.value == "SECTION" || group.value == "ENDSEC") section_ = {};
+    if (section_ == "ENTITIES" || (section_ == "TABLES" && group.value == "LAYER") || group.value == "SECTION")
+        entity_.emplace(group);
+}
+
+void DxfReader::take(const DxfGroup& group) {
+    constexpr int name_code = 2;
+    if (entity_ && entity_->name() == "SECTION") {
+        if (group.code == name_code) section_ = group.value;
+        entity_.reset();
+    } else if (section_ == "HEADER") {
+        take_variable(group);
+    } else if (entity_) {
+        entity_->take(group);
+    }
+}
+
+void DxfReader::take_variable(const DxfGroup& group) {
+    constexpr int variable_code = 9;
+    constexpr int number_code = 70;
+    if (group.code == variable_code) variable_ = group.value;
+    if (group.code != number_code || variable_ != "$INSUNITS") return;
+    found_.document().units = units_of(group.value);
+    if (!found_.document().units && group.value != "0") found_.note(unit_not_known, {}, line_place(group.line));
+}
+
+void DxfReader::end_entity() {
+    if (!entity_) return;
+    const std::string_view name = entity_->name();
+    if (section_ == "TABLES") {
+        layers_[entity_->title()] = look_of_layer(*entity_);
+    } else if (name == "POLYLINE" && !is_mesh(*entity_)) {
+        polyline_ = std::move(entity_);
+        polyline_->forget_vertices();
+    } else if (name == "VERTEX" && polyline_) {
+        if (is_on_polyline(*entity_)) polyline_->add_vertex(*entity_);
+    } else if (name != "VERTEX" && name != "SEQEND") {
+        add_curve(*entity_);
+    }
+    entity_.reset();
+}
+
+void DxfReader::end_polyline() {
+    add_curve(*polyline_);
+    polyline_.reset();
+}
+
+void DxfReader::add_curve(const DxfEntity& entity) {
+    const DxfCurveMaker make =
+        is_mesh(entity) && entity.name() == "POLYLINE" ? nullptr : dxf_curve_maker(entity.name());
+    const std::string place = line_place(entity.line());
+    if (make == nullptr) return found_.note(not_read, entity.name(), place);
+    if (entity.number(67, 0.0) != 0.0) return found_.note(in_paper_space, entity.name(), place);
+    MadeCurve made = entity.defect().empty() ? make(entity) : tl::unexpected(entity.defect());
+    core::DocumentCurve* curve = found_.add(std::move(made), name_of(entity), entity.name(), place);
+    if (curve == nullptr) return;
+    const auto layer = layers_.find(entity.layer());
+    const Look look = layer == layers_.end() ? Look{} : layer->second;
+    const std::optional<core::DocumentColor> own = color_of(entity);
+    curve->color = own ? own : look.color;
+    curve->visible = look.visible && entity.number(60, 0.0) == 0.0;
+    if (entity.is_off_plane()) found_.note(off_plane, entity.name(), place);
+    if (has_fit_points_alone(entity) && entity.name() == "SPLINE") found_.note(interpolated, entity.name(), place);
+}
+
+}  // namespace
+
+core::FileResult<Imported> read_dxf(std::string_view text) {
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    if (text.starts_with("AutoCAD Binary DXF"))
+        return tl::unexpected(core::FileError{"", "this is a binary DXF; save it as text (ASCII) to read it"});
+    if (text.starts_with("AC10"))
+        return tl::unexpected(core::FileError{"", "this is a DWG, not a DXF; save it as DXF to read it"});
+    return DxfReader(text).read();
+}
+
+}  // namespace batten::exchange

@@ -1,0 +1,292 @@
+#include "exchange/dxf_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/evaluate/evaluate.h"
+
+namespace batten::exchange {
+
+namespace {
+
+using core::Curve;
+using core::Point;
+
+constexpr double pi = std::numbers::pi;
+
+// A drawing with these groups, separated by blanks, among its entities. Before them are six lines.
+std::string drawing(std::string_view entities) {
+    std::string text = "0\nSECTION\n2\nENTITIES\n";
+    text += entities;
+    for (char& c : text)
+        if (c == ' ') c = '\n';
+    return text + "\n0\nENDSEC\n0\nEOF\n";
+}
+
+Imported read(std::string_view entities) {
+    auto read = read_dxf(drawing(entities));
+    EXPECT_TRUE(read) << read.error().sentence();
+    return read ? *std::move(read) : Imported{};
+}
+
+Curve curve_of(std::string_view entities) {
+    const Imported found = read(entities);
+    EXPECT_EQ(found.document.curves.size(), 1U);
+    return *found.document.curves.at(0).curve;
+}
+
+std::string refusal_of(std::string_view text) {
+    const auto found = read_dxf(text);
+    return found ? "" : found.error().sentence();
+}
+
+Point at_share(const Curve& curve, double share) {
+    const core::Interval domain = curve.domain();
+    return core::point_at(curve, domain.lower + share * (domain.upper - domain.lower));
+}
+
+void expect_near(Point found, Point expected) {
+    EXPECT_NEAR(found.x, expected.x, 4e-15 * (1.0 + std::abs(expected.x)));
+    EXPECT_NEAR(found.y, expected.y, 4e-15 * (1.0 + std::abs(expected.y)));
+}
+
+void expect_on_circle(const Curve& curve, Point center, double radius) {
+    for (int i = 0; i <= 16; ++i)
+        EXPECT_NEAR(core::distance(at_share(curve, i / 16.0), center), radius, 1e-14 * radius);
+}
+
+}  // namespace
+
+TEST(DxfReader, ReadsLines) {
+    const Imported found = read("0 LINE 8 edge 10 1 20 2 11 4 21 6");
+    ASSERT_EQ(found.document.curves.size(), 1U);
+    EXPECT_EQ(found.document.curves[0].name, "edge");
+    EXPECT_EQ(found.report.largest_error, 0.0);
+    EXPECT_TRUE(found.report.left_out.empty());
+    const Curve& line = *found.document.curves[0].curve;
+    EXPECT_EQ(line.degree(), 1);
+    EXPECT_EQ(at_share(line, 0.0), (Point{1, 2}));
+    EXPECT_EQ(at_share(line, 1.0), (Point{4, 6}));
+}
+
+TEST(DxfReader, ReadsArcsCounterclockwiseAlsoOverZero) {
+    const Curve arc = curve_of("0 ARC 10 1 20 2 40 2 50 30 51 120");
+    expect_near(at_share(arc, 0.0), {1 + std::sqrt(3.0), 3});
+    expect_near(at_share(arc, 1.0), {0, 2 + std::sqrt(3.0)});
+    expect_near(at_share(arc, 0.5), {1 + 2 * std::cos(75 * pi / 180), 2 + 2 * std::sin(75 * pi / 180)});
+    expect_on_circle(arc, {1, 2}, 2);
+    const Curve over_zero = curve_of("0 ARC 10 0 20 0 40 1 50 300 51 60");
+    expect_near(at_share(over_zero, 0.0), {0.5, -std::sqrt(0.75)});
+    expect_near(at_share(over_zero, 0.5), {1, 0});
+    expect_near(at_share(over_zero, 1.0), {0.5, std::sqrt(0.75)});
+}
+
+TEST(DxfReader, SeesArcsFromAboveThatFaceDown) {
+    const Curve arc = curve_of("0 ARC 10 1 20 2 40 2 50 0 51 90 210 0 220 0 230 -1");
+    expect_near(at_share(arc, 0.0), {-3, 2});
+    expect_near(at_share(arc, 1.0), {-1, 4});
+    expect_on_circle(arc, {-1, 2}, 2);
+}
+
+TEST(DxfReader, ReadsCircles) {
+    const Curve circle = curve_of("0 CIRCLE 10 1e6 20 -2 40 0.5");
+    expect_near(at_share(circle, 0.0), {1e6 + 0.5, -2});
+    expect_near(at_share(circle, 0.25), {1e6, -1.5});
+    EXPECT_EQ(at_share(circle, 1.0), at_share(circle, 0.0));
+}
+
+TEST(DxfReader, ReadsEllipses) {
+    const Curve whole = curve_of("0 ELLIPSE 10 1 20 2 11 0 21 3 40 0.5 41 0 42 6.283185307179586");
+    expect_near(at_share(whole, 0.0), {1, 5});
+    expect_near(at_share(whole, 0.25), {-0.5, 2});
+    expect_near(at_share(whole, 0.5), {1, -1});
+    EXPECT_EQ(at_share(whole, 1.0), at_share(whole, 0.0));
+    const Curve part = curve_of("0 ELLIPSE 10 0 20 0 11 4 21 0 40 0.25 41 0.5 42 1.5");
+    expect_near(at_share(part, 0.0), {4 * std::cos(0.5), std::sin(0.5)});
+    expect_near(at_share(part, 0.5), {4 * std::cos(1.0), std::sin(1.0)});
+    expect_near(at_share(part, 1.0), {4 * std::cos(1.5), std::sin(1.5)});
+}
+
+TEST(DxfReader, RunsEllipsesBackwardThatFaceDown) {
+    const Curve part = curve_of("0 ELLIPSE 10 1 20 0 11 4 21 0 40 0.25 41 0 42 1 210 0 220 0 230 -1");
+    expect_near(at_share(part, 0.0), {5, 0});
+    expect_near(at_share(part, 1.0), {1 + 4 * std::cos(1.0), -std::sin(1.0)});
+}
+
+TEST(DxfReader, ReadsPolylinesOfDegreeOne) {
+    const Curve open = curve_of("0 LWPOLYLINE 90 7 70 0 10 0 20 0 10 2 20 0 10 2 20 0 10 2 20 1");
+    EXPECT_EQ(open.degree(), 1);
+    EXPECT_FALSE(open.is_periodic());
+    EXPECT_EQ(std::vector(open.control_points().begin(), open.control_points().end()),
+              (std::vector<Point>{{0, 0}, {2, 0}, {2, 1}}));
+    const Curve closed = curve_of("0 LWPOLYLINE 70 1 10 0 20 0 10 2 20 0 10 2 20 1");
+    EXPECT_TRUE(closed.is_periodic());
+    EXPECT_EQ(closed.control_points().size(), 3U);
+}
+
+TEST(DxfReader, ReadsBulgesAsArcs) {
+    // To the left a half circle below, back by a straight leg of the same degree.
+    const Curve half = curve_of("0 LWPOLYLINE 70 0 10 -1 20 0 42 1 10 1 20 0 10 1 20 4");
+    EXPECT_EQ(half.degree(), 2);
+    expect_near(core::point_at(half, 1.0), {0, -1});
+    expect_near(core::point_at(half, 2.0), {1, 0});
+    expect_near(core::point_at(half, 2.5), {1, 2});
+    for (const double u : {0.25, 0.5, 1.3, 1.9}) EXPECT_NEAR(core::distance(core::point_at(half, u), {0, 0}), 1, 1e-15);
+    // A quarter to the right, in one piece.
+    const Curve quarter = curve_of("0 LWPOLYLINE 70 0 10 0 20 0 42 -0.41421356237309503 10 1 20 1");
+    EXPECT_EQ(quarter.control_points().size(), 3U);
+    expect_near(quarter.control_points()[1], {0, 1});
+    EXPECT_NEAR(quarter.weights()[1], std::sqrt(0.5), 1e-15);
+    expect_on_circle(quarter, {1, 0}, 1);
+    // Three quarters of a circle, from its right to its bottom: tan(270/4).
+    const Curve large = curve_of("0 LWPOLYLINE 70 0 10 1 20 0 42 2.414213562373095 10 0 20 -1");
+    expect_on_circle(large, {0, 0}, 1);
+    expect_near(at_share(large, 0.5), {-std::sqrt(0.5), std::sqrt(0.5)});
+}
+
+TEST(DxfReader, ClosesBulgedPolylinesPeriodically) {
+    const Curve circle = curve_of("0 LWPOLYLINE 90 2 70 1 10 -1 20 0 42 1 10 1 20 0 42 1");
+    EXPECT_TRUE(circle.is_periodic());
+    expect_on_circle(circle, {0, 0}, 1);
+    expect_near(at_share(circle, 0.0), {-1, 0});
+    expect_near(at_share(circle, 0.25), {0, -1});
+    expect_near(at_share(circle, 0.75), {0, 1});
+}
+
+TEST(DxfReader, ReadsPolylinesOfOldDrawings) {
+    const Curve old = curve_of(
+        "0 POLYLINE 66 1 10 0 20 0 30 0 70 0 0 VERTEX 10 -1 20 0 42 1 0 VERTEX 10 9 20 9 70 16 0 VERTEX 10 1 20 0 "
+        "0 SEQEND 8 0");
+    expect_near(at_share(old, 0.5), {0, -1});
+    expect_near(at_share(old, 1.0), {1, 0});
+}
+
+TEST(DxfReader, BelievesDataAndNotFlagsAndCounts) {
+    // Said to be closed, periodic and rational with other counts: an open parabola.
+    const Curve curve = curve_of(
+        "0 SPLINE 70 7 71 2 72 99 73 -5 74 1000000 40 0 40 0 40 0 40 1 40 1 40 1 10 0 20 0 10 1 20 2 10 2 20 0 "
+        "41 -1 41 -1 41 -1");
+    EXPECT_FALSE(curve.is_periodic());
+    EXPECT_FALSE(curve.is_rational());
+    EXPECT_EQ(at_share(curve, 0.5), (Point{1, 1}));
+    // Weights that no flag announces.
+    const Curve rational =
+        curve_of("0 SPLINE 70 8 71 2 40 0 40 0 40 0 40 1 40 1 40 1 10 0 20 0 10 1 20 2 10 2 20 0 41 1 41 3 41 1");
+    expect_near(at_share(rational, 0.5), {1, 1.5});
+}
+
+TEST(DxfReader, RefusesWrongCountsOfKnotsAndWeights) {
+    EXPECT_EQ(
+        refusal_of(drawing("0 SPLINE 71 2 40 0 40 0 40 1 40 1 10 0 20 0 10 1 20 2 10 2 20 0")),
+        "SPLINE at line 6 was left out: 4 knots were found; 6 are needed, which is points + degree + 1, or points "
+        "+ 1 for a periodic curve");
+    EXPECT_EQ(refusal_of(drawing("0 SPLINE 10 0 20 0 10 1 20 2 10 2 20 0")),
+              "SPLINE at line 6 was left out: its degree is 0, but it must be a whole number from 1 to 25");
+    EXPECT_EQ(
+        refusal_of(drawing("0 SPLINE 71 2 40 0 40 0 40 0 40 1 40 1 40 1 10 0 20 0 10 1 20 2 10 2 20 0 41 1 41 2")),
+        "SPLINE at line 6 was left out: 2 weights were found for 3 control points; there must be one for each point, "
+        "or none at all");
+}
+
+TEST(DxfReader, InterpolatesFitPointsAndSaysSo) {
+    const Imported found = read("0 SPLINE 71 3 74 4 11 0 21 0 11 1 21 1 11 2 21 0 11 3 21 1");
+    ASSERT_EQ(found.document.curves.size(), 1U);
+    EXPECT_EQ(at_share(*found.document.curves[0].curve, 1.0), (Point{3, 1}));
+    EXPECT_EQ(
+        found.report.left_out,
+        std::vector<std::string>{"SPLINE at line 6 has only points that it passes; a curve through them was made, "
+                                 "which may be another between them"});
+}
+
+TEST(DxfReader, SaysWhatItLeavesOut) {
+    const Imported found = read(
+        "0 INSERT 2 wheel 10 0 20 0 0 LINE 10 0 20 0 30 5 11 1 21 0 31 5 0 INSERT 2 wheel 0 TEXT 1 hello "
+        "0 LINE 67 1 10 0 20 0 11 1 21 1 0 LINE 10 3 20 3 11 3 21 3 0 ARC 40 1 210 1 220 0 230 0 10 0 20 0 "
+        "0 LINE 10 nan 20 3 11 3 21 3");
+    EXPECT_EQ(found.document.curves.size(), 1U);
+    EXPECT_EQ(found.report.left_out,
+              (std::vector<std::string>{
+                  "2 entities INSERT were left out, the first at line 6; SPLINE, LWPOLYLINE, POLYLINE, LINE, ARC, "
+                  "CIRCLE and ELLIPSE are read",
+                  "LINE at line 14 has heights other than 0, which were let go",
+                  "an entity TEXT at line 32 was left out; SPLINE, LWPOLYLINE, POLYLINE, LINE, ARC, CIRCLE and ELLIPSE "
+                  "are read",
+                  "LINE at line 36 was left out, since it is on a sheet of paper, not in the model",
+                  "2 times LINE was left out, first at line 48: point 1 lies on point 0; the two must differ",
+                  "ARC at line 58 was left out: its plane is tilted; it must lie in the plane of x and y"}));
+}
+
+TEST(DxfReader, TakesNamesColorsAndUnitsFromTheDrawing) {
+    const auto found = read_dxf(
+        "0\r\nSECTION\r\n2\r\nHEADER\r\n9\r\n$INSUNITS\r\n70\r\n5\r\n0\r\nENDSEC\r\n"
+        "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n0\nLAYER\n2\nhull\n70\n0\n62\n3\n"
+        "0\nLAYER\n2\nhidden\n62\n-1\n0\nENDTAB\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n"
+        "0\nLINE\n8\nhull\n10\n0\n20\n0\n11\n1\n21\n1\n"
+        "0\nLINE\n8\nhull\n420\n1193046\n10\n0\n20\n0\n11\n1\n21\n1\n"
+        "0\nLINE\n8\nhidden\n10\n0\n20\n0\n11\n1\n21\n1\n"
+        "0\nLINE\n8\nM\\U+00e4\xe4\n10\n0\n20\n0\n11\n1\n21\n1\n0\nENDSEC\n0\nEOF\n");
+    ASSERT_TRUE(found) << found.error().sentence();
+    const auto& curves = found->document.curves;
+    ASSERT_EQ(curves.size(), 4U);
+    EXPECT_EQ(curves[0].name, "hull");
+    EXPECT_EQ(curves[0].color, (core::DocumentColor{0, 255, 0}));
+    EXPECT_EQ(curves[1].name, "hull 2");
+    EXPECT_EQ(curves[1].color, (core::DocumentColor{0x12, 0x34, 0x56}));
+    EXPECT_FALSE(curves[2].visible);
+    EXPECT_EQ(curves[3].name, "Mää");
+    // A centimeter of the drawing is 10 mm, so that 1 mm is a tenth of it.
+    EXPECT_EQ(found->document.units, (core::DocumentUnits{core::LengthUnit::mm, 0.1}));
+}
+
+TEST(DxfReader, RefusesWhatIsNoDrawing) {
+    EXPECT_EQ(refusal_of("AutoCAD Binary DXF\r\n\x1a"), "this is a binary DXF; save it as text (ASCII) to read it");
+    EXPECT_EQ(refusal_of("AC1027 and so on"), "this is a DWG, not a DXF; save it as DXF to read it");
+    EXPECT_EQ(refusal_of("<svg>\n</svg>\n"),
+              "line 1: found \"<svg>\", but a group code must be a whole number from -5 to 1071");
+    EXPECT_EQ(refusal_of("0\nSECTION\n2\nENTITIES\n0\nENDSEC\n"),
+              "line 6: the file ends without its end mark, EOF; it is not whole");
+    EXPECT_EQ(refusal_of("0\nSECTION\n2\nENTITIES\n0"),
+              "line 5: the file ends after a group code; a value must follow it");
+    EXPECT_EQ(refusal_of(std::string_view("0\nSEC\0TION\n2\n", 14)),
+              "line 2: there is a zero byte; the file must be text");
+    EXPECT_EQ(refusal_of(""), "line 0: the file ends without its end mark, EOF; it is not whole");
+    EXPECT_EQ(refusal_of(drawing("999 comment")), "there are no curves in this file");
+}
+
+TEST(DxfReader, SurvivesNumbersThatAreTooLarge) {
+    for (const char* number : {"1e308", "-1.7e308", "1e999", "inf", "-nan", "1e-320", "--5", ""})
+        for (const char* entity :
+             {"0 LINE 10 0 20 @ 11 @ 21 1", "0 ARC 10 @ 20 0 40 @ 50 @ 51 90", "0 CIRCLE 10 @ 20 @ 40 @",
+              "0 ELLIPSE 10 0 20 0 11 @ 21 @ 40 @ 41 @ 42 @",
+              "0 LWPOLYLINE 70 @ 10 0 20 @ 42 @ 10 @ 20 0 42 @ 10 5 20 5",
+              "0 SPLINE 70 @ 71 2 40 0 40 0 40 0 40 @ 40 @ 40 @ 10 0 20 @ 10 @ 20 0 10 @ 20 1 41 1 41 @ 41 @",
+              "0 SPLINE 70 @ 11 0 21 @ 11 @ 21 0 11 @ 21 1 11 5 21 5"}) {
+            std::string text = entity;
+            while (text.find('@') != std::string::npos) text.replace(text.find('@'), 1, number);
+            const auto found = read_dxf(drawing(text));
+            if (!found) continue;
+            for (const core::DocumentCurve& entry : found->document.curves)
+                EXPECT_TRUE(core::is_finite(at_share(*entry.curve, 0.4))) << text;
+        }
+}
+
+TEST(DxfReader, ReadsSoManyCurvesAndNoMore) {
+    std::string entities;
+    constexpr int count = 120'000;
+    for (int i = 0; i < count; ++i) entities += "0 LINE 10 0 20 0 11 1 21 1 ";
+    const Imported found = read(entities + "0 TEXT");
+    EXPECT_EQ(found.document.curves.size(), 100'000U);
+    EXPECT_EQ(found.report.left_out.front(), "20000 curves were left out, since 100000 were read before them");
+}
+
+TEST(DxfReader, SaysLittleAboutManyKindsOfEntities) {
+    std::string entities = "0 LINE 10 0 20 0 11 1 21 1";
+    for (int i = 0; i < 1000; ++i) entities += " 0 ENTITY" + std::to_string(i);
+    const Imported found = read(entities);
+    ASSERT_EQ(found.report.left_out.size(), 41U);
+    EXPECT_EQ(found.report.left_out.back(), "960 more things of other kinds were left out");
+}
+
+}  // namespace batten::exchange
