@@ -15,7 +15,7 @@ constexpr double largest_width = 0.5;        // of the canvas
 
 std::optional<render::PixelBox> floating_cards_box(const EditorState& state) {
     const View& view = state.view;
-    if (!view.is_presenting || shown_cards(state).empty()) return std::nullopt;
+    if (!view.is_presenting || !view.parts.window || shown_cards(state).empty()) return std::nullopt;
     const glm::dvec2 canvas = view.camera.size_px;
     const double margin = distance_from_edge * view.interface_scale;
     const double width = std::min(view.cards_width * view.interface_scale, largest_width * canvas.x);

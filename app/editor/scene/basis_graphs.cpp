@@ -216,6 +216,7 @@ std::vector<std::size_t> chosen_functions(const PlotFrame& frame, SpanRange span
 }
 
 bool is_active(const PlotFrame& frame, std::size_t i) {
+    if (!frame.state.view.parts.parameter) return true;
     for (std::size_t j = 0; j <= static_cast<std::size_t>(frame.curve.degree()); ++j)
         if (frame.function_of(frame.span, j) == i) return true;
     return false;
@@ -254,7 +255,7 @@ double number_x(const PlotFrame& frame, double peak_x, double width_px) {
     const double x = std::clamp(peak_x, frame.layout.left_px + inset, frame.layout.right_px - inset);
     const double line_x = frame.x(frame.u);
     const double clear = 0.5 * width_px + frame.pen.px(line_clearance);
-    if (std::abs(x - line_x) >= clear) return x;
+    if (!frame.state.view.parts.parameter || std::abs(x - line_x) >= clear) return x;
     const bool is_right = x >= line_x ? line_x + clear <= frame.pen.size_px().x - width_px : line_x - clear < width_px;
     return is_right ? line_x + clear : line_x - clear;
 }
@@ -306,7 +307,7 @@ void draw_basis_numbers(PlotFrame& frame, const std::vector<const BasisGraph*>& 
 }
 
 void draw_basis_values(PlotFrame& frame) {
-    if (!frame.layout.range.contains(frame.u)) return;
+    if (!frame.state.view.parts.parameter || !frame.layout.range.contains(frame.u)) return;
     const std::vector<double> values =
         values_by_function(frame, core::basis_functions(frame.curve.knots(), frame.u).derivatives[0]);
     for (std::size_t j = 0; j < values.size(); ++j)

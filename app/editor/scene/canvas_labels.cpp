@@ -176,7 +176,7 @@ void draw_canvas_labels(CanvasFrame& frame, const CanvasMarks& marks, const std:
     for (const WishedLabel& label : frame.labels) write_wished(writer, label);
     if (!has_names) return;
     for (const CurveKnot& knot : marks.knots.knots) write_knot(writer, frame, knot);
-    write_curve_point(writer, frame);
+    if (frame.state.view.parts.parameter) write_curve_point(writer, frame);
 }
 
 }  // namespace batten::editor

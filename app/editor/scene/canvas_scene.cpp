@@ -50,7 +50,7 @@ std::vector<render::PixelBox> draw_background(CanvasFrame& frame) {
     if (const auto cards = floating_cards_box(frame.state)) covered.push_back(*cards);
     for (const render::PixelBox& box : finding_boxes(frame)) covered.push_back(box);
     draw_filled_shapes(frame);
-    draw_guides(frame);
+    if (frame.state.view.parts.window) draw_guides(frame);
     reserve_transform_box(frame);
     draw_ghost(frame);
     draw_selected_others(frame);
@@ -85,7 +85,7 @@ void note_lines(CanvasFrame& frame, const render::DrawList& list, std::size_t fi
 void draw_lines_of_active_curve(CanvasFrame& frame, const render::DrawList& list, CanvasMarks& marks) {
     draw_hull(frame);
     draw_control_polygon(frame, marks.polygon);
-    draw_dense_points(frame, marks.points);
+    if (frame.state.view.parts.points) draw_dense_points(frame, marks.points);
     const std::size_t first = list.commands.size();
     if (frame.shows(Overlay::bezier_pieces)) marks.pieces = draw_bezier_pieces(frame);
     if (frame.shows(Overlay::curvature_comb)) marks.comb_spans = draw_curvature_comb(frame);
@@ -104,12 +104,12 @@ void draw_marks_of_active_curve(CanvasFrame& frame, const render::DrawList& list
     draw_hovered_place(frame);
     const std::size_t first = list.commands.size();
     if (frame.shows(Overlay::construction)) draw_construction(frame);
-    draw_control_points(frame, marks.points);
+    if (frame.state.view.parts.points) draw_control_points(frame, marks.points);
     draw_fit_marks(frame);
     draw_handlebar(frame);
     draw_views_above(frame);
     note_lines(frame, list, first);
-    draw_curve_point(frame);
+    if (frame.state.view.parts.parameter) draw_curve_point(frame);
     draw_canvas_labels(frame, marks, covered);
 }
 
@@ -125,7 +125,7 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, 
     if (frame.curve != nullptr) {
         CanvasMarks marks = marks_of(frame);
         draw_lines_of_active_curve(frame, list, marks);
-        notes = crowd_notes(frame, marks);
+        if (state.view.parts.window) notes = crowd_notes(frame, marks);
         for (const CrowdNote& note : notes) covered.push_back(note.box);
         draw_marks_of_active_curve(frame, list, marks, covered);
     }

@@ -104,7 +104,8 @@ int handle_cost_of(const std::vector<glm::dvec2>& handles, const render::PixelBo
 
 bool has_legend(const EditorState& state) {
     const bool is_low = state.view.camera.size_px.y < least_picture_height * state.view.interface_scale;
-    return !is_low && state.visible_active_curve() != nullptr && state.view.overlays.is_shown(Overlay::construction);
+    return !is_low && state.view.parts.legend && state.visible_active_curve() != nullptr &&
+           state.view.overlays.is_shown(Overlay::construction);
 }
 
 bool shows_legend(const EditorState& state) {

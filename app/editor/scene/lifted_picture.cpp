@@ -39,7 +39,7 @@ class LiftedPicture {
         draw_shadow();
         draw_side(is_from_above_);
         draw_points();
-        draw_parameter();
+        if (frame_.state.view.parts.parameter) draw_parameter();
         draw_hovered_place();
     }
 
@@ -199,6 +199,10 @@ void draw_lifted_picture(CanvasFrame& frame, const render::PixelBox& box) {
     const glm::dvec2 padding(frame.pen.px(lifted_padding));
     frame.pen.text(box.lower_px + padding + glm::dvec2(0.0, frame.pen.px(2.0)), "Homogeneous view",
                    {.color = frame.theme.dim, .size = 12.0});
+    draw_lifted_curve(frame, box);
+}
+
+void draw_lifted_curve(CanvasFrame& frame, const render::PixelBox& box) {
     LiftedPicture(frame, box).draw();
 }
 

@@ -11,4 +11,7 @@ namespace batten::editor {
 /// The frame must have a curve. Cost: the samples, which are kept, and at most 100 control points.
 void draw_lifted_picture(CanvasFrame& frame, const render::PixelBox& box);
 
+/// The same without the panel and its title, for a picture of its own.
+void draw_lifted_curve(CanvasFrame& frame, const render::PixelBox& box);
+
 }  // namespace batten::editor

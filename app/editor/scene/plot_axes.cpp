@@ -62,7 +62,8 @@ void draw_plot_axes(PlotFrame& frame) {
     for (const core::Interval& part : frame.lit.parts)
         shade(frame, part, render::blended(frame.theme.accent, 0.06, frame.theme.panel));
     const core::KnotVector& knots = frame.curve.knots();
-    shade(frame, {knots[frame.span], knots[frame.span + 1]}, render::faded(frame.theme.accent, 0.07));
+    if (frame.state.view.parts.parameter)
+        shade(frame, {knots[frame.span], knots[frame.span + 1]}, render::faded(frame.theme.accent, 0.07));
     for (const double value : {0.0, 0.5, 1.0}) draw_level(frame, value);
 }
 
@@ -71,20 +72,21 @@ void draw_plot_title(PlotFrame& frame, const std::string& note) {
     const double margin = frame.pen.px(16.0);
     const TextStyle style{
         .color = frame.theme.parameter, .anchor = render::Anchor::right, .font = render::LabelFont::bold};
-    const std::string u = readout_text(frame);
+    const PictureParts& parts = frame.state.view.parts;
+    const std::string u = parts.parameter ? readout_text(frame) : "";
     const double room = frame.pen.size_px().x - 3.0 * margin - text_size(u, frame.pen.px(style.size), style.font).x;
     const TextStyle title_style{.color = frame.theme.text, .font = render::LabelFont::bold};
     const std::string title = title_text(frame, room);
     const double title_width = text_size(title, frame.pen.px(title_style.size), title_style.font).x;
     frame.pen.text({margin, y}, title, title_style);
     const TextStyle note_style{.color = frame.theme.dim};
-    if (!note.empty() && text_size(note, frame.pen.px(note_style.size)).x <= room - title_width)
+    if (parts.window && !note.empty() && text_size(note, frame.pen.px(note_style.size)).x <= room - title_width)
         frame.pen.text({2.0 * margin + title_width, y}, note, note_style);
-    frame.pen.text({frame.pen.size_px().x - margin, y}, u, style);
+    if (!u.empty()) frame.pen.text({frame.pen.size_px().x - margin, y}, u, style);
 }
 
 void draw_parameter_line(PlotFrame& frame) {
-    if (!frame.layout.range.contains(frame.u)) return;
+    if (!frame.state.view.parts.parameter || !frame.layout.range.contains(frame.u)) return;
     const double x = frame.x(frame.u);
     const bool is_hovered = std::holds_alternative<HoveredParameter>(frame.state.hover);
     frame.pen.segment({x, frame.layout.top_px - frame.pen.px(7.0)}, {x, frame.layout.strip_px + frame.pen.px(13.0)},

@@ -47,7 +47,7 @@ void draw_rational_graphs(PlotFrame& frame) {
             line,
             {.color = frame.theme.point(frame.hue(number % n)), .width = is_lit ? 3.5 : 2.25, .dash = 6.0, .gap = 4.0});
     }
-    if (!frame.layout.range.contains(frame.u)) return;
+    if (!frame.state.view.parts.parameter || !frame.layout.range.contains(frame.u)) return;
     const core::RationalBasis basis = core::rational_basis(frame.curve, frame.u);
     for (std::size_t j = 0; j < basis.derivatives[0].size(); ++j)
         frame.pen.symbol({frame.x(frame.u), frame.y(basis.derivatives[0][j])},

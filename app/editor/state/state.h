@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 #include "app/editor/commands/file_commands.h"
@@ -78,6 +79,8 @@ struct AtWork {
     Sketch sketch{};              ///< of the file that is being opened; stands for the document on the canvas
 };
 
+struct EditorState;
+
 /// What the editor asks of the desktop; replaced in tests.
 struct Desktop {
     std::function<std::string()> read_clipboard;
@@ -85,6 +88,9 @@ struct Desktop {
     /// Has Editor::follow_work called soon; is called from other threads. Without it no command works beside the
     /// interface.
     std::function<void()> wake;
+    /// Writes what the view shows of the state to a file, in the format of its ending; the error is a sentence.
+    std::function<tl::expected<void, std::string>(const EditorState&, const std::filesystem::path&, const FigureForm&)>
+        write_figure;
     std::filesystem::path examples;  ///< the folder of the example files
     std::filesystem::path lessons;   ///< the folder of the lessons
 };

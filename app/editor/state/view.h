@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/editor/state/brush.h"
+#include "app/editor/state/figure.h"
 #include "app/editor/state/joint_tool.h"
 #include "app/editor/state/notation.h"
 #include "app/editor/state/overlay.h"
@@ -86,6 +87,7 @@ struct View {
     bool fits_on_open = true;
     Corner legend_corner = Corner::lower_left;
     Overlays overlays;
+    PictureParts parts;
     Notation notation;            ///< as it is shown
     Notation usual_notation;      ///< of documents that choose none
     double parameter = 0.0;       ///< as set; shown clamped to the domain of the shown curve
@@ -125,7 +127,7 @@ inline bool shows_dock(const View& view) {
 
 /// The colors in which everything is shown: of high contrast for a projector.
 inline Theme shown_theme(const View& view) {
-    return view.is_presenting ? high_contrast(view.theme) : theme_of(view.theme);
+    return view.is_presenting || view.parts.high_contrast ? high_contrast(view.theme) : theme_of(view.theme);
 }
 
 }  // namespace batten::editor

@@ -1,0 +1,44 @@
+/// What a figure shows: a picture for a slide or a paper, of the same scene as the window.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/base/names.h"
+
+namespace batten::editor {
+
+/// What pictures of the canvas and the plot hold beside what overlays show. A window shows all of it, a figure what was
+/// asked for.
+struct PictureParts {
+    bool points = true;          ///< the control points
+    bool parameter = true;       ///< C(u) on the curve, and u in the plot
+    bool legend = true;          ///< what the colors of the construction mean
+    bool window = true;          ///< what a window tells of itself: how many marks are left out, room for its cards
+    bool high_contrast = false;  ///< the colors are those for a projector even where nothing is presented
+};
+
+enum class FigureView { curve, basis, both, homogeneous };
+
+/// A figure that is asked for.
+struct FigureForm {
+    FigureView view = FigureView::curve;
+    double scale = 1.0;           ///< pixels of a PNG for each of the picture, > 0; other formats have no pixels
+    bool is_transparent = false;  ///< without the ground
+    std::string title{};          ///< set above; empty: none
+};
+
+}  // namespace batten::editor
+
+namespace batten::core {
+
+template <>
+struct Names<editor::FigureView> {
+    using enum editor::FigureView;
+    static constexpr std::array table{Named{curve, "curve", "the curve"},
+                                      Named{basis, "basis", "its basis functions and knots"},
+                                      Named{both, "both", "both, one above the other"},
+                                      Named{homogeneous, "homogeneous", "the lifted curve in space"}};
+};
+
+}  // namespace batten::core
