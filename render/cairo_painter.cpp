@@ -1,14 +1,16 @@
 #include "render/cairo_painter.h"
 
-#include <cairo-svg.h>
+#include <cairo-pdf.h>
 #include <cairo.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "render/label_runs.h"
+#include "render/lean_path.h"
 
 namespace batten::render {
 
@@ -28,6 +30,18 @@ cairo_status_t append(void* text, const unsigned char* data, unsigned int length
     return CAIRO_STATUS_SUCCESS;
 }
 
+void take_font(cairo_t* cairo, double size_px, LabelFont font) {
+    cairo_select_font_face(cairo, font == LabelFont::number ? "JetBrains Mono" : "Inter", CAIRO_FONT_SLANT_NORMAL,
+                           font == LabelFont::bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cairo, size_px);
+}
+
+double advance_of(cairo_t* cairo, std::string_view text) {
+    cairo_text_extents_t extents{};
+    cairo_text_extents(cairo, std::string(text).c_str(), &extents);
+    return extents.x_advance;
+}
+
 double share_left_of(Anchor anchor) {
     switch (anchor) {
         case Anchor::left:
@@ -38,6 +52,21 @@ double share_left_of(Anchor anchor) {
             break;
     }
     return 1.0;
+}
+
+/// The coverage of the pixels in `range`; an empty surface for none.
+Surface mask_of(const CoverageMap& map, const PixelRange& range) {
+    const glm::ivec2 size = range.is_empty() ? glm::ivec2(0) : range.upper - range.lower;
+    Surface mask(cairo_image_surface_create(CAIRO_FORMAT_A8, size.x, size.y));
+    unsigned char* rows = cairo_image_surface_get_data(mask.get());
+    if (rows == nullptr) return mask;
+    const int stride = cairo_image_surface_get_stride(mask.get());
+    for (int y = 0; y < size.y; ++y) {
+        const auto first = static_cast<std::ptrdiff_t>(range.lower.y + y) * map.size_px().x + range.lower.x;
+        std::copy_n(map.values().begin() + first, size.x, rows + static_cast<std::ptrdiff_t>(y) * stride);
+    }
+    cairo_surface_mark_dirty(mask.get());
+    return mask;
 }
 
 /// Paints one command after another.
@@ -78,17 +107,10 @@ class Painter {
     }
 
     void operator()(const Ink& ink) const {
-        const glm::ivec2 size = ink.map->size_px();
-        const Surface mask(cairo_image_surface_create(CAIRO_FORMAT_A8, size.x, size.y));
-        if (cairo_surface_status(mask.get()) != CAIRO_STATUS_SUCCESS) return;
-        unsigned char* rows = cairo_image_surface_get_data(mask.get());
-        const int stride = cairo_image_surface_get_stride(mask.get());
-        for (int y = 0; y < size.y; ++y)
-            std::copy_n(ink.map->values().begin() + static_cast<std::ptrdiff_t>(y) * size.x, size.x,
-                        rows + static_cast<std::ptrdiff_t>(y) * stride);
-        cairo_surface_mark_dirty(mask.get());
+        const PixelRange range = ink.map->touched();
+        const Surface mask = mask_of(*ink.map, range);
         take(ink.color);
-        cairo_mask_surface(cairo_, mask.get(), 0.0, 0.0);
+        cairo_mask_surface(cairo_, mask.get(), range.lower.x, range.lower.y);
     }
 
     void operator()(const ImageQuad&) const {}  // drawn by, never shown
@@ -105,13 +127,16 @@ class Painter {
     }
 
     void operator()(const Label& label) const {
-        const bool is_bold = label.font == LabelFont::bold;
-        cairo_select_font_face(cairo_, label.font == LabelFont::number ? "JetBrains Mono" : "Inter",
-                               CAIRO_FONT_SLANT_NORMAL, is_bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
         take(label.color);
         const double left = label.position.x - share_left_of(label.anchor) * set(label, 0.0, false);
         set(label, left, true);
         cairo_new_path(cairo_);
+    }
+
+    /// All of what is not cut off.
+    void cover(Color color) const {
+        take(color);
+        cairo_paint(cairo_);
     }
 
   private:
@@ -126,19 +151,10 @@ class Painter {
     }
 
     void trace_shape(const Marker& marker) const {
-        const Pixel c = marker.center;
-        const double r = marker.radius_px;
         cairo_new_path(cairo_);
-        switch (marker.shape) {
-            case MarkerShape::disc:
-                return cairo_arc(cairo_, c.x, c.y, r, 0.0, 2.0 * M_PI);
-            case MarkerShape::square:
-                return cairo_rectangle(cairo_, c.x - r, c.y - r, 2.0 * r, 2.0 * r);
-            case MarkerShape::diamond:
-                break;
-        }
-        for (const glm::dvec2 corner : {glm::dvec2(-r, 0.0), {0.0, -r}, {r, 0.0}, {0.0, r}})
-            cairo_line_to(cairo_, c.x + corner.x, c.y + corner.y);
+        if (marker.shape == MarkerShape::disc)
+            return cairo_arc(cairo_, marker.center.x, marker.center.y, marker.radius_px, 0.0, 2.0 * M_PI);
+        for (const Pixel corner : marker_corners(marker)) cairo_line_to(cairo_, corner.x, corner.y);
         cairo_close_path(cairo_);
     }
 
@@ -156,20 +172,13 @@ class Painter {
         for (const LabelRun& run : label_runs(label.text)) {
             if (!run.is_stacked) start = end;
             const bool is_script = run.script != Script::none;
-            cairo_set_font_size(cairo_, (is_script ? script_size : 1.0) * label.size_px);
-            cairo_font_extents_t font{};
-            cairo_font_extents(cairo_, &font);
-            const std::string text(run.text);
-            cairo_text_extents_t extents{};
-            cairo_text_extents(cairo_, text.c_str(), &extents);
+            take_font(cairo_, (is_script ? script_size : 1.0) * label.size_px, label.font);
             const double shift = !is_script ? 0.0 : run.script == Script::sub ? script_shift : -script_shift;
-            // The middle of ascent and descent is at the label's position.
-            const double y = label.position.y + shift * label.size_px + 0.5 * (font.ascent - font.descent);
             if (is_shown) {
-                cairo_move_to(cairo_, start, y);
-                cairo_show_text(cairo_, text.c_str());
+                cairo_move_to(cairo_, start, label.position.y + (shift + baseline_drop) * label.size_px);
+                cairo_show_text(cairo_, std::string(run.text).c_str());
             }
-            end = std::max(end, start + extents.x_advance);
+            end = std::max(end, start + advance_of(cairo_, run.text));
         }
         return end - left;
     }
@@ -177,23 +186,85 @@ class Painter {
     cairo_t* cairo_;
 };
 
+void paint(cairo_t* cairo, const FigurePart& part) {
+    const glm::dvec2 size = part.box.upper_px - part.box.lower_px;
+    cairo_save(cairo);
+    cairo_translate(cairo, part.box.lower_px.x, part.box.lower_px.y);
+    cairo_rectangle(cairo, 0.0, 0.0, size.x, size.y);
+    cairo_clip(cairo);
+    const Painter painter(cairo);
+    if (part.ground) painter.cover(*part.ground);
+    for (const DrawCommand& command : part.list.commands) std::visit(painter, command);
+    cairo_restore(cairo);
+}
+
+/// What is wrong with them, if anything is.
+std::optional<std::string> problem_of(cairo_t* cairo, cairo_surface_t* surface) {
+    for (const cairo_status_t status : {cairo_status(cairo), cairo_surface_status(surface)})
+        if (status != CAIRO_STATUS_SUCCESS) return cairo_status_to_string(status);
+    return std::nullopt;
+}
+
+/// Paints the figure on a surface, `scale` of its units for each pixel of the figure.
+std::optional<std::string> paint(cairo_surface_t* surface, const Figure& figure, double scale) {
+    const Context cairo(cairo_create(surface));
+    cairo_scale(cairo.get(), scale, scale);
+    // Letters stand where a window of any scale has them.
+    cairo_font_options_t* options = cairo_font_options_create();
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+    cairo_set_font_options(cairo.get(), options);
+    cairo_font_options_destroy(options);
+    for (const FigurePart& part : figure.parts) paint(cairo.get(), part);
+    return problem_of(cairo.get(), surface);
+}
+
+FigureBytes png_bytes(cairo_surface_t* surface) {
+    std::string bytes;
+    const cairo_status_t status = cairo_surface_write_to_png_stream(surface, append, &bytes);
+    if (status != CAIRO_STATUS_SUCCESS) return tl::unexpected(std::string(cairo_status_to_string(status)));
+    return bytes;
+}
+
 }  // namespace
 
-tl::expected<std::string, std::string> svg_text(const DrawList& picture, glm::dvec2 size_px, Color background) {
-    std::string text;
-    const Surface surface(cairo_svg_surface_create_for_stream(append, &text, size_px.x, size_px.y));
-    const Context cairo(cairo_create(surface.get()));
-    const Painter painter(cairo.get());
-    painter(Fill{{{0.0F, 0.0F},
-                  {static_cast<float>(size_px.x), 0.0F},
-                  glm::vec2(size_px),
-                  {0.0F, static_cast<float>(size_px.y)}},
-                 background});
-    for (const DrawCommand& command : picture.commands) std::visit(painter, command);
+FigureBytes pdf_bytes(const Figure& figure) {
+    constexpr double points_per_px = 0.75;
+    std::string bytes;
+    const glm::dvec2 size = points_per_px * figure.size_px;
+    const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, size.x, size.y));
+    if (!figure.title.empty())
+        cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, figure.title.c_str());
+    if (auto problem = paint(surface.get(), figure, points_per_px)) return tl::unexpected(*std::move(problem));
     cairo_surface_finish(surface.get());
-    for (const cairo_status_t status : {cairo_status(cairo.get()), cairo_surface_status(surface.get())})
-        if (status != CAIRO_STATUS_SUCCESS) return tl::unexpected(std::string(cairo_status_to_string(status)));
-    return text;
+    const cairo_status_t status = cairo_surface_status(surface.get());
+    if (status != CAIRO_STATUS_SUCCESS) return tl::unexpected(std::string(cairo_status_to_string(status)));
+    return bytes;
+}
+
+FigureBytes png_bytes(const Figure& figure) {
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(std::ceil(figure.size_px.x)),
+                                                     static_cast<int>(std::ceil(figure.size_px.y))));
+    if (auto problem = paint(surface.get(), figure, 1.0)) return tl::unexpected(*std::move(problem));
+    return png_bytes(surface.get());
+}
+
+FigureBytes png_bytes(const Ink& ink) {
+    const PixelRange range = ink.map->touched();
+    const glm::ivec2 size = range.is_empty() ? glm::ivec2(1) : range.upper - range.lower;
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, size.x, size.y));
+    const Context cairo(cairo_create(surface.get()));
+    cairo_translate(cairo.get(), -range.lower.x, -range.lower.y);
+    Painter{cairo.get()}(ink);
+    if (auto problem = problem_of(cairo.get(), surface.get())) return tl::unexpected(*std::move(problem));
+    return png_bytes(surface.get());
+}
+
+double text_width(std::string_view text, double size_px, LabelFont font) {
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
+    const Context cairo(cairo_create(surface.get()));
+    take_font(cairo.get(), size_px, font);
+    return advance_of(cairo.get(), text);
 }
 
 }  // namespace batten::render

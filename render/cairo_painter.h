@@ -1,17 +1,28 @@
-/// Paints a picture with Cairo: figures for documents.
+/// Paints figures with Cairo: PDF and PNG, and what other painters need of it.
 #pragma once
 
-#include <glm/vec2.hpp>
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 
-#include "render/draw_list.h"
+#include "render/figure.h"
 
 namespace batten::render {
 
-/// `picture` as an SVG file of `size_px` (> 0) units on a ground of `background`: the same lines, fills, marks and
-/// labels as in the window, labels as outlines in the interface's fonts or what the system has for them. The error is a
-/// sentence of Cairo's.
-tl::expected<std::string, std::string> svg_text(const DrawList& picture, glm::dvec2 size_px, Color background);
+/// The bytes of a file, or a sentence of Cairo's.
+using FigureBytes = tl::expected<std::string, std::string>;
+
+/// `figure` as a page of PDF with the same lines, fills, marks and labels as in the window; labels are text, in the
+/// interface's fonts or what the system has for them.
+FigureBytes pdf_bytes(const Figure& figure);
+
+/// `figure` in pixels, its size in whole ones, at most 32767 a side; what has no ground is transparent.
+FigureBytes png_bytes(const Figure& figure);
+
+/// The part of the ink's map that is touched, as a PNG; one clear pixel where none is.
+FigureBytes png_bytes(const Ink& ink);
+
+/// How wide `text` without scripts is in a font of `size_px`.
+double text_width(std::string_view text, double size_px, LabelFont font);
 
 }  // namespace batten::render

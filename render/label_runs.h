@@ -22,4 +22,8 @@ std::vector<LabelRun> label_runs(std::string_view text);
 inline constexpr double script_size = 0.74;
 inline constexpr double script_shift = 0.3;
 
+/// How far the line on which letters stand is below the position of a label, as a part of the size of the text: half of
+/// what the interface's fonts rise above it, less what they reach below.
+inline constexpr double baseline_drop = 0.36;
+
 }  // namespace batten::render

@@ -8,7 +8,7 @@ import sys
 LAYERS = {
     "core": ({"core"}, {"glm", "tl", "Eigen", "fmt", "hwy", "nlohmann", "posix"}),
     "exchange": ({"core", "exchange"}, {"glm", "tl", "fmt", "nlohmann", "pugixml", "ft2build", "freetype"}),
-    "render": ({"render"}, {"glm", "tl", "fmt", "glad", "cairo", "cairo-svg"}),
+    "render": ({"render"}, {"glm", "tl", "fmt", "glad", "cairo", "cairo-pdf"}),
     "app/picture": ({"core", "app/picture"}, {"tl", "stb"}),
     "app/editor": ({"core", "exchange", "app/editor", "app/picture"}, {"glm", "tl", "fmt", "nlohmann"}),
     "app/ui": ({"core", "exchange", "app/editor", "app/ui"}, {"glm", "tl", "fmt", "imgui", "misc"}),
@@ -18,7 +18,7 @@ LAYERS = {
 }
 
 # The part of render that is plain data, open to all above it.
-PICTURE = {"render/draw_list.h", "render/camera.h", "render/clip.h", "render/color.h", "render/coverage_map.h",
+PICTURE = {"render/draw_list.h", "render/camera.h", "render/clip.h", "render/color.h", "render/coverage_map.h", "render/figure.h",
            "render/image.h", "render/label_runs.h", "render/orbit_camera.h", "render/pixel_box.h", "render/region_cover.h"}
 
 # The folders of core in the order of reading, with those before each that it may include. What measures, refines, edits and makes knows
@@ -45,12 +45,12 @@ ONLY_IN = {
     ("exchange", "ft2build"): {"exchange/font_reader.cpp"},
     ("exchange", "freetype"): {"exchange/font_reader.cpp"},
     ("render", "cairo"): {"render/cairo_painter.cpp"},
-    ("render", "cairo-svg"): {"render/cairo_painter.cpp"},
-    ("app/cli", "posix"): {"app/cli/standard_streams.cpp"},
+    ("render", "cairo-pdf"): {"render/cairo_painter.cpp"},
+    ("app/cli", "posix"): {"app/cli/movie.cpp", "app/cli/standard_streams.cpp"},
 }
 
 # Headers of the operating system, without a folder of their own.
-POSIX = {"fcntl.h", "unistd.h", "sys/stat.h"}
+POSIX = {"fcntl.h", "spawn.h", "unistd.h", "sys/stat.h", "sys/wait.h"}
 
 # Headers that the build makes.
 GENERATED = {"shaders/sources.h": "render", "core/base/version.h": "core"}

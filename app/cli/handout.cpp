@@ -15,7 +15,8 @@
 #include "app/editor/scene/plot_scene.h"
 #include "core/base/sentence.h"
 #include "core/document/file_text.h"
-#include "render/cairo_painter.h"
+#include "render/svg_painter.h"
+#include "render/xml_text.h"
 
 namespace batten::cli {
 
@@ -101,9 +102,9 @@ struct BlockHtml {
     }
     std::string operator()(const editor::CardPicture& picture) const {
         const glm::dvec2 size(std::max(least_card_width, picture.least_width), picture.height);
-        const auto svg =
-            render::svg_text(picture.draw(size, 1.0).list, size, editor::theme_of(state.view.theme).canvas);
-        return svg ? html_image(*svg, "picture of the card") : "";
+        const render::Color ground = editor::theme_of(state.view.theme).canvas;
+        return html_image(render::svg_text(render::page_of(picture.draw(size, 1.0).list, size, ground)),
+                          "picture of the card");
     }
     std::string operator()(const editor::CardButtons&) const { return ""; }
 };
@@ -120,11 +121,12 @@ std::string card_html(const editor::EditorState& state, const editor::CardSource
 std::string figure_html(const editor::EditorState& state) {
     editor::SceneCache cache;
     const render::Color ground = editor::theme_of(state.view.theme).canvas;
-    const auto canvas = render::svg_text(canvas_scene(state, editor::CanvasIdle{}, cache), canvas_size, ground);
-    const auto plot = render::svg_text(plot_scene(state, editor::PlotIdle{}, plot_size, cache), plot_size, ground);
-    return sentence("<figure>{canvas}{plot}</figure>\n",
-                    {{"canvas", canvas ? html_image(*canvas, "the curve") : ""},
-                     {"plot", plot ? html_image(*plot, "its basis functions and knots") : ""}});
+    const std::string canvas =
+        render::svg_text(render::page_of(canvas_scene(state, editor::CanvasIdle{}, cache), canvas_size, ground));
+    const std::string plot =
+        render::svg_text(render::page_of(plot_scene(state, editor::PlotIdle{}, plot_size, cache), plot_size, ground));
+    return sentence("<figure>{canvas}{plot}</figure>\n", {{"canvas", html_image(canvas, "the curve")},
+                                                          {"plot", html_image(plot, "its basis functions and knots")}});
 }
 
 std::string task_html(const editor::EditorState& state) {
@@ -168,7 +170,7 @@ tl::expected<std::string, std::string> page_of(const std::filesystem::path& path
                                                                       {"problem", editor.state().message.text}}));
     }
     const editor::Lesson& lesson = *editor.state().lesson->lesson;
-    return sentence(page, {{"name", html_text(lesson.title)},
+    return sentence(page, {{"name", render::xml_text(lesson.title)},
                            {"title", shown(editor.state(), lesson.title)},
                            {"text", shown(editor.state(), lesson.text)},
                            {"steps", steps}});

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "core/base/sentence.h"
 #include "render/label_runs.h"
+#include "render/xml_text.h"
 
 namespace batten::cli {
 
@@ -26,29 +25,7 @@ std::string percent_encoded(std::string_view text) {
     return result;
 }
 
-/// What stands for a sign that has a meaning of its own.
-std::optional<std::string> entity_of(char sign) {
-    switch (sign) {
-        case '&':
-            return "&amp;";
-        case '<':
-            return "&lt;";
-        case '>':
-            return "&gt;";
-        case '"':
-            return "&quot;";
-        default:
-            return std::nullopt;
-    }
-}
-
 }  // namespace
-
-std::string html_text(std::string_view text) {
-    std::string result;
-    for (const char c : text) result += entity_of(c).value_or(std::string(1, c));
-    return result;
-}
 
 std::string html_of_label(std::string_view label) {
     std::string result;
@@ -56,14 +33,14 @@ std::string html_of_label(std::string_view label) {
         const char* pattern = run.script == render::Script::sub     ? "<sub>{text}</sub>"
                               : run.script == render::Script::super ? "<sup>{text}</sup>"
                                                                     : "{text}";
-        result += core::sentence(pattern, {{"text", html_text(run.text)}});
+        result += core::sentence(pattern, {{"text", render::xml_text(run.text)}});
     }
     return result;
 }
 
 std::string html_image(std::string_view svg, std::string_view alternative) {
     return core::sentence("<img src='data:image/svg+xml,{data}' alt='{alternative}'>",
-                          {{"data", percent_encoded(svg)}, {"alternative", html_text(alternative)}});
+                          {{"data", percent_encoded(svg)}, {"alternative", render::xml_text(alternative)}});
 }
 
 }  // namespace batten::cli

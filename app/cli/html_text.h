@@ -6,9 +6,6 @@
 
 namespace batten::cli {
 
-/// `text` with &, <, > and quotes as entities.
-std::string html_text(std::string_view text);
-
 /// A text in the notation of render::Label, its lower and higher parts as <sub> and <sup>.
 std::string html_of_label(std::string_view label);
 

@@ -1,0 +1,34 @@
+/// Pictures side by side on one page: what painters write as a file.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "render/draw_list.h"
+#include "render/pixel_box.h"
+
+namespace batten::render {
+
+/// A picture in `box` of the page, cut to it; its places count from the box's upper left corner.
+struct FigurePart {
+    DrawList list;
+    PixelBox box;
+    std::optional<Color> ground{};  ///< none: what lies below is seen
+};
+
+struct Figure {
+    glm::dvec2 size_px{};  ///< > 0; a pixel is 1/96 of an inch on paper
+    std::vector<FigurePart> parts;
+    std::string title{};  ///< what the file says of itself, as UTF-8; empty: nothing
+};
+
+/// A page with one picture on it.
+inline Figure page_of(DrawList list, glm::dvec2 size_px, std::optional<Color> ground) {
+    Figure figure{.size_px = size_px, .parts = {}};
+    figure.parts.push_back({std::move(list), {{}, size_px}, ground});
+    return figure;
+}
+
+}  // namespace batten::render

@@ -1,0 +1,19 @@
+/// Figures as files: which painter writes which format.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "render/cairo_painter.h"
+
+namespace batten::render {
+
+enum class FigureFormat { svg, pdf, png, tikz };
+
+/// The format of files with this ending: ".svg", ".pdf", ".png", ".tex" or ".tikz", in letters of any case.
+std::optional<FigureFormat> figure_format(const std::filesystem::path& file);
+
+/// The bytes of a file.
+FigureBytes figure_bytes(const Figure& figure, FigureFormat format);
+
+}  // namespace batten::render

@@ -1,0 +1,263 @@
+#include "render/tex_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "render/label_runs.h"
+
+namespace batten::render {
+
+namespace {
+
+/// A sign and what LaTeX calls it.
+struct NamedSign {
+    std::string_view sign;
+    std::string_view name;
+};
+
+/// In formulas.
+constexpr std::array math_signs{NamedSign{"−", "-"},
+                                NamedSign{"·", "\\cdot "},
+                                NamedSign{"×", "\\times "},
+                                NamedSign{"±", "\\pm "},
+                                NamedSign{"≤", "\\le "},
+                                NamedSign{"≥", "\\ge "},
+                                NamedSign{"≠", "\\ne "},
+                                NamedSign{"≈", "\\approx "},
+                                NamedSign{"∞", "\\infty "},
+                                NamedSign{"…", "\\dots "},
+                                NamedSign{"′", "'"},
+                                NamedSign{"″", "''"},
+                                NamedSign{"∑", "\\sum "},
+                                NamedSign{"√", "\\sqrt{}"},
+                                NamedSign{"∂", "\\partial "},
+                                NamedSign{"∈", "\\in "},
+                                NamedSign{"→", "\\to "},
+                                NamedSign{"°", "^\\circ "},
+                                NamedSign{"²", "^2"},
+                                NamedSign{"³", "^3"},
+                                NamedSign{"½", "\\frac{1}{2}"},
+                                NamedSign{"¼", "\\frac{1}{4}"},
+                                NamedSign{"▶", "\\triangleright "},
+                                NamedSign{"●", "\\bullet "},
+                                NamedSign{"∥", "\\parallel "},
+                                NamedSign{"⊥", "\\perp "},
+                                NamedSign{"α", "\\alpha "},
+                                NamedSign{"β", "\\beta "},
+                                NamedSign{"γ", "\\gamma "},
+                                NamedSign{"δ", "\\delta "},
+                                NamedSign{"ε", "\\epsilon "},
+                                NamedSign{"θ", "\\theta "},
+                                NamedSign{"κ", "\\kappa "},
+                                NamedSign{"λ", "\\lambda "},
+                                NamedSign{"μ", "\\mu "},
+                                NamedSign{"ξ", "\\xi "},
+                                NamedSign{"π", "\\pi "},
+                                NamedSign{"ρ", "\\rho "},
+                                NamedSign{"σ", "\\sigma "},
+                                NamedSign{"τ", "\\tau "},
+                                NamedSign{"φ", "\\phi "},
+                                NamedSign{"ω", "\\omega "},
+                                NamedSign{"Γ", "\\Gamma "},
+                                NamedSign{"Δ", "\\Delta "},
+                                NamedSign{"Λ", "\\Lambda "},
+                                NamedSign{"Σ", "\\Sigma "},
+                                NamedSign{"Φ", "\\Phi "},
+                                NamedSign{"Ω", "\\Omega "},
+                                NamedSign{"<", "<"},
+                                NamedSign{">", ">"},
+                                NamedSign{"|", "|"},
+                                NamedSign{"+", "+"},
+                                NamedSign{"=", "="},
+                                NamedSign{"*", "*"},
+                                NamedSign{"/", "/"},
+                                NamedSign{"(", "("},
+                                NamedSign{")", ")"},
+                                NamedSign{"[", "["},
+                                NamedSign{"]", "]"},
+                                NamedSign{"{", "\\{"},
+                                NamedSign{"}", "\\}"},
+                                NamedSign{"-", "-"}};
+
+/// In words.
+constexpr std::array text_signs{NamedSign{"&", "\\&"},
+                                NamedSign{"%", "\\%"},
+                                NamedSign{"$", "\\$"},
+                                NamedSign{"#", "\\#"},
+                                NamedSign{"_", "\\_"},
+                                NamedSign{"~", "\\textasciitilde{}"},
+                                NamedSign{"\"", "''"},
+                                NamedSign{"“", "``"},
+                                NamedSign{"”", "''"},
+                                NamedSign{"‘", "`"},
+                                NamedSign{"’", "'"},
+                                NamedSign{"–", "--"},
+                                NamedSign{"—", "---"},
+                                NamedSign{"^", "\\textasciicircum{}"},
+                                NamedSign{"\\", "\\textbackslash{}"}};
+
+template <class Signs>
+std::optional<std::string_view> name_in(const Signs& signs, std::string_view sign) {
+    const auto* found = std::ranges::find(signs, sign, &NamedSign::sign);
+    return found == signs.end() ? std::nullopt : std::optional(found->name);
+}
+
+bool is_digit(std::string_view sign) {
+    return sign.size() == 1 && '0' <= sign[0] && sign[0] <= '9';
+}
+
+/// What stands in numbers and between words alike.
+bool is_plain(std::string_view sign) {
+    constexpr std::string_view plain = ".,:;!?";
+    return is_digit(sign) || (sign.size() == 1 && plain.find(sign) != std::string_view::npos);
+}
+
+/// A Latin letter that all fonts of a stock LaTeX have.
+bool is_latin(std::string_view sign) {
+    if (sign.size() == 1) return ('a' <= sign[0] && sign[0] <= 'z') || ('A' <= sign[0] && sign[0] <= 'Z');
+    constexpr std::string_view rare = "ÐðÞþĐđĸŊŋŉĦħŁŦŧĿŀſĄąĘęĮįŲų×÷";
+    return sign.size() == 2 && sign >= "À" && sign <= "ž" && rare.find(sign) == std::string_view::npos;
+}
+
+/// The first character, with all its bytes.
+std::string_view first_sign(std::string_view text) {
+    constexpr unsigned going_on = 0x80;
+    constexpr unsigned kind = 0xC0;
+    std::size_t size = std::min<std::size_t>(1, text.size());
+    while (size < text.size() && (static_cast<unsigned char>(text[size]) & kind) == going_on) ++size;
+    return text.substr(0, size);
+}
+
+/// The signs from the beginning on that are of one kind.
+template <class IsOfKind>
+std::string_view first_of(std::string_view text, const IsOfKind& is_of_kind) {
+    std::size_t size = 0;
+    while (size < text.size() && is_of_kind(first_sign(text.substr(size))))
+        size += first_sign(text.substr(size)).size();
+    return text.substr(0, size);
+}
+
+/// "1/6" where the text begins with it and goes on neither as a decimal nor as another fraction.
+std::string_view first_fraction(std::string_view text) {
+    const std::string_view upper = first_of(text, is_digit);
+    if (upper.empty() || !text.substr(upper.size()).starts_with('/')) return {};
+    const std::string_view lower = first_of(text.substr(upper.size() + 1), is_digit);
+    const std::string_view rest = text.substr(upper.size() + 1 + lower.size());
+    const bool goes_on = rest.starts_with('/') || (rest.starts_with('.') && is_digit(first_sign(rest.substr(1))));
+    return lower.empty() || goes_on ? std::string_view() : text.substr(0, text.size() - rest.size());
+}
+
+/// Writes a label, in and out of formulas.
+class TexWriter {
+  public:
+    void write(const LabelRun& run) {
+        if (run.script == Script::none) return write_signs(run.text);
+        enter_formula();
+        text_ += run.script == Script::sub ? "_{" : "^{";
+        is_script_ = true;
+        write_signs(run.text);
+        is_script_ = false;
+        text_ += '}';
+    }
+
+    std::string take() {
+        leave_formula();
+        return std::move(text_);
+    }
+
+  private:
+    void write_signs(std::string_view rest) {
+        bool follows_number = false;
+        while (!rest.empty()) {
+            const std::string_view taken = take_first(rest, follows_number);
+            follows_number = is_digit(first_sign(taken)) || taken == "." || taken == "/";
+            rest.remove_prefix(taken.size());
+        }
+    }
+
+    /// Writes what stands first and returns it.
+    std::string_view take_first(std::string_view rest, bool follows_number) {
+        const std::string_view fraction = follows_number ? std::string_view() : first_fraction(rest);
+        if (!fraction.empty()) return write_fraction(fraction);
+        const std::string_view sign = first_sign(rest);
+        const std::string_view word = first_of(rest, is_latin);
+        if (word.size() > sign.size() || (!word.empty() && sign.size() > 1)) return write_words(word);
+        if (is_plain(sign)) return write_plain(sign);
+        if (!word.empty()) return write_formula(sign, sign);
+        if (const auto name = name_in(math_signs, sign)) return write_formula(sign, *name);
+        if (sign == " " && is_script_) return sign;
+        if (const auto name = name_in(text_signs, sign)) {
+            write_words(*name);
+            return sign;
+        }
+        if (sign.size() == 1) return write_words(sign);
+        return write_letters(rest);
+    }
+
+    std::string_view write_fraction(std::string_view fraction) {
+        const std::size_t bar = fraction.find('/');
+        enter_formula();
+        add("\\frac{{{}}}{{{}}}", fraction.substr(0, bar), fraction.substr(bar + 1));
+        return fraction;
+    }
+
+    std::string_view write_formula(std::string_view sign, std::string_view name) {
+        enter_formula();
+        text_ += name;
+        return sign;
+    }
+
+    /// In the formula where one is open, in which a comma has no room behind it.
+    std::string_view write_plain(std::string_view sign) {
+        text_ += is_in_formula_ && !is_script_ && sign == "," ? "{,}" : sign;
+        return sign;
+    }
+
+    std::string_view write_words(std::string_view words) {
+        if (!is_script_) leave_formula();
+        add(is_script_ ? "\\mathrm{{{}}}" : "{}", words);
+        return words;
+    }
+
+    std::string_view write_letters(std::string_view rest) {
+        const std::string_view letters = first_of(rest, [](std::string_view sign) {
+            return sign.size() > 1 && !is_latin(sign) && !name_in(math_signs, sign) && !name_in(text_signs, sign);
+        });
+        if (!is_script_) leave_formula();
+        add(is_script_ ? "\\hbox{{\\battenletters{{{}}}}}" : "\\battenletters{{{}}}", letters);
+        return letters;
+    }
+
+    template <typename... Values>
+    void add(const char* pattern, const Values&... values) {
+        text_ += fmt::format(fmt::runtime(pattern), values...);
+    }
+
+    void enter_formula() {
+        if (!is_in_formula_) text_ += '$';
+        is_in_formula_ = true;
+    }
+
+    void leave_formula() {
+        if (is_in_formula_) text_ += '$';
+        is_in_formula_ = false;
+    }
+
+    std::string text_;
+    bool is_in_formula_ = false;
+    bool is_script_ = false;
+};
+
+}  // namespace
+
+std::string tex_text(std::string_view label) {
+    TexWriter writer;
+    for (const LabelRun& run : label_runs(label)) writer.write(run);
+    return writer.take();
+}
+
+}  // namespace batten::render

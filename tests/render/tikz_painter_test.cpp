@@ -1,0 +1,109 @@
+#include "render/tikz_painter.h"
+
+#include <gtest/gtest.h>
+
+#include "render/tex_text.h"
+
+namespace batten::render {
+namespace {
+
+constexpr Color red{255, 0, 0, 255};
+
+std::string tikz_of(const DrawCommand& command) {
+    DrawList list;
+    list.commands.push_back(command);
+    return tikz_text(page_of(list, {100.0, 80.0}, std::nullopt));
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(TexText, sets_letters_and_numbers_as_formulas) {
+    EXPECT_EQ(tex_text("P_{3}"), "$P_{3}$");
+    EXPECT_EQ(tex_text("P_{3}^{1}"), "$P_{3}^{1}$");
+    EXPECT_EQ(tex_text("N_{i,3}(u)"), "$N_{i,3}(u)$");
+    EXPECT_EQ(tex_text("C(0.4)"), "$C(0.4)$");
+    EXPECT_EQ(tex_text("ξ−1"), "$\\xi -1$");
+    EXPECT_EQ(tex_text("×2 C^{1}"), "$\\times 2$ $C^{1}$");
+}
+
+TEST(TexText, sets_small_fractions_as_such) {
+    EXPECT_EQ(tex_text("1/6"), "$\\frac{1}{6}$");
+    EXPECT_EQ(tex_text("−4/3"), "$-\\frac{4}{3}$");
+    EXPECT_EQ(tex_text("7/15 P_{2}"), "$\\frac{7}{15}$ $P_{2}$");
+    EXPECT_EQ(tex_text("0.1/6"), "0.1$/6$") << "no fraction of whole numbers";
+    EXPECT_EQ(tex_text("1/6.5"), "1$/6.5$");
+    EXPECT_EQ(tex_text("1/2/3"), "1$/2/3$");
+}
+
+TEST(TexText, leaves_words_as_text) {
+    EXPECT_EQ(tex_text("de Boor, level 2"), "de Boor, level 2");
+    EXPECT_EQ(tex_text("Bézier"), "Bézier");
+    EXPECT_EQ(tex_text("w 2.5"), "$w$ 2.5");
+}
+
+TEST(TexText, escapes_what_means_something_to_TeX) {
+    EXPECT_EQ(tex_text("50% & $3 #1 {x} \\end ~"),
+              "50\\% \\& \\$3 \\#1 $\\{x\\}$ \\textbackslash{}end \\textasciitilde{}");
+    EXPECT_EQ(tex_text("a_b^c"), "$a$\\_$b$\\textasciicircum{}$c$");
+    EXPECT_EQ(tex_text("\"a\" < b"), "''$a$'' $<$ $b$");
+    EXPECT_EQ(tex_text("Кривая 2"), "\\battenletters{Кривая} 2");
+    EXPECT_EQ(tex_text("Ø_{max %}"), "Ø$_{\\mathrm{max}\\mathrm{\\%}}$");
+}
+
+TEST(TikzPainter, draws_in_pixels_from_above) {
+    const std::string text = tikz_of(
+        Polyline{.points = {{10, 20}, {30, 25.25}}, .color = red, .width_px = 2.0F, .dash_px = 4.0F, .gap_px = 2.0F});
+    EXPECT_TRUE(has(text, "\\begin{tikzpicture}[x=0.75bp,y=-0.75bp]\n\\definecolor{batten0}{RGB}{255,0,0}\n")) << text;
+    EXPECT_TRUE(has(text,
+                    "\\draw[draw=batten0,line width=1.5bp,line join=round,dash pattern=on 3bp off 1.5bp] "
+                    "(10,20)--(30,25.25);"))
+        << text;
+    EXPECT_TRUE(has(text, "\\clip (0,0) rectangle (100,80);")) << text;
+}
+
+TEST(TikzPainter, fills_and_marks) {
+    EXPECT_TRUE(has(tikz_of(Fill{{{10, 10}, {20, 10}, {20, 30}}, {0, 0, 255, 51}}),
+                    "\\fill[fill=batten0,fill opacity=0.2] (10,10)--(20,10)--(20,30)--cycle;"));
+    EXPECT_TRUE(has(tikz_of(Marker{.center = {50, 40}, .radius_px = 6, .fill = red, .outline = {0, 0, 0, 0}}),
+                    "\\path[fill=batten0,] (50,40) circle[radius=6];"));
+    EXPECT_TRUE(has(tikz_of(Marker{.center = {50, 40},
+                                   .shape = MarkerShape::diamond,
+                                   .radius_px = 6,
+                                   .fill = {0, 0, 0, 0},
+                                   .outline = red,
+                                   .outline_px = 2}),
+                    "\\path[draw=batten0,line width=1.5bp] (44,40)--(50,34)--(56,40)--(50,46)--cycle;"));
+}
+
+TEST(TikzPainter, sets_labels_on_their_line) {
+    const std::string text = tikz_of(Label{.position = {50, 40},
+                                           .text = "P_{3}",
+                                           .color = red,
+                                           .size_px = 20.0F,
+                                           .anchor = Anchor::right,
+                                           .font = LabelFont::bold});
+    // 20 pixels are 15 of 1/72 of an inch; the letters stand 0.36 of 20 below.
+    EXPECT_TRUE(has(text,
+                    "\\node[anchor=base east,inner sep=0pt,text=batten0,scale=1.5] at (50,47.2) "
+                    "{\\bfseries\\boldmath $P_{3}$};"))
+        << text;
+}
+
+TEST(TikzPainter, paints_ink_row_by_row) {
+    auto map = std::make_shared<CoverageMap>(glm::ivec2(100, 80));
+    map->stroke({10.0, 40.5}, {90.0, 40.5}, {.width_px = 3.0});
+    const std::string text = tikz_of(Ink{map, red});
+    EXPECT_TRUE(has(text, ",40)rectangle(")) << text;
+    EXPECT_FALSE(has(text, ",45)rectangle(")) << text;
+}
+
+TEST(TikzPainter, defines_what_is_for_other_letters_only_where_there_are_some) {
+    EXPECT_TRUE(
+        has(tikz_of(Label{.position = {}, .text = "Я", .color = red}), "\\providecommand\\battenletters[1]{?}"));
+    EXPECT_FALSE(has(tikz_of(Label{.position = {}, .text = "R", .color = red}), "battenletters"));
+}
+
+}  // namespace
+}  // namespace batten::render
