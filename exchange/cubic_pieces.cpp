@@ -168,9 +168,9 @@ double length_bound(std::vector<core::HomogeneousPoint> coefficients, double wan
                     length_bound(std::move(coefficients), wanted, halvings - 1));
 }
 
-class Pieces {
+class PieceMaker {
   public:
-    explicit Pieces(double tolerance) : tolerance_(tolerance) {}
+    explicit PieceMaker(double tolerance) : tolerance_(tolerance) {}
 
     // Where a curve does not come apart its pieces have the same point at their joint, whatever the rounding.
     void add(CubicPiece piece, bool is_torn) {
@@ -237,7 +237,7 @@ bool begins_torn(const core::KnotVector& knots, std::size_t span) {
 }  // namespace
 
 CubicPieces cubic_pieces(const core::Curve& curve, double tolerance) {
-    Pieces result(tolerance);
+    PieceMaker result(tolerance);
     const core::BezierPieces pieces = core::bezier_pieces(curve);
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         const bool is_torn = begins_torn(curve.knots(), pieces.span(k));

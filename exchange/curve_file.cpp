@@ -16,19 +16,19 @@ core::FileError refusal_of(const char* pattern, Format format) {
     return {"", core::sentence(pattern, {{"format", core::title_of(format)}})};
 }
 
-core::FileError not_read(Format format) {
+core::FileError unread(Format format) {
     return refusal_of("this build of Batten does not read {format} files", format);
 }
 
 }  // namespace
 
 core::FileResult<Imported> load_curves(const std::filesystem::path& path, Format format) {
-    if (spec_of(format).read == nullptr) return tl::unexpected(not_read(format));
+    if (spec_of(format).read == nullptr) return tl::unexpected(unread(format));
     return read_curves(core::read_text(path), format);
 }
 
 core::FileResult<Imported> load_curves(int descriptor, const std::string& name, Format format) {
-    if (spec_of(format).read == nullptr) return tl::unexpected(not_read(format));
+    if (spec_of(format).read == nullptr) return tl::unexpected(unread(format));
     return read_curves(core::read_text(descriptor, name), format);
 }
 

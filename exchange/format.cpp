@@ -30,7 +30,7 @@ std::span<const FormatSpec> all_formats() {
         {
             .format = Format::dxf,
             .endings = {".dxf"},
-            .note = "curves as splines; entities without a plane curve are left out",
+            .note = "curves as splines, with all their knots and weights",
             .read = read_dxf,
             .write = write_dxf,
         },

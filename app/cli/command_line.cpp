@@ -322,9 +322,9 @@ std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, W
         window->profile = profile->options(output);
         return window->profile ? std::nullopt : std::optional(ExitStatus::wrong_usage);
     }
-    return say_wrong_usage(
-        output,
-        "batten: this build has no window; the subcommands are info, eval, apply, new, convert, check, handout and code");
+    return say_wrong_usage(output,
+                           "batten: this build has no window; the subcommands are info, eval, apply, new, convert, "
+                           "check, handout and code");
 }
 
 }  // namespace

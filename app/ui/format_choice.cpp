@@ -40,7 +40,9 @@ void draw_one(const PanelContext& context, const char* name, const std::string& 
     button.width_px = context.px(field_width);
     button.anchor = render::Anchor::left;
     button.is_active = dialog.format == format;
-    if (draw_choice(context, button)) dialog.format = format;
+    if (!draw_choice(context, button)) return;
+    dialog.format = format;
+    dialog.takes_focus = true;
 }
 
 }  // namespace

@@ -135,7 +135,7 @@ class Streams(unittest.TestCase):
 
     def test_input_without_end_has_a_limit(self):
         for line, arguments, refusal in (("0 0", ("new", "polyline", "@-"), "standard input: there are more than 128 MiB"),
-                                         ("[", ("info", "-"), "standard input: line 51, column 1: lists and objects are nested more than 100 deep"),
+                                         ("[", ("info", "-"), "standard input: line 101, column 1: lists and objects are nested more than 100 deep"),
                                          ("x", ("info", "-"), "standard input: line 1, column 1: this is not JSON")):
             with subprocess.Popen(["yes", line], stdout=subprocess.PIPE) as endless:
                 process = run(*arguments, stdin=endless.stdout)

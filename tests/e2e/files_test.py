@@ -56,6 +56,45 @@ class FilesTest(WindowTest):
         editor.key("Return")
         editor.wait(lambda state: state["path"] == str(self.curves / "Wave 2.json") and state["dialog"] == "none", "the file")
 
+    def test_a_file_of_another_program_is_opened_and_a_copy_written(self):
+        editor = self.open_folder()
+        drawing = self.curves / "drawing.svg"
+        # 100 of its units are 100 mm; y goes down.
+        drawing.write_text('<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100">'
+                           '<path id="leaf" d="M 10 90 C 20 50 60 50 90 90"/></svg>')
+        self.open_file(editor, drawing)
+        state = editor.wait(lambda state: state["dialog"] == "none" and state["message"].startswith("Opened drawing.svg"), "the drawing")
+        self.assertEqual((state["path"], state["is_modified"]), ("", False))
+        self.assertIn("its curves are exact", state["message"])
+        editor.key("ctrl+s")
+        editor.wait(lambda state: state["dialog"] == "save-file" and state["is_settled"], "the question for a name")
+        self.assertEqual(editor.state()["widgets"]["file-dialog name"]["value"], "drawing.json")
+        copy = self.curves / "copy.dxf"
+        editor.key("ctrl+a")
+        editor.type(copy)
+        editor.wait(lambda state: "file-dialog note" in state["widgets"], "what DXF does to curves")
+        editor.screenshot("format-by-ending")
+        editor.key("Return")
+        state = editor.wait(lambda state: state["dialog"] == "none", "the copy")
+        self.assertTrue(copy.exists())
+        self.assertEqual(state["path"], "")
+        self.assertTrue(state["message"].startswith("Exported copy.dxf"))
+
+    def test_the_format_is_chosen_where_the_ending_does_not_say_it(self):
+        editor = self.open_folder()
+        editor.key("ctrl+shift+s")
+        editor.wait(lambda state: state["dialog"] == "save-file" and state["is_settled"], "the dialog")
+        editor.click_widget("file-dialog format")
+        editor.wait(lambda state: "format dxf" in state["widgets"], "the formats")
+        editor.screenshot("formats")
+        editor.click_widget("format dxf")
+        editor.wait(lambda state: state["widgets"]["file-dialog format"]["value"] != "" and "format dxf" not in state["widgets"], "DXF")
+        path = self.curves / "drawing"
+        self.typed(editor, str(path))
+        editor.key("Return")
+        editor.wait(lambda state: state["dialog"] == "none", "the copy")
+        self.assertTrue((self.curves / "drawing.dxf").exists())
+
     def test_keys_move_in_the_file_dialog(self):
         editor = self.open_folder(*(f"curve {i}.json" for i in range(30)))
         self.show_dialog(editor, "ctrl+o", "open-file")
@@ -123,11 +162,11 @@ class FilesTest(WindowTest):
     def test_a_foreign_ending_is_not_given_curves(self):
         editor = self.open_editor()
         self.show_dialog(editor, "ctrl+shift+s", "save-file")
-        self.typed(editor, "wave.svg")
+        self.typed(editor, "wave.ai")
         editor.key("Return")
         state = editor.wait(lambda state: "dialog error" in state["widgets"], "the sentence")
         self.assertIn("name it 'wave.json'", state["widgets"]["dialog error"]["value"])
-        self.assertFalse((self.folder / "wave.svg").exists())
+        self.assertFalse((self.folder / "wave.ai").exists())
 
     def test_ten_thousand_files_are_listed(self):
         editor = self.open_folder(*(f"curve {i}.json" for i in range(10000)))
