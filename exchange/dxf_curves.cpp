@@ -78,14 +78,18 @@ MadeCurve arc_curve(const DxfEntity& entity) {
 // The part of the unit circle, mapped: so every number of the file counts as it is.
 MadeCurve ellipse_curve(const DxfEntity& entity) {
     constexpr double degrees = 180.0 / std::numbers::pi;
+    constexpr double rounding_of_six_digits = 1e-5;  // some programs write 6.28319 for a whole turn
     const std::vector<Point> center = entity.points(10, 20);
     const std::vector<Point> axis = entity.points(11, 21);
     if (center.empty() || axis.empty()) return because("it has no center or no axis");
     const std::optional<Facing> facing = facing_of(entity);
     if (!facing || entity.number(31, 0.0) != 0.0)
         return because("its plane is tilted; it must lie in the plane of x and y");
-    const core::ArcAngles angles =
-        turn_between(degrees * entity.number(41, 0.0), degrees * entity.number(42, 2.0 * std::numbers::pi));
+    const double start = entity.number(41, 0.0);
+    const double end = entity.number(42, 2.0 * std::numbers::pi);
+    const bool is_whole = std::abs(end - start - 2.0 * std::numbers::pi) <= rounding_of_six_digits;
+    const core::ArcAngles angles = is_whole ? core::ArcAngles{std::fmod(degrees * start, whole_turn)}
+                                            : turn_between(degrees * start, degrees * end);
     const core::Vector major = core::vector_to(axis.back());
     const core::Vector minor = (*facing == Facing::up ? 1.0 : -1.0) * entity.number(40, 1.0) * core::turned_left(major);
     const core::PlaneMap map{

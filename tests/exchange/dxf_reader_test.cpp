@@ -109,6 +109,14 @@ TEST(DxfReader, ReadsEllipses) {
     expect_near(at_share(part, 1.0), {4 * std::cos(1.5), std::sin(1.5)});
 }
 
+TEST(DxfReader, TakesRoundedWholeTurnsOfEllipsesForWhole) {
+    for (const char* turn : {"6.28318", "6.28319", "6.283185307"}) {
+        const Curve whole = curve_of(std::string("0 ELLIPSE 10 0 20 0 11 4 21 0 40 0.5 41 0 42 ") + turn);
+        EXPECT_EQ(at_share(whole, 1.0), at_share(whole, 0.0));
+        expect_near(at_share(whole, 0.25), {0, 2});
+    }
+}
+
 TEST(DxfReader, RunsEllipsesBackwardThatFaceDown) {
     const Curve part = curve_of("0 ELLIPSE 10 1 20 0 11 4 21 0 40 0.25 41 0 42 1 210 0 220 0 230 -1");
     expect_near(at_share(part, 0.0), {5, 0});
