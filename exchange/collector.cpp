@@ -14,7 +14,31 @@ constexpr core::PluralPattern refused{"{what} at {place} was left out: {reason}"
                                       "{count} times {what} was left out, first at {place}: {reason}"};
 constexpr core::PluralPattern too_many{"one curve was left out, since 100000 were read before it",
                                        "{count} curves were left out, since 100000 were read before them"};
+constexpr core::PluralPattern heights{
+    "{what} at {place} has heights other than 0, which were let go",
+    "{count} times {what} has heights other than 0, first at {place}, which were let go"};
 static_assert(most_curves == 100'000);
+
+// Also where there is another defect, which is told first.
+bool has_full_vector(const core::CurveDefinition& definition) {
+    const std::size_t count = definition.points.size();
+    const bool is_degree = definition.degree >= core::min_degree && definition.degree <= core::max_degree;
+    if (definition.periodic || !is_degree) return true;
+    const auto p = static_cast<std::size_t>(definition.degree);
+    return count < p + 1 || definition.knots.size() == count + p + 1;
+}
+
+std::string wrong_knot_count(const core::CurveDefinition& definition) {
+    const std::size_t needed = definition.points.size() + static_cast<std::size_t>(definition.degree) + 1;
+    return core::sentence(
+        "the number of knots is {found}; for {points} control points of degree {degree} it must be {needed}, points + "
+        "degree + 1, while {fewer}, points + degree − 1, is Rhino-style",
+        {{"found", definition.knots.size()},
+         {"points", definition.points.size()},
+         {"degree", definition.degree},
+         {"needed", needed},
+         {"fewer", needed - 2}});
+}
 
 }  // namespace
 
@@ -23,6 +47,7 @@ MadeCurve in_words(core::Result<core::Curve> made) {
 }
 
 MadeCurve make_curve(core::CurveDefinition definition) {
+    if (!has_full_vector(definition)) return tl::unexpected(wrong_knot_count(definition));
     definition.tears = core::Tears::allow;
     core::Result<core::Curve> curve = core::Curve::make(std::move(definition));
     if (!curve) return in_words(std::move(curve));
@@ -67,6 +92,10 @@ void Collector::note(const core::PluralPattern& pattern, std::string_view what, 
     notes_.push_back({&pattern, name, std::string(place), std::string(reason)});
 }
 
+void Collector::note_heights(std::string_view what, std::string_view place) {
+    note(heights, what, place);
+}
+
 std::vector<std::string> Collector::sentences() const {
     std::vector<std::string> sentences;
     for (const Note& note : notes_)
@@ -81,7 +110,7 @@ std::vector<std::string> Collector::sentences() const {
 }
 
 core::FileResult<Imported> Collector::finish(const char* nothing_found) && {
-    Imported imported{std::move(document_), {.left_out = sentences()}};
+    Imported imported{std::move(document_), {.largest_error = largest_error_, .left_out = sentences()}};
     const std::vector<std::string>& left_out = imported.report.left_out;
     if (imported.document.curves.empty())
         return tl::unexpected(core::FileError{"", left_out.empty() ? nothing_found : left_out.front()});

@@ -1,6 +1,7 @@
 /// Gathers what a reader finds: the curves, and a bounded number of sentences about what it leaves out.
 #pragma once
 
+#include <algorithm>
 #include <map>
 
 #include "core/base/sentence.h"
@@ -17,7 +18,8 @@ using MadeCurve = tl::expected<core::Curve, std::string>;
 /// `made` with its error in words.
 MadeCurve in_words(core::Result<core::Curve> made);
 
-/// The curve of unchecked data, which may tear; its kind is what its knots say.
+/// The curve of unchecked data, which may tear; its kind is what its knots say. The sentence about a wrong number of
+/// knots names both conventions.
 MadeCurve make_curve(core::CurveDefinition definition);
 
 class Collector {
@@ -32,6 +34,12 @@ class Collector {
     /// {what}, {place} of the first, {reason} of the first, and {count}.
     void note(const core::PluralPattern& pattern, std::string_view what, std::string_view place,
               std::string_view reason = {});
+
+    /// Notes that heights of `what`, z other than 0, were let go.
+    void note_heights(std::string_view what, std::string_view place);
+
+    /// Notes that a curve is so far from what the file says, at most.
+    void note_error(double error) { largest_error_ = std::max(largest_error_, error); }
 
     /// All that was gathered; refused where it has no curves, with the first sentence or else `nothing_found`.
     core::FileResult<Imported> finish(const char* nothing_found) &&;
@@ -51,6 +59,7 @@ class Collector {
     core::FreeNames names_{document_};
     std::vector<Note> notes_;
     std::map<std::pair<const core::PluralPattern*, std::string>, std::size_t> note_indices_;
+    double largest_error_ = 0.0;
     std::size_t further_notes_ = 0;  // of kinds that there was no room for
 };
 

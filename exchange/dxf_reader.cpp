@@ -21,8 +21,6 @@ constexpr PluralPattern in_paper_space{
     "{what} at {place} was left out, since it is on a sheet of paper, not in the model",
     "{count} times {what} was left out, first at {place}, since it is on a sheet of "
     "paper, not in the model"};
-constexpr PluralPattern off_plane{"{what} at {place} has heights other than 0, which were let go",
-                                  "{count} times {what} has heights other than 0, first at {place}, which were let go"};
 constexpr PluralPattern interpolated{
     "{what} at {place} has only points that it passes; a curve through them was made, which may be another between "
     "them",
@@ -207,7 +205,7 @@ void DxfReader::add_curve(const DxfEntity& entity) {
     const std::optional<core::DocumentColor> own = color_of(entity);
     curve->color = own ? own : look.color;
     curve->visible = look.visible && entity.number(60, 0.0) == 0.0;
-    if (entity.is_off_plane()) found_.note(off_plane, entity.name(), place);
+    if (entity.is_off_plane()) found_.note_heights(entity.name(), place);
     if (has_fit_points_alone(entity) && entity.name() == "SPLINE") found_.note(interpolated, entity.name(), place);
 }
 

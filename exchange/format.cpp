@@ -5,6 +5,8 @@
 
 #include "exchange/dxf_reader.h"
 #include "exchange/dxf_writer.h"
+#include "exchange/json_dialects_reader.h"
+#include "exchange/json_dialects_writer.h"
 #include "exchange/svg_reader.h"
 
 namespace batten::exchange {
@@ -38,21 +40,29 @@ std::span<const FormatSpec> all_formats() {
             .format = Format::nurbs_python,
             .endings = {".nurbs-python.json"},
             .note = "n + p + 1 knots, weights apart from the points",
+            .read = read_nurbs_python,
+            .write = write_nurbs_python,
         },
         {
             .format = Format::tinyspline,
             .endings = {".tinyspline.json"},
             .note = "homogeneous control points (xw, yw, w) where weights differ",
+            .read = read_tinyspline,
+            .write = write_tinyspline,
         },
         {
             .format = Format::rhino,
             .endings = {".rhino.json"},
             .note = "n + p − 1 knots: one fewer at each end",
+            .read = read_rhino,
+            .write = write_rhino,
         },
         {
             .format = Format::opencascade,
             .endings = {".opencascade.json"},
             .note = "distinct knots with their multiplicities",
+            .read = read_opencascade,
+            .write = write_opencascade,
         },
         {
             .format = Format::iges,

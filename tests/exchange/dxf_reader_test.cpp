@@ -186,10 +186,9 @@ TEST(DxfReader, BelievesDataAndNotFlagsAndCounts) {
 }
 
 TEST(DxfReader, RefusesWrongCountsOfKnotsAndWeights) {
-    EXPECT_EQ(
-        refusal_of(drawing("0 SPLINE 71 2 40 0 40 0 40 1 40 1 10 0 20 0 10 1 20 2 10 2 20 0")),
-        "SPLINE at line 6 was left out: 4 knots were found; 6 are needed, which is points + degree + 1, or points "
-        "+ 1 for a periodic curve");
+    EXPECT_EQ(refusal_of(drawing("0 SPLINE 71 2 40 0 40 0 40 1 40 1 10 0 20 0 10 1 20 2 10 2 20 0")),
+              "SPLINE at line 6 was left out: the number of knots is 4; for 3 control points of degree 2 it must be 6, "
+              "points + degree + 1, while 4, points + degree − 1, is Rhino-style");
     EXPECT_EQ(refusal_of(drawing("0 SPLINE 10 0 20 0 10 1 20 2 10 2 20 0")),
               "SPLINE at line 6 was left out: its degree is 0, but it must be a whole number from 1 to 25");
     EXPECT_EQ(

@@ -95,4 +95,25 @@ TEST(OtherPrograms, EzdxfOldDxf) {
     expect_near(core::point_at(curve_in(found, 0), 2.0), {3, 13}, 1e-15);
 }
 
+TEST(OtherPrograms, FreeCadOpenCascade) {
+    const Imported found = file("freecad.opencascade.json");
+    ASSERT_EQ(found.document.curves.size(), 4U);
+    EXPECT_TRUE(found.report.left_out.empty());
+    // Points as FreeCAD itself evaluates them.
+    const Curve& simple = curve_in(found, 0);
+    EXPECT_TRUE(simple.is_periodic());
+    expect_near(core::point_at(simple, 0.0), {1.8571428571428572, 0.20408163265306126}, 1e-15);
+    expect_near(core::point_at(simple, 1.0), {2.5652173913043472, 1.4565217391304348}, 1e-15);
+    expect_near(core::point_at(simple, 2.75), {-0.2910219586769202, 2.1285092189382007}, 1e-15);
+    expect_near(core::point_at(simple, 4.5), {1.1421421421421425, 0.07007007007007006}, 1e-15);
+    const Curve& double_seam = curve_in(found, 1);
+    expect_near(core::point_at(double_seam, 0.0), {1.3333333333333335, 0.0}, 1e-15);
+    expect_near(core::point_at(double_seam, 0.8), {2.314666666666667, 1.28}, 1e-15);
+    expect_near(core::point_at(double_seam, 3.6), {0.5893333333333335, 0.21333333333333326}, 1e-15);
+    const Curve& circle = curve_in(found, 2);
+    EXPECT_EQ(circle.degree(), 13);
+    for (int i = 0; i <= 8; ++i) EXPECT_NEAR(core::distance(at_share(circle, i / 8.0), {1, 2}), 3.0, 1e-7);
+    expect_near(at_share(curve_in(found, 3), 0.55), {2.8011498140006768, 1.167399391274941}, 1e-15);
+}
+
 }  // namespace batten::exchange
