@@ -26,10 +26,11 @@ template <class Items, class Append>
 std::string list_text(const Items& items, Append append) {
     std::string text = "[";
     for (const auto& item : items) {
-        if (text.size() > 1) text += ", ";
+        if (text.size() > 1) text.append(", ");
         append(text, item);
     }
-    return text + "]";
+    text.push_back(']');
+    return text;
 }
 
 std::string numbers_text(const std::vector<double>& numbers) {
@@ -38,11 +39,11 @@ std::string numbers_text(const std::vector<double>& numbers) {
 
 std::string points_text(const std::vector<core::Point>& points) {
     return list_text(points, [](std::string& text, core::Point point) {
-        text += '[';
+        text.push_back('[');
         core::append_json_text(text, point.x);
-        text += ", ";
+        text.append(", ");
         core::append_json_text(text, point.y);
-        text += ']';
+        text.push_back(']');
     });
 }
 
@@ -56,7 +57,7 @@ class Members {
     void add_weights(const std::vector<double>& weights) {
         if (!weights.empty()) add("weights", numbers_text(weights));
     }
-    std::string object() const { return "{" + text_ + "\n  }"; }
+    std::string object() const { return fmt::format("{{{}\n  }}", text_); }
 
   private:
     std::string text_;
@@ -206,7 +207,7 @@ core::FileResult<Exported> write_tinyspline(const core::Document& document, cons
             curves.report.left_out.push_back(
                 core::sentence("{count} curves were written as a list; tinyspline itself reads one curve from a file",
                                {{"count", curves.curves.size()}}));
-        return Exported{(curves.curves.size() > 1 ? curves.list() : curves.curves.front()) + "\n",
+        return Exported{fmt::format("{}\n", curves.curves.size() > 1 ? curves.list() : curves.curves.front()),
                         std::move(curves.report)};
     });
 }
