@@ -21,12 +21,12 @@ std::string quoted(const std::string& text) {
     return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-// "[0, 0.5, 1]".
+// "[0,0.5,1]".
 template <class Items, class Append>
 std::string list_text(const Items& items, Append append) {
     std::string text = "[";
     for (const auto& item : items) {
-        if (text.size() > 1) text.append(", ");
+        if (text.size() > 1) text.push_back(',');
         append(text, item);
     }
     text.push_back(']');
@@ -41,7 +41,7 @@ std::string points_text(const std::vector<core::Point>& points) {
     return list_text(points, [](std::string& text, core::Point point) {
         text.push_back('[');
         core::append_json_text(text, point.x);
-        text.append(", ");
+        text.push_back(',');
         core::append_json_text(text, point.y);
         text.push_back(']');
     });

@@ -65,8 +65,8 @@ TEST(NurbsPython, WritesWhatTheLibraryReads) {
     "dimension": 2,
     "name": "a \"b\"",
     "degree": 1,
-    "knotvector": [0, 0, 1, 1],
-    "control_points": {"points": [[0, 0.5], [1, 1]], "weights": [1, 3]},
+    "knotvector": [0,0,1,1],
+    "control_points": {"points": [[0,0.5],[1,1]], "weights": [1,3]},
     "delta": 0.01
   }]
 }}
@@ -116,8 +116,8 @@ TEST(Tinyspline, WritesHomogeneousPointsByName) {
     "degree": 1,
     "dimension": 3,
     "homogeneous": true,
-    "control_points": [3, 4, 1, 10, 12, 2],
-    "knots": [0, 0, 1, 1]
+    "control_points": [3,4,1,10,12,2],
+    "knots": [0,0,1,1]
   }
 )");
     EXPECT_EQ(written->report.largest_error, 0.0);
@@ -169,7 +169,7 @@ TEST(Rhino, WritesKnotsWithoutTheEnds) {
         Curve::make({.degree = 2, .knots = {-3, 0, 0, 1, 1, 9}, .points = {{3, 4}, {5, 6}, {7, 7}}}).value();
     const auto written = write_rhino(document_of(curve), {});
     ASSERT_TRUE(written);
-    EXPECT_NE(written->text.find("\"knots\": [0, 0, 1, 1]\n"), std::string::npos) << written->text;
+    EXPECT_NE(written->text.find("\"knots\": [0,0,1,1]\n"), std::string::npos) << written->text;
 }
 
 TEST(OpenCascade, ReadsMultiplicities) {
