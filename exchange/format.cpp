@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "exchange/csv_writer.h"
 #include "exchange/dxf_reader.h"
 #include "exchange/dxf_writer.h"
 #include "exchange/json_dialects_reader.h"
@@ -78,6 +79,7 @@ std::span<const FormatSpec> all_formats() {
             .format = Format::csv,
             .endings = {".csv"},
             .note = "samples with u, x, y, derivatives and curvature",
+            .write = write_csv,
         }};
     return formats;
 }
