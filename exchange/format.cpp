@@ -9,6 +9,7 @@
 #include "exchange/json_dialects_reader.h"
 #include "exchange/json_dialects_writer.h"
 #include "exchange/svg_reader.h"
+#include "exchange/svg_writer.h"
 
 namespace batten::exchange {
 
@@ -29,6 +30,7 @@ std::span<const FormatSpec> all_formats() {
             .endings = {".svg"},
             .note = "paths as Bézier pieces, within a millionth of the size where they are not cubic",
             .read = read_svg,
+            .write = write_svg,
         },
         {
             .format = Format::dxf,

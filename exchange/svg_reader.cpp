@@ -7,6 +7,7 @@
 
 #include "core/base/sentence.h"
 #include "exchange/svg/drawing.h"
+#include "exchange/svg/native_copy.h"
 
 namespace batten::exchange {
 
@@ -60,11 +61,16 @@ core::FileResult<Imported> read_svg(std::string_view text) {
         return svg_refused("", core::sentence("the file is a '{name}'; an 'svg' is needed", {{"name", svg.name()}}));
     SvgDrawing drawing = drawing_of(svg);
     if (has_entities(file)) drawing.left_out.count(SvgLoss::entities);
+    NativeCopy copy = native_copy(svg, drawing.curves);
+    if (copy.document) return Imported{.document = *std::move(copy.document)};
     Imported imported{.document = {}, .report = {drawing.largest_error, drawing.left_out.sentences()}};
     if (drawing.curves.empty()) {
         const auto& left_out = imported.report.left_out;
         return svg_refused("", left_out.empty() ? "no path and no shape is drawn in this file" : left_out.front());
     }
+    if (copy.is_there)
+        imported.report.left_out.emplace_back(
+            "the document that Batten put into the file is left out, since another program has changed what is drawn");
     imported.document.curves = std::move(drawing.curves);
     imported.document.units = std::move(drawing.units);
     return imported;

@@ -1,0 +1,208 @@
+#include "exchange/svg_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <pugixml.hpp>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "core/base/number_text.h"
+#include "core/base/sentence.h"
+#include "core/measure/bounds.h"
+#include "exchange/svg/native_copy.h"
+
+namespace batten::exchange {
+
+namespace {
+
+using core::Box;
+using core::DocumentCurve;
+using core::Point;
+
+void append_number(std::string& text, double value) {
+    text += ' ';
+    core::append_shortest_text(text, value == 0.0 ? 0.0 : value);
+}
+
+void append_point(std::string& text, Point point) {
+    append_number(text, point.x);
+    append_number(text, -point.y);
+}
+
+void append_piece(std::string& text, const PathPiece& piece) {
+    constexpr std::array<char, 4> letters{'A', 'L', 'Q', 'C'};
+    text += letters[static_cast<std::size_t>(piece.degree)];
+    if (piece.degree == 0) {
+        append_number(text, piece.radius);
+        append_number(text, piece.radius);
+        // Counterclockwise with y upward is negative with y downward.
+        text += piece.is_counterclockwise ? " 0 0 0" : " 0 0 1";
+        append_point(text, piece.end());
+        return;
+    }
+    for (std::size_t i = 1; i <= static_cast<std::size_t>(piece.degree); ++i) append_point(text, piece.points[i]);
+}
+
+// A name as XML has them, that no other element has.
+class Ids {
+  public:
+    std::string take(const std::string& name) {
+        std::string id;
+        for (const char c : name)
+            id += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.' ? c : '_';
+        if (id.empty() || std::isalpha(static_cast<unsigned char>(id.front())) == 0) id.insert(id.begin(), '_');
+        std::string free = id;
+        for (std::size_t i = 2; !used_.insert(free).second; ++i) free = id + '-' + std::to_string(i);
+        return free;
+    }
+
+  private:
+    std::set<std::string> used_;
+};
+
+// Without the control characters that XML does not have.
+std::string written_name(std::string name) {
+    constexpr unsigned char least = 0x20;
+    name.erase(std::remove_if(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < least; }),
+               name.end());
+    return name;
+}
+
+void set_number(pugi::xml_node& element, const char* name, double value) {
+    element.append_attribute(name) = core::shortest_text(value).c_str();
+}
+
+// The box with a margin, and at least a little of it where the curves are a line or a point.
+Box page_box(Box box) {
+    constexpr double margin_share = 0.05;
+    constexpr double least_share = 1e-6;
+    const double side = std::max(box.size().x, box.size().y);
+    const double reach =
+        std::max({std::abs(box.lower.x), std::abs(box.upper.x), std::abs(box.lower.y), std::abs(box.upper.y)});
+    const double margin = side > 0.0 ? std::max(margin_share * side, 1e-9 * reach) : std::max(1.0, least_share * reach);
+    box.lower -= {margin, margin};
+    box.upper += {margin, margin};
+    return box;
+}
+
+class SvgFile {
+  public:
+    SvgFile(const core::Document& document, const Box& box) : svg_(file_.append_child("svg")), box_(box) {
+        svg_.append_attribute("xmlns") = "http://www.w3.org/2000/svg";
+        svg_.append_attribute("xmlns:batten") = "urn:batten:svg";
+        svg_.append_attribute("batten:baseline") = "0";
+        const core::Vector size = box.size();
+        std::string view_box = core::shortest_text(box.lower.x);
+        for (const double value : {-box.upper.y, size.x, size.y}) append_number(view_box, value);
+        if (document.units) {
+            set_length("width", size.x, *document.units);
+            set_length("height", size.y, *document.units);
+        }
+        svg_.append_attribute("viewBox") = view_box.c_str();
+        lines_ = svg_.append_child("g");
+        lines_.append_attribute("fill") = "none";
+        lines_.append_attribute("stroke") = "currentColor";
+        constexpr double line_share = 1.0 / 300.0;
+        set_number(lines_, "stroke-width", std::max(size.x, size.y) * line_share);
+    }
+
+    void add(const DocumentCurve& entry, const PathPieces& pieces) {
+        pugi::xml_node path = lines_.append_child("path");
+        const std::string name = written_name(entry.name);
+        path.append_attribute("id") = ids_.take(name).c_str();
+        if (entry.color) path.append_attribute("stroke") = core::color_text(*entry.color).c_str();
+        path.append_attribute("d") = path_data_of(pieces, entry.curve->is_periodic()).c_str();
+        path.append_child("title").append_child(pugi::node_pcdata).set_value(name.c_str());
+    }
+
+    std::string text_with(const core::Document& document) {
+        embed_document(svg_, document);
+        struct : pugi::xml_writer {
+            std::string text;
+            void write(const void* data, std::size_t size) override {
+                text.append(static_cast<const char*>(data), size);
+            }
+        } writer;
+        file_.save(writer, " ", pugi::format_default, pugi::encoding_utf8);
+        return std::move(writer.text);
+    }
+
+  private:
+    void set_length(const char* name, double length, const core::DocumentUnits& units) {
+        constexpr std::array<const char*, 3> names{"mm", "in", "px"};
+        const std::string text =
+            core::shortest_text(length / units.scale) + names[static_cast<std::size_t>(units.unit)];
+        svg_.append_attribute(name) = text.c_str();
+    }
+
+    pugi::xml_document file_;
+    pugi::xml_node svg_;
+    pugi::xml_node lines_;
+    Box box_;
+    Ids ids_;
+};
+
+tl::unexpected<core::FileError> svg_not_written(std::string what) {
+    return tl::unexpected(core::FileError{"", std::move(what)});
+}
+
+std::optional<Box> box_of_visible(const core::Document& document) {
+    std::optional<Box> whole;
+    for (const DocumentCurve& entry : document.curves) {
+        if (!entry.visible) continue;
+        if (!whole) whole.emplace();
+        const Box box = core::tight_box(*entry.curve);
+        whole->include(box.lower);
+        whole->include(box.upper);
+    }
+    return whole;
+}
+
+}  // namespace
+
+std::string path_data_of(const PathPieces& pieces, bool is_closed) {
+    std::string text;
+    for (std::size_t k = 0; k < pieces.pieces.size(); ++k) {
+        const PathPiece& piece = pieces.pieces[k];
+        if (k == 0 || piece.start() != pieces.pieces[k - 1].end()) {
+            text += 'M';
+            append_point(text, piece.start());
+        }
+        append_piece(text, piece);
+    }
+    if (is_closed) text += 'Z';
+    return text;
+}
+
+core::FileResult<Exported> write_svg(const core::Document& document, const WriteOptions& options) {
+    const std::optional<Box> box = box_of_visible(document);
+    if (!box) return svg_not_written("there is no visible curve to write");
+    const double side = std::max(box->size().x, box->size().y);
+    if (!std::isfinite(side)) return svg_not_written("the curves are larger than the numbers of SVG");
+    constexpr double tolerance_share = 1e-6;
+    const double tolerance = options.tolerance.value_or(side > 0.0 ? tolerance_share * side : tolerance_share);
+
+    SvgFile file(document, page_box(*box));
+    Exported exported;
+    for (const DocumentCurve& entry : document.curves) {
+        if (!entry.visible) continue;
+        const PathPieces pieces = path_pieces(*entry.curve, tolerance);
+        if (!std::isfinite(pieces.error))
+            return svg_not_written(
+                core::sentence("'{name}' cannot be written as cubic pieces: numbers on the way are too large",
+                               {{"name", entry.name}}));
+        exported.report.largest_error = std::max(exported.report.largest_error, pieces.error);
+        if (entry.curve->is_torn())
+            exported.report.left_out.push_back(core::sentence(
+                "'{name}' is torn; its parts are one path there, which other programs and edits make several curves",
+                {{"name", entry.name}}));
+        file.add(entry, pieces);
+    }
+    exported.text = file.text_with(document);
+    return exported;
+}
+
+}  // namespace batten::exchange
