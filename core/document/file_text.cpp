@@ -29,8 +29,8 @@ tl::unexpected<FileError> refused_by_system(const std::string& name, const char*
     return refused(name, sentence(pattern, {{"reason", std::strerror(errno)}}));
 }
 
-// Reads to the end, or to a zero byte.
-FileResult<std::string> whole_text(InputFile& file) {
+// Reads to the end, and where `stops_at_zero` to a zero byte.
+FileResult<std::string> whole_content(InputFile& file, bool stops_at_zero) {
     std::string text;
     text.reserve(std::min(file.expected_bytes(), most_file_bytes));
     constexpr std::size_t block_bytes = 65536;
@@ -40,7 +40,7 @@ FileResult<std::string> whole_text(InputFile& file) {
         if (!count) return tl::unexpected(count.error());
         if (*count == 0) return text;
         const std::string_view more(block.data(), *count);
-        const std::size_t zero = more.find('\0');
+        const std::size_t zero = stops_at_zero ? more.find('\0') : std::string_view::npos;
         text.append(more.substr(0, zero == std::string_view::npos ? zero : zero + 1));
         if (zero != std::string_view::npos) return text;
     }
@@ -67,11 +67,15 @@ std::string FileError::sentence() const {
 
 FileResult<std::string> read_text(int descriptor, const std::string& name) {
     InputFile file(descriptor, name);
-    return whole_text(file);
+    return whole_content(file, true);
 }
 
 FileResult<std::string> read_text(const fs::path& path) {
-    return InputFile::open(path).and_then([](InputFile file) { return whole_text(file); });
+    return InputFile::open(path).and_then([](InputFile file) { return whole_content(file, true); });
+}
+
+FileResult<std::string> read_bytes(const fs::path& path) {
+    return InputFile::open(path).and_then([](InputFile file) { return whole_content(file, false); });
 }
 
 void flush_folder(const fs::path& folder) {

@@ -32,6 +32,9 @@ inline constexpr std::size_t most_file_bytes = std::size_t{128} << 20U;
 /// The same for what the open file `descriptor` still has; `name` stands for it in errors.
 [[nodiscard]] FileResult<std::string> read_text(int descriptor, const std::string& name);
 
+/// The content of a file that is no text, zero bytes and all. Errors likewise.
+[[nodiscard]] FileResult<std::string> read_bytes(const std::filesystem::path& path);
+
 /// Writes `text` to a temporary file beside `path`, flushes it to disk, renames it and flushes the folder, so that the
 /// file has the old content or the new one. A link is followed, also to a file that is not there yet. Signals that
 /// arrive meanwhile wait for the end; going beyond the limit of file sizes is an error like others. Errors leave the

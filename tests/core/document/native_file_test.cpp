@@ -669,6 +669,14 @@ TEST_F(NativeFile, input_without_end_is_refused) {
     EXPECT_NE(load_document(in_folder("large.json")).error().sentence().find("zero byte"), std::string::npos);
 }
 
+TEST_F(NativeFile, bytes_are_read_with_zeros_among_them) {
+    const std::string bytes("\0a\0\0b", 5);
+    std::ofstream(in_folder("bytes"), std::ios::binary) << bytes;
+    EXPECT_EQ(read_bytes(in_folder("bytes")), bytes);
+    EXPECT_EQ(read_text(in_folder("bytes")), bytes.substr(0, 1));
+    EXPECT_FALSE(read_bytes(in_folder("none")));
+}
+
 TEST_F(NativeFile, open_descriptors_are_read_to_their_end) {
     std::array<int, 2> ends{};
     ASSERT_EQ(pipe(ends.data()), 0);
