@@ -70,7 +70,8 @@ Crowd settle(const CanvasFrame& frame, std::vector<MarkPlace> places, const Mark
     }
     double cell = frame.pen.px(2.0 * smallest + sizes.gap_when_thinned);
     std::vector<MarkPlace> kept = one_for_each_cell(frame, places, cell);
-    for (; 2 * kept.size() > sizes.most; cell *= 1.25) kept = one_for_each_cell(frame, places, 1.25 * cell);
+    for (; kept.size() > 1 && 2 * kept.size() > sizes.most; cell *= 1.25)
+        kept = one_for_each_cell(frame, places, 1.25 * cell);
     return {smallest, true, true, std::move(kept)};
 }
 
