@@ -122,10 +122,13 @@ class TikzPainter {
 
     void operator()(const Label& label) {
         const glm::dvec2 place(label.position.x, label.position.y + baseline_drop * label.size_px);
-        add("\\node[anchor={},inner sep=0pt,text={}{},scale={}] at ({}) {{{}{}}};\n", side_of(label.anchor),
+        const std::string text = tex_text(label.text);
+        // Bold formulas need a group of their own within a node.
+        const bool is_bold = label.font == LabelFont::bold;
+        add("\\node[anchor={},inner sep=0pt,text={}{},scale={}] at ({}) {{{}}};\n", side_of(label.anchor),
             palette_.name(label.color), opacity_of("text", label.color),
             short_number(bp_per_px * label.size_px / usual_label_bp), short_place(place, ','),
-            label.font == LabelFont::bold ? "\\bfseries\\boldmath " : "", tex_text(label.text));
+            is_bold ? fmt::format("{{\\bfseries\\boldmath {}}}", text) : text);
     }
 
   private:

@@ -87,7 +87,7 @@ TEST(TikzPainter, sets_labels_on_their_line) {
     // 20 pixels are 15 of 1/72 of an inch; the letters stand 0.36 of 20 below.
     EXPECT_TRUE(has(text,
                     "\\node[anchor=base east,inner sep=0pt,text=batten0,scale=1.5] at (50,47.2) "
-                    "{\\bfseries\\boldmath $P_{3}$};"))
+                    "{{\\bfseries\\boldmath $P_{3}$}};"))
         << text;
 }
 
