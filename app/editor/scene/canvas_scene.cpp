@@ -105,7 +105,7 @@ void draw_marks_of_active_curve(CanvasFrame& frame, const render::DrawList& list
     const std::size_t first = list.commands.size();
     if (frame.shows(Overlay::construction)) draw_construction(frame);
     if (frame.state.view.parts.points) draw_control_points(frame, marks.points);
-    draw_fit_marks(frame);
+    if (frame.state.view.parts.points) draw_fit_marks(frame);
     draw_handlebar(frame);
     draw_views_above(frame);
     note_lines(frame, list, first);

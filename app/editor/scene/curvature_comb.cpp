@@ -149,7 +149,7 @@ Thinned draw_curvature_comb(CanvasFrame& frame) {
 
 void draw_comb_handle(CanvasFrame& frame) {
     const auto handle = comb_handle(frame.state, frame.state.view.shape.comb_factor);
-    if (!handle) return;
+    if (!handle || !frame.state.view.parts.window) return;
     const auto* hovered = std::get_if<HoveredHandle>(&frame.state.hover);
     const bool is_hovered = hovered != nullptr && hovered->handle == ViewHandle::comb;
     frame.keep_free(handle->place_px, 8.0);

@@ -1,0 +1,21 @@
+/// The control polygon on the way of a knot that is inserted: its corners are cut off little by little.
+#pragma once
+
+#include <vector>
+
+#include "core/refine/corner_cutting.h"
+
+namespace batten::editor {
+
+/// A corner of that polygon.
+struct CutCorner {
+    core::Point place;
+    std::size_t index = 0;  ///< of the control point before the insertion that it comes of
+};
+
+/// The corners of the polygon of `curve` when `share` (0..1) of `cutting`, an insertion into it, is done: each one that
+/// goes is two, on their ways to the new points on its legs. At 0 this is the polygon before, at 1 the one after it,
+/// with corners that meet.
+std::vector<CutCorner> cut_polygon(const core::Curve& curve, const core::CornerCutting& cutting, double share);
+
+}  // namespace batten::editor

@@ -1,0 +1,25 @@
+/// Figures for slides and papers: the pictures of the window, without what only a window needs.
+#pragma once
+
+#include <span>
+
+#include "app/editor/derived/cut_polygon.h"
+#include "app/editor/state/state.h"
+#include "render/figure.h"
+
+namespace batten::editor {
+
+/// What the canvas of the window shows now, with its camera; with FigureView::both or basis the plot as high as the
+/// dock. Without pointer, selection and what tells how many marks are left out.
+render::Figure window_figure(const EditorState& state, const FigureForm& form);
+
+/// Prepares a state for a page of `size_px` (> 0, before form.scale) with the overlays and parts of its view: at rest,
+/// and with the camera that shows the visible curves as large as they fit.
+void pose_for_figure(EditorState& state, const FigureForm& form, glm::dvec2 size_px);
+
+/// The page of a state that was prepared for it. In place of the control polygon `moving` is drawn over the curve where
+/// it has points.
+render::Figure figure_of(const EditorState& posed, const FigureForm& form, glm::dvec2 size_px,
+                         std::span<const CutCorner> moving = {});
+
+}  // namespace batten::editor
