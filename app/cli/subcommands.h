@@ -99,6 +99,27 @@ struct CodeOptions {
 /// Prints a curve as text for programs and papers.
 ExitStatus code(const CodeOptions& options, Output output);
 
+struct FigureOptions {
+    std::filesystem::path file;
+    std::filesystem::path result;  ///< its ending decides the format; with frames a pattern, "frame-%03d.png"
+    std::string format;            ///< of what goes to standard output: an ending without its dot
+    std::string show = "polygon,points,labels";  ///< names of overlays and parts
+    std::string at;                              ///< a parameter; empty: none is marked
+    std::string curve;                           ///< its name or number; empty: the active one
+    std::string view;                            ///< of editor::FigureView; empty: as `show` asks for
+    std::string size = "800x450";
+    std::string theme = "light";
+    std::string title;
+    std::string animate;  ///< "u=0..1", "insert=0.5", "merge=5"; empty: a figure that stands still
+    double scale = 1.0;
+    bool is_transparent = false;
+    std::size_t frames = 50;
+    double rate = 25.0;  ///< frames a second
+};
+
+/// Writes a picture of a curve, or the frames of an animation.
+ExitStatus figure(const FigureOptions& options, Output output);
+
 /// What `profile` is asked for. It needs the window, so that whoever has one runs it.
 struct ProfileOptions {
     std::filesystem::path file;

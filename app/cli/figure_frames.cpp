@@ -1,0 +1,116 @@
+#include "app/cli/figure_frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "app/editor/derived/cut_polygon.h"
+#include "app/editor/editor.h"
+#include "app/editor/scene/figure_scene.h"
+#include "core/base/sentence.h"
+#include "core/edit/knot_edit.h"
+#include "core/refine/corner_cutting.h"
+#include "core/refine/knot_insertion.h"
+
+namespace batten::cli {
+
+namespace {
+
+using Checked = tl::expected<void, std::string>;
+
+/// The knot that `index` goes to: the next one that is larger; none where there is none.
+std::optional<double> next_knot(const core::Curve& curve, std::size_t index) {
+    const auto knots = curve.knots().stored();
+    const auto next = std::upper_bound(knots.begin(), knots.end(), knots[index]);
+    return next == knots.end() ? std::nullopt : std::optional(*next);
+}
+
+Checked check_inside(const core::Curve& curve, double u) {
+    if (curve.is_periodic() || curve.domain().contains(u)) return {};
+    return tl::unexpected(core::describe({.code = core::CurveErrorCode::parameter_outside_domain,
+                                          .value = u,
+                                          .lower = curve.domain().lower,
+                                          .upper = curve.domain().upper}));
+}
+
+/// Whether a curve can move so.
+struct CheckMotion {
+    const core::Curve& curve;
+
+    Checked operator()(const RunningParameter& running) const {
+        return check_inside(curve, running.range.lower).and_then([&] {
+            return check_inside(curve, running.range.upper);
+        });
+    }
+    Checked operator()(const InsertedKnot& knot) const {
+        const auto cutting = core::corner_cutting(curve, knot.u);
+        if (!cutting) return tl::unexpected(core::describe(cutting.error()));
+        return {};
+    }
+    Checked operator()(const MergedKnot& knot) const {
+        const std::size_t count = curve.knots().stored().size();
+        if (knot.index >= count)
+            return tl::unexpected(core::sentence("there is no knot {index}; they have the indices 0 to {last}",
+                                                 {{"index", knot.index}, {"last", count - 1}}));
+        const auto next = next_knot(curve, knot.index);
+        if (!next)
+            return tl::unexpected(core::sentence("no knot is larger than knot {index}, so it has none to go to",
+                                                 {{"index", knot.index}}));
+        const auto merged = core::set_knot(curve, knot.index, *next);
+        if (!merged) return tl::unexpected(core::describe(merged.error()));
+        return {};
+    }
+};
+
+}  // namespace
+
+tl::expected<FigureFrames, std::string> FigureFrames::make(const core::Document& document, const FigureOrder& order) {
+    const core::Curve& curve = *document.active_curve()->curve;
+    Checked checked = order.at ? check_inside(curve, *order.at) : Checked{};
+    if (checked && order.motion) checked = std::visit(CheckMotion{curve}, *order.motion);
+    if (!checked) return tl::unexpected(std::move(checked.error()));
+    FigureFrames frames(order);
+    frames.document_ = document;
+    frames.posed_ = editor::Editor(document).state();
+    editor::View& view = frames.posed_.view;
+    view.theme = order.theme;
+    view.overlays = order.overlays;
+    view.parts = order.parts;
+    if (order.at) view.parameter = *order.at;
+    pose_for_figure(frames.posed_, order.form, order.size_px);
+    return frames;
+}
+
+editor::EditorState FigureFrames::with_curve(const core::Curve& curve) const {
+    core::Document document = document_;
+    document.curves[document.active].curve = std::make_shared<const core::Curve>(curve);
+    editor::EditorState state = editor::Editor(std::move(document)).state();
+    state.view = posed_.view;
+    return state;
+}
+
+render::Figure FigureFrames::at(double share) const {
+    const core::Curve& curve = *document_.active_curve()->curve;
+    editor::EditorState state = posed_;
+    std::vector<editor::CutCorner> moving;
+    const auto* running = order_.motion ? std::get_if<RunningParameter>(&*order_.motion) : nullptr;
+    const auto* inserted = order_.motion ? std::get_if<InsertedKnot>(&*order_.motion) : nullptr;
+    const auto* merged = order_.motion ? std::get_if<MergedKnot>(&*order_.motion) : nullptr;
+    if (running != nullptr) state.view.parameter = std::lerp(running->range.lower, running->range.upper, share);
+    if (merged != nullptr) {
+        const double from = curve.knots().stored()[merged->index];
+        const auto moved =
+            core::set_knot(curve, merged->index, std::lerp(from, *next_knot(curve, merged->index), share));
+        if (moved) state = with_curve(*moved);
+    }
+    if (inserted != nullptr && share >= 1.0) state = with_curve(*core::insert_knot(curve, inserted->u));
+    if (inserted != nullptr && share > 0.0 && share < 1.0) {
+        moving = editor::cut_polygon(curve, *core::corner_cutting(curve, inserted->u), share);
+        state.view.parts.points = false;
+        for (const editor::Overlay overlay : {editor::Overlay::polygon, editor::Overlay::labels})
+            state.view.overlays.show(overlay, false);
+    }
+    return figure_of(state, order_.form, order_.size_px, moving);
+}
+
+}  // namespace batten::cli

@@ -1,0 +1,33 @@
+/// The frames of an animation, each as a picture of its own.
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+
+#include "app/cli/figure_order.h"
+#include "core/document/document.h"
+#include "render/figure.h"
+
+namespace batten::cli {
+
+/// A picture of `document`, whose active curve is the one that is meant, and of each frame of its motion. A figure that
+/// stands still has one frame.
+class FigureFrames {
+  public:
+    /// Refused where a parameter or a knot is not one of the curve.
+    static tl::expected<FigureFrames, std::string> make(const core::Document& document, const FigureOrder& order);
+
+    /// The picture when `share`, from 0 to 1, of the motion is done.
+    render::Figure at(double share) const;
+
+  private:
+    explicit FigureFrames(const FigureOrder& order) : order_(order) {}
+
+    editor::EditorState with_curve(const core::Curve& curve) const;
+
+    FigureOrder order_;
+    core::Document document_;
+    editor::EditorState posed_;
+};
+
+}  // namespace batten::cli

@@ -1,0 +1,68 @@
+#include "app/cli/figure_words.h"
+
+#include <CLI/CLI.hpp>
+
+namespace batten::cli {
+
+namespace {
+
+void add_pictured(CLI::App& command, FigureOptions& options) {
+    command
+        .add_option(
+            "--show", options.show,
+            "What is shown beside the curve, between commas: points, legend, parameter, basis, and overlays by "
+            "their names, such as polygon, labels, knots, hull, deboor or comb (default: polygon,points,labels)")
+        ->type_name("NAMES");
+    command.add_option("--at", options.at, "The parameter at which the curve is marked")->type_name("U");
+    command.add_option("--curve", options.curve, "The name or number of the curve, instead of the active one")
+        ->type_name("NAME");
+    command
+        .add_option("--view", options.view,
+                    "The curve, its basis functions (basis), both, or the lifted curve in space (homogeneous)")
+        ->type_name("VIEW");
+    command.add_option("--title", options.title, "A title above the picture")->type_name("TEXT");
+}
+
+void add_looks(CLI::App& command, FigureOptions& options) {
+    command.add_option("--size", options.size, "Width and height in pixels, 96 to an inch (default: 800x450)")
+        ->type_name("WxH");
+    command.add_option("--scale", options.scale, "Pixels of a PNG, GIF or MP4 for each of the picture (default: 1)")
+        ->type_name("NUMBER");
+    command.add_option("--theme", options.theme, "The colors: light (the default), dark or high-contrast")
+        ->type_name("THEME");
+    command.add_flag("--transparent", options.is_transparent, "Leave the ground out");
+}
+
+void add_motion(CLI::App& command, FigureOptions& options) {
+    command
+        .add_option(
+            "--animate", options.animate,
+            "What moves: u=0..1, the parameter; insert=0.5, a knot that comes in; merge=5, the knot of that index "
+            "onto the next one")
+        ->type_name("MOTION");
+    command.add_option("--frames", options.frames, "How many frames to write (default: 50)")->type_name("N");
+    command.add_option("--rate", options.rate, "How many frames a GIF or MP4 shows in a second (default: 25)")
+        ->type_name("NUMBER");
+}
+
+}  // namespace
+
+void add_figure_words(CLI::App& command, FigureOptions& options) {
+    command.add_option("file", options.file, "A curve file in Batten's own format; - is standard input")
+        ->required()
+        ->type_name("FILE");
+    command
+        .add_option(
+            "-o,--output", options.result,
+            "Where it is written: .svg, .pdf, .png or .tex; with --animate a pattern such as frame-%03d.png, or "
+            ".gif or .mp4; - is standard output")
+        ->required()
+        ->type_name("FILE");
+    command.add_option("--format", options.format, "The format, as an ending, where the file's name does not tell it")
+        ->type_name("FORMAT");
+    add_pictured(command, options);
+    add_looks(command, options);
+    add_motion(command, options);
+}
+
+}  // namespace batten::cli
