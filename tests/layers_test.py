@@ -10,7 +10,7 @@ LAYERS = {
     "exchange": ({"core", "exchange"}, {"glm", "tl", "fmt", "nlohmann", "pugixml", "ft2build", "freetype"}),
     "render": ({"render"}, {"glm", "tl", "fmt", "glad", "cairo", "cairo-pdf"}),
     "app/picture": ({"core", "app/picture"}, {"tl", "stb"}),
-    "app/editor": ({"core", "exchange", "app/editor", "app/picture"}, {"glm", "tl", "fmt", "nlohmann"}),
+    "app/editor": ({"core", "exchange", "app/editor", "app/picture"}, {"glm", "tl", "fmt", "nlohmann", "posix"}),
     "app/ui": ({"core", "exchange", "app/editor", "app/ui"}, {"glm", "tl", "fmt", "imgui", "misc"}),
     "app/platform": ({"core", "render", "app/editor", "app/ui", "app/platform"}, {"glm", "tl", "fmt", "imgui", "backends", "nlohmann", "GLFW"}),
     "app/cli": ({"core", "exchange", "render", "app/editor", "app/cli"}, {"glm", "tl", "fmt", "CLI", "nlohmann", "posix"}),
@@ -46,11 +46,12 @@ ONLY_IN = {
     ("exchange", "freetype"): {"exchange/font_reader.cpp"},
     ("render", "cairo"): {"render/cairo_painter.cpp"},
     ("render", "cairo-pdf"): {"render/cairo_painter.cpp"},
+    ("app/editor", "posix"): {"app/editor/recovery/"},
     ("app/cli", "posix"): {"app/cli/movie.cpp", "app/cli/standard_streams.cpp"},
 }
 
 # Headers of the operating system, without a folder of their own.
-POSIX = {"fcntl.h", "spawn.h", "unistd.h", "sys/stat.h", "sys/wait.h"}
+POSIX = {"fcntl.h", "spawn.h", "unistd.h", "sys/file.h", "sys/stat.h", "sys/wait.h"}
 
 # Headers that the build makes.
 GENERATED = {"shaders/sources.h": "render", "core/base/version.h": "core"}

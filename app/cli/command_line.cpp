@@ -243,102 +243,102 @@ void Subcommands::add_figure(CLI::App& program) {
     CLI::App* command = add_command(program, "figure", "Write a picture of a curve for a slide or a paper");
     add_figure_words(*command, figure_);
     figure_command_ = command;
-    void Subcommands::parse(CLI::App & program, const std::vector<std::string>& words) {
-        ApplyOptions* options = nullptr;
-        if (!words.empty() && words.front() == "apply") options = &apply_;
-        if (!words.empty() && words.front() == "new") options = &new_;
-        DividedWords divided_words{words, {}};
-        if (options != nullptr) {
-            divided_words = divided({words.begin() + 1, words.end()}, options == &apply_);
-            divided_words.options.insert(divided_words.options.begin(), words.front());
-        }
-        std::reverse(divided_words.options.begin(), divided_words.options.end());
-        program.parse(divided_words.options);
-        if (options != nullptr) options->operations = std::move(divided_words.operations);
-    }
+}
 
-    std::optional<ExitStatus> Subcommands::run(Output output) const {
-        if (info_command_->parsed()) return info(info_, output);
-        if (eval_command_->parsed()) return run_eval(output);
-        if (check_command_->parsed()) return run_check(output);
-        if (convert_command_->parsed()) return convert(convert_, output);
-        if (handout_command_->parsed()) return handout(handout_, output);
-        if (code_command_->parsed()) return code(code_, output);
-        if (figure_command_->parsed()) return figure(figure_, output);
-        if (new_command_->parsed()) return run_new(output);
-        if (apply_command_->parsed()) return run_apply(output);
-        return std::nullopt;
+void Subcommands::parse(CLI::App& program, const std::vector<std::string>& words) {
+    ApplyOptions* options = nullptr;
+    if (!words.empty() && words.front() == "apply") options = &apply_;
+    if (!words.empty() && words.front() == "new") options = &new_;
+    DividedWords divided_words{words, {}};
+    if (options != nullptr) {
+        divided_words = divided({words.begin() + 1, words.end()}, options == &apply_);
+        divided_words.options.insert(divided_words.options.begin(), words.front());
     }
+    std::reverse(divided_words.options.begin(), divided_words.options.end());
+    program.parse(divided_words.options);
+    if (options != nullptr) options->operations = std::move(divided_words.operations);
+}
 
-    ExitStatus say_wrong_usage(Output output, const char* sentence) {
-        output.errors << sentence << '\n';
-        return ExitStatus::wrong_usage;
-    }
+std::optional<ExitStatus> Subcommands::run(Output output) const {
+    if (info_command_->parsed()) return info(info_, output);
+    if (eval_command_->parsed()) return run_eval(output);
+    if (check_command_->parsed()) return run_check(output);
+    if (convert_command_->parsed()) return convert(convert_, output);
+    if (handout_command_->parsed()) return handout(handout_, output);
+    if (code_command_->parsed()) return code(code_, output);
+    if (figure_command_->parsed()) return figure(figure_, output);
+    if (new_command_->parsed()) return run_new(output);
+    if (apply_command_->parsed()) return run_apply(output);
+    return std::nullopt;
+}
 
-    ExitStatus Subcommands::run_check(Output output) const {
-        if (std::count_if(check_.files.begin(), check_.files.end(), is_standard) > 1)
-            return say_wrong_usage(output, "batten check: standard input, -, can be read only once");
-        return check(check_, output);
-    }
+ExitStatus say_wrong_usage(Output output, const char* sentence) {
+    output.errors << sentence << '\n';
+    return ExitStatus::wrong_usage;
+}
 
-    ExitStatus Subcommands::run_eval(Output output) const {
-        const auto inputs = std::count_if(eval_.at.begin(), eval_.at.end(), names_standard_input);
-        if (inputs + (is_standard(eval_.file) ? 1 : 0) > 1)
-            return say_wrong_usage(output, "batten eval: standard input, -, can be read only once");
-        return eval(eval_, output);
-    }
+ExitStatus Subcommands::run_check(Output output) const {
+    if (std::count_if(check_.files.begin(), check_.files.end(), is_standard) > 1)
+        return say_wrong_usage(output, "batten check: standard input, -, can be read only once");
+    return check(check_, output);
+}
 
-    ExitStatus Subcommands::run_new(Output output) const {
-        if (!new_.operations.empty() || !new_.result.empty()) return apply(new_, output);
-        return say_wrong_usage(
-            output,
-            "batten new: at least one operation, or a file to write, is needed; batten apply --list explains them");
-    }
+ExitStatus Subcommands::run_eval(Output output) const {
+    const auto inputs = std::count_if(eval_.at.begin(), eval_.at.end(), names_standard_input);
+    if (inputs + (is_standard(eval_.file) ? 1 : 0) > 1)
+        return say_wrong_usage(output, "batten eval: standard input, -, can be read only once");
+    return eval(eval_, output);
+}
 
-    ExitStatus Subcommands::run_apply(Output output) const {
-        if (lists_operations_) {
-            list_operations(output.results);
-            return ExitStatus::done;
-        }
-        if (apply_.file && !apply_.operations.empty()) return apply(apply_, output);
-        return say_wrong_usage(
-            output, "batten apply: a file and at least one operation are needed; batten apply --list explains them");
-    }
+ExitStatus Subcommands::run_new(Output output) const {
+    if (!new_.operations.empty() || !new_.result.empty()) return apply(new_, output);
+    return say_wrong_usage(
+        output, "batten new: at least one operation, or a file to write, is needed; batten apply --list explains them");
+}
 
-    // What the process ends with; none where the window is to be opened.
-    std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, WindowOptions* window,
-                                            Output output) {
-        CLI::App program("Batten: an interactive editor for B-spline and NURBS curves", "batten");
-        program.set_version_flag("--version", core::sentence("batten {version}", {{"version", core::version_text}}));
-        program.set_help_all_flag("--help-all", "Print this help and that of the subcommands and exit");
-        program.formatter_fn(help_text);
-        program.footer(
-            "Without a subcommand the window opens.\n\n"
-            "Exit status:\n  0 if everything was done, 1 if the input is wrong or the results cannot be written, 2 if "
-            "the "
-            "command line is wrong.");
-        Subcommands subcommands(program);
-        std::optional<ProfileSubcommand> profile;
-        if (window != nullptr) {
-            profile.emplace(program);
-            add_window_options(program, *window);
-        }
-        try {
-            subcommands.parse(program, words);
-        } catch (const CLI::ParseError& error) {
-            const bool is_done = program.exit(error, output.results, output.errors) == 0;
-            return is_done ? ExitStatus::done : ExitStatus::wrong_usage;
-        }
-        if (const auto status = subcommands.run(output)) return status;
-        if (window != nullptr) {
-            if (!profile->is_given()) return std::nullopt;
-            window->profile = profile->options(output);
-            return window->profile ? std::nullopt : std::optional(ExitStatus::wrong_usage);
-        }
-        return say_wrong_usage(output,
-                               "batten: this build has no window; the subcommands are info, eval, apply, new, convert, "
-                               "check, handout, code and figure");
+ExitStatus Subcommands::run_apply(Output output) const {
+    if (lists_operations_) {
+        list_operations(output.results);
+        return ExitStatus::done;
     }
+    if (apply_.file && !apply_.operations.empty()) return apply(apply_, output);
+    return say_wrong_usage(
+        output, "batten apply: a file and at least one operation are needed; batten apply --list explains them");
+}
+
+// What the process ends with; none where the window is to be opened.
+std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, WindowOptions* window, Output output) {
+    CLI::App program("Batten: an interactive editor for B-spline and NURBS curves", "batten");
+    program.set_version_flag("--version", core::sentence("batten {version}", {{"version", core::version_text}}));
+    program.set_help_all_flag("--help-all", "Print this help and that of the subcommands and exit");
+    program.formatter_fn(help_text);
+    program.footer(
+        "Without a subcommand the window opens.\n\n"
+        "Exit status:\n  0 if everything was done, 1 if the input is wrong or the results cannot be written, 2 if "
+        "the "
+        "command line is wrong.");
+    Subcommands subcommands(program);
+    std::optional<ProfileSubcommand> profile;
+    if (window != nullptr) {
+        profile.emplace(program);
+        add_window_options(program, *window);
+    }
+    try {
+        subcommands.parse(program, words);
+    } catch (const CLI::ParseError& error) {
+        const bool is_done = program.exit(error, output.results, output.errors) == 0;
+        return is_done ? ExitStatus::done : ExitStatus::wrong_usage;
+    }
+    if (const auto status = subcommands.run(output)) return status;
+    if (window != nullptr) {
+        if (!profile->is_given()) return std::nullopt;
+        window->profile = profile->options(output);
+        return window->profile ? std::nullopt : std::optional(ExitStatus::wrong_usage);
+    }
+    return say_wrong_usage(output,
+                           "batten: this build has no window; the subcommands are info, eval, apply, new, convert, "
+                           "check, handout, code and figure");
+}
 
 }  // namespace
 

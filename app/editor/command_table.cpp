@@ -12,6 +12,7 @@ namespace {
 // What edits the points, knots and pieces of curves that are there.
 void add_editing_commands(CommandTable& table) {
     add_file_commands(table);
+    add_recovery_commands(table);
     add_edit_commands(table);
     add_picture_commands(table);
     add_table_commands(table);

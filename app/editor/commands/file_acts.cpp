@@ -9,6 +9,7 @@
 #include "app/editor/commands/loaded_file.h"
 #include "app/editor/lesson/lesson_steps.h"
 #include "app/editor/pointer/fit_view.h"
+#include "app/editor/recovery/journal_reader.h"
 #include "app/editor/state/dialog.h"
 #include "app/editor/state/settings.h"
 #include "app/editor/state/view_forms.h"
@@ -55,10 +56,15 @@ std::string told_of(std::string done, const std::vector<std::string>& remarks) {
 }
 
 Outcome<void> open_file(EditorState& state, const fs::path& path, std::optional<exchange::Format> format) {
+    const std::optional<core::FileStamp> stamp = core::file_stamp(path);  // before, so that no change goes unseen
     Outcome<LoadedFile> file = load_file(path, format, {state.progress, state.points_read});
     if (!file) return tl::unexpected(file.error());
     show_document(state, std::move(file->document), file->is_foreign ? fs::path() : path);
-    if (file->is_foreign) state.source = path;
+    if (file->is_foreign) {
+        state.source = path;
+    } else {
+        state.stamp = stamp;
+    }
     remember(state.recent_files, path);
     state.message = {told_of(sentence("Opened {file}", {{"file", path.filename().string()}}), file->remarks), false};
     return {};
@@ -74,6 +80,27 @@ Outcome<void> show_example(EditorState& state, const std::string& name) {
     if (!file) return tl::unexpected(file.error());
     show_document(state, std::move(file->document), {});
     state.message = {sentence("Opened example {name}", {{"name", name}}), false};
+    return {};
+}
+
+// What was said of a document that came back.
+std::string told_of_recovery(const Recoverable& found) {
+    if (found.file.empty()) return "Recovered the document; it is not saved yet";
+    return sentence("Recovered {file}; it is not saved yet", {{"file", found.file.filename().string()}});
+}
+
+Outcome<void> recover(EditorState& state, const fs::path& journal) {
+    const auto offered = std::ranges::find(state.recoverable, journal, &Recoverable::journal);
+    if (offered == state.recoverable.end()) return tl::unexpected(Refusal("there is no such document to recover"));
+    const Recoverable found = *offered;
+    Outcome<core::Document> document = document_of_journal(*found.held, state.progress);
+    if (!document) return tl::unexpected(document.error());
+    state.recoverable.erase(offered);
+    show_document(state, *std::move(document), found.file);
+    state.history.mark_unsaved();
+    state.stamp = found.stamp;
+    state.recovered = found;
+    state.message = {told_of_recovery(found), false};
     return {};
 }
 
@@ -115,6 +142,7 @@ struct Proceed {
     }
     Outcome<void> operator()(const OpenExample& command) const { return show_example(state, command.name); }
     Outcome<void> operator()(const OpenLesson& command) const { return open_lesson(state, command.name); }
+    Outcome<void> operator()(const Recover& command) const { return recover(state, command.journal); }
     Outcome<void> operator()(const Quit&) const {
         state.wants_quit = true;
         return {};
@@ -143,6 +171,8 @@ void show_document(EditorState& state, core::Document document, const fs::path& 
     state.hover = HoveredNothing{};
     state.path = path;
     state.source.clear();
+    state.stamp.reset();
+    state.recovered.reset();
     state.view.title_is_open = true;
     show_dialog(state, Dialog::none);
     fit_view(state);
@@ -196,6 +226,7 @@ Outcome<void> save_document_to(EditorState& state, const fs::path& path) {
     if (!saved) return tl::unexpected(file_refusal(path, saved.error()));
     state.path = path;
     state.source.clear();
+    state.stamp = core::file_stamp(path);
     state.history.mark_saved();
     remember(state.recent_files, path);
     state.message = {sentence("Saved {file}", {{"file", path.filename().string()}}), false};

@@ -59,8 +59,17 @@ Outcome<void> ask_for_path(EditorState& state) {
     return {};
 }
 
+// Whether the file is not what was read or written last. Asks what to do then, and keeps what is pending.
+bool asks_about_change(EditorState& state) {
+    if (!state.stamp || state.stamp == core::file_stamp(state.path)) return false;
+    state.dialog = Dialog::changed_file;
+    return true;
+}
+
 Outcome<void> save(EditorState& state, const Save&) {
-    return state.path.empty() ? ask_for_path(state) : save_to(state, state.path);
+    if (state.path.empty()) return ask_for_path(state);
+    if (asks_about_change(state)) return {};
+    return save_to(state, state.path);
 }
 
 // A copy is not what an answer about unsaved changes waits for.
@@ -90,6 +99,25 @@ Outcome<void> answer_unsaved(EditorState& state, const AnswerUnsaved& command) {
     }
     state.pending.reset();
     return {};
+}
+
+Outcome<void> answer_changed(EditorState& state, const AnswerChanged& command) {
+    state.dialog = Dialog::none;
+    switch (command.answer) {
+        case ChangedAnswer::overwrite:
+            return save_to(state, state.path);
+        case ChangedAnswer::save_as:
+            return ask_for_path(state);
+        case ChangedAnswer::cancel:
+            break;
+    }
+    state.pending.reset();
+    return {};
+}
+
+std::optional<Refusal> no_changed_file(const EditorState& state) {
+    if (state.dialog == Dialog::changed_file) return std::nullopt;
+    return "no question about a changed file is open";
 }
 
 std::optional<Refusal> no_question(const EditorState& state) {
@@ -204,6 +232,20 @@ const CommandSpec& AnswerUnsaved::spec() {
     return spec;
 }
 
+const CommandSpec& AnswerChanged::spec() {
+    static const CommandSpec spec{
+        .name = "answer-changed",
+        .title = "Answer about a changed file",
+        .explanation = "Overwrites a file that another program changed, saves another one, or cancels.",
+        .group = CommandGroup::gesture,
+        .offered = nowhere,
+        .fields = {field::choice<&AnswerChanged::answer>("answer", "what becomes of the changed file")},
+        .refusal = no_changed_file,
+        .run = body_of<answer_changed>,
+        .at_work = "Saving the document"};
+    return spec;
+}
+
 const CommandSpec& Quit::spec() {
     static const CommandSpec spec{.name = "quit",
                                   .title = "Quit",
@@ -217,7 +259,7 @@ const CommandSpec& Quit::spec() {
 }
 
 void add_file_commands(CommandTable& table) {
-    add_all<NewDocument, Open, AddFile, OpenExample, Save, SaveAs, AnswerUnsaved, Quit>(table);
+    add_all<NewDocument, Open, AddFile, OpenExample, Save, SaveAs, AnswerUnsaved, AnswerChanged, Quit>(table);
 }
 
 }  // namespace batten::editor

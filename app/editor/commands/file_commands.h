@@ -15,6 +15,9 @@ namespace batten::editor {
 /// What to do with unsaved changes.
 enum class UnsavedAnswer { save, discard, cancel };
 
+/// What to do where another program changed the file that is to be saved.
+enum class ChangedAnswer { overwrite, save_as, cancel };
+
 struct NewDocument {
     static const CommandSpec& spec();
 };
@@ -51,6 +54,11 @@ struct AnswerUnsaved {
     static const CommandSpec& spec();
 };
 
+struct AnswerChanged {
+    ChangedAnswer answer;
+    static const CommandSpec& spec();
+};
+
 struct Quit {
     static const CommandSpec& spec();
 };
@@ -63,6 +71,14 @@ template <>
 struct Names<editor::UnsavedAnswer> {
     using enum editor::UnsavedAnswer;
     static constexpr std::array table{Named{save, "save", "save"}, Named{discard, "discard", "discard"},
+                                      Named{cancel, "cancel", "cancel"}};
+};
+
+template <>
+struct Names<editor::ChangedAnswer> {
+    using enum editor::ChangedAnswer;
+    static constexpr std::array table{Named{overwrite, "overwrite", "overwrite"},
+                                      Named{save_as, "save-as", "save as another file"},
                                       Named{cancel, "cancel", "cancel"}};
 };
 

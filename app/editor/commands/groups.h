@@ -65,6 +65,7 @@ void add_unit_commands(CommandTable& table);
 void add_view_commands(CommandTable& table);
 void add_shape_view_commands(CommandTable& table);
 void add_overlay_commands(CommandTable& table);
+void add_recovery_commands(CommandTable& table);
 void add_lesson_commands(CommandTable& table);
 void add_table_commands(CommandTable& table);
 void add_picture_commands(CommandTable& table);

@@ -15,6 +15,7 @@ const std::string no_label;
 History::History(core::Document start, std::size_t most_bytes) : saved_(start), most_bytes_(most_bytes) {
     steps_.push_back({{}, std::move(start)});
     count_bytes(0);
+    go_to(0);
 }
 
 const std::string& History::undo_label() const {
@@ -58,6 +59,11 @@ void History::mark_saved() {
     go_to(position_);
 }
 
+void History::mark_unsaved() {
+    saved_.reset();
+    go_to(position_);
+}
+
 const core::Document* History::document_before(std::size_t step) const {
     return step == 0 ? nullptr : &steps_[step - 1].document;
 }
@@ -79,7 +85,8 @@ void History::forget_oldest() {
 // Comparing documents once for a change, and not whenever it is asked for.
 void History::go_to(std::size_t position) {
     position_ = position;
-    is_saved_ = has_same_content(saved_, present());
+    is_saved_ = saved_ && has_same_content(*saved_, present());
+    version_ = std::make_shared<const char>();
 }
 
 }  // namespace batten::editor

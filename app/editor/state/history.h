@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,9 +45,14 @@ class History {
     void amend(core::Document document);
 
     void mark_saved();
+    /// What the history begins with is in no file.
+    void mark_unsaved();
 
     /// Whether the present document is the one that was saved last, or that the history began with, or is like it.
     bool is_saved() const { return is_saved_; }
+
+    /// The same as long as the present document is; keep it to see whether it still is.
+    std::shared_ptr<const void> version() const { return version_; }
 
     std::size_t undo_count() const { return position_; }
     std::size_t redo_count() const { return steps_.size() - 1 - position_; }
@@ -68,8 +75,9 @@ class History {
 
     std::vector<Step> steps_;
     std::size_t position_ = 0;
-    core::Document saved_;
+    std::optional<core::Document> saved_;
     bool is_saved_ = true;
+    std::shared_ptr<const void> version_;
     std::size_t byte_count_ = 0;
     std::size_t most_bytes_;
 };

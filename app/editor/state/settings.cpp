@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "app/editor/state/user_folder.h"
 #include "app/editor/state/user_scale.h"
 #include "core/document/file_text.h"
 
@@ -126,13 +126,6 @@ Json json_of(const std::vector<fs::path>& paths) {
     return list;
 }
 
-// An absolute path from the environment, or an empty one: relative ones are to be ignored.
-fs::path folder_from(const char* variable) {
-    const char* value = std::getenv(variable);
-    const fs::path path = value == nullptr ? fs::path() : fs::path(value);
-    return path.is_absolute() ? path : fs::path();
-}
-
 }  // namespace
 
 Settings parse_settings(const std::string& text) {
@@ -210,12 +203,8 @@ void apply_settings(EditorState& state, const Settings& settings) {
 }
 
 fs::path settings_path() {
-    fs::path folder = folder_from("XDG_CONFIG_HOME");
-    if (folder.empty()) {
-        const fs::path home = folder_from("HOME");
-        if (home.empty()) return {};
-        folder = home / ".config";
-    }
+    const fs::path folder = user_folder("XDG_CONFIG_HOME", ".config");
+    if (folder.empty()) return {};
     return folder / "batten" / "settings.json";
 }
 

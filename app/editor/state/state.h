@@ -11,11 +11,13 @@
 
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/lesson_commands.h"
+#include "app/editor/commands/recovery_commands.h"
 #include "app/editor/derived/derived.h"
 #include "app/editor/derived/knot_quiz.h"
 #include "app/editor/derived/loaded_pictures.h"
 #include "app/editor/derived/measured.h"
 #include "app/editor/lesson/lesson.h"
+#include "app/editor/recovery/recoverable.h"
 #include "app/editor/sketch.h"
 #include "app/editor/state/axis_pick.h"
 #include "app/editor/state/drawn_stroke.h"
@@ -30,6 +32,7 @@
 #include "app/editor/state/view.h"
 #include "core/base/names.h"
 #include "core/base/progress.h"
+#include "core/document/file_stamp.h"
 #include "core/document/native_file.h"
 
 namespace batten::editor {
@@ -43,6 +46,8 @@ enum class Dialog {
     open_table,
     open_picture,
     unsaved_changes,
+    changed_file,  ///< another program changed the file that is to be saved
+    recovery,      ///< documents that a session left unsaved
     command_palette,
     command_form,
     key_sheet,
@@ -96,7 +101,7 @@ struct Desktop {
 };
 
 /// What begins another document or none, and so asks about unsaved changes first.
-using Pending = std::variant<NewDocument, Open, OpenExample, OpenLesson, Quit>;
+using Pending = std::variant<NewDocument, Open, OpenExample, OpenLesson, Recover, Quit>;
 
 struct EditorState {
     History history;                        ///< its present is the committed document
@@ -131,8 +136,11 @@ struct EditorState {
     core::Progress progress;            ///< is told how far a long command is; may stop it
     core::PointsRead points_read;       ///< is told what is read of the file that is being opened
     Message message;
-    std::filesystem::path path;    ///< empty for a document without a file
-    std::filesystem::path source;  ///< the file of another program that it was read from; empty for most
+    std::filesystem::path path;            ///< empty for a document without a file
+    std::filesystem::path source;          ///< the file of another program that it was read from; empty for most
+    std::optional<core::FileStamp> stamp;  ///< of that file when it was read or written; none where that is not known
+    std::vector<Recoverable> recoverable;  ///< what sessions that did not end well left unsaved
+    std::optional<Recoverable> recovered;  ///< of which the document came; its journal goes on with it
     std::vector<std::filesystem::path> recent_files;
     bool wants_quit = false;
     Desktop desktop;
@@ -179,6 +187,8 @@ struct Names<editor::Dialog> {
                                       Named{open_table, "open-table", "Open table"},
                                       Named{open_picture, "open-picture", "Add picture"},
                                       Named{unsaved_changes, "unsaved-changes", "Unsaved changes"},
+                                      Named{changed_file, "changed-file", "The file has changed"},
+                                      Named{recovery, "recovery", "Recover"},
                                       Named{command_palette, "command-palette", "Commands"},
                                       Named{command_form, "command-form", "Command"},
                                       Named{key_sheet, "key-sheet", "Keys and gestures"},

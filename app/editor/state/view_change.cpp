@@ -136,6 +136,7 @@ struct Apply {
         show_dialog(state, Dialog::command_form);
         state.form = change.spec;
     }
+    void operator()(const OfferRecovery& change) const { state.recoverable = change.recoverable; }
 };
 
 }  // namespace

@@ -5,7 +5,9 @@
 #include <glm/vec2.hpp>
 #include <string>
 #include <variant>
+#include <vector>
 
+#include "app/editor/recovery/recoverable.h"
 #include "app/editor/state/placing.h"
 #include "app/editor/state/selection.h"
 #include "app/editor/state/view.h"
@@ -133,10 +135,15 @@ struct SetAxisPoint {
 /// The axis, or the center, is chosen.
 struct EndAxisPick {};
 
+/// These documents were found that sessions left unsaved.
+struct OfferRecovery {
+    std::vector<Recoverable> recoverable;
+};
+
 using ViewChange = std::variant<SetHover, ShowPlace, TypePlace, PanCamera, ZoomCamera, ResizeCanvas, PlaceLegend,
                                 SetInterfaceScale, SetInspectorWidth, SetCardsWidth, SetDockHeight, SetPlotRange,
                                 SetCombFactor, SetProbeLine, TurnOrbit, AddGaugePoint, SetBrushRadius, SetPivot,
-                                SetAxisPoint, EndAxisPick, Advance, TellTime, ShowRefusal, ShowForm>;
+                                SetAxisPoint, EndAxisPick, Advance, TellTime, ShowRefusal, ShowForm, OfferRecovery>;
 
 /// Makes the change; sizes are brought into their ranges.
 void apply(EditorState& state, const ViewChange& change);

@@ -1,0 +1,98 @@
+#include "app/editor/recovery/journal_format.h"
+
+#include <array>
+#include <cstring>
+
+#include "app/editor/recovery/byte_code.h"
+
+namespace batten::editor {
+
+template <class Code, class Facts>
+requires std::is_same_v<std::remove_const_t<Facts>, JournalFacts>
+void members(Code& code, Facts& facts) {
+    auto& [file, stamp, seconds, edit_count] = facts;
+    code(file, stamp, seconds, edit_count);
+}
+
+template <class Code, class Stamp>
+requires std::is_same_v<std::remove_const_t<Stamp>, core::FileStamp>
+void members(Code& code, Stamp& stamp) {
+    auto& [device, file, size, seconds, nanoseconds] = stamp;
+    code(device, file, size, seconds, nanoseconds);
+}
+
+namespace {
+
+struct Head {
+    std::array<char, 8> name{'b', 'a', 't', 't', 'e', 'n', ' ', 'j'};
+    std::uint32_t version = 1;
+    std::uint32_t byte_order = 0x01020304;
+};
+constexpr Head head;
+
+// What stands before each record.
+struct RecordHead {
+    std::uint64_t size = 0;
+    std::uint64_t checksum = 0;
+};
+
+// FNV-1a with 64 bits (Fowler, Noll and Vo), begun from the checksum of what is before.
+std::uint64_t checksum_of(std::string_view bytes, std::uint64_t before) {
+    constexpr std::uint64_t offset_basis = 0xcbf29ce484222325;
+    constexpr std::uint64_t prime = 0x100000001b3;
+    std::uint64_t sum = offset_basis ^ before;
+    for (const char byte : bytes) sum = (sum ^ static_cast<unsigned char>(byte)) * prime;
+    return sum;
+}
+
+template <class T>
+std::string_view bytes_of(const T& value) {
+    return {reinterpret_cast<const char*>(&value), sizeof(T)};
+}
+
+}  // namespace
+
+std::string_view journal_head() {
+    return bytes_of(head);
+}
+
+std::string RecordWriter::written(const JournalFacts& facts, std::string_view delta) {
+    ByteWriter writer;
+    writer.put_bytes(bytes_of(RecordHead{}));
+    writer(facts);
+    writer.put_bytes(delta);
+    std::string record = writer.take();
+    const std::string_view body = std::string_view(record).substr(sizeof(RecordHead));
+    checksum_before_ = checksum_;
+    checksum_ = checksum_of(body, checksum_);
+    const RecordHead record_head{body.size(), checksum_};
+    std::memcpy(record.data(), &record_head, sizeof(RecordHead));
+    return record;
+}
+
+RecordReader::RecordReader(std::string_view journal)
+    : left_(journal), is_known_(journal.substr(0, sizeof(Head)) == journal_head()) {
+    left_.remove_prefix(is_known_ ? sizeof(Head) : left_.size());
+}
+
+std::optional<JournalRecord> RecordReader::next() {
+    RecordHead record_head;
+    if (left_.size() < sizeof(RecordHead)) return std::nullopt;
+    std::memcpy(&record_head, left_.data(), sizeof(RecordHead));
+    left_.remove_prefix(sizeof(RecordHead));
+    const std::string_view body = left_.substr(0, record_head.size);
+    left_.remove_prefix(body.size());
+    const std::uint64_t sum = checksum_of(body, checksum_);
+    JournalRecord record;
+    ByteReader reader(body);
+    reader(record.facts);
+    if (body.size() != record_head.size || sum != record_head.checksum || !reader.is_good()) {
+        left_ = {};
+        return std::nullopt;
+    }
+    checksum_ = sum;
+    record.delta = reader.rest();
+    return record;
+}
+
+}  // namespace batten::editor
