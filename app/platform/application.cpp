@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 #include <fmt/core.h>
 
+#include <ctime>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -11,7 +12,10 @@
 #include "app/editor/commands/dropped_file.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
+#include "app/editor/commands/recovery_commands.h"
 #include "app/editor/editor.h"
+#include "app/editor/recovery/journal_keeper.h"
+#include "app/editor/recovery/journal_reader.h"
 #include "app/editor/scene/canvas_scene.h"
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/plot_scene.h"
@@ -54,11 +58,14 @@ editor::Desktop desktop_of(Window& window, const Options& options) {
 /// Everything that lives as long as the window.
 class Application {
   public:
-    Application(Window& window, render::GlPainter painter, const editor::Settings& settings, const Options& options)
+    Application(Window& window, render::GlPainter painter, const editor::Settings& settings, const Options& options,
+                std::filesystem::path journals)
         : window_(window),
           imgui_(window),
           painter_(std::move(painter)),
           editor_(desktop_of(window, options)),
+          journals_(std::move(journals)),
+          journal_(journals_, &Window::wake),
           clock_(window.frame_seconds()),
           options_(options) {
         editor_.apply(settings);
@@ -74,6 +81,8 @@ class Application {
 
   private:
     void open_start_document();
+    void offer_recovery();
+    void follow_journal();
     void open_files(const std::vector<std::filesystem::path>& files);
     editor::Outcome<void> run_whole(const editor::Command& command);
     editor::Outcome<void> prepare(const ProfileOptions& options);
@@ -94,6 +103,8 @@ class Application {
     ImguiLayer imgui_;
     render::GlPainter painter_;
     editor::Editor editor_;
+    std::filesystem::path journals_;  ///< the folder of recovery journals; empty: none are kept
+    editor::JournalKeeper journal_;
     ui::Interface interface_;
     editor::SceneCache scene_cache_;
     ui::Fonts fonts_;
@@ -117,6 +128,23 @@ void Application::open_start_document() {
         editor_.run(editor::OpenExample{.name = *options_.example});
     } else {
         editor_.run(editor::ToggleWelcome{});
+    }
+}
+
+// What sessions before left unsaved; over the document that was opened, once it is.
+void Application::offer_recovery() {
+    if (journals_.empty()) return;
+    std::vector<editor::Recoverable> found = editor::find_recoverable(journals_);
+    if (found.empty()) return;
+    editor_.change(editor::OfferRecovery{std::move(found)});
+    editor_.run(editor::ShowRecovery{});
+}
+
+void Application::follow_journal() {
+    journal_.follow(editor_.state(), std::time(nullptr));
+    if (const auto trouble = journal_.take_trouble()) {
+        editor_.change(editor::ShowRefusal{*trouble, false});
+        clock_.note_activity();
     }
 }
 
@@ -235,18 +263,22 @@ void Application::write_log() {
 
 int Application::run() {
     open_start_document();
+    offer_recovery();
     while (!editor_.state().wants_quit) {
         if (!window_.input().is_pending()) Window::wait(clock_.seconds_to_wait(glfwGetTime()));
         if (editor_.follow_work()) clock_.note_activity();
+        follow_journal();
         if (window_.input().take_activity() || window_.input().is_pending()) clock_.note_activity();
         if (clock_.seconds_to_wait(glfwGetTime()).value_or(1.0) > 0.0) continue;
         deliver_keys();
         draw_frame(window_.input().take(), glfwGetTime());
         meter_.take();
+        follow_journal();
         write_log();
         const std::string error = render::pending_gl_error();
         if (!error.empty()) return say_failure(core::sentence("OpenGL reports {error}", {{"error", error}}));
     }
+    journal_.end();
     return 0;
 }
 
@@ -334,7 +366,7 @@ int run(const Options& options) {
     const std::filesystem::path settings_path = editor::settings_path();
     const editor::Settings settings = editor::load_settings(settings_path);
     return with_window(settings.window, [&](Window& window, render::GlPainter painter) {
-        Application application(window, std::move(painter), settings, options);
+        Application application(window, std::move(painter), settings, options, editor::recovery_folder());
         const int status = application.run();
         editor::save_settings(application.settings(), settings_path);
         return status;
@@ -344,7 +376,7 @@ int run(const Options& options) {
 int profile(const ProfileOptions& options, bool as_json, std::ostream& results) {
     return with_window(std::nullopt, [&](Window& window, render::GlPainter painter) {
         const Options no_options;
-        Application application(window, std::move(painter), {}, no_options);
+        Application application(window, std::move(painter), {}, no_options, {});
         const auto found = application.profile(options);
         if (!found) return say_failure(found.error());
         if (as_json)

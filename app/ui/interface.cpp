@@ -108,11 +108,15 @@ void draw_frame_panels(const PanelContext& context, const FrameAreas& areas, con
 
 void draw_dialogs(const PanelContext& context, const FrameAreas& areas) {
     draw_presenting(context, areas.status_bar);
+    // What was chosen by keys belongs to one question.
+    if (context.state.dialog != context.panels.answer.dialog) context.panels.answer = {};
     // Dialogs show errors themselves.
     if (context.state.dialog == Dialog::none) draw_notice(context, areas.canvas);
     draw_welcome_screen(context, areas.window);
     draw_file_dialog(context, areas.window);
     draw_unsaved_dialog(context, areas.window);
+    draw_changed_file_dialog(context, areas.window);
+    draw_recovery_dialog(context, areas.window);
     draw_command_form(context, areas.window, areas.canvas);
     draw_command_palette(context, areas.window);
     draw_key_sheet(context, areas.window);

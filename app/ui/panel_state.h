@@ -173,9 +173,17 @@ struct ContextMenuState {
     bool opens = false;  ///< in this frame
 };
 
+/// Which answer to a dialog's question the keys have chosen.
+struct AnswerState {
+    editor::Dialog dialog = editor::Dialog::none;  ///< that asks
+    std::size_t chosen = 0;
+};
+
 struct PanelState {
     FileDialogState file_dialog;
     PaletteState palette;
+    AnswerState answer;
+    std::size_t recovery_row = 0;  ///< the document that is chosen of those that can be recovered
     FormState form;
     FieldState field;
     PanelHover hover;

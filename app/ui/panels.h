@@ -80,6 +80,8 @@ void draw_notice(const PanelContext& context, const Rectangle& canvas);
 void draw_welcome_screen(const PanelContext& context, const Rectangle& window);
 void draw_file_dialog(const PanelContext& context, const Rectangle& window);
 void draw_unsaved_dialog(const PanelContext& context, const Rectangle& window);
+void draw_changed_file_dialog(const PanelContext& context, const Rectangle& window);
+void draw_recovery_dialog(const PanelContext& context, const Rectangle& window);
 void draw_command_form(const PanelContext& context, const Rectangle& window, const Rectangle& canvas);
 void draw_command_palette(const PanelContext& context, const Rectangle& window);
 void draw_key_sheet(const PanelContext& context, const Rectangle& window);

@@ -1,9 +1,11 @@
 #include <imgui.h>
 
+#include <array>
+
 #include "app/editor/commands/file_commands.h"
+#include "app/ui/answer_buttons.h"
 #include "app/ui/dialog_frame.h"
 #include "app/ui/panels.h"
-#include "app/ui/shell_widgets.h"
 #include "core/base/sentence.h"
 
 namespace batten::ui {
@@ -28,19 +30,15 @@ void draw_unsaved_dialog(const PanelContext& context, const Rectangle& window) {
         "%s", core::sentence("{file} has changes that are not saved.", {{"file", context.state.file_name()}}).c_str());
     ImGui::TextDisabled("%s", consequence_of(context.state.pending));
 
-    const float buttons = label_button_width(context, "Don't save") + label_button_width(context, "Cancel") +
-                          label_button_width(context, "Save") + 2.0F * ImGui::GetStyle().ItemSpacing.x;
-    ImGui::SetCursorPos(
-        {ImGui::GetWindowWidth() - buttons - context.px(18), ImGui::GetWindowHeight() - context.px(46)});
-    if (draw_label_button(context, "dialog discard", "Don't save"))
-        context.queue.run(editor::AnswerUnsaved{.answer = editor::UnsavedAnswer::discard});
-    ImGui::SameLine();
-    if (draw_label_button(context, "dialog cancel", "Cancel") || is_left)
+    constexpr std::array answers{Answer{"dialog discard", "Don't save"}, Answer{"dialog cancel", "Cancel"},
+                                 Answer{"dialog save", "Save"}};
+    const std::array meanings{editor::UnsavedAnswer::discard, editor::UnsavedAnswer::cancel,
+                              editor::UnsavedAnswer::save};
+    const auto given = draw_answers(context, answers, 2);
+    if (is_left)
         context.queue.run(editor::AnswerUnsaved{.answer = editor::UnsavedAnswer::cancel});
-    ImGui::SameLine();
-    const bool is_saved = draw_label_button(context, "dialog save", "Save", ButtonLook::primary);
-    if (is_saved || was_pressed(context, editor::Key::enter))
-        context.queue.run(editor::AnswerUnsaved{.answer = editor::UnsavedAnswer::save});
+    else if (given)
+        context.queue.run(editor::AnswerUnsaved{.answer = meanings[*given]});
     end_dialog();
 }
 

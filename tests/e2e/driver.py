@@ -41,22 +41,26 @@ class Display:
 
 
 class Editor:
-    """The editor on a display, started in the with block and closed at its end."""
+    """The editor on a display, started in the with block and closed at its end: by the command `before` where there is one, with the variables
+    of `environment` beside its own."""
 
-    def __init__(self, binary, display, artifacts, arguments=(), settings=None, config=None):
+    def __init__(self, binary, display, artifacts, arguments=(), settings=None, config=None, before=(), environment=()):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="batten-"))
         self.report = self.folder / "state.json"
         self.artifacts = pathlib.Path(artifacts)
         self.artifacts.mkdir(parents=True, exist_ok=True)
         config = pathlib.Path(config or self.folder / "config")
-        self.environment = dict(os.environ, DISPLAY=display.name, XDG_CONFIG_HOME=str(config), LIBGL_ALWAYS_SOFTWARE="1")
+        self.environment = dict(os.environ, DISPLAY=display.name, XDG_CONFIG_HOME=str(config),
+                                XDG_STATE_HOME=str(config / "state"), LIBGL_ALWAYS_SOFTWARE="1")
         self.environment.pop("WAYLAND_DISPLAY", None)
+        self.environment.update(environment)
         if settings is not None:
             path = config / "batten" / "settings.json"
             path.parent.mkdir(parents=True)
             path.write_text(json.dumps(settings))
         self.quit_key = "ctrl+q"
-        self.command = [str(binary), "--state-report", str(self.report), *map(str, arguments)]
+        self.is_killed = False
+        self.command = [*before, str(binary), "--state-report", str(self.report), *map(str, arguments)]
 
     def __enter__(self):
         self.errors = open(self.folder / "stderr.txt", "w+")
@@ -77,6 +81,8 @@ class Editor:
 
     def close(self):
         """Quits without saving and asserts that the editor ended well."""
+        if self.is_killed:
+            return
         if self.process.poll() is None:
             if self.state()["dialog"] not in ("none", "welcome"):
                 self.key("Escape")
@@ -87,6 +93,12 @@ class Editor:
                 self.xdotool("click", 1)
         self.process.wait(PATIENCE_SECONDS)
         assert self.process.returncode == 0, f"the editor ended with {self.process.returncode}:\n{self.error_text()}"
+
+    def kill(self):
+        """Ends the editor as a crash does."""
+        self.process.kill()
+        self.process.wait()
+        self.is_killed = True
 
     def error_text(self):
         self.errors.seek(0)
