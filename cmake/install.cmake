@@ -22,6 +22,7 @@ install(FILES cmake/battenConfig.cmake cmake/glm_target.cmake ${PROJECT_BINARY_D
 if(BATTEN_PROGRAM)
   install(TARGETS batten DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(DIRECTORY assets/examples assets/lessons DESTINATION ${CMAKE_INSTALL_DATADIR}/batten)
+  install(FILES assets/batten.schema.json assets/lesson.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/batten)
   if(TARGET man_page)
     install(FILES ${PROJECT_BINARY_DIR}/batten.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
   endif()

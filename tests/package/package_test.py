@@ -32,7 +32,7 @@ def run(*command):
 
 def expected_files():
     core = ["share/doc/batten/LICENSE", "include/batten/core/base/version.h", "include/batten/core/curve/curve.h"]
-    program = ["bin/batten", *(f"share/batten/examples/{file.name}" for file in (HERE / "../../assets/examples").glob("*.*"))]
+    program = ["bin/batten", *(f"share/batten/examples/{file.name}" for file in (HERE / "../../assets/examples").glob("*.*")), "share/batten/batten.schema.json"]
     manual = ["share/man/man1/batten.1"]
     window = ["share/applications/batten.desktop", "share/icons/hicolor/scalable/apps/batten.svg"]
     has_program = IS_ON["BATTEN_PROGRAM"]
