@@ -186,10 +186,10 @@ class TexWriter {
         const std::string_view sign = first_sign(rest);
         const std::string_view word = first_of(rest, is_latin);
         if (word.size() > sign.size() || (!word.empty() && sign.size() > 1)) return write_words(word);
-        if (is_plain(sign)) return write_plain(sign);
+        if (is_plain(sign)) return write_plain(sign, follows_number && is_digit(first_sign(rest.substr(1))));
         if (!word.empty()) return write_formula(sign, sign);
         if (const auto name = name_in(math_signs, sign)) return write_formula(sign, *name);
-        if (sign == " " && is_script_) return sign;
+        if (sign == " " && is_inside_formula()) return sign;
         if (const auto name = name_in(text_signs, sign)) {
             write_words(*name);
             return sign;
@@ -208,14 +208,18 @@ class TexWriter {
     std::string_view write_formula(std::string_view sign, std::string_view name) {
         enter_formula();
         text_ += name;
+        open_ += sign == "(" ? 1 : sign == ")" ? -1 : 0;
         return sign;
     }
 
-    /// In the formula where one is open, in which a comma has no room behind it.
-    std::string_view write_plain(std::string_view sign) {
-        text_ += is_in_formula_ && !is_script_ && sign == "," ? "{,}" : sign;
+    /// In the formula where one is open, in which a comma has room behind it unless it is a decimal one.
+    std::string_view write_plain(std::string_view sign, bool is_in_number) {
+        text_ += is_inside_formula() && is_in_number && sign == "," ? "{,}" : sign;
         return sign;
     }
+
+    /// Where blanks are TeX's own.
+    bool is_inside_formula() const { return is_script_ || (is_in_formula_ && open_ > 0); }
 
     std::string_view write_words(std::string_view words) {
         if (!is_script_) leave_formula();
@@ -250,6 +254,7 @@ class TexWriter {
     std::string text_;
     bool is_in_formula_ = false;
     bool is_script_ = false;
+    int open_ = 0;  // parentheses
 };
 
 }  // namespace

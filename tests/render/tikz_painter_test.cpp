@@ -24,6 +24,8 @@ TEST(TexText, sets_letters_and_numbers_as_formulas) {
     EXPECT_EQ(tex_text("P_{3}^{1}"), "$P_{3}^{1}$");
     EXPECT_EQ(tex_text("N_{i,3}(u)"), "$N_{i,3}(u)$");
     EXPECT_EQ(tex_text("C(0.4)"), "$C(0.4)$");
+    EXPECT_EQ(tex_text("f(u_{3}, u, u)"), "$f(u_{3},u,u)$");
+    EXPECT_EQ(tex_text("f(0,5)"), "$f(0{,}5)$");
     EXPECT_EQ(tex_text("ξ−1"), "$\\xi -1$");
     EXPECT_EQ(tex_text("×2 C^{1}"), "$\\times 2$ $C^{1}$");
 }
