@@ -159,6 +159,7 @@ render::Figure window_figure(const EditorState& state, const FigureForm& form) {
     EditorState still = state;
     bring_to_rest(still);
     View& view = still.view;
+    view.parts.points = view.overlays.is_shown(Overlay::polygon);
     const double factor = form.scale / view.interface_scale;
     view.interface_scale = form.scale;
     view.camera.scale *= factor;

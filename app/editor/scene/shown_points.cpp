@@ -17,6 +17,12 @@ constexpr double point_gap = 6.0;
 constexpr double merged_points = 4.0;       // sixteen points that are closer together are seen as one
 constexpr double most_points_per_px = 1.5;  // points for each pixel of the picture's width
 
+/// In a window the points come with their polygon, in a figure by themselves, and for their names.
+bool has_points(const CanvasFrame& frame) {
+    const PictureParts& parts = frame.state.view.parts;
+    return parts.window ? frame.shows(Overlay::polygon) : parts.points || frame.shows(Overlay::labels);
+}
+
 /// What the user points at, as far as it is in the picture.
 std::vector<MarkPlace> pointed_at(const CanvasFrame& frame) {
     const auto points = frame.curve->control_points();
@@ -60,7 +66,7 @@ std::vector<MarkPlace> for_drawing(const CanvasFrame& frame, std::vector<MarkPla
 
 ShownPoints shown_points(const CanvasFrame& frame) {
     ShownPoints shown;
-    if (!frame.shows(Overlay::polygon) || shown_fit(frame) != nullptr) return shown;
+    if (!has_points(frame) || shown_fit(frame) != nullptr) return shown;
     std::vector<MarkPlace> places;
     const bool is_drawing = frame.state.view.overlays.is_drawing();
     const auto points = frame.curve->control_points();
@@ -84,7 +90,7 @@ ShownPoints shown_points(const CanvasFrame& frame) {
 }
 
 bool has_point_near(const CanvasFrame& frame, const ShownPoints& points, glm::dvec2 place, double distance_px) {
-    if (is_dense(points) || !frame.shows(Overlay::polygon)) return false;
+    if (is_dense(points) || !has_points(frame)) return false;
     core::Box box;
     for (const double side : {-distance_px, distance_px})
         box.include(core::Point(render::world_from_screen(frame.state.view.camera, place + glm::dvec2(side))));

@@ -12,7 +12,8 @@ struct ShownPoints {
     std::size_t seen = 0;          ///< how many there are in the picture
 };
 
-/// None without the polygon's overlay, or of a curve that is made of points to pass. The frame must have a curve.
+/// None without the polygon's overlay (in a figure, where neither they nor their names are asked for), or of a curve
+/// that is made of points to pass. The frame must have a curve.
 ShownPoints shown_points(const CanvasFrame& frame);
 
 /// Whether the points are too dense to be drawn in full size.
