@@ -1,0 +1,373 @@
+"""Figures: what is on them and where, in every format; animations; what is refused; and every command of docs/figures.md."""
+
+import json
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import struct
+import subprocess
+import tempfile
+import unittest
+import xml.etree.ElementTree
+import zlib
+
+from program import BINARY, run
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "assets" / "examples"
+WAVE = EXAMPLES / "wave.json"
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def pixels(png):
+    """Width, height and rows of (r, g, b, a) of a PNG of 8 bits."""
+    assert png.startswith(b"\x89PNG\r\n\x1a\n")
+    data, at = b"", 8
+    while at < len(png):
+        length, kind = struct.unpack(">I4s", png[at : at + 8])
+        body = png[at + 8 : at + 8 + length]
+        at += 12 + length
+        if kind == b"IHDR":
+            width, height, depth, color = struct.unpack(">IIBB", body[:10])
+        elif kind == b"IDAT":
+            data += body
+    step = {2: 3, 6: 4}[color]
+    assert depth == 8
+    raw, rows, above = zlib.decompress(data), [], bytes(width * step)
+    for y in range(height):
+        kind, line = raw[y * (width * step + 1)], bytearray(raw[y * (width * step + 1) + 1 : (y + 1) * (width * step + 1)])
+        for i in range(len(line)):
+            left, upper, corner = line[i - step] if i >= step else 0, above[i], above[i - step] if i >= step else 0
+            paeth = min((abs(upper - corner), 0, left), (abs(left - corner), 1, upper), (abs(left + upper - 2 * corner), 2, corner))[2]
+            line[i] = (line[i] + (0, left, upper, (left + upper) // 2, paeth)[kind]) % 256
+        above = bytes(line)
+        rows.append([tuple(line[i : i + step]) + (255,) * (4 - step) for i in range(0, len(line), step)])
+    return width, height, rows
+
+
+def places_in(path):
+    numbers = [float(n) for n in re.findall(r"-?[0-9.]+", path.get("d"))]
+    return list(zip(numbers[::2], numbers[1::2]))
+
+
+class Picture:
+    """An SVG figure."""
+
+    def __init__(self, file):
+        self.root = xml.etree.ElementTree.parse(file).getroot()
+        self.texts = ["".join(text.itertext()) for text in self.root.iter(SVG + "text")]
+        self.lines = [path for path in self.root.iter(SVG + "path") if path.get("stroke-linejoin")]
+        self.circles = list(self.root.iter(SVG + "circle"))
+
+    def polygon(self):
+        """The dashed line, of 6 and 5 pixels."""
+        return places_in(next(line for line in self.lines if line.get("stroke-dasharray") == "6 5"))
+
+    def circles_of(self, radius):
+        return [(float(c.get("cx")), float(c.get("cy"))) for c in self.circles if float(c.get("r")) == radius]
+
+
+class FigureTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def figure(self, name, *options, file=WAVE):
+        output = self.folder / name
+        process = run("figure", file, "-o", output, *options)
+        self.assertEqual((process.returncode, process.stdout, process.stderr), (0, "", ""), options)
+        return output
+
+    def refused(self, status, sentence, *options, file=WAVE, output="x.svg"):
+        process = run("figure", file, "-o", output if output == "-" else self.folder / output, *options)
+        self.assertEqual((process.returncode, process.stdout), (status, ""), options)
+        self.assertIn(sentence, process.stderr)
+        self.assertEqual(process.stderr.count("\n"), 1)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def needs(self, *programs):
+        for program in programs:
+            if shutil.which(program) is None:
+                self.skipTest(f"{program} is not installed; scripts/setup figures installs it")
+
+
+class Svg(FigureTest):
+    def test_points_are_where_one_camera_shows_them(self):
+        picture = Picture(self.figure("a.svg", "--show", "polygon,points", "--at", "2/5", "--size", "640x400"))
+        self.assertEqual((picture.root.get("width"), picture.root.get("height")), ("640", "400"))
+        points = json.loads(WAVE.read_text())["curves"][0]["points"]
+        shown = picture.polygon()
+        self.assertEqual(len(shown), len(points))
+        # x' = s x + a, y' = -s y + b for all of them, with one s.
+        s = (shown[-1][0] - shown[0][0]) / (points[-1][0] - points[0][0])
+        a, b = shown[0][0] - s * points[0][0], shown[0][1] + s * points[0][1]
+        for (x, y), place in zip(points, shown):
+            self.assertAlmostEqual(place[0], s * x + a, delta=0.02)
+            self.assertAlmostEqual(place[1], b - s * y, delta=0.02)
+        # As large as it fits: the margin is the same left and right, or above and below, and nowhere less.
+        left, right = min(x for x, _ in shown), 640 - max(x for x, _ in shown)
+        above, below = min(y for _, y in shown), 400 - max(y for _, y in shown)
+        self.assertTrue(abs(left - right) < 0.1 and abs(above - below) < 0.1)
+        self.assertAlmostEqual(min(left, above), 56.0, delta=0.1)
+        # The discs of the control points, and that of C(0.4), which `eval` tells.
+        self.assertEqual([(round(x, 1), round(y, 1)) for x, y in sorted(picture.circles_of(6.5))], [(round(x, 1), round(y, 1)) for x, y in sorted(shown)])
+        x, y = (float(n) for n in run("eval", WAVE, "--at", "0.4").stdout.split()[1:3])
+        ((shown_x, shown_y),) = picture.circles_of(8.0)
+        self.assertAlmostEqual(shown_x, s * x + a, delta=0.02)
+        self.assertAlmostEqual(shown_y, b - s * y, delta=0.02)
+
+    def test_shows_what_was_asked_for_and_nothing_else(self):
+        bare = Picture(self.figure("a.svg", "--show", ""))
+        self.assertEqual((len(bare.lines), bare.circles, bare.texts), (1, [], []))
+        points = Picture(self.figure("a.svg", "--show", "points"))
+        self.assertEqual((len(points.lines), len(points.circles_of(6.5)), points.texts), (1, 7, []))
+        polygon = Picture(self.figure("a.svg", "--show", "polygon"))
+        self.assertEqual((len(polygon.lines), polygon.circles, polygon.texts), (2, [], []))
+        usual = Picture(self.figure("a.svg"))
+        self.assertEqual((len(usual.lines), len(usual.circles_of(6.5))), (2, 7))
+        self.assertEqual(sorted(usual.texts), ["P0", "P1", "P2", "P3", "P4", "P5", "P6", "· w 2"])
+        legend = Picture(self.figure("a.svg", "--show", "deboor,legend"))
+        self.assertIn("de Boor", legend.texts)
+        self.assertNotIn("de Boor", Picture(self.figure("a.svg", "--show", "deboor")).texts)
+        self.assertEqual(self.figure("a.svg", "--show", " points , deboor").read_bytes(), self.figure("b.svg", "--show", "points,construction").read_bytes())
+
+    def test_labels_are_text_with_indices(self):
+        root = Picture(self.figure("a.svg")).root
+        first = next(text for text in root.iter(SVG + "text") if "".join(text.itertext()) == "P0")
+        (index,) = first
+        self.assertEqual((first.text, index.tag, index.text), ("P", SVG + "tspan", "0"))
+        self.assertGreater(float(index.get("dy")), 0.0, "below the line")
+        self.assertLess(float(index.get("font-size")), float(first.get("font-size")))
+
+    def test_views(self):
+        both = Picture(self.figure("a.svg", "--view", "both"))
+        boxes = [[float(part.get(n)) for n in ("x", "y", "width", "height")] for part in both.root.findall(SVG + "svg")]
+        self.assertEqual(boxes, [[0, 0, 800, 270], [0, 270, 800, 180]])
+        self.assertIn("Basis functions Ni,3(u)", both.texts)
+        self.assertEqual(both.texts.count("P0"), 1)
+        basis = Picture(self.figure("a.svg", "--view", "basis"))
+        self.assertIn("×4 clamped", basis.texts)
+        self.assertNotIn("P0", basis.texts)
+        self.assertFalse([text for text in basis.texts if text.startswith("u =")], "no parameter was asked for")
+        self.assertIn("u = 0.400", Picture(self.figure("a.svg", "--view", "basis", "--at", "0.4")).texts)
+        self.assertEqual(self.figure("a.svg", "--show", "basis").read_bytes(), self.figure("b.svg", "--show", "", "--view", "both").read_bytes())
+        lifted = Picture(self.figure("a.svg", "--view", "homogeneous", file=EXAMPLES / "circle-nurbs.json"))
+        self.assertEqual(lifted.texts, ["w = 1", "O"])
+
+    def test_titles_are_text_whatever_they_say(self):
+        title = "a < b & \"c\" Кривая \\end{x} 50%"
+        picture = Picture(self.figure("a.svg", "--title", title))
+        self.assertEqual(picture.root.find(SVG + "title").text, title)
+        self.assertIn(title, picture.texts)
+
+    def test_themes(self):
+        grounds = {theme: Picture(self.figure("a.svg", "--theme", theme)).root.find(f".//{SVG}rect").get("fill") for theme in ("light", "dark", "high-contrast")}
+        self.assertEqual(len(set(grounds.values())), 3)
+        self.assertEqual(grounds["high-contrast"], "#ffffff")
+        self.assertIsNone(Picture(self.figure("a.svg", "--transparent")).root.find(f".//{SVG}rect"))
+
+    def test_every_overlay_of_every_example_is_a_picture(self):
+        help_of_show = run("figure", WAVE, "-o", "x.svg", "--show", "?").stderr
+        names = re.findall(r"[a-z-]+", help_of_show.split(" is points", 1)[1].removesuffix(".\n"))
+        self.assertGreater(len(names), 50)
+        for example in sorted(EXAMPLES.glob("*.json")):
+            file = self.figure("a.svg", "--show", ",".join(n for n in names if n != "or"), "--at", "0.5", "--view", "both", file=example)
+            text = file.read_text()
+            self.assertIsNone(re.search(r"nan|inf", re.sub(r"<text.*</text>", "", text)), example.name)
+            Picture(file)
+
+    def test_a_hundred_thousand_points_make_a_small_file(self):
+        x = 1
+        points = []
+        for _ in range(100_000):
+            x = x * 6364136223846793005 % 2**64
+            points.append(f"{x >> 40} {x >> 16 & 0xFFFFFF}")
+        table = self.folder / "points.txt"
+        table.write_text("\n".join(points))
+        document = self.folder / "dense.json"
+        process = run("new", "new-curve", f"@{table}", "3", "-o", document)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertLess(self.figure("a.svg", file=document).stat().st_size, 1_000_000)
+
+
+class Pixels(FigureTest):
+    def test_sizes_are_multiplied_by_the_scale(self):
+        width, height, rows = pixels(self.figure("a.png", "--size", "200x100", "--scale", "2.5").read_bytes())
+        self.assertEqual((width, height, len(rows)), (500, 250, 250))
+        self.assertEqual(rows[0][0], (251, 251, 253, 255), "the canvas of the light theme")
+
+    def test_grounds_can_be_left_out(self):
+        width, height, rows = pixels(self.figure("a.png", "--size", "200x100", "--transparent").read_bytes())
+        for x, y in ((0, 0), (width - 1, 0), (0, height - 1), (width - 1, height - 1)):
+            self.assertEqual(rows[y][x][3], 0)
+        self.assertTrue(any(pixel[3] == 255 for row in rows for pixel in row))
+
+    def test_tiny_sizes_are_no_trouble(self):
+        for view in ("curve", "basis", "both", "homogeneous"):
+            width, height, _ = pixels(self.figure("a.png", "--size", "1x1", "--view", view, "--title", "a").read_bytes())
+            self.assertEqual((width, height), (1, 1))
+
+
+class Papers(FigureTest):
+    def test_labels_of_a_pdf_can_be_found(self):
+        self.needs("pdftotext")
+        file = self.figure("a.pdf", "--title", "Ein Überblick")
+        words = subprocess.run(["pdftotext", file, "-"], capture_output=True, text=True, check=True).stdout
+        self.assertIn("Ein Überblick", words)
+        self.assertEqual(sorted(set(re.findall(r"P\d", words))), [f"P{i}" for i in range(7)])
+
+    def test_tikz_compiles(self):
+        self.needs("pdflatex", "pdftotext")
+        cases = [(example, "--show", "polygon,points,labels,knots,deboor,legend,comb,hull", "--at", "0.5", "--view", "both") for example in sorted(EXAMPLES.glob("*.json"))]
+        cases.append((WAVE, "--title", "50% & $1 {x} \\end #_~^ <a> \"b\" Кривая ≤ é 1/6"))
+        for number, (example, *options) in enumerate(cases):
+            self.figure(f"{number}.tex", *options, file=example)
+        pages = "\\newpage ".join(rf"\input{{{number}.tex}}" for number in range(len(cases)))
+        (self.folder / "paper.tex").write_text(rf"\documentclass{{article}}\usepackage{{tikz}}\begin{{document}}{pages}\end{{document}}")
+        process = subprocess.run(["pdflatex", "-interaction=batchmode", "-halt-on-error", "paper.tex"], cwd=self.folder, capture_output=True, text=True, check=False)
+        self.assertEqual(process.returncode, 0, (self.folder / "paper.log").read_text(errors="replace")[-2000:])
+        words = subprocess.run(["pdftotext", self.folder / "paper.pdf", "-"], capture_output=True, text=True, check=True).stdout
+        self.assertIn("50% & $1 {x}", words)
+
+    def test_indices_and_fractions_are_formulas(self):
+        text = self.figure("a.tex", "--show", "points,labels,corner-cutting", "--at", "1/2", file=EXAMPLES / "coons-open.json").read_text()
+        self.assertIn("$P_{0}$", text)
+        # Half way through a uniform cubic's span u is inserted at 1/6, 1/2 and 5/6 of the legs.
+        for fraction in ("\\frac{1}{6}", "\\frac{1}{2}", "\\frac{5}{6}"):
+            self.assertIn(fraction, text)
+
+
+class Animations(FigureTest):
+    def test_a_parameter_runs(self):
+        process = run("figure", WAVE, "--animate", "u=0..1", "--frames", "5", "-o", self.folder / "f-%03d.svg", "--show", "polygon")
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        names = sorted(file.name for file in self.folder.iterdir())
+        self.assertEqual(names, [f"f-{k:03}.svg" for k in range(5)])
+        frames = [Picture(self.folder / name) for name in names]
+        points = json.loads(WAVE.read_text())["curves"][0]["points"]
+        shown = frames[0].polygon()
+        s = (shown[-1][0] - shown[0][0]) / (points[-1][0] - points[0][0])
+        for k, frame in enumerate(frames):
+            self.assertEqual(frame.polygon(), shown, "the camera stands still")
+            x = float(run("eval", WAVE, "--at", str(k / 4)).stdout.split()[1])
+            ((place, _),) = frame.circles_of(8.0)
+            self.assertAlmostEqual(place, shown[0][0] + s * (x - points[0][0]), delta=0.02)
+
+    def test_a_knot_comes_in(self):
+        process = run("figure", WAVE, "--animate", "insert=0.6", "--frames", "3", "-o", self.folder / "%d.svg", "--show", "polygon,points")
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        before, halfway, after = (Picture(self.folder / f"{k}.svg").polygon() for k in range(3))
+        self.assertEqual((len(before), len(halfway), len(after)), (7, 9, 8))
+        # Of degree 3 two corners go: P3 and P4, each on its ways to the new points; those are after[3], [4] and [5].
+        middle = lambda a, b: ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
+        wanted = [middle(before[3], after[3]), middle(before[3], after[4]), middle(before[4], after[4]), middle(before[4], after[5])]
+        for place, expected in zip(halfway[3:7], wanted):
+            self.assertAlmostEqual(place[0], expected[0], delta=0.02)
+            self.assertAlmostEqual(place[1], expected[1], delta=0.02)
+        self.assertEqual(halfway[:3] + halfway[7:], before[:3] + before[5:])
+
+    def test_knots_merge(self):
+        process = run("figure", WAVE, "--animate", "merge=4", "--frames", "3", "-o", self.folder / "%d.svg", "--view", "basis")
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        before, halfway, after = (Picture(self.folder / f"{k}.svg").texts for k in range(3))
+        self.assertIn("0.25", before)
+        self.assertIn("0.375", halfway)
+        self.assertIn("×2 C1", after)
+
+    def test_movies(self):
+        self.needs("ffmpeg", "ffprobe")
+        temporary = self.folder / "temporary"
+        temporary.mkdir()
+        for name in ("a.gif", "a.mp4"):
+            environment = dict(os.environ, TMPDIR=str(temporary))
+            output = self.folder / name
+            process = subprocess.run([BINARY, "figure", WAVE, "--animate", "u=0..1", "--frames", "7", "-o", output, "--size", "301x201"], capture_output=True, text=True, check=False, env=environment)
+            self.assertEqual((process.returncode, process.stderr), (0, ""))
+            probe = subprocess.run(["ffprobe", "-v", "error", "-count_packets", "-show_entries", "stream=nb_read_packets,width,height", "-of", "csv=p=0", output], capture_output=True, text=True, check=True)
+            width, height, frames = (int(n) for n in probe.stdout.strip().split(","))
+            self.assertEqual((width, height, frames), (301, 201, 7) if name == "a.gif" else (302, 202, 7))
+            self.assertEqual(list(temporary.iterdir()), [], "frames are removed")
+
+    def test_movies_need_ffmpeg(self):
+        process = subprocess.run([BINARY, "figure", WAVE, "--animate", "u=0..1", "-o", self.folder / "a.gif"], capture_output=True, text=True, check=False, env=dict(os.environ, PATH="/nowhere"))
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("ffmpeg is not installed", process.stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+
+class Refusals(FigureTest):
+    def test_wrong_words(self):
+        for sentence, options in (
+            ("nothing called 'foo' to show; what can be shown is points, legend,", ("--show", "points,foo")),
+            ("--at: nan:", ("--at", "nan")),
+            ("--at: 1e999:", ("--at", "1e999")),
+            ("at most 10000 pixels", ("--size", "100000x100000")),
+            ("'0x5' is no size", ("--size", "0x5")),
+            ("'5' is no size", ("--size", "5")),
+            ("'-5x5' is no size", ("--size=-5x5",)),
+            ("--scale is for pixels", ("--scale", "2")),
+            ("'foo' is no view of a figure; curve, basis, both or homogeneous are", ("--view", "foo")),
+            ("'foo' is no theme", ("--theme", "foo")),
+            ("'foo' is no motion", ("--animate", "foo")),
+            ("'merge=1.5' is no motion", ("--animate", "merge=1.5")),
+            ("has no place for the number of a frame", ("--animate", "u=0..1")),
+            ("0 frames cannot be made", ("--animate", "u=0..1", "--frames", "0")),
+            ("'doc' is no format", ("--format", "doc")),
+        ):
+            with self.subTest(options=options):
+                self.refused(2, sentence, *options)
+        self.refused(2, "'x.doc' has the ending of no figure".replace("x.doc", str(self.folder / "x.doc")), output="x.doc")
+        self.refused(2, "a GIF or MP4 needs --animate", output="x.gif")
+        self.refused(2, "--format is needed for standard output", output="-")
+        self.refused(2, "at most 10000 pixels", "--scale", "nan", output="x.png")
+
+    def test_wrong_input(self):
+        self.refused(1, "the parameter 1.5 is outside the domain; it must be from 0 to 1", "--at", "1.5")
+        self.refused(1, "the parameter 2 is outside", "--animate", "u=0..2", output="%d.svg")
+        self.refused(1, "there is no knot 99; they have the indices 0 to 10", "--animate", "merge=99", output="%d.svg")
+        self.refused(1, "no knot is larger than knot 10", "--animate", "merge=10", output="%d.svg")
+        self.refused(1, "at most 3 equal knots", "--animate", "insert=0", output="%d.svg")
+        self.refused(1, "there is no curve 'nix'", "--curve", "nix")
+        self.refused(1, "no file can be made in this folder", output="nowhere/x.svg")
+        with tempfile.NamedTemporaryFile("w", suffix=".json") as empty:
+            empty.write('{"format": "batten", "version": 1, "curves": []}')
+            empty.flush()
+            self.refused(1, "there is none; at least one is needed", file=empty.name)
+
+    def test_standard_output(self):
+        process = run("figure", WAVE, "-o", "-", "--format", "svg")
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        self.assertTrue(process.stdout.startswith("<svg "))
+
+
+class Guide(FigureTest):
+    """docs/figures.md, as someone reads it who has the examples beside."""
+
+    def test_every_command_does_what_it_says(self):
+        page = (ROOT / "docs" / "figures.md").read_text()
+        (self.folder / "assets").symlink_to(ROOT / "assets")
+        (self.folder / "bin").mkdir()
+        (self.folder / "bin" / "batten").symlink_to(BINARY)
+        (paper,) = re.findall(r"```latex\n(.*?)```", page, re.S)
+        (self.folder / "paper.tex").write_text(paper)
+        environment = dict(os.environ, PATH=f"{self.folder / 'bin'}:{os.environ['PATH']}")
+        commands = [line for block in re.findall(r"```sh\n(.*?)```", page, re.S) for line in block.splitlines()]
+        self.assertGreaterEqual(len(commands), 10)
+        for command in commands:
+            with self.subTest(command=command):
+                words = shlex.split(command)
+                output = words[words.index("-o", len(words) - words[::-1].index("figure")) + 1] if "figure" in words else "paper.pdf"
+                needed = "ffmpeg" if output.endswith((".gif", ".mp4")) else words[0]
+                if shutil.which(needed, path=environment["PATH"]) is None:
+                    self.skipTest(f"{needed} is not installed; scripts/setup figures installs it")
+                process = subprocess.run(["sh", "-c", command], cwd=self.folder, env=environment, capture_output=True, text=True, check=False)
+                self.assertEqual((process.returncode, re.sub("circle 0 0 1: .*\n", "", process.stderr)), (0, ""))
+                made = output % 0 if "%" in output else output
+                self.assertGreater((self.folder / made).stat().st_size, 100)
+
+
+if __name__ == "__main__":
+    unittest.main()
