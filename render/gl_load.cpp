@@ -14,6 +14,7 @@ tl::expected<void, std::string> load_gl(GlFunctionLoader load) {
 }
 
 std::string pending_gl_error() {
+    constexpr GLenum context_lost = 0x0507;  // of the extension KHR_robustness
     switch (const GLenum error = glGetError()) {
         case GL_NO_ERROR:
             return {};
@@ -27,6 +28,8 @@ std::string pending_gl_error() {
             return "GL_INVALID_FRAMEBUFFER_OPERATION";
         case GL_OUT_OF_MEMORY:
             return "GL_OUT_OF_MEMORY";
+        case context_lost:
+            return "GL_CONTEXT_LOST";
         default:
             return fmt::format("OpenGL error {}", error);
     }

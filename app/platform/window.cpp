@@ -24,6 +24,8 @@ void set_hints() {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    // That a driver lost the context is an error then, which ends the program with a sentence.
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
     glfwWindowHint(GLFW_DEPTH_BITS, 24);  // translucent lines that cross themselves are painted with its help
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
@@ -111,8 +113,14 @@ glm::ivec2 Window::framebuffer_px() const {
 double Window::display_scale() const {
     float content_scale = 1.0F;
     glfwGetWindowContentScale(handle_, &content_scale, nullptr);
-    const glm::ivec2 window = size_px();
-    const glm::ivec2 framebuffer = framebuffer_px();
+    glm::ivec2 window = size_px();
+    glm::ivec2 framebuffer = framebuffer_px();
+    // Sizes before and after a change of the window do not belong together.
+    constexpr int most_tries = 10;
+    for (int i = 0; i < most_tries && window != size_px(); ++i) {
+        window = size_px();
+        framebuffer = framebuffer_px();
+    }
     if (window.x <= 0 || framebuffer.x <= 0) return 1.0;
     // Where the framebuffer is denser than the window, the desktop has applied that part of the scale already.
     return static_cast<double>(content_scale) * window.x / framebuffer.x;

@@ -15,14 +15,13 @@ void draw_changed_file_dialog(const PanelContext& context, const Rectangle& wind
     const bool is_gone = !core::file_stamp(context.state.path);
     DialogFrame frame;
     frame.title = is_gone ? "The file is gone" : "The file has changed";
-    frame.size = {480.0, 188.0};
+    frame.size = {460.0, 172.0};
     frame.closes_on_outside = false;
     const bool is_left = begin_dialog(context, window, frame);
-    ImGui::TextWrapped("%s",
-                       core::sentence(is_gone ? "{file} was moved or deleted since it was opened or saved here."
-                                              : "Another program changed {file} since it was opened or saved here.",
-                                      {{"file", context.state.file_name()}})
-                           .c_str());
+    ImGui::TextWrapped("%s", core::sentence(is_gone ? "{file} was moved or deleted meanwhile."
+                                                    : "Another program has changed {file} meanwhile.",
+                                            {{"file", context.state.file_name()}})
+                                 .c_str());
     ImGui::TextDisabled("%s", is_gone ? "Saving makes it anew." : "Overwriting gives up what the other program wrote.");
     const std::array answers{Answer{"dialog cancel", "Cancel"}, Answer{"dialog save-as", "Save as…"},
                              Answer{"dialog overwrite", is_gone ? "Save" : "Overwrite"}};

@@ -2,9 +2,12 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <span>
+#include <string_view>
 
 #include "app/ui/imgui_compat.h"
 
@@ -74,12 +77,17 @@ constexpr std::array<ImWchar, 27> characters{0x0020, 0x00FF,  // Latin
                                              0x2713, 0x2717,  // ticks and crosses
                                              0};
 
+/// Whether it can be read and begins as files of TrueType and OpenType fonts do; Dear ImGui would end the program.
+bool is_font(const char* path) {
+    constexpr std::array<std::string_view, 4> beginnings{std::string_view("\0\1\0\0", 4), "OTTO", "true", "ttcf"};
+    std::array<char, 4> beginning{};
+    std::ifstream(path, std::ios::binary).read(beginning.data(), beginning.size());
+    return std::ranges::find(beginnings, std::string_view(beginning.data(), beginning.size())) != beginnings.end();
+}
+
 const FontFile* first_present(std::span<const FontFile> files) {
-    for (const FontFile& file : files) {
-        std::error_code error;
-        if (std::filesystem::is_regular_file(file.path, error)) return &file;
-    }
-    return nullptr;
+    const auto found = std::ranges::find_if(files, [](const FontFile& file) { return is_font(file.path); });
+    return found == files.end() ? nullptr : &*found;
 }
 
 /// Whole pixels, so that lines of text sit on whole pixels below one another.
@@ -124,6 +132,10 @@ Fonts load_fonts(double scale) {
     fonts.number = add_font(atlas, number_files, 12.0 * scale);
     fonts.small = add_font(atlas, text_files, 11.0 * scale);
     fonts.large = add_font(atlas, bold_files, 22.0 * scale);
+    // The font that is always there has no sign before negative numbers.
+    constexpr ImWchar minus = 0x2212;
+    for (ImFont* font : {fonts.text, fonts.bold, fonts.number, fonts.small, fonts.large})
+        stand_in(atlas, *font, minus, '-');
     return fonts;
 }
 

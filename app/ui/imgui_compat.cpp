@@ -20,6 +20,15 @@ void clear_fonts(ImFontAtlas& atlas) {
 #endif
 }
 
+void stand_in([[maybe_unused]] ImFontAtlas& atlas, ImFont& font, ImWchar character, ImWchar another) {
+#if IMGUI_VERSION_NUM >= 19200
+    if (!font.IsGlyphInFont(character)) font.AddRemapChar(character, another);
+#else
+    if (!atlas.IsBuilt()) atlas.Build();
+    font.AddRemapChar(character, another, false);
+#endif
+}
+
 void close_popups() {
     if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, false);
 }

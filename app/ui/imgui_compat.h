@@ -25,6 +25,9 @@ float font_height(const ImFont* font);
 /// Removes every font from `atlas`, so that it can be filled anew.
 void clear_fonts(ImFontAtlas& atlas);
 
+/// Shows `character` as `another` where `font`, one of `atlas` with all its fonts, does not have it.
+void stand_in(ImFontAtlas& atlas, ImFont& font, ImWchar character, ImWchar another);
+
 /// Closes every open menu, list and other popup.
 void close_popups();
 

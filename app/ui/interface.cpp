@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <glm/common.hpp>
+
 #include "app/editor/cards/cards.h"
 #include "app/editor/commands/edit_commands.h"
 #include "app/editor/pointer/hit_test.h"
@@ -45,8 +47,10 @@ bool is_press(const PointerEvent& event) {
 }
 
 void follow_canvas_size(const editor::EditorState& state, const Rectangle& canvas, editor::CommandQueue& queue) {
-    const bool is_new = state.view.camera.size_px != canvas.size_px || state.view.fits_on_open;
-    if (is_new) queue.change(editor::ResizeCanvas{canvas.size_px});
+    const glm::dvec2 size =
+        glm::max(canvas.size_px, glm::dvec2(1.0));  // as the camera has it, lest it be asked for ever
+    const bool is_new = state.view.camera.size_px != size || state.view.fits_on_open;
+    if (is_new) queue.change(editor::ResizeCanvas{size});
 }
 
 /// Whether a dialog that covers the window wants all keys. The welcome screen leaves those that act on the whole
@@ -84,6 +88,12 @@ FrameAreas place_pictures(const PanelContext& context, FrameLayout& layout) {
     layout.canvas = areas.canvas;
     layout.plot = areas.dock;
     return areas;
+}
+
+/// Whether anything can be shown in the window, which may be a single pixel.
+bool has_room(const PanelContext& context, const Rectangle& window) {
+    constexpr glm::dvec2 least(150.0, 100.0);
+    return window.size_px.x >= context.px(least.x) && window.size_px.y >= context.px(least.y);
 }
 
 void draw_frame_panels(const PanelContext& context, const FrameAreas& areas, const std::string& hint) {
@@ -171,9 +181,11 @@ FrameLayout Interface::draw(const editor::EditorState& state, const FrameInput& 
     panels_->text_at_pointer.clear();
     const std::string hint = panels_->pointer.hovered == Picture::plot ? editor::plot_hint(plot_mode_, state)
                                                                        : editor::canvas_hint(canvas_mode_, state);
-    draw_frame_panels(context, areas, hint);
-    draw_dialogs(context, areas);
-    draw_context_menu(context);
+    if (has_room(context, areas.window)) {
+        draw_frame_panels(context, areas, hint);
+        draw_dialogs(context, areas);
+        draw_context_menu(context);
+    }
     layout.cursor = cursor(state);
     return layout;
 }

@@ -70,6 +70,7 @@ Crowd settle(const CanvasFrame& frame, std::vector<MarkPlace> places, const Mark
     }
     double cell = frame.pen.px(2.0 * smallest + sizes.gap_when_thinned);
     std::vector<MarkPlace> kept = one_for_each_cell(frame, places, cell);
+    // One mark is left where the picture has no room for any.
     for (; kept.size() > 1 && 2 * kept.size() > sizes.most; cell *= 1.25)
         kept = one_for_each_cell(frame, places, 1.25 * cell);
     return {smallest, true, true, std::move(kept)};
