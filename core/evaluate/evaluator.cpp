@@ -65,8 +65,13 @@ void read_term(const TaylorPiece& piece, std::size_t k, Vector& term) {
 }
 
 void read_term(const TaylorPiece& piece, std::size_t k, WeightedVector& term) {
+    // Term 0 is not kept; a pointer to where it would be must not be formed.
+    if (k == 0) {
+        term = {{0.0, 0.0}, 1.0};
+        return;
+    }
     const double* c = piece.terms() + 3 * (k - 1);
-    term = k == 0 ? WeightedVector{{0.0, 0.0}, 1.0} : WeightedVector{{c[0], c[1]}, c[2]};
+    term = {{c[0], c[1]}, c[2]};
 }
 
 // The sum of all terms and its derivatives by t, each divided by the factorial of its order: Horner's rule again and
