@@ -18,8 +18,10 @@ if(BATTEN_PROGRAM)
   find_path(BATTEN_STB stb_image.h PATH_SUFFIXES stb REQUIRED)
 endif()
 
-if(BATTEN_TESTS)
+if(BATTEN_TESTS OR BATTEN_FUZZ)
   find_package(GTest REQUIRED)
+endif()
+if(BATTEN_TESTS)
   find_package(rapidcheck REQUIRED)
 endif()
 

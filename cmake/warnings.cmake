@@ -14,6 +14,10 @@ function(batten_settings target)
     -Wnon-virtual-dtor -Woverloaded-virtual -Werror>
     # At -O3 GCC 12 sees copies of endless length and uninitialized optionals where there are none.
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-maybe-uninitialized -Wno-stringop-overflow>)
+  # Another compiler, whose warnings are the checks' of style.
+  if(BATTEN_FUZZ)
+    target_compile_options(${target} PRIVATE -w)
+  endif()
   if(BATTEN_SANITIZE)
     target_compile_options(${target} PRIVATE ${BATTEN_SANITIZERS})
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)

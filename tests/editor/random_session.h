@@ -16,7 +16,10 @@ namespace batten::editor {
 /// Makes one request after another; the same seed makes the same ones on every system.
 class RandomSession {
   public:
-    explicit RandomSession(unsigned seed) : generator_(seed) {}
+    explicit RandomSession(unsigned seed) : generator_(std::mt19937(seed)) {}
+
+    /// Takes its numbers from `generator`.
+    explicit RandomSession(std::function<std::uint32_t()> generator) : generator_(std::move(generator)) {}
 
     /// A request about the document of `state`: mostly commits, some previews, cancels and changes of the view; about
     /// one in ten cannot be done.
@@ -68,7 +71,7 @@ class RandomSession {
     Command view_command(const EditorState& state);
     ViewChange view_change(const EditorState& state);
 
-    std::mt19937 generator_;
+    std::function<std::uint32_t()> generator_;
 };
 
 }  // namespace batten::editor
