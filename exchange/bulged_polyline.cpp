@@ -53,24 +53,27 @@ void add_leg(Pieces& pieces, const Leg& leg) {
     pieces.add(leg.to, 1.0);
 }
 
-// Legs of some length, each as often as it occurs.
-std::vector<Leg> legs_of(std::span<const Point> points, std::span<const double> bulges, bool is_closed) {
-    std::vector<Leg> legs;
+// Calls `visit` with each leg of some length.
+template <class Visit>
+void visit_legs(std::span<const Point> points, std::span<const double> bulges, bool is_closed, Visit visit) {
     const std::size_t count = is_closed ? points.size() : points.size() - 1;
     for (std::size_t i = 0; i < count; ++i) {
         const Leg leg{points[i], points[(i + 1) % points.size()], bulges[i]};
-        if (leg.from != leg.to) legs.push_back(leg);
+        if (leg.from != leg.to) visit(leg);
     }
-    return legs;
 }
 
-core::Result<core::Curve> straight(const std::vector<Leg>& legs, bool is_closed) {
-    std::vector<Point> points;
-    for (const Leg& leg : legs) points.push_back(leg.from);
+core::Result<core::Curve> straight(std::span<const Point> points, std::span<const double> bulges, bool is_closed) {
+    std::vector<Point> corners;
+    Point end = points.front();
+    visit_legs(points, bulges, is_closed, [&](const Leg& leg) {
+        corners.push_back(leg.from);
+        end = leg.to;
+    });
     constexpr std::size_t least_closed = 3;
-    const bool can_be_closed = is_closed && legs.size() >= least_closed;
-    if (!can_be_closed && !legs.empty()) points.push_back(legs.back().to);
-    return core::polyline(points, can_be_closed);
+    const bool can_be_closed = is_closed && corners.size() >= least_closed;
+    if (!can_be_closed) corners.push_back(end);
+    return core::polyline(corners, can_be_closed);
 }
 
 core::Result<core::Curve> closed_curve(Pieces pieces) {
@@ -101,12 +104,14 @@ core::Result<core::Curve> open_curve(Pieces pieces) {
 core::Result<core::Curve> bulged_polyline(std::span<const Point> points, std::span<const double> bulges,
                                           bool is_closed) {
     if (points.empty()) return core::polyline(points);
-    const std::vector<Leg> legs = legs_of(points, bulges, is_closed);
-    const bool has_arcs = std::ranges::any_of(legs, [](const Leg& leg) { return leg.bulge != 0.0; });
-    if (!has_arcs) return straight(legs, is_closed);
     Pieces pieces;
-    pieces.add(legs.front().from, 1.0);
-    for (const Leg& leg : legs) add_leg(pieces, leg);
+    bool has_arcs = false;
+    visit_legs(points, bulges, is_closed, [&](const Leg& leg) { has_arcs = has_arcs || leg.bulge != 0.0; });
+    if (!has_arcs) return straight(points, bulges, is_closed);
+    visit_legs(points, bulges, is_closed, [&](const Leg& leg) {
+        if (pieces.points.empty()) pieces.add(leg.from, 1.0);
+        add_leg(pieces, leg);
+    });
     return is_closed ? closed_curve(std::move(pieces)) : open_curve(std::move(pieces));
 }
 

@@ -60,13 +60,13 @@ MadeCurve make_curve(core::CurveDefinition definition) {
 }
 
 core::DocumentCurve* Collector::add(MadeCurve made, const std::string& wish, std::string_view what,
-                                    std::string_view place) {
+                                    const PlaceText& place) {
     if (!made) {
         note(refused, what, place, made.error());
         return nullptr;
     }
-    if (document_.curves.size() == most_curves) {
-        note(too_many, {}, place);
+    if (is_full()) {
+        leave_out_more(place);
         return nullptr;
     }
     core::DocumentCurve entry;
@@ -76,7 +76,7 @@ core::DocumentCurve* Collector::add(MadeCurve made, const std::string& wish, std
     return &document_.curves.emplace_back(std::move(entry));
 }
 
-void Collector::note(const core::PluralPattern& pattern, std::string_view what, std::string_view place,
+void Collector::note(const core::PluralPattern& pattern, std::string_view what, const PlaceText& place,
                      std::string_view reason) {
     const std::string name = utf8_text(what.substr(0, longest_what));
     const auto found = note_indices_.find({&pattern, name});
@@ -89,10 +89,14 @@ void Collector::note(const core::PluralPattern& pattern, std::string_view what, 
         return;
     }
     note_indices_[{&pattern, name}] = notes_.size();
-    notes_.push_back({&pattern, name, std::string(place), std::string(reason)});
+    notes_.push_back({&pattern, name, place(), std::string(reason)});
 }
 
-void Collector::note_heights(std::string_view what, std::string_view place) {
+void Collector::leave_out_more(const PlaceText& place) {
+    note(too_many, {}, place);
+}
+
+void Collector::note_heights(std::string_view what, const PlaceText& place) {
     note(heights, what, place);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "core/base/sentence.h"
@@ -22,21 +23,29 @@ MadeCurve in_words(core::Result<core::Curve> made);
 /// knots names both conventions.
 MadeCurve make_curve(core::CurveDefinition definition);
 
+/// Where something stands ("line 12"). Asked only where it is told, which of many things are few.
+using PlaceText = std::function<std::string()>;
+
 class Collector {
   public:
     core::Document& document() { return document_; }
 
     /// Adds a visible curve called `wish`, or like it where that name is used; where there is none, notes that `what`
-    /// at `place` ("line 12") was left out. The pointer, null then, holds until the next curve comes.
-    core::DocumentCurve* add(MadeCurve made, const std::string& wish, std::string_view what, std::string_view place);
+    /// at `place` was left out. The pointer, null then, holds until the next curve comes.
+    core::DocumentCurve* add(MadeCurve made, const std::string& wish, std::string_view what, const PlaceText& place);
+
+    /// Whether there is no room for another curve, which then need not be made: `leave_out_more` notes that there was
+    /// one.
+    bool is_full() const { return document_.curves.size() == most_curves; }
+    void leave_out_more(const PlaceText& place);
 
     /// Notes what happened to `what` at `place`. Each pattern and `what` make one sentence, which has the places
     /// {what}, {place} of the first, {reason} of the first, and {count}.
-    void note(const core::PluralPattern& pattern, std::string_view what, std::string_view place,
+    void note(const core::PluralPattern& pattern, std::string_view what, const PlaceText& place,
               std::string_view reason = {});
 
     /// Notes that heights of `what`, z other than 0, were let go.
-    void note_heights(std::string_view what, std::string_view place);
+    void note_heights(std::string_view what, const PlaceText& place);
 
     /// Notes that a curve is so far from what the file says, at most.
     void note_error(double error) { largest_error_ = std::max(largest_error_, error); }

@@ -167,7 +167,8 @@ void DxfReader::take_variable(const DxfGroup& group) {
     if (group.code == variable_code) variable_ = group.value;
     if (group.code != number_code || variable_ != "$INSUNITS") return;
     found_.document().units = units_of(group.value);
-    if (!found_.document().units && group.value != "0") found_.note(unit_not_known, {}, line_place(group.line));
+    if (!found_.document().units && group.value != "0")
+        found_.note(unit_not_known, {}, [&] { return line_place(group.line); });
 }
 
 void DxfReader::end_entity() {
@@ -194,9 +195,10 @@ void DxfReader::end_polyline() {
 void DxfReader::add_curve(const DxfEntity& entity) {
     const DxfCurveMaker make =
         is_mesh(entity) && entity.name() == "POLYLINE" ? nullptr : dxf_curve_maker(entity.name());
-    const std::string place = line_place(entity.line());
+    const auto place = [&] { return line_place(entity.line()); };
     if (make == nullptr) return found_.note(not_read, entity.name(), place);
     if (entity.number(67, 0.0) != 0.0) return found_.note(in_paper_space, entity.name(), place);
+    if (found_.is_full()) return found_.leave_out_more(place);
     MadeCurve made = entity.defect().empty() ? make(entity) : tl::unexpected(entity.defect());
     core::DocumentCurve* curve = found_.add(std::move(made), name_of(entity), entity.name(), place);
     if (curve == nullptr) return;

@@ -184,8 +184,9 @@ Found opencascade_curve(JsonMembers& members) {
     return found;
 }
 
-void add_curve(Collector& collector, const JsonValue& object, ReadObject read, const std::string& place) {
+void add_curve(Collector& collector, const JsonValue& object, ReadObject read, const PlaceText& place) {
     constexpr std::string_view what = "curve";
+    if (collector.is_full()) return collector.leave_out_more(place);
     JsonMembers members(object);
     Found found = read(members);
     MadeCurve made =
@@ -200,10 +201,10 @@ void add_curve(Collector& collector, const JsonValue& object, ReadObject read, c
 core::FileResult<Imported> read_curves(const JsonValue& value, ReadObject read, const std::string& place) {
     Collector collector;
     const JsonList* list = value.list();
-    if (list == nullptr) add_curve(collector, value, read, place);
+    if (list == nullptr) add_curve(collector, value, read, [&] { return place; });
     if (list != nullptr)
         for (std::size_t i = 0; i < list->items.size(); ++i)
-            add_curve(collector, list->items[i], read, fmt::format("{}/{}", place, i));
+            add_curve(collector, list->items[i], read, [&] { return fmt::format("{}/{}", place, i); });
     return std::move(collector).finish("there are no curves in this file");
 }
 
