@@ -27,6 +27,7 @@
 #include "app/editor/commands/joint_mark_commands.h"
 #include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/knot_question_commands.h"
+#include "app/editor/commands/lettering_commands.h"
 #include "app/editor/commands/making_commands.h"
 #include "app/editor/commands/measuring_commands.h"
 #include "app/editor/commands/overlay_commands.h"
@@ -308,9 +309,14 @@ Command RandomSession::guide_command() {
 }
 
 Command RandomSession::making_command(const EditorState& state) {
-    switch (below(5)) {
+    switch (below(6)) {
         case 3:
             return guide_command();
+        case 5:
+            return TextOutlines{.path = std::filesystem::path(BATTEN_TEST_DATA) / "exchange" / "cubic.otf",
+                                .text = below(4) == 0 ? "Ж" : "Lo",
+                                .position = point(5),
+                                .size = between(-0.2, 3)};
         case 0:
             return AddArc{.center = {between(-5, 5), 0.0},
                           .radius = between(-0.2, 3),

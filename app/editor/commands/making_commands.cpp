@@ -5,6 +5,7 @@
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
 #include "app/editor/commands/groups.h"
+#include "app/editor/commands/lettering_commands.h"
 #include "app/editor/commands/suggestions.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/pointer/grid_step.h"
@@ -367,7 +368,7 @@ const CommandSpec& AddHodograph::spec() {
 
 void add_making_commands(CommandTable& table) {
     add_all<AddLine, AddPolyline, AddPolygon, AddCircle, AddArc, AddEllipse, AddEllipticArc>(table);
-    add_all<AddParabola, AddHyperbola, AddConic, AddHodograph>(table);
+    add_all<AddParabola, AddHyperbola, AddConic, AddHodograph, TextOutlines>(table);
 }
 
 }  // namespace batten::editor
