@@ -14,6 +14,7 @@ void add_editing_commands(CommandTable& table) {
     add_file_commands(table);
     add_recovery_commands(table);
     add_edit_commands(table);
+    add_code_commands(table);
     add_picture_commands(table);
     add_table_commands(table);
     add_selection_commands(table);

@@ -9,6 +9,7 @@
 #include "app/editor/commands/axis_commands.h"
 #include "app/editor/commands/brush_commands.h"
 #include "app/editor/commands/closing_commands.h"
+#include "app/editor/commands/code_commands.h"
 #include "app/editor/commands/combine_commands.h"
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/corner_commands.h"
@@ -586,7 +587,7 @@ Command RandomSession::document_command(const EditorState& state) {
         case 7:
             return Cut{};
         case 8:
-            return Copy{};
+            return below(2) == 0 ? Command(Copy{}) : CopyAs{.language = any<exchange::CodeLanguage>()};
         case 9:
             return suggested(state, below(2) == 0 ? Paste::spec() : PasteBeside::spec());
         default:

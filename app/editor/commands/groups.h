@@ -20,6 +20,7 @@ void add_all(CommandTable& table) {
 
 void add_file_commands(CommandTable& table);
 void add_edit_commands(CommandTable& table);
+void add_code_commands(CommandTable& table);
 void add_selection_commands(CommandTable& table);
 void add_selected_curve_commands(CommandTable& table);
 void add_group_commands(CommandTable& table);

@@ -4,6 +4,7 @@
 
 #include "app/editor/commands/brush_commands.h"
 #include "app/editor/commands/closing_commands.h"
+#include "app/editor/commands/code_commands.h"
 #include "app/editor/commands/construction_commands.h"
 #include "app/editor/commands/degree_commands.h"
 #include "app/editor/commands/document_commands.h"
@@ -115,7 +116,7 @@ class Menu {
     /// The active curve as a whole.
     void curve() {
         several_curves();
-        offer<Cut, Copy, PasteBeside, Duplicate, DeleteCurve>();
+        offer<Cut, Copy, CopyAs, PasteBeside, Duplicate, DeleteCurve>();
         group();
         offer<RenameCurve, Reverse, Elevate, SetKind, CloseOrOpen>();
         group();
