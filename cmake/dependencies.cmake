@@ -14,6 +14,7 @@ if(BATTEN_PROGRAM)
   pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
   find_package(pugixml REQUIRED)
   find_package(Freetype REQUIRED)
+  include(opencascade)
   # Only headers, in a folder of their own or not.
   find_path(BATTEN_STB stb_image.h PATH_SUFFIXES stb REQUIRED)
 endif()

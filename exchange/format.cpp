@@ -6,14 +6,24 @@
 #include "exchange/csv_writer.h"
 #include "exchange/dxf_reader.h"
 #include "exchange/dxf_writer.h"
+#include "exchange/iges_reader.h"
+#include "exchange/iges_writer.h"
 #include "exchange/json_dialects_reader.h"
 #include "exchange/json_dialects_writer.h"
+#include "exchange/step_reader.h"
+#include "exchange/step_writer.h"
 #include "exchange/svg_reader.h"
 #include "exchange/svg_writer.h"
 
 namespace batten::exchange {
 
 namespace {
+
+#ifdef BATTEN_HAS_OPENCASCADE
+constexpr bool has_opencascade = true;
+#else
+constexpr bool has_opencascade = false;
+#endif
 
 std::string in_small_letters(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
@@ -71,11 +81,15 @@ std::span<const FormatSpec> all_formats() {
             .format = Format::iges,
             .endings = {".igs", ".iges"},
             .note = "plane curves of type 126",
+            .read = has_opencascade ? read_iges : nullptr,
+            .write = has_opencascade ? write_iges : nullptr,
         },
         {
             .format = Format::step,
             .endings = {".step", ".stp"},
             .note = "plane curves with distinct knots and multiplicities",
+            .read = has_opencascade ? read_step : nullptr,
+            .write = has_opencascade ? write_step : nullptr,
         },
         {
             .format = Format::csv,

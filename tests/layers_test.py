@@ -7,7 +7,7 @@ import sys
 # Folder: the folders of the project and the outside headers it may include (beside the standard library).
 LAYERS = {
     "core": ({"core"}, {"glm", "tl", "Eigen", "fmt", "hwy", "nlohmann", "posix"}),
-    "exchange": ({"core", "exchange"}, {"glm", "tl", "fmt", "nlohmann", "pugixml", "ft2build", "freetype"}),
+    "exchange": ({"core", "exchange"}, {"glm", "tl", "fmt", "nlohmann", "pugixml", "ft2build", "freetype", "posix", "opencascade"}),
     "render": ({"render"}, {"glm", "tl", "fmt", "glad", "cairo", "cairo-pdf"}),
     "app/picture": ({"core", "app/picture"}, {"tl", "stb"}),
     "app/editor": ({"core", "exchange", "app/editor", "app/picture"}, {"glm", "tl", "fmt", "nlohmann", "posix"}),
@@ -46,12 +46,14 @@ ONLY_IN = {
     ("exchange", "freetype"): {"exchange/font_reader.cpp"},
     ("render", "cairo"): {"render/cairo_painter.cpp"},
     ("render", "cairo-pdf"): {"render/cairo_painter.cpp"},
+    ("exchange", "posix"): {"exchange/occt/main.cpp", "exchange/occt_process.cpp"},
+    ("exchange", "opencascade"): {"exchange/occt/"},
     ("app/editor", "posix"): {"app/editor/recovery/"},
     ("app/cli", "posix"): {"app/cli/movie.cpp", "app/cli/standard_streams.cpp"},
 }
 
 # Headers of the operating system, without a folder of their own.
-POSIX = {"fcntl.h", "spawn.h", "unistd.h", "sys/file.h", "sys/stat.h", "sys/wait.h"}
+POSIX = {"fcntl.h", "spawn.h", "unistd.h", "sys/file.h", "sys/mman.h", "sys/resource.h", "sys/stat.h", "sys/wait.h"}
 
 # Headers that the build makes.
 GENERATED = {"shaders/sources.h": "render", "core/base/version.h": "core"}
@@ -68,6 +70,8 @@ def outside_name(header):
     """The first word of an outside header: glm/vec2.hpp is glm; a standard header has no dot."""
     if header in POSIX:
         return "posix"
+    if header.endswith(".hxx"):
+        return "opencascade"
     return header.split("/")[0].split(".")[0].split("_")[0] if "." in header or "/" in header else None
 
 

@@ -13,7 +13,7 @@ using core::Curve;
 using core::Point;
 
 Imported file(const std::string& name) {
-    const std::filesystem::path path = std::filesystem::path(BATTEN_EXCHANGE_FILES) / name;
+    const std::filesystem::path path = std::filesystem::path(BATTEN_EXCHANGE_DATA) / name;
     const auto text = core::read_text(path);
     EXPECT_TRUE(text) << text.error().sentence();
     auto read = spec_of(format_of(path).value()).read(*text);

@@ -36,8 +36,10 @@ def expected_files():
     manual = ["share/man/man1/batten.1"]
     window = ["share/applications/batten.desktop", "share/icons/hicolor/scalable/apps/batten.svg"]
     has_program = IS_ON["BATTEN_PROGRAM"]
+    has_opencascade = has_program and (BUILD / "app/batten-occt").is_file()
     has_manual = has_program and not CACHE["HELP2MAN"].endswith("NOTFOUND")
-    return core + has_program * program + has_manual * manual + (has_program and IS_ON["BATTEN_WINDOW"]) * window
+    opencascade = ["libexec/batten/batten-occt"]
+    return core + has_program * program + has_opencascade * opencascade + has_manual * manual + (has_program and IS_ON["BATTEN_WINDOW"]) * window
 
 
 class PackageTest(unittest.TestCase):

@@ -1,0 +1,94 @@
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Reader.hxx>
+#include <IGESControl_Writer.hxx>
+#include <IGESData_GlobalSection.hxx>
+#include <IGESData_IGESEntity.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <IGESData_IGESWriter.hxx>
+#include <IGESData_Protocol.hxx>
+#include <IGESSelect_WorkLibrary.hxx>
+#include <Interface_Static.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <sstream>
+
+#include "core/base/sentence.h"
+#include "exchange/occt/drawing.h"
+#include "exchange/occt/geom_curves.h"
+#include "exchange/occt/imported_edges.h"
+#include "exchange/occt/lengths.h"
+
+namespace batten::exchange::occt {
+
+namespace {
+
+std::string iges_name(const Handle(Standard_Transient) & item) {
+    const auto entity = Handle(IGESData_IGESEntity)::DownCast(item);
+    if (entity.IsNull()) return {};
+    if (entity->HasName()) return entity->NameValue()->ToCString();
+    return entity->HasShortLabel() ? entity->ShortLabel()->ToCString() : std::string();
+}
+
+// Numbers are left as they are where that is the unit of the file.
+void count_lengths_in(const Handle(IGESData_IGESModel) & model, double unit) {
+    IGESData_GlobalSection section = model->GlobalSection();
+    section.SetCascadeUnit(unit);
+    model->SetGlobalSection(section);
+}
+
+// Labels have eight characters of ASCII.
+Handle(TCollection_HAsciiString) iges_label(const std::string& name) {
+    constexpr std::size_t most_characters = 8;
+    std::string label;
+    for (const char c : name)
+        if (label.size() < most_characters && ' ' <= c && c <= '~') label += c;
+    return new TCollection_HAsciiString(label.c_str());
+}
+
+}  // namespace
+
+core::FileResult<Imported> read_iges(const std::string& path) {
+    IGESControl_Controller::Init();
+    Interface_Static::SetIVal("read.iges.bspline.continuity", 0);
+    IGESControl_Reader reader;
+    if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+        return tl::unexpected(core::FileError{.where = {}, .what = "this is no IGES file that OpenCASCADE can read"});
+    const double unit = reader.IGESModel()->GlobalSection().UnitValue();
+    count_lengths_in(reader.IGESModel(), unit_to_read_in(unit));
+    reader.TransferRoots();
+    const Handle(XSControl_TransferReader) transferred = reader.WS()->TransferReader();
+    std::size_t lost = 0;
+    for (int i = 1; i <= reader.NbRootsForTransfer(); ++i)
+        if (transferred->ShapeResult(reader.RootForTransfer(i)).IsNull()) ++lost;
+    auto imported = imported_edges(reader.OneShape(), transferred->TransientProcess(), iges_name, lost);
+    if (imported) set_units(*imported, unit);
+    return imported;
+}
+
+core::FileResult<Exported> write_iges(const core::Document& document) {
+    auto curves = geom_curves(document);
+    if (!curves) return tl::unexpected(curves.error());
+    IGESControl_Controller::Init();
+    IGESControl_Writer writer(curves->is_in_inches ? "INCH" : "MM", 0);
+    count_lengths_in(writer.Model(), curves->is_in_inches ? unit_inch : unit_millimeter);
+    for (const NamedSpline& curve : curves->curves) {
+        writer.AddGeom(curve.spline);
+        const Handle(IGESData_IGESModel) model = writer.Model();
+        const Handle(TCollection_HAsciiString) label = iges_label(curve.name);
+        model->Entity(model->NbEntities())->SetLabel(label);
+        if (curve.name != label->ToCString())
+            curves->report.left_out.push_back(
+                core::sentence("Curve '{name}' is called '{label}', since IGES has labels of eight ASCII characters",
+                               {{"name", curve.name}, {"label", label->ToCString()}}));
+    }
+    writer.ComputeModel();
+    IGESData_IGESWriter text(writer.Model());
+    text.FloatWriter().SetFormat(all_digits);
+    text.SendModel(IGESSelect_WorkLibrary::DefineProtocol());
+    std::ostringstream stream;
+    text.Print(stream);
+    return Exported{stream.str(), std::move(curves->report)};
+}
+
+}  // namespace batten::exchange::occt

@@ -1,0 +1,141 @@
+#include "exchange/occt_process.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "core/document/native_file.h"
+
+namespace batten::exchange {
+
+namespace {
+
+constexpr std::size_t most_answer_bytes = 2 * core::most_file_bytes;
+
+class Descriptor {
+  public:
+    explicit Descriptor(int number) : number_(number) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() { close(); }
+
+    int number() const { return number_; }
+    void close() {
+        if (number_ >= 0) ::close(std::exchange(number_, -1));
+    }
+
+  private:
+    int number_;
+};
+
+tl::unexpected<core::FileError> occt_error(const char* what) {
+    return tl::unexpected(core::FileError{.where = {}, .what = what});
+}
+
+std::filesystem::path program_path() {
+    if (const char* path = std::getenv("BATTEN_OCCT")) return path;
+    std::error_code error;
+    const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    const std::filesystem::path beside = folder / "batten-occt";
+    return std::filesystem::exists(beside, error) ? beside : folder.parent_path() / "libexec/batten/batten-occt";
+}
+
+bool write_all(int descriptor, std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t count = write(descriptor, text.data(), text.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return false;
+        text.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return lseek(descriptor, 0, SEEK_SET) == 0;
+}
+
+// All that comes, and at most so much; none where it cannot be read.
+std::optional<std::string> read_all(int descriptor) {
+    std::string text;
+    std::array<char, 1U << 16U> block{};
+    while (text.size() <= most_answer_bytes) {
+        const ssize_t count = read(descriptor, block.data(), block.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return std::nullopt;
+        if (count == 0) return text;
+        text.append(block.data(), static_cast<std::size_t>(count));
+    }
+    return std::nullopt;
+}
+
+std::optional<pid_t> start(const std::filesystem::path& program, const char* task, const char* format, int input,
+                           int output) {
+    std::array<std::string, 3> words{program.string(), task, format};
+    std::array<char*, 4> arguments{words[0].data(), words[1].data(), words[2].data(), nullptr};
+    posix_spawn_file_actions_t actions;
+    if (posix_spawn_file_actions_init(&actions) != 0) return std::nullopt;
+    posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+    pid_t process = 0;
+    const int error = posix_spawn(&process, program.c_str(), &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    return error == 0 ? std::optional(process) : std::nullopt;
+}
+
+bool ended_well(pid_t process) {
+    int status = 0;
+    while (waitpid(process, &status, 0) < 0)
+        if (errno != EINTR) return false;
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+core::FileResult<OcctAnswer> answer_of(const std::string& text) {
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    if (!json.is_object()) return occt_error("batten-occt gave no answer");
+    if (json.contains("what")) return tl::unexpected(core::FileError{json.value("where", ""), json.value("what", "")});
+    return OcctAnswer{json.value("text", ""),
+                      {json.value("largest_error", 0.0), json.value("left_out", std::vector<std::string>())}};
+}
+
+}  // namespace
+
+core::FileResult<OcctAnswer> ask_occt(const char* task, const char* format, std::string_view text) {
+    const Descriptor input(memfd_create("batten", MFD_CLOEXEC));
+    std::array<int, 2> ends{-1, -1};
+    if (input.number() < 0 || !write_all(input.number(), text) || pipe2(ends.data(), O_CLOEXEC) != 0)
+        return occt_error("there is not enough memory to hand it over to OpenCASCADE");
+    const Descriptor output(ends[0]);
+    Descriptor output_of_program(ends[1]);
+    const auto process = start(program_path(), task, format, input.number(), ends[1]);
+    output_of_program.close();
+    if (!process)
+        return occt_error(
+            "the program batten-occt cannot be started; it must stand beside batten or in "
+            "libexec/batten");
+    const std::optional<std::string> answer = read_all(output.number());
+    if (!ended_well(*process) || !answer)
+        return occt_error("OpenCASCADE fails on this file, or takes more than a minute or 4 GB");
+    return answer_of(*answer);
+}
+
+core::FileResult<Imported> read_through_occt(const char* format, std::string_view text) {
+    auto answer = ask_occt("read", format, text);
+    if (!answer) return tl::unexpected(answer.error());
+    auto document = core::parse_document(answer->text);
+    if (!document) return tl::unexpected(document.error());
+    return Imported{*std::move(document), std::move(answer->report)};
+}
+
+core::FileResult<Exported> write_through_occt(const char* format, const core::Document& document) {
+    auto answer = ask_occt("write", format, core::format_document(document));
+    if (!answer) return tl::unexpected(answer.error());
+    return Exported{std::move(answer->text), std::move(answer->report)};
+}
+
+}  // namespace batten::exchange

@@ -1,0 +1,26 @@
+/// Asks the program batten-occt, by which files are read and written through OpenCASCADE.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "exchange/report.h"
+
+namespace batten::exchange {
+
+/// A text and what is to be said of it.
+struct OcctAnswer {
+    std::string text;
+    Report report{};
+};
+
+/// What `batten-occt task format` makes of `text`. The program stands beside this one or in ../libexec/batten, or where
+/// the environment variable BATTEN_OCCT says. It is a process of its own, which may take at most a minute and 4 GB and
+/// whose end is an error like others. Errors: those that it tells; it is not there; it came to no end.
+core::FileResult<OcctAnswer> ask_occt(const char* task, const char* format, std::string_view text);
+
+/// The curves of a file, or the text of one: "iges" or "step".
+core::FileResult<Imported> read_through_occt(const char* format, std::string_view text);
+core::FileResult<Exported> write_through_occt(const char* format, const core::Document& document);
+
+}  // namespace batten::exchange
