@@ -165,7 +165,7 @@ class RecoveryTest(WindowTest):
             editor.key("ctrl+s")
             editor.wait(lambda state: not state["is_modified"], "the saved document")
         all_curves = self.curves()
-        moments = random.Random(1)
+        moments = random.Random(int(os.environ.get("BATTEN_KILL_SEED", 1)))
         kills = int(os.environ.get("BATTEN_WINDOW_KILLS", 3))
         came_back = [self.kill_at_random(moments, all_curves) for _ in range(kills)]
         print(f"{kills} windows were killed; {min(came_back)} to {max(came_back)} of {STEPS} steps had been made and came back")

@@ -59,9 +59,12 @@ Outcome<void> ask_for_path(EditorState& state) {
     return {};
 }
 
-// Whether the file is not what was read or written last. Asks what to do then, and keeps what is pending.
+// Whether the file is not what was read or written last. Asks what to do then, and keeps what is pending. Where even
+// its folder is gone, there is nothing to choose.
 bool asks_about_change(EditorState& state) {
-    if (!state.stamp || state.stamp == core::file_stamp(state.path)) return false;
+    std::error_code error;
+    const bool is_the_same = !state.stamp || state.stamp == core::file_stamp(state.path);
+    if (is_the_same || !fs::exists(state.path.parent_path(), error)) return false;
     state.dialog = Dialog::changed_file;
     return true;
 }
