@@ -7,6 +7,7 @@
 #include "app/editor/command_table.h"
 #include "app/editor/commands/knot_commands.h"
 #include "core/base/sentence.h"
+#include "core/document/json_check.h"
 
 namespace batten::editor {
 
@@ -69,11 +70,13 @@ std::string format_command(const Command& command) {
 }
 
 Outcome<Command> parse_command(const std::string& line, const EditorState& state) {
+    if (const auto check = core::check_json(line); !check)
+        return tl::unexpected(
+            core::sentence("a line of a session must be JSON: {reason}", {{"reason", check.error().sentence()}}));
     const Line json = Line::parse(line, nullptr, false);
     if (!json.is_array() || json.empty() || !json.front().is_string())
-        return tl::unexpected(core::sentence(
-            "a line of a session must be a list that begins with a command, like [\"insert-knot\", 0.5]; found {line}",
-            {{"line", line}}));
+        return tl::unexpected(
+            Refusal("a line of a session must be a list that begins with a command, like [\"insert-knot\", 0.5]"));
     const Outcome<const CommandSpec*> spec = command_named(json.front().get<std::string>());
     if (!spec) return tl::unexpected(spec.error());
     std::vector<Argument> arguments;

@@ -5,6 +5,7 @@
 #include "app/editor/lesson/check_json.h"
 #include "app/editor/state/view_forms.h"
 #include "core/document/file_text.h"
+#include "core/document/json_check.h"
 #include "core/document/native_file.h"
 
 namespace batten::editor {
@@ -134,8 +135,8 @@ LessonJson json_of(const LessonStep& step) {
 }  // namespace
 
 Outcome<Lesson> parse_lesson(std::string_view text, const std::string& name) {
+    if (const auto check = core::check_json(text); !check) return tl::unexpected(check.error().sentence());
     const LessonJson json = LessonJson::parse(text, nullptr, false);
-    if (json.is_discarded()) return tl::unexpected(Refusal("the lesson is not JSON"));
     MemberReader reader(json, "");
     Lesson lesson;
     lesson.name = name;

@@ -8,6 +8,7 @@
 #include "app/editor/state/user_folder.h"
 #include "app/editor/state/user_scale.h"
 #include "core/document/file_text.h"
+#include "core/document/json_check.h"
 
 namespace batten::editor {
 
@@ -129,8 +130,9 @@ Json json_of(const std::vector<fs::path>& paths) {
 }  // namespace
 
 Settings parse_settings(const std::string& text) {
-    const Json json = Json::parse(text, nullptr, false);
     Settings settings;
+    if (!core::check_json(text)) return settings;
+    const Json json = Json::parse(text, nullptr, false);
     settings.window = window_of(member(json, "window"));
     read_named(json, "theme", settings.theme);
     read(json, "user_scale", settings.user_scale, user_scales);

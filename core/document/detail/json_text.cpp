@@ -88,8 +88,8 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
     bool key(string_t& name) override {
         Open& object = open_.back();
         if (object.names.size() == most_members)
-            return refuse_here(sentence("an object has more than {most} members; this is not a curve document",
-                                        {{"most", most_members}}));
+            return refuse_here(
+                sentence("an object has more than {most} members, the most that is read", {{"most", most_members}}));
         if (!object.names.insert(name).second)
             return refuse_here(sentence("the member \"{name}\" occurs twice in one object; every name may occur once",
                                         {{"name", short_name(name)}}));
@@ -132,8 +132,7 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
 
     bool refuse_values() {
         return refuse_here(
-            sentence("beside the numbers of curves there are more than {most} values; this is not a "
-                     "curve document",
+            sentence("beside the numbers of curves there are more than {most} values, the most that is read",
                      {{"most", most_values}}));
     }
 
@@ -142,7 +141,7 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
         const std::string name = open_.empty() ? std::string() : open_.back().next_name;
         open_.push_back({&added(std::move(value)), name});
         if (open_.size() <= deepest_nesting) return true;
-        return refuse_here(sentence("lists and objects are nested more than {most} deep; this is not a curve document",
+        return refuse_here(sentence("lists and objects are nested more than {most} deep, the most that is read",
                                     {{"most", deepest_nesting}}));
     }
 
@@ -206,10 +205,10 @@ FileResult<Json> parse_json(TextStream& text, const PointsRead& points_read) {
     const bool is_read = Json::sax_parse(StreamIterator(text, allowance), StreamIterator(), &builder);
     if (text.is_at_end() && text.error()) return tl::unexpected(*text.error());
     if (allowance == 0)
-        return tl::unexpected(FileError{text.line_and_column(text.position()),
-                                        sentence("beside the numbers of curves there are more than {most} MiB; this is "
-                                                 "not a curve document",
-                                                 {{"most", most_other_bytes >> 20U}})});
+        return tl::unexpected(
+            FileError{text.line_and_column(text.position()),
+                      sentence("beside the numbers of curves there are more than {most} MiB, the most that is read",
+                               {{"most", most_other_bytes >> 20U}})});
     if (!is_read) return tl::unexpected(builder.error());
     return std::move(builder.tree());
 }

@@ -159,7 +159,8 @@ TEST_F(LessonCommands, refuse_what_is_no_lesson) {
         EXPECT_FALSE(state().lesson);
         return state().message.text;
     };
-    EXPECT_EQ(refusal("{"), "broken.json: the lesson is not JSON");
+    EXPECT_EQ(refusal("{"),
+              "broken.json: line 1, column 2: this is not JSON: unexpected end of input; expected string literal");
     EXPECT_EQ(refusal("[]"), "broken.json: : this must be an object");
     EXPECT_EQ(refusal(R"({"format": "batten-lesson", "version": 2})"),
               "broken.json: /version: this must be 1, the version that this program reads");
