@@ -80,9 +80,9 @@ double weight_error(const core::Curve& curve, const Geom_BSplineCurve& spline) {
     return static_cast<double>(curve.control_points().size()) * std::numeric_limits<double>::epsilon() * size;
 }
 
-class Written {
+class GeomWriter {
   public:
-    explicit Written(const core::Document& document) : unit_(file_unit(document)) {
+    explicit GeomWriter(const core::Document& document) : unit_(file_unit(document)) {
         result_.is_in_inches = unit_.is_inch;
         if (!document.units)
             result_.report.left_out.emplace_back("The document has no unit; its numbers are written as millimeters");
@@ -139,7 +139,7 @@ class Written {
 }  // namespace
 
 core::FileResult<GeomCurves> geom_curves(const core::Document& document) {
-    Written written(document);
+    GeomWriter written(document);
     for (const core::DocumentCurve& entry : document.curves)
         if (entry.visible) written.add(entry);
     return written.take();

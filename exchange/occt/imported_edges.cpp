@@ -170,8 +170,8 @@ constexpr core::PluralPattern without_ends{"One curve is left out: it has no end
                                            "{count} curves are left out: they have no ends"};
 constexpr core::PluralPattern beyond_doubles{"One curve is left out: its numbers make no curve",
                                              "{count} curves are left out: their numbers make no curves"};
-constexpr core::PluralPattern heights{"One curve has a z that is not 0, which is left out",
-                                      "{count} curves have a z that is not 0, which is left out"};
+constexpr core::PluralPattern raised_edges{"One curve has a z that is not 0, which is left out",
+                                           "{count} curves have a z that is not 0, which is left out"};
 
 std::string without_blanks_around(const std::string& name) {
     const std::size_t first = name.find_first_not_of(' ');
@@ -218,7 +218,7 @@ class Collected {
         say(of_other_kinds, LeftOut::of_another_kind);
         say(without_ends, LeftOut::unbounded);
         say(beyond_doubles, LeftOut::not_computable);
-        if (raised_ > 0) imported_.report.left_out.push_back(core::sentence(heights, raised_));
+        if (raised_ > 0) imported_.report.left_out.push_back(core::sentence(raised_edges, raised_));
         return std::move(imported_);
     }
 
