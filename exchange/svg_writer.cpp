@@ -118,8 +118,10 @@ class SvgFile {
         path.append_child("title").append_child(pugi::node_pcdata).set_value(name.c_str());
     }
 
-    std::string text_with(const core::Document& document) {
-        embed_document(svg_, document);
+    void embed(const core::Document& document) { embed_document(svg_, document); }
+    void take_out_document() { svg_.remove_child("metadata"); }
+
+    std::string text() const {
         struct : pugi::xml_writer {
             std::string text;
             void write(const void* data, std::size_t size) override {
@@ -201,7 +203,14 @@ core::FileResult<Exported> write_svg(const core::Document& document, const Write
                 {{"name", entry.name}}));
         file.add(entry, pieces);
     }
-    exported.text = file.text_with(document);
+    file.embed(document);
+    exported.text = file.text();
+    if (exported.text.size() <= core::most_file_bytes) return exported;
+    file.take_out_document();
+    exported.text = file.text();
+    exported.report.left_out.push_back(core::sentence(
+        "the document itself is not in the file, which would have more than the {most} MiB that are read",
+        {{"most", core::most_file_bytes >> 20U}}));
     return exported;
 }
 

@@ -9,8 +9,8 @@ namespace batten::exchange {
 /// The visible curves as paths: Bézier pieces where these are the curve itself (polynomial, degree 3 or less), arcs of
 /// circles as such, else cubic pieces within the tolerance, whose largest error is reported. y is turned over, and the
 /// file says where its zero is; the box of the curves is the viewBox, and the unit of the document that of width and
-/// height. The native document is in the metadata. Errors: no visible curve; a curve whose numbers are beyond what
-/// doubles can hold.
+/// height. The native document is in the metadata, unless the file would be too large to be read. Errors: no visible
+/// curve; a curve whose numbers are beyond what doubles can hold.
 [[nodiscard]] core::FileResult<Exported> write_svg(const core::Document& document, const WriteOptions& options = {});
 
 /// The attribute d of a path that draws `pieces`, with y turned over; closed where `is_closed`.

@@ -290,6 +290,17 @@ TEST(SvgWriter, WritesNamesUnitsAndTheBoxOfTheCurves) {
     expect_same_pieces(*imported.document.curves[0].curve, *document.curves[0].curve);
 }
 
+TEST(SvgWriter, LeavesTheDocumentOutOfAFileThatIsTooLarge) {
+    Document document = document_of({*core::circle({0, 0}, 1)});
+    document.description.assign(core::most_file_bytes, 'a');
+    const Exported exported = written(document);
+    EXPECT_EQ(exported.report.left_out,
+              std::vector<std::string>{
+                  "the document itself is not in the file, which would have more than the 128 MiB that are read"});
+    EXPECT_LT(exported.text.size(), 10000U);
+    EXPECT_EQ(read_svg(exported.text)->document.curves.size(), 1U);
+}
+
 TEST(SvgWriter, NeedsAVisibleCurve) {
     Document document = document_of({*core::circle({0, 0}, 1)});
     document.curves[0].visible = false;
