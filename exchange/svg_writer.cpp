@@ -180,6 +180,11 @@ std::string path_data_of(const PathPieces& pieces, bool is_closed) {
 }
 
 core::FileResult<Exported> write_svg(const core::Document& document, const WriteOptions& options) {
+    return write_svg(document, options, core::most_file_bytes);
+}
+
+core::FileResult<Exported> write_svg(const core::Document& document, const WriteOptions& options,
+                                     std::size_t most_bytes) {
     const std::optional<Box> box = box_of_visible(document);
     if (!box) return svg_not_written("there is no visible curve to write");
     const double side = std::max(box->size().x, box->size().y);
@@ -205,12 +210,12 @@ core::FileResult<Exported> write_svg(const core::Document& document, const Write
     }
     file.embed(document);
     exported.text = file.text();
-    if (exported.text.size() <= core::most_file_bytes) return exported;
+    if (exported.text.size() <= most_bytes) return exported;
     file.take_out_document();
     exported.text = file.text();
     exported.report.left_out.push_back(core::sentence(
         "the document itself is not in the file, which would have more than the {most} MiB that are read",
-        {{"most", core::most_file_bytes >> 20U}}));
+        {{"most", most_bytes >> 20U}}));
     return exported;
 }
 

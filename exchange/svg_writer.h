@@ -13,6 +13,10 @@ namespace batten::exchange {
 /// curve; a curve whose numbers are beyond what doubles can hold.
 [[nodiscard]] core::FileResult<Exported> write_svg(const core::Document& document, const WriteOptions& options = {});
 
+/// The same for readers that refuse files of more than `most_bytes`.
+[[nodiscard]] core::FileResult<Exported> write_svg(const core::Document& document, const WriteOptions& options,
+                                                   std::size_t most_bytes);
+
 /// The attribute d of a path that draws `pieces`, with y turned over; closed where `is_closed`.
 std::string path_data_of(const PathPieces& pieces, bool is_closed);
 

@@ -292,11 +292,12 @@ TEST(SvgWriter, WritesNamesUnitsAndTheBoxOfTheCurves) {
 
 TEST(SvgWriter, LeavesTheDocumentOutOfAFileThatIsTooLarge) {
     Document document = document_of({*core::circle({0, 0}, 1)});
-    document.description.assign(core::most_file_bytes, 'a');
-    const Exported exported = written(document);
+    constexpr std::size_t most_bytes = std::size_t{1} << 20U;
+    document.description.assign(most_bytes, 'a');
+    const Exported exported = *write_svg(document, {}, most_bytes);
     EXPECT_EQ(exported.report.left_out,
               std::vector<std::string>{
-                  "the document itself is not in the file, which would have more than the 128 MiB that are read"});
+                  "the document itself is not in the file, which would have more than the 1 MiB that are read"});
     EXPECT_LT(exported.text.size(), 10000U);
     EXPECT_EQ(read_svg(exported.text)->document.curves.size(), 1U);
 }
