@@ -62,7 +62,9 @@ core::FileResult<Imported> read_iges(const std::string& path) {
     for (int i = 1; i <= reader.NbRootsForTransfer(); ++i)
         if (transferred->ShapeResult(reader.RootForTransfer(i)).IsNull()) ++lost;
     auto imported = imported_edges(reader.OneShape(), transferred->TransientProcess(), iges_name, lost);
-    if (imported) set_units(*imported, unit);
+    if (!imported) return imported;
+    set_units(*imported, unit);
+    add_faults(*imported, reader.WS()->ModelCheckList());
     return imported;
 }
 

@@ -7,6 +7,7 @@
 #include <Geom_Conic.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <Interface_Check.hxx>
 #include <NCollection_DataMap.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
@@ -233,6 +234,10 @@ class Collected {
     std::size_t raised_ = 0;
 };
 
+constexpr core::PluralPattern faults_found{
+    "OpenCASCADE found a fault in the file; curves may be missing or other than they were",
+    "OpenCASCADE found {count} faults in the file; curves may be missing or other than they were"};
+
 constexpr double millimeter = 1.0;
 constexpr double inch = 25.4;
 
@@ -259,6 +264,12 @@ core::FileResult<Imported> imported_edges(const TopoDS_Shape& shape, const Handl
     const auto& reasons = imported.report.left_out;
     return tl::unexpected(core::FileError{
         .where = {}, .what = reasons.empty() ? "the file has no curves that can be read" : reasons.front()});
+}
+
+void add_faults(Imported& imported, const Interface_CheckIterator& checks) {
+    std::size_t faults = 0;
+    for (; checks.More(); checks.Next()) faults += static_cast<std::size_t>(checks.Value()->NbFails());
+    if (faults > 0) imported.report.left_out.push_back(core::sentence(faults_found, faults));
 }
 
 double unit_to_read_in(double unit) {

@@ -1,6 +1,7 @@
 /// Collects the edges of shapes as curves of a document.
 #pragma once
 
+#include <Interface_CheckIterator.hxx>
 #include <TopoDS_Shape.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <string>
@@ -17,6 +18,9 @@ using NameOf = std::string (*)(const Handle(Standard_Transient) & entity);
 /// of which OpenCASCADE made no edges. Error: there is none.
 core::FileResult<Imported> imported_edges(const TopoDS_Shape& shape, const Handle(Transfer_TransientProcess) & process,
                                           NameOf name_of, std::size_t lost);
+
+/// Says how many faults OpenCASCADE found in the file.
+void add_faults(Imported& imported, const Interface_CheckIterator& checks);
 
 /// Says in what the document's lengths are: a millimeter or an inch where `unit` is as long, in millimeters; the
 /// lengths of other units were converted to millimeters.

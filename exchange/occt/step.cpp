@@ -95,7 +95,9 @@ core::FileResult<Imported> read_step(const std::string& text) {
     reader.TransferRoots();
     const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
     auto imported = imported_edges(reader.OneShape(), process, step_name, lost_curves(reader.StepModel(), process));
-    if (imported) set_units(*imported, unit);
+    if (!imported) return imported;
+    set_units(*imported, unit);
+    add_faults(*imported, reader.WS()->ModelCheckList());
     return imported;
 }
 
