@@ -13,6 +13,7 @@ namespace {
 void add_editing_commands(CommandTable& table) {
     add_file_commands(table);
     add_recovery_commands(table);
+    add_figure_commands(table);
     add_edit_commands(table);
     add_code_commands(table);
     add_picture_commands(table);

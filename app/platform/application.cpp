@@ -23,6 +23,7 @@
 #include "app/editor/state/settings.h"
 #include "app/editor/typed_command.h"
 #include "app/platform/cursors.h"
+#include "app/platform/figure_writer.h"
 #include "app/platform/frame_clock.h"
 #include "app/platform/imgui_layer.h"
 #include "app/platform/picture_viewport.h"
@@ -50,6 +51,7 @@ editor::Desktop desktop_of(Window& window, const Options& options) {
     desktop.read_clipboard = [&window] { return window.read_clipboard(); };
     desktop.write_clipboard = [&window](const std::string& text) { window.write_clipboard(text); };
     desktop.wake = &Window::wake;
+    desktop.write_figure = write_figure;
     desktop.examples = options.assets / "examples";
     desktop.lessons = options.assets / "lessons";
     return desktop;

@@ -19,6 +19,7 @@ void add_all(CommandTable& table) {
 }
 
 void add_file_commands(CommandTable& table);
+void add_figure_commands(CommandTable& table);
 void add_edit_commands(CommandTable& table);
 void add_code_commands(CommandTable& table);
 void add_selection_commands(CommandTable& table);

@@ -1,0 +1,21 @@
+/// Pictures of what the canvas shows, as files for slides and papers.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/editor/command.h"
+#include "app/editor/state/figure.h"
+
+namespace batten::editor {
+
+struct ExportFigure {
+    std::filesystem::path path;  ///< its ending decides the format: .svg, .pdf, .png or .tex
+    FigureView view = FigureView::curve;
+    double scale = 1.0;  ///< pixels of a PNG for each of the design
+    bool is_transparent = false;
+    std::string title{};
+    static const CommandSpec& spec();
+};
+
+}  // namespace batten::editor

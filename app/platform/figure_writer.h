@@ -1,0 +1,17 @@
+/// Writes what the window shows as a figure.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "app/editor/state/state.h"
+
+namespace batten::platform {
+
+/// Writes the figure to `path` in the format of its ending. The error is a sentence: no such format, a size that no
+/// picture has, or a file that cannot be written.
+tl::expected<void, std::string> write_figure(const editor::EditorState& state, const std::filesystem::path& path,
+                                             const editor::FigureForm& form);
+
+}  // namespace batten::platform

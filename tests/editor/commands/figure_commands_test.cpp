@@ -1,0 +1,67 @@
+#include "app/editor/commands/figure_commands.h"
+
+#include <gtest/gtest.h>
+
+#include "app/editor/commands/overlay_commands.h"
+#include "tests/editor/sample_editor.h"
+
+namespace batten::editor {
+namespace {
+
+/// What the desktop is asked to write.
+struct Asked {
+    std::filesystem::path path;
+    FigureForm form;
+    std::size_t times = 0;
+};
+
+class FigureCommands : public ::testing::Test {
+  protected:
+    FigureCommands() {
+        Desktop desktop;
+        desktop.write_figure = [this](const EditorState&, const std::filesystem::path& path,
+                                      const FigureForm& form) -> tl::expected<void, std::string> {
+            asked_ = {path, form, asked_.times + 1};
+            if (path.extension() == ".doc")
+                return tl::unexpected(std::string("'wave.doc' has the ending of no figure"));
+            return {};
+        };
+        editor_ = Editor(desktop);
+    }
+
+    TemporaryFolder folder_;
+    Asked asked_;
+    Editor editor_;
+};
+
+TEST_F(FigureCommands, ask_the_desktop_for_what_was_chosen) {
+    ASSERT_TRUE(editor_.run(Open{.path = folder_.write("wave.json", sample_text)}));
+    EXPECT_TRUE(run_typed(editor_, "export-figure /tmp/a.png both 2 on \"A wave\"")) << editor_.state().message.text;
+    EXPECT_EQ(asked_.path, "/tmp/a.png");
+    EXPECT_EQ(asked_.form.view, FigureView::both);
+    EXPECT_EQ(asked_.form.scale, 2.0);
+    EXPECT_TRUE(asked_.form.is_transparent);
+    EXPECT_EQ(asked_.form.title, "A wave");
+    EXPECT_EQ(editor_.state().message.text, "Exported a.png");
+    EXPECT_TRUE(editor_.run(ExportFigure{.path = "/tmp/b.svg"}));
+    EXPECT_EQ(asked_.form.view, FigureView::curve);
+    EXPECT_FALSE(asked_.form.is_transparent);
+}
+
+TEST_F(FigureCommands, say_what_the_desktop_refuses) {
+    ASSERT_TRUE(editor_.run(Open{.path = folder_.write("wave.json", sample_text)}));
+    EXPECT_FALSE(editor_.run(ExportFigure{.path = "wave.doc"}));
+    EXPECT_NE(editor_.state().message.text.find("has the ending of no figure"), std::string::npos);
+}
+
+TEST_F(FigureCommands, need_a_curve_and_a_scale_within_limits) {
+    EXPECT_FALSE(editor_.run(ExportFigure{.path = "/tmp/a.svg"}));
+    EXPECT_NE(editor_.state().message.text.find("there is no visible curve to be shown"), std::string::npos);
+    ASSERT_TRUE(editor_.run(Open{.path = folder_.write("wave.json", sample_text)}));
+    for (const char* scale : {"0", "-1", "9", "nan"})
+        EXPECT_FALSE(run_typed(editor_, std::string("export-figure a.svg curve ") + scale)) << scale;
+    EXPECT_EQ(asked_.times, 0U);
+}
+
+}  // namespace
+}  // namespace batten::editor
