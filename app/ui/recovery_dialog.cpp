@@ -54,14 +54,16 @@ bool draw_recovery_row(const PanelContext& context, std::size_t row, bool is_cho
 void draw_recovery_list(const PanelContext& context) {
     std::size_t& chosen = context.panels.recovery_row;
     const std::size_t count = context.state.recoverable.size();
+    const std::size_t before = chosen;
     if (was_pressed(context, editor::Key::down) && chosen + 1 < count) ++chosen;
     if (was_pressed(context, editor::Key::up) && chosen > 0) --chosen;
+    const bool is_moved = chosen != before;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, imgui_color(context.theme.canvas));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(8), context.px(6)));
     ImGui::BeginChild("documents", ImVec2(0.0F, context.px(120)), true, ImGuiWindowFlags_NoNav);
     for (std::size_t row = 0; row < count; ++row) {
         if (draw_recovery_row(context, row, row == chosen)) chosen = row;
-        if (row == chosen) ImGui::SetScrollHereY();
+        if (is_moved && row == chosen) ImGui::SetScrollHereY();
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();
