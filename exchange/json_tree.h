@@ -20,7 +20,7 @@ class JsonValue;
 struct JsonList {
     std::vector<double> numbers{};
     std::size_t row_length = 0;              ///< of rows of numbers, at least 1; 0: plain numbers
-    std::vector<JsonValue> items{};          ///< of what is neither numbers nor rows of them
+    std::vector<JsonValue> items;            ///< of what is neither numbers nor rows of them
     std::optional<std::size_t> first_odd{};  ///< the first item that is of another sort than the first; not kept
 };
 
