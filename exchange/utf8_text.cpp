@@ -2,38 +2,19 @@
 
 #include <algorithm>
 
+#include "core/base/utf8.h"
+
 namespace batten::exchange {
 
 namespace {
 
 constexpr std::size_t longest_name = 255;
 
-unsigned byte_at(std::string_view text, std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-}
-
-bool is_continuation(unsigned byte) {
-    return (byte & 0xc0U) == 0x80U;
-}
-
-// How many bytes the character at `i` has; 0 where it is none. Overlong forms and halves of pairs are none.
-std::size_t character_length(std::string_view text, std::size_t i) {
-    const unsigned first = byte_at(text, i);
-    const unsigned second = byte_at(text, i + 1);
-    if (first < 0x80U) return 1;
-    if (first < 0xc2U || first > 0xf4U || !is_continuation(second)) return 0;
-    if (first < 0xe0U) return 2;
-    if (!is_continuation(byte_at(text, i + 2))) return 0;
-    if (first < 0xf0U) return (first == 0xe0U && second < 0xa0U) || (first == 0xedU && second > 0x9fU) ? 0 : 3;
-    if (!is_continuation(byte_at(text, i + 3))) return 0;
-    return (first == 0xf0U && second < 0x90U) || (first == 0xf4U && second > 0x8fU) ? 0 : 4;
-}
-
 // The length of the whole characters at the front, up to the longest name; none where a byte begins no character.
 std::size_t whole_characters(std::string_view text) {
     std::size_t at = 0;
     while (at < text.size()) {
-        const std::size_t length = character_length(text, at);
+        const std::size_t length = core::utf8_length(text.substr(at));
         if (length == 0) return std::string_view::npos;
         if (at + length > longest_name) break;
         at += length;

@@ -128,7 +128,7 @@ class SvgPainter {
 
     void operator()(const Label& label) {
         const double y = label.position.y + baseline_drop * label.size_px;
-        add("<text x=\"{}\" y=\"{}\" font-size=\"{}\"{}{}{}>", short_number(label.position.x), short_number(y),
+        add(R"(<text x="{}" y="{}" font-size="{}"{}{}{}>)", short_number(label.position.x), short_number(y),
             short_number(label.size_px), paint_of("fill", label.color), anchor_of(label.anchor), font_of(label.font));
         Line line;
         for (const LabelRun& run : label_runs(label.text)) write(label, run, line);

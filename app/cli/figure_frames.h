@@ -3,6 +3,7 @@
 
 #include <string>
 #include <tl/expected.hpp>
+#include <utility>
 
 #include "app/cli/figure_order.h"
 #include "core/document/document.h"
@@ -21,7 +22,7 @@ class FigureFrames {
     render::Figure at(double share) const;
 
   private:
-    explicit FigureFrames(const FigureOrder& order) : order_(order) {}
+    explicit FigureFrames(FigureOrder order) : order_(std::move(order)) {}
 
     editor::EditorState with_curve(const core::Curve& curve) const;
 

@@ -9,6 +9,7 @@
 #include "app/editor/fields/expression.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
+#include "core/base/utf8.h"
 
 namespace batten::cli {
 
@@ -83,8 +84,8 @@ auto entry_named(const Table& table, std::string_view name) {
 
 Checked read_shown(FigureOrder& order, const std::string& show) {
     for (const std::string& word : words_between_commas(show)) {
-        const auto part = entry_named(shown_parts, word);
-        const auto alias = entry_named(overlay_aliases, word);
+        const auto* const part = entry_named(shown_parts, word);
+        const auto* const alias = entry_named(overlay_aliases, word);
         const auto overlay = core::value_named<Overlay>(word);
         if (part != shown_parts.end())
             order.parts.*part->part = true;
@@ -252,25 +253,8 @@ Checked check_scale(const FigureOrder& order) {
         std::string("--scale is for pixels: PNG, GIF and MP4 have them; other figures can be enlarged as they are"));
 }
 
-bool is_utf8(std::string_view text) {
-    constexpr unsigned going_on = 0x80;
-    constexpr unsigned kind_of_byte = 0xC0;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto lead = static_cast<unsigned char>(text[i++]);
-        const int more = lead < 0x80                   ? 0
-                         : lead >= 0xC2 && lead < 0xE0 ? 1
-                         : lead >= 0xE0 && lead < 0xF0 ? 2
-                         : lead >= 0xF0 && lead < 0xF5 ? 3
-                                                       : -1;
-        if (more < 0) return false;
-        for (int k = 0; k < more; ++k, ++i)
-            if (i >= text.size() || (static_cast<unsigned char>(text[i]) & kind_of_byte) != going_on) return false;
-    }
-    return true;
-}
-
 Checked read_title(FigureOrder& order, const FigureOptions& options) {
-    if (!is_utf8(options.title)) return tl::unexpected(std::string("--title: the text is not UTF-8"));
+    if (!core::is_utf8(options.title)) return tl::unexpected(std::string("--title: the text is not UTF-8"));
     order.form.title = options.title;
     order.form.is_transparent = options.is_transparent;
     return {};

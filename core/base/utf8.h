@@ -1,0 +1,16 @@
+/// Characters of UTF-8 texts.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace batten::core {
+
+/// How many bytes the character at the front of `text` has, 1 to 4; 0 where there is none. Overlong forms and halves of
+/// pairs are none.
+std::size_t utf8_length(std::string_view text);
+
+/// Whether `text` consists of such characters. Cost O(n).
+bool is_utf8(std::string_view text);
+
+}  // namespace batten::core
