@@ -88,7 +88,7 @@ const CommandSpec& copy_as_language_spec(CodeLanguage language) {
 
 const CommandSpec& CopyAs::spec() {
     static const CommandSpec spec{.name = "copy-as",
-                                  .title = "Copy as…",
+                                  .title = "Copy as",
                                   .explanation = "Copies the active curve as text for programs and papers.",
                                   .synonyms = "clipboard code export",
                                   .group = CommandGroup::edit,
