@@ -24,7 +24,7 @@ Outcome<void> export_figure(EditorState& state, const ExportFigure& command) {
                                                     {.view = command.view,
                                                      .scale = command.scale,
                                                      .is_transparent = command.is_transparent,
-                                                     .title = command.title});
+                                                     .title = command.title.value_or("")});
     if (!written) return tl::unexpected(written.error());
     state.message = {core::sentence("Exported {file}", {{"file", path.filename().string()}}), false};
     return {};
@@ -54,7 +54,7 @@ const CommandSpec& ExportFigure::spec() {
                  .at_most(most_figure_scale)
                  .usually(1.0),
              field::flag<&ExportFigure::is_transparent>("transparent", "whether the ground is left out").usually(false),
-             field::text<&ExportFigure::title>("title", "a title above the picture").usually(std::string())},
+             field::text<&ExportFigure::title>("title", "a title above the picture")},
         .refusal = no_visible_curve,
         .run = body_of<export_figure>};
     return spec;

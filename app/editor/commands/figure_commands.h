@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "app/editor/command.h"
@@ -14,7 +15,7 @@ struct ExportFigure {
     FigureView view = FigureView::curve;
     double scale = 1.0;  ///< pixels of a PNG for each of the design
     bool is_transparent = false;
-    std::string title{};
+    std::optional<std::string> title{};
     static const CommandSpec& spec();
 };
 

@@ -1,0 +1,49 @@
+"""Figures of what the window shows."""
+
+import unittest
+import xml.etree.ElementTree
+
+from case import WindowTest
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+class FiguresTest(WindowTest):
+    def run_typed(self, editor, text):
+        editor.key("ctrl+p")
+        editor.wait(lambda state: state["dialog"] == "command-palette" and "palette input" in state["widgets"], "the palette")
+        editor.type(text)
+        editor.wait(lambda state: state["widgets"]["palette input"]["value"] == text and state["is_settled"], text)
+        editor.key("Return")
+
+    def test_a_figure_shows_the_points_where_the_window_does(self):
+        editor = self.open_editor()
+        figure = self.folder / "wave.svg"
+        self.run_typed(editor, f"export-figure {figure}")
+        state = editor.wait(lambda state: state["message"] == "Exported wave.svg" and state["is_settled"], "the figure")
+        editor.screenshot("window")
+        discs = [circle for circle in xml.etree.ElementTree.parse(figure).getroot().iter(SVG + "circle") if circle.get("r") == "6.5"]
+        shown = sorted((float(disc.get("cx")), float(disc.get("cy"))) for disc in discs)
+        points = sorted((point["x"], point["y"]) for point in state["points"])
+        self.assertEqual(len(shown), 7)
+        # The canvas begins somewhere in the window.
+        left, top = points[0][0] - shown[0][0], points[0][1] - shown[0][1]
+        for place, point in zip(shown, points):
+            self.assertAlmostEqual(place[0] + left, point[0], delta=1.0)
+            self.assertAlmostEqual(place[1] + top, point[1], delta=1.0)
+
+    def test_the_menu_asks_for_the_file(self):
+        editor = self.open_editor()
+        editor.click_widget("menu file")
+        editor.click_widget("menu-item export-figure")
+        editor.wait(lambda state: state["dialog"] == "command-form" and "form path" in state["widgets"] and state["is_settled"], "the form")
+        figure = self.folder / "wave.pdf"
+        editor.click_widget("form path")
+        self.retype(editor, "form path", str(figure))
+        editor.click_widget("form apply")
+        editor.wait(lambda state: state["message"] == "Exported wave.pdf", "the figure")
+        self.assertTrue(figure.read_bytes().startswith(b"%PDF-"))
+
+
+if __name__ == "__main__":
+    unittest.main()
