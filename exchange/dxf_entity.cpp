@@ -32,9 +32,9 @@ std::optional<double> number_of(std::string_view text) {
 }  // namespace
 
 std::optional<std::size_t> DxfEntity::slot_of(int code) {
-    const auto found = std::ranges::find(kept_codes, code);
-    if (found == kept_codes.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - kept_codes.begin());
+    for (std::size_t i = 0; i < kept_codes.size(); ++i)
+        if (kept_codes[i] == code) return i;
+    return std::nullopt;
 }
 
 void DxfEntity::take(const DxfGroup& group) {

@@ -83,7 +83,7 @@ Found tinyspline_curve(JsonMembers& members) {
         if (is_homogeneous)
             take_homogeneous(found, point);
         else
-            found.definition.points.push_back({point[0], point[1]});
+            found.definition.points.emplace_back(point[0], point[1]);
         for (std::size_t k = 2; k < coordinates; ++k) found.has_heights = found.has_heights || point[k] != 0.0;
     }
     return found;
@@ -164,7 +164,7 @@ Found opencascade_curve(JsonMembers& members) {
     const std::vector<double> knots = members.numbers("knots");
     std::vector<std::size_t> multiplicities = multiplicities_in(members, knots.size());
     if (std::ranges::adjacent_find(knots, std::greater_equal<>()) != knots.end())
-        members.note("\"knots\" must increase; equal ones are counted in \"multiplicities\"");
+        members.note(R"("knots" must increase; equal ones are counted in "multiplicities")");
     if (!members.defect().empty() || knots.empty()) return found;
     if (definition.periodic && multiplicities.front() != multiplicities.back())
         members.note("the first and the last multiplicity of a periodic curve must be equal");
@@ -223,7 +223,7 @@ core::FileResult<Imported> read_nurbs_python(std::string_view text) {
         const JsonValue* data = shape == nullptr ? nullptr : shape->member("data");
         if (data == nullptr)
             return tl::unexpected(core::FileError{
-                "", "the member \"shape\" with \"data\" is missing, which every file of NURBS-Python has"});
+                "", R"(the member "shape" with "data" is missing, which every file of NURBS-Python has)"});
         return read_curves(*data, nurbs_python_curve, "/shape/data");
     });
 }

@@ -51,9 +51,7 @@ std::vector<double> JsonMembers::numbers(const char* name) {
 
 std::vector<double> JsonMembers::optional_numbers(const char* name) {
     const JsonValue* found = object_.member(name);
-    const bool is_null =
-        found != nullptr && !found->flag() && !found->number() && !found->text() && !found->list() && !found->object();
-    return found == nullptr || is_null ? std::vector<double>() : numbers(name);
+    return found == nullptr || found->is_null() ? std::vector<double>() : numbers(name);
 }
 
 JsonPoints JsonMembers::points(const char* name) {
@@ -69,7 +67,7 @@ JsonPoints JsonMembers::points(const char* name) {
     JsonPoints points;
     const std::vector<double>& numbers = list->numbers;
     for (std::size_t i = 0; i < numbers.size(); i += list->row_length) {
-        points.points.push_back({numbers[i], numbers[i + 1]});
+        points.points.emplace_back(numbers[i], numbers[i + 1]);
         if (list->row_length == 3 && numbers[i + 2] != 0.0) points.has_heights = true;
     }
     return points;

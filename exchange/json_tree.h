@@ -37,6 +37,8 @@ class JsonValue {
     explicit JsonValue(JsonList value) : value_(std::make_unique<JsonList>(std::move(value))) {}
     explicit JsonValue(Object value) : value_(std::make_unique<Object>(std::move(value))) {}
 
+    bool is_null() const { return std::holds_alternative<std::monostate>(value_); }
+
     /// The value, or null where it is of another sort.
     const bool* flag() const { return std::get_if<bool>(&value_); }
     const double* number() const { return std::get_if<double>(&value_); }
