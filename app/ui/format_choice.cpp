@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "app/editor/words/native_name.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/style.h"
 #include "core/base/sentence.h"
@@ -28,8 +29,15 @@ std::optional<Format> format_meant(const FileDialogState& dialog) {
     return dialog.format ? dialog.format : exchange::format_of(dialog.choice.typed);
 }
 
-std::string text_of_choice(const FileDialogState& dialog) {
+bool draws_figure(const PanelContext& context) {
+    const FileDialogState& dialog = context.panels.file_dialog;
+    return is_saving_curves(context) && !dialog.format && editor::is_named_as_figure(dialog.choice.typed);
+}
+
+std::string text_of_choice(const PanelContext& context) {
+    const FileDialogState& dialog = context.panels.file_dialog;
     if (dialog.format) return sentence("as {format}", {{"format", core::title_of(*dialog.format)}});
+    if (draws_figure(context)) return "by its ending: figure";
     const auto format = format_meant(dialog);
     return sentence("by its ending: {format}", {{"format", format ? core::title_of(*format) : "Batten"}});
 }
@@ -43,6 +51,17 @@ void draw_one(const PanelContext& context, const char* name, const std::string& 
     if (!draw_choice(context, button)) return;
     dialog.format = format;
     dialog.takes_focus = true;
+}
+
+// What happens to curves in the file; nothing is said of Batten's own.
+std::string note_on(const PanelContext& context) {
+    const bool is_saving = is_saving_curves(context);
+    if (draws_figure(context)) return "What the canvas shows is drawn as a figure.";
+    const std::optional<Format> format = format_meant(context.panels.file_dialog);
+    if (!format) return "";
+    const core::Place note("note", exchange::spec_of(*format).note);
+    if (is_saving) return sentence("A copy of the visible curves is written: {note}.", {note});
+    return sentence("It is read as {format}: {note}.", {{"format", core::title_of(*format)}, note});
 }
 
 }  // namespace
@@ -61,9 +80,8 @@ std::vector<std::string> endings_of_curves(bool is_saving) {
 }
 
 void draw_format_choice(const PanelContext& context) {
-    const FileDialogState& dialog = context.panels.file_dialog;
     ImGui::SetCursorPos({context.px(18), ImGui::GetWindowHeight() - context.px(44)});
-    const ChoiceField field{"file-dialog format", text_of_choice(dialog), context.px(field_width)};
+    const ChoiceField field{"file-dialog format", text_of_choice(context), context.px(field_width)};
     if (!begin_choices(context, field)) return;
     draw_one(context, "by-ending", "by its ending", std::nullopt);
     for (const exchange::FormatSpec& spec : exchange::all_formats())
@@ -73,13 +91,8 @@ void draw_format_choice(const PanelContext& context) {
 }
 
 void draw_format_note(const PanelContext& context) {
-    const std::optional<Format> format = format_meant(context.panels.file_dialog);
-    if (!format) return;
-    const core::Place note("note", exchange::spec_of(*format).note);
-    const std::string text =
-        is_saving_curves(context)
-            ? sentence("A copy of the visible curves is written: {note}.", {note})
-            : sentence("It is read as {format}: {note}.", {{"format", core::title_of(*format)}, note});
+    const std::string text = note_on(context);
+    if (text.empty()) return;
     ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.dim));
     ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();

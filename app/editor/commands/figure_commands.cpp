@@ -3,7 +3,6 @@
 #include "app/editor/commands/file_acts.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
-#include "core/base/sentence.h"
 
 namespace batten::editor {
 
@@ -18,16 +17,11 @@ std::filesystem::path figure_path(const EditorState& state) {
 }
 
 Outcome<void> export_figure(EditorState& state, const ExportFigure& command) {
-    if (!state.desktop.write_figure) return tl::unexpected(Refusal("figures cannot be written here"));
-    const std::filesystem::path path = absolute_path(command.path);
-    const auto written = state.desktop.write_figure(state, path,
-                                                    {.view = command.view,
-                                                     .scale = command.scale,
-                                                     .is_transparent = command.is_transparent,
-                                                     .title = command.title.value_or("")});
-    if (!written) return tl::unexpected(written.error());
-    state.message = {core::sentence("Exported {file}", {{"file", path.filename().string()}}), false};
-    return {};
+    return export_figure_to(state, absolute_path(command.path),
+                            {.view = command.view,
+                             .scale = command.scale,
+                             .is_transparent = command.is_transparent,
+                             .title = command.title.value_or("")});
 }
 
 std::optional<Refusal> no_visible_curve(const EditorState& state) {

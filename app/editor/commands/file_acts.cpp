@@ -212,6 +212,16 @@ Outcome<void> export_document_to(EditorState& state, const fs::path& path, excha
     return {};
 }
 
+Outcome<void> export_figure_to(EditorState& state, const fs::path& path, const FigureForm& form) {
+    if (!state.desktop.write_figure) return tl::unexpected(Refusal("figures cannot be written here"));
+    if (state.visible_active_curve() == nullptr)
+        return tl::unexpected(Refusal("there is no visible curve to be shown"));
+    const auto written = state.desktop.write_figure(state, path, form);
+    if (!written) return tl::unexpected(written.error());
+    state.message = {sentence("Exported {file}", {{"file", path.filename().string()}}), false};
+    return {};
+}
+
 Outcome<void> save_document_to(EditorState& state, const fs::path& path) {
     core::Document document = state.history.present();
     document.view.parameter = state.parameter();

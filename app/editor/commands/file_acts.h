@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/editor/command_spec.h"
+#include "app/editor/state/figure.h"
 #include "app/editor/state/state.h"
 #include "exchange/format.h"
 
@@ -33,5 +34,8 @@ Outcome<void> save_document_to(EditorState& state, const std::filesystem::path& 
 
 /// Writes a copy of the visible curves for another program; the document keeps its own file and what is unsaved.
 Outcome<void> export_document_to(EditorState& state, const std::filesystem::path& path, exchange::Format format);
+
+/// Writes what the canvas shows as a figure, of the kind that the ending of `path` says.
+Outcome<void> export_figure_to(EditorState& state, const std::filesystem::path& path, const FigureForm& form = {});
 
 }  // namespace batten::editor

@@ -75,9 +75,11 @@ Outcome<void> save(EditorState& state, const Save&) {
     return save_to(state, state.path);
 }
 
-// A copy is not what an answer about unsaved changes waits for.
-Outcome<void> export_to(EditorState& state, const fs::path& path, exchange::Format format) {
-    Outcome<void> exported = export_document_to(state, path, format);
+// A copy or a figure is not what an answer about unsaved changes waits for.
+Outcome<void> export_to(EditorState& state, const SavedName& name) {
+    const fs::path path = absolute_path(name.path);
+    Outcome<void> exported =
+        name.is_figure ? export_figure_to(state, path) : export_document_to(state, path, *name.format);
     if (exported) show_dialog(state, Dialog::none);
     return exported;
 }
@@ -85,8 +87,8 @@ Outcome<void> export_to(EditorState& state, const fs::path& path, exchange::Form
 Outcome<void> save_as(EditorState& state, const SaveAs& command) {
     if (!command.path) return ask_for_path(state);
     return saved_name(*command.path, command.format).and_then([&](const SavedName& name) {
-        const fs::path path = absolute_path(name.path);
-        return name.format ? export_to(state, path, *name.format) : save_to(state, path);
+        const bool is_own = !name.format && !name.is_figure;
+        return is_own ? save_to(state, absolute_path(name.path)) : export_to(state, name);
     });
 }
 

@@ -34,10 +34,14 @@ std::string ending_of(const std::filesystem::path& path) {
     return behind.size() > 1 && is_ending(behind.substr(1)) ? behind.substr(1) : std::string();
 }
 
-bool is_native(std::string ending) {
+std::string in_small_letters(std::string ending) {
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-    return ending == "json";
+    return ending;
+}
+
+bool is_native(const std::string& ending) {
+    return in_small_letters(ending) == "json";
 }
 
 // "wave.json" for "wave.svg", and "wave.bak.json" for "wave.json.bak", which is beside "wave.json".
@@ -72,8 +76,14 @@ Outcome<std::filesystem::path> native_path(const std::filesystem::path& path) {
     return result;
 }
 
+bool is_named_as_figure(const std::filesystem::path& path) {
+    const std::string ending = in_small_letters(ending_of(path));
+    return ending == "pdf" || ending == "png" || ending == "tex";
+}
+
 Outcome<SavedName> saved_name(const std::filesystem::path& path, std::optional<exchange::Format> format) {
     if (!format) format = exchange::format_of(path);
+    if (!format && is_named_as_figure(path)) return SavedName{path, std::nullopt, true};
     if (!format)
         return native_path(path).map([](std::filesystem::path native) { return SavedName{std::move(native)}; });
     std::filesystem::path named = path;

@@ -20,10 +20,14 @@ std::optional<Refusal> foreign_result(const std::filesystem::path& path);
 /// The path of a file to save: with the ending of native files where it has none. A foreign one is refused.
 Outcome<std::filesystem::path> native_path(const std::filesystem::path& path);
 
+/// Whether the name is that of a figure that shows curves and does not hold them: "wave.pdf".
+bool is_named_as_figure(const std::filesystem::path& path);
+
 /// A file to save, and as what.
 struct SavedName {
     std::filesystem::path path;
-    std::optional<exchange::Format> format{};  ///< none: Batten's own
+    std::optional<exchange::Format> format{};  ///< none: Batten's own, or a figure
+    bool is_figure = false;
 };
 
 /// The file that is meant by `path` and `format`, by the ending where none is chosen. A name without an ending is given

@@ -528,5 +528,65 @@ TEST_F(FileCommands, lengths_of_curves_that_are_pasted_stay_what_they_are) {
     EXPECT_NEAR(document(editor_).curves[2].curve->control_points()[1].x, 51.8, 1e-12);
 }
 
+TEST_F(FileCommands, a_figure_is_a_picture_and_no_saving) {
+    Desktop desktop;
+    std::vector<fs::path> written;
+    desktop.write_figure = [&written](const EditorState&, const fs::path& path, const FigureForm&) {
+        written.push_back(path);
+        return tl::expected<void, std::string>();
+    };
+    editor_ = Editor(desktop);
+    EXPECT_FALSE(run(SaveAs{.path = folder_.path() / "nothing.pdf"}));
+    EXPECT_EQ(state().message.text, "there is no visible curve to be shown");
+    run(Open{.path = wave_});
+    run(DeletePoints{.points = {1}});
+    run(SaveAs{});
+    for (const char* name : {"wave.pdf", "wave.PNG", "wave.tex"})
+        EXPECT_TRUE(run(SaveAs{.path = folder_.path() / name}));
+    EXPECT_EQ(written, (std::vector<fs::path>{folder_.path() / "wave.pdf", folder_.path() / "wave.PNG",
+                                              folder_.path() / "wave.tex"}));
+    EXPECT_EQ(state().path, wave_);
+    EXPECT_TRUE(state().is_modified());
+    EXPECT_EQ(state().dialog, Dialog::none);
+    EXPECT_EQ(state().message.text, "Exported wave.tex");
+}
+
+TEST_F(FileCommands, a_copy_for_another_program_is_no_saving) {
+    run(Open{.path = wave_});
+    run(DeletePoints{.points = {1}});
+    const fs::path copy = folder_.path() / "copy.dxf";
+    EXPECT_TRUE(run(SaveAs{.path = copy}));
+    EXPECT_EQ(state().message.text, "Exported copy.dxf; its curves are exact");
+    EXPECT_EQ(state().path, wave_);
+    EXPECT_TRUE(state().is_modified());
+    EXPECT_TRUE(run(SaveAs{.path = folder_.path() / "named", .format = exchange::Format::rhino}));
+    EXPECT_TRUE(fs::exists(folder_.path() / "named.rhino.json"));
+}
+
+TEST_F(FileCommands, a_file_of_another_program_is_no_file_to_save_to) {
+    run(Open{.path = wave_});
+    const fs::path copy = folder_.path() / "copy.dxf";
+    const core::Curve before = *document(editor_).curves[0].curve;
+    run(SaveAs{.path = copy});
+    EXPECT_TRUE(run(Open{.path = copy}));
+    EXPECT_EQ(state().path, "");
+    EXPECT_EQ(state().source, copy);
+    EXPECT_EQ(state().file_name(), "copy.dxf");
+    EXPECT_FALSE(state().is_modified());
+    EXPECT_EQ(*document(editor_).curves[0].curve, before);
+    EXPECT_TRUE(state().message.text.starts_with("Opened copy.dxf; its curves are exact")) << state().message.text;
+    run(Save{});
+    EXPECT_EQ(state().dialog, Dialog::save_file);
+    EXPECT_TRUE(run(SaveAs{.path = folder_.path() / "own.json"}));
+    EXPECT_EQ(state().source, "");
+    EXPECT_EQ(state().file_name(), "own.json");
+    EXPECT_FALSE(run(Open{.path = copy, .format = exchange::Format::svg}));
+    EXPECT_TRUE(state().message.text.starts_with("copy.dxf: ")) << state().message.text;
+    EXPECT_TRUE(run(AddFile{.path = copy}));
+    EXPECT_EQ(document(editor_).curves.size(), 6U);
+    EXPECT_FALSE(run(Open{.path = folder_.write("points.csv", "0,0\n1,1\n")}));
+    EXPECT_EQ(state().message.text, "points.csv: a table of points is opened by File > Open table…");
+}
+
 }  // namespace
 }  // namespace batten::editor
