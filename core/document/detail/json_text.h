@@ -15,7 +15,7 @@ inline constexpr std::size_t most_members = 10'000;
 
 /// What a text may have beside the packed numbers: so many bytes, and so many values. Both stand for memory, of which
 /// a tree takes far more than its text.
-inline constexpr std::size_t most_other_bytes = std::size_t{32} << 20U;
+inline constexpr std::size_t most_other_bytes = std::size_t{16} << 20U;
 inline constexpr std::size_t most_values = 4'000'000;
 
 /// The tree of `text`, in which the lists of numbers of curves (/curves/i/knots, points, weights, and points,
