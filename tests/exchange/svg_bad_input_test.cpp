@@ -26,7 +26,8 @@ std::string svg_file(const std::string& elements) {
 core::FileResult<Imported> read_soon(const std::string& text) {
     const auto start = Clock::now();
     auto imported = read_svg(text);
-    EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), 20.0);
+    EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), 100.0)
+        << "a few seconds, but for sanitizers and busy machines";
     EXPECT_TRUE(imported || !imported.error().what.empty());
     return imported;
 }
