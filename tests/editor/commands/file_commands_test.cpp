@@ -582,10 +582,10 @@ TEST_F(FileCommands, a_file_of_another_program_is_no_file_to_save_to) {
     EXPECT_EQ(state().file_name(), "own.json");
     EXPECT_FALSE(run(Open{.path = copy, .format = exchange::Format::svg}));
     EXPECT_TRUE(state().message.text.starts_with("copy.dxf: ")) << state().message.text;
-    EXPECT_TRUE(run(AddFile{.path = copy}));
-    EXPECT_EQ(document(editor_).curves.size(), 6U);
     EXPECT_FALSE(run(Open{.path = folder_.write("points.csv", "0,0\n1,1\n")}));
     EXPECT_EQ(state().message.text, "points.csv: a table of points is opened by File > Open table…");
+    EXPECT_TRUE(run(AddFile{.path = copy}));
+    EXPECT_EQ(document(editor_).curves.size(), 6U);
 }
 
 }  // namespace
