@@ -22,8 +22,11 @@ core::FileResult<exchange::Imported> read_curves(const std::filesystem::path& fi
     if (format)
         return is_standard(file) ? exchange::load_curves(standard_input, shown_name(file), *format)
                                  : exchange::load_curves(file, *format);
-    core::FileResult<core::Document> document =
-        is_standard(file) ? core::load_document(standard_input, shown_name(file)) : core::load_document(file);
+    core::FileResult<core::Document> document = is_standard(file)
+                                                    ? core::load_document(standard_input, shown_name(file))
+                                                    : core::load_document(file).map_error([&](core::FileError error) {
+                                                          return exchange::with_advice(std::move(error), file);
+                                                      });
     return std::move(document).map([](core::Document read) { return exchange::Imported{std::move(read)}; });
 }
 

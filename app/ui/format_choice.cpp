@@ -81,7 +81,8 @@ std::vector<std::string> endings_of_curves(bool is_saving) {
 
 void draw_format_choice(const PanelContext& context) {
     ImGui::SetCursorPos({context.px(18), ImGui::GetWindowHeight() - context.px(44)});
-    const ChoiceField field{"file-dialog format", text_of_choice(context), context.px(field_width)};
+    ChoiceField field{"file-dialog format", text_of_choice(context), context.px(field_width)};
+    field.opens_upward = true;
     if (!begin_choices(context, field)) return;
     draw_one(context, "by-ending", "by its ending", std::nullopt);
     for (const exchange::FormatSpec& spec : exchange::all_formats())

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "app/editor/words/formula.h"
 #include "app/ui/command_entry.h"
@@ -191,7 +192,14 @@ bool begin_choices(const PanelContext& context, const ChoiceField& field) {
                                                   ImVec2(mark.x + context.px(3.5), mark.y - context.px(2)),
                                                   ImVec2(mark.x, mark.y + context.px(3)),
                                                   imgui_packed(context.theme.text));
-    ImGui::SetNextWindowPos(ImVec2(origin.x, origin.y + size.y + context.px(2)));
+    const float gap = context.px(2);
+    if (field.opens_upward) {
+        ImGui::SetNextWindowPos(ImVec2(origin.x, origin.y - gap), ImGuiCond_Always, ImVec2(0.0F, 1.0F));
+        ImGui::SetNextWindowSizeConstraints(ImVec2(0.0F, 0.0F),
+                                            ImVec2(std::numeric_limits<float>::max(), origin.y - 2.0F * gap));
+    } else {
+        ImGui::SetNextWindowPos(ImVec2(origin.x, origin.y + size.y + gap));
+    }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(4), context.px(4)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
     if (!ImGui::BeginPopup("choices")) {

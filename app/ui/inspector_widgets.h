@@ -76,9 +76,11 @@ struct ChoiceField {
     float width_px = 0.0F;
     bool is_enabled = true;
     std::string tooltip = {};
+    bool opens_upward = false;  ///< at the lower edge of a window
 };
 
-/// Draws the field; a click opens the list below it. Returns whether that is open: then draw its choices, and end it.
+/// Draws the field; a click opens the list below it, or above. Returns whether that is open: then draw its choices, and
+/// end it.
 bool begin_choices(const PanelContext& context, const ChoiceField& field);
 void end_choices();
 

@@ -29,6 +29,31 @@ class Convert(unittest.TestCase):
         self.assertEqual(json.loads(process.stdout)["curves"][0]["points"], LINE["points"])
         self.assertIn("its curves are exact", process.stderr)
 
+    def test_a_format_that_the_ending_does_not_say_is_chosen(self):
+        circle = self.folder / "circle.json"
+        self.assertEqual(run("new", "circle", 0, 0, 1, "-o", circle).returncode, 0)
+        for format, title in (("nurbs-python", "NURBS-Python"), ("tinyspline", "tinyspline"), ("rhino", "Rhino-style"),
+                              ("opencascade", "OpenCASCADE-style")):
+            foreign = self.folder / "foreign.json"
+            self.assertEqual(run("convert", circle, "-o", foreign, "--to", format).returncode, 0)
+            refused = run("info", foreign)
+            self.assertEqual(refused.returncode, 1)
+            self.assertIn(f"it looks like a {title} file, a format that has to be chosen", refused.stderr)
+            [curve] = json.loads(run("convert", foreign, "--from", format, "-o", "-").stdout)["curves"]
+            x, y = curve["points"][1]
+            self.assertAlmostEqual(x * x + y * y, 2, delta=1e-12)
+
+    def test_every_format_that_is_written_and_read_brings_a_circle_back(self):
+        circle = self.folder / "circle.json"
+        self.assertEqual(run("new", "circle", 3, 4, 5, "-o", circle).returncode, 0)
+        for ending in ("svg", "dxf", "nurbs-python.json", "tinyspline.json", "rhino.json", "opencascade.json"):
+            copy = self.folder / f"copy.{ending}"
+            written = run("convert", circle, "-o", copy)
+            self.assertEqual((written.returncode, written.stderr), (0, ""), ending)
+            [info] = answer("info", copy)["curves"]
+            self.assertAlmostEqual(info["length"], 31.41592653589793, delta=1e-9, msg=ending)
+            self.assertEqual([[round(x, 9) for x in corner] for corner in info["bounds"]], [[-2, -1], [8, 9]], ending)
+
     def test_json_tells_of_both_files(self):
         copy = self.folder / "copy.json"
         told = [{"file": str(path), "largest_error": 0.0, "left_out": []} for path in (self.line, copy)]

@@ -24,7 +24,7 @@ void tell_lost_fits(LoadedFile& file) {
 
 Outcome<LoadedFile> load_native(const fs::path& path, const LoadingTold& told) {
     core::FileResult<core::Document> document = core::load_document(path, told.progress, told.points_read);
-    if (!document) return tl::unexpected(file_refusal(path, document.error()));
+    if (!document) return tl::unexpected(file_refusal(path, exchange::with_advice(document.error(), path)));
     const Outcome<ViewForms> forms = read_forms(document->view.unknown_members);
     if (!forms) return tl::unexpected(file_refusal(path, {"", forms.error()}));
     LoadedFile file{*std::move(document)};
