@@ -72,7 +72,7 @@ class Journal {
 
     Outcome<void> append(const JournalFacts& facts, const DocumentPieces& pieces) {
         const std::string record = records_.written(facts, delta_between(pieces_, pieces));
-        const Outcome<void> appended = journal_->append(record);
+        Outcome<void> appended = journal_->append(record);
         if (!appended) {
             records_.take_back();
             return appended;

@@ -18,7 +18,7 @@ fs::path folder_from(const char* variable) {
 }  // namespace
 
 fs::path user_folder(const char* variable, const char* otherwise) {
-    const fs::path folder = folder_from(variable);
+    fs::path folder = folder_from(variable);
     const fs::path home = folder_from("HOME");
     if (!folder.empty() || home.empty()) return folder;
     return home / otherwise;
