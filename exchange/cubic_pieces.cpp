@@ -14,7 +14,7 @@ namespace batten::exchange {
 
 namespace {
 
-constexpr int most_halvings = 16;
+constexpr int most_halvings = 20;
 
 core::Result<core::Curve> bezier_curve(std::span<const core::Point> points, std::span<const double> weights,
                                        core::Interval interval) {
@@ -84,12 +84,17 @@ std::array<double, 5> matched_parameter(const core::Curve& curve, const CubicPie
     return is_usable ? wanted : Guess{}.parameter;
 }
 
-Guess guess_of(const core::Curve& curve) {
+// With the tangents of the curve, and few pieces where it is smooth.
+std::optional<Guess> smooth_guess(const core::Curve& curve) {
+    const auto piece = through_middle(curve, curve.control_points().front(), curve.control_points().back());
+    if (!piece || !all_finite(*piece)) return std::nullopt;
+    return Guess{*piece, matched_parameter(curve, *piece)};
+}
+
+// With the derivatives of the curve, which it nears by every halving, also around a cusp.
+Guess plain_guess(const core::Curve& curve) {
     const core::Point first = curve.control_points().front();
     const core::Point last = curve.control_points().back();
-    if (const auto piece = through_middle(curve, first, last)) {
-        if (all_finite(*piece)) return {*piece, matched_parameter(curve, *piece)};
-    }
     if (const CubicPiece piece = with_end_derivatives(curve, first, last); all_finite(piece)) return {piece};
     return {{.points = {first, first, last, last}}};
 }
@@ -168,6 +173,24 @@ double length_bound(std::vector<core::HomogeneousPoint> coefficients, double wan
                     length_bound(std::move(coefficients), wanted, halvings - 1));
 }
 
+struct Fit {
+    CubicPiece piece;
+    double error = 0.0;
+};
+
+Fit fit_of(const core::Curve& curve, const Guess& guess, double wanted) {
+    return {guess.piece, length_bound(difference(curve, guess), wanted, 2)};
+}
+
+Fit best_fit(const core::Curve& curve, double wanted) {
+    const std::optional<Guess> smooth = smooth_guess(curve);
+    if (!smooth) return fit_of(curve, plain_guess(curve), wanted);
+    const Fit fit = fit_of(curve, *smooth, wanted);
+    if (fit.error <= wanted) return fit;
+    const Fit plain = fit_of(curve, plain_guess(curve), wanted);
+    return plain.error < fit.error ? plain : fit;
+}
+
 class PieceMaker {
   public:
     explicit PieceMaker(double tolerance) : tolerance_(tolerance) {}
@@ -185,20 +208,19 @@ class PieceMaker {
     }
 
     void add_within_tolerance(const core::Curve& curve, bool is_torn, int halvings = most_halvings) {
-        const Guess guess = guess_of(curve);
-        const double error = length_bound(difference(curve, guess), tolerance_, 2);
+        const Fit fit = best_fit(curve, tolerance_);
         const core::Interval domain = curve.domain();
         const double middle = domain.lower + 0.5 * (domain.upper - domain.lower);
         const bool can_be_halved = halvings > 0 && domain.lower < middle && middle < domain.upper;
-        if (error > tolerance_ && can_be_halved && std::isfinite(error)) {
+        if (fit.error > tolerance_ && can_be_halved && std::isfinite(fit.error)) {
             if (const auto halves = core::split(curve, middle)) {
                 add_within_tolerance(halves->front(), is_torn, halvings - 1);
                 add_within_tolerance(halves->back(), false, halvings - 1);
                 return;
             }
         }
-        made_.error = std::max(made_.error, error);
-        add(guess.piece, is_torn);
+        made_.error = std::max(made_.error, fit.error);
+        add(fit.piece, is_torn);
     }
 
     // What is beyond doubles, where nothing is known of the error.
@@ -234,20 +256,32 @@ bool begins_torn(const core::KnotVector& knots, std::size_t span) {
     return span >= 2 * p + 1 && knots[span - p] == knots[span];
 }
 
+// The piece over `interval`, exactly or within the tolerance.
+void add_piece(PieceMaker& result, std::span<const core::Point> points, std::span<const double> weights,
+               core::Interval interval, bool is_torn) {
+    const std::size_t p = points.size() - 1;
+    if (p == 1 || (p <= 3 && all_equal(weights)))
+        result.add(exact_piece(points), is_torn);
+    else if (const auto piece = bezier_curve(points, weights, interval))
+        result.add_within_tolerance(*piece, is_torn);
+    else
+        result.add_line(points, is_torn);
+}
+
 }  // namespace
 
 CubicPieces cubic_pieces(const core::Curve& curve, double tolerance) {
     PieceMaker result(tolerance);
     const core::BezierPieces pieces = core::bezier_pieces(curve);
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-        const bool is_torn = begins_torn(curve.knots(), pieces.span(k));
-        if (curve.degree() == 1 || (curve.degree() <= 3 && all_equal(pieces.weights(k))))
-            result.add(exact_piece(pieces.points(k)), is_torn);
-        else if (const auto piece = bezier_curve(pieces.points(k), pieces.weights(k), pieces.interval(k)))
-            result.add_within_tolerance(*piece, is_torn);
-        else
-            result.add_line(pieces.points(k), is_torn);
-    }
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+        add_piece(result, pieces.points(k), pieces.weights(k), pieces.interval(k),
+                  begins_torn(curve.knots(), pieces.span(k)));
+    return std::move(result).take();
+}
+
+CubicPieces cubic_pieces(std::span<const core::Point> points, std::span<const double> weights, double tolerance) {
+    PieceMaker result(tolerance);
+    add_piece(result, points, weights, {0.0, 1.0}, false);
     return std::move(result).take();
 }
 

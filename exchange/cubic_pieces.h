@@ -30,10 +30,13 @@ struct CubicPieces {
 /// The curve as pieces within `tolerance` (> 0, in coordinates): exact where its piece over a span is a line or a
 /// polynomial of degree 3 at most, else cubics with the tangents of the curve at their ends, over spans that are halved
 /// until the error is within the tolerance. The error is bounded by control points of the difference of the curve and
-/// the cubic, whose parameter is matched to that of the curve. A span is halved at most 16 times and never beyond
-/// doubles, so the error may be larger around a cusp and for huge numbers, and infinite beyond doubles; it is told.
+/// the cubic, whose parameter is matched to that of the curve. A span is halved at most 20 times and never beyond
+/// doubles, so the error may be larger for huge numbers, and infinite beyond doubles; it is told.
 /// Cost O(p^2) for each exact piece and each halving of the others.
 CubicPieces cubic_pieces(const core::Curve& curve, double tolerance);
+
+/// The same for one rational Bézier piece; no weights stand for equal ones.
+CubicPieces cubic_pieces(std::span<const core::Point> points, std::span<const double> weights, double tolerance);
 
 /// The curve whose points these are; the pieces must have been made by cubic_pieces().
 core::Curve curve_of(const CubicPiece& piece);

@@ -28,11 +28,8 @@ struct PathPieces {
 };
 
 /// The pieces of the curve: the curve itself where it is polynomial of degree 3 or less, of degree 1, or made of arcs
-/// of circles, but for rounding. Else cubic ones with the ends, tangents and parameters of the curve, as many as
-/// `tolerance`
-/// (> 0) takes, but at most `most_path_pieces`. A closed curve ends in its first point, bit-equal. The error is a
-/// bound: the largest control point of the difference, times the weights, over the least weight; not finite where
-/// numbers on the way are beyond what doubles can hold. Cost O(p^2) for each piece that is tried.
+/// of circles, but for rounding; else cubic_pieces() within `tolerance` (> 0), one for each span once there are
+/// `most_path_pieces`. A closed curve ends in its first point, bit-equal. Cost O(p^2) for each piece that is tried.
 PathPieces path_pieces(const core::Curve& curve, double tolerance);
 
 inline constexpr std::size_t most_path_pieces = 4'000'000;
