@@ -4,16 +4,16 @@
 #include <cctype>
 
 #include "exchange/csv_writer.h"
-#include "exchange/dxf_reader.h"
-#include "exchange/dxf_writer.h"
+#include "exchange/dxf/dxf_reader.h"
+#include "exchange/dxf/dxf_writer.h"
 #include "exchange/iges_reader.h"
 #include "exchange/iges_writer.h"
-#include "exchange/json_dialects_reader.h"
-#include "exchange/json_dialects_writer.h"
+#include "exchange/json/json_dialects_reader.h"
+#include "exchange/json/json_dialects_writer.h"
 #include "exchange/step_reader.h"
 #include "exchange/step_writer.h"
-#include "exchange/svg_reader.h"
-#include "exchange/svg_writer.h"
+#include "exchange/svg/svg_reader.h"
+#include "exchange/svg/svg_writer.h"
 
 namespace batten::exchange {
 

@@ -41,7 +41,7 @@ ONLY_IN = {
     ("core", "hwy"): {"core/evaluate/detail/span_block.cpp", "core/evaluate/detail/taylor_samples.cpp"},
     ("core", "nlohmann"): {"core/document/"},
     ("core", "posix"): {"core/document/"},
-    ("exchange", "pugixml"): {"exchange/svg"},
+    ("exchange", "pugixml"): {"exchange/svg/"},
     ("exchange", "ft2build"): {"exchange/font_reader.cpp"},
     ("exchange", "freetype"): {"exchange/font_reader.cpp"},
     ("render", "cairo"): {"render/cairo_painter.cpp"},

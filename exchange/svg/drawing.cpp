@@ -9,9 +9,9 @@
 #include "exchange/svg/basic_shapes.h"
 #include "exchange/svg/path_data.h"
 #include "exchange/svg/style.h"
+#include "exchange/svg/svg_reader.h"
 #include "exchange/svg/transform_text.h"
 #include "exchange/svg/viewport.h"
-#include "exchange/svg_reader.h"
 
 namespace batten::exchange {
 

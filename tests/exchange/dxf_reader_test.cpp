@@ -1,4 +1,4 @@
-#include "exchange/dxf_reader.h"
+#include "exchange/dxf/dxf_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "exchange/dxf_writer.h"
+#include "exchange/dxf/dxf_writer.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "core/make/conics.h"
-#include "exchange/dxf_groups.h"
-#include "exchange/dxf_reader.h"
+#include "exchange/dxf/dxf_groups.h"
+#include "exchange/dxf/dxf_reader.h"
 #include "tests/exchange/carried_curves.h"
 
 namespace batten::exchange {

@@ -10,7 +10,7 @@
 #include "core/evaluate/evaluate.h"
 #include "core/measure/area.h"
 #include "core/measure/bounds.h"
-#include "exchange/svg_reader.h"
+#include "exchange/svg/svg_reader.h"
 
 namespace batten::exchange {
 

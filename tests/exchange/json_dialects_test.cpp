@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "core/evaluate/evaluate.h"
-#include "exchange/json_dialects_reader.h"
-#include "exchange/json_dialects_writer.h"
-#include "exchange/json_tree.h"
+#include "exchange/json/json_dialects_reader.h"
+#include "exchange/json/json_dialects_writer.h"
+#include "exchange/json/json_tree.h"
 #include "tests/exchange/carried_curves.h"
 
 namespace batten::exchange {

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <string>
 
-#include "exchange/svg_reader.h"
+#include "exchange/svg/svg_reader.h"
 
 namespace batten::exchange {
 

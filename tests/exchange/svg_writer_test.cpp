@@ -1,4 +1,4 @@
-#include "exchange/svg_writer.h"
+#include "exchange/svg/svg_writer.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "core/evaluate/evaluate.h"
 #include "core/make/conics.h"
 #include "core/measure/nearest.h"
-#include "exchange/svg_reader.h"
+#include "exchange/svg/svg_reader.h"
 #include "tests/core/random_curves.h"
 
 namespace batten::exchange {

@@ -1,4 +1,4 @@
-#include "exchange/dxf_entity.h"
+#include "exchange/dxf/dxf_entity.h"
 
 #include <algorithm>
 #include <cmath>

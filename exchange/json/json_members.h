@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/geometry.h"
-#include "exchange/json_tree.h"
+#include "exchange/json/json_tree.h"
 
 namespace batten::exchange {
 

@@ -1,4 +1,4 @@
-#include "exchange/json_dialects_writer.h"
+#include "exchange/json/json_dialects_writer.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "exchange/dxf_curves.h"
+#include "exchange/dxf/dxf_curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "core/make/shapes.h"
 #include "core/measure/closing.h"
 #include "core/refine/periodic.h"
-#include "exchange/bulged_polyline.h"
+#include "exchange/dxf/bulged_polyline.h"
 
 namespace batten::exchange {
 

@@ -1,4 +1,4 @@
-#include "exchange/bulged_polyline.h"
+#include "exchange/dxf/bulged_polyline.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "exchange/json_tree.h"
+#include "exchange/json/json_tree.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "exchange/svg_reader.h"
+#include "exchange/svg/svg_reader.h"
 
 #include <algorithm>
 #include <pugixml.hpp>

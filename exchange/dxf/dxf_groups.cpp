@@ -1,4 +1,4 @@
-#include "exchange/dxf_groups.h"
+#include "exchange/dxf/dxf_groups.h"
 
 #include <charconv>
 

@@ -1,10 +1,10 @@
-#include "exchange/dxf_reader.h"
+#include "exchange/dxf/dxf_reader.h"
 
 #include <array>
 #include <charconv>
 #include <unordered_map>
 
-#include "exchange/dxf_curves.h"
+#include "exchange/dxf/dxf_curves.h"
 #include "exchange/utf8_text.h"
 
 namespace batten::exchange {

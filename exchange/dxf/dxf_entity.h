@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
-#include "exchange/dxf_groups.h"
+#include "exchange/dxf/dxf_groups.h"
 
 namespace batten::exchange {
 

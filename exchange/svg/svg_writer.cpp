@@ -1,4 +1,4 @@
-#include "exchange/svg_writer.h"
+#include "exchange/svg/svg_writer.h"
 
 #include <algorithm>
 #include <array>

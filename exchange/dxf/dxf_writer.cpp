@@ -1,4 +1,4 @@
-#include "exchange/dxf_writer.h"
+#include "exchange/dxf/dxf_writer.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "exchange/json_members.h"
+#include "exchange/json/json_members.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "exchange/json_dialects_reader.h"
+#include "exchange/json/json_dialects_reader.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "exchange/collector.h"
-#include "exchange/json_members.h"
+#include "exchange/json/json_members.h"
 
 namespace batten::exchange {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "exchange/collector.h"
-#include "exchange/dxf_entity.h"
+#include "exchange/dxf/dxf_entity.h"
 
 namespace batten::exchange {
 
