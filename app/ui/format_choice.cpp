@@ -14,7 +14,7 @@ namespace {
 using core::sentence;
 using exchange::Format;
 
-constexpr double field_width = 240.0;
+constexpr double format_field_width = 240.0;
 
 bool is_saving_curves(const PanelContext& context) {
     return context.state.dialog == editor::Dialog::save_file;
@@ -45,7 +45,7 @@ std::string text_of_choice(const PanelContext& context) {
 void draw_one(const PanelContext& context, const char* name, const std::string& text, std::optional<Format> format) {
     FileDialogState& dialog = context.panels.file_dialog;
     Button button{sentence("format {name}", {{"name", name}}), text};
-    button.width_px = context.px(field_width);
+    button.width_px = context.px(format_field_width);
     button.anchor = render::Anchor::left;
     button.is_active = dialog.format == format;
     if (!draw_choice(context, button)) return;
@@ -81,7 +81,7 @@ std::vector<std::string> endings_of_curves(bool is_saving) {
 
 void draw_format_choice(const PanelContext& context) {
     ImGui::SetCursorPos({context.px(18), ImGui::GetWindowHeight() - context.px(44)});
-    ChoiceField field{"file-dialog format", text_of_choice(context), context.px(field_width)};
+    ChoiceField field{"file-dialog format", text_of_choice(context), context.px(format_field_width)};
     field.opens_upward = true;
     if (!begin_choices(context, field)) return;
     draw_one(context, "by-ending", "by its ending", std::nullopt);
