@@ -144,11 +144,12 @@ std::vector<core::HomogeneousPoint> difference(const core::Curve& curve, const G
     const auto of_curve = choices_of(points.size() - 1);
     const auto of_others = choices_of(others.size() - 1);
     const auto of_both = choices_of(points.size() + others.size() - 2);
+    const double heaviest = std::ranges::max(curve.weights());
     std::vector<core::HomogeneousPoint> result(of_both.size(), core::HomogeneousPoint(0.0, 0.0, 0.0));
     for (std::size_t i = 0; i < points.size(); ++i) {
         const core::Vector place = points[i] - points[0];
         for (std::size_t j = 0; j < others.size(); ++j) {
-            const double weight = of_curve[i] * of_others[j] / of_both[i + j] * curve.weights()[i];
+            const double weight = of_curve[i] * of_others[j] / of_both[i + j] * (curve.weights()[i] / heaviest);
             const core::Vector v = weight * (place - others[j]);
             result[i + j] += core::HomogeneousPoint(v.x, v.y, weight);
         }
@@ -156,14 +157,16 @@ std::vector<core::HomogeneousPoint> difference(const core::Curve& curve, const G
     return result;
 }
 
-// No quotient is longer than those of the coefficients, of which there are nearer ones in both halves.
+// No quotient is longer than those of the coefficients, of which there are nearer ones in both halves. Infinite where
+// one of them is beyond doubles.
 double length_bound(std::vector<core::HomogeneousPoint> coefficients, double wanted, int halvings) {
     double bound = 0.0;
     for (const core::HomogeneousPoint& c : coefficients) {
         const double here = core::robust_length(core::Vector(c.x / c.z, c.y / c.z));
-        if (!(here <= bound)) bound = here;
+        if (!std::isfinite(here)) return std::numeric_limits<double>::infinity();
+        bound = std::max(bound, here);
     }
-    if (bound <= wanted || halvings == 0 || !std::isfinite(bound)) return bound;
+    if (bound <= wanted || halvings == 0) return bound;
     std::vector<core::HomogeneousPoint> left;
     for (std::size_t k = coefficients.size(); k > 0; --k) {
         left.push_back(coefficients.front());

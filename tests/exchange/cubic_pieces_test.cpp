@@ -177,6 +177,15 @@ TEST(CubicPieces, EndForHugeAndTinyNumbersAndCusps) {
                                         .weights = weights});
         EXPECT_LT(cubic_pieces(curve, 1e-3 * size).pieces.size(), 5000u);
     }
+    // Sums of coordinates and weights are beyond doubles.
+    const core::Curve beyond = made({.degree = 4,
+                                     .knots = {0, 0, 0, 0, 0, 1, 1, 1, 1, 1},
+                                     .points = {{0, 0}, {8.9e307, 0}, {8.9e307, 8.9e307}, {0, 8.9e307}, {-8.9e307, 0}},
+                                     .weights = {1, 1e100, 1e200, 1e300, 1e308}});
+    const CubicPieces rough = cubic_pieces(beyond, 1e300);
+    EXPECT_GT(rough.error, 0.0);
+    for (const CubicPiece& piece : rough.pieces)
+        for (const core::Point point : piece.control_points()) EXPECT_TRUE(core::is_finite(point));
     const core::Curve cusp = made(
         {.degree = 4, .knots = {0, 0, 0, 0, 0, 1, 1, 1, 1, 1}, .points = {{0, 0}, {1, 1}, {0.5, 1}, {0, 1}, {1, 0}}});
     const CubicPieces pieces = cubic_pieces(cusp, 1e-6);

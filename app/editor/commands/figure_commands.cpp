@@ -3,6 +3,7 @@
 #include "app/editor/commands/file_acts.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
+#include "core/base/sentence.h"
 
 namespace batten::editor {
 
@@ -10,14 +11,29 @@ namespace {
 
 constexpr double most_figure_scale = 8.0;
 
-/// Beside the document, with its name.
+std::string figure_name(const std::string& stem, std::size_t number) {
+    if (number == 1) return core::sentence("{name} figure.svg", {{"name", stem}});
+    return core::sentence("{name} figure {number}.svg", {{"name", stem}, {"number", number}});
+}
+
+// A name beside the document that no file has: a drawing of that name may be what the document was made of.
 std::filesystem::path figure_path(const EditorState& state) {
-    std::filesystem::path path = state.path.empty() ? "figure.svg" : state.path;
-    return path.replace_extension(".svg");
+    const std::filesystem::path& file = state.path.empty() ? state.source : state.path;
+    const std::string stem = file.empty() ? "untitled" : file.stem().string();
+    std::error_code error;
+    for (std::size_t number = 1;; ++number) {
+        std::filesystem::path path = file.parent_path() / figure_name(stem, number);
+        if (!std::filesystem::exists(path, error)) return path;
+    }
 }
 
 Outcome<void> export_figure(EditorState& state, const ExportFigure& command) {
-    return export_figure_to(state, absolute_path(command.path),
+    const std::filesystem::path path = absolute_path(command.path);
+    std::error_code error;
+    if (!command.replace && std::filesystem::exists(path, error))
+        return tl::unexpected(core::sentence("{file} is there already; choose 'replace', or another name",
+                                             {{"file", path.filename().string()}}));
+    return export_figure_to(state, path,
                             {.view = command.view,
                              .scale = command.scale,
                              .is_transparent = command.is_transparent,
@@ -48,7 +64,8 @@ const CommandSpec& ExportFigure::spec() {
                  .at_most(most_figure_scale)
                  .usually(1.0),
              field::flag<&ExportFigure::is_transparent>("transparent", "whether the ground is left out").usually(false),
-             field::text<&ExportFigure::title>("title", "a title above the picture")},
+             field::text<&ExportFigure::title>("title", "a title above the picture"),
+             field::flag<&ExportFigure::replace>("replace", "whether a file that is there is replaced").usually(false)},
         .refusal = no_visible_curve,
         .run = body_of<export_figure>};
     return spec;

@@ -16,6 +16,7 @@ struct ExportFigure {
     double scale = 1.0;  ///< pixels of a PNG for each of the design
     bool is_transparent = false;
     std::optional<std::string> title{};
+    bool replace = false;  ///< a file that is there
     static const CommandSpec& spec();
 };
 

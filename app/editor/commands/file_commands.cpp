@@ -5,6 +5,7 @@
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/state/dialog.h"
 #include "app/editor/words/native_name.h"
+#include "core/base/sentence.h"
 
 namespace batten::editor {
 
@@ -75,9 +76,18 @@ Outcome<void> save(EditorState& state, const Save&) {
     return save_to(state, state.path);
 }
 
+bool is_own_file(const EditorState& state, const fs::path& path) {
+    std::error_code error;
+    return !state.path.empty() && (path == state.path || fs::equivalent(path, state.path, error));
+}
+
 // A copy or a figure is not what an answer about unsaved changes waits for.
 Outcome<void> export_to(EditorState& state, const SavedName& name) {
     const fs::path path = absolute_path(name.path);
+    if (is_own_file(state, path))
+        return tl::unexpected(
+            core::sentence("{file} is the document itself; a copy for another program needs another name",
+                           {{"file", path.filename().string()}}));
     Outcome<void> exported =
         name.is_figure ? export_figure_to(state, path) : export_document_to(state, path, *name.format);
     if (exported) show_dialog(state, Dialog::none);
@@ -87,8 +97,9 @@ Outcome<void> export_to(EditorState& state, const SavedName& name) {
 Outcome<void> save_as(EditorState& state, const SaveAs& command) {
     if (!command.path) return ask_for_path(state);
     return saved_name(*command.path, command.format).and_then([&](const SavedName& name) {
-        const bool is_own = !name.format && !name.is_figure;
-        return is_own ? save_to(state, absolute_path(name.path)) : export_to(state, name);
+        if (name.format || name.is_figure) return export_to(state, name);
+        const fs::path path = absolute_path(name.path);
+        return is_own_file(state, path) ? save(state, {}) : save_to(state, path);
     });
 }
 

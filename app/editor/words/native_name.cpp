@@ -86,8 +86,11 @@ Outcome<SavedName> saved_name(const std::filesystem::path& path, std::optional<e
     if (!format && is_named_as_figure(path)) return SavedName{path, std::nullopt, true};
     if (!format)
         return native_path(path).map([](std::filesystem::path native) { return SavedName{std::move(native)}; });
+    if (exchange::format_of(path) == format) return SavedName{path, format};
+    // A name that is another kind's would be taken for a file of that kind.
     std::filesystem::path named = path;
-    if (ending_of(path).empty()) named += exchange::spec_of(*format).endings.front();
+    if (is_native(ending_of(path)) || exchange::format_of(path)) named.replace_extension();
+    if (ending_of(named).empty()) named += exchange::spec_of(*format).endings.front();
     return SavedName{std::move(named), format};
 }
 

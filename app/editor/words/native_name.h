@@ -30,8 +30,8 @@ struct SavedName {
     bool is_figure = false;
 };
 
-/// The file that is meant by `path` and `format`, by the ending where none is chosen. A name without an ending is given
-/// that of the format; one with a foreign ending needs a format.
+/// The file that is meant by `path` and `format`, by the ending where none is chosen. A name without an ending, or with
+/// that of another format, is given that of the format; one with a foreign ending needs a format and keeps it.
 Outcome<SavedName> saved_name(const std::filesystem::path& path, std::optional<exchange::Format> format);
 
 }  // namespace batten::editor

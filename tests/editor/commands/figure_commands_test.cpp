@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/editor/command_spec.h"
 #include "app/editor/commands/overlay_commands.h"
 #include "tests/editor/sample_editor.h"
 
@@ -61,6 +62,19 @@ TEST_F(FigureCommands, need_a_curve_and_a_scale_within_limits) {
     for (const char* scale : {"0", "-1", "9", "nan"})
         EXPECT_FALSE(run_typed(editor_, std::string("export-figure a.svg curve ") + scale)) << scale;
     EXPECT_EQ(asked_.times, 0U);
+}
+
+TEST_F(FigureCommands, replace_a_file_only_where_that_is_chosen) {
+    ASSERT_TRUE(editor_.run(Open{.path = folder_.write("wave.json", sample_text)}));
+    const std::filesystem::path drawing = folder_.write("wave.svg", "drawn elsewhere");
+    EXPECT_FALSE(editor_.run(ExportFigure{.path = drawing}));
+    EXPECT_EQ(editor_.state().message.text, "wave.svg is there already; choose 'replace', or another name");
+    EXPECT_EQ(asked_.times, 0U);
+    EXPECT_TRUE(editor_.run(ExportFigure{.path = drawing, .replace = true}));
+    EXPECT_EQ(asked_.path, drawing);
+    folder_.write("wave figure.svg", "of yesterday");
+    const Field& path = ExportFigure::spec().fields.front();
+    EXPECT_EQ(std::get<std::string>(path.initial(editor_.state())), folder_.path() / "wave figure 2.svg");
 }
 
 }  // namespace

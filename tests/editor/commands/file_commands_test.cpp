@@ -588,5 +588,28 @@ TEST_F(FileCommands, a_file_of_another_program_is_no_file_to_save_to) {
     EXPECT_EQ(document(editor_).curves.size(), 6U);
 }
 
+TEST_F(FileCommands, a_copy_does_not_take_the_place_of_the_document) {
+    run(Open{.path = wave_});
+    const std::string before = content(wave_);
+    EXPECT_TRUE(run(SaveAs{.path = wave_, .format = exchange::Format::rhino}));
+    EXPECT_TRUE(fs::exists(folder_.path() / "wave.rhino.json"));
+    EXPECT_EQ(content(wave_), before);
+    EXPECT_TRUE(run(SaveAs{.path = folder_.path() / "wave.svg", .format = exchange::Format::dxf}));
+    EXPECT_TRUE(fs::exists(folder_.path() / "wave.dxf"));
+    fs::create_symlink(wave_, folder_.path() / "link.dxf");
+    EXPECT_FALSE(run(SaveAs{.path = folder_.path() / "link.dxf"}));
+    EXPECT_EQ(state().message.text, "link.dxf is the document itself; a copy for another program needs another name");
+    EXPECT_EQ(content(wave_), before);
+}
+
+TEST_F(FileCommands, save_as_under_the_same_name_asks_about_what_another_program_changed) {
+    run(Open{.path = wave_});
+    run(DeletePoints{.points = {1}});
+    folder_.write("wave.json", bezier_text);
+    EXPECT_TRUE(run(SaveAs{.path = wave_}));
+    EXPECT_EQ(state().dialog, Dialog::changed_file);
+    EXPECT_EQ(content(wave_), bezier_text);
+}
+
 }  // namespace
 }  // namespace batten::editor
