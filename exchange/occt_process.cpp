@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -99,8 +100,12 @@ core::FileResult<OcctAnswer> answer_of(const std::string& text) {
     const auto json = nlohmann::json::parse(text, nullptr, false);
     if (!json.is_object()) return occt_error("batten-occt gave no answer");
     if (json.contains("what")) return tl::unexpected(core::FileError{json.value("where", ""), json.value("what", "")});
+    // Infinity has no number in JSON.
+    const auto error = json.find("largest_error");
+    const bool is_known = error != json.end() && error->is_number();
     return OcctAnswer{json.value("text", ""),
-                      {json.value("largest_error", 0.0), json.value("left_out", std::vector<std::string>())}};
+                      {is_known ? error->get<double>() : std::numeric_limits<double>::infinity(),
+                       json.value("left_out", std::vector<std::string>())}};
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ namespace batten::exchange {
 
 /// How true a copy is.
 struct Report {
-    double largest_error = 0.0;           ///< no point of a curve is farther from its copy; 0: the copy is exact
+    /// No point of a curve is farther from its copy; 0: the copy is exact; infinite: that is not known.
+    double largest_error = 0.0;
     std::vector<std::string> left_out{};  ///< whole sentences: what is missing in the copy or other there, and why
 };
 

@@ -38,6 +38,13 @@ std::string evaluate(std::string& text) {
     return {};
 }
 
+// Says what is wrong with a length that must be finite and above 0.
+std::string check_length(std::string& text) {
+    const auto value = core::leading_number(text);
+    if (value && value->length == text.size() && value->value > 0.0) return {};
+    return core::sentence("{found} is no length above 0", {{"found", text}});
+}
+
 void add_format(CLI::App& command, const char* name, std::optional<exchange::Format>& format, const char* meaning) {
     std::vector<std::string> names;
     for (const auto& entry : core::Names<exchange::Format>::table) names.emplace_back(entry.name);
@@ -186,7 +193,7 @@ void Subcommands::add_check(CLI::App& program) {
                       "there");
     command->add_option("--within", check_.within, "How near ends must be to be a joint")
         ->type_name("LENGTH")
-        ->check(CLI::Validator(CLI::PositiveNumber).description(""));
+        ->check(CLI::Validator(check_length, ""));
     add_json(*command, check_.as_json);
     check_command_ = command;
 }
@@ -203,7 +210,7 @@ void Subcommands::add_convert(CLI::App& program) {
         ->add_option("--tolerance", convert_.write.tolerance,
                      "How far curves may be from their copies where the format cannot hold them as they are (default: "
                      "a millionth of the size of the drawing)")
-        ->check(CLI::Validator(CLI::PositiveNumber).description(""))
+        ->check(CLI::Validator(check_length, ""))
         ->type_name("LENGTH");
     command->add_option("--samples", convert_.write.samples, "How many rows a curve has in a table (default: 101)")
         ->check(CLI::Validator(CLI::Range(least_samples, most_samples)).description(""))

@@ -269,7 +269,9 @@ core::FileResult<Imported> imported_edges(const TopoDS_Shape& shape, const Handl
 void add_faults(Imported& imported, const Interface_CheckIterator& checks) {
     std::size_t faults = 0;
     for (; checks.More(); checks.Next()) faults += static_cast<std::size_t>(checks.Value()->NbFails());
-    if (faults > 0) imported.report.left_out.push_back(core::sentence(faults_found, faults));
+    if (faults == 0) return;
+    imported.report.largest_error = std::numeric_limits<double>::infinity();
+    imported.report.left_out.push_back(core::sentence(faults_found, faults));
 }
 
 double unit_to_read_in(double unit) {

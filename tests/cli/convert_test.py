@@ -67,7 +67,7 @@ class Convert(unittest.TestCase):
         foreign = run("convert", self.line, "-o", self.folder / "out.ai")
         self.assertEqual((foreign.returncode, foreign.stdout), (2, ""))
         self.assertEqual(foreign.stderr, "batten convert: 'out.ai' ends in .ai, as no file that curves are written to; name it 'out.json'\n")
-        for words in (("--from", "word"), ("--tolerance", "0"), ("--samples", "1")):
+        for words in (("--from", "word"), ("--tolerance", "0"), ("--tolerance", "nan"), ("--tolerance", "1e999"), ("--samples", "1")):
             self.assertEqual(run("convert", self.line, "-o", result, *words).returncode, 2, words)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["line.json"])
 

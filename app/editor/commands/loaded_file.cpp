@@ -1,5 +1,7 @@
 #include "app/editor/commands/loaded_file.h"
 
+#include <cmath>
+
 #include "app/editor/state/view_forms.h"
 #include "app/editor/words/wording.h"
 #include "core/base/sentence.h"
@@ -41,6 +43,12 @@ Outcome<LoadedFile> load_foreign(const fs::path& path, exchange::Format format) 
     return LoadedFile{std::move(imported->document), true, std::move(remarks)};
 }
 
+std::string error_words(const Units& units, double largest_error) {
+    if (largest_error == 0.0) return "its curves are exact";
+    if (!std::isfinite(largest_error)) return "how far its curves are off is not known";
+    return sentence("no curve is off by more than {error}", {{"error", bound_words(units, largest_error, 2)}});
+}
+
 }  // namespace
 
 Refusal file_refusal(const fs::path& path, const core::FileError& error) {
@@ -49,10 +57,7 @@ Refusal file_refusal(const fs::path& path, const core::FileError& error) {
 }
 
 std::vector<std::string> report_words(const Units& units, const exchange::Report& report) {
-    std::vector<std::string> words{report.largest_error == 0.0
-                                       ? "its curves are exact"
-                                       : sentence("no curve is off by more than {error}",
-                                                  {{"error", bound_words(units, report.largest_error, 2)}})};
+    std::vector<std::string> words{error_words(units, report.largest_error)};
     words.insert(words.end(), report.left_out.begin(), report.left_out.end());
     return words;
 }
