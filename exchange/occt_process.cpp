@@ -1,18 +1,22 @@
 #include "exchange/occt_process.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "core/document/native_file.h"
@@ -20,6 +24,8 @@
 namespace batten::exchange {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t most_answer_bytes = 2 * core::most_file_bytes;
 
@@ -61,11 +67,21 @@ bool write_all(int descriptor, std::string_view text) {
     return lseek(descriptor, 0, SEEK_SET) == 0;
 }
 
-// All that comes, and at most so much; none where it cannot be read.
-std::optional<std::string> read_all(int descriptor) {
+// Whether there is something to read, or the end, before `deadline`.
+bool can_read(int descriptor, Clock::time_point deadline) {
+    pollfd asked{.fd = descriptor, .events = POLLIN, .revents = 0};
+    for (;;) {
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+        const int count = poll(&asked, 1, static_cast<int>(std::max<std::int64_t>(left, 0)));
+        if (count >= 0 || errno != EINTR) return count > 0;
+    }
+}
+
+// All that comes before `deadline`, and at most so much; none where it cannot be read.
+std::optional<std::string> read_all(int descriptor, Clock::time_point deadline) {
     std::string text;
     std::array<char, 1U << 16U> block{};
-    while (text.size() <= most_answer_bytes) {
+    while (text.size() <= most_answer_bytes && can_read(descriptor, deadline)) {
         const ssize_t count = read(descriptor, block.data(), block.size());
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return std::nullopt;
@@ -89,11 +105,18 @@ std::optional<pid_t> start(const std::filesystem::path& program, const char* tas
     return error == 0 ? std::optional(process) : std::nullopt;
 }
 
-bool ended_well(pid_t process) {
+// Waits for the end of `process`, and brings it about after `deadline`.
+bool ended_well(pid_t process, Clock::time_point deadline) {
+    constexpr auto pause = std::chrono::milliseconds(1);
     int status = 0;
-    while (waitpid(process, &status, 0) < 0)
-        if (errno != EINTR) return false;
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    for (;;) {
+        const bool is_late = Clock::now() >= deadline;
+        if (is_late) kill(process, SIGKILL);
+        const pid_t ended = waitpid(process, &status, is_late ? 0 : WNOHANG);
+        if (ended > 0) return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+        if (ended < 0 && errno != EINTR) return false;
+        if (ended == 0) std::this_thread::sleep_for(pause);
+    }
 }
 
 core::FileResult<OcctAnswer> answer_of(const std::string& text) {
@@ -110,21 +133,24 @@ core::FileResult<OcctAnswer> answer_of(const std::string& text) {
 
 }  // namespace
 
-core::FileResult<OcctAnswer> ask_occt(const char* task, const char* format, std::string_view text) {
+core::FileResult<OcctAnswer> ask_occt(const char* task, const char* format, std::string_view text,
+                                      std::chrono::milliseconds most_time) {
     const Descriptor input(memfd_create("batten", MFD_CLOEXEC));
     std::array<int, 2> ends{-1, -1};
     if (input.number() < 0 || !write_all(input.number(), text) || pipe2(ends.data(), O_CLOEXEC) != 0)
         return occt_error("there is not enough memory to hand it over to OpenCASCADE");
-    const Descriptor output(ends[0]);
+    Descriptor output(ends[0]);
     Descriptor output_of_program(ends[1]);
+    const Clock::time_point deadline = Clock::now() + most_time;
     const auto process = start(program_path(), task, format, input.number(), ends[1]);
     output_of_program.close();
     if (!process)
         return occt_error(
             "the program batten-occt cannot be started; it must stand beside batten or in "
             "libexec/batten");
-    const std::optional<std::string> answer = read_all(output.number());
-    if (!ended_well(*process) || !answer)
+    const std::optional<std::string> answer = read_all(output.number(), deadline);
+    output.close();
+    if (!ended_well(*process, answer ? deadline : Clock::now()) || !answer)
         return occt_error("OpenCASCADE fails on this file, or takes more than a minute or 4 GB");
     return answer_of(*answer);
 }

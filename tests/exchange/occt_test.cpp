@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <random>
 
 #include "core/evaluate/evaluate.h"
@@ -10,6 +14,7 @@
 #include "core/refine/clamping.h"
 #include "core/refine/periodic.h"
 #include "exchange/format.h"
+#include "exchange/occt_process.h"
 
 namespace batten::exchange {
 
@@ -105,7 +110,54 @@ class ThroughOpenCascade : public testing::TestWithParam<Format> {
     }
 };
 
+// Asks a shell script in place of batten-occt.
+class OcctProcess : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (const char* path = std::getenv("BATTEN_OCCT")) before_ = path;
+        std::filesystem::remove(script_);
+    }
+    void TearDown() override {
+        if (before_)
+            setenv("BATTEN_OCCT", before_->c_str(), 1);
+        else
+            unsetenv("BATTEN_OCCT");
+        std::filesystem::remove(script_);
+    }
+
+    // What is told within half a minute where the program does `commands`.
+    std::string told(const std::string& commands, std::chrono::milliseconds most_time) {
+        std::ofstream(script_) << "#!/bin/sh\n" << commands << "\n";
+        std::filesystem::permissions(script_, std::filesystem::perms::owner_all);
+        setenv("BATTEN_OCCT", script_.c_str(), 1);
+        const auto start = std::chrono::steady_clock::now();
+        const auto answer = ask_occt("read", "step", "text", most_time);
+        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+        return answer ? "answered: " + answer->text : answer.error().what;
+    }
+
+  private:
+    std::optional<std::string> before_{};
+    std::string script_ = testing::TempDir() + "batten_occt_" + std::to_string(getpid());
+};
+
+constexpr const char* occt_failed = "OpenCASCADE fails on this file, or takes more than a minute or 4 GB";
+
 }  // namespace
+
+TEST_F(OcctProcess, AnAnswerThatIsTooLongEndsIt) {
+    EXPECT_EQ(told("exec cat /dev/zero", std::chrono::minutes(2)), occt_failed);
+}
+
+TEST_F(OcctProcess, WaitingWithoutAnAnswerEndsIt) {
+    EXPECT_EQ(told("exec sleep 100", std::chrono::milliseconds(200)), occt_failed);
+    EXPECT_EQ(told("echo '{\"text\": \"whole\"}'; exec >&-; exec sleep 100", std::chrono::milliseconds(200)),
+              occt_failed);
+}
+
+TEST_F(OcctProcess, AnswersInTimeAreTaken) {
+    EXPECT_EQ(told("cat >/dev/null; echo '{\"text\": \"whole\"}'", std::chrono::minutes(2)), "answered: whole");
+}
 
 TEST_P(ThroughOpenCascade, CurvesOfEveryDegreeKeepEveryBit) {
     std::vector<core::Curve> curves;
