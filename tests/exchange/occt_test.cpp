@@ -350,7 +350,7 @@ TEST_P(ThroughOpenCascade, DamagedFilesAreRefusedOrReadInPart) {
     for (const std::string& other : {std::string(), std::string(1000, '\0'), std::string("nothing")}) {
         const auto imported = format().read(other);
         ASSERT_FALSE(imported);
-        EXPECT_NE(imported.error().what.find("can"), std::string::npos) << imported.error().what;
+        EXPECT_FALSE(imported.error().what.empty());
     }
 }
 
