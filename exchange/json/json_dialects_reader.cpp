@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "exchange/collector.h"
+#include "exchange/json/homogeneous.h"
 #include "exchange/json/json_members.h"
 
 namespace batten::exchange {
@@ -59,8 +60,8 @@ void take_homogeneous(Found& found, std::span<const double> numbers) {
     const core::Point point{numbers[0] / w, numbers[1] / w};
     found.definition.points.push_back(point);
     found.definition.weights.push_back(w);
-    const double rest = std::hypot(std::fma(point.x, w, -numbers[0]) / w, std::fma(point.y, w, -numbers[1]) / w);
-    if (std::isfinite(rest)) found.error = std::max(found.error, rest);
+    const double error = std::hypot(quotient_error(point.x, w, numbers[0]), quotient_error(point.y, w, numbers[1]));
+    found.error = std::max(found.error, error);
 }
 
 Found tinyspline_curve(JsonMembers& members) {

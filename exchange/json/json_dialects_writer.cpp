@@ -8,6 +8,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
+#include "exchange/json/homogeneous.h"
 #include "exchange/written_curves.h"
 
 namespace batten::exchange {
@@ -82,29 +83,27 @@ std::string nurbs_python_curve(const DocumentCurve& entry, Report& /*report*/) {
     return members.object();
 }
 
-// What rounding takes a point away by that is multiplied by its weight here, and divided by it there.
-double product_error(core::Point point, double weight) {
-    const auto of = [&](double x) { return std::fma(x, weight, -x * weight) / weight; };
-    return std::hypot(of(point.x), of(point.y));
-}
-
 std::string tinyspline_curve(const DocumentCurve& entry, Report& report) {
     const CurveDefinition curve = full_definition(*entry.curve);
-    const bool is_homogeneous = !curve.weights.empty();
+    const std::vector<double> weights = weights_near_one(curve.weights);
+    const bool is_homogeneous = !weights.empty();
+    double error = 0.0;
     std::vector<double> numbers;
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
-        const double w = is_homogeneous ? curve.weights[i] : 1.0;
-        numbers.insert(numbers.end(), {curve.points[i].x * w, curve.points[i].y * w});
+        const core::Point point = curve.points[i];
+        const double w = is_homogeneous ? weights[i] : 1.0;
+        numbers.insert(numbers.end(), {point.x * w, point.y * w});
         if (!is_homogeneous) continue;
+        error = std::max(error,
+                         std::hypot(quotient_error(point.x, w, point.x * w), quotient_error(point.y, w, point.y * w)));
         numbers.push_back(w);
-        const double error = product_error(curve.points[i], w);
-        report.largest_error = std::max(report.largest_error, std::isfinite(error) ? error : 0.0);
     }
-    if (!std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); })) {
+    if (!std::isfinite(error)) {
         report.left_out.push_back(core::sentence(
             "'{name}' was left out: a control point times its weight is too large a number", {{"name", entry.name}}));
         return {};
     }
+    report.largest_error = std::max(report.largest_error, error);
     Members members;
     members.add("name", quoted(entry.name));
     members.add("degree", static_cast<std::size_t>(curve.degree));

@@ -132,6 +132,41 @@ TEST(Tinyspline, TellsTheRoundingOfProducts) {
     EXPECT_LE(written->report.largest_error, 0.1 * 0x1p-53);
 }
 
+// 0.3 times the least double is none; the weights mean the same a power of two larger.
+TEST(Tinyspline, TinyAndHugeWeightsKeepThePoints) {
+    for (const double size : {0x1p-1074, 1e-200, 0x1p1022}) {
+        SCOPED_TRACE(size);
+        const std::vector<Point> points{{0.3, 0.1}, {1.3, 1}, {2.7, 1e-200}};
+        const Curve curve =
+            Curve::make(
+                {.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = points, .weights = {size, 2 * size, 2 * size}})
+                .value();
+        const auto written = write_tinyspline(document_of(curve), {});
+        ASSERT_TRUE(written);
+        EXPECT_LE(written->report.largest_error, 1e-15);
+        const Curve copy = curve_in(read_tinyspline, written->text);
+        for (std::size_t i = 0; i < 3; ++i) {
+            expect_near(copy.control_points()[i], points[i]);
+            EXPECT_EQ(copy.weights()[i] / copy.weights()[0], i == 0 ? 1.0 : 2.0);
+        }
+    }
+}
+
+// A weight too small to be scaled beside one too large: the first product is 0, and the point comes back as (0, 0).
+TEST(Tinyspline, TellsWhatTinyProductsLose) {
+    const Curve curve =
+        Curve::make(
+            {.degree = 1, .knots = {0, 0, 1, 1}, .points = {{0.3, 0}, {0.5, 0}}, .weights = {0x1p-1074, 0x1p100}})
+            .value();
+    const auto written = write_tinyspline(document_of(curve), {});
+    ASSERT_TRUE(written);
+    EXPECT_NEAR(written->report.largest_error, 0.3, 1e-15);
+    const auto lost = read_tinyspline(R"({"degree": 1, "dimension": 3, "homogeneous": true,
+        "control_points": [1e-323, 0, 7, 1, 0, 1], "knots": [0, 0, 1, 1]})");
+    ASSERT_TRUE(lost);
+    EXPECT_GT(lost->report.largest_error, 0.0);
+}
+
 TEST(Rhino, ReadsKnotsWithoutTheEnds) {
     const double w = std::sqrt(0.5);
     const Curve quarter = curve_in(read_rhino, R"({"curves": [{"degree": 2, "points": [[1, 0], [1, 1], [0, 1]],
