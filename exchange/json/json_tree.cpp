@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <unordered_set>
 
 #include "core/base/sentence.h"
 
@@ -51,6 +52,7 @@ class TreeMaker : public nlohmann::json_sax<Json> {
         bool is_list;
         JsonList list{};
         JsonValue::Object object{};
+        std::unordered_set<std::string> names{};  // of the members, where they are many
     };
 
     bool enter(bool is_list);
@@ -58,6 +60,7 @@ class TreeMaker : public nlohmann::json_sax<Json> {
     bool add_number(double value);
     bool add_row(const std::vector<double>& row);
     bool refuse(core::FileError error);
+    static bool is_new_name(Open& open, const std::string& name);
 
     std::string_view text_;
     JsonValue tree_;
@@ -140,11 +143,21 @@ bool TreeMaker::end_object() {
     return add(JsonValue(std::move(object)));
 }
 
+// A few members are searched faster than a set of them is made.
+bool TreeMaker::is_new_name(Open& open, const std::string& name) {
+    constexpr std::size_t few_members = 16;
+    if (open.object.size() < few_members)
+        return std::ranges::find(open.object, name, &JsonValue::Member::first) == open.object.end();
+    if (open.names.empty())
+        for (const JsonValue::Member& member : open.object) open.names.insert(member.first);
+    return open.names.insert(name).second;
+}
+
 bool TreeMaker::key(string_t& name) {
     JsonValue::Object& object = open_.back().object;
     if (object.size() == most_members)
         return refuse({"", core::sentence("an object has more than {most} members", {{"most", most_members}})});
-    if (std::ranges::any_of(object, [&](const JsonValue::Member& member) { return member.first == name; }))
+    if (!is_new_name(open_.back(), name))
         return refuse({"", core::sentence("the member \"{name}\" occurs twice in one object; every name may occur once",
                                           {{"name", name}})});
     object.emplace_back(std::move(name), JsonValue());

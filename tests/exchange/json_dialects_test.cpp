@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "core/evaluate/evaluate.h"
@@ -31,6 +32,23 @@ std::string refusal_by(Reader read, std::string_view text) {
 void expect_near(Point found, Point expected) {
     EXPECT_NEAR(found.x, expected.x, 1e-15);
     EXPECT_NEAR(found.y, expected.y, 1e-15);
+}
+
+// The least time that reading `objects` objects of `members` members takes, whose long names differ at their ends.
+double seconds_of_objects(std::size_t objects, std::size_t members) {
+    std::string object;
+    for (std::size_t i = 0; i < members; ++i)
+        object += (i == 0 ? "{\"" : ",\"") + std::string(120, 'n') + std::to_string(i) + "\":0";
+    std::string text = "[0";
+    for (std::size_t i = 0; i < objects; ++i) text += ",[" + object + "}]";
+    text += "]";
+    double least = INFINITY;
+    for (int k = 0; k < 3; ++k) {
+        const auto start = std::chrono::steady_clock::now();
+        EXPECT_TRUE(parse_json_tree(text));
+        least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    return least;
 }
 
 }  // namespace
@@ -269,6 +287,25 @@ TEST(JsonTree, KeepsNumbersAndRowsTogether) {
     EXPECT_EQ(tree->member("d")->list()->first_odd, 1U);
     EXPECT_TRUE(tree->member("e")->list()->numbers.empty());
     EXPECT_EQ(tree->member("f"), nullptr);
+}
+
+TEST(JsonTree, RefusesNamesThatOccurTwiceAmongFewAndMany) {
+    for (const int members : {2, 16, 17, 18, 400}) {
+        for (const int twice : {0, (members - 1) / 2, members - 2}) {
+            std::string text = "{\"outer\":{";
+            for (int i = 0; i < members - 1; ++i) text += "\"m" + std::to_string(i) + "\":{\"m0\":1},";
+            text += "\"m" + std::to_string(twice) + "\":2}}";
+            const auto tree = parse_json_tree(text);
+            ASSERT_FALSE(tree);
+            EXPECT_EQ(tree.error().what, "the member \"m" + std::to_string(twice) +
+                                             "\" occurs twice in one object; every name may occur once");
+        }
+    }
+}
+
+// As many members, in objects of 10 and of 1000.
+TEST(JsonTree, ManyMembersOfOneObjectTakeNoLonger) {
+    EXPECT_LT(seconds_of_objects(10, 1000), 4.0 * seconds_of_objects(1000, 10));
 }
 
 }  // namespace batten::exchange
