@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <memory>
 #include <unordered_map>
 #include <utility>
@@ -35,6 +36,16 @@ std::string shortened(std::string_view name) {
     return std::string(name.substr(0, end));
 }
 
+// How much is looked at to draw an element, apart from what is inside its children.
+std::size_t bytes_of(const xml_node& element) {
+    std::size_t bytes = 0;
+    for (const pugi::xml_attribute& attribute : element.attributes())
+        bytes += std::strlen(attribute.name()) + std::strlen(attribute.value());
+    for (auto child = element.first_child(); child; child = child.next_sibling()) ++bytes;
+    for (const xml_node& part : element.child("title").children()) bytes += 1 + std::strlen(part.value());
+    return bytes;
+}
+
 // What surrounds an element.
 struct Surroundings {
     PlaneMap map{};
@@ -61,6 +72,7 @@ class Walk {
     void index_ids() {
         for (xml_node node = svg_; node;) {
             if (const pugi::xml_attribute id = node.attribute("id")) by_id_.try_emplace(id.value(), node);
+            most_bytes_ += bytes_of(node);
             if (node.first_child()) {
                 node = node.first_child();
                 continue;
@@ -78,7 +90,7 @@ class Walk {
     }
 
     void visit(const xml_node& element, const Surroundings& around) {
-        if (++visited_ > most_svg_visits) return stop(most_svg_visits);
+        if (!may_look_at(element)) return;
         if (around.depth >= most_svg_depth)
             return drawing_.left_out.count(SvgLoss::too_deep, {}, std::to_string(most_svg_depth));
         const std::string_view name = local_name(element);
@@ -99,6 +111,14 @@ class Walk {
             visit_children(element, inside);
         else
             draw(element, name, inside);
+    }
+
+    // What is repeated by `use` is read again each time.
+    bool may_look_at(const xml_node& element) {
+        if (++visited_ > most_svg_visits) stop(SvgLoss::too_many, most_svg_visits);
+        bytes_ += bytes_of(element);
+        if (bytes_ > most_bytes_) stop(SvgLoss::too_often, most_svg_repeated_bytes);
+        return !is_full_;
     }
 
     static bool is_group(std::string_view name) {
@@ -159,10 +179,10 @@ class Walk {
         const core::Vector offset{around.viewport.length(use, "x"), around.viewport.length(use, "y")};
         around.map = chained(around.map, core::translation(offset));
         used_.push_back(element);
-        if (local_name(element) == "symbol")
-            visit_inner(element, around);
-        else
+        if (local_name(element) != "symbol")
             visit(element, around);
+        else if (may_look_at(element))
+            visit_inner(element, around);
         used_.pop_back();
     }
 
@@ -179,7 +199,7 @@ class Walk {
 
     bool add(const Outline& outline, const std::string& name, const SvgStyle& style) {
         if (drawing_.curves.size() == most_svg_curves) {
-            stop(most_svg_curves);
+            stop(SvgLoss::too_many, most_svg_curves);
             return false;
         }
         auto curve = outline.curve();
@@ -195,12 +215,12 @@ class Walk {
         entry.visible = style.visible;
         drawing_.curves.push_back(std::move(entry));
         drawing_.largest_error = std::max(drawing_.largest_error, outline.closing_gap());
-        if (points_ > most_points) stop(drawing_.curves.size());
+        if (points_ > most_points) stop(SvgLoss::too_many, drawing_.curves.size());
         return !is_full_;
     }
 
-    void stop(std::size_t most) {
-        if (!is_full_) drawing_.left_out.count(SvgLoss::too_many, {}, std::to_string(most));
+    void stop(SvgLoss loss, std::size_t most) {
+        if (!is_full_) drawing_.left_out.count(loss, {}, std::to_string(most));
         is_full_ = true;
     }
 
@@ -223,6 +243,8 @@ class Walk {
     core::FreeNames names_;
     std::vector<xml_node> used_;
     std::size_t visited_ = 0;
+    std::size_t bytes_ = 0;  // looked at
+    std::size_t most_bytes_ = most_svg_repeated_bytes;
     std::size_t points_ = 0;
     bool is_full_ = false;
     SvgDrawing drawing_;

@@ -35,6 +35,8 @@ constexpr std::array<core::PluralPattern, svg_loss_count> loss_patterns{{
      "elements that are nested more than {detail} deep are left out"},
     {"what follows the first {detail} curves or elements is left out",
      "what follows the first {detail} curves or elements is left out"},
+    {"what follows is left out, since 'use' repeats more than {detail} bytes of the file",
+     "what follows is left out, since 'use' repeats more than {detail} bytes of the file"},
 }};
 
 }  // namespace

@@ -25,8 +25,9 @@ enum class SvgLoss {
     entities,
     too_deep,
     too_many,
+    too_often,  ///< repeated by uses
 };
-inline constexpr std::size_t svg_loss_count = static_cast<std::size_t>(SvgLoss::too_many) + 1;
+inline constexpr std::size_t svg_loss_count = static_cast<std::size_t>(SvgLoss::too_often) + 1;
 
 class LeftOut {
   public:

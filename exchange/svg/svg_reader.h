@@ -17,6 +17,10 @@ inline constexpr std::size_t most_svg_elements = 4'000'000;
 /// So many elements are visited at most, also where `use` repeats them; the others are left out.
 inline constexpr std::size_t most_svg_visits = 500'000;
 
+/// Bytes of attributes, and elements, that are looked at beyond those of the file, since `use` repeats them; what then
+/// follows is left out.
+inline constexpr std::size_t most_svg_repeated_bytes = std::size_t{64} << 20U;
+
 /// The paths, rects, circles, ellipses, lines, polylines and polygons that are drawn, with all transforms, also those
 /// that `use` repeats; each subpath is a curve. Lines, Bézier pieces and arcs are exact; the degree is that of the
 /// highest piece, and closed subpaths are periodic. Coordinates are those of the viewBox, but y goes up from its lower

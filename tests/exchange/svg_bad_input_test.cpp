@@ -101,6 +101,30 @@ TEST(BadSvg, MayUseElementsTooOften) {
     EXPECT_EQ(read_soon(svg_file(empty))->document.curves.size(), 1U);
 }
 
+// A hundred uses of a megabyte, wherever that is: data, styles, names, elements that are not drawn.
+TEST(BadSvg, MayUseMuchTooOften) {
+    constexpr std::size_t megabyte = 1'000'000;
+    const std::string much = repeated("x", megabyte);
+    for (const std::string& used :
+         {"<path id='a' d='" + much + "'/>", "<g id='a' style='" + much + "'/>",
+          "<path id='a'><title>" + much + "</title></path>", "<g id='a'>" + repeated("<x:y/>", megabyte) + "</g>",
+          "<symbol id='a' viewBox='" + much + "'/>"}) {
+        SCOPED_TRACE(used.substr(0, 30));
+        const std::string uses = repeated("<use href='#a'/>", 100);
+        const auto found = read_soon(svg_file("<path d='M0 0L1 1'/><defs>" + used + "</defs>" + uses));
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->document.curves.size(), 1U);
+        EXPECT_EQ(found->report.left_out.back(),
+                  "what follows is left out, since 'use' repeats more than 67108864 bytes of the file");
+    }
+    // As much that is in the file itself is read.
+    const std::string element = "<path d='M0 0L1 1' style='" + much + "'/>";
+    const auto found = read_soon(svg_file(repeated(element, 100)));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->document.curves.size(), 100U);
+    EXPECT_TRUE(found->report.left_out.empty());
+}
+
 TEST(BadSvg, MayHaveAMillionSubpaths) {
     const auto imported = read_soon(
         svg_file("<path id='" + std::string(1'000'000, 'n') + "' d='" + repeated("M0 0h1", 1'000'000) + "'/>"));
