@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "exchange/dxf/dxf_curves.h"
+#include "exchange/dxf/dxf_tables.h"
 #include "exchange/utf8_text.h"
 
 namespace batten::exchange {
@@ -62,20 +63,6 @@ Look look_of_layer(const DxfEntity& layer) {
     return {color_of(layer), layer.number(62, 1.0) >= 0.0 && !layer.has_bit(70, frozen)};
 }
 
-// The scale is how much of the drawing one unit of the document is.
-std::optional<core::DocumentUnits> units_of(std::string_view code) {
-    using enum core::LengthUnit;
-    if (code == "1") return core::DocumentUnits{inch, 1.0};
-    if (code == "2") return core::DocumentUnits{inch, 1.0 / 12.0};
-    if (code == "4") return core::DocumentUnits{mm, 1.0};
-    if (code == "5") return core::DocumentUnits{mm, 0.1};
-    if (code == "6") return core::DocumentUnits{mm, 0.001};
-    if (code == "7") return core::DocumentUnits{mm, 1e-6};
-    if (code == "13") return core::DocumentUnits{mm, 1000.0};
-    if (code == "14") return core::DocumentUnits{mm, 0.01};
-    return std::nullopt;
-}
-
 // "\U+00e4" stands for a character.
 std::string decoded(std::string_view text) {
     std::string result;
@@ -123,7 +110,7 @@ class DxfReader {
     std::string_view variable_{};
     std::optional<DxfEntity> entity_{};
     std::optional<DxfEntity> polyline_{};  // whose vertices follow
-    std::unordered_map<std::string_view, Look> layers_;
+    std::unordered_map<std::string, Look> layers_;
 };
 
 core::FileResult<Imported> DxfReader::read() {
@@ -166,7 +153,7 @@ void DxfReader::take_variable(const DxfGroup& group) {
     constexpr int number_code = 70;
     if (group.code == variable_code) variable_ = group.value;
     if (group.code != number_code || variable_ != "$INSUNITS") return;
-    found_.document().units = units_of(group.value);
+    found_.document().units = units_of_code(group.value);
     if (!found_.document().units && group.value != "0")
         found_.note(unit_not_known, {}, [&] { return line_place(group.line); });
 }
@@ -175,7 +162,7 @@ void DxfReader::end_entity() {
     if (!entity_) return;
     const std::string_view name = entity_->name();
     if (section_ == "TABLES") {
-        layers_[entity_->title()] = look_of_layer(*entity_);
+        layers_[layer_key(entity_->title())] = look_of_layer(*entity_);
     } else if (name == "POLYLINE" && !is_mesh(*entity_)) {
         polyline_ = std::move(entity_);
         polyline_->forget_vertices();
@@ -202,7 +189,7 @@ void DxfReader::add_curve(const DxfEntity& entity) {
     MadeCurve made = entity.defect().empty() ? make(entity) : tl::unexpected(entity.defect());
     core::DocumentCurve* curve = found_.add(std::move(made), name_of(entity), entity.name(), place);
     if (curve == nullptr) return;
-    const auto layer = layers_.find(entity.layer());
+    const auto layer = layers_.find(layer_key(entity.layer()));
     const Look look = layer == layers_.end() ? Look{} : layer->second;
     const std::optional<core::DocumentColor> own = color_of(entity);
     curve->color = own ? own : look.color;

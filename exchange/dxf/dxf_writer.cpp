@@ -9,6 +9,7 @@
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/measure/closing.h"
+#include "exchange/dxf/dxf_tables.h"
 #include "exchange/written_curves.h"
 
 namespace batten::exchange {
@@ -94,13 +95,6 @@ std::string layer_name(const std::string& name) {
     return layer;
 }
 
-// Layers whose names differ in small and capital letters alone are one.
-std::string layer_key(std::string name) {
-    std::ranges::transform(name, name.begin(),
-                           [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-    return name;
-}
-
 using Entries = std::vector<const core::DocumentCurve*>;
 
 void add_layers(Groups& groups, const Entries& entries) {
@@ -156,25 +150,13 @@ void add_spline(Groups& groups, const core::DocumentCurve& entry) {
     }
 }
 
-// What the units are called by $INSUNITS; none where no such unit is so long.
-std::optional<std::string_view> unit_code(const core::DocumentUnits& units) {
-    using enum core::LengthUnit;
-    if (units.unit == inch && units.scale == 1.0) return "1";
-    if (units.unit == inch && units.scale == 1.0 / 12.0) return "2";
-    if (units.unit != mm) return std::nullopt;
-    if (units.scale == 1.0) return "4";
-    if (units.scale == 0.1) return "5";
-    if (units.scale == 0.001) return "6";
-    return std::nullopt;
-}
-
 std::string header(const core::Document& document, unsigned next_handle) {
     Groups groups;
     groups.add_all("0 SECTION, 2 HEADER, 9 $ACADVER, 1 AC1021");
     groups.add_all("9 $DWGCODEPAGE, 3 ANSI_1252, 9 $HANDSEED");
     groups.add(5, fmt::format("{:X}", next_handle));
     groups.add(9, "$INSUNITS");
-    groups.add(70, document.units ? unit_code(*document.units).value_or("0") : "0");
+    groups.add(70, document.units ? code_of_units(*document.units).value_or("0") : "0");
     groups.add(0, "ENDSEC");
     return std::move(groups.text());
 }
@@ -191,7 +173,7 @@ core::FileResult<Exported> write_dxf(const core::Document& document, const Write
     for (const core::DocumentCurve* entry : *entries) add_spline(groups, *entry);
     groups.add_all(after_entities);
     Exported exported{header(document, groups.next_handle()) + groups.text(), {.left_out = parts_left_out(document)}};
-    if (document.units && !unit_code(*document.units))
+    if (document.units && !code_of_units(*document.units))
         exported.report.left_out.emplace_back(
             "the unit of length was left out, since DXF has none of that size; the numbers stay as they are");
     return exported;

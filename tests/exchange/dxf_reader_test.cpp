@@ -247,6 +247,20 @@ TEST(DxfReader, TakesNamesColorsAndUnitsFromTheDrawing) {
     EXPECT_EQ(found->document.units, (core::DocumentUnits{core::LengthUnit::mm, 0.1}));
 }
 
+TEST(DxfReader, FindsLayersWhateverTheirCapitals) {
+    const auto found = read_dxf(
+        "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n0\nLAYER\n2\nWALLs\n70\n0\n62\n-3\n0\nENDTAB\n0\nENDSEC\n"
+        "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nwallS\n10\n0\n20\n0\n11\n1\n21\n1\n"
+        "0\nLINE\n8\nwall\n10\n0\n20\n0\n11\n1\n21\n1\n0\nENDSEC\n0\nEOF\n");
+    ASSERT_TRUE(found) << found.error().sentence();
+    const auto& curves = found->document.curves;
+    ASSERT_EQ(curves.size(), 2U);
+    EXPECT_EQ(curves[0].name, "wallS");
+    EXPECT_EQ(curves[0].color, (core::DocumentColor{0, 255, 0}));
+    EXPECT_FALSE(curves[0].visible);
+    EXPECT_TRUE(curves[1].visible);
+}
+
 TEST(DxfReader, RefusesWhatIsNoDrawing) {
     EXPECT_EQ(refusal_of("AutoCAD Binary DXF\r\n\x1a"), "this is a binary DXF; save it as text (ASCII) to read it");
     EXPECT_EQ(refusal_of("AC1027 and so on"), "this is a DWG, not a DXF; save it as DXF to read it");

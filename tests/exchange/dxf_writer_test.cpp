@@ -89,6 +89,17 @@ TEST(DxfWriter, WritesUnitsThatDxfHas) {
     document.units = core::DocumentUnits{core::LengthUnit::mm, 0.1};
     EXPECT_EQ(unit(), "5");
     EXPECT_EQ(read_dxf(write_dxf(document, {})->text)->document.units, document.units);
+    // Feet, meters, kilometers, microns, decimeters.
+    for (const auto& [code, units] :
+         std::vector<std::pair<std::string, core::DocumentUnits>>{{"2", {core::LengthUnit::inch, 1.0 / 12.0}},
+                                                                  {"6", {core::LengthUnit::mm, 0.001}},
+                                                                  {"7", {core::LengthUnit::mm, 1e-6}},
+                                                                  {"13", {core::LengthUnit::mm, 1000.0}},
+                                                                  {"14", {core::LengthUnit::mm, 0.01}}}) {
+        document.units = units;
+        EXPECT_EQ(unit(), code);
+        EXPECT_EQ(read_dxf(write_dxf(document, {})->text)->document.units, units);
+    }
     document.units = core::DocumentUnits{core::LengthUnit::px};
     EXPECT_EQ(unit(), "0");
     EXPECT_EQ(write_dxf(document, {})->report.left_out,
