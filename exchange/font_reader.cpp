@@ -128,13 +128,16 @@ class ContourTaker {
 // Writes letters one after another.
 class Typesetter {
   public:
-    Typesetter(FT_Face face, const Lettering& lettering)
+    Typesetter(FT_Face face, const Lettering& lettering, std::size_t most_points)
         : face_(face),
+          most_points_(most_points),
           start_(lettering.position),
           scale_(lettering.size ? *lettering.size / face->units_per_EM : 1.0),
           names_(core::Document()) {}
 
     void add(const Character& character) {
+        if (is_full_) return;
+        ++count_;
         if (character.code == '\r') return;
         if (character.code == '\n') return begin_line();
         const FT_UInt glyph = FT_Get_Char_Index(face_, character.code);
@@ -162,6 +165,11 @@ class Typesetter {
         tell(damaged_,
              {"the outline of '{character}' is damaged and left out",
               "the outlines of {count} characters are damaged and left out, the first one that of '{character}'"});
+        if (is_full_)
+            imported_.report.left_out.push_back(core::sentence(
+                "only the first {count} characters are drawn, since the outlines of one more would make more than "
+                "{most} points",
+                {{"count", count_ - 1}, {"most", most_points_}}));
         if (imported_.document.curves.empty()) return letters_refused(imported_.report.left_out.front());
         if (has_pairs_ && !FT_HAS_KERNING(face_) && has_table(FT_MAKE_TAG('G', 'P', 'O', 'S')))
             imported_.report.left_out.emplace_back(
@@ -183,6 +191,9 @@ class Typesetter {
     }
 
     void add_outline(const std::string& name) {
+        points_ += static_cast<std::size_t>(face_->glyph->outline.n_points);
+        is_full_ = points_ > most_points_;
+        if (is_full_) return;
         const core::Vector offset{static_cast<double>(x_), -static_cast<double>(line_ * face_->height)};
         ContourTaker taker(start_ + scale_ * offset, scale_);
         if (!taker.take(face_->glyph->outline)) {
@@ -222,8 +233,12 @@ class Typesetter {
     }
 
     FT_Face face_;
+    std::size_t most_points_;
     Point start_;
     double scale_;
+    std::size_t count_ = 0;
+    std::size_t points_ = 0;
+    bool is_full_ = false;
     core::FreeNames names_;
     FT_Pos x_ = 0;
     FT_Pos line_ = 0;
@@ -253,12 +268,12 @@ core::FileResult<std::vector<Character>> characters_of(std::string_view text) {
 
 }  // namespace
 
-core::FileResult<Imported> read_glyphs(std::string_view font, const Lettering& lettering) {
+core::FileResult<Imported> read_glyphs(std::string_view font, const Lettering& lettering, std::size_t most_points) {
     const auto characters = characters_of(lettering.text);
     if (!characters) return tl::unexpected(characters.error());
     const auto open = open_font(font);
     if (!open) return tl::unexpected(open.error());
-    Typesetter typesetter(open->face.get(), lettering);
+    Typesetter typesetter(open->face.get(), lettering, most_points);
     for (const Character& character : *characters) typesetter.add(character);
     return std::move(typesetter).result();
 }

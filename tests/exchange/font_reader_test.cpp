@@ -126,6 +126,19 @@ TEST(Fonts, FindLettersByUnicode) {
     EXPECT_EQ(refusal(std::string(20000, 'L')), "the text has more than 10000 characters, the most that are set");
 }
 
+TEST(Fonts, WithTooManyPointsAreReadInPart) {
+    // An L has 6 points.
+    const auto read = [](std::size_t most) { return read_glyphs(font_file("quadratic.ttf"), {.text = "L LL"}, most); };
+    EXPECT_EQ(read(18)->document.curves.size(), 3U);
+    EXPECT_TRUE(read(18)->report.left_out.empty());
+    EXPECT_EQ(read(17)->document.curves.size(), 2U);
+    EXPECT_EQ(
+        read(17)->report.left_out,
+        std::vector<std::string>{"only the first 3 characters are drawn, since the outlines of one more would make "
+                                 "more than 17 points"});
+    EXPECT_FALSE(read(5));
+}
+
 TEST(Fonts, OfPixelsAreRefused) {
     const std::string pixels =
         "STARTFONT 2.1\nFONT -a-b-medium-r-normal--8-80-75-75-c-80-iso10646-1\nSIZE 8 75 75\nFONTBOUNDINGBOX 8 8 0 0\n"
