@@ -53,7 +53,7 @@ ONLY_IN = {
 }
 
 # Headers of the operating system, without a folder of their own.
-POSIX = {"fcntl.h", "spawn.h", "unistd.h", "sys/file.h", "sys/mman.h", "sys/resource.h", "sys/stat.h", "sys/wait.h"}
+POSIX = {"fcntl.h", "poll.h", "spawn.h", "unistd.h", "sys/file.h", "sys/mman.h", "sys/resource.h", "sys/stat.h", "sys/wait.h"}
 
 # Headers that the build makes.
 GENERATED = {"shaders/sources.h": "render", "core/base/version.h": "core"}
