@@ -12,15 +12,19 @@ namespace batten::cli {
 
 namespace {
 
+std::string name_of_result(const std::filesystem::path& file) {
+    return is_standard(file) ? "standard output" : file.string();
+}
+
 Json json_of_report(const std::filesystem::path& file, const exchange::Report& report) {
     return {
         {"file", shown_name(file)}, {"largest_error", json_of(report.largest_error)}, {"left_out", report.left_out}};
 }
 
-void print_report(std::ostream& out, const core::Document& document, const std::filesystem::path& file,
+void print_report(std::ostream& out, const core::Document& document, const std::string& file,
                   const exchange::Report& report) {
     for (const std::string& told : editor::report_words(document.units, report))
-        out << core::sentence("{file}: {told}", {{"file", shown_name(file)}, {"told", told}}) << '\n';
+        out << core::sentence("{file}: {told}", {{"file", file}, {"told", told}}) << '\n';
 }
 
 core::FileResult<exchange::Exported> text_of(const core::Document& document, const ConvertOptions& options) {
@@ -56,11 +60,11 @@ ExitStatus convert(const ConvertOptions& options, Output output) {
     }
     std::ostream& told = is_standard(options.result) ? output.errors : output.results;
     if (options.as_json) {
-        print(told, Json::array(
-                        {json_of_report(options.file, read->report), json_of_report(options.result, written->report)}));
+        print(told, Json::array({json_of_report(shown_name(options.file), read->report),
+                                 json_of_report(name_of_result(options.result), written->report)}));
     } else {
-        print_report(told, read->document, options.file, read->report);
-        print_report(told, read->document, options.result, written->report);
+        print_report(told, read->document, shown_name(options.file), read->report);
+        print_report(told, read->document, name_of_result(options.result), written->report);
     }
     return ExitStatus::done;
 }

@@ -87,7 +87,7 @@ const CommandSpec* spec_being_typed(const std::string& typed) {
     const std::size_t space = typed.find(' ');
     if (space == std::string::npos) return nullptr;
     const CommandSpec* spec = editor::find_command(typed.substr(0, space));
-    return spec != nullptr && spec->offered.palette ? spec : nullptr;
+    return spec != nullptr && spec->offered.palette && !spec->fields.empty() ? spec : nullptr;
 }
 
 }  // namespace batten::ui

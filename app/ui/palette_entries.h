@@ -22,8 +22,8 @@ struct PaletteEntry {
 /// is typed.
 std::vector<PaletteEntry> find_entries(const PanelContext& context, const std::string& typed);
 
-/// The command whose name is followed by a space in `typed`: its fields are being typed; of a knot vector alone that
-/// which makes a curve over it. Null where there is none.
+/// The command with fields whose name is followed by a space in `typed`: they are being typed; of a knot vector alone
+/// that which makes a curve over it. Null where there is none.
 const editor::CommandSpec* spec_being_typed(const std::string& typed);
 
 }  // namespace batten::ui

@@ -27,7 +27,16 @@ class Convert(unittest.TestCase):
     def test_what_is_told_goes_to_the_errors_beside_a_result(self):
         process = run("convert", self.line, "-o", "-")
         self.assertEqual(json.loads(process.stdout)["curves"][0]["points"], LINE["points"])
-        self.assertIn("its curves are exact", process.stderr)
+        self.assertEqual(process.stderr, f"{self.line}: its curves are exact\nstandard output: its curves are exact\n")
+
+    def test_errors_are_told_in_numbers_that_can_be_copied(self):
+        circle = self.folder / "circle.json"
+        self.assertEqual(run("new", "circle", 0, 0, 1, "elevate", 1, "-o", circle).returncode, 0)
+        copy = self.folder / "copy.svg"
+        told = run("convert", circle, "-o", copy, "--tolerance", "1e-5").stdout.splitlines()[1]
+        head = f"{copy}: its curves are off by at most "
+        self.assertTrue(told.startswith(head), told)
+        self.assertTrue(0 < float(told.removeprefix(head)) <= 1e-5, told)
 
     def test_a_format_that_the_ending_does_not_say_is_chosen(self):
         circle = self.folder / "circle.json"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/editor/commands/knot_commands.h"
 #include "app/editor/commands/overlay_commands.h"
 #include "app/ui/fuzzy_match.h"
 
@@ -47,6 +48,15 @@ TEST_F(PaletteEntries, find_every_view_first_by_its_title) {
         ASSERT_FALSE(found.empty()) << title;
         EXPECT_EQ(found.front(), title);
     }
+}
+
+// "copy" takes no arguments, so that it does not keep those from sight whose titles go on.
+TEST_F(PaletteEntries, go_on_behind_the_name_of_a_command_without_fields) {
+    const auto found = titles("copy as");
+    ASSERT_GE(found.size(), 8U);
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_TRUE(found[i].starts_with("Copy as")) << found[i];
+    EXPECT_EQ(spec_being_typed("copy as"), nullptr);
+    EXPECT_EQ(spec_being_typed("insert-knot 0.5"), &editor::InsertKnot::spec());
 }
 
 TEST(BeginningOf, is_whole_a_prefix_or_none_whatever_the_case_and_accents) {

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "app/editor/state/view_forms.h"
-#include "app/editor/words/wording.h"
 #include "core/base/sentence.h"
 #include "exchange/curve_file.h"
 
@@ -46,7 +45,7 @@ Outcome<LoadedFile> load_foreign(const fs::path& path, exchange::Format format) 
 std::string error_words(const Units& units, double largest_error) {
     if (largest_error == 0.0) return "its curves are exact";
     if (!std::isfinite(largest_error)) return "how far its curves are off is not known";
-    return sentence("no curve is off by more than {error}", {{"error", bound_words(units, largest_error, 2)}});
+    return sentence("its curves are off by at most {error}", {{"error", length_words(units, largest_error)}});
 }
 
 }  // namespace
