@@ -98,7 +98,10 @@ std::vector<PieceRange> ranges_of(const Pieces& pieces, Interval wanted) {
         }
         const Interval offsets{to_unit(interval, interval.clamp(wanted.lower)),
                                to_unit(interval, interval.clamp(wanted.upper))};
-        if (offsets.lower < offsets.upper) ranges.push_back({2 * i, offsets});
+        // The speed of a rational piece is seldom seen by one rule.
+        const double parting = pieces.forms[i].is_rational() ? offsets.clamp(0.5) : offsets.upper;
+        if (offsets.lower < parting) ranges.push_back({2 * i, {offsets.lower, parting}});
+        if (parting < offsets.upper) ranges.push_back({2 * i, {parting, offsets.upper}});
     }
     return ranges;
 }

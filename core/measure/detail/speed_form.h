@@ -1,4 +1,4 @@
-/// The velocity along a polynomial piece of low degree as a polynomial, for quick quadrature.
+/// The velocity along a piece of low degree as a polynomial or a quotient of them, for quick quadrature.
 #pragma once
 
 #include <array>
@@ -8,14 +8,17 @@
 
 namespace batten::core {
 
-/// dC/dt as powers of the way from the middle of the piece, s = t - 1/2.
+/// dC/dt by powers of the way from the middle of the piece, s = t - 1/2: its own, or where weights differ those of
+/// numerator and denominator, seen from near the piece.
 class SpeedForm {
   public:
     explicit SpeedForm(const PieceMotion& piece);
 
-    /// Whether this is as good as the piece itself: all its weights are equal, its degree is so low that powers lose no
-    /// digits, and its numbers have squares. All else needs that.
+    /// Whether this is as good as the piece itself: its weights do not differ much, its degree is so low that powers
+    /// lose no digits, and its numbers have squares. All else needs that.
     bool is_plain() const { return count_ > 0; }
+
+    bool is_rational() const { return is_rational_; }
 
     /// Whether all velocities are known to lie within a right angle of one direction, so that none is against another.
     bool goes_onward() const { return goes_onward_; }
@@ -27,10 +30,15 @@ class SpeedForm {
     RulePair<double> rules(Interval interval) const;
 
   private:
-    static constexpr std::size_t highest_degree = 8;
+    static constexpr std::size_t most_powers = 8;
+
+    void take_polynomial(std::span<const HomogeneousPoint> points);
+    void take_rational(std::span<const HomogeneousPoint> points);
 
     std::size_t count_ = 0;
-    std::array<Vector, highest_degree> powers_{};
+    std::array<Vector, most_powers> powers_{};  // of the velocity, or of the numerator where there are weights
+    std::array<double, most_powers> weight_powers_{};
+    bool is_rational_ = false;
     bool goes_onward_ = false;
 };
 
