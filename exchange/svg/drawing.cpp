@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "exchange/svg/basic_shapes.h"
+#include "exchange/svg/conditions.h"
 #include "exchange/svg/path_data.h"
 #include "exchange/svg/style.h"
 #include "exchange/svg/svg_reader.h"
@@ -46,6 +47,15 @@ std::size_t bytes_of(const xml_node& element) {
     return bytes;
 }
 
+// A map of the page, in px, as one of its viewBox, which `shown` puts onto the page.
+PlaneMap in_view_box(const PlaneMap& map, const PlaneMap& shown) {
+    if (map == PlaneMap()) return map;
+    const auto& [x, y, last] = shown.rows;
+    const PlaneMap back{.rows = {{{1.0 / x[0], 0.0, -x[2] / x[0]}, {0.0, 1.0 / y[1], -y[2] / y[1]}, last}},
+                        .pivot = {0.0, 0.0}};
+    return chained(back, chained(map, shown));
+}
+
 // What surrounds an element.
 struct Surroundings {
     PlaneMap map{};
@@ -61,8 +71,13 @@ class Walk {
     SvgDrawing drawing() && {
         const Page page = page_of(svg_);
         drawing_.units = page.units;
+        const SvgProperties properties(svg_);
         Surroundings around{.map = page.map, .viewport = page.viewport};
-        around.style = around.style.within(svg_);
+        around.style = around.style.within(properties);
+        if (const auto map = transform_of(properties, page.viewport))
+            around.map = chained(page.map, in_view_box(*map, inner_viewport(svg_, page.viewport).map));
+        else
+            drawing_.left_out.count(SvgLoss::wrong_transform, name_of_element(svg_));
         visit_children(svg_, around);
         return std::move(drawing_);
     }
@@ -73,6 +88,8 @@ class Walk {
         for (xml_node node = svg_; node;) {
             if (const pugi::xml_attribute id = node.attribute("id")) by_id_.try_emplace(id.value(), node);
             most_bytes_ += bytes_of(node);
+            if (node.type() == pugi::node_element && local_name(node) == "style" && prefix_of(node) == prefix_)
+                drawing_.left_out.count(SvgLoss::style_sheet);
             if (node.first_child()) {
                 node = node.first_child();
                 continue;
@@ -94,20 +111,21 @@ class Walk {
         if (around.depth >= most_svg_depth)
             return drawing_.left_out.count(SvgLoss::too_deep, {}, std::to_string(most_svg_depth));
         const std::string_view name = local_name(element);
+        if (!is_drawn(name)) return;
+        if (!is_for_english_viewers(element)) return drawing_.left_out.count(SvgLoss::for_others);
         if (const auto loss = loss_of(name)) return drawing_.left_out.count(*loss);
-        const bool is_container = is_group(name);
-        const bool is_drawn = is_container || name == "use" || name == "path" || is_basic_shape(name);
-        if (!is_drawn) return;
-        if (is_not_displayed(element)) return drawing_.left_out.count(SvgLoss::not_displayed);
-        if (is_clipped(element)) drawing_.left_out.count(SvgLoss::clipped);
-        const Surroundings inside = within(element, around);
+        const SvgProperties properties(element);
+        if (properties[SvgProperty::display] == "none") return drawing_.left_out.count(SvgLoss::not_displayed);
+        if (properties.has(SvgProperty::clip_path) || properties.has(SvgProperty::mask))
+            drawing_.left_out.count(SvgLoss::clipped);
+        const Surroundings inside = within(element, properties, around);
         if (name == "use")
             visit_use(element, inside);
         else if (name == "switch")
             visit_switch(element, inside);
         else if (name == "svg")
-            visit_inner(element, inside);
-        else if (is_container)
+            visit_inner(inner_viewport(element, around.viewport), element, inside);
+        else if (is_group(name))
             visit_children(element, inside);
         else
             draw(element, name, inside);
@@ -125,46 +143,50 @@ class Walk {
         return name == "g" || name == "a" || name == "svg" || name == "switch";
     }
 
+    // By viewers.
+    static bool is_drawn(std::string_view name) {
+        return is_group(name) || name == "use" || name == "path" || is_basic_shape(name) || loss_of(name);
+    }
+
     static std::optional<SvgLoss> loss_of(std::string_view name) {
         if (name == "text") return SvgLoss::text;
         if (name == "image") return SvgLoss::image;
         if (name == "foreignObject") return SvgLoss::foreign;
-        if (name == "style") return SvgLoss::style_sheet;
         return std::nullopt;
     }
 
-    static bool is_clipped(const xml_node& element) {
-        const auto is_set = [&](std::string_view name) {
-            const std::string_view value = property_of(element, name);
-            return !value.empty() && value != "none";
-        };
-        return is_set("clip-path") || is_set("mask");
-    }
-
-    Surroundings within(const xml_node& element, const Surroundings& around) {
+    Surroundings within(const xml_node& element, const SvgProperties& properties, const Surroundings& around) {
         Surroundings inside = around;
         ++inside.depth;
-        inside.style = around.style.within(element);
-        const pugi::xml_attribute transform = element.attribute("transform");
-        if (!transform) return inside;
-        if (const auto map = read_transform(transform.value()))
+        inside.style = around.style.within(properties);
+        if (const auto map = transform_of(properties, around.viewport))
             inside.map = chained(around.map, *map);
         else
             drawing_.left_out.count(SvgLoss::wrong_transform, name_of_element(element));
         return inside;
     }
 
-    void visit_inner(const xml_node& element, Surroundings around) {
-        const InnerViewport inner = inner_viewport(element, around.viewport);
+    void visit_inner(const InnerViewport& inner, const xml_node& element, Surroundings around) {
+        if (inner.is_empty) return;
         around.map = chained(around.map, inner.map);
         around.viewport = inner.viewport;
         visit_children(element, around);
     }
 
-    // The first one that is SVG is taken.
+    // The first one is taken that viewers draw; what is no SVG inside cannot be.
     void visit_switch(const xml_node& element, const Surroundings& around) {
-        for (const xml_node& child : element.children())
-            if (child.type() == pugi::node_element && local_name(child) != "foreignObject") return visit(child, around);
+        bool is_taken = false;
+        for (const xml_node& child : element.children()) {
+            const std::string_view name = local_name(child);
+            if (child.type() != pugi::node_element || prefix_of(child) != prefix_ || !is_drawn(name)) continue;
+            if (name == "foreignObject") continue;
+            const bool is_next = !is_taken && is_for_english_viewers(child);
+            if (is_next)
+                visit(child, around);
+            else
+                drawing_.left_out.count(SvgLoss::for_others);
+            is_taken = is_taken || is_next;
+        }
     }
 
     void visit_use(const xml_node& use, Surroundings around) {
@@ -179,11 +201,18 @@ class Walk {
         const core::Vector offset{around.viewport.length(use, "x"), around.viewport.length(use, "y")};
         around.map = chained(around.map, core::translation(offset));
         used_.push_back(element);
-        if (local_name(element) != "symbol")
-            visit(element, around);
-        else if (may_look_at(element))
-            visit_inner(element, around);
+        visit_used(element, use, around);
         used_.pop_back();
+    }
+
+    // What has a viewport of its own has the size that `use` says.
+    void visit_used(const xml_node& element, const xml_node& use, const Surroundings& around) {
+        const std::string_view name = local_name(element);
+        if (name != "symbol" && name != "svg") return visit(element, around);
+        if (!may_look_at(element)) return;
+        const SvgProperties properties(element);
+        if (properties[SvgProperty::display] == "none") return drawing_.left_out.count(SvgLoss::not_displayed);
+        visit_inner(inner_viewport(element, use, around.viewport), element, within(element, properties, around));
     }
 
     void draw(const xml_node& element, std::string_view kind, const Surroundings& around) {

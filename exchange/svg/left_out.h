@@ -17,6 +17,7 @@ enum class SvgLoss {
     image,
     foreign,
     not_displayed,
+    for_others,   ///< for other languages, or programs with extensions
     outside,      ///< an element of another file
     unknown_use,  ///< a use of what is not there
     circle,       ///< a use of itself, or too deep

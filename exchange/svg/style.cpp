@@ -52,9 +52,19 @@ std::optional<DocumentColor> color_of_name(const std::string& name) {
     return core::color_of_text(found->color);
 }
 
-// Changes `color` where the element speaks of it.
-void take_color(const pugi::xml_node& element, std::string_view property, std::optional<DocumentColor>& color) {
-    const std::string_view text = property_of(element, property);
+// In the order of SvgProperty.
+constexpr std::array<std::string_view, svg_property_count> property_names{
+    "stroke",           "fill",          "visibility", "display", "clip-path", "mask", "transform",
+    "transform-origin", "transform-box", "translate",  "rotate",  "scale"};
+
+std::optional<std::size_t> index_of_property(std::string_view name) {
+    const auto* const found = std::find(property_names.begin(), property_names.end(), name);
+    if (found == property_names.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - property_names.begin());
+}
+
+// Changes `color` where `text` speaks of it.
+void take_color(std::string_view text, std::optional<DocumentColor>& color) {
     if (!text.empty() && text != "inherit") color = read_color(text);
 }
 
@@ -72,31 +82,41 @@ std::optional<DocumentColor> read_color(std::string_view text) {
     return color_of_name(color);
 }
 
-std::string_view property_of(const pugi::xml_node& element, std::string_view name) {
-    std::string_view rest = element.attribute("style").value();
-    while (!rest.empty()) {
-        const std::size_t end = std::min(rest.find(';'), rest.size());
-        const std::string_view declaration = rest.substr(0, end);
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-        const std::size_t colon = declaration.find(':');
-        if (colon != std::string_view::npos && stripped(declaration.substr(0, colon)) == name)
-            return stripped(declaration.substr(colon + 1));
-    }
-    return stripped(element.attribute(std::string(name).c_str()).value());
+SvgProperties::SvgProperties(const pugi::xml_node& element) {
+    read_style(element.attribute("style").value());
+    for (const pugi::xml_attribute& attribute : element.attributes())
+        if (const auto index = index_of_property(attribute.name()))
+            of_attributes_[*index] = stripped(attribute.value());
 }
 
-SvgStyle SvgStyle::within(const pugi::xml_node& element) const {
+void SvgProperties::read_style(std::string_view text) {
+    constexpr std::string_view important = "!important";
+    std::array<bool, svg_property_count> is_important{};
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(';'), text.size());
+        const std::string_view declaration = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::size_t colon = declaration.find(':');
+        if (colon == std::string_view::npos) continue;
+        const auto index = index_of_property(stripped(declaration.substr(0, colon)));
+        if (!index) continue;
+        std::string_view value = stripped(declaration.substr(colon + 1));
+        const bool beats_others = value.ends_with(important);
+        if (beats_others) value = stripped(value.substr(0, value.size() - important.size()));
+        if (is_important[*index] && !beats_others) continue;
+        is_important[*index] = beats_others;
+        of_style_[*index] = value;
+    }
+}
+
+SvgStyle SvgStyle::within(const SvgProperties& properties) const {
     SvgStyle style = *this;
-    take_color(element, "stroke", style.stroke);
-    take_color(element, "fill", style.fill);
-    const std::string_view visibility = property_of(element, "visibility");
+    take_color(properties[SvgProperty::stroke], style.stroke);
+    take_color(properties[SvgProperty::fill], style.fill);
+    const std::string_view visibility = properties[SvgProperty::visibility];
     if (visibility == "hidden" || visibility == "collapse") style.visible = false;
     if (visibility == "visible") style.visible = true;
     return style;
-}
-
-bool is_not_displayed(const pugi::xml_node& element) {
-    return property_of(element, "display") == "none";
 }
 
 }  // namespace batten::exchange

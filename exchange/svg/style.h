@@ -1,6 +1,7 @@
-/// Colors and visibility of SVG elements.
+/// Properties of SVG elements: colors, visibility, what the style attribute says.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <pugixml.hpp>
 #include <string_view>
@@ -13,8 +14,51 @@ namespace batten::exchange {
 /// currentColor, gradients.
 std::optional<core::DocumentColor> read_color(std::string_view text);
 
-/// The value of a property: of the style attribute, else of the attribute of that name; empty where there is neither.
-std::string_view property_of(const pugi::xml_node& element, std::string_view name);
+/// The properties that are looked at.
+enum class SvgProperty {
+    stroke,
+    fill,
+    visibility,
+    display,
+    clip_path,
+    mask,
+    transform,
+    transform_origin,
+    transform_box,
+    translate,
+    rotate,
+    scale,
+};
+
+inline constexpr std::size_t svg_property_count = static_cast<std::size_t>(SvgProperty::scale) + 1;
+
+/// What an element says of itself. Cost O(length of its attributes), once.
+class SvgProperties {
+  public:
+    explicit SvgProperties(const pugi::xml_node& element);
+
+    /// What the style attribute says: the last of several values, but one that is important before others.
+    std::string_view in_style(SvgProperty property) const { return of_style_[static_cast<std::size_t>(property)]; }
+
+    /// What the attribute of that name says.
+    std::string_view in_attribute(SvgProperty property) const {
+        return of_attributes_[static_cast<std::size_t>(property)];
+    }
+
+    /// What holds: the style attribute, else the attribute; empty where there is neither.
+    std::string_view operator[](SvgProperty property) const {
+        return in_style(property).empty() ? in_attribute(property) : in_style(property);
+    }
+
+    /// Whether there is such a value other than none.
+    bool has(SvgProperty property) const { return !(*this)[property].empty() && (*this)[property] != "none"; }
+
+  private:
+    void read_style(std::string_view text);
+
+    std::array<std::string_view, svg_property_count> of_style_{};
+    std::array<std::string_view, svg_property_count> of_attributes_{};
+};
 
 /// What an element hands on to those in it.
 struct SvgStyle {
@@ -22,14 +66,11 @@ struct SvgStyle {
     std::optional<core::DocumentColor> fill{};
     bool visible = true;
 
-    /// With what `element` says itself.
-    SvgStyle within(const pugi::xml_node& element) const;
+    /// With what an element says itself.
+    SvgStyle within(const SvgProperties& properties) const;
 
     /// That of the stroke, else of the fill.
     std::optional<core::DocumentColor> color() const { return stroke ? stroke : fill; }
 };
-
-/// Whether the element and all in it are not drawn (display: none).
-bool is_not_displayed(const pugi::xml_node& element);
 
 }  // namespace batten::exchange

@@ -46,13 +46,18 @@ bool has_entities(const pugi::xml_document& file) {
     return false;
 }
 
+// Whether the file has its styles elsewhere, where nothing is read.
+bool has_style_sheet(const pugi::xml_document& file) {
+    return static_cast<bool>(file.child("xml-stylesheet"));
+}
+
 }  // namespace
 
 core::FileResult<Imported> read_svg(std::string_view text) {
     if (const auto check = check_text(text); !check) return tl::unexpected(check.error());
     pugi::xml_document file;
     const pugi::xml_parse_result parsed =
-        file.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype);
+        file.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype | pugi::parse_pi);
     if (!parsed)
         return svg_refused(line_at(text, static_cast<std::size_t>(parsed.offset)),
                            core::sentence("this is no XML: {reason}", {{"reason", parsed.description()}}));
@@ -60,6 +65,7 @@ core::FileResult<Imported> read_svg(std::string_view text) {
     if (local_name(svg) != "svg")
         return svg_refused("", core::sentence("the file is a '{name}'; an 'svg' is needed", {{"name", svg.name()}}));
     SvgDrawing drawing = drawing_of(svg);
+    if (has_style_sheet(file)) drawing.left_out.count(SvgLoss::style_sheet);
     if (has_entities(file)) drawing.left_out.count(SvgLoss::entities);
     NativeCopy copy = native_copy(svg, drawing.curves);
     if (copy.document) return Imported{.document = *std::move(copy.document)};

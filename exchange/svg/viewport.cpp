@@ -101,6 +101,12 @@ std::optional<SvgLength> positive_length(const pugi::xml_node& element, const ch
     return length && length->value > 0.0 ? length : std::nullopt;
 }
 
+// Of `use`, where it has such a length, else of `element`.
+bool is_zero_length(const pugi::xml_node& use, const pugi::xml_node& element, const char* name) {
+    const auto length = read_length((use.attribute(name) ? use : element).attribute(name).value());
+    return length && length->value == 0.0;
+}
+
 }  // namespace
 
 std::optional<double> SvgLength::in_px(double whole) const {
@@ -157,11 +163,16 @@ Page page_of(const pugi::xml_node& svg) {
 }
 
 InnerViewport inner_viewport(const pugi::xml_node& element, const Viewport& outer) {
+    return inner_viewport(element, {}, outer);
+}
+
+InnerViewport inner_viewport(const pugi::xml_node& element, const pugi::xml_node& use, const Viewport& outer) {
     const double x = outer.length(element, "x");
     const double y = outer.length(element, "y");
-    const double width = outer.length(element, "width", outer.width);
-    const double height = outer.length(element, "height", outer.height);
+    const double width = outer.length(use, "width", outer.length(element, "width", outer.width));
+    const double height = outer.length(use, "height", outer.length(element, "height", outer.height));
     const auto box = view_box(element);
+    if (is_zero_length(use, element, "width") || is_zero_length(use, element, "height")) return {.is_empty = true};
     if (!box || !(width > 0.0 && height > 0.0))
         return {.viewport = box.value_or(Viewport{.width = width, .height = height}),
                 .map = scaled_and_moved({}, x, y)};

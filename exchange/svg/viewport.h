@@ -49,7 +49,11 @@ Page page_of(const pugi::xml_node& svg);
 struct InnerViewport {
     Viewport viewport{};
     core::PlaneMap map{};
+    bool is_empty = false;  ///< its box has no size, so that nothing is drawn
 };
 InnerViewport inner_viewport(const pugi::xml_node& element, const Viewport& outer);
+
+/// The same for one that `use` repeats, whose width and height are those of the box where it has them.
+InnerViewport inner_viewport(const pugi::xml_node& element, const pugi::xml_node& use, const Viewport& outer);
 
 }  // namespace batten::exchange

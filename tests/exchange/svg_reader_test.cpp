@@ -8,6 +8,7 @@
 
 #include "core/evaluate/evaluate.h"
 #include "core/measure/area.h"
+#include "tests/exchange/svg_elements.h"
 
 namespace batten::exchange {
 
@@ -16,24 +17,8 @@ namespace {
 using core::Curve;
 using core::Point;
 
-// In a file whose baseline is 0, so that y is turned over and no more.
-std::string drawing_of_paths(const std::string& elements) {
-    return R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:batten="urn:batten" batten:baseline="0">)" + elements +
-           "</svg>";
-}
-
-Imported read_elements(const std::string& elements) {
-    auto imported = read_svg(drawing_of_paths(elements));
-    EXPECT_TRUE(imported) << (imported ? "" : imported.error().sentence());
-    return imported ? *std::move(imported) : Imported{};
-}
-
 Imported read_path(const std::string& data) {
     return read_elements("<path d=\"" + data + "\"/>");
-}
-
-Curve curve_of(const Imported& imported, std::size_t index = 0) {
-    return *imported.document.curves.at(index).curve;
 }
 
 Curve path_curve(const std::string& data) {
@@ -44,15 +29,6 @@ std::string refusal_of(const std::string& text) {
     const auto imported = read_svg(text);
     EXPECT_FALSE(imported);
     return imported ? "" : imported.error().sentence();
-}
-
-std::vector<Point> points_of(const Curve& curve) {
-    return {curve.control_points().begin(), curve.control_points().end()};
-}
-
-void expect_near(Point found, Point expected, double tolerance = 1e-12) {
-    EXPECT_NEAR(found.x, expected.x, tolerance);
-    EXPECT_NEAR(found.y, expected.y, tolerance);
 }
 
 double signed_area(const Curve& curve) {

@@ -1,0 +1,178 @@
+// Where SVG draws its elements, and which: the places are those that rsvg-convert 2.54 and Chromium give them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/exchange/svg_elements.h"
+
+namespace batten::exchange {
+
+namespace {
+
+using core::Point;
+
+// The end of a line from (0, 0) to (3, 5) with these attributes, y upward.
+Point end_with(const std::string& attributes) {
+    return points_of(curve_of(read_elements("<path d='M0 0L3 5' " + attributes + "/>"))).back();
+}
+
+std::vector<std::string> told_with(const std::string& attributes) {
+    return read_elements("<path id='p' d='M0 0L3 5' " + attributes + "/>").report.left_out;
+}
+
+// What a file with a viewBox of 100 by 100 draws, seen from its upper left corner with y downward.
+std::vector<Point> drawn_below(const std::string& elements, const std::string& attributes = "") {
+    const auto imported = read_svg("<svg viewBox='0 0 100 100' " + attributes + ">" + elements + "</svg>");
+    EXPECT_TRUE(imported);
+    if (!imported) return {};
+    std::vector<Point> points = points_of(curve_of(*imported));
+    for (Point& point : points) point.y = 100 - point.y;
+    return points;
+}
+
+}  // namespace
+
+TEST(SvgUse, GivesSymbolsTheSizeThatItSays) {
+    const std::string symbol = "<symbol id='s' viewBox='0 0 10 10' %><path d='M0 0L10 10'/></symbol>";
+    const auto used = [&](const std::string& of_symbol, const std::string& of_use) {
+        std::string text = symbol;
+        return drawn_below(text.replace(text.find('%'), 1, of_symbol) + "<use href='#s' " + of_use + "/>");
+    };
+    using Line = std::vector<Point>;
+    EXPECT_EQ(used("", "width='20' height='40'"), (Line{{0, 10}, {20, 30}}));
+    EXPECT_EQ(used("", "width='20' height='40' x='5' y='-1'"), (Line{{5, 9}, {25, 29}}));
+    EXPECT_EQ(used("", "width='20%' height='40%'"), (Line{{0, 10}, {20, 30}}));
+    EXPECT_EQ(used("preserveAspectRatio='none'", "width='20' height='40'"), (Line{{0, 0}, {20, 40}}));
+    EXPECT_EQ(used("preserveAspectRatio='xMaxYMax slice'", "width='20' height='40'"), (Line{{-20, 0}, {20, 40}}));
+    EXPECT_EQ(used("preserveAspectRatio='xMinYMin'", "width='20' height='40'"), (Line{{0, 0}, {20, 20}}));
+    EXPECT_EQ(used("width='60' height='30'", ""), (Line{{15, 0}, {45, 30}}));
+    EXPECT_EQ(used("width='60' height='30'", "width='30'"), (Line{{0, 0}, {30, 30}})) << "each by itself";
+    EXPECT_EQ(used("", ""), (Line{{0, 0}, {100, 100}}));
+    EXPECT_EQ(used("", "width='20' height='20' transform='scale(2)'"), (Line{{0, 0}, {40, 40}}));
+}
+
+TEST(SvgUse, GivesInnerDrawingsTheSizeThatItSays) {
+    const std::string inner =
+        "<defs><svg id='s' x='1' viewBox='0 0 10 10' width='70' height='70'><path d='M0 0L10 10'/></svg></defs>";
+    EXPECT_EQ(drawn_below(inner + "<use href='#s' width='20' height='20'/>"), (std::vector<Point>{{1, 0}, {21, 20}}));
+    EXPECT_EQ(drawn_below(inner + "<use href='#s'/>"), (std::vector<Point>{{1, 0}, {71, 70}}));
+}
+
+TEST(SvgUse, OfNoSizeDrawsNothing) {
+    const Imported imported = read_elements(
+        "<symbol id='s' viewBox='0 0 10 10'><path d='M0 0L10 10'/></symbol><use href='#s' width='0' height='9'/>"
+        "<svg height='0'><path d='M0 0h3'/></svg><path id='other' d='M0 0h1'/>");
+    ASSERT_EQ(imported.document.curves.size(), 1U);
+    EXPECT_EQ(imported.document.curves[0].name, "other");
+}
+
+TEST(SvgUse, TakesTheColorsOfTheSymbol) {
+    const Imported imported = read_elements(
+        "<symbol id='s' stroke='#102030'><path d='M0 0L10 10'/></symbol><symbol id='h' style='display:none'>"
+        "<path d='M0 0L10 10'/></symbol><use href='#s'/><use href='#h'/>");
+    ASSERT_EQ(imported.document.curves.size(), 1U);
+    EXPECT_EQ(imported.document.curves[0].color, (core::DocumentColor{0x10, 0x20, 0x30}));
+    EXPECT_EQ(imported.report.left_out, std::vector<std::string>{"an element that is not displayed is left out"});
+}
+
+TEST(SvgStyles, MoveElements) {
+    EXPECT_EQ(end_with("style='stroke:red;transform: translate(30px,40px)'"), Point(33, -45));
+    expect_near(end_with("style='transform:translate(1cm)'"), {3 + 96 / 2.54, -5});
+    EXPECT_EQ(end_with("style='transform:translateX(2px) translateY(-3px)'"), Point(5, -2));
+    EXPECT_EQ(end_with("style='transform:scale(2, 300%)'"), Point(6, -15));
+    EXPECT_EQ(end_with("style='transform:scaleX(2)scaleY(-1)'"), Point(6, 5));
+    EXPECT_EQ(end_with("style='transform:matrix(1,2,3,4,5,6)'"), Point(23, -32));
+    for (const std::string angle : {"90deg", "100grad", "0.25turn", "1.5707963267948966rad"})
+        expect_near(end_with("style='transform:rotate(" + angle + ")'"), {-5, -3});
+    expect_near(end_with("style='transform:skewX(45deg)'"), {8, -5});
+    expect_near(end_with("style='transform:skewY(45deg)'"), {3, -8});
+    // Both at once, which is not one after the other.
+    expect_near(end_with("style='transform:skew(45deg, 45deg)'"), {8, -8});
+    EXPECT_EQ(end_with("style='transform:rotate(0)'"), Point(3, -5));
+    EXPECT_EQ(end_with("style='transform:none' transform='scale(9)'"), Point(3, -5)) << "before the attribute";
+    EXPECT_EQ(drawn_below("<path d='M0 0L3 5' style='transform:translate(50%, 10%)'/>").back(), Point(53, 15));
+}
+
+TEST(SvgStyles, TurnElementsAboutTheirOrigin) {
+    expect_near(end_with("transform='rotate(90)' transform-origin='3 0'"), {-2, 0});
+    expect_near(end_with("style='transform:rotate(90deg);transform-origin:0px 5px'"), {0, -8});
+    EXPECT_EQ(drawn_below("<path d='M0 0L3 5' style='transform:scale(2);transform-origin:center'/>").back(),
+              Point(-44, -40));
+    EXPECT_EQ(drawn_below("<path d='M0 0L3 5' style='transform:scale(2);transform-origin:right 10%'/>").back(),
+              Point(-94, 0));
+    EXPECT_EQ(end_with("transform-origin='3 0'"), Point(3, -5)) << "of no turn";
+}
+
+TEST(SvgStyles, TellWhatIsNotRead) {
+    const std::vector<std::string> told{"the transform of 'p' cannot be read, so it stands where it would without"};
+    for (const std::string style :
+         {"transform:translate(30,40)", "transform:translate(1em)", "transform:translate3d(1px,2px,3px)",
+          "transform:turn(3deg)", "transform:rotate(3)", "transform:rotate(3deg,1px,2px)", "transform:scale(2px)",
+          "transform:scale(1 2)", "transform:translate(1px", "transform:translate()", "transform:matrix(1,2,3)",
+          "rotate:30deg", "translate:3px", "transform:scale(2);transform-origin:bottom left",
+          "transform:scale(2);transform-box:fill-box"}) {
+        EXPECT_EQ(told_with("style='" + style + "'"), told) << style;
+        EXPECT_EQ(end_with("style='" + style + "'"), Point(3, -5)) << style;
+    }
+    EXPECT_TRUE(told_with("style='rotate:none;transform:none'").empty());
+}
+
+TEST(SvgStyles, TakeTheLastValueButTheImportantOne) {
+    const auto color = [](const std::string& style) {
+        return *read_elements("<path d='M0 0h1' stroke='#999' style='" + style + "'/>").document.curves[0].color;
+    };
+    EXPECT_EQ(color("stroke:#010203; stroke : #040506"), (core::DocumentColor{4, 5, 6}));
+    EXPECT_EQ(color("stroke:#010203 !important; stroke:#040506"), (core::DocumentColor{1, 2, 3}));
+    EXPECT_EQ(color("stroke:#010203 !important; stroke:#040506!important"), (core::DocumentColor{4, 5, 6}));
+}
+
+TEST(SvgStyles, InSheetsAreTold) {
+    const std::vector<std::string> told{
+        "a style sheet is not read, so colors may be others, and what it hides or moves is read as if it did not"};
+    EXPECT_EQ(read_elements("<style>.a{display:none}</style><path class='a' d='M0 0h1'/>").report.left_out, told);
+    EXPECT_EQ(read_elements("<defs><style>.a{display:none}</style></defs><path d='M0 0h1'/>").report.left_out, told);
+    EXPECT_EQ(read_svg("<?xml-stylesheet href='a.css'?><svg><path d='M0 0h1'/></svg>")->report.left_out, told);
+}
+
+TEST(SvgSwitch, ShowsWhatAReaderOfEnglishSees) {
+    const auto ends = [](const std::string& first, const std::string& second) {
+        const Imported imported = read_elements("<switch><path " + first + " d='M0 0h1'/><path " + second +
+                                                " d='M0 0h2'/><path d='M0 0h3'/></switch>");
+        EXPECT_EQ(
+            imported.report.left_out,
+            std::vector<std::string>{"2 alternatives that viewers do not show for readers of English are left out"});
+        EXPECT_EQ(imported.document.curves.size(), 1U);
+        return points_of(curve_of(imported)).back().x;
+    };
+    EXPECT_EQ(ends("systemLanguage='xx'", ""), 2);
+    EXPECT_EQ(ends("systemLanguage='de, en-GB'", ""), 1);
+    EXPECT_EQ(ends("systemLanguage=' EN '", ""), 1);
+    EXPECT_EQ(ends("systemLanguage='enx'", "systemLanguage=''"), 3);
+    EXPECT_EQ(ends("systemLanguage='e'", "systemLanguage=',,en'"), 2);
+    EXPECT_EQ(ends("requiredExtensions='http://example.org'", "requiredExtensions=''"), 3);
+    EXPECT_EQ(ends("requiredFeatures='http://www.w3.org/TR/SVG11/feature#Shape'", ""), 1);
+}
+
+// As Illustrator writes it; and conditions count outside of a switch, too.
+TEST(SvgSwitch, MayHoldPrivateDataFirst) {
+    const Imported imported = read_elements(
+        "<switch><foreignObject requiredExtensions='x'/><title>t</title><g><path d='M0 0h3'/></g></switch>");
+    EXPECT_EQ(imported.document.curves.size(), 1U);
+    EXPECT_TRUE(imported.report.left_out.empty());
+    EXPECT_EQ(read_elements("<g systemLanguage='fr'><path d='M0 0h1'/></g><path d='M0 0h1'/>").report.left_out,
+              std::vector<std::string>{"an alternative that viewers do not show for readers of English is left out"});
+}
+
+TEST(SvgRoot, MayBeMovedAsAWhole) {
+    const std::string square = "<path d='M10 10L20 30'/>";
+    const std::string page = "width='200' height='200' transform='";
+    EXPECT_EQ(drawn_below(square, page + "translate(20, 0)'"), (std::vector<Point>{{20, 10}, {30, 30}}))
+        << "px of the page";
+    EXPECT_EQ(drawn_below(square, page + "scale(2)'"), (std::vector<Point>{{20, 20}, {40, 60}}));
+    EXPECT_EQ(drawn_below(square, page + "rotate(90)'"), (std::vector<Point>{{-10, 10}, {-30, 20}}));
+    EXPECT_EQ(drawn_below(square, "style='transform:scale(1,-1)'"), (std::vector<Point>{{10, -10}, {20, -30}}));
+    EXPECT_EQ(read_svg("<svg id='all' transform='turn'><path d='M0 0h1'/></svg>")->report.left_out,
+              std::vector<std::string>{"the transform of 'all' cannot be read, so it stands where it would without"});
+}
+
+}  // namespace batten::exchange
