@@ -3,24 +3,25 @@
 
 #include <optional>
 #include <pugixml.hpp>
-#include <span>
+#include <string>
+#include <vector>
 
-#include "core/document/document.h"
+#include "exchange/svg/drawing.h"
 
 namespace batten::exchange {
 
 /// Puts `document` into `svg`, complete with all that it draws. It is to be the last step: the copy is valid only as
-/// long as the file draws the same curves, by the same names and in the same colors.
+/// long as the file draws the same curves on the same page.
 void embed_document(pugi::xml_node svg, const core::Document& document);
 
 /// What a file has of ours.
 struct NativeCopy {
-    bool is_there = false;
-    std::optional<core::Document>
-        document{};  ///< none where the file draws something else than `drawn`, or it is broken
+    std::optional<core::Document> document{};  ///< none where there is none that still holds
+    std::vector<std::string> told{};           ///< what another program has changed
 };
 
-/// The document in `svg`, which draws the curves `drawn`.
-NativeCopy native_copy(const pugi::xml_node& svg, std::span<const core::DocumentCurve> drawn);
+/// The document in `svg`, which draws `drawing`. Names, colors and what is hidden are those of the drawing where these
+/// alone have changed; where a curve or the page has there is none.
+NativeCopy native_copy(const pugi::xml_node& svg, const SvgDrawing& drawing);
 
 }  // namespace batten::exchange

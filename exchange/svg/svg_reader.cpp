@@ -67,16 +67,16 @@ core::FileResult<Imported> read_svg(std::string_view text) {
     SvgDrawing drawing = drawing_of(svg);
     if (has_style_sheet(file)) drawing.left_out.count(SvgLoss::style_sheet);
     if (has_entities(file)) drawing.left_out.count(SvgLoss::entities);
-    NativeCopy copy = native_copy(svg, drawing.curves);
-    if (copy.document) return Imported{.document = *std::move(copy.document)};
+    NativeCopy copy = native_copy(svg, drawing);
+    if (copy.document)
+        return Imported{.document = *std::move(copy.document), .report = {.left_out = std::move(copy.told)}};
     Imported imported{.document = {}, .report = {drawing.largest_error, drawing.left_out.sentences()}};
     if (drawing.curves.empty()) {
         const auto& left_out = imported.report.left_out;
         return svg_refused("", left_out.empty() ? "no path and no shape is drawn in this file" : left_out.front());
     }
-    if (copy.is_there)
-        imported.report.left_out.emplace_back(
-            "the document that Batten put into the file is left out, since another program has changed what is drawn");
+    auto& told = imported.report.left_out;
+    told.insert(told.end(), copy.told.begin(), copy.told.end());
     imported.document.curves = std::move(drawing.curves);
     imported.document.units = std::move(drawing.units);
     return imported;

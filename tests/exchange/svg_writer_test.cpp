@@ -257,9 +257,8 @@ TEST(SvgWriter, LetsTheEditsOfOtherProgramsWin) {
         EXPECT_NE(at, std::string::npos);
         return *read_svg(other.replace(at, from.size(), to));
     };
-    for (const Imported& imported :
-         {edited("<path", "<path transform=\"scale(2)\""), edited("#010203", "#010204"),
-          edited("</title>", " 2</title>"), edited("M 3", "M 2.5"), edited("</g>", "<path d=\"M0 0h1\"/></g>")}) {
+    for (const Imported& imported : {edited("<path", "<path transform=\"scale(2)\""), edited("M 3", "M 2.5"),
+                                     edited("</g>", "<path d=\"M0 0h1\"/></g>")}) {
         EXPECT_EQ(imported.document.curves[0].curve->degree(), 3) << "the path, not the ellipse";
         EXPECT_EQ(imported.report.left_out,
                   std::vector<std::string>{
@@ -267,6 +266,63 @@ TEST(SvgWriter, LetsTheEditsOfOtherProgramsWin) {
                       "changed what is drawn"});
     }
     EXPECT_EQ(edited("fill=\"none\"", "fill='none' opacity='0.5'").document.curves[0].curve->degree(), 2);
+    EXPECT_EQ(edited("</g>", "</g><text/>").report.left_out,
+              std::vector<std::string>{"a text is left out; in the program that made it, it can be turned into paths"});
+}
+
+TEST(SvgWriter, KeepsTheDocumentWithOtherNamesAndColors) {
+    Document document = document_of({*core::circle({1, 1}, 1), *core::ellipse({.first_axis = 3, .second_axis = 2})});
+    document.curves[0].visible = false;
+    document.curves[1].color = core::DocumentColor{1, 2, 3};
+    const std::string text = written(document).text;
+    const auto edited = [&](const std::string& from, const std::string& to) {
+        std::string other = text;
+        other.replace(other.rfind(from), from.size(), to);
+        Imported imported = *read_svg(other);
+        EXPECT_EQ(imported.document.curves[1].curve->weights().size(), document.curves[1].curve->weights().size());
+        EXPECT_EQ(imported.document.curves[0].name, "curve 0");
+        EXPECT_FALSE(imported.document.curves[0].visible);
+        EXPECT_EQ(imported.report.left_out,
+                  std::vector<std::string>{"names, colors and what is hidden are as another program has changed them"});
+        return imported.document.curves[1];
+    };
+    EXPECT_EQ(edited("#010203", "#010204").color, (core::DocumentColor{1, 2, 4}));
+    EXPECT_EQ(edited("</title>", " b</title>").name, "curve 1 b");
+    EXPECT_EQ(edited("</title>", " b</title>").color, (core::DocumentColor{1, 2, 3}));
+    EXPECT_FALSE(edited("<path", "<path visibility='hidden'").visible);
+}
+
+TEST(SvgWriter, LetsTheColorsOfTornCurvesWin) {
+    Document document = document_of({curve_from({.degree = 1,
+                                                 .knots = {0, 0, 1, 1, 2, 2},
+                                                 .points = {{0, 0}, {1, 1}, {2, 1}, {3, 0}},
+                                                 .tears = core::Tears::allow})});
+    document.curves[0].color = core::DocumentColor{1, 2, 3};
+    std::string text = written(document).text;
+    EXPECT_EQ(read_svg(text)->document.curves.size(), 1U);
+    text.replace(text.rfind("#010203"), 7, "#010204");
+    EXPECT_EQ(read_svg(text)->document.curves.size(), 2U);
+}
+
+TEST(SvgWriter, LetsTheChangedPageWin) {
+    Document document = document_of({curve_from({.degree = 1, .knots = {0, 0, 1, 1}, .points = {{10, 20}, {30, 40}}})});
+    document.units = core::DocumentUnits{.unit = core::LengthUnit::mm, .scale = 2.0};
+    const std::string text = written(document).text;
+    const auto edited = [&](const std::string& from, const std::string& to) {
+        std::string other = text;
+        return *read_svg(other.replace(other.find(from), from.size(), to));
+    };
+    for (const Imported& imported :
+         {edited("width=\"11mm\" height=\"11mm\"", "width='22mm' height='22mm'"),
+          edited("width=\"11mm\"", "width='2in'"), edited("9 -41 22 22", "0 0 11 11"), edited("viewBox", "wasBox")})
+        EXPECT_EQ(imported.report.left_out,
+                  std::vector<std::string>{"the document that Batten put into the file is left out, "
+                                           "since another program has changed the page"});
+    EXPECT_EQ(edited("width=\"11mm\" height=\"11mm\"", "width='22mm' height='22mm'").document.units,
+              (core::DocumentUnits{.unit = core::LengthUnit::mm, .scale = 1.0}));
+    // The same in other digits.
+    EXPECT_EQ(edited("9 -41 22 22", "9.0,-41 22.00 22").document.units, document.units);
+    EXPECT_TRUE(edited("width=\"11mm\"", "width='1.1e1mm'").report.left_out.empty());
 }
 
 TEST(SvgWriter, WritesNamesUnitsAndTheBoxOfTheCurves) {
