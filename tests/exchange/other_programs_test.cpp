@@ -50,9 +50,12 @@ TEST(OtherPrograms, FreeCadDxf) {
         EXPECT_NEAR(core::distance(at_share(curve_in(found, 1), i / 8.0), {1, 2}), 3.0, written_digits);
     expect_near(at_share(curve_in(found, 2), 0.0), {10 + 2 * std::cos(0.5), 2 * std::sin(0.5)}, written_digits);
     expect_near(at_share(curve_in(found, 2), 1.0), {10 + 2 * std::cos(2.5), 2 * std::sin(2.5)}, written_digits);
+    // The rest of the circle has the same ends, and the middle on the other side.
+    expect_near(at_share(curve_in(found, 2), 0.5), {10 + 2 * std::cos(1.5), 2 * std::sin(1.5)}, written_digits);
     expect_near(at_share(curve_in(found, 3), 0.25), {20, 2}, written_digits);
     expect_near(at_share(curve_in(found, 4), 0.0), {20 + 4 * std::cos(0.5), 2 * std::sin(0.5)}, written_digits);
     expect_near(at_share(curve_in(found, 4), 1.0), {20 + 4 * std::cos(2.0), 2 * std::sin(2.0)}, written_digits);
+    expect_near(at_share(curve_in(found, 4), 0.5), {20 + 4 * std::cos(1.25), 2 * std::sin(1.25)}, written_digits);
     expect_near(at_share(curve_in(found, 5), 1.0), {7, -6}, written_digits);
 }
 
