@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "core/curve/curve.h"
@@ -13,8 +14,11 @@ struct PathPiece {
     std::array<core::Point, 4> points{};  ///< degree + 1; of an arc its two ends
     double radius = 0.0;                  ///< of an arc, which is at most half of its circle
     bool is_counterclockwise = false;     ///< likewise
+    bool is_first = false;                ///< of a run: it does not begin where the piece before ends
+    bool closes = false;                  ///< the last one of a run that ends exactly where it began
 
-    core::Point start() const { return points[0]; }
+    std::span<const core::Point> control_points() const { return {points.data(), last() + 1}; }
+    core::Point start() const { return points.front(); }
     core::Point end() const { return points[last()]; }
     void set_end(core::Point end) { points[last()] = end; }
 
@@ -23,15 +27,21 @@ struct PathPiece {
 };
 
 struct PathPieces {
-    std::vector<PathPiece> pieces;  ///< in order, each from where the one before ends, unless the curve is torn there
-    double error = 0.0;  ///< no point of the curve is farther from the pieces; 0 where they are the curve itself
+    std::vector<PathPiece> pieces;  ///< in order
+    double error = 0.0;  ///< no point of the curve is farther from the pieces, nor the other way round; 0 where they
+                         ///< are the curve itself but for rounding; infinite beyond doubles
 };
 
-/// The pieces of the curve: the curve itself where it is polynomial of degree 3 or less, of degree 1, or made of arcs
-/// of circles, but for rounding; else cubic_pieces() within `tolerance` (> 0), one for each span once there are
-/// `most_path_pieces`. A closed curve ends in its first point, bit-equal. Cost O(p^2) for each piece that is tried.
-PathPieces path_pieces(const core::Curve& curve, double tolerance);
+/// Whether arcs of circles are told as such.
+enum class Arcs { as_arcs, as_cubics };
 
-inline constexpr std::size_t most_path_pieces = 4'000'000;
+/// The pieces of the curve: the curve itself where it is polynomial of degree 3 or less, of degree 1, or made of arcs
+/// of circles that are wanted as such; else cubics within `tolerance` (> 0, in coordinates) with the tangents of the
+/// curve at their ends, over spans that are halved until their bound (cubic_fit) is within it, but at most 30 times
+/// each, `most_halvings` times in all, and not beyond the rounding of doubles; so the error, which is told, may be
+/// larger. Pieces are joined bit-equal where the curve does not come apart, also those of periodic curves at their seam.
+/// Cost O(p^2) for each piece that is tried.
+PathPieces path_pieces(const core::Curve& curve, double tolerance, Arcs arcs = Arcs::as_cubics,
+                       std::size_t most_halvings = 250'000);
 
 }  // namespace batten::exchange

@@ -8,6 +8,7 @@
 #include "core/curve/control_box.h"
 #include "core/document/native_file.h"
 #include "exchange/code/languages.h"
+#include "exchange/svg/path_text.h"
 
 namespace batten::exchange {
 
@@ -21,11 +22,11 @@ std::string json_text(const core::DocumentCurve& entry) {
     return core::format_document(document);
 }
 
-core::FileResult<CubicPieces> pieces_of(const core::DocumentCurve& entry) {
+core::FileResult<PathPieces> pieces_of(const core::DocumentCurve& entry, Arcs arcs) {
     const core::Box box = core::control_box(*entry.curve);
     const core::Vector sides = box.upper - box.lower;
     const double wanted = relative_tolerance * std::max(sides.x, sides.y);
-    CubicPieces pieces = cubic_pieces(*entry.curve, std::max(wanted, std::numeric_limits<double>::min()));
+    PathPieces pieces = path_pieces(*entry.curve, std::max(wanted, std::numeric_limits<double>::min()), arcs);
     if (!std::isfinite(pieces.error))
         return tl::unexpected(core::FileError{
             .where = core::sentence("curve '{name}'", {{"name", entry.name}}),
@@ -48,11 +49,14 @@ core::FileResult<Code> code_of(const core::DocumentCurve& entry, CodeLanguage la
         case CodeLanguage::matlab:
             return Code{matlab_text(entry)};
         case CodeLanguage::tikz:
+            return pieces_of(entry, Arcs::as_cubics).map([&](const PathPieces& pieces) {
+                return Code{tikz_text(entry, pieces), pieces.error};
+            });
         case CodeLanguage::svg_path:
             break;
     }
-    return pieces_of(entry).map([&](const CubicPieces& pieces) {
-        return Code{language == CodeLanguage::tikz ? tikz_text(entry, pieces) : svg_path_text(pieces), pieces.error};
+    return pieces_of(entry, Arcs::as_arcs).map([](const PathPieces& pieces) {
+        return Code{path_text(pieces), pieces.error};
     });
 }
 

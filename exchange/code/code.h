@@ -23,7 +23,7 @@ struct Code {
 /// - latex: a table of the points and the list of the knots, small fractions as such; needs amsmath.
 /// - tikz: a path, exact where the curve is a polynomial of degree 3 at most, else within a hundred thousandth of
 ///   the larger side of its box; where TeX's numbers do not reach it is moved and scaled, which a comment tells.
-/// - svg_path: what stands in the attribute `d`, likewise; y points down.
+/// - svg_path: what stands in the attribute `d`, likewise, with arcs of circles as such; y points down.
 /// - cpp: arrays and a function that gives points, C++17.
 /// - python: a BSpline of SciPy, or a function where the curve is rational.
 /// - matlab: the B-form or, of a rational curve, the rB-form of the Curve Fitting Toolbox.

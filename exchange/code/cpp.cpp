@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "exchange/code/languages.h"
+#include "exchange/written_curves.h"
 
 namespace batten::exchange {
 
@@ -45,7 +46,7 @@ std::string cpp_point(core::Point point) {
 }  // namespace
 
 std::string cpp_text(const core::DocumentCurve& entry) {
-    OpenForm form = open_form(*entry.curve);
+    core::CurveDefinition form = full_definition(*entry.curve);
     if (form.weights.empty()) form.weights.assign(form.points.size(), 1.0);
     return fmt::format(fmt::runtime(cpp_code), fmt::arg("heading", heading(entry)),
                        fmt::arg("degree", entry.curve->degree()), fmt::arg("knot_count", form.knots.size()),

@@ -28,17 +28,6 @@ std::string listed(std::span<const Item> items, std::size_t in_a_line, Text text
 
 }  // namespace
 
-OpenForm open_form(const core::Curve& curve) {
-    OpenForm form{.knots = curve.knots().values(), .points = {}, .weights = {}};
-    const std::size_t count = form.knots.size() - static_cast<std::size_t>(curve.degree()) - 1;
-    const auto points = curve.control_points();
-    for (std::size_t i = 0; i < count; ++i) {
-        form.points.push_back(points[i % points.size()]);
-        if (curve.is_rational()) form.weights.push_back(curve.weights()[i % points.size()]);
-    }
-    return form;
-}
-
 std::string heading(const core::DocumentCurve& entry) {
     const core::Curve& curve = *entry.curve;
     return core::sentence(curve.is_rational() ? "'{name}': a NURBS curve of degree {degree} over [{lower}, {upper}]"

@@ -7,24 +7,15 @@
 #include <vector>
 
 #include "exchange/code/code.h"
-#include "exchange/cubic_pieces.h"
+#include "exchange/path_pieces.h"
 
 namespace batten::exchange {
 
 std::string latex_text(const core::DocumentCurve& entry);
-std::string tikz_text(const core::DocumentCurve& entry, const CubicPieces& pieces);
-std::string svg_path_text(const CubicPieces& pieces);
+std::string tikz_text(const core::DocumentCurve& entry, const PathPieces& pieces);
 std::string cpp_text(const core::DocumentCurve& entry);
 std::string python_text(const core::DocumentCurve& entry);
 std::string matlab_text(const core::DocumentCurve& entry);
-
-/// A curve as open curves are written: all knots, and a point and weight for each basis function.
-struct OpenForm {
-    std::span<const double> knots;
-    std::vector<core::Point> points;
-    std::vector<double> weights;  ///< empty where all are equal
-};
-OpenForm open_form(const core::Curve& curve);
 
 /// One line that says in a comment what follows: "'wave': a B-spline curve of degree 3 over [0, 1]".
 std::string heading(const core::DocumentCurve& entry);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "exchange/code/languages.h"
+#include "exchange/written_curves.h"
 
 namespace batten::exchange {
 
@@ -37,7 +38,7 @@ std::string row_of(const std::vector<core::Point>& points, double core::Point::*
 }  // namespace
 
 std::string matlab_text(const core::DocumentCurve& entry) {
-    const OpenForm form = open_form(*entry.curve);
+    const core::CurveDefinition form = full_definition(*entry.curve);
     const std::string head = fmt::format(
         R"(% {heading}
 % With the Curve Fitting Toolbox; fnval(curve, u) are its points.
@@ -49,7 +50,7 @@ points = [ ...
 )",
         fmt::arg("heading", heading(entry)), fmt::arg("knots", continued(code_numbers(form.knots))),
         fmt::arg("x", row_of(form.points, &core::Point::x)), fmt::arg("y", row_of(form.points, &core::Point::y)));
-    return head + fmt::format(fmt::runtime(form.weights.empty() ? polynomial_form : rational_form),
+    return head + fmt::format(fmt::runtime(!entry.curve->is_rational() ? polynomial_form : rational_form),
                               fmt::arg("weights", continued(code_numbers(form.weights))));
 }
 

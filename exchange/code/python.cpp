@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "exchange/code/languages.h"
+#include "exchange/written_curves.h"
 
 namespace batten::exchange {
 
@@ -25,7 +26,7 @@ std::string python_point(core::Point point) {
 }  // namespace
 
 std::string python_text(const core::DocumentCurve& entry) {
-    const OpenForm form = open_form(*entry.curve);
+    const core::CurveDefinition form = full_definition(*entry.curve);
     const std::string head =
         fmt::format(R"(# {heading}
 import numpy as np
@@ -38,7 +39,7 @@ points = np.array([
 )",
                     fmt::arg("heading", heading(entry)), fmt::arg("knots", code_numbers(form.knots)),
                     fmt::arg("points", code_points(form.points, python_point)));
-    return head + fmt::format(fmt::runtime(form.weights.empty() ? polynomial_code : rational_code),
+    return head + fmt::format(fmt::runtime(!entry.curve->is_rational() ? polynomial_code : rational_code),
                               fmt::arg("weights", code_numbers(form.weights)),
                               fmt::arg("degree", entry.curve->degree()));
 }

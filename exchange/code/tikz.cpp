@@ -53,25 +53,25 @@ std::string tikz_point(core::Point point) {
 }
 
 // TikZ has no quadratic pieces.
-std::array<core::Point, 2> handles_of(const CubicPiece& piece) {
+std::array<core::Point, 2> handles_of(const PathPiece& piece) {
     const auto& p = piece.points;
     if (piece.degree == 3) return {p[1], p[2]};
     return {p[0] + 2.0 / 3.0 * (p[1] - p[0]), p[2] + 2.0 / 3.0 * (p[1] - p[2])};
 }
 
-std::string step_text(const CubicPiece& piece, const Placing& placing, bool closes) {
-    const std::string end = closes ? "cycle" : tikz_point(placing(piece.control_points().back()));
+std::string step_text(const PathPiece& piece, const Placing& placing) {
+    const std::string end = piece.closes ? "cycle" : tikz_point(placing(piece.end()));
     if (piece.degree == 1) return fmt::format("\n  -- {}", end);
     const auto handles = handles_of(piece);
     return fmt::format("\n  .. controls {} and {} .. {}", tikz_point(placing(handles[0])),
                        tikz_point(placing(handles[1])), end);
 }
 
-std::string path_of(const CubicPieces& pieces, const Placing& placing) {
+std::string path_of(const PathPieces& pieces, const Placing& placing) {
     std::string text;
-    for (const CubicPiece& piece : pieces.pieces) {
-        if (piece.is_first) text += (text.empty() ? "\\draw " : "\n  ") + tikz_point(placing(piece.points.front()));
-        text += step_text(piece, placing, pieces.is_closed && &piece == &pieces.pieces.back());
+    for (const PathPiece& piece : pieces.pieces) {
+        if (piece.is_first) text += (text.empty() ? "\\draw " : "\n  ") + tikz_point(placing(piece.start()));
+        text += step_text(piece, placing);
     }
     text += end_of_path;
     return text;
@@ -86,7 +86,7 @@ std::string placing_comment(const Placing& placing) {
 
 }  // namespace
 
-std::string tikz_text(const core::DocumentCurve& entry, const CubicPieces& pieces) {
+std::string tikz_text(const core::DocumentCurve& entry, const PathPieces& pieces) {
     const Placing placing = placing_of(*entry.curve);
     std::string text = core::sentence("% {heading}\n", {{"heading", heading(entry)}});
     if (pieces.error > 0.0)

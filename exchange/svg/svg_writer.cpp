@@ -1,9 +1,11 @@
 #include "exchange/svg/svg_writer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
+#include <map>
 #include <pugixml.hpp>
 #include <set>
 #include <string>
@@ -13,6 +15,7 @@
 #include "core/base/sentence.h"
 #include "core/measure/bounds.h"
 #include "exchange/svg/native_copy.h"
+#include "exchange/svg/path_text.h"
 
 namespace batten::exchange {
 
@@ -22,28 +25,12 @@ using core::Box;
 using core::DocumentCurve;
 using core::Point;
 
-void append_number(std::string& text, double value) {
-    text += ' ';
-    core::append_shortest_text(text, value == 0.0 ? 0.0 : value);
+bool is_letter(char c) {
+    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
 }
 
-void append_point(std::string& text, Point point) {
-    append_number(text, point.x);
-    append_number(text, -point.y);
-}
-
-void append_piece(std::string& text, const PathPiece& piece) {
-    constexpr std::array<char, 4> letters{'A', 'L', 'Q', 'C'};
-    text += letters[static_cast<std::size_t>(piece.degree)];
-    if (piece.degree == 0) {
-        append_number(text, piece.radius);
-        append_number(text, piece.radius);
-        // Counterclockwise with y upward is negative with y downward.
-        text += piece.is_counterclockwise ? " 0 0 0" : " 0 0 1";
-        append_point(text, piece.end());
-        return;
-    }
-    for (std::size_t i = 1; i <= static_cast<std::size_t>(piece.degree); ++i) append_point(text, piece.points[i]);
+bool is_of_id(char c) {
+    return is_letter(c) || ('0' <= c && c <= '9') || c == '-' || c == '.';
 }
 
 // A name as XML has them, that no other element has.
@@ -51,16 +38,17 @@ class Ids {
   public:
     std::string take(const std::string& name) {
         std::string id;
-        for (const char c : name)
-            id += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.' ? c : '_';
-        if (id.empty() || std::isalpha(static_cast<unsigned char>(id.front())) == 0) id.insert(id.begin(), '_');
+        for (const char c : name) id += is_of_id(c) ? c : '_';
+        if (id.empty() || !is_letter(id.front())) id.insert(id.begin(), '_');
         std::string free = id;
-        for (std::size_t i = 2; !used_.insert(free).second; ++i) free = id + '-' + std::to_string(i);
+        for (std::size_t& last = last_[id]; !used_.insert(free).second; free = id + '-' + std::to_string(last))
+            last = std::max<std::size_t>(last, 1) + 1;
         return free;
     }
 
   private:
     std::set<std::string> used_;
+    std::map<std::string, std::size_t> last_;  // number behind a name
 };
 
 // Without the control characters that XML does not have.
@@ -95,8 +83,9 @@ class SvgFile {
         svg_.append_attribute("xmlns:batten") = "urn:batten:svg";
         svg_.append_attribute("batten:baseline") = "0";
         const core::Vector size = box.size();
-        std::string view_box = core::shortest_text(box.lower.x);
-        for (const double value : {-box.upper.y, size.x, size.y}) append_number(view_box, value);
+        const std::string view_box =
+            fmt::format("{} {} {} {}", core::shortest_text(box.lower.x + 0.0), core::shortest_text(0.0 - box.upper.y),
+                        core::shortest_text(size.x), core::shortest_text(size.y));
         if (document.units) {
             set_length("width", size.x, *document.units);
             set_length("height", size.y, *document.units);
@@ -114,7 +103,7 @@ class SvgFile {
         const std::string name = written_name(entry.name);
         path.append_attribute("id") = ids_.take(name).c_str();
         if (entry.color) path.append_attribute("stroke") = core::color_text(*entry.color).c_str();
-        path.append_attribute("d") = path_data_of(pieces, entry.curve->is_periodic()).c_str();
+        path.append_attribute("d") = path_text(pieces).c_str();
         path.append_child("title").append_child(pugi::node_pcdata).set_value(name.c_str());
     }
 
@@ -163,21 +152,21 @@ std::optional<Box> box_of_visible(const core::Document& document) {
     return whole;
 }
 
-}  // namespace
-
-std::string path_data_of(const PathPieces& pieces, bool is_closed) {
-    std::string text;
-    for (std::size_t k = 0; k < pieces.pieces.size(); ++k) {
-        const PathPiece& piece = pieces.pieces[k];
-        if (k == 0 || piece.start() != pieces.pieces[k - 1].end()) {
-            text += 'M';
-            append_point(text, piece.start());
-        }
-        append_piece(text, piece);
-    }
-    if (is_closed) text += 'Z';
-    return text;
+void tell_losses(const DocumentCurve& entry, const PathPieces& pieces, double tolerance, Report& report) {
+    report.largest_error = std::max(report.largest_error, pieces.error);
+    if (pieces.error > tolerance)
+        report.left_out.push_back(
+            core::sentence("'{name}' is within {error} of its cubics, not within the {tolerance} that were wanted",
+                           {{"name", entry.name},
+                            {"error", core::shortest_text(pieces.error)},
+                            {"tolerance", core::shortest_text(tolerance)}}));
+    if (entry.curve->is_torn())
+        report.left_out.push_back(core::sentence(
+            "'{name}' is torn; its parts are one path there, which other programs and edits make several curves",
+            {{"name", entry.name}}));
 }
+
+}  // namespace
 
 core::FileResult<Exported> write_svg(const core::Document& document, const WriteOptions& options) {
     return write_svg(document, options, core::most_file_bytes);
@@ -196,16 +185,12 @@ core::FileResult<Exported> write_svg(const core::Document& document, const Write
     Exported exported;
     for (const DocumentCurve& entry : document.curves) {
         if (!entry.visible) continue;
-        const PathPieces pieces = path_pieces(*entry.curve, tolerance);
+        const PathPieces pieces = path_pieces(*entry.curve, tolerance, Arcs::as_arcs);
         if (!std::isfinite(pieces.error))
             return svg_not_written(
                 core::sentence("'{name}' cannot be written as cubic pieces: numbers on the way are too large",
                                {{"name", entry.name}}));
-        exported.report.largest_error = std::max(exported.report.largest_error, pieces.error);
-        if (entry.curve->is_torn())
-            exported.report.left_out.push_back(core::sentence(
-                "'{name}' is torn; its parts are one path there, which other programs and edits make several curves",
-                {{"name", entry.name}}));
+        tell_losses(entry, pieces, tolerance, exported.report);
         file.add(entry, pieces);
     }
     file.embed(document);
@@ -213,6 +198,10 @@ core::FileResult<Exported> write_svg(const core::Document& document, const Write
     if (exported.text.size() <= most_bytes) return exported;
     file.take_out_document();
     exported.text = file.text();
+    if (exported.text.size() > most_bytes)
+        return svg_not_written(core::sentence(
+            "the file would have more than the {most} MiB that are read; a larger tolerance makes it smaller",
+            {{"most", most_bytes >> 20U}}));
     exported.report.left_out.push_back(core::sentence(
         "the document itself is not in the file, which would have more than the {most} MiB that are read",
         {{"most", most_bytes >> 20U}}));

@@ -1,7 +1,6 @@
 /// Writes curves as SVG that also opens here again without loss.
 #pragma once
 
-#include "exchange/path_pieces.h"
 #include "exchange/report.h"
 
 namespace batten::exchange {
@@ -10,14 +9,11 @@ namespace batten::exchange {
 /// circles as such, else cubic pieces within the tolerance, whose largest error is reported. y is turned over, and the
 /// file says where its zero is; the box of the curves is the viewBox, and the unit of the document that of width and
 /// height. The native document is in the metadata, unless the file would be too large to be read. Errors: no visible
-/// curve; a curve whose numbers are beyond what doubles can hold.
+/// curve; a curve whose numbers are beyond what doubles can hold; a file too large to be read even so.
 [[nodiscard]] core::FileResult<Exported> write_svg(const core::Document& document, const WriteOptions& options = {});
 
 /// The same for readers that refuse files of more than `most_bytes`.
 [[nodiscard]] core::FileResult<Exported> write_svg(const core::Document& document, const WriteOptions& options,
                                                    std::size_t most_bytes);
-
-/// The attribute d of a path that draws `pieces`, with y turned over; closed where `is_closed`.
-std::string path_data_of(const PathPieces& pieces, bool is_closed);
 
 }  // namespace batten::exchange

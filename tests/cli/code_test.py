@@ -186,6 +186,20 @@ print(json.dumps([points.tolist(), [curve(u).tolist() for u in {parameters}]]))
         write_document(self.file, {**CURVES["line"], "points": [[0, 0], [1, 2], [0, 0]]})
         self.assertEqual(self.code("svg-path"), "M 0 0 L 1 -2 L 0 0 Z\n")
 
+    def test_what_is_closed_is_closed_in_drawings(self):
+        w = math.sqrt(0.5)
+        write_document(self.file, {"degree": 2, "knots": [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4], "weights": [1, w, 1, w, 1, w, 1, w, 1],
+                                   "points": [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1], [1, 0]]})
+        text = self.code("svg-path")
+        self.assertEqual(text, "M 1 0 A 1 1 0 0 0 0 -1 A 1 1 0 0 0 -1 0 A 1 1 0 0 0 0 1 A 1 1 0 0 0 1 0 Z\n")
+        self.assertIn(f' d="{text.strip()}"', run("convert", self.file, "--to", "svg", "-o", "-").stdout)
+        self.assertTrue(self.code("tikz").endswith(".. cycle;\n"))
+        # Its last point is rounded otherwise than its first one.
+        write_document(self.file, {"degree": 3, "knots": [0, 1, 2, 3, 4], "periodic": True,
+                                   "points": [[1, 0], [2.5, 1], [1, 2], [-1, 1.1]]})
+        for language, end in (("svg-path", " Z\n"), ("tikz", ".. cycle;\n")):
+            self.assertTrue(self.code(language).endswith(end))
+
     def test_json_is_the_curve(self):
         def check(_, members):
             process = run("code", self.file, "--as", "json")
