@@ -39,8 +39,8 @@ enum class Arcs { as_arcs, as_cubics };
 /// of circles that are wanted as such; else cubics within `tolerance` (> 0, in coordinates) with the tangents of the
 /// curve at their ends, over spans that are halved until their bound (cubic_fit) is within it, but at most 30 times
 /// each, `most_halvings` times in all, and not beyond the rounding of doubles; so the error, which is told, may be
-/// larger. Pieces are joined bit-equal where the curve does not come apart, also those of periodic curves at their seam.
-/// Cost O(p^2) for each piece that is tried.
+/// larger. Pieces are joined bit-equal where the curve does not come apart, also those of periodic curves at their
+/// seam. Cost O(p^2) for each piece that is tried.
 PathPieces path_pieces(const core::Curve& curve, double tolerance, Arcs arcs = Arcs::as_cubics,
                        std::size_t most_halvings = 250'000);
 
