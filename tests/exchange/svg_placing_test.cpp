@@ -1,4 +1,4 @@
-// Where SVG draws its elements, and which: the places are those that rsvg-convert 2.54 and Chromium give them.
+// Where SVG draws its elements, and which: the places are those that Chromium gives them.
 #include <gtest/gtest.h>
 
 #include <cmath>
