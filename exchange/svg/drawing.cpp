@@ -88,7 +88,7 @@ class Walk {
         for (xml_node node = svg_; node;) {
             if (const pugi::xml_attribute id = node.attribute("id")) by_id_.try_emplace(id.value(), node);
             most_bytes_ += bytes_of(node);
-            if (node.type() == pugi::node_element && local_name(node) == "style" && prefix_of(node) == prefix_)
+            if (local_name(node) == "style" && prefix_of(node) == prefix_ && *node.child_value() != '\0')
                 drawing_.left_out.count(SvgLoss::style_sheet);
             if (node.first_child()) {
                 node = node.first_child();

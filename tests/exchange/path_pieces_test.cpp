@@ -234,6 +234,10 @@ TEST(PathPieces, OfWildWeightsAreWithinTheTolerance) {
         EXPECT_LE(seen, pieces.error * 1.0001);
         EXPECT_GE(seen, pieces.error * 0.01);
     }
+    for (const double tolerance : {1.0, 1e-3, 1e-6, 1e-9, 1e-12}) {
+        EXPECT_LE(path_pieces(curve, tolerance).error, tolerance);
+        EXPECT_LT(path_pieces(curve, tolerance).pieces.size(), 5000u);
+    }
 }
 
 TEST(PathPieces, EndWhereRoundingDoes) {

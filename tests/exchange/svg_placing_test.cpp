@@ -131,6 +131,7 @@ TEST(SvgStyles, InSheetsAreTold) {
         "a style sheet is not read, so colors may be others, and what it hides or moves is read as if it did not"};
     EXPECT_EQ(read_elements("<style>.a{display:none}</style><path class='a' d='M0 0h1'/>").report.left_out, told);
     EXPECT_EQ(read_elements("<defs><style>.a{display:none}</style></defs><path d='M0 0h1'/>").report.left_out, told);
+    EXPECT_TRUE(read_elements("<style/><style> </style><path d='M0 0h1'/>").report.left_out.empty());
     EXPECT_EQ(read_svg("<?xml-stylesheet href='a.css'?><svg><path d='M0 0h1'/></svg>")->report.left_out, told);
 }
 
