@@ -103,6 +103,8 @@ class PathMaker {
         else
             add_cubics(points, weights);
         made_.pieces.back().set_end(points.back());
+        const auto is_double = [](Point point) { return core::is_finite(point); };
+        if (!std::ranges::all_of(points, is_double)) made_.error = std::numeric_limits<double>::infinity();
         join(made_.pieces[first], points.front(), first == 0 ? nullptr : &made_.pieces[first - 1], is_torn);
     }
 

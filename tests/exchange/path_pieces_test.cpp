@@ -330,4 +330,14 @@ TEST(PathPieces, AreJoinedAndClosedRunByRun) {
     EXPECT_FALSE(path_pieces(whole, 1e-3).pieces[1].is_first);
 }
 
+// Differences of points are beyond doubles.
+TEST(PathPieces, OfPointsTooFarApartAreNotExact) {
+    const core::Curve curve =
+        made({.degree = 3,
+              .knots = {0, 1, 2, 3, 4, 5},
+              .points = {{1.7e308, 0}, {-1.7e308, 1.7e308}, {-1.7e308, -1.7e308}, {1.7e308, -1e308}, {0, 1.7e308}},
+              .periodic = true});
+    EXPECT_EQ(path_pieces(curve, 1e300).error, HUGE_VAL);
+}
+
 }  // namespace batten::exchange
