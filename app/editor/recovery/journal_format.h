@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/editor/recovery/recoverable.h"
+#include "app/editor/state/recoverable.h"
 
 namespace batten::editor {
 

@@ -17,7 +17,7 @@
 #include "app/editor/derived/loaded_pictures.h"
 #include "app/editor/derived/measured.h"
 #include "app/editor/lesson/lesson.h"
-#include "app/editor/recovery/recoverable.h"
+#include "app/editor/state/recoverable.h"
 #include "app/editor/sketch.h"
 #include "app/editor/state/axis_pick.h"
 #include "app/editor/state/drawn_stroke.h"

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/editor/recovery/recoverable.h"
+#include "app/editor/state/recoverable.h"
 #include "app/editor/state/placing.h"
 #include "app/editor/state/selection.h"
 #include "app/editor/state/view.h"
