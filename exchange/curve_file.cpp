@@ -76,13 +76,13 @@ core::FileResult<Exported> write_curves(const core::Document& document, Format f
 }
 
 core::FileResult<Report> save_curves(const core::Document& document, const std::filesystem::path& path, Format format,
-                                     const WriteOptions& options) {
-    return write_curves(document, format, options)
-        .and_then([&path](const Exported& exported) -> core::FileResult<Report> {
-            if (auto replaced = core::replace_text(path, exported.text); !replaced)
-                return tl::unexpected(std::move(replaced.error()));
-            return exported.report;
-        });
+                                     const WriteOptions& options, const core::Progress& progress) {
+    return write_curves(document, format, options).and_then([&](const Exported& exported) -> core::FileResult<Report> {
+        core::tell(progress, 1, 1);
+        if (auto replaced = core::replace_text(path, exported.text); !replaced)
+            return tl::unexpected(std::move(replaced.error()));
+        return exported.report;
+    });
 }
 
 }  // namespace batten::exchange

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/base/progress.h"
 #include "exchange/format.h"
 
 namespace batten::exchange {
@@ -24,8 +25,10 @@ core::FileError with_advice(core::FileError error, const std::filesystem::path& 
 [[nodiscard]] core::FileResult<Exported> write_curves(const core::Document& document, Format format,
                                                       const WriteOptions& options = {});
 
-/// Writes them by core::replace_text. Errors also: those of replace_text.
+/// Writes them by core::replace_text. `progress` is told that all is done before the file changes, so that what it
+/// stops has changed nothing. Errors also: those of replace_text.
 [[nodiscard]] core::FileResult<Report> save_curves(const core::Document& document, const std::filesystem::path& path,
-                                                   Format format, const WriteOptions& options = {});
+                                                   Format format, const WriteOptions& options = {},
+                                                   const core::Progress& progress = {});
 
 }  // namespace batten::exchange

@@ -17,6 +17,7 @@ tl::expected<void, std::string> write_figure(const editor::EditorState& state, c
     editor::FigureForm pixels = form;
     if (*format != render::FigureFormat::png) pixels.scale = 1.0;  // the others can be enlarged as they are
     return render::figure_bytes(editor::window_figure(state, pixels), *format).and_then([&](const std::string& bytes) {
+        core::tell(state.progress, 1, 1);  // from here on it is not stopped
         return core::replace_text(path, bytes).map_error([](const core::FileError& error) { return error.sentence(); });
     });
 }

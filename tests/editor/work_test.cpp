@@ -409,6 +409,29 @@ TEST_F(BesideTheInterface, a_save_that_is_canceled_leaves_the_old_file_alone) {
     EXPECT_FALSE(state().is_modified());
 }
 
+TEST_F(BesideTheInterface, a_copy_that_is_canceled_leaves_the_old_file_alone) {
+    const fs::path path = folder_.write("long.dxf", "old");
+    ASSERT_TRUE(editor_->run(AddPolyline{.points = spiral(40'000), .closed = false}));
+    EXPECT_FALSE(editor_->run(SaveAs{.path = path}));
+    editor_->cancel_work();
+    finish();
+    const bool is_canceled = state().message.text == "Saving long.dxf: canceled; nothing has changed";
+    EXPECT_EQ(core::read_text(path) == "old", is_canceled) << state().message.text;
+}
+
+// Whether it was so far when it was canceled, or not.
+TEST_F(BesideTheInterface, a_copy_is_not_canceled_once_its_file_changes) {
+    const fs::path path = folder_.write("long.dxf", "old");
+    ASSERT_TRUE(editor_->run(AddPolyline{.points = spiral(40'000), .closed = false}));
+    EXPECT_FALSE(editor_->run(SaveAs{.path = path}));
+    gate_.await_someone();
+    EXPECT_EQ(core::read_text(path), "old");
+    editor_->cancel_work();
+    finish();
+    EXPECT_EQ(state().message.text.find("Exported long.dxf"), 0U) << state().message.text;
+    EXPECT_NE(core::read_text(path), "old");
+}
+
 TEST_F(BesideTheInterface, it_comes_to_the_same_as_without) {
     const FitPoints fit{.count = 300,
                         .points = spiral(20'000),

@@ -204,7 +204,7 @@ Outcome<Edit> with_curves_of(const EditorState& state, const fs::path& path, std
 
 Outcome<void> export_document_to(EditorState& state, const fs::path& path, exchange::Format format) {
     const core::Document& document = state.history.present();
-    const core::FileResult<exchange::Report> saved = exchange::save_curves(document, path, format);
+    const core::FileResult<exchange::Report> saved = exchange::save_curves(document, path, format, {}, state.progress);
     if (!saved) return tl::unexpected(file_refusal(path, saved.error()));
     state.message = {told_of(sentence("Exported {file}", {{"file", path.filename().string()}}),
                              report_words(units_of(state), *saved)),
