@@ -12,7 +12,7 @@ LAYERS = {
     "app/picture": ({"core", "app/picture"}, {"tl", "stb"}),
     "app/editor": ({"core", "exchange", "app/editor", "app/picture"}, {"glm", "tl", "fmt", "nlohmann", "posix"}),
     "app/ui": ({"core", "exchange", "app/editor", "app/ui"}, {"glm", "tl", "fmt", "imgui", "misc"}),
-    "app/platform": ({"core", "render", "app/editor", "app/ui", "app/platform"}, {"glm", "tl", "fmt", "imgui", "backends", "nlohmann", "GLFW"}),
+    "app/platform": ({"core", "render", "app/editor", "app/ui", "app/platform"}, {"glm", "tl", "fmt", "imgui", "backends", "nlohmann", "GLFW", "posix"}),
     "app/cli": ({"core", "exchange", "render", "app/editor", "app/cli"}, {"glm", "tl", "fmt", "CLI", "nlohmann", "posix"}),
     "app": ({"app/platform", "app/cli"}, set()),
 }
@@ -49,11 +49,13 @@ ONLY_IN = {
     ("exchange", "posix"): {"exchange/occt/main.cpp", "exchange/occt_process.cpp"},
     ("exchange", "opencascade"): {"exchange/occt/"},
     ("app/editor", "posix"): {"app/editor/recovery/"},
+    ("app/platform", "posix"): {"app/platform/end_signals.cpp"},
     ("app/cli", "posix"): {"app/cli/movie.cpp", "app/cli/standard_streams.cpp"},
 }
 
 # Headers of the operating system, without a folder of their own.
-POSIX = {"fcntl.h", "poll.h", "spawn.h", "unistd.h", "sys/file.h", "sys/mman.h", "sys/resource.h", "sys/stat.h", "sys/wait.h"}
+POSIX = {"fcntl.h", "linux/limits.h", "poll.h", "spawn.h", "unistd.h", "sys/eventfd.h", "sys/file.h", "sys/mman.h", "sys/resource.h",
+         "sys/signalfd.h", "sys/stat.h", "sys/wait.h", "sys/xattr.h"}
 
 # Headers that the build makes.
 GENERATED = {"shaders/sources.h": "render", "core/base/version.h": "core"}

@@ -141,7 +141,7 @@ ExitStatus save(const core::Document& document, const std::filesystem::path& fil
     const auto format = exchange::format_of(file);
     const core::FileResult<exchange::Report> saved =
         format ? exchange::save_curves(document, file, *format)
-               : core::save_document(document, file).map([] { return exchange::Report{}; });
+               : core::save_document(document, file).map([](const auto&) { return exchange::Report{}; });
     if (!saved) {
         say_error(output, file, saved.error());
         return ExitStatus::wrong_input;

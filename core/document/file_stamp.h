@@ -7,7 +7,8 @@
 
 namespace batten::core {
 
-/// What changes whenever a program writes a file or puts another in its place.
+/// What changes whenever a program writes a file or puts another in its place; but for one that writes as many bytes
+/// into the same file and sets its time back.
 struct FileStamp {
     std::uint64_t device = 0;
     std::uint64_t file = 0;    ///< the number that the file system gave it
@@ -16,6 +17,9 @@ struct FileStamp {
     std::int64_t nanoseconds = 0;
     bool operator==(const FileStamp&) const = default;
 };
+
+/// The stamp of an open file; none where `descriptor` is none.
+std::optional<FileStamp> file_stamp(int descriptor);
 
 /// The stamp of what is at `path` now, links followed; none where nothing can be found there.
 std::optional<FileStamp> file_stamp(const std::filesystem::path& path);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/sentence.h"
+#include "core/document/detail/file_in_place.h"
 #include "core/document/detail/input_file.h"
 #include "core/document/detail/signals_held.h"
 #include "core/document/detail/temporary_file.h"
@@ -85,7 +86,27 @@ void flush_folder(const fs::path& folder) {
     close(opened);
 }
 
-FileResult<void> replace_text(const fs::path& path, std::string_view text) {
+namespace {
+
+// Writes `text` into the file at `target`, which keeps its names. `beside`, with the same text, stays only where that
+// came to an end on the way.
+FileResult<FileStamp> written_in_place(const std::string& name, const fs::path& target, std::string_view text,
+                                       TemporaryFile& beside) {
+    FileInPlace file(target);
+    if (!file.is_open() || !beside.close_beside() || !file.make_room(text.size()))
+        return refused_by_system(name, "the file cannot be written: {reason}");
+    if (!file.write_whole(text)) {
+        const std::string reason = std::strerror(errno);
+        beside.keep();
+        return refused(name, sentence("the file cannot be written whole: {reason}; what was to be in it is in {file}",
+                                      {{"reason", reason}, {"file", beside.path().string()}}));
+    }
+    return file_stamp(file.descriptor()).value_or(FileStamp{});
+}
+
+}  // namespace
+
+FileResult<FileStamp> replace_and_stamp(const fs::path& path, std::string_view text) {
     const fs::path target = resolved(path);
     const auto fail = [&](const char* pattern) { return refused_by_system(path.string(), pattern); };
     struct stat old {};
@@ -97,12 +118,16 @@ FileResult<void> replace_text(const fs::path& path, std::string_view text) {
     const SignalsHeld held;
     TemporaryFile temporary(target);
     if (!temporary.is_open()) return fail("no file can be made in this folder: {reason}");
-    constexpr mode_t permission_bits = 07777;
-    if (exists && !temporary.set_rights(old.st_uid, old.st_gid, old.st_mode & permission_bits))
-        return fail("its permissions cannot be kept: {reason}");
+    if (exists && !temporary.take_rights(target, old)) return fail("its permissions cannot be kept: {reason}");
     if (!temporary.write_all(text) || !temporary.flush_to_disk()) return fail("the file cannot be written: {reason}");
+    if (exists && old.st_nlink > 1) return written_in_place(path.string(), target, text, temporary);
+    const FileStamp stamp = temporary.stamp().value_or(FileStamp{});
     if (!temporary.replace(target)) return fail("the file cannot be replaced: {reason}");
-    return {};
+    return stamp;
+}
+
+FileResult<void> replace_text(const fs::path& path, std::string_view text) {
+    return replace_and_stamp(path, text).map([](const FileStamp&) {});
 }
 
 }  // namespace batten::core

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
+#include "core/document/file_stamp.h"
+
 namespace batten::core {
 
 /// Why a text or file was refused.
@@ -36,11 +38,16 @@ inline constexpr std::size_t most_file_bytes = std::size_t{128} << 20U;
 [[nodiscard]] FileResult<std::string> read_bytes(const std::filesystem::path& path);
 
 /// Writes `text` to a temporary file beside `path`, flushes it to disk, renames it and flushes the folder, so that the
-/// file has the old content or the new one. A link is followed, also to a file that is not there yet. Signals that
-/// arrive meanwhile wait for the end; going beyond the limit of file sizes is an error like others. Errors leave the
-/// old file as it was and no temporary one. Keeps the permissions of the old file, and its owner and group where the
-/// user may.
+/// file has the old content or the new one. A link is followed, also to a file that is not there yet. A file of several
+/// names (hard links) keeps them all: once the temporary file is on disk, the text is written into the file itself;
+/// where that comes to an end on the way, the temporary file stays, and the error names it. Signals to the thread wait
+/// for the end; going beyond the limit of file sizes is an error like others. Other errors leave the old file as it was
+/// and no temporary one. Keeps the permissions of the old file, its owner and group where the user may, and its
+/// attributes and access lists where the file system does.
 [[nodiscard]] FileResult<void> replace_text(const std::filesystem::path& path, std::string_view text);
+
+/// The same; the stamp is of what was written, whatever is at `path` by now.
+[[nodiscard]] FileResult<FileStamp> replace_and_stamp(const std::filesystem::path& path, std::string_view text);
 
 /// Has the names of new files in `folder` on disk, so that they are there after a crash; does nothing where the file
 /// system cannot.

@@ -35,8 +35,8 @@ Document with_relative_pictures(Document document, const fs::path& path) {
     return document;
 }
 
-FileResult<void> replace_document(const fs::path& path, std::string_view text) {
-    if (text.size() <= most_document_bytes) return replace_text(path, text);
+FileResult<FileStamp> replace_document(const fs::path& path, std::string_view text) {
+    if (text.size() <= most_document_bytes) return replace_and_stamp(path, text);
     return tl::unexpected(
         FileError{path.string(), sentence("the document has more than {most} MiB, the most that can be read again",
                                           {{"most", most_document_bytes >> 20U}})});
@@ -57,7 +57,7 @@ FileResult<void> save_curve(const Curve& curve, const fs::path& path, const std:
     DocumentCurve& entry = document.curves.emplace_back();
     entry.name = name;
     entry.curve = std::make_shared<const Curve>(curve);
-    return save_document(document, path);
+    return save_document(document, path).map([](const FileStamp&) {});
 }
 
 FileResult<Document> parse_document(std::string_view text) {
@@ -76,7 +76,7 @@ FileResult<Document> load_document(int descriptor, const std::string& name) {
     return read_file(file, {}, {});
 }
 
-FileResult<void> save_document(const Document& document, const fs::path& path, const Progress& progress) {
+FileResult<FileStamp> save_document(const Document& document, const fs::path& path, const Progress& progress) {
     if (document.pictures.empty()) return replace_document(path, format_document(document, progress));
     return replace_document(path, format_document(with_relative_pictures(document, path), progress));
 }

@@ -48,8 +48,9 @@ std::string format_document(const Document& document, const Progress& progress =
 [[nodiscard]] FileResult<Document> load_document(int descriptor, const std::string& name);
 
 /// Saves format_document by replace_text, so that the old file stays whole on any error, and where `progress` stops it.
-/// Errors also: a text of more than most_document_bytes, which could not be read again.
-[[nodiscard]] FileResult<void> save_document(const Document& document, const std::filesystem::path& path,
-                                             const Progress& progress = {});
+/// Errors also: a text of more than most_document_bytes, which could not be read again. The stamp is of what was
+/// written.
+[[nodiscard]] FileResult<FileStamp> save_document(const Document& document, const std::filesystem::path& path,
+                                                  const Progress& progress = {});
 
 }  // namespace batten::core

@@ -103,6 +103,18 @@ int fchmod(int file, mode_t mode) noexcept {
     return fails("fchmod") ? -1 : real<int (*)(int, mode_t)>("fchmod")(file, mode);
 }
 
+int ftruncate(int file, off_t size) noexcept {
+    return fails("ftruncate") ? -1 : real<int (*)(int, off_t)>("ftruncate")(file, size);
+}
+
+// As the system does it where there is no room: the file has a part of it.
+int posix_fallocate(int file, off_t place, off_t size) {
+    const auto real_allocate = real<int (*)(int, off_t, off_t)>("posix_fallocate");
+    if (!fails("posix_fallocate")) return real_allocate(file, place, size);
+    static_cast<void>(real_allocate(file, place, size / 2));
+    return failure_reason;
+}
+
 int rename(const char* from, const char* to) noexcept {
     return fails("rename") ? -1 : real<int (*)(const char*, const char*)>("rename")(from, to);
 }

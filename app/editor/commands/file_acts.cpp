@@ -232,11 +232,11 @@ Outcome<void> save_document_to(EditorState& state, const fs::path& path) {
         names.merge(document.view.notation);
         document.view.notation = std::move(names);
     }
-    const core::FileResult<void> saved = core::save_document(document, path, state.progress);
+    const core::FileResult<core::FileStamp> saved = core::save_document(document, path, state.progress);
     if (!saved) return tl::unexpected(file_refusal(path, saved.error()));
     state.path = path;
     state.source.clear();
-    state.stamp = core::file_stamp(path);
+    state.stamp = *saved;
     state.history.mark_saved();
     remember(state.recent_files, path);
     state.message = {sentence("Saved {file}", {{"file", path.filename().string()}}), false};

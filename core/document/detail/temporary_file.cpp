@@ -2,12 +2,16 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <linux/limits.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 #include "core/document/file_text.h"
 
@@ -26,7 +30,7 @@ TemporaryFile::TemporaryFile(const std::filesystem::path& target) {
 
 TemporaryFile::~TemporaryFile() {
     if (file_ >= 0) close(file_);
-    if (is_made_ && !has_replaced_) unlink(path_.c_str());
+    if (is_made_ && !is_kept_) unlink(path_.c_str());
 }
 
 bool TemporaryFile::write_all(std::string_view text) {
@@ -43,24 +47,59 @@ bool TemporaryFile::flush_to_disk() {
     return fsync(file_) == 0;
 }
 
-bool TemporaryFile::set_rights(unsigned owner, unsigned group, unsigned mode) {
+namespace {
+
+constexpr const char* access_list = "system.posix_acl_access";
+
+bool is_kept_attribute(std::string_view name) {
+    return name.starts_with("user.") || name == access_list;
+}
+
+// What cannot be kept is left out.
+void copy_attributes(const std::filesystem::path& from, int to) {
+    std::vector<char> names(XATTR_LIST_MAX);
+    std::vector<char> value(XATTR_SIZE_MAX);
+    const ssize_t size = listxattr(from.c_str(), names.data(), names.size());
+    for (std::string_view left(names.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))); !left.empty();) {
+        const std::string_view name = left.substr(0, left.find('\0'));
+        left.remove_prefix(name.size() + 1);
+        if (!is_kept_attribute(name)) continue;
+        const ssize_t count = getxattr(from.c_str(), name.data(), value.data(), value.size());
+        if (count >= 0) static_cast<void>(fsetxattr(to, name.data(), value.data(), static_cast<std::size_t>(count), 0));
+    }
+}
+
+}  // namespace
+
+bool TemporaryFile::take_rights(const std::filesystem::path& old, const struct stat& status) {
     constexpr unsigned of_group = 0070;
     constexpr unsigned of_others = 0007;
     constexpr unsigned group_shift = 3;
+    constexpr unsigned permission_bits = 07777;
     struct stat own {};
     if (fstat(file_, &own) != 0) return false;
-    const bool keeps_owner = own.st_uid == owner && own.st_gid == group;
-    const bool has_group = keeps_owner || fchown(file_, owner, group) == 0 || own.st_gid == group ||
-                           fchown(file_, static_cast<uid_t>(-1), group) == 0;
+    const unsigned mode = status.st_mode & permission_bits;
+    const bool keeps_owner = own.st_uid == status.st_uid && own.st_gid == status.st_gid;
+    const bool has_group = keeps_owner || fchown(file_, status.st_uid, status.st_gid) == 0 ||
+                           own.st_gid == status.st_gid || fchown(file_, static_cast<uid_t>(-1), status.st_gid) == 0;
+    static_cast<void>(fremovexattr(file_, access_list));  // that the folder gives to new files
     const unsigned given = has_group ? mode : (mode & ~of_group) | ((mode & of_others) << group_shift);
-    return fchmod(file_, given) == 0;
+    if (fchmod(file_, given) != 0) return false;
+    if (has_group) copy_attributes(old, file_);
+    return true;
+}
+
+bool TemporaryFile::close_beside() {
+    if (close(std::exchange(file_, -1)) != 0) return false;
+    flush_folder(path_.parent_path());
+    return true;
 }
 
 bool TemporaryFile::replace(const std::filesystem::path& target) {
     if (close(std::exchange(file_, -1)) != 0) return false;
-    has_replaced_ = rename(path_.c_str(), target.c_str()) == 0;
-    if (has_replaced_) flush_folder(target.parent_path());
-    return has_replaced_;
+    is_kept_ = rename(path_.c_str(), target.c_str()) == 0;
+    if (is_kept_) flush_folder(target.parent_path());
+    return is_kept_;
 }
 
 }  // namespace batten::core
