@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -85,12 +86,13 @@ bool HeldJournal::is_there() const {
     return file_ >= 0 && fstat(file_, &status) == 0 && status.st_nlink > 0;
 }
 
-Outcome<std::string> HeldJournal::content() const {
-    std::string content(static_cast<std::size_t>(size_), '\0');
+Outcome<std::string> HeldJournal::part(std::int64_t place, std::size_t count_asked) const {
+    const auto left = static_cast<std::size_t>(std::max<std::int64_t>(size_ - place, 0));
+    std::string content(std::min(count_asked, left), '\0');
     std::size_t done = 0;
     while (done < content.size()) {
         const ssize_t count =
-            pread(file_, content.data() + done, content.size() - done, static_cast<std::int64_t>(done));
+            pread(file_, content.data() + done, content.size() - done, place + static_cast<std::int64_t>(done));
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return refused_by_disk();
         if (count == 0) break;

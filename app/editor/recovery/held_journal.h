@@ -28,8 +28,13 @@ class HeldJournal {
     /// Whether the file is there: it was made, and nobody removed it.
     bool is_there() const;
 
+    std::int64_t size() const { return size_; }
+
+    /// At most `count` bytes from `place` on; fewer where it ends before.
+    [[nodiscard]] Outcome<std::string> part(std::int64_t place, std::size_t count) const;
+
     /// All that is in it.
-    [[nodiscard]] Outcome<std::string> content() const;
+    [[nodiscard]] Outcome<std::string> content() const { return part(0, static_cast<std::size_t>(size_)); }
 
     /// Puts `content` in place of all that is in it, at once: after a crash the old content is there or the new one.
     [[nodiscard]] Outcome<void> replace(std::string_view content);

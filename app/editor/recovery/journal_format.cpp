@@ -35,6 +35,7 @@ struct RecordHead {
     std::uint64_t size = 0;
     std::uint64_t checksum = 0;
 };
+static_assert(sizeof(RecordHead) == record_head_bytes);
 
 // FNV-1a with 64 bits (Fowler, Noll and Vo), begun from the checksum of what is before.
 std::uint64_t checksum_of(std::string_view bytes, std::uint64_t before) {
@@ -54,6 +55,13 @@ std::string_view bytes_of(const T& value) {
 
 std::string_view journal_head() {
     return bytes_of(head);
+}
+
+std::uint64_t record_bytes(std::string_view record_head) {
+    RecordHead head_of_record;
+    if (record_head.size() < sizeof(RecordHead)) return 0;
+    std::memcpy(&head_of_record, record_head.data(), sizeof(RecordHead));
+    return head_of_record.size;
 }
 
 std::string RecordWriter::written(const JournalFacts& facts, std::string_view delta) {

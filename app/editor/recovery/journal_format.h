@@ -26,6 +26,12 @@ struct JournalRecord {
 /// The head of a journal. It tells the version of the format, and the machine's order of bytes.
 std::string_view journal_head();
 
+/// Of a record, before which so many bytes stand.
+inline constexpr std::size_t record_head_bytes = 16;
+
+/// How many bytes come after the first record_head_bytes of a record; 0 where they begin none.
+std::uint64_t record_bytes(std::string_view record_head);
+
 /// Writes the records of one journal, each with a checksum of all before it.
 class RecordWriter {
   public:

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
 
 #include "app/editor/recovery/piece_delta.h"
 #include "app/editor/state/same_document.h"
 #include "app/editor/state/user_folder.h"
+#include "core/base/sentence.h"
 #include "core/document/native_file.h"
 
 namespace batten::editor {
@@ -15,6 +17,23 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* journal_ending = ".journal";
+
+// What begins as whole records do, as far as the file goes: what is damaged or empty may seem endless.
+Outcome<std::string> content_of_records(const HeldJournal& journal) {
+    Outcome<std::string> content = journal.part(0, journal_head().size());
+    if (!content || *content != journal_head()) return content;
+    for (;;) {
+        const auto end = static_cast<std::int64_t>(content->size());
+        const Outcome<std::string> head = journal.part(end, record_head_bytes);
+        if (!head) return tl::unexpected(head.error());
+        const std::uint64_t bytes = record_bytes(*head);
+        const std::int64_t last = std::min(journal.size(), most_journal_bytes) - end - std::int64_t{record_head_bytes};
+        if (bytes == 0 || last < 0 || bytes > static_cast<std::uint64_t>(last)) return content;
+        Outcome<std::string> record = journal.part(end, record_head_bytes + bytes);
+        if (!record) return record;
+        *content += *record;
+    }
+}
 
 // The facts of the last whole record.
 std::optional<JournalFacts> last_facts(RecordReader reader) {
@@ -35,19 +54,22 @@ bool is_saved_already(const HeldJournal& journal, const JournalFacts& facts) {
     return has_same_content(*saved, *document);
 }
 
-// Removes a journal of which nothing is to be offered.
-std::optional<Recoverable> offered(std::shared_ptr<HeldJournal> journal) {
-    const Outcome<std::string> content = journal->content();
-    if (!content) return std::nullopt;
+// Adds what the journal has. Removes one of which nothing is to be offered.
+void look_into(std::shared_ptr<HeldJournal> journal, LeftJournals& left) {
+    const Outcome<std::string> content = content_of_records(*journal);
+    if (!content) return;
     const RecordReader reader(*content);
-    if (!reader.is_known() && !content->empty()) return std::nullopt;
+    if (!reader.is_known() && journal->size() > 0) {
+        ++left.unknown_count;
+        return;
+    }
     const std::optional<JournalFacts> facts = last_facts(reader);
     if (!facts || is_saved_already(*journal, *facts)) {
         journal->remove();
-        return std::nullopt;
+        return;
     }
     const fs::path path = journal->path();
-    return Recoverable{path, facts->file, facts->stamp, facts->seconds, facts->edit_count, std::move(journal)};
+    left.documents.push_back({path, facts->file, facts->stamp, facts->seconds, facts->edit_count, std::move(journal)});
 }
 
 // A new journal that has not taken the place of an old one, and is too old to do so now.
@@ -61,7 +83,7 @@ void remove_left_over(const fs::directory_entry& entry) {
 }  // namespace
 
 Outcome<core::Document> document_of_journal(const HeldJournal& journal, const core::Progress& progress) {
-    const Outcome<std::string> content = journal.content();
+    const Outcome<std::string> content = content_of_records(journal);
     if (!content) return tl::unexpected(content.error());
     RecordReader reader(*content);
     DocumentPieces pieces;
@@ -80,18 +102,30 @@ fs::path recovery_folder() {
     return folder.empty() ? fs::path() : folder / "batten" / "recovery";
 }
 
-std::vector<Recoverable> find_recoverable(const fs::path& folder) {
-    std::vector<Recoverable> found;
+LeftJournals left_journals(const fs::path& folder) {
+    LeftJournals left;
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
         if (entry->path().extension() == ".new") remove_left_over(*entry);
         if (entry->path().extension() != journal_ending) continue;
-        auto journal = HeldJournal::take(entry->path());
-        if (journal == nullptr) continue;
-        if (std::optional<Recoverable> one = offered(std::move(journal))) found.push_back(*std::move(one));
+        try {
+            if (auto journal = HeldJournal::take(entry->path())) look_into(std::move(journal), left);
+        } catch (const std::bad_alloc&) {  // it stays for a session that has the memory
+            ++left.unknown_count;
+        }
     }
-    std::ranges::stable_sort(found, std::greater(), &Recoverable::seconds);
-    return found;
+    std::ranges::stable_sort(left.documents, std::greater(), &Recoverable::seconds);
+    return left;
+}
+
+std::string words_of_unknown_journals(std::size_t count, const fs::path& folder) {
+    if (count == 1)
+        return core::sentence(
+            "A recovery journal in {folder} is of another version of Batten, or damaged, and cannot be read",
+            {{"folder", folder.string()}});
+    return core::sentence(
+        "{count} recovery journals in {folder} are of other versions of Batten, or damaged, and cannot be read",
+        {{"count", count}, {"folder", folder.string()}});
 }
 
 }  // namespace batten::editor

@@ -124,10 +124,8 @@ TEST(JournalWriter, goes_on_on_a_disk_that_fails_and_tells_so_once) {
             writer.write({titled_sample(9), {}});
         }
         EXPECT_TRUE(is_same_document(found_in(folder.path()), titled_sample(9))) << nth;
-        if (nth == 0) {
-            EXPECT_EQ(told, 1U);
-        }
-        EXPECT_LE(told, 1U) << nth;
+        // The first of the four makes the file by four calls; what comes after them may fail without loss.
+        EXPECT_EQ(told, nth < 4 ? 1U : 0U) << nth;
     }
 }
 

@@ -51,11 +51,41 @@ TEST_F(Reader, removes_journals_without_a_document_and_leaves_what_it_does_not_k
     newer[8] = 2;
     folder_.write("newer.journal", newer + "of another version");
     folder_.write("notes.txt", "mine");
-    EXPECT_EQ(find_recoverable(folder_.path()).size(), 1U);
+    const LeftJournals left = left_journals(folder_.path());
+    EXPECT_EQ(left.documents.size(), 1U);
+    EXPECT_EQ(left.unknown_count, 1U);
     EXPECT_FALSE(fs::exists(folder_.path() / "empty.journal"));
     EXPECT_FALSE(fs::exists(folder_.path() / "torn.journal"));
     EXPECT_TRUE(fs::exists(folder_.path() / "newer.journal"));
     EXPECT_TRUE(fs::exists(folder_.path() / "notes.txt"));
+}
+
+TEST_F(Reader, tells_of_journals_of_other_versions) {
+    EXPECT_EQ(words_of_unknown_journals(1, "/state/recovery"),
+              "A recovery journal in /state/recovery is of another version of Batten, or damaged, and cannot be read");
+    EXPECT_EQ(words_of_unknown_journals(2, "/state/recovery"),
+              "2 recovery journals in /state/recovery are of other versions of Batten, or damaged, and cannot be read");
+}
+
+// A file system that lost what was written last fills files with zeros, or with anything.
+TEST_F(Reader, reads_no_more_than_whole_records_of_files_that_seem_endless) {
+    constexpr std::uintmax_t terabyte = std::uintmax_t{1} << 40U;
+    leave(sample(), 100);
+    leave(sample(), 200);
+    for (const auto& entry : fs::directory_iterator(folder_.path())) fs::resize_file(entry.path(), terabyte);
+    const fs::path empty = folder_.write("3.journal", "");
+    fs::resize_file(empty, terabyte);
+    // A record of half a terabyte.
+    const std::string size("\0\0\0\0\x80\0\0\0", 8);
+    const fs::path lying = folder_.write("4.journal", std::string(journal_head()) + size);
+    fs::resize_file(lying, terabyte);
+    const LeftJournals left = left_journals(folder_.path());
+    ASSERT_EQ(left.documents.size(), 2U);
+    EXPECT_EQ(left.documents[0].seconds, 200);
+    EXPECT_TRUE(is_same_document(document_of_journal(*left.documents[1].held).value(), sample()));
+    EXPECT_EQ(left.unknown_count, 1U) << "nothing says that it is none of another version";
+    EXPECT_TRUE(fs::exists(empty));
+    EXPECT_FALSE(fs::exists(lying));
 }
 
 TEST_F(Reader, removes_old_files_that_never_became_journals) {

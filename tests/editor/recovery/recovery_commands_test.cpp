@@ -7,6 +7,7 @@
 #include "app/editor/commands/point_commands.h"
 #include "app/editor/recovery/journal_reader.h"
 #include "app/editor/recovery/journal_writer.h"
+#include "app/editor/session.h"
 #include "app/editor/state/same_document.h"
 #include "app/editor/words/moment_text.h"
 #include "tests/editor/sample_editor.h"
@@ -106,6 +107,20 @@ TEST_F(RecoveryCommands, leave_them_for_later) {
     EXPECT_TRUE(run(ShowRecovery{}));
     editor_ = Editor();
     EXPECT_EQ(find_recoverable(journals_).size(), 2U);
+}
+
+TEST_F(RecoveryCommands, a_log_is_replayed_where_the_document_is_offered_and_refused_elsewhere) {
+    Editor other;
+    other.change(OfferRecovery{state().recoverable});
+    run(DiscardRecovery{.journal = journal(0)});
+    run(Recover{.journal = journal(0)});
+    ASSERT_EQ(editor_.log().size(), 1U) << "what is discarded changes no document";
+    const std::string line = format_command(editor_.log().front());
+    EXPECT_EQ(parse_command(line, Editor().state()).error(), "there is no unsaved document to recover");
+    const Outcome<Command> again = parse_command(line, other.state());
+    ASSERT_TRUE(again) << again.error();
+    EXPECT_TRUE(other.run(*again));
+    EXPECT_TRUE(is_same_document(document(other), document(editor_)));
 }
 
 class ChangedFile : public ::testing::Test {
