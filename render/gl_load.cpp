@@ -29,7 +29,7 @@ std::string pending_gl_error() {
         case GL_OUT_OF_MEMORY:
             return "GL_OUT_OF_MEMORY";
         case context_lost:
-            return "GL_CONTEXT_LOST";
+            return context_lost_error;
         default:
             return fmt::format("OpenGL error {}", error);
     }

@@ -56,6 +56,9 @@ class GlPainter {
 using GlFunctionLoader = void (*(*)(const char*))();
 [[nodiscard]] tl::expected<void, std::string> load_gl(GlFunctionLoader load);
 
+/// What pending_gl_error tells where the driver gave up the context; nothing that was made on it is left.
+inline constexpr const char* context_lost_error = "GL_CONTEXT_LOST";
+
 /// The first pending OpenGL error by its name, or an empty string.
 std::string pending_gl_error();
 

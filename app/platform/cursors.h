@@ -21,6 +21,9 @@ class Cursors {
     /// Gives the pointer this shape over `window`.
     void show(GLFWwindow* window, editor::Cursor cursor);
 
+    /// The window is a new one, over which the pointer is an arrow.
+    void forget() { shown_ = editor::Cursor::arrow; }
+
   private:
     std::array<GLFWcursor*, core::Names<editor::Cursor>::table.size()> cursors_{};
     editor::Cursor shown_ = editor::Cursor::arrow;

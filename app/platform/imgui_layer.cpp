@@ -44,17 +44,27 @@ ImguiLayer::ImguiLayer(Window& window) {
     io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;  // the window shows the one of the frame
     // A blinking cursor would need frames while nothing happens.
     io.ConfigInputTextCursorBlink = false;
+    enter_window(window);
+}
+
+ImguiLayer::~ImguiLayer() {
+    if (is_in_window_) leave_window();
+    ImGui::DestroyContext();
+}
+
+void ImguiLayer::enter_window(Window& window) {
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
     window.input().listen_to_keys(
         window.handle(), [handle = window.handle()](const KeyEvent& event) { forward_key(handle, event); },
         looks_at_keys_once_a_frame);
+    is_in_window_ = true;
 }
 
-ImguiLayer::~ImguiLayer() {
+void ImguiLayer::leave_window() {
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
-    ImGui::DestroyContext();
+    is_in_window_ = false;
 }
 
 void ImguiLayer::renew_font_texture() {

@@ -16,6 +16,12 @@ class ImguiLayer {
     ImguiLayer(const ImguiLayer&) = delete;
     ImguiLayer& operator=(const ImguiLayer&) = delete;
 
+    /// Lets go of the window and its context, as long as that is current; nothing is drawn then.
+    void leave_window();
+
+    /// Draws in this window from now on, as in the one at the beginning. The fonts are to be renewed.
+    void enter_window(Window& window);
+
     /// Hands the font atlas to OpenGL again after it was filled anew.
     void renew_font_texture();
 
@@ -26,6 +32,9 @@ class ImguiLayer {
 
     /// Returns how many vertices it took.
     std::size_t paint_frame();
+
+  private:
+    bool is_in_window_ = false;
 };
 
 }  // namespace batten::platform

@@ -94,6 +94,16 @@ void Input::listen_to(GLFWwindow* window) {
     glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { input_of(w).was_active_ = true; });
 }
 
+void Input::let_go() {
+    modifiers_ = {};
+    space_is_held_ = false;
+    for (; buttons_down_ > 0; --buttons_down_) {
+        PointerEvent event = pointer_event(PointerAction::release);
+        event.button = last_button_;
+        add(event);
+    }
+}
+
 PointerEvent Input::pointer_event(PointerAction action) const {
     PointerEvent event;
     event.action = action;
@@ -176,10 +186,13 @@ void Input::deliver(const KeyEvent& event) {
 void Input::on_button(int button, int action, int modifiers) {
     modifiers_ = modifiers_from_glfw(modifiers);
     const PointerButton mapped = button_from_glfw(button);
-    if (mapped == PointerButton::none) return;
+    // One that is let go may have gone down over a window that is gone.
+    if (mapped == PointerButton::none || (action == GLFW_RELEASE && buttons_down_ == 0)) return;
+    buttons_down_ += action == GLFW_PRESS ? 1 : -1;
     PointerEvent event = pointer_event(PointerAction::release);
     event.button = mapped;
     if (action == GLFW_PRESS) {
+        last_button_ = mapped;
         event.action = completes_double_click(mapped) ? PointerAction::double_click : PointerAction::press;
     }
     add(event);

@@ -23,6 +23,9 @@ class Input {
     /// the window's user pointer.
     void listen_to(GLFWwindow* window);
 
+    /// The window is gone: what it had held down is released.
+    void let_go();
+
     /// Installs the callbacks of keys, which are also handed to `sink`. When it `looks_once_a_frame`, keys wait so that
     /// each frame sees what happened in order, however long the frame before took.
     void listen_to_keys(GLFWwindow* window, KeySink sink, bool looks_once_a_frame);
@@ -86,6 +89,8 @@ class Input {
     int last_key_ = 0;  ///< that went down
     bool was_active_ = true;
     Press last_press_;
+    int buttons_down_ = 0;
+    editor::PointerButton last_button_ = editor::PointerButton::none;  ///< that went down
     Handled handled_;
 };
 

@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/sentence.h"
 
@@ -66,36 +67,80 @@ glm::ivec2 first_size() {
     return size;
 }
 
+/// A window that is not shown yet; null where none can be opened.
+GLFWwindow* make_window(const std::optional<editor::WindowGeometry>& geometry) {
+    set_hints();
+    const glm::ivec2 size = geometry ? glm::ivec2{geometry->width, geometry->height} : first_size();
+    GLFWwindow* handle = glfwCreateWindow(size.x, size.y, "Batten", nullptr, nullptr);
+    if (handle == nullptr) return nullptr;
+    if (geometry && is_on_a_monitor(*geometry)) glfwSetWindowPos(handle, geometry->x, geometry->y);
+    if (geometry && geometry->is_maximized) glfwMaximizeWindow(handle);
+    glfwSetWindowSizeLimits(handle, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    return handle;
+}
+
 }  // namespace
 
 tl::expected<std::unique_ptr<Window>, std::string> Window::open(const std::optional<editor::WindowGeometry>& geometry) {
     if (glfwInit() == GLFW_FALSE)
         return tl::unexpected(core::sentence("no display can be opened: {reason}", {{"reason", last_glfw_error()}}));
-    set_hints();
-    const glm::ivec2 size = geometry ? glm::ivec2{geometry->width, geometry->height} : first_size();
-    GLFWwindow* handle = glfwCreateWindow(size.x, size.y, "Batten", nullptr, nullptr);
+    GLFWwindow* handle = make_window(geometry);
     if (handle == nullptr) {
         const std::string reason = last_glfw_error();
         glfwTerminate();
         return tl::unexpected(
             core::sentence("no window with OpenGL 3.3 can be opened: {reason}", {{"reason", reason}}));
     }
-    if (geometry && is_on_a_monitor(*geometry)) glfwSetWindowPos(handle, geometry->x, geometry->y);
-    if (geometry && geometry->is_maximized) glfwMaximizeWindow(handle);
-    glfwSetWindowSizeLimits(handle, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
-    glfwMakeContextCurrent(handle);
-    glfwSwapInterval(1);
-    glfwShowWindow(handle);
     return std::unique_ptr<Window>(new Window(handle));
 }
 
-Window::Window(GLFWwindow* handle) : handle_(handle) {
-    input_.listen_to(handle);
+Window::Window(GLFWwindow* handle) {
+    begin(handle);
 }
 
 Window::~Window() {
     glfwDestroyWindow(handle_);
     glfwTerminate();
+}
+
+void Window::begin(GLFWwindow* handle) {
+    handle_ = handle;
+    glfwMakeContextCurrent(handle);
+    glfwSwapInterval(1);
+    reset_status_ = nullptr;
+    if (glfwExtensionSupported("GL_ARB_robustness") == GLFW_TRUE)
+        reset_status_ = reinterpret_cast<ResetStatus>(glfwGetProcAddress("glGetGraphicsResetStatusARB"));
+    glfwShowWindow(handle);
+    input_.listen_to(handle);
+}
+
+bool Window::has_lost_context() const {
+    return reset_status_ != nullptr && reset_status_() != 0;
+}
+
+tl::expected<void, std::string> Window::renew() {
+    constexpr int most_tries = 20;
+    constexpr double seconds_between = 0.25;
+    const bool was_full_screen = is_full_screen();
+    const editor::WindowGeometry before = geometry();
+    windowed_ = before;  // also told of a window that is closed
+    input_.let_go();
+    glfwDestroyWindow(std::exchange(handle_, nullptr));
+    GLFWwindow* handle = make_window(before);
+    for (int i = 1; handle == nullptr && i < most_tries; ++i) {
+        glfwWaitEventsTimeout(seconds_between);
+        handle = make_window(before);
+    }
+    if (handle == nullptr)
+        return tl::unexpected(
+            core::sentence("the graphics driver lost the window, and no other can be opened ({reason}); the next start "
+                           "offers what is not saved",
+                           {{"reason", last_glfw_error()}}));
+    begin(handle);
+    title_.clear();
+    windowed_.reset();
+    if (was_full_screen) set_full_screen(true);
+    return {};
 }
 
 glm::ivec2 Window::size_px() const {
@@ -154,6 +199,10 @@ GLFWmonitor* monitor_of(const editor::WindowGeometry& window) {
 
 }  // namespace
 
+bool Window::is_full_screen() const {
+    return handle_ != nullptr && glfwGetWindowMonitor(handle_) != nullptr;
+}
+
 void Window::set_full_screen(bool is_full) {
     if (is_full == is_full_screen()) return;
     if (!is_full) {
@@ -165,8 +214,9 @@ void Window::set_full_screen(bool is_full) {
     const editor::WindowGeometry before = geometry();
     GLFWmonitor* monitor = monitor_of(before);
     const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+    if (mode == nullptr) return;
     windowed_ = before;
-    if (mode != nullptr) glfwSetWindowMonitor(handle_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    glfwSetWindowMonitor(handle_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 editor::WindowGeometry Window::geometry() const {

@@ -24,6 +24,13 @@ class Window {
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
+    /// Whether the driver gave up the context, as after a reset; nothing more is drawn on it.
+    bool has_lost_context() const;
+
+    /// Puts a new window with a new context in its place, and tries so for a few seconds, as a driver may take them.
+    /// What was made on the old context must be gone. The error is one sentence; the window is closed then.
+    [[nodiscard]] tl::expected<void, std::string> renew();
+
     GLFWwindow* handle() const { return handle_; }
     Input& input() { return input_; }
 
@@ -38,7 +45,7 @@ class Window {
 
     editor::WindowGeometry geometry() const;
     /// Whether the window covers the screen.
-    bool is_full_screen() const { return windowed_.has_value(); }
+    bool is_full_screen() const;
 
     /// Covers the screen on which most of the window is, or goes back to where the window was.
     void set_full_screen(bool is_full);
@@ -60,9 +67,13 @@ class Window {
     static void wake();
 
   private:
-    explicit Window(GLFWwindow* handle);
+    using ResetStatus = unsigned (*)();
 
-    GLFWwindow* handle_;
+    explicit Window(GLFWwindow* handle);
+    void begin(GLFWwindow* handle);
+
+    GLFWwindow* handle_ = nullptr;        // null: closed
+    ResetStatus reset_status_ = nullptr;  // null: the driver does not tell
     Input input_;
     std::string title_;
     std::optional<editor::WindowGeometry> windowed_;  ///< where it was before it covered the screen
