@@ -7,12 +7,18 @@ import json
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
+import sys
 import tempfile
 import time
 
 PATIENCE_SECONDS = 30.0
 POLL_SECONDS = 0.01
+
+
+# Whoever ends the tests by a signal has them leave no windows, displays and folders behind.
+signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))
 
 
 class Display:
@@ -65,7 +71,11 @@ class Editor:
     def __enter__(self):
         self.errors = open(self.folder / "stderr.txt", "w+")
         self.process = subprocess.Popen(self.command, env=self.environment, stderr=self.errors)
-        self.wait(lambda state: state["is_settled"], "the first frames")
+        try:
+            self.wait(lambda state: state["is_settled"], "the first frames")
+        except BaseException:
+            self.__exit__(*sys.exc_info())
+            raise
         return self
 
     def __exit__(self, kind, *_):

@@ -1,9 +1,10 @@
 """What is left of a session that was killed, and how the next one offers it. BATTEN_WINDOW_KILLS sets how many are killed at random
-moments; 3 where it is not set."""
+moments, and BATTEN_WINDOW_SIGNALS how many are ended by signals while they save; 3 where it is not set."""
 
 import json
 import os
 import random
+import signal
 import subprocess
 import time
 import unittest
@@ -11,6 +12,23 @@ import unittest
 from case import CUBIC, WindowTest
 
 STEPS = 60
+
+
+def edits_in(journal):
+    """How many edits the last whole record of a journal tells of (app/editor/recovery/journal_format.h)."""
+    content = journal.read_bytes()
+    place, edits = 16, 0
+    while place + 16 < len(content):
+        body = content[place + 16:place + 16 + int.from_bytes(content[place:place + 8], "little")]
+        length = at = 0
+        while at == 0 or body[at - 1] >= 128:
+            length |= (body[at] & 127) << 7 * at
+            at += 1
+        at += length  # the name of the file
+        at += 1 + 40 * body[at] + 8  # its stamp, where it has one, and the time
+        edits = int.from_bytes(body[at:at + 8], "little")
+        place += 16 + len(body)
+    return edits
 
 
 class RecoveryTest(WindowTest):
@@ -30,12 +48,16 @@ class RecoveryTest(WindowTest):
         editor.key("ctrl+d")
         editor.wait(lambda state: state["undo_count"] == before + 1 and state["is_settled"], "the step")
 
+    def await_journal(self, editor, edits):
+        """Waits until a journal tells of so many edits."""
+        editor.wait_until(lambda: any(edits_in(journal) == edits for journal in self.journals() if journal.suffix == ".journal"), "the journal")
+
     def leave_unsaved(self, path=None, steps=2):
-        """A session that ends with unsaved changes, a second after the last."""
+        """A session that ends with unsaved changes, all of which are in its journal."""
         with self.begin(path or self.path) as editor:
             for _ in range(steps):
                 self.duplicate(editor)
-            time.sleep(1)
+            self.await_journal(editor, steps)
             editor.kill()
 
     def curves(self):
@@ -69,7 +91,7 @@ class RecoveryTest(WindowTest):
             editor.key("Escape")
             editor.wait(lambda state: state["dialog"] == "none" and state["path"] == str(other), "the other document")
             self.duplicate(editor)
-            time.sleep(1)
+            self.await_journal(editor, 1)
             editor.kill()
         with self.begin("--example", "wave") as editor:
             editor.wait(lambda state: state["dialog"] == "recovery" and state["widgets"].get("recovery 0", {}).get("value") == "chosen", "the list")
@@ -126,6 +148,51 @@ class RecoveryTest(WindowTest):
             editor.click_widget("dialog overwrite")
             editor.wait(lambda state: not state["is_modified"], "the saved document")
             self.assertEqual(len(self.curves()), 2)
+
+    def temporary_files(self):
+        return [path for path in self.folder.iterdir() if path.name.startswith(".batten-")]
+
+    def end_while_saving(self, number, moments):
+        """Ends a session by the signal at a random moment after it began to write its file. Returns whether the file is the new one."""
+        self.path.write_text(self.long_document)
+        with self.begin(self.path) as editor:
+            self.duplicate(editor)
+            subprocess.run(["xdotool", "key", "ctrl+s"], env=editor.environment, check=True)
+            editor.wait_until(lambda: self.temporary_files() or len(self.path.read_text()) > 1.5 * len(self.long_document), "saving")
+            time.sleep(moments.uniform(0.0, 0.05))
+            editor.process.send_signal(number)
+            editor.process.wait()
+            self.assertEqual(editor.process.returncode, -number, editor.error_text())
+            self.assertEqual(editor.error_text(), "")
+            editor.is_killed = True
+        self.assertEqual(self.temporary_files(), [])
+        count = len(self.curves())
+        with self.begin("--example", "wave") as editor:
+            state = editor.settle()
+            self.assertEqual(state["dialog"], "none" if count == 2 else "recovery")
+        for journal in self.journals():
+            journal.unlink()
+        return count == 2
+
+    def test_signals_leave_the_old_file_or_the_new_one_and_nothing_else(self):
+        count = 40_000
+        points = [[0.01 * i, 0.5 * (i % 7)] for i in range(count)]
+        curve = {"name": "long", "degree": 1, "knots": [0, *range(count), count - 1], "points": points}
+        self.long_document = json.dumps({"format": "batten", "version": 1, "curves": [curve]})
+        moments = random.Random(int(os.environ.get("BATTEN_KILL_SEED", 1)))
+        ends = int(os.environ.get("BATTEN_WINDOW_SIGNALS", 3))
+        saved = sum(self.end_while_saving([signal.SIGTERM, signal.SIGHUP, signal.SIGINT][i % 3], moments) for i in range(ends))
+        print(f"{ends} windows were ended while they saved; {saved} had saved")
+
+    def test_a_signal_leaves_what_is_unsaved_to_the_next_start(self):
+        with self.begin(self.path) as editor:
+            for _ in range(3):
+                self.duplicate(editor)
+            editor.process.terminate()  # at once: the journal is written on the way out
+            editor.process.wait()
+            self.assertEqual(editor.process.returncode, -signal.SIGTERM)
+            editor.is_killed = True
+        self.assertEqual([edits_in(journal) for journal in self.journals()], [3])
 
     def kill_at_random(self, moments, all_curves):
         """Kills a session that duplicates its curve again and again. Returns how many steps came back."""
