@@ -1,5 +1,6 @@
 /// Commands as lines of text, so that a session can be kept, replayed and handed out. One in which a document was
-/// recovered is replayed where that is offered still; elsewhere it is refused at that line, not done to another document.
+/// recovered is replayed where that is offered still; elsewhere it is refused at that line, not done to another
+/// document.
 #pragma once
 
 #include <string>

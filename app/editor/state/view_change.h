@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "app/editor/state/recoverable.h"
 #include "app/editor/state/placing.h"
+#include "app/editor/state/recoverable.h"
 #include "app/editor/state/selection.h"
 #include "app/editor/state/view.h"
 #include "core/base/geometry.h"
