@@ -4,10 +4,18 @@ import os
 import subprocess
 
 
-def stands_between():
-    """Whether GLFW is no part of the program, so that a library can stand between the two."""
-    linked = subprocess.run(["ldd", os.environ["BATTEN_BINARY"]], capture_output=True, text=True).stdout
-    return "BATTEN_FAULTY_DISPLAY" in os.environ and "libglfw" in linked
+def linked_libraries():
+    """The paths of the libraries of the program, by their names."""
+    told = subprocess.run(["ldd", os.environ["BATTEN_BINARY"]], capture_output=True, text=True).stdout
+    return {words[0]: words[2] for words in map(str.split, told.splitlines()) if len(words) > 2}
+
+
+def preloaded():
+    """What to load before the program: AddressSanitizer must be the first. None where GLFW is a part of the program."""
+    libraries = linked_libraries()
+    if "BATTEN_FAULTY_DISPLAY" not in os.environ or not any(name.startswith("libglfw") for name in libraries):
+        return []
+    return [*(path for name, path in libraries.items() if name.startswith("libasan")), os.environ["BATTEN_FAULTY_DISPLAY"]]
 
 
 class FaultyDisplay:
@@ -18,8 +26,8 @@ class FaultyDisplay:
 
     def words(self):
         """Before the command of the editor; none where nothing can stand between."""
-        library = os.environ.get("BATTEN_FAULTY_DISPLAY")
-        return ["env", f"LD_PRELOAD={library}", f"BATTEN_FAULTS={self.folder}"] if stands_between() else []
+        libraries = preloaded()
+        return ["env", f"LD_PRELOAD={':'.join(libraries)}", f"BATTEN_FAULTS={self.folder}"] if libraries else []
 
     def ask(self, name, text=""):
         new = self.folder / f"{name}.new"

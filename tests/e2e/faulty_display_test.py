@@ -5,10 +5,10 @@ import subprocess
 import unittest
 
 from case import WindowTest
-from faulty_display import FaultyDisplay, stands_between
+from faulty_display import FaultyDisplay, preloaded
 
 
-@unittest.skipUnless(stands_between(), "GLFW is part of the program here, so that nothing can stand between")
+@unittest.skipUnless(preloaded(), "GLFW is part of the program here, so that nothing can stand between")
 class FaultyDisplayTest(WindowTest):
     def setUp(self):
         super().setUp()

@@ -1,20 +1,46 @@
-"""Random pointer and key events in the real window: it neither ends with an error nor grows. BATTEN_EVENT_MINUTES sets for how long, a
-quarter of one where it is not set, and BATTEN_EVENT_SEED which events."""
+"""Random events in the real window: pointer, keys in several layouts, every command by its name, files dropped on it, other sizes of the
+window, other scales of the monitor, and the loss of the OpenGL context. It neither ends with an error nor grows. BATTEN_EVENT_MINUTES
+sets for how long, a quarter of one where it is not set, and BATTEN_EVENT_SEED which events."""
 
 import os
+import pathlib
 import random
+import re
 import shutil
 import subprocess
 import time
 import unittest
 
 from case import WindowTest
+from faulty_display import FaultyDisplay
 
 SIZE = (1280, 800)
+SOURCES = pathlib.Path(__file__).parents[2]
 KEYS = ["Escape", "Return", "Tab", "Delete", "BackSpace", "space", "Left", "Right", "Up", "Down", "Home", "End", "Prior", "Next", "plus",
         "minus", "comma", "period", "slash", "at", "F1", "F11", *"0123456789", *"abcdefghijklmnopqrstuvwxyz"]
 CONTROL_KEYS = ["a", "c", "x", "v", "d", "z", "y", "z", "y", "p", "n", "g", "s", "o", "shift+z", "shift+s", "shift+g", "alt+v"]
 MODIFIERS = ["ctrl", "shift", "alt"]
+LAYOUTS = ["us", "de", "fr", "gr", "ru"]
+# Of a window; the pointer waits at PLACES for it, which are in all of them, but for TINY.
+SIZES = [SIZE, SIZE, (640, 400), (1280, 401), (700, 1200), (1920, 1200)]
+TINY = [(1, 1), (2, 800), (1280, 1)]
+PLACES = [(320, 200), (321, 200)]
+SCALES = ["1", "1", "2", "1.25", "0.8"]
+# That a hand comes to in ten minutes. The others need an answer in time, or a session that was killed.
+DIALOGS = {"none", "welcome", "open-file", "save-file", "unsaved-changes", "command-palette", "command-form", "key-sheet", "about"}
+
+
+def command_names():
+    """All commands as they are typed, but for the one that ends the session."""
+    sources = (SOURCES / "app" / "editor" / "commands").glob("*.cpp")
+    names = {name for source in sources for name in re.findall(r'\.name = "([^"]+)"', source.read_text())}
+    return sorted(names - {"quit"})
+
+
+def files_to_drop():
+    data = SOURCES / "tests" / "data"
+    return [path for folder in (SOURCES / "assets" / "examples", data / "exchange", data / "pictures", data / "versions")
+            for path in sorted(folder.rglob("*")) if path.is_file()]
 
 
 class Hand:
@@ -22,6 +48,9 @@ class Hand:
 
     def __init__(self, seed):
         self.random = random.Random(seed)
+
+    def shuffled(self, items):
+        return self.random.sample(items, len(items))
 
     def place(self):
         # Most of it in the picture, where most can happen.
@@ -65,8 +94,8 @@ def resident_kilobytes(process):
 
 @unittest.skipUnless(os.geteuid() == 0 and shutil.which("setpriv"), "only root can become a user who cannot write over files")
 class RandomEventsTest(WindowTest):
-    def begin(self, display):
-        nobody = ("setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "env", "-C", str(self.home))
+    def begin(self, display, faults):
+        nobody = ("setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "env", "-C", str(self.home), *faults.words())
         home = {"HOME": str(self.home), "XDG_CONFIG_HOME": str(self.home / "config"), "XDG_STATE_HOME": str(self.home / "state")}
         editor = self.start(display, "--example", "wave", before=nobody, environment=home)
         editor.folder.chmod(0o777)
@@ -75,13 +104,47 @@ class RandomEventsTest(WindowTest):
     def is_followed(self, editor):
         """Waits until the editor has done with all events. Returns whether it still runs."""
         try:
-            editor.move(SIZE[0] / 2, SIZE[1] / 2)
+            self.places.reverse()  # for there is nothing to wait for where it is already
+            editor.move(*self.places[0])
+            self.dialogs.add(editor.state()["dialog"])
         except AssertionError:
             if editor.process.poll() is None:
                 raise
         return editor.process.poll() is None
 
-    def hammer(self, editor, hand, end):
+    def run_command(self, editor, name):
+        for words in (["key", "Escape", "key", "ctrl+p", "type", name], ["key", "Return"], ["key", "Return"]):
+            subprocess.run(["xdotool", *words], env=editor.environment, stderr=subprocess.DEVNULL)
+            if not self.is_followed(editor):
+                return
+
+    def resize(self, editor, *sizes):
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Batten"], env=editor.environment, capture_output=True, text=True)
+        for size in sizes if found.stdout else ():
+            subprocess.run(["xdotool", "windowsize", found.stdout.split()[0], *map(str, size)], env=editor.environment, stderr=subprocess.DEVNULL)
+
+    def choose_layout(self, editor, layout):
+        subprocess.run(["setxkbmap", "-layout", layout], env=editor.environment, stderr=subprocess.DEVNULL)
+
+    def surprise(self, editor, hand, faults):
+        """What comes from somewhere else than the hand."""
+        kind = hand.random.random()
+        if kind < 0.5:
+            self.run_command(editor, self.commands.pop())
+            self.commands = self.commands or hand.shuffled(command_names())
+        elif kind < 0.65:
+            tiny = [hand.random.choice(TINY)] if hand.random.random() < 0.3 else []
+            self.resize(editor, *tiny, hand.random.choice(SIZES))
+        elif kind < 0.75:
+            self.choose_layout(editor, hand.random.choice(LAYOUTS))
+        elif kind < 0.9:
+            faults.ask("drop", "\n".join(map(str, hand.random.sample(files_to_drop(), hand.random.randrange(1, 4)))))
+        elif kind < 0.95:
+            faults.ask("scale", hand.random.choice(SCALES))
+        else:
+            faults.ask("reset")
+
+    def hammer(self, editor, hand, faults, end):
         """Until the time is over, or a hand closes the window. Returns the memory after a minute, where it came to that, and at last."""
         start = time.monotonic()
         early = now = None
@@ -90,25 +153,37 @@ class RandomEventsTest(WindowTest):
             subprocess.run(["xdotool", *" ".join(hand.acts(20)).split()], env=editor.environment, stderr=subprocess.DEVNULL)
             if not self.is_followed(editor):
                 break
+            self.surprise(editor, hand, faults)
+            if not self.is_followed(editor):
+                break
             now = resident_kilobytes(editor.process)
             if early is None and time.monotonic() > start + 60:
                 early = now
         for key in (*MODIFIERS, *"dz"):
             editor.xdotool("keyup", key)
+        self.choose_layout(editor, "us")
+        self.resize(editor, SIZE)
         return early, now
 
     def test_nothing_ends_it_and_it_does_not_grow(self):
         seed = int(os.environ.get("BATTEN_EVENT_SEED", 1))
+        minutes = float(os.environ.get("BATTEN_EVENT_MINUTES", 0.25))
         self.home = self.folder / "home"
         self.home.mkdir()
         self.folder.chmod(0o755)
         shutil.chown(self.home, 65534, 65534)
+        faults = FaultyDisplay(self.folder / "faults")
         hand = Hand(seed)
-        end = time.monotonic() + 60 * float(os.environ.get("BATTEN_EVENT_MINUTES", 0.25))
+        self.commands = hand.shuffled(command_names())
+        self.dialogs = set()
+        self.places = [*PLACES]
+        end = time.monotonic() + 60 * minutes
         while time.monotonic() < end:
-            with self.begin(self.display(*SIZE)) as editor:
-                early, last = self.hammer(editor, hand, end)
+            faults.clear()
+            with self.begin(self.display(*SIZE), faults) as editor:
+                early, last = self.hammer(editor, hand, faults, end)
                 if editor.process.poll() is not None:
+                    # Where it is made with AddressSanitizer, that has looked for leaks at the end, too.
                     self.assertEqual(editor.process.returncode, 0, editor.error_text())
                     shutil.rmtree(self.home / "state", ignore_errors=True)
                     continue
@@ -117,6 +192,9 @@ class RandomEventsTest(WindowTest):
                 if early:
                     print(f"seed {seed}: {early} kB after a minute, {last} kB at last")
                     self.assertLess(last, 1.1 * early)
+        print(f"dialogs: {', '.join(sorted(self.dialogs))}")
+        if minutes >= 10:
+            self.assertEqual(DIALOGS - self.dialogs, set(), "what no event led to")
 
 
 if __name__ == "__main__":
