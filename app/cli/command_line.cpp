@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <new>
 #include <ostream>
-#include <sstream>
 
 #include "app/cli/command_options.h"
 #include "app/cli/divided_words.h"
@@ -351,7 +350,8 @@ std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, W
 
 std::optional<int> run_command_line(int argc, const char* const* argv, WindowOptions* window, Output output) {
     std::optional<ExitStatus> status;
-    std::ostringstream results;
+    ResultBuffer buffer(output);
+    std::ostream results(&buffer);
     try {
         status = parse_and_run({argv + std::min(argc, 1), argv + argc}, window, {results, output.errors});
     } catch (const std::bad_alloc&) {
@@ -359,7 +359,7 @@ std::optional<int> run_command_line(int argc, const char* const* argv, WindowOpt
         status = ExitStatus::wrong_input;
     }
     if (!status) return std::nullopt;
-    if (!write_results(results.view(), output) && status == ExitStatus::done) status = ExitStatus::wrong_input;
+    if (!buffer.finish() && status == ExitStatus::done) status = ExitStatus::wrong_input;
     return static_cast<int>(*status);
 }
 

@@ -19,10 +19,11 @@ namespace {
 constexpr const char* not_known = "not known: the weights or points are too far apart";
 
 // The distinct knots of the closed domain; the others move the ends of the curve but part nothing.
-std::vector<core::DistinctKnot> knots_of_domain(const core::Curve& curve) {
-    std::vector<core::DistinctKnot> knots = core::distinct_knots(curve.knots());
-    std::erase_if(knots, [](const core::DistinctKnot& knot) { return !knot.in_domain; });
-    return knots;
+template <class Use>
+void visit_knots_of_domain(const core::Curve& curve, Use use) {
+    core::visit_distinct_knots(curve.knots(), [&](const core::DistinctKnot& knot) {
+        if (knot.in_domain) use(knot);
+    });
 }
 
 Json json_of_knot(const core::DistinctKnot& knot) {
@@ -52,7 +53,7 @@ Json json_of_curve(const core::DocumentCurve& entry) {
     const std::optional<core::Box> bounds = bounds_of(curve);
     const std::optional<double> length = length_of(curve);
     Json knots = Json::array();
-    for (const core::DistinctKnot& knot : knots_of_domain(curve)) knots.push_back(json_of_knot(knot));
+    visit_knots_of_domain(curve, [&](const core::DistinctKnot& knot) { knots.push_back(json_of_knot(knot)); });
     return {{"name", entry.name},
             {"degree", curve.degree()},
             {"kind", core::title_of(core::kind_by_values(curve.knots()))},
@@ -100,7 +101,7 @@ void print_curve(std::ostream& out, const core::DocumentCurve& entry) {
         << "  length    " << length_text(curve) << '\n'
         << "  bounds    " << bounds_text(curve) << '\n'
         << "  knots\n";
-    for (const core::DistinctKnot& knot : knots_of_domain(curve)) out << "    " << text_of(knot) << '\n';
+    visit_knots_of_domain(curve, [&](const core::DistinctKnot& knot) { out << "    " << text_of(knot) << '\n'; });
 }
 
 }  // namespace

@@ -12,6 +12,12 @@
 
 namespace batten::cli {
 
+namespace {
+
+constexpr std::size_t most_held = std::size_t{1} << 20U;
+
+}  // namespace
+
 void guard_standard_streams() {
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
@@ -36,6 +42,22 @@ bool write_results(std::string_view results, Output output) {
                                         {{"reason", std::strerror(reason)}})
                       << '\n';
     return false;
+}
+
+bool ResultBuffer::finish() {
+    is_written_ = is_written_ && write_results(held_, output_);
+    held_.clear();
+    return is_written_;
+}
+
+ResultBuffer::int_type ResultBuffer::overflow(int_type character) {
+    const char text = traits_type::to_char_type(character);
+    return xsputn(&text, 1) == 1 ? character : traits_type::eof();
+}
+
+std::streamsize ResultBuffer::xsputn(const char* text, std::streamsize size) {
+    held_.append(text, static_cast<std::size_t>(size));
+    return held_.size() < most_held || finish() ? size : 0;
 }
 
 }  // namespace batten::cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <streambuf>
 #include <string>
 #include <string_view>
 
@@ -27,5 +28,24 @@ std::string shown_name(const std::filesystem::path& file);
 
 /// Writes all results at once; false after saying why they could not be written, but for a pipe that nobody reads.
 bool write_results(std::string_view results, Output output);
+
+/// Results on their way to standard output. Up to a mebibyte they are held, so that what goes wrong leaves none of
+/// them; longer ones take no more memory than that.
+class ResultBuffer : public std::streambuf {
+  public:
+    explicit ResultBuffer(Output output) : output_(output) {}
+
+    /// Writes what is held; false when anything could not be written, which is said once.
+    bool finish();
+
+  protected:
+    int_type overflow(int_type character) override;
+    std::streamsize xsputn(const char* text, std::streamsize size) override;
+
+  private:
+    Output output_;
+    std::string held_;
+    bool is_written_ = true;
+};
 
 }  // namespace batten::cli

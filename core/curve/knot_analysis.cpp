@@ -78,8 +78,12 @@ DistinctKnot distinct_knot(const KnotVector& knots, std::size_t first) {
 std::vector<DistinctKnot> distinct_knots(const KnotVector& knots) {
     std::vector<DistinctKnot> distinct;
     distinct.reserve(knots.stored().size());
-    visit_runs(knots, [&](std::size_t first) { distinct.push_back(distinct_knot(knots, first)); });
+    visit_distinct_knots(knots, [&](const DistinctKnot& knot) { distinct.push_back(knot); });
     return distinct;
+}
+
+void visit_distinct_knots(const KnotVector& knots, const std::function<void(const DistinctKnot&)>& use) {
+    visit_runs(knots, [&](std::size_t first) { use(distinct_knot(knots, first)); });
 }
 
 std::size_t segment_count(const KnotVector& knots) {

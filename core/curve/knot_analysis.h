@@ -1,6 +1,7 @@
 /// What a knot vector says about its curves: distinct knots, continuity, segments, Greville abscissae, its kind.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,9 @@ DistinctKnot distinct_knot(const KnotVector& knots, std::size_t first);
 
 /// The runs of equal knots of stored(), in order. A periodic seam is one entry, at its lower end.
 std::vector<DistinctKnot> distinct_knots(const KnotVector& knots);
+
+/// Calls `use` with each of distinct_knots(), in order, keeping none of them.
+void visit_distinct_knots(const KnotVector& knots, const std::function<void(const DistinctKnot&)>& use);
 
 /// Non-empty spans of the domain.
 std::size_t segment_count(const KnotVector& knots);

@@ -88,6 +88,24 @@ class Streams(unittest.TestCase):
         os.close(writer)
         self.assertEqual((process.returncode, process.stderr), (1, ""))
 
+    def test_long_output_is_told_once_when_it_cannot_be_written(self):
+        count = 60000
+        file = self.folder / "long.json"
+        file.write_text(json.dumps({"format": "batten", "version": 1, "curves": [
+            {"name": "long", "degree": 1, "knots": [0, *range(count), count - 1], "points": [[i, i % 2] for i in range(count)]}]}))
+        whole = run("info", file).stdout
+        self.assertGreater(len(whole), 1 << 20)
+        self.assertIn(f"\n    {count // 2}\tmultiplicity 1\tC^0\n", whole)
+        self.assertTrue(whole.endswith(f"\n    {count - 1}\tmultiplicity 2\n"))
+        with open("/dev/full", "w") as full:
+            process = run("info", file, stdout=full)
+        self.assertEqual((process.returncode, process.stderr.count("the results cannot be written")), (1, 1))
+        reader, writer = os.pipe()
+        os.close(reader)
+        process = run("info", file, stdout=writer)
+        os.close(writer)
+        self.assertEqual((process.returncode, process.stderr), (1, ""))
+
     def test_a_closed_stream_is_no_place_for_a_file(self):
         output = self.folder / "out.json"
         process = run("apply", self.file, "reverse", "-o", output, stdout=None, preexec_fn=lambda: os.close(1))
