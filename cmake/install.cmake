@@ -22,7 +22,7 @@ install(FILES cmake/battenConfig.cmake cmake/glm_target.cmake ${PROJECT_BINARY_D
 if(BATTEN_PROGRAM)
   install(TARGETS batten DESTINATION ${CMAKE_INSTALL_BINDIR})
   if(TARGET batten_occt)
-    install(TARGETS batten_occt DESTINATION libexec/batten)  # where exchange/occt_process.cpp looks for it
+    install(TARGETS batten_occt DESTINATION libexec/batten)  # where exchange/cad/occt_process.cpp looks for it
   endif()
   install(DIRECTORY assets/examples assets/lessons DESTINATION ${CMAKE_INSTALL_DATADIR}/batten)
   install(FILES assets/batten.schema.json assets/lesson.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/batten)

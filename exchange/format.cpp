@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cctype>
 
+#include "exchange/cad/cad_files.h"
 #include "exchange/csv_writer.h"
 #include "exchange/dxf/dxf_reader.h"
 #include "exchange/dxf/dxf_writer.h"
-#include "exchange/iges_reader.h"
-#include "exchange/iges_writer.h"
 #include "exchange/json/json_dialects_reader.h"
 #include "exchange/json/json_dialects_writer.h"
-#include "exchange/step_reader.h"
-#include "exchange/step_writer.h"
 #include "exchange/svg/svg_reader.h"
 #include "exchange/svg/svg_writer.h"
 

@@ -46,7 +46,7 @@ ONLY_IN = {
     ("exchange", "freetype"): {"exchange/font_reader.cpp"},
     ("render", "cairo"): {"render/cairo_painter.cpp"},
     ("render", "cairo-pdf"): {"render/cairo_painter.cpp"},
-    ("exchange", "posix"): {"exchange/occt/main.cpp", "exchange/occt_process.cpp"},
+    ("exchange", "posix"): {"exchange/occt/main.cpp", "exchange/cad/occt_process.cpp"},
     ("exchange", "opencascade"): {"exchange/occt/"},
     ("app/editor", "posix"): {"app/editor/recovery/"},
     ("app/platform", "posix"): {"app/platform/end_signals.cpp"},

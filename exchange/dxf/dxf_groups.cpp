@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "core/base/sentence.h"
+#include "exchange/places.h"
 #include "exchange/utf8_text.h"
 
 namespace batten::exchange {
@@ -29,10 +30,6 @@ std::optional<int> code_of(std::string_view text) {
 }
 
 }  // namespace
-
-std::string line_place(std::size_t line) {
-    return core::sentence("line {line}", {{"line", line}});
-}
 
 std::string_view DxfGroups::take_line() {
     ++line_;

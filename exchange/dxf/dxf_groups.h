@@ -14,9 +14,6 @@ struct DxfGroup {
     std::size_t line = 0;      ///< of the value, counted from 1
 };
 
-/// "line 12".
-std::string line_place(std::size_t line);
-
 class DxfGroups {
   public:
     /// `text` must outlive the groups.

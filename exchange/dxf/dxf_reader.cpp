@@ -6,6 +6,7 @@
 
 #include "exchange/dxf/dxf_curves.h"
 #include "exchange/dxf/dxf_tables.h"
+#include "exchange/places.h"
 #include "exchange/utf8_text.h"
 
 namespace batten::exchange {

@@ -30,6 +30,12 @@ std::string iges_name(const Handle(Standard_Transient) & item) {
     return entity->HasShortLabel() ? entity->ShortLabel()->ToCString() : std::string();
 }
 
+bool is_iges_geometry(const Handle(Standard_Transient) & item) {
+    constexpr int first_other = 200;
+    const auto entity = Handle(IGESData_IGESEntity)::DownCast(item);
+    return !entity.IsNull() && entity->TypeNumber() < first_other;
+}
+
 // Numbers are left as they are where that is the unit of the file.
 void count_lengths_in(const Handle(IGESData_IGESModel) & model, double unit) {
     IGESData_GlobalSection section = model->GlobalSection();
@@ -64,8 +70,7 @@ core::FileResult<Imported> read_iges(const std::string& path) {
     auto imported = imported_edges(reader.OneShape(), transferred->TransientProcess(), iges_name, lost);
     if (!imported) return imported;
     set_units(*imported, unit);
-    add_faults(*imported, reader.WS()->ModelCheckList());
-    return imported;
+    return with_faults_told(*std::move(imported), reader.Model(), reader.WS()->ModelCheckList(), is_iges_geometry);
 }
 
 core::FileResult<Exported> write_iges(const core::Document& document) {

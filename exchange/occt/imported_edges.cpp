@@ -266,12 +266,26 @@ core::FileResult<Imported> imported_edges(const TopoDS_Shape& shape, const Handl
         .where = {}, .what = reasons.empty() ? "the file has no curves that can be read" : reasons.front()});
 }
 
-void add_faults(Imported& imported, const Interface_CheckIterator& checks) {
+core::FileResult<Imported> with_faults_told(Imported imported, const Handle(Interface_InterfaceModel) & model,
+                                            Interface_CheckIterator checks, IsGeometry is_geometry) {
     std::size_t faults = 0;
-    for (; checks.More(); checks.Next()) faults += static_cast<std::size_t>(checks.Value()->NbFails());
-    if (faults == 0) return;
+    for (checks.Start(); checks.More(); checks.Next()) {
+        const Handle(Interface_Check) check = checks.Value();
+        if (!check->HasFailed()) continue;
+        faults += static_cast<std::size_t>(check->NbFails());
+        const Handle(Standard_Transient) entity =
+            check->HasEntity() ? check->Entity() : model->Value(std::max(checks.Number(), 1));
+        if (!is_geometry(entity)) continue;
+        const Handle(TCollection_HAsciiString) label = model->StringLabel(entity);
+        return tl::unexpected(core::FileError{
+            .where = {},
+            .what = core::sentence("OpenCASCADE finds a fault in the geometry, in '{entity}'; the file is damaged",
+                                   {{"entity", label->ToCString()}})});
+    }
+    if (faults == 0) return imported;
     imported.report.largest_error = std::numeric_limits<double>::infinity();
     imported.report.left_out.push_back(core::sentence(faults_found, faults));
+    return imported;
 }
 
 double unit_to_read_in(double unit) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Interface_CheckIterator.hxx>
+#include <Interface_InterfaceModel.hxx>
 #include <TopoDS_Shape.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <string>
@@ -19,8 +20,13 @@ using NameOf = std::string (*)(const Handle(Standard_Transient) & entity);
 core::FileResult<Imported> imported_edges(const TopoDS_Shape& shape, const Handle(Transfer_TransientProcess) & process,
                                           NameOf name_of, std::size_t lost);
 
-/// Says how many faults OpenCASCADE found in the file.
-void add_faults(Imported& imported, const Interface_CheckIterator& checks);
+/// Whether an entity of a file is a point, a direction or a curve, or where they are.
+using IsGeometry = bool (*)(const Handle(Standard_Transient) & entity);
+
+/// Says how many faults OpenCASCADE found in the file; how far the curves are off is not known then. Error: one of them
+/// is in the geometry of `model`, of which OpenCASCADE takes what is wrong for zeros.
+core::FileResult<Imported> with_faults_told(Imported imported, const Handle(Interface_InterfaceModel) & model,
+                                            Interface_CheckIterator checks, IsGeometry is_geometry);
 
 /// Says in what the document's lengths are: a millimeter or an inch where `unit` is as long, in millimeters; the
 /// lengths of other units were converted to millimeters.

@@ -13,8 +13,8 @@
 #include "exchange/occt/drawing.h"
 
 // batten-occt read|write iges|step: a file on standard input, and on standard output what the process_text of
-// exchange/occt_process.h expects. A program of its own, so that a file on which OpenCASCADE fails takes nothing with
-// it, and so that nobody waits for its libraries who has no such file.
+// exchange/cad/occt_process.h expects. A program of its own, so that a file on which OpenCASCADE fails takes nothing
+// with it, and so that nobody waits for its libraries who has no such file.
 
 namespace batten::exchange::occt {
 

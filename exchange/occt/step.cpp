@@ -8,6 +8,7 @@
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
 #include <StepGeom_Curve.hxx>
+#include <StepGeom_GeometricRepresentationItem.hxx>
 #include <StepGeom_TrimmedCurve.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepShape_GeometricSet.hxx>
@@ -39,6 +40,10 @@ std::string step_name(const Handle(Standard_Transient) & entity) {
         if (!item->IsKind(STANDARD_TYPE(StepGeom_TrimmedCurve))) break;
     }
     return {};
+}
+
+bool is_step_geometry(const Handle(Standard_Transient) & item) {
+    return item->IsKind(STANDARD_TYPE(StepGeom_GeometricRepresentationItem));
 }
 
 // In millimeters, as the file calls it; what is unknown is converted.
@@ -97,8 +102,7 @@ core::FileResult<Imported> read_step(const std::string& text) {
     auto imported = imported_edges(reader.OneShape(), process, step_name, lost_curves(reader.StepModel(), process));
     if (!imported) return imported;
     set_units(*imported, unit);
-    add_faults(*imported, reader.WS()->ModelCheckList());
-    return imported;
+    return with_faults_told(*std::move(imported), reader.StepModel(), reader.WS()->ModelCheckList(), is_step_geometry);
 }
 
 core::FileResult<Exported> write_step(const core::Document& document) {

@@ -13,8 +13,8 @@
 #include "core/measure/deviation.h"
 #include "core/refine/clamping.h"
 #include "core/refine/periodic.h"
+#include "exchange/cad/occt_process.h"
 #include "exchange/format.h"
-#include "exchange/occt_process.h"
 
 namespace batten::exchange {
 
@@ -319,6 +319,23 @@ TEST_P(ThroughOpenCascade, PeriodicCurvesOfFreeCadDrawTheSame) {
             nearest, core::largest_deviation(core::to_clamped(made(shifted)).value(), core::to_clamped(curve).value()));
     }
     EXPECT_LT(nearest, 1e-13);
+}
+
+// OpenCASCADE takes what is missing or no number for 0.
+TEST_P(ThroughOpenCascade, WhatIsDamagedIsNotCalledExact) {
+    const core::Curve curve =
+        made({.degree = 3, .knots = clamped_knots(3), .points = {{0.125, 2.625}, {1, 2.5}, {3, 2}, {4, 1.75}}});
+    const std::string text = written(document_of(curve)).text;
+    const auto with = [&](const std::string& before, const std::string& after) {
+        const std::size_t at = text.find(before);
+        EXPECT_NE(at, std::string::npos) << before;
+        return std::string(text).replace(at, before.size(), after);
+    };
+    for (const char* damaged : {"nan", "", "$", "1.X", "(1.)", "1E999", "1.5,"}) {
+        SCOPED_TRACE(damaged);
+        const auto imported = format().read(with("2.6250000000000000E+00", damaged));
+        EXPECT_FALSE(imported);
+    }
 }
 
 // OpenCASCADE ends on some of these with a signal; the program that asked it goes on.

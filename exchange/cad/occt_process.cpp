@@ -1,4 +1,4 @@
-#include "exchange/occt_process.h"
+#include "exchange/cad/occt_process.h"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,0 +1,17 @@
+/// Finds what is missing or damaged in the text of an IGES file, which OpenCASCADE takes for zeros.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/document/file_text.h"
+
+namespace batten::exchange {
+
+/// The first defect, with its line; none where the file is whole. Looked at are the sections S, G, D, P and T in this
+/// order, whose lines are numbered from 1 on and counted in the line T; of every entity that its two lines in the
+/// directory and its parameters belong together and each parameter is a number or a text; and of a B-spline curve
+/// (entity 126) that it has as many knots, weights and coordinates as its first two numbers say. Cost O(n).
+std::optional<core::FileError> iges_defect(std::string_view text);
+
+}  // namespace batten::exchange
