@@ -7,9 +7,6 @@ namespace batten::exchange {
 
 namespace {
 
-constexpr std::size_t most_notes = 40;
-constexpr std::size_t longest_what = 40;
-
 constexpr core::PluralPattern refused{"{what} at {place} was left out: {reason}",
                                       "{count} times {what} was left out, first at {place}: {reason}"};
 constexpr core::PluralPattern too_many{"one curve was left out, since 100000 were read before it",
@@ -62,7 +59,7 @@ MadeCurve make_curve(core::CurveDefinition definition) {
 core::DocumentCurve* Collector::add(MadeCurve made, const std::string& wish, std::string_view what,
                                     const PlaceText& place) {
     if (!made) {
-        note(refused, what, place, made.error());
+        notes_.add(refused, place, what, made.error());
         return nullptr;
     }
     if (is_full()) {
@@ -76,45 +73,16 @@ core::DocumentCurve* Collector::add(MadeCurve made, const std::string& wish, std
     return &document_.curves.emplace_back(std::move(entry));
 }
 
-void Collector::note(const core::PluralPattern& pattern, std::string_view what, const PlaceText& place,
-                     std::string_view reason) {
-    const std::string name = utf8_text(what.substr(0, longest_what));
-    const auto found = note_indices_.find({&pattern, name});
-    if (found != note_indices_.end()) {
-        ++notes_[found->second].count;
-        return;
-    }
-    if (notes_.size() == most_notes) {
-        ++further_notes_;
-        return;
-    }
-    note_indices_[{&pattern, name}] = notes_.size();
-    notes_.push_back({&pattern, name, place(), std::string(reason)});
-}
-
 void Collector::leave_out_more(const PlaceText& place) {
-    note(too_many, {}, place);
+    notes_.add(too_many, place);
 }
 
 void Collector::note_heights(std::string_view what, const PlaceText& place) {
-    note(heights, what, place);
-}
-
-std::vector<std::string> Collector::sentences() const {
-    std::vector<std::string> sentences;
-    for (const Note& note : notes_)
-        sentences.push_back(core::filled_as_needed(
-            note.pattern->for_count(note.count),
-            {{"what", note.what}, {"place", note.place}, {"reason", note.reason}, {"count", note.count}}));
-    if (further_notes_ > 0)
-        sentences.push_back(core::sentence({.one = "one more thing of another kind was left out",
-                                            .many = "{count} more things of other kinds were left out"},
-                                           further_notes_));
-    return sentences;
+    notes_.add(heights, place, what);
 }
 
 core::FileResult<Imported> Collector::finish(const char* nothing_found) && {
-    Imported imported{std::move(document_), {.largest_error = largest_error_, .left_out = sentences()}};
+    Imported imported{std::move(document_), {.largest_error = largest_error_, .left_out = notes_.sentences()}};
     const std::vector<std::string>& left_out = imported.report.left_out;
     if (imported.document.curves.empty())
         return tl::unexpected(core::FileError{"", left_out.empty() ? nothing_found : left_out.front()});

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <functional>
-#include <map>
 
-#include "core/base/sentence.h"
+#include "exchange/notes.h"
 #include "exchange/report.h"
 
 namespace batten::exchange {
@@ -23,9 +21,6 @@ MadeCurve in_words(core::Result<core::Curve> made);
 /// knots names both conventions.
 MadeCurve make_curve(core::CurveDefinition definition);
 
-/// Where something stands ("line 12"). Asked only where it is told, which of many things are few.
-using PlaceText = std::function<std::string()>;
-
 class Collector {
   public:
     core::Document& document() { return document_; }
@@ -39,10 +34,8 @@ class Collector {
     bool is_full() const { return document_.curves.size() == most_curves; }
     void leave_out_more(const PlaceText& place);
 
-    /// Notes what happened to `what` at `place`. Each pattern and `what` make one sentence, which has the places
-    /// {what}, {place} of the first, {reason} of the first, and {count}.
-    void note(const core::PluralPattern& pattern, std::string_view what, const PlaceText& place,
-              std::string_view reason = {});
+    /// What happened, in sentences.
+    Notes& notes() { return notes_; }
 
     /// Notes that heights of `what`, z other than 0, were let go.
     void note_heights(std::string_view what, const PlaceText& place);
@@ -54,22 +47,10 @@ class Collector {
     core::FileResult<Imported> finish(const char* nothing_found) &&;
 
   private:
-    struct Note {
-        const core::PluralPattern* pattern;
-        std::string what;
-        std::string place;
-        std::string reason;
-        std::size_t count = 1;
-    };
-
-    std::vector<std::string> sentences() const;
-
     core::Document document_;
     core::FreeNames names_{document_};
-    std::vector<Note> notes_;
-    std::map<std::pair<const core::PluralPattern*, std::string>, std::size_t> note_indices_;
+    Notes notes_;
     double largest_error_ = 0.0;
-    std::size_t further_notes_ = 0;  // of kinds that there was no room for
 };
 
 }  // namespace batten::exchange

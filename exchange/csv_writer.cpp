@@ -73,12 +73,13 @@ void append_row(std::string& text, const std::string& name, const core::Curve& c
 
 core::FileResult<Exported> write_csv(const core::Document& document, const WriteOptions& options) {
     return visible_curves(document).map([&](const std::vector<const core::DocumentCurve*>& entries) {
-        Exported exported{"curve,u,x,y,x',y',x'',y'',curvature\n", {.left_out = parts_left_out(document)}};
+        Notes notes;
+        note_losses(notes, document, {.colors = true, .units = true, .periodic = true});
+        Exported exported{"curve,u,x,y,x',y',x'',y'',curvature\n",
+                          {.left_out = notes.sentences(), .holds_samples = true}};
         for (const core::DocumentCurve* entry : entries)
             for (const Place& place : places_on(*entry->curve, options.samples))
                 append_row(exported.text, cell_of(entry->name), *entry->curve, place);
-        exported.report.left_out.emplace_back(
-            "a table holds samples, from which points can be read again, but not the curves themselves");
         return exported;
     });
 }

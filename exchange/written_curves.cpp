@@ -6,10 +6,44 @@
 
 namespace batten::exchange {
 
+namespace {
+
+constexpr core::PluralPattern hidden{"one curve was left out, since it is hidden",
+                                     "{count} curves were left out, since they are hidden"};
+constexpr core::PluralPattern opened_periods{
+    "'{place}' is periodic and was written as an open curve whose ends meet",
+    "{count} curves are periodic and were written as open ones whose ends meet, the first one '{place}'"};
+constexpr core::PluralPattern pictures{"one picture was left out; only curves are written",
+                                       "{count} pictures were left out; only curves are written"};
+constexpr core::PluralPattern without_place{"the format has no place for {reason} of the document",
+                                            "the format has no place for {reason} of the document"};
+
+std::vector<std::string> parts_without_place(const core::Document& document, const FormatPlaces& places) {
+    const auto has_any = [&](auto has) {
+        return std::ranges::any_of(document.curves,
+                                   [&](const core::DocumentCurve& entry) { return entry.visible && has(entry); });
+    };
+    using Entry = core::DocumentCurve;
+    std::vector<std::string> parts;
+    if (!document.title.empty() || !document.description.empty()) parts.emplace_back("the title");
+    if (!places.colors && has_any([](const Entry& entry) { return entry.color.has_value(); }))
+        parts.emplace_back("colors");
+    if (has_any([](const Entry& entry) { return !entry.group.empty(); })) parts.emplace_back("groups");
+    if (has_any([](const Entry& entry) { return entry.locked; })) parts.emplace_back("locks");
+    if (has_any([](const Entry& entry) { return !entry.pinned.empty(); })) parts.emplace_back("pinned points");
+    if (has_any([](const Entry& entry) { return entry.fit != nullptr; })) parts.emplace_back("fit points");
+    if (has_any([](const Entry& entry) { return entry.symmetry.has_value(); })) parts.emplace_back("symmetries");
+    if (!document.guides.empty()) parts.emplace_back("guides");
+    return parts;
+}
+
+}  // namespace
+
 core::FileResult<std::vector<const core::DocumentCurve*>> visible_curves(const core::Document& document) {
     std::vector<const core::DocumentCurve*> curves;
     for (const core::DocumentCurve& entry : document.curves)
         if (entry.visible) curves.push_back(&entry);
+    if (document.curves.empty()) return tl::unexpected(core::FileError{"", "there is no curve to write"});
     if (curves.empty()) return tl::unexpected(core::FileError{"", "no curve is visible; show one of them to write it"});
     return curves;
 }
@@ -34,19 +68,18 @@ core::CurveDefinition full_definition(const core::Curve& curve) {
     return definition;
 }
 
-std::vector<std::string> parts_left_out(const core::Document& document) {
-    std::vector<std::string> sentences;
-    const auto hidden = static_cast<std::size_t>(
-        std::ranges::count_if(document.curves, [](const core::DocumentCurve& entry) { return !entry.visible; }));
-    if (hidden > 0)
-        sentences.push_back(core::sentence({.one = "one curve was left out, since it is hidden",
-                                            .many = "{count} curves were left out, since they are hidden"},
-                                           hidden));
-    if (!document.pictures.empty())
-        sentences.push_back(core::sentence({.one = "one picture was left out; only curves are written",
-                                            .many = "{count} pictures were left out; only curves are written"},
-                                           document.pictures.size()));
-    return sentences;
+void note_losses(Notes& notes, const core::Document& document, const FormatPlaces& places) {
+    const auto nowhere = [] { return std::string(); };
+    for (const core::DocumentCurve& entry : document.curves) {
+        const auto name = [&] { return entry.name; };
+        if (!entry.visible) notes.add(hidden, name);
+        if (entry.visible && entry.curve->is_periodic() && !places.periodic) notes.add(opened_periods, name);
+    }
+    for (std::size_t i = 0; i < document.pictures.size(); ++i) notes.add(pictures, nowhere);
+    if (document.units && !places.units)
+        notes.add("the unit of length was left out, since the format has none; the numbers stay as they are");
+    const std::vector<std::string> parts = parts_without_place(document, places);
+    if (!parts.empty()) notes.add(without_place, nowhere, {}, core::listed_as_alternatives(parts));
 }
 
 }  // namespace batten::exchange

@@ -1,18 +1,27 @@
 /// What writers write of a document.
 #pragma once
 
+#include "exchange/notes.h"
 #include "exchange/report.h"
 
 namespace batten::exchange {
 
-/// The visible curves of `document`, which must live as long; refused where there is none.
+/// The visible curves of `document`, which must live as long. Refused: there is none, or none at all.
 [[nodiscard]] core::FileResult<std::vector<const core::DocumentCurve*>> visible_curves(const core::Document& document);
 
 /// The curve over a full knot vector: itself, and a periodic one with its control points wrapped, over the knots of its
 /// unrolled vector. It has the same points over the same domain. No weights where all are 1.
 core::CurveDefinition full_definition(const core::Curve& curve);
 
-/// Sentences about the parts of `document` beside its visible curves that formats of curves have no place for.
-std::vector<std::string> parts_left_out(const core::Document& document);
+/// What a format has a place for beside open curves and their names.
+struct FormatPlaces {
+    bool colors = false;
+    bool units = false;
+    bool periodic = false;
+};
+
+/// Notes the parts of `document` that a format with these places loses: what is hidden, pictures, units, periods, and
+/// what only Batten knows.
+void note_losses(Notes& notes, const core::Document& document, const FormatPlaces& places);
 
 }  // namespace batten::exchange

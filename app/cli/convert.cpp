@@ -17,8 +17,9 @@ std::string name_of_result(const std::filesystem::path& file) {
 }
 
 Json json_of_report(const std::filesystem::path& file, const exchange::Report& report) {
-    return {
-        {"file", shown_name(file)}, {"largest_error", json_of(report.largest_error)}, {"left_out", report.left_out}};
+    return {{"file", shown_name(file)},
+            {"largest_error", report.holds_samples ? Json(nullptr) : json_of(report.largest_error)},
+            {"left_out", report.left_out}};
 }
 
 void print_report(std::ostream& out, const core::Document& document, const std::string& file,

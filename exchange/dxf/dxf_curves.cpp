@@ -105,14 +105,12 @@ MadeCurve polyline_curve(const DxfEntity& entity) {
     return seen_from_above(entity, bulged_polyline(points, entity.bulges(), entity.has_bit(70, closed)));
 }
 
-// Weights of -1 stand for none.
+// Weights that are all -1 stand for none; one of them among others is wrong.
 std::vector<double> weights_of(const DxfEntity& entity) {
     const std::span<const double> found = entity.numbers(41);
     constexpr double absent = -1.0;
     if (std::ranges::all_of(found, [](double w) { return w == absent; })) return {};
-    std::vector<double> weights(found.begin(), found.end());
-    std::ranges::replace(weights, absent, 1.0);
-    return weights;
+    return {found.begin(), found.end()};
 }
 
 // What repeats its points and knots, and says so, is taken for the closed curve that it draws.

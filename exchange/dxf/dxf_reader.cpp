@@ -156,7 +156,7 @@ void DxfReader::take_variable(const DxfGroup& group) {
     if (group.code != number_code || variable_ != "$INSUNITS") return;
     found_.document().units = units_of_code(group.value);
     if (!found_.document().units && group.value != "0")
-        found_.note(unit_not_known, {}, [&] { return line_place(group.line); });
+        found_.notes().add(unit_not_known, [&] { return line_place(group.line); });
 }
 
 void DxfReader::end_entity() {
@@ -184,8 +184,8 @@ void DxfReader::add_curve(const DxfEntity& entity) {
     const DxfCurveMaker make =
         is_mesh(entity) && entity.name() == "POLYLINE" ? nullptr : dxf_curve_maker(entity.name());
     const auto place = [&] { return line_place(entity.line()); };
-    if (make == nullptr) return found_.note(not_read, entity.name(), place);
-    if (entity.number(67, 0.0) != 0.0) return found_.note(in_paper_space, entity.name(), place);
+    if (make == nullptr) return found_.notes().add(not_read, place, entity.name());
+    if (entity.number(67, 0.0) != 0.0) return found_.notes().add(in_paper_space, place, entity.name());
     if (found_.is_full()) return found_.leave_out_more(place);
     MadeCurve made = entity.defect().empty() ? make(entity) : tl::unexpected(entity.defect());
     core::DocumentCurve* curve = found_.add(std::move(made), name_of(entity), entity.name(), place);
@@ -196,7 +196,8 @@ void DxfReader::add_curve(const DxfEntity& entity) {
     curve->color = own ? own : look.color;
     curve->visible = look.visible && entity.number(60, 0.0) == 0.0;
     if (entity.is_off_plane()) found_.note_heights(entity.name(), place);
-    if (has_fit_points_alone(entity) && entity.name() == "SPLINE") found_.note(interpolated, entity.name(), place);
+    if (has_fit_points_alone(entity) && entity.name() == "SPLINE")
+        found_.notes().add(interpolated, place, entity.name());
 }
 
 }  // namespace

@@ -95,6 +95,10 @@ std::string layer_name(const std::string& name) {
     return layer;
 }
 
+constexpr core::PluralPattern renamed{
+    "the name '{place}' has signs that names of layers cannot have, which became _",
+    "{count} names have signs that names of layers cannot have, which became _, the first one '{place}'"};
+
 using Entries = std::vector<const core::DocumentCurve*>;
 
 void add_layers(Groups& groups, const Entries& entries) {
@@ -172,11 +176,13 @@ core::FileResult<Exported> write_dxf(const core::Document& document, const Write
     groups.add_all(between_layers_and_entities);
     for (const core::DocumentCurve* entry : *entries) add_spline(groups, *entry);
     groups.add_all(after_entities);
-    Exported exported{header(document, groups.next_handle()) + groups.text(), {.left_out = parts_left_out(document)}};
+    Notes notes;
+    note_losses(notes, document, {.colors = true, .units = true, .periodic = true});
+    for (const core::DocumentCurve* entry : *entries)
+        if (layer_name(entry->name) != entry->name) notes.add(renamed, [entry] { return entry->name; });
     if (document.units && !code_of_units(*document.units))
-        exported.report.left_out.emplace_back(
-            "the unit of length was left out, since DXF has none of that size; the numbers stay as they are");
-    return exported;
+        notes.add("the unit of length was left out, since DXF has none of that size; the numbers stay as they are");
+    return Exported{header(document, groups.next_handle()) + groups.text(), {.left_out = notes.sentences()}};
 }
 
 }  // namespace batten::exchange

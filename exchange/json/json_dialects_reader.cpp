@@ -195,7 +195,7 @@ void add_curve(Collector& collector, const JsonValue& object, ReadObject read, c
     if (collector.add(std::move(made), members.name(), what, place) == nullptr) return;
     collector.note_error(found.error);
     if (found.has_heights) collector.note_heights(what, place);
-    if (found.has_repeated_ends) collector.note(ends_repeated, what, place);
+    if (found.has_repeated_ends) collector.notes().add(ends_repeated, place);
 }
 
 // All curves of `value`, which is one or a list of them.

@@ -18,6 +18,14 @@ namespace {
 using core::CurveDefinition;
 using core::DocumentCurve;
 
+constexpr core::PluralPattern too_large{
+    "'{place}' was left out: a control point times its weight is too large a number",
+    "{count} curves were left out, since control points times their weights are too large numbers, the first one "
+    "'{place}'"};
+constexpr core::PluralPattern listed_curves{
+    "the curves were written as a list; tinyspline itself reads one curve from a file",
+    "{count} curves were written as a list; tinyspline itself reads one curve from a file"};
+
 std::string quoted(const std::string& text) {
     return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -64,10 +72,20 @@ class Members {
     std::string text_;
 };
 
-// The text of one curve; none where it cannot be written, of which `report` then has a sentence.
-using WriteCurve = std::string (*)(const DocumentCurve& entry, Report& report);
+// The texts of all curves.
+struct Written {
+    std::vector<std::string> curves{};
+    double largest_error = 0.0;
+    Notes notes{};
 
-std::string nurbs_python_curve(const DocumentCurve& entry, Report& /*report*/) {
+    std::string list() const { return fmt::format("[{}]", fmt::join(curves, ", ")); }
+    Exported exported(std::string text) const { return {std::move(text), {largest_error, notes.sentences()}}; }
+};
+
+// The text of one curve; none where it cannot be written, of which `written` then has a note.
+using WriteCurve = std::string (*)(const DocumentCurve& entry, Written& written);
+
+std::string nurbs_python_curve(const DocumentCurve& entry, Written& /*written*/) {
     const CurveDefinition curve = full_definition(*entry.curve);
     const std::string weights =
         curve.weights.empty() ? "" : fmt::format(", \"weights\": {}", numbers_text(curve.weights));
@@ -83,7 +101,7 @@ std::string nurbs_python_curve(const DocumentCurve& entry, Report& /*report*/) {
     return members.object();
 }
 
-std::string tinyspline_curve(const DocumentCurve& entry, Report& report) {
+std::string tinyspline_curve(const DocumentCurve& entry, Written& written) {
     const CurveDefinition curve = full_definition(*entry.curve);
     const std::vector<double> weights = weights_near_one(curve.weights);
     const bool is_homogeneous = !weights.empty();
@@ -99,11 +117,10 @@ std::string tinyspline_curve(const DocumentCurve& entry, Report& report) {
         numbers.push_back(w);
     }
     if (!std::isfinite(error)) {
-        report.left_out.push_back(core::sentence(
-            "'{name}' was left out: a control point times its weight is too large a number", {{"name", entry.name}}));
+        written.notes.add(too_large, [&] { return entry.name; });
         return {};
     }
-    report.largest_error = std::max(report.largest_error, error);
+    written.largest_error = std::max(written.largest_error, error);
     Members members;
     members.add("name", quoted(entry.name));
     members.add("degree", static_cast<std::size_t>(curve.degree));
@@ -114,7 +131,7 @@ std::string tinyspline_curve(const DocumentCurve& entry, Report& report) {
     return members.object();
 }
 
-std::string rhino_curve(const DocumentCurve& entry, Report& /*report*/) {
+std::string rhino_curve(const DocumentCurve& entry, Written& /*written*/) {
     CurveDefinition curve = full_definition(*entry.curve);
     curve.knots.pop_back();
     curve.knots.erase(curve.knots.begin());
@@ -142,7 +159,7 @@ CurveDefinition begun_after_seam(const core::Curve& curve) {
     return definition;
 }
 
-std::string opencascade_curve(const DocumentCurve& entry, Report& /*report*/) {
+std::string opencascade_curve(const DocumentCurve& entry, Written& /*written*/) {
     const CurveDefinition curve = begun_after_seam(*entry.curve);
     std::vector<double> knots;
     std::vector<double> multiplicities;
@@ -165,58 +182,49 @@ std::string opencascade_curve(const DocumentCurve& entry, Report& /*report*/) {
     return members.object();
 }
 
-// The texts of all curves, in a list.
-struct Written {
-    std::vector<std::string> curves{};
-    Report report{};
-
-    std::string list() const { return fmt::format("[{}]", fmt::join(curves, ", ")); }
-};
-
-core::FileResult<Written> written(const core::Document& document, WriteCurve write) {
+core::FileResult<Written> written(const core::Document& document, WriteCurve write, bool has_periods = false) {
     const auto entries = visible_curves(document);
     if (!entries) return tl::unexpected(entries.error());
-    Written result{.report = {.left_out = parts_left_out(document)}};
+    Written result;
+    note_losses(result.notes, document, {.periodic = has_periods});
     for (const DocumentCurve* entry : *entries)
-        if (std::string text = write(*entry, result.report); !text.empty()) result.curves.push_back(std::move(text));
-    if (result.curves.empty()) return tl::unexpected(core::FileError{"", result.report.left_out.back()});
+        if (std::string text = write(*entry, result); !text.empty()) result.curves.push_back(std::move(text));
+    if (result.curves.empty()) return tl::unexpected(core::FileError{"", result.notes.sentences().back()});
     return result;
 }
 
-core::FileResult<Exported> write_list(const core::Document& document, WriteCurve write, const char* style) {
-    return written(document, write).map([&](Written curves) {
-        return Exported{fmt::format("{{\n  \"style\": \"{}\",\n  \"curves\": {}\n}}\n", style, curves.list()),
-                        std::move(curves.report)};
+core::FileResult<Exported> write_list(const core::Document& document, WriteCurve write, const char* style,
+                                      bool has_periods) {
+    return written(document, write, has_periods).map([&](const Written& curves) {
+        return curves.exported(fmt::format("{{\n  \"style\": \"{}\",\n  \"curves\": {}\n}}\n", style, curves.list()));
     });
 }
 
 }  // namespace
 
 core::FileResult<Exported> write_nurbs_python(const core::Document& document, const WriteOptions& /*options*/) {
-    return written(document, nurbs_python_curve).map([](Written curves) {
-        return Exported{fmt::format("{{\"shape\": {{\n  \"type\": \"curve\",\n  \"count\": {},\n  \"data\": {}\n}}}}\n",
-                                    curves.curves.size(), curves.list()),
-                        std::move(curves.report)};
+    return written(document, nurbs_python_curve).map([](const Written& curves) {
+        return curves.exported(
+            fmt::format("{{\"shape\": {{\n  \"type\": \"curve\",\n  \"count\": {},\n  \"data\": {}\n}}}}\n",
+                        curves.curves.size(), curves.list()));
     });
 }
 
 core::FileResult<Exported> write_tinyspline(const core::Document& document, const WriteOptions& /*options*/) {
     return written(document, tinyspline_curve).map([](Written curves) {
-        if (curves.curves.size() > 1)
-            curves.report.left_out.push_back(
-                core::sentence("{count} curves were written as a list; tinyspline itself reads one curve from a file",
-                               {{"count", curves.curves.size()}}));
-        return Exported{fmt::format("{}\n", curves.curves.size() > 1 ? curves.list() : curves.curves.front()),
-                        std::move(curves.report)};
+        const bool is_list = curves.curves.size() > 1;
+        for (std::size_t i = 0; is_list && i < curves.curves.size(); ++i)
+            curves.notes.add(listed_curves, [] { return std::string(); });
+        return curves.exported(fmt::format("{}\n", is_list ? curves.list() : curves.curves.front()));
     });
 }
 
 core::FileResult<Exported> write_rhino(const core::Document& document, const WriteOptions& /*options*/) {
-    return write_list(document, rhino_curve, "rhino");
+    return write_list(document, rhino_curve, "rhino", false);
 }
 
 core::FileResult<Exported> write_opencascade(const core::Document& document, const WriteOptions& /*options*/) {
-    return write_list(document, opencascade_curve, "opencascade");
+    return write_list(document, opencascade_curve, "opencascade", true);
 }
 
 }  // namespace batten::exchange

@@ -197,6 +197,13 @@ TEST(DxfReader, RefusesWrongCountsOfKnotsAndWeights) {
         "or none at all");
 }
 
+TEST(DxfReader, TakesWeightsOfMinusOneForNoneOnlyWhereAllAre) {
+    const std::string spline = "0 SPLINE 71 2 40 0 40 0 40 0 40 1 40 1 40 1 10 0 20 0 10 1 20 2 10 2 20 0 ";
+    EXPECT_FALSE(read(spline + "41 -1 41 -1 41 -1").document.curves.at(0).curve->is_rational());
+    EXPECT_TRUE(
+        refusal_of(drawing(spline + "41 1 41 -1 41 1")).starts_with("SPLINE at line 6 was left out: weight 1 is -1"));
+}
+
 TEST(DxfReader, InterpolatesFitPointsAndSaysSo) {
     const Imported found = read("0 SPLINE 71 3 74 4 11 0 21 0 11 1 21 1 11 2 21 0 11 3 21 1");
     ASSERT_EQ(found.document.curves.size(), 1U);
@@ -221,8 +228,14 @@ TEST(DxfReader, SaysWhatItLeavesOut) {
                   "an entity TEXT at line 32 was left out; SPLINE, LWPOLYLINE, POLYLINE, LINE, ARC, CIRCLE and ELLIPSE "
                   "are read",
                   "LINE at line 36 was left out, since it is on a sheet of paper, not in the model",
-                  "2 times LINE was left out, first at line 48: point 1 lies on point 0; the two must differ",
-                  "ARC at line 58 was left out: its plane is tilted; it must lie in the plane of x and y"}));
+                  "LINE at line 48 was left out: point 1 lies on point 0; the two must differ",
+                  "ARC at line 58 was left out: its plane is tilted; it must lie in the plane of x and y",
+                  "LINE at line 72 was left out: line 74 has \"nan\", but it must be a finite number"}));
+    const Imported twice =
+        read("0 LINE 10 0 20 0 11 1 21 1 0 CIRCLE 40 -2 10 0 20 0 0 CIRCLE 40 0 10 0 20 0 0 CIRCLE 40 -2 10 3 20 0");
+    ASSERT_EQ(twice.report.left_out.size(), 2U) << "each reason";
+    EXPECT_TRUE(twice.report.left_out[0].starts_with("2 times CIRCLE was left out, first at line 16: "));
+    EXPECT_TRUE(twice.report.left_out[1].starts_with("CIRCLE at line 24 was left out: "));
 }
 
 TEST(DxfReader, TakesNamesColorsAndUnitsFromTheDrawing) {
@@ -307,7 +320,7 @@ TEST(DxfReader, SaysLittleAboutManyKindsOfEntities) {
     for (int i = 0; i < 1000; ++i) entities += " 0 ENTITY" + std::to_string(i);
     const Imported found = read(entities);
     ASSERT_EQ(found.report.left_out.size(), 41U);
-    EXPECT_EQ(found.report.left_out.back(), "960 more things of other kinds were left out");
+    EXPECT_EQ(found.report.left_out.back(), "there are 960 more things to tell, of other kinds");
 }
 
 }  // namespace batten::exchange

@@ -56,7 +56,10 @@ Refusal file_refusal(const fs::path& path, const core::FileError& error) {
 }
 
 std::vector<std::string> report_words(const Units& units, const exchange::Report& report) {
-    std::vector<std::string> words{error_words(units, report.largest_error)};
+    std::vector<std::string> words{
+        report.holds_samples
+            ? "it holds samples of the curves, from which points can be read again, but not the curves themselves"
+            : error_words(units, report.largest_error)};
     words.insert(words.end(), report.left_out.begin(), report.left_out.end());
     return words;
 }

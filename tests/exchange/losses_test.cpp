@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include "exchange/format.h"
+#include "tests/exchange/carried_curves.h"
+
+namespace batten::exchange {
+
+namespace {
+
+// A periodic curve in a document with what only Batten knows.
+core::Document rich_document() {
+    core::Document document = document_of(
+        core::Curve::make(
+            {.degree = 2, .knots = {0, 1, 2, 3, 4}, .points = {{0, 0}, {1, 0}, {1, 1}, {0, 2}}, .periodic = true})
+            .value(),
+        "a<b>");
+    core::DocumentCurve& entry = document.curves[0];
+    entry.color = core::DocumentColor{1, 2, 3};
+    entry.group = "parts";
+    entry.pinned = {1};
+    document.title = "A title";
+    document.guides.emplace_back();
+    document.pictures.emplace_back();
+    document.units = core::DocumentUnits{.unit = core::LengthUnit::inch};
+    return document;
+}
+
+std::vector<std::string> told_by(Format format, const core::Document& document) {
+    const auto written = spec_of(format).write(document, {});
+    return written ? written->report.left_out : std::vector<std::string>{written.error().sentence()};
+}
+
+constexpr const char* period = "'a<b>' is periodic and was written as an open curve whose ends meet";
+constexpr const char* picture = "one picture was left out; only curves are written";
+constexpr const char* unit = "the unit of length was left out, since the format has none; the numbers stay as they are";
+constexpr const char* colorless =
+    "the format has no place for the title, colors, groups, pinned points or guides of the document";
+
+}  // namespace
+
+TEST(Losses, AreToldByEachFormat) {
+    using Told = std::vector<std::string>;
+    const core::Document document = rich_document();
+    for (const Format format : {Format::nurbs_python, Format::tinyspline, Format::rhino})
+        EXPECT_EQ(told_by(format, document), (Told{period, picture, unit, colorless}));
+    EXPECT_EQ(told_by(Format::opencascade, document), (Told{picture, unit, colorless}));
+    EXPECT_EQ(told_by(Format::dxf, document),
+              (Told{picture, "the format has no place for the title, groups, pinned points or guides of the document",
+                    "the name 'a<b>' has signs that names of layers cannot have, which became _"}));
+}
+
+TEST(Losses, AreNoneOfADocumentThatHasNoSuchThings) {
+    const core::Document document = document_of(carried_curves(0)[0].curve);
+    for (const Format format :
+         {Format::nurbs_python, Format::tinyspline, Format::rhino, Format::opencascade, Format::dxf, Format::csv})
+        EXPECT_TRUE(told_by(format, document).empty());
+}
+
+TEST(Losses, AreCountedForManyCurves) {
+    core::Document document = rich_document();
+    document.curves.resize(3, document.curves[0]);
+    document.curves[2].visible = false;
+    const std::vector<std::string> told = told_by(Format::rhino, document);
+    ASSERT_GE(told.size(), 2U);
+    EXPECT_EQ(told[0], "2 curves are periodic and were written as open ones whose ends meet, the first one 'a<b>'");
+    EXPECT_EQ(told[1], "one curve was left out, since it is hidden");
+}
+
+TEST(Losses, TablesHoldSamples) {
+    const auto table = spec_of(Format::csv).write(rich_document(), {});
+    ASSERT_TRUE(table);
+    EXPECT_TRUE(table->report.holds_samples);
+}
+
+TEST(Losses, NothingToWriteIsSaid) {
+    for (const Format format : {Format::dxf, Format::tinyspline, Format::csv})
+        EXPECT_EQ(told_by(format, {}), std::vector<std::string>{"there is no curve to write"});
+}
+
+}  // namespace batten::exchange
