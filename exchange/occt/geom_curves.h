@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "exchange/report.h"
+#include "core/document/document.h"
 
 namespace batten::exchange::occt {
 
@@ -14,15 +14,10 @@ struct NamedSpline {
     Handle(Geom_BSplineCurve) spline;
 };
 
-/// What is to be written: the visible curves, in lengths of a unit that files have.
-struct GeomCurves {
-    std::vector<NamedSpline> curves;
-    bool is_in_inches = false;  ///< else in millimeters
-    Report report{};
-};
+/// The curves of `document`, which are clamped, but for those whose knots OpenCASCADE does not take.
+std::vector<NamedSpline> geom_curves(const core::Document& document);
 
-/// Curves that are not clamped, periodic or torn are written otherwise, and a document without such a unit, which the
-/// report says. Error: there is no curve, or none that OpenCASCADE accepts.
-core::FileResult<GeomCurves> geom_curves(const core::Document& document);
+/// Whether lengths are inches, else millimeters.
+bool is_in_inches(const core::Document& document);
 
 }  // namespace batten::exchange::occt

@@ -13,7 +13,7 @@
 #include <XSControl_WorkSession.hxx>
 #include <sstream>
 
-#include "core/base/sentence.h"
+#include "exchange/notes.h"
 #include "exchange/occt/drawing.h"
 #include "exchange/occt/geom_curves.h"
 #include "exchange/occt/imported_edges.h"
@@ -42,6 +42,10 @@ void count_lengths_in(const Handle(IGESData_IGESModel) & model, double unit) {
     section.SetCascadeUnit(unit);
     model->SetGlobalSection(section);
 }
+
+constexpr core::PluralPattern labeled{
+    "the name '{place}' was cut, since IGES has labels of eight ASCII characters",
+    "{count} names were cut, since IGES has labels of eight ASCII characters; the first one is '{place}'"};
 
 // Labels have eight characters of ASCII.
 Handle(TCollection_HAsciiString) iges_label(const std::string& name) {
@@ -74,20 +78,17 @@ core::FileResult<Imported> read_iges(const std::string& path) {
 }
 
 core::FileResult<Exported> write_iges(const core::Document& document) {
-    auto curves = geom_curves(document);
-    if (!curves) return tl::unexpected(curves.error());
+    const bool has_inches = is_in_inches(document);
     IGESControl_Controller::Init();
-    IGESControl_Writer writer(curves->is_in_inches ? "INCH" : "MM", 0);
-    count_lengths_in(writer.Model(), curves->is_in_inches ? unit_inch : unit_millimeter);
-    for (const NamedSpline& curve : curves->curves) {
+    IGESControl_Writer writer(has_inches ? "INCH" : "MM", 0);
+    count_lengths_in(writer.Model(), has_inches ? unit_inch : unit_millimeter);
+    Notes notes;
+    for (const NamedSpline& curve : geom_curves(document)) {
         writer.AddGeom(curve.spline);
         const Handle(IGESData_IGESModel) model = writer.Model();
         const Handle(TCollection_HAsciiString) label = iges_label(curve.name);
         model->Entity(model->NbEntities())->SetLabel(label);
-        if (curve.name != label->ToCString())
-            curves->report.left_out.push_back(
-                core::sentence("Curve '{name}' is called '{label}', since IGES has labels of eight ASCII characters",
-                               {{"name", curve.name}, {"label", label->ToCString()}}));
+        if (curve.name != label->ToCString()) notes.add(labeled, [&] { return curve.name; });
     }
     writer.ComputeModel();
     IGESData_IGESWriter text(writer.Model());
@@ -95,7 +96,7 @@ core::FileResult<Exported> write_iges(const core::Document& document) {
     text.SendModel(IGESSelect_WorkLibrary::DefineProtocol());
     std::ostringstream stream;
     text.Print(stream);
-    return Exported{stream.str(), std::move(curves->report)};
+    return Exported{stream.str(), {.left_out = notes.sentences()}};
 }
 
 }  // namespace batten::exchange::occt

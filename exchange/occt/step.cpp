@@ -1,12 +1,15 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRep_Builder.hxx>
 #include <Interface_Static.hxx>
+#include <Precision.hxx>
 #include <STEPControl_Reader.hxx>
 #include <STEPControl_Writer.hxx>
 #include <StepAP214.hxx>
 #include <StepAP214_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
+#include <StepGeom_BSplineCurve.hxx>
+#include <StepGeom_CartesianPoint.hxx>
 #include <StepGeom_Curve.hxx>
 #include <StepGeom_GeometricRepresentationItem.hxx>
 #include <StepGeom_TrimmedCurve.hxx>
@@ -20,6 +23,8 @@
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "core/base/sentence.h"
@@ -68,11 +73,42 @@ std::size_t lost_curves(const Handle(StepData_StepModel) & model, const Handle(T
     return lost;
 }
 
-TopoDS_Compound edges_of(const std::vector<NamedSpline>& curves) {
+gp_XYZ place_of(const Handle(StepGeom_CartesianPoint) & point) {
+    gp_XYZ place(0.0, 0.0, 0.0);
+    for (int i = 1; i <= std::min(point->NbCoordinates(), 3); ++i) place.SetCoord(i, point->CoordinatesValue(i));
+    return place;
+}
+
+constexpr core::PluralPattern near_ends{
+    "a spline has ends that are nearer than 1e-7 to each other, which OpenCASCADE takes for one",
+    "{count} splines have ends that are nearer than 1e-7 to each other, which OpenCASCADE takes for one"};
+
+// What OpenCASCADE takes for one is as far off as it was apart.
+void note_near_ends(Imported& imported, const Handle(StepData_StepModel) & model) {
+    std::size_t count = 0;
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+        const auto spline = Handle(StepGeom_BSplineCurve)::DownCast(model->Value(i));
+        if (spline.IsNull() || spline->NbControlPointsList() < 1) continue;
+        const gp_XYZ first = place_of(spline->ControlPointsListValue(1));
+        const gp_XYZ last = place_of(spline->ControlPointsListValue(spline->NbControlPointsList()));
+        const double distance = std::hypot(last.X() - first.X(), last.Y() - first.Y(), last.Z() - first.Z());
+        if (distance == 0.0 || distance > Precision::Confusion()) continue;
+        imported.report.largest_error = std::max(imported.report.largest_error, distance);
+        ++count;
+    }
+    if (count > 0) imported.report.left_out.push_back(core::sentence(near_ends, count));
+}
+
+// The edges of the curves, of which those that OpenCASCADE makes no edge of are removed.
+TopoDS_Compound edges_of(std::vector<NamedSpline>& curves) {
     const BRep_Builder builder;
     TopoDS_Compound compound;
     builder.MakeCompound(compound);
-    for (const NamedSpline& curve : curves) builder.Add(compound, BRepBuilderAPI_MakeEdge(curve.spline).Edge());
+    std::erase_if(curves, [&](const NamedSpline& curve) {
+        BRepBuilderAPI_MakeEdge edge(curve.spline);
+        if (edge.IsDone()) builder.Add(compound, edge.Edge());
+        return !edge.IsDone();
+    });
     return compound;
 }
 
@@ -102,23 +138,24 @@ core::FileResult<Imported> read_step(const std::string& text) {
     auto imported = imported_edges(reader.OneShape(), process, step_name, lost_curves(reader.StepModel(), process));
     if (!imported) return imported;
     set_units(*imported, unit);
+    note_near_ends(*imported, reader.StepModel());
     return with_faults_told(*std::move(imported), reader.StepModel(), reader.WS()->ModelCheckList(), is_step_geometry);
 }
 
 core::FileResult<Exported> write_step(const core::Document& document) {
-    auto curves = geom_curves(document);
-    if (!curves) return tl::unexpected(curves.error());
+    std::vector<NamedSpline> curves = geom_curves(document);
+    const TopoDS_Compound edges = edges_of(curves);
     STEPControl_Writer writer;
-    Interface_Static::SetCVal("write.step.unit", curves->is_in_inches ? "INCH" : "MM");
+    Interface_Static::SetCVal("write.step.unit", is_in_inches(document) ? "INCH" : "MM");
     Interface_Static::SetIVal("write.step.assembly", 0);
-    writer.Transfer(edges_of(curves->curves), STEPControl_GeometricCurveSet);
-    set_names(writer.Model(), curves->curves);
+    writer.Transfer(edges, STEPControl_GeometricCurveSet);
+    set_names(writer.Model(), curves);
     StepData_StepWriter text(writer.Model());
     text.FloatWriter().SetFormat(all_digits);
     text.SendModel(StepAP214::Protocol());
     std::ostringstream stream;
     text.Print(stream);
-    return Exported{stream.str(), std::move(curves->report)};
+    return Exported{stream.str()};
 }
 
 }  // namespace batten::exchange::occt

@@ -106,7 +106,9 @@ class ThroughOpenCascade : public testing::TestWithParam<Format> {
         EXPECT_EQ(exported.report.left_out[0], said);
         const Imported imported = read(exported.text);
         ASSERT_EQ(imported.document.curves.size(), 1u);
-        EXPECT_LE(core::largest_deviation(*imported.document.curves[0].curve, curve), tolerance);
+        const double error = core::largest_deviation(*imported.document.curves[0].curve, curve);
+        EXPECT_LE(error, tolerance);
+        EXPECT_LE(error, exported.report.largest_error);
     }
 };
 
@@ -207,16 +209,81 @@ TEST_P(ThroughOpenCascade, TenThousandPointsStay) {
 TEST_P(ThroughOpenCascade, UnclampedAndPeriodicCurvesAreClamped) {
     expect_same_shape(
         made({.degree = 3, .knots = {0, 1, 2, 3, 4, 5, 6, 7, 9}, .points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}, {5, 5}}}),
-        "Curve 'wave' is written with clamped ends", 1e-14);
+        "'wave' was written with clamped ends", 1e-14);
     expect_same_shape(made({.degree = 3,
                             .knots = {0, 1, 2, 3, 4.5},
                             .points = {{0, 0}, {2, 0}, {2, 2}, {0.1, 2}},
                             .weights = {1, 2, 3, 4},
                             .periodic = true}),
-                      "Curve 'wave' is written with ends that meet, not as a periodic one", 1e-14);
+                      "'wave' is periodic and was written as an open curve whose ends meet", 1e-14);
     expect_same_shape(made({.degree = 2, .knots = {0, 0, 0, 1e-9, 1e-9, 1e-9}, .points = {{0, 0}, {1, 1}, {2, 0}}}),
-                      "Curve 'wave' is written over the parameters from 0 to 1, since its own are too near each other",
+                      "'wave' was written over the parameters from 0 to 1, since its own are too near each other",
                       1e-14);
+}
+
+// By exact fractions: with the knots 0, 1, ... the first end of the curve is (P0 + 4 P1 + P2) / 6 = (7/6, 10/6).
+TEST_P(ThroughOpenCascade, ClampedCopiesAreNotCalledExact) {
+    const core::Curve curve =
+        made({.degree = 3, .knots = {0, 1, 2, 3, 4, 5, 6, 7}, .points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}}});
+    const Exported exported = written(document_of(curve));
+    EXPECT_GT(exported.report.largest_error, 0.0) << "no double is 7/6";
+    EXPECT_LT(exported.report.largest_error, 2e-15);
+    const core::Point end = read(exported.text).document.curves.at(0).curve->control_points().front();
+    EXPECT_LE(std::abs(end.x - 7.0 / 6.0), exported.report.largest_error);
+    EXPECT_LE(std::abs(end.y - 10.0 / 6.0), exported.report.largest_error);
+}
+
+// Of STEP, OpenCASCADE makes ends one that are nearer than 1e-7.
+TEST_P(ThroughOpenCascade, WhatComesBackOtherwiseIsTold) {
+    for (const double size : {1e-9, 1e-150}) {
+        const core::Curve curve = made({.degree = 3,
+                                        .knots = clamped_knots(3),
+                                        .points = {{0, 0}, {size, 2 * size}, {3 * size, 2 * size}, {6 * size, 0}}});
+        const Exported exported = written(document_of(curve));
+        const core::Curve copy = *read(exported.text).document.curves.at(0).curve;
+        const double gone = core::distance(core::point_at(copy, 1.0), {6 * size, 0});
+        EXPECT_LE(gone, exported.report.largest_error) << size;
+        EXPECT_EQ(exported.report.left_out.empty(), gone == 0.0) << size;
+        if (GetParam() == Format::step) {
+            EXPECT_GT(gone, 5 * size);
+            EXPECT_GT(read(exported.text).report.largest_error, 5 * size) << "also when it is read";
+        }
+    }
+}
+
+TEST_P(ThroughOpenCascade, WhatDoesNotComeBackIsLeftOutByName) {
+    core::Document document = document_of(curve_over(3, {0.25}, true), "first");
+    const core::Curve huge =
+        made({.degree = 3, .knots = clamped_knots(3), .points = {{0, 0}, {1e300, 2e300}, {3e300, 2e300}, {4e300, 0}}});
+    document.curves.push_back(document_of(huge, "a huge one").curves[0]);
+    document.curves.push_back(document_of(curve_over(2, {0.5}, false), "third").curves[0]);
+    const Exported exported = written(document);
+    const Imported imported = read(exported.text);
+    const bool is_lost = std::ranges::find(exported.report.left_out,
+                                           "'a huge one' was left out: read from such a file, its numbers make no "
+                                           "curve") != exported.report.left_out.end();
+    ASSERT_EQ(imported.document.curves.size(), is_lost ? 2U : 3U);
+    EXPECT_EQ(core::largest_deviation(*imported.document.curves.front().curve, *document.curves.front().curve), 0.0);
+    EXPECT_EQ(core::largest_deviation(*imported.document.curves.back().curve, *document.curves.back().curve), 0.0);
+    EXPECT_EQ(exported.report.largest_error, 0.0) << "of what is there";
+    EXPECT_EQ(format().write(document_of(huge), {}).has_value(), !is_lost);
+}
+
+TEST_P(ThroughOpenCascade, SaysWhatFilesHaveNoPlaceFor) {
+    core::Document document = document_of(curve_over(3, {0.25}, true), "first");
+    document.curves.push_back(document_of(curve_over(2, {0.5}, false), "hidden").curves[0]);
+    document.curves[1].visible = false;
+    document.curves[0].color = core::DocumentColor{1, 2, 3};
+    document.curves[0].group = "parts";
+    document.pictures.emplace_back();
+    document.units = core::DocumentUnits{.unit = core::LengthUnit::px};
+    const Exported exported = written(document);
+    const std::vector<std::string> expected{"the lengths, which are pixels, were written in inches, 96 pixels each",
+                                            "one curve was left out, since it is hidden",
+                                            "one picture was left out; only curves are written",
+                                            "the format has no place for colors or groups of the document"};
+    EXPECT_EQ(exported.report.left_out, expected);
+    EXPECT_EQ(read(exported.text).document.units->unit, core::LengthUnit::inch);
 }
 
 TEST_P(ThroughOpenCascade, LengthsKeepTheirUnit) {
@@ -234,7 +301,7 @@ TEST_P(ThroughOpenCascade, LengthsKeepTheirUnit) {
     EXPECT_LT(error, 1e-14);
     document.units = std::nullopt;
     EXPECT_EQ(written(document).report.left_out.at(0),
-              "The document has no unit; its numbers are written as millimeters");
+              "the document has no unit; its numbers were written as millimeters");
 }
 
 TEST_P(ThroughOpenCascade, VisibleCurvesAreWrittenInOrderWithTheirNames) {
@@ -260,7 +327,7 @@ TEST_P(ThroughOpenCascade, WhatCannotBeWrittenIsRefused) {
                                                        .tears = core::Tears::allow})),
                                      {});
     ASSERT_FALSE(torn);
-    EXPECT_EQ(torn.error().what, "no visible curve can be written: there must be one that does not come apart");
+    EXPECT_EQ(torn.error().what, "'wave' was left out, since it comes apart at a knot");
 }
 
 // What tests/data/exchange/make_with_freecad.py drew.

@@ -1,0 +1,118 @@
+#include "exchange/cad/cad_curves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/measure/deviation.h"
+#include "core/refine/clamping.h"
+#include "core/refine/periodic.h"
+#include "core/refine/reparametrize.h"
+#include "exchange/written_curves.h"
+
+namespace batten::exchange {
+
+namespace {
+
+using core::PluralPattern;
+
+constexpr PluralPattern torn{"'{place}' was left out, since it comes apart at a knot",
+                             "{count} curves were left out, since they come apart at a knot, the first one '{place}'"};
+constexpr PluralPattern clamped_ends{"'{place}' was written with clamped ends",
+                                     "{count} curves were written with clamped ends, the first one '{place}'"};
+constexpr PluralPattern over_unit_interval{
+    "'{place}' was written over the parameters from 0 to 1, since its own are too near each other",
+    "{count} curves were written over the parameters from 0 to 1, since their own are too near each other, the first "
+    "one '{place}'"};
+constexpr PluralPattern not_clampable{
+    "'{place}' was left out, since it cannot be written with clamped ends",
+    "{count} curves were left out, since they cannot be written with clamped ends, the first one '{place}'"};
+
+constexpr double pixels_in_an_inch = 96.0;
+
+// Domains below a thousandth of this length lose parts or are refused when OpenCASCADE reads them.
+constexpr double shortest_domain = 1e-6;
+
+void set_unit(CadCurves& result, const core::Document& document) {
+    if (!document.units) return result.notes.add("the document has no unit; its numbers were written as millimeters");
+    result.unit = document.units->unit;
+    result.world = document.units->scale;
+    if (result.unit != core::LengthUnit::px) return;
+    result.unit = core::LengthUnit::inch;
+    result.world *= pixels_in_an_inch;
+    result.notes.add("the lengths, which are pixels, were written in inches, 96 pixels each");
+}
+
+bool is_clamped(const core::Curve& curve) {
+    return !curve.is_periodic() && core::is_clamped_at(curve.knots(), core::CurveEnd::start) &&
+           core::is_clamped_at(curve.knots(), core::CurveEnd::end);
+}
+
+// The curve with every coordinate multiplied or divided; and how far that is off by rounding, before it.
+struct Scaled {
+    core::Result<core::Curve> curve;
+    double error = 0.0;
+};
+
+Scaled in_units(const core::Curve& curve, double world) {
+    if (world == 1.0) return {curve};
+    core::CurveDefinition definition = curve.definition();
+    double error = 0.0;
+    const auto lost = [world](double coordinate) { return std::fma(coordinate / world, world, -coordinate); };
+    for (core::Point& point : definition.points) {
+        error = std::max(error, std::hypot(lost(point.x), lost(point.y)));
+        point = {point.x / world, point.y / world};
+    }
+    return {core::Curve::make(std::move(definition)), error};
+}
+
+class CadWriter {
+  public:
+    explicit CadWriter(const core::Document& document) { set_unit(result_, document); }
+
+    void add(const core::DocumentCurve& entry) {
+        const core::Curve& curve = *entry.curve;
+        const auto name = [&] { return entry.name; };
+        if (curve.is_torn()) return result_.notes.add(torn, name);
+        const bool was_clamped = is_clamped(curve);
+        const bool is_short = curve.domain().upper - curve.domain().lower < shortest_domain;
+        const auto clamped = was_clamped ? core::Result<core::Curve>(curve) : core::to_clamped(curve);
+        const auto placed = clamped.and_then([&](const core::Curve& c) {
+            return is_short ? core::reparametrize(c, {0.0, 1.0}) : core::Result<core::Curve>(c);
+        });
+        if (!placed) return result_.notes.add(not_clampable, name);
+        if (!was_clamped && !curve.is_periodic()) result_.notes.add(clamped_ends, name);
+        if (is_short) result_.notes.add(over_unit_interval, name);
+        const bool is_other = !was_clamped || is_short;
+        Scaled scaled = in_units(*placed, result_.world);
+        if (!scaled.curve) return result_.notes.add(not_clampable, name);
+        const double error = scaled.error + (is_other ? core::largest_deviation(*placed, curve) : 0.0);
+        result_.curves.push_back({entry.name, *std::move(scaled.curve), error});
+    }
+
+    core::FileResult<CadCurves> take() {
+        if (!result_.curves.empty()) return std::move(result_);
+        return tl::unexpected(core::FileError{{}, result_.notes.sentences().back()});
+    }
+
+    CadCurves& result() { return result_; }
+
+  private:
+    CadCurves result_;
+};
+
+}  // namespace
+
+core::FileResult<CadCurves> cad_curves(const core::Document& document) {
+    const auto entries = visible_curves(document);
+    if (!entries) return tl::unexpected(entries.error());
+    CadWriter writer(document);
+    note_losses(writer.result().notes, document, {.units = true});
+    for (const core::DocumentCurve* entry : *entries) writer.add(*entry);
+    return writer.take();
+}
+
+double copy_error(const CadCurves& curves, const CadCurve& written, const core::Curve& copy) {
+    return curves.world * core::largest_deviation(written.curve, copy);
+}
+
+}  // namespace batten::exchange
