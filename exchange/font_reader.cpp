@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/sentence.h"
+#include "core/base/utf8.h"
 #include "exchange/outline.h"
 
 namespace batten::exchange {
@@ -31,23 +32,9 @@ struct Character {
 
 // The character at the front of `text`; none where its bytes are no UTF-8.
 std::optional<Character> front_character(std::string_view text) {
-    constexpr unsigned int most_code = 0x10FFFF;
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned int lead = byte(0);
-    const std::size_t length = lead < 0x80   ? 1
-                               : lead < 0xC2 ? 0
-                               : lead < 0xE0 ? 2
-                               : lead < 0xF0 ? 3
-                               : lead < 0xF5 ? 4
-                                             : 0;
-    if (length == 0 || length > text.size()) return std::nullopt;
-    unsigned int code = length == 1 ? lead : lead & (0x7FU >> length);
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80U) return std::nullopt;
-        code = code << 6U | (byte(i) & 0x3FU);
-    }
-    if (code > most_code) return std::nullopt;
-    return Character{code, std::string(text.substr(0, length))};
+    const auto code = core::utf8_code(text);
+    if (!code) return std::nullopt;
+    return Character{*code, std::string(text.substr(0, core::utf8_length(text)))};
 }
 
 struct FaceCloser {

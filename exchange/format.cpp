@@ -1,8 +1,6 @@
 #include "exchange/format.h"
 
-#include <algorithm>
-#include <cctype>
-
+#include "core/base/ascii.h"
 #include "exchange/cad/cad_files.h"
 #include "exchange/csv_writer.h"
 #include "exchange/dxf/dxf_reader.h"
@@ -21,12 +19,6 @@ constexpr bool has_opencascade = true;
 #else
 constexpr bool has_opencascade = false;
 #endif
-
-std::string in_small_letters(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-    return text;
-}
 
 }  // namespace
 
@@ -102,7 +94,7 @@ const FormatSpec& spec_of(Format format) {
 }
 
 std::optional<Format> format_of(const std::filesystem::path& path) {
-    const std::string name = in_small_letters(path.filename().string());
+    const std::string name = core::in_small_letters(path.filename().string());
     std::optional<Format> found;
     std::size_t longest = 0;
     for (const FormatSpec& spec : all_formats()) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/ascii.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
@@ -43,9 +44,7 @@ std::string quoted(std::string_view entry) {
 // A name begins with a letter or a quotation mark; nan and inf are meant as numbers.
 bool is_name(std::string_view entry) {
     constexpr std::array numbers{"nan", "inf", "infinity"};
-    std::string word(entry);
-    for (char& c : word)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::string word = core::in_small_letters(entry);
     const bool begins_so = (word.front() >= 'a' && word.front() <= 'z') || word.front() == '"' || word.front() == '_';
     return begins_so && std::find(numbers.begin(), numbers.end(), word) == numbers.end();
 }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/picture/stb_image.h"
+#include "core/base/ascii.h"
 #include "core/base/sentence.h"
 
 namespace batten::picture {
@@ -71,9 +72,7 @@ tl::expected<render::Image, std::string> read_image(const fs::path& path) {
 }
 
 bool is_named_as_image(const fs::path& path) {
-    std::string ending = path.extension().string();
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::string ending = core::in_small_letters(path.extension().string());
     return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
 }
 

@@ -1,8 +1,8 @@
 #include "app/ui/folder_list.h"
 
 #include <algorithm>
-#include <cctype>
 
+#include "core/base/ascii.h"
 #include "core/base/sentence.h"
 
 namespace batten::ui {
@@ -10,10 +10,6 @@ namespace batten::ui {
 namespace {
 
 namespace fs = std::filesystem;
-
-char lower(char c) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-}
 
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
@@ -41,8 +37,8 @@ int compare_names(std::string_view a, std::string_view b) {
             const int order = compare_numbers(take_number(a), take_number(b));
             if (order != 0) return order;
         } else {
-            const int order =
-                static_cast<unsigned char>(lower(a.front())) - static_cast<unsigned char>(lower(b.front()));
+            const int order = static_cast<unsigned char>(core::small_letter(a.front())) -
+                              static_cast<unsigned char>(core::small_letter(b.front()));
             if (order != 0) return order;
             a.remove_prefix(1);
             b.remove_prefix(1);
@@ -62,8 +58,7 @@ bool stands_before(const FolderEntry& a, const FolderEntry& b) {
 }
 
 bool has_ending(const fs::path& path, const std::vector<std::string>& endings) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), lower);
+    const std::string ending = core::in_small_letters(path.extension().string());
     return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
@@ -97,7 +92,7 @@ FolderContent read_folder(const fs::path& folder, const std::vector<std::string>
 }
 
 std::vector<std::size_t> entries_with(const std::vector<FolderEntry>& entries, std::string_view text) {
-    const auto are_same = [](char a, char b) { return lower(a) == lower(b); };
+    const auto are_same = [](char a, char b) { return core::small_letter(a) == core::small_letter(b); };
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const std::string& name = entries[i].name;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/ascii.h"
+
 namespace batten::ui {
 
 namespace {
@@ -20,7 +22,7 @@ std::string folded(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const bool is_e_acute = text.substr(i, 2) == "é" || text.substr(i, 2) == "É";
-        result += is_e_acute ? 'e' : static_cast<char>(std::tolower(static_cast<unsigned char>(text[i])));
+        result += is_e_acute ? 'e' : core::small_letter(text[i]);
         if (is_e_acute) ++i;
     }
     return result;

@@ -27,6 +27,17 @@ std::size_t utf8_length(std::string_view text) {
     return (first == 0xf0U && second < 0x90U) || (first == 0xf4U && second > 0x8fU) ? 0 : 4;
 }
 
+std::optional<char32_t> utf8_code(std::string_view text) {
+    const std::size_t length = utf8_length(text);
+    if (length == 0) return std::nullopt;
+    const unsigned first = byte_at(text, 0);
+    if (length == 1) return first;
+    constexpr unsigned bits_of_first = 0x7fU;
+    char32_t code = first & (bits_of_first >> length);
+    for (std::size_t i = 1; i < length; ++i) code = (code << 6U) | (byte_at(text, i) & 0x3fU);
+    return code;
+}
+
 bool is_utf8(std::string_view text) {
     while (!text.empty()) {
         const std::size_t length = utf8_length(text);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace batten::core {
@@ -9,6 +10,9 @@ namespace batten::core {
 /// How many bytes the character at the front of `text` has, 1 to 4; 0 where there is none. Overlong forms and halves of
 /// pairs are none.
 std::size_t utf8_length(std::string_view text);
+
+/// The number of that character in Unicode; none where there is none.
+std::optional<char32_t> utf8_code(std::string_view text);
 
 /// Whether `text` consists of such characters. Cost O(n).
 bool is_utf8(std::string_view text);

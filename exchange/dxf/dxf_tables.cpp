@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/ascii.h"
+
 namespace batten::exchange {
 
 namespace {
@@ -23,10 +25,7 @@ constexpr std::array coded_units{CodedUnit{"1", LengthUnit::inch, 1.0}, CodedUni
 }  // namespace
 
 std::string layer_key(std::string_view name) {
-    std::string key(name);
-    std::ranges::transform(key, key.begin(),
-                           [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-    return key;
+    return core::in_small_letters(name);
 }
 
 std::optional<core::DocumentUnits> units_of_code(std::string_view code) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/ascii.h"
 #include "exchange/svg/color_names.h"
 #include "exchange/svg/scanner.h"
 
@@ -22,9 +23,7 @@ std::string_view stripped(std::string_view text) {
 }
 
 std::string in_lower_case(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return lower;
+    return core::in_small_letters(text);
 }
 
 // "rgb(76, 127, 224)", also with % and an opacity, which is not read.

@@ -13,6 +13,7 @@
 #include "app/editor/words/length.h"
 #include "app/editor/words/refusal.h"
 #include "app/editor/words/wording.h"
+#include "core/base/ascii.h"
 #include "core/base/sentence.h"
 #include "core/curve/knot_kinds.h"
 #include "core/document/point_table.h"
@@ -259,9 +260,7 @@ std::vector<Field> table_fields(Field source) {
 }  // namespace
 
 bool is_named_as_table(const fs::path& path) {
-    std::string ending = path.extension().string();
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::string ending = core::in_small_letters(path.extension().string());
     return ending == ".csv" || ending == ".dat" || ending == ".tsv" || ending == ".txt";
 }
 

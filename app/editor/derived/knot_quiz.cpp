@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/base/ascii.h"
 #include "core/base/number_text.h"
 
 namespace batten::editor {
@@ -188,7 +189,7 @@ std::vector<QuizOption> quiz_options(const core::KnotVector& knots, KnotQuestion
 std::string quiz_answer(KnotQuestion question, const std::string& typed) {
     std::string text;
     for (const char c : typed)
-        if (c != ' ') text += static_cast<char>('A' <= c && c <= 'Z' ? c - 'A' + 'a' : c);
+        if (c != ' ') text += core::small_letter(c);
     if (question == KnotQuestion::uniform) {
         if (text == "yes" || text == "uniform") return "yes";
         return text == "no" || text == "notuniform" ? "no" : "";

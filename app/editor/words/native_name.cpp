@@ -1,9 +1,9 @@
 #include "app/editor/words/native_name.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "app/editor/words/ascii.h"
+#include "core/base/ascii.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -34,14 +34,8 @@ std::string ending_of(const std::filesystem::path& path) {
     return behind.size() > 1 && is_ending(behind.substr(1)) ? behind.substr(1) : std::string();
 }
 
-std::string in_small_letters(std::string ending) {
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-    return ending;
-}
-
 bool is_native(const std::string& ending) {
-    return in_small_letters(ending) == "json";
+    return core::in_small_letters(ending) == "json";
 }
 
 // "wave.json" for "wave.svg", and "wave.bak.json" for "wave.json.bak", which is beside "wave.json".
@@ -77,7 +71,7 @@ Outcome<std::filesystem::path> native_path(const std::filesystem::path& path) {
 }
 
 bool is_named_as_figure(const std::filesystem::path& path) {
-    const std::string ending = in_small_letters(ending_of(path));
+    const std::string ending = core::in_small_letters(ending_of(path));
     return ending == "pdf" || ending == "png" || ending == "tex";
 }
 

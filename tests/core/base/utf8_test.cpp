@@ -13,6 +13,16 @@ TEST(Utf8, KnowsTheLengthsOfCharacters) {
     for (const char* four : {"\xf0\x90\x80\x80", "\xf4\x8f\xbf\xbf"}) EXPECT_EQ(utf8_length(four), 4U) << four;
 }
 
+// By the code charts of the Unicode standard.
+TEST(Utf8, KnowsTheNumbersOfCharacters) {
+    EXPECT_EQ(utf8_code("ab"), 0x61U);
+    EXPECT_EQ(utf8_code("Ж"), 0x416U);
+    EXPECT_EQ(utf8_code("−1"), 0x2212U);
+    EXPECT_EQ(utf8_code("\xf0\x9f\x98\x80"), 0x1f600U);
+    EXPECT_EQ(utf8_code("\xf4\x8f\xbf\xbf"), 0x10ffffU);
+    for (const char* none : {"", "\xc2", "\xe0\x9f\xbf", "\xed\xa0\x80"}) EXPECT_FALSE(utf8_code(none)) << none;
+}
+
 TEST(Utf8, RefusesWhatIsNoCharacter) {
     for (const char* none : {"", "\x80", "\xc1\xbf", "\xc2", "\xc2\x41", "\xe0\x9f\xbf", "\xed\xa0\x80", "\xe2\x88",
                              "\xf0\x8f\xbf\xbf", "\xf4\x90\x80\x80", "\xf0\x9f\x98", "\xf5\x80\x80\x80", "\xff"})

@@ -1,0 +1,17 @@
+#include "core/base/ascii.h"
+
+#include <gtest/gtest.h>
+
+namespace batten::core {
+
+TEST(Ascii, only_its_capital_letters_become_small) {
+    std::string all;
+    for (int c = 0; c < 256; ++c) all.push_back(static_cast<char>(c));
+    const std::string small = in_small_letters(all);
+    for (int c = 0; c < 256; ++c)
+        EXPECT_EQ(static_cast<unsigned char>(small[static_cast<std::size_t>(c)]), c >= 65 && c <= 90 ? c + 32 : c);
+    EXPECT_EQ(in_small_letters("ZIGZAG.SVG"), "zigzag.svg");
+    EXPECT_EQ(in_small_letters("ÄZ"), "Äz");
+}
+
+}  // namespace batten::core
