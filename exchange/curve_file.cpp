@@ -47,12 +47,12 @@ std::string beginning_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-core::FileError with_advice(core::FileError error, const std::filesystem::path& path) {
+core::FileError with_advice(core::FileError error, const std::filesystem::path& path, std::optional<Format> read) {
     const std::string text = beginning_of(path);
     if (text.find("\"batten\"") != std::string::npos) return error;
     const auto* const sign =
         std::ranges::find_if(signs, [&](const Sign& each) { return text.find(each.text) != std::string::npos; });
-    if (sign == signs.end()) return error;
+    if (sign == signs.end() || sign->format == read) return error;
     error.what = core::sentence("{what}; it looks like a {format} file, a format that has to be chosen",
                                 {{"what", error.what}, {"format", core::title_of(sign->format)}});
     return error;
@@ -60,7 +60,9 @@ core::FileError with_advice(core::FileError error, const std::filesystem::path& 
 
 core::FileResult<Imported> load_curves(const std::filesystem::path& path, Format format) {
     if (spec_of(format).read == nullptr) return tl::unexpected(unread(format));
-    return read_curves(core::read_text(path), format);
+    return read_curves(core::read_text(path), format).map_error([&](core::FileError error) {
+        return with_advice(std::move(error), path, format);
+    });
 }
 
 core::FileResult<Imported> load_curves(int descriptor, const std::string& name, Format format) {

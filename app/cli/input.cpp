@@ -19,6 +19,12 @@ void say_error(Output output, const std::filesystem::path& file, const core::Fil
 core::FileResult<exchange::Imported> read_curves(const std::filesystem::path& file,
                                                  std::optional<exchange::Format> format) {
     if (!format) format = exchange::format_of(file);
+    if (format == exchange::Format::csv)
+        return tl::unexpected(core::FileError{
+            "",
+            core::sentence("a table holds points, of which 'batten new interpolate @{file}' or 'batten new polyline "
+                           "@{file}' makes a curve",
+                           {{"file", shown_name(file)}})});
     if (format)
         return is_standard(file) ? exchange::load_curves(standard_input, shown_name(file), *format)
                                  : exchange::load_curves(file, *format);

@@ -43,10 +43,11 @@ class PointReader {
         if (first == lines_.size()) return tl::unexpected(no_numbers());
         if (auto chosen = choose_columns(first); !chosen) return tl::unexpected(chosen.error());
         table_.points.reserve(lines_.size() - first);
+        const std::size_t parameter = column_named('u');
         for (std::size_t i = first; i < lines_.size(); ++i) {
             auto point = point_of(lines_[i]);
             if (!point) return tl::unexpected(point.error());
-            table_.points.push_back(*point);
+            if (!is_other_side(*point, parameter)) table_.points.push_back(*point);
         }
         join_sides();
         return std::move(table_);
@@ -148,6 +149,19 @@ class PointReader {
         return number_at(line, table_.columns.y).map([&](double y) { return Point(*x, y); });
     }
 
+    // Whether this row, whose cells were read last, has the place of the row before it, as tables of samples have both
+    // sides of a knot at which a derivative jumps.
+    bool is_other_side(Point point, std::size_t parameter) {
+        if (parameter == 0 || parameter > cells_.size()) return false;
+        const auto u = number_in(cells_[parameter - 1], dialect_.has_decimal_commas);
+        constexpr double rounding = 1e-12;  // of each side by itself
+        const bool is_same =
+            u && u == last_parameter_ && !table_.points.empty() &&
+            distance(table_.points.back(), point) <= rounding * (std::abs(point.x) + std::abs(point.y));
+        last_parameter_ = u;
+        return is_same;
+    }
+
     FileResult<double> number_at(const TableLine& line, std::size_t column) const {
         if (column == 0 || column > cells_.size())
             return tl::unexpected(error_at(
@@ -183,6 +197,7 @@ class PointReader {
     std::optional<TableColumns> asked_;
     PointTable table_;
     std::vector<std::string_view> cells_;
+    std::optional<double> last_parameter_{};
 };
 
 }  // namespace

@@ -39,8 +39,9 @@ struct PointTable {
 /// `columns` left out are those with the headings x and y, in any case, else the first two that hold numbers. An
 /// airfoil may be given around (Selig), or as two numbers of points and then its upper and its lower side from the nose
 /// (Lednicer); the latter becomes the former. Line ends of all systems, a byte order mark, typographic minus signs and
-/// blanks do no harm. The error names line and column: a cell that is empty or no finite number, a column that the line
-/// does not have; or there are no two columns of numbers. Cost O(n).
+/// blanks do no harm. Of samples of a curve, in a table with a column u, a place that has two rows is one point. The
+/// error names line and column: a cell that is empty or no finite number, a column that the line does not have; or
+/// there are no two columns of numbers. Cost O(n).
 [[nodiscard]] FileResult<PointTable> read_point_table(std::string_view text,
                                                       std::optional<TableColumns> columns = std::nullopt);
 

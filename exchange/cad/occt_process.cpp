@@ -105,16 +105,24 @@ std::optional<pid_t> start(const std::filesystem::path& program, const char* tas
     return error == 0 ? std::optional(process) : std::nullopt;
 }
 
+// The limit of processor time ends a process by these.
+bool is_end_of_time(int signal) {
+    return signal == SIGXCPU || signal == SIGKILL;
+}
+
+enum class End { well, badly, late };
+
 // Waits for the end of `process`, and brings it about after `deadline`.
-bool ended_well(pid_t process, Clock::time_point deadline) {
+End end_of(pid_t process, Clock::time_point deadline) {
     constexpr auto pause = std::chrono::milliseconds(1);
     int status = 0;
     for (;;) {
         const bool is_late = Clock::now() >= deadline;
         if (is_late) kill(process, SIGKILL);
         const pid_t ended = waitpid(process, &status, is_late ? 0 : WNOHANG);
-        if (ended > 0) return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-        if (ended < 0 && errno != EINTR) return false;
+        if (ended > 0 && (is_late || (WIFSIGNALED(status) && is_end_of_time(WTERMSIG(status))))) return End::late;
+        if (ended > 0) return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? End::well : End::badly;
+        if (ended < 0 && errno != EINTR) return End::badly;
         if (ended == 0) std::this_thread::sleep_for(pause);
     }
 }
@@ -150,8 +158,11 @@ core::FileResult<OcctAnswer> ask_occt(const char* task, const char* format, std:
             "libexec/batten");
     const std::optional<std::string> answer = read_all(output.number(), deadline);
     output.close();
-    if (!ended_well(*process, answer ? deadline : Clock::now()) || !answer)
-        return occt_error("OpenCASCADE fails on this file, or takes more than a minute or 4 GB");
+    const bool is_late = Clock::now() >= deadline;
+    const End end = end_of(*process, answer ? deadline : Clock::now());
+    if (!answer && !is_late && end == End::late) return occt_error("OpenCASCADE makes more than 256 MiB of this file");
+    if (end == End::late) return occt_error("OpenCASCADE takes more than a minute for this file");
+    if (end == End::badly || !answer) return occt_error("OpenCASCADE fails on this file");
     return answer_of(*answer);
 }
 

@@ -50,6 +50,7 @@ std::optional<DxfGroup> DxfGroups::next() {
         const std::string_view text = take_line();
         const std::optional<int> code = code_of(text);
         constexpr std::size_t longest_quotation = 40;
+        if (text.find('\0') != std::string_view::npos) return refuse("there is a zero byte; the file must be text");
         if (!code)
             return refuse(core::sentence("found \"{found}\", but a group code must be a whole number from -5 to 1071",
                                          {{"found", utf8_text(text.substr(0, longest_quotation))}}));

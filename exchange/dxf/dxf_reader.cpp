@@ -124,6 +124,7 @@ core::FileResult<Imported> DxfReader::read() {
         if (group->value == "EOF") return std::move(found_).finish("there are no curves in this file");
     }
     if (groups_.error()) return tl::unexpected(*groups_.error());
+    if (groups_.line() == 0) return tl::unexpected(core::FileError{"", "the file is empty"});
     return tl::unexpected(
         core::FileError{line_place(groups_.line()), "the file ends without its end mark, EOF; it is not whole"});
 }

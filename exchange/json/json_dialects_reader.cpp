@@ -198,11 +198,11 @@ void add_curve(Collector& collector, const JsonValue& object, ReadObject read, c
     if (found.has_repeated_ends) collector.notes().add(ends_repeated, place);
 }
 
-// All curves of `value`, which is one or a list of them.
+// All curves of `value`, which is one or a list of them, at `place`: empty for the top of the file.
 core::FileResult<Imported> read_curves(const JsonValue& value, ReadObject read, const std::string& place) {
     Collector collector;
     const JsonList* list = value.list();
-    if (list == nullptr) add_curve(collector, value, read, [&] { return place; });
+    if (list == nullptr) add_curve(collector, value, read, [&] { return place.empty() ? "the top" : place; });
     if (list != nullptr)
         for (std::size_t i = 0; i < list->items.size(); ++i)
             add_curve(collector, list->items[i], read, [&] { return fmt::format("{}/{}", place, i); });
@@ -212,7 +212,7 @@ core::FileResult<Imported> read_curves(const JsonValue& value, ReadObject read, 
 core::FileResult<Imported> read_list_of_curves(std::string_view text, ReadObject read) {
     return parse_json_tree(text).and_then([&](const JsonValue& tree) {
         const JsonValue* curves = tree.member("curves");
-        return curves == nullptr ? read_curves(tree, read, "/") : read_curves(*curves, read, "/curves");
+        return curves == nullptr ? read_curves(tree, read, "") : read_curves(*curves, read, "/curves");
     });
 }
 

@@ -3,8 +3,10 @@
 #include <unistd.h>
 
 #include <Standard_Failure.hxx>
+#include <Standard_OutOfMemory.hxx>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -79,6 +81,10 @@ Json write_answer(std::string_view format) {
 Json answer(std::string_view task, std::string_view format) {
     try {
         return task == "read" ? read_answer(format) : write_answer(format);
+    } catch (const std::bad_alloc&) {
+        return json_of_error({.where = {}, .what = "OpenCASCADE needs more than 4 GB for this file"});
+    } catch (const Standard_OutOfMemory&) {
+        return json_of_error({.where = {}, .what = "OpenCASCADE needs more than 4 GB for this file"});
     } catch (const Standard_Failure&) {
         return json_of_error({.where = {}, .what = "OpenCASCADE fails on this file"});
     } catch (const std::exception&) {

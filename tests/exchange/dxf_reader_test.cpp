@@ -285,7 +285,11 @@ TEST(DxfReader, RefusesWhatIsNoDrawing) {
               "line 5: the file ends after a group code; a value must follow it");
     EXPECT_EQ(refusal_of(std::string_view("0\nSEC\0TION\n2\n", 14)),
               "line 2: there is a zero byte; the file must be text");
-    EXPECT_EQ(refusal_of(""), "line 0: the file ends without its end mark, EOF; it is not whole");
+    EXPECT_EQ(refusal_of(std::string_view("\x7f"
+                                          "ELF\0\1\n",
+                                          7)),
+              "line 1: there is a zero byte; the file must be text");
+    EXPECT_EQ(refusal_of(""), "the file is empty");
     EXPECT_EQ(refusal_of(drawing("999 comment")), "there are no curves in this file");
 }
 

@@ -259,14 +259,16 @@ TEST(JsonDialects, SayWhatIsWrongAndWhere) {
     EXPECT_EQ(refusal_by(read_rhino, "[1e999]"), "line 1, column 6: the number is too large; numbers must be finite");
     EXPECT_EQ(refusal_by(read_rhino, "[]"), "there are no curves in this file");
     EXPECT_EQ(refusal_by(read_rhino, "[1, 2]"), "there are no curves in this file");
-    EXPECT_EQ(refusal_by(read_rhino, "3"), "curve at / was left out: it is no object");
-    EXPECT_EQ(refusal_by(read_rhino, R"({"degree": 2})"), "curve at / was left out: the member \"knots\" is missing");
+    EXPECT_EQ(refusal_by(read_rhino, "3"), "curve at the top was left out: it is no object");
+    EXPECT_EQ(refusal_by(read_rhino, R"({"degree": 2})"),
+              "curve at the top was left out: the member \"knots\" is missing");
     EXPECT_EQ(refusal_by(read_rhino, R"({"degree": 2.5})"),
-              "curve at / was left out: \"degree\" is 2.5, but it must be a whole number from 1 to 25");
+              "curve at the top was left out: \"degree\" is 2.5, but it must be a whole number from 1 to 25");
     EXPECT_EQ(refusal_by(read_rhino, R"({"degree": 2, "knots": [1, "a"]})"),
-              "curve at / was left out: \"knots\" must be a list of numbers");
-    EXPECT_EQ(refusal_by(read_rhino, R"({"degree": 2, "knots": [1], "points": [[1, 2], [1, 2, 3]]})"),
-              "curve at / was left out: \"points\" must be a list of points, each a list of two or three numbers");
+              "curve at the top was left out: \"knots\" must be a list of numbers");
+    EXPECT_EQ(
+        refusal_by(read_rhino, R"({"degree": 2, "knots": [1], "points": [[1, 2], [1, 2, 3]]})"),
+        "curve at the top was left out: \"points\" must be a list of points, each a list of two or three numbers");
     EXPECT_EQ(refusal_by(read_rhino, R"({"degree": 2, "degree": 3})"),
               "the member \"degree\" occurs twice in one object; every name may occur once");
     EXPECT_EQ(refusal_by(read_nurbs_python, "{}"),

@@ -143,18 +143,24 @@ class OcctProcess : public testing::Test {
     std::string script_ = testing::TempDir() + "batten_occt_" + std::to_string(getpid());
 };
 
-constexpr const char* occt_failed = "OpenCASCADE fails on this file, or takes more than a minute or 4 GB";
+constexpr const char* occt_is_late = "OpenCASCADE takes more than a minute for this file";
 
 }  // namespace
 
 TEST_F(OcctProcess, AnAnswerThatIsTooLongEndsIt) {
-    EXPECT_EQ(told("exec cat /dev/zero", std::chrono::minutes(2)), occt_failed);
+    EXPECT_EQ(told("exec cat /dev/zero", std::chrono::minutes(2)), "OpenCASCADE makes more than 256 MiB of this file");
 }
 
 TEST_F(OcctProcess, WaitingWithoutAnAnswerEndsIt) {
-    EXPECT_EQ(told("exec sleep 100", std::chrono::milliseconds(200)), occt_failed);
+    EXPECT_EQ(told("exec sleep 100", std::chrono::milliseconds(200)), occt_is_late);
     EXPECT_EQ(told("echo '{\"text\": \"whole\"}'; exec >&-; exec sleep 100", std::chrono::milliseconds(200)),
-              occt_failed);
+              occt_is_late);
+}
+
+TEST_F(OcctProcess, EachEndHasItsSentence) {
+    EXPECT_EQ(told("kill -SEGV $$", std::chrono::minutes(2)), "OpenCASCADE fails on this file");
+    EXPECT_EQ(told("exit 3", std::chrono::minutes(2)), "OpenCASCADE fails on this file");
+    EXPECT_EQ(told("kill -XCPU $$", std::chrono::minutes(2)), occt_is_late);
 }
 
 TEST_F(OcctProcess, AnswersInTimeAreTaken) {

@@ -113,6 +113,16 @@ TEST(PointTable, a_first_line_with_a_slip_is_no_heading) {
               "line 1, column 2: 'abc' is not a finite number; this table has decimal points");
 }
 
+// As `batten convert -o wave.csv` writes a knot at which a derivative jumps, and a tear, where the curve does.
+TEST(PointTable, takes_two_rows_of_one_place_for_one_point) {
+    const std::string heading = "curve,u,x,y,x',y'\n";
+    const std::vector<Point> expected{{0, 0}, {1, 2}, {3, 0}, {4, 4}};
+    EXPECT_EQ(table_of(heading + "a,0,0,0,1,1\na,0.5,1,2,1,0\na,0.5,1,2,0,1\na,1,3,0,1,1\na,1,4,4,1,1\n").points,
+              expected);
+    EXPECT_EQ(table_of("t,v,x,y\na,0,1,1\na,0,1,1\n").points.size(), 2U) << "rows of something else";
+    EXPECT_EQ(table_of("u,x,y\n0,1,1\n1,1,1\n").points.size(), 2U) << "two places";
+}
+
 TEST(PointTable, reads_a_hundred_thousand_rows) {
     std::string text = "t;x;y\n";
     for (int i = 0; i < 100000; ++i) text += std::to_string(i) + ";0," + std::to_string(i) + ";7\n";
