@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "tests/core/random_curves.h"
+#include "tests/core/document/random_document.h"
 
 namespace batten::core {
 namespace {
@@ -64,28 +64,6 @@ void expect_error(const std::string& text, const std::string& where, const std::
 Document titled(const std::string& title) {
     Document document;
     document.title = title;
-    return document;
-}
-
-Document random_document(RandomCurves& random) {
-    Document document;
-    document.title = "Title \"with\" \\ and \n é";
-    for (int i = random.whole(0, 4); i > 0; --i) {
-        DocumentCurve entry;
-        entry.name = random.whole(0, 1) == 0 ? "same" : std::to_string(i);
-        entry.curve = std::make_shared<const Curve>(random.curve());
-        if (random.whole(0, 1) == 0) entry.color = DocumentColor{0x4c, 0x7f, 0xe0};
-        entry.visible = random.whole(0, 1) == 0;
-        entry.locked = random.whole(0, 1) == 0;
-        if (random.whole(0, 1) == 0) entry.unknown_members = R"({"z":{"deep":[1,[2.5,{}]]},"a":null})";
-        document.curves.push_back(entry);
-    }
-    if (!document.curves.empty())
-        document.active = static_cast<std::size_t>(random.whole(0, static_cast<int>(document.curves.size()) - 1));
-    if (random.whole(0, 1) == 0) document.view.parameter = random.number(-9.0, 9.0);
-    if (random.whole(0, 1) == 0) document.view.overlays = {"polygon", "knots"};
-    if (random.whole(0, 1) == 0) document.view.unknown_members = R"({"zoom":1e-12})";
-    if (random.whole(0, 1) == 0) document.unknown_members = R"({"author":"nobody","1":[true]})";
     return document;
 }
 
