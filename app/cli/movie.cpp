@@ -9,12 +9,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <utility>
 #include <vector>
 
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
+#include "core/document/file_text.h"
 
 namespace batten::cli {
 
@@ -73,11 +73,6 @@ std::string reason_of(int error) {
     return core::sentence("ffmpeg cannot be run: {reason}", {{"reason", std::strerror(error)}});
 }
 
-std::string bytes_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 std::string file_name_of(std::size_t frame) {
     constexpr std::size_t digits = 6;
     std::string number = std::to_string(frame);
@@ -120,8 +115,10 @@ tl::expected<std::string, std::string> MovieMaker::movie(MovieFormat format, dou
     if (status > 0) return tl::unexpected(reason_of(status));
     if (status < 0)
         return tl::unexpected(
-            core::sentence("ffmpeg cannot make the movie: {reason}", {{"reason", bytes_of(folder_ / messages)}}));
-    return bytes_of(folder_ / (format == MovieFormat::gif ? "movie.gif" : "movie.mp4"));
+            core::sentence("ffmpeg cannot make the movie: {reason}",
+                           {{"reason", core::read_bytes(folder_ / messages).value_or(std::string())}}));
+    return core::read_bytes(folder_ / (format == MovieFormat::gif ? "movie.gif" : "movie.mp4"))
+        .map_error([](const core::FileError& error) { return error.sentence(); });
 }
 
 }  // namespace batten::cli
