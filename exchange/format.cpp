@@ -23,69 +23,37 @@ constexpr bool has_opencascade = false;
 }  // namespace
 
 std::span<const FormatSpec> all_formats() {
+    constexpr Reader from_iges = has_opencascade ? read_iges : nullptr;
+    constexpr Reader from_step = has_opencascade ? read_step : nullptr;
+    constexpr Writer to_iges = has_opencascade ? write_iges : nullptr;
+    constexpr Writer to_step = has_opencascade ? write_step : nullptr;
+    using enum Format;
     static const std::vector<FormatSpec> formats{
-        {
-            .format = Format::svg,
-            .endings = {".svg"},
-            .note = "paths as Bézier pieces, within a millionth of the size where they are not cubic",
-            .read = read_svg,
-            .write = write_svg,
-        },
-        {
-            .format = Format::dxf,
-            .endings = {".dxf"},
-            .note = "curves as splines, with all their knots and weights",
-            .read = read_dxf,
-            .write = write_dxf,
-        },
-        {
-            .format = Format::nurbs_python,
-            .endings = {".nurbs-python.json"},
-            .note = "n + p + 1 knots, weights apart from the points",
-            .read = read_nurbs_python,
-            .write = write_nurbs_python,
-        },
-        {
-            .format = Format::tinyspline,
-            .endings = {".tinyspline.json"},
-            .note = "homogeneous control points (xw, yw, w) where weights differ",
-            .read = read_tinyspline,
-            .write = write_tinyspline,
-        },
-        {
-            .format = Format::rhino,
-            .endings = {".rhino.json"},
-            .note = "n + p − 1 knots: one fewer at each end",
-            .read = read_rhino,
-            .write = write_rhino,
-        },
-        {
-            .format = Format::opencascade,
-            .endings = {".opencascade.json"},
-            .note = "distinct knots with their multiplicities",
-            .read = read_opencascade,
-            .write = write_opencascade,
-        },
-        {
-            .format = Format::iges,
-            .endings = {".igs", ".iges"},
-            .note = "plane curves of type 126",
-            .read = has_opencascade ? read_iges : nullptr,
-            .write = has_opencascade ? write_iges : nullptr,
-        },
-        {
-            .format = Format::step,
-            .endings = {".step", ".stp"},
-            .note = "plane curves with distinct knots and multiplicities",
-            .read = has_opencascade ? read_step : nullptr,
-            .write = has_opencascade ? write_step : nullptr,
-        },
-        {
-            .format = Format::csv,
-            .endings = {".csv"},
-            .note = "samples with u, x, y, derivatives and curvature",
-            .write = write_csv,
-        }};
+        {svg,
+         {".svg"},
+         "paths as Bézier pieces, within a millionth of the size where they are not cubic",
+         read_svg,
+         write_svg},
+        {dxf, {".dxf"}, "curves as splines, with all their knots and weights", read_dxf, write_dxf},
+        {nurbs_python,
+         {".nurbs-python.json"},
+         "n + p + 1 knots, weights apart from the points",
+         read_nurbs_python,
+         write_nurbs_python},
+        {tinyspline,
+         {".tinyspline.json"},
+         "homogeneous control points (xw, yw, w) where weights differ",
+         read_tinyspline,
+         write_tinyspline},
+        {rhino, {".rhino.json"}, "n + p − 1 knots: one fewer at each end", read_rhino, write_rhino},
+        {opencascade,
+         {".opencascade.json"},
+         "distinct knots with their multiplicities",
+         read_opencascade,
+         write_opencascade},
+        {iges, {".igs", ".iges"}, "plane curves of type 126", from_iges, to_iges},
+        {step, {".step", ".stp"}, "plane curves with distinct knots and multiplicities", from_step, to_step},
+        {csv, {".csv"}, "samples with u, x, y, derivatives and curvature", nullptr, write_csv}};
     return formats;
 }
 
