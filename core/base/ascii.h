@@ -1,4 +1,4 @@
-/// Letters of ASCII, whatever the locale: names of files, keywords and headings are compared by them.
+/// Letters and blanks of ASCII, whatever the locale: names of files, keywords and headings are compared by them.
 #pragma once
 
 #include <string>
@@ -16,6 +16,13 @@ inline std::string in_small_letters(std::string_view text) {
     std::string small(text);
     for (char& c : small) c = small_letter(c);
     return small;
+}
+
+/// `text` without the blanks, tabs and line ends around it.
+constexpr std::string_view without_blanks(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(blanks);
+    return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
 }  // namespace batten::core

@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "core/base/ascii.h"
 #include "core/base/sentence.h"
 #include "exchange/places.h"
 #include "exchange/utf8_text.h"
@@ -13,13 +14,6 @@ namespace {
 constexpr int comment_code = 999;
 constexpr int least_code = -5;
 constexpr int most_code = 1071;
-
-std::string_view without_blanks(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r";
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 std::optional<int> code_of(std::string_view text) {
     int code = 0;
@@ -36,7 +30,7 @@ std::string_view DxfGroups::take_line() {
     const std::size_t end = rest_.find('\n');
     const std::string_view line = rest_.substr(0, end);
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    return without_blanks(line);
+    return core::without_blanks(line);
 }
 
 std::optional<DxfGroup> DxfGroups::refuse(std::string what) {

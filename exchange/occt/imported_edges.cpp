@@ -21,12 +21,14 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/ascii.h"
 #include "core/base/sentence.h"
 #include "core/curve/control_box.h"
 #include "core/curve/knot_analysis.h"
 #include "core/refine/clamping.h"
 #include "core/refine/periodic.h"
 #include "core/refine/split.h"
+#include "exchange/collector.h"
 
 namespace batten::exchange::occt {
 
@@ -162,21 +164,42 @@ FlatCurve flat_edge(const TopoDS_Edge& edge) {
     }
 }
 
-constexpr core::PluralPattern in_other_planes{"One curve is left out: it does not lie in a plane with one z",
+constexpr core::PluralPattern in_other_planes{"one curve is left out: it does not lie in a plane with one z",
                                               "{count} curves are left out: they do not lie in planes with one z each"};
 constexpr core::PluralPattern of_other_kinds{
-    "One curve is left out: it is neither a line nor a conic nor a spline",
+    "one curve is left out: it is neither a line nor a conic nor a spline",
     "{count} curves are left out: they are neither lines nor conics nor splines"};
-constexpr core::PluralPattern without_ends{"One curve is left out: it has no ends",
+constexpr core::PluralPattern without_ends{"one curve is left out: it has no ends",
                                            "{count} curves are left out: they have no ends"};
-constexpr core::PluralPattern beyond_doubles{"One curve is left out: its numbers make no curve",
+constexpr core::PluralPattern beyond_doubles{"one curve is left out: its numbers make no curve",
                                              "{count} curves are left out: their numbers make no curves"};
-constexpr core::PluralPattern raised_edges{"One curve has a z that is not 0, which is left out",
+constexpr core::PluralPattern raised_edges{"one curve has a z that is not 0, which is left out",
                                            "{count} curves have a z that is not 0, which is left out"};
 
-std::string without_blanks_around(const std::string& name) {
-    const std::size_t first = name.find_first_not_of(' ');
-    return first == std::string::npos ? std::string() : name.substr(first, name.find_last_not_of(' ') + 1 - first);
+const core::PluralPattern& pattern_of(LeftOut why) {
+    switch (why) {
+        case LeftOut::in_another_plane:
+            return in_other_planes;
+        case LeftOut::of_another_kind:
+            return of_other_kinds;
+        case LeftOut::unbounded:
+            return without_ends;
+        case LeftOut::none:
+        case LeftOut::not_computable:
+            break;
+    }
+    return beyond_doubles;
+}
+
+void collect(Collector& collector, FlatCurve curve, const std::string& name) {
+    const auto place = [&] { return name; };
+    if (!curve.curve) return collector.notes().add(pattern_of(curve.why), place);
+    const std::size_t number = collector.document().curves.size() + 1;
+    std::string wish(core::without_blanks(name));
+    if (wish.empty()) wish = core::sentence("curve {number}", {{"number", number}});
+    if (collector.add(*std::move(curve.curve), wish, "curve", place) == nullptr) return;
+    collector.note_error(curve.error);
+    if (curve.height != 0.0) collector.notes().add(raised_edges, place);
 }
 
 // Wherever the shapes are in their assemblies.
@@ -194,46 +217,6 @@ ShapeNames names_of_shapes(const Handle(Transfer_TransientProcess) & process, Na
     return names;
 }
 
-class Collected {
-  public:
-    explicit Collected(std::size_t lost) { left_out_[static_cast<std::size_t>(LeftOut::not_computable)] = lost; }
-
-    void add(FlatCurve curve, std::string name) {
-        if (!curve.curve) {
-            ++left_out_[static_cast<std::size_t>(curve.why)];
-            return;
-        }
-        core::Document& document = imported_.document;
-        name = without_blanks_around(name);
-        if (name.empty()) name = core::sentence("curve {number}", {{"number", document.curves.size() + 1}});
-        core::DocumentCurve entry;
-        entry.name = core::unused_name(document, name);
-        entry.curve = std::make_shared<const core::Curve>(*std::move(curve.curve));
-        document.curves.push_back(std::move(entry));
-        imported_.report.largest_error = std::max(imported_.report.largest_error, curve.error);
-        if (curve.height != 0.0) ++raised_;
-    }
-
-    Imported take() {
-        say(in_other_planes, LeftOut::in_another_plane);
-        say(of_other_kinds, LeftOut::of_another_kind);
-        say(without_ends, LeftOut::unbounded);
-        say(beyond_doubles, LeftOut::not_computable);
-        if (raised_ > 0) imported_.report.left_out.push_back(core::sentence(raised_edges, raised_));
-        return std::move(imported_);
-    }
-
-  private:
-    void say(const core::PluralPattern& pattern, LeftOut why) {
-        const std::size_t count = left_out_[static_cast<std::size_t>(why)];
-        if (count > 0) imported_.report.left_out.push_back(core::sentence(pattern, count));
-    }
-
-    Imported imported_;
-    std::array<std::size_t, 5> left_out_{};
-    std::size_t raised_ = 0;
-};
-
 constexpr core::PluralPattern faults_found{
     "OpenCASCADE found a fault in the file; curves may be missing or other than they were",
     "OpenCASCADE found {count} faults in the file; curves may be missing or other than they were"};
@@ -249,7 +232,7 @@ bool is_about(double unit, double other) {
 
 core::FileResult<Imported> imported_edges(const TopoDS_Shape& shape, const Handle(Transfer_TransientProcess) & process,
                                           NameOf name_of, std::size_t lost) {
-    Collected collected(lost);
+    Collector collector;
     const ShapeNames names = names_of_shapes(process, name_of);
     TopTools_IndexedMapOfShape edges;
     if (!shape.IsNull()) TopExp::MapShapes(shape, TopAbs_EDGE, edges);
@@ -257,13 +240,10 @@ core::FileResult<Imported> imported_edges(const TopoDS_Shape& shape, const Handl
         const TopoDS_Edge& edge = TopoDS::Edge(edges(i));
         if (BRep_Tool::Degenerated(edge)) continue;
         const std::string* name = names.Seek(edge.Located(TopLoc_Location()));
-        collected.add(flat_edge(edge), name != nullptr ? *name : std::string());
+        collect(collector, flat_edge(edge), name != nullptr ? *name : std::string());
     }
-    Imported imported = collected.take();
-    if (!imported.document.curves.empty()) return imported;
-    const auto& reasons = imported.report.left_out;
-    return tl::unexpected(core::FileError{
-        .where = {}, .what = reasons.empty() ? "the file has no curves that can be read" : reasons.front()});
+    for (std::size_t i = 0; i < lost; ++i) collect(collector, {.why = LeftOut::not_computable}, {});
+    return std::move(collector).finish("the file has no curves that can be read");
 }
 
 core::FileResult<Imported> with_faults_told(Imported imported, const Handle(Interface_InterfaceModel) & model,

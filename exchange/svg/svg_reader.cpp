@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/sentence.h"
+#include "exchange/places.h"
 #include "exchange/svg/drawing.h"
 #include "exchange/svg/native_copy.h"
 
@@ -17,18 +18,13 @@ tl::unexpected<core::FileError> svg_refused(std::string where, std::string what)
     return tl::unexpected(core::FileError{std::move(where), std::move(what)});
 }
 
-std::string line_at(std::string_view text, std::size_t offset) {
-    const std::string_view before = text.substr(0, offset);
-    const auto breaks = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-    return core::sentence("line {line}", {{"line", breaks + 1}});
-}
-
 // Refuses what would take much memory as a tree, or is no text.
 core::FileResult<void> check_text(std::string_view text) {
     if (text.starts_with("\x1f\x8b"))
         return svg_refused("", "this is a compressed SVG; gunzip unpacks it, then it can be read");
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
-        return svg_refused(line_at(text, zero), "there is a zero byte, which no XML has; SVG is read as UTF-8");
+        return svg_refused(line_place(line_of(text, zero)),
+                           "there is a zero byte, which no XML has; SVG is read as UTF-8");
     const auto count = std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; });
     if (static_cast<std::size_t>(count) > most_svg_elements)
         return svg_refused("",
@@ -59,7 +55,7 @@ core::FileResult<Imported> read_svg(std::string_view text) {
     const pugi::xml_parse_result parsed =
         file.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype | pugi::parse_pi);
     if (!parsed)
-        return svg_refused(line_at(text, static_cast<std::size_t>(parsed.offset)),
+        return svg_refused(line_place(line_of(text, static_cast<std::size_t>(parsed.offset))),
                            core::sentence("this is no XML: {reason}", {{"reason", parsed.description()}}));
     const pugi::xml_node svg = file.document_element();
     if (local_name(svg) != "svg")

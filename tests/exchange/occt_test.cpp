@@ -341,8 +341,8 @@ TEST_P(ThroughOpenCascade, FilesOfFreeCadAreRead) {
     const std::string path = std::string(BATTEN_EXCHANGE_DATA "/freecad") + format().endings.front();
     const Imported imported = read(core::read_text(path).value());
     EXPECT_EQ(imported.report.left_out,
-              (std::vector<std::string>{"2 curves are left out: they do not lie in planes with one z each",
-                                        "One curve has a z that is not 0, which is left out"}));
+              (std::vector<std::string>{"one curve has a z that is not 0, which is left out",
+                                        "2 curves are left out: they do not lie in planes with one z each"}));
     EXPECT_GT(imported.report.largest_error, 0.0);
     EXPECT_LT(imported.report.largest_error, 1e-13);
     EXPECT_EQ(imported.document.units, core::DocumentUnits{});

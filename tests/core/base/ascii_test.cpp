@@ -14,4 +14,11 @@ TEST(Ascii, only_its_capital_letters_become_small) {
     EXPECT_EQ(in_small_letters("ÄZ"), "Äz");
 }
 
+TEST(Ascii, blanks_are_taken_off_both_ends) {
+    EXPECT_EQ(without_blanks(" \t a b\r\n"), "a b");
+    EXPECT_EQ(without_blanks("x"), "x");
+    EXPECT_EQ(without_blanks(" \r"), "");
+    EXPECT_EQ(without_blanks(""), "");
+}
+
 }  // namespace batten::core
