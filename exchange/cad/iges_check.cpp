@@ -287,11 +287,16 @@ std::optional<core::FileError> wrong_parameters(const IgesSections& found, const
 std::optional<core::FileError> wrong_entity(const IgesSections& found) {
     const IgesSection& directory = found[2];
     const IgesDelimiters delimiters = delimiters_in(found[1]);
+    std::size_t taken = 0;
     for (std::size_t i = 0; i < directory.lines.size(); i += 2) {
         const auto entity = i + 1 < directory.lines.size() ? entity_in(found, i) : std::nullopt;
         if (!entity)
             return defect_in(directory.first_line + i,
                              "the directory does not say what this entity is and which lines of section P it has");
+        taken += entity->count;
+        if (taken > found[3].lines.size())
+            return defect_in(directory.first_line + i,
+                             "by the directory, entities have more lines in section P than there are");
         if (is_macro(entity->type)) continue;
         if (auto defect = wrong_parameters(found, *entity, delimiters)) return defect;
     }

@@ -48,7 +48,7 @@ class StepText {
     char next() {
         while (!is_at_end()) {
             if (rest().starts_with("/*"))
-                at_ = std::min(text_.size(), std::max(text_.find("*/", at_ + 2), at_) + 2);
+                skip_comment();
             else if (is_blank(text_[at_]))
                 ++at_;
             else
@@ -61,6 +61,11 @@ class StepText {
         if (next() != c) return false;
         go_on();
         return true;
+    }
+
+    void skip_comment() {
+        const std::size_t end = text_.find("*/", at_ + 2);
+        at_ = end == std::string_view::npos ? text_.size() : end + 2;
     }
 
     // What stands between two quotes, of which a pair inside stands for one.

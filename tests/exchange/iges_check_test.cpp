@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <string>
 
 namespace batten::exchange {
@@ -102,9 +103,44 @@ TEST(IgesCheck, FindsADirectoryThatLies) {
               "line 4: the parameters do not begin with 126, as line 2 has it of them");
 }
 
+// Else a small file could have the same lines read very often.
+TEST(IgesCheck, GivesNoLineToTwoEntities) {
+    std::string text = with(line_file(whole_line), "S      0G      1D      2P", "S      0G      1D      4P");
+    const std::size_t behind_directory = text.find(whole_line);
+    std::string again = text.substr(81, behind_directory - 81);
+    again = with(with(again, "D      1", "D      3"), "D      2", "D      4");
+    EXPECT_EQ(defect_of(text.insert(behind_directory, again)),
+              "line 4: by the directory, entities have more lines in section P than there are");
+}
+
 TEST(IgesCheck, LooksOverTheTextsInParameters) {
     EXPECT_EQ(defect_of(line_file(with(whole_line, ";", ",5Ha;,b9,,3H 1 ;"))), "");
     EXPECT_NE(defect_of(line_file(with(whole_line, ";", ",5Ha;,b99,3H 1 ;"))), "");
+}
+
+// Bytes replaced, left out, repeated: whatever becomes of it, there is an answer, and a defect names what it is.
+TEST(IgesCheck, HasAnAnswerToAnyDamage) {
+    const std::string whole = line_file(whole_line);
+    std::mt19937 engine(3);
+    const auto below = [&](std::size_t count) {
+        return std::uniform_int_distribution<std::size_t>(0, count - 1)(engine);
+    };
+    const std::string bytes = "0159.,;HED+- SGDPT\n\0\xff";
+    for (int i = 0; i < 20'000; ++i) {
+        std::string text = whole;
+        for (std::size_t changes = 1 + below(3); changes > 0; --changes) {
+            const std::size_t at = below(text.size());
+            const std::size_t length = below(9);
+            if (below(3) == 0)
+                text.erase(at, length);
+            else if (below(2) == 0)
+                text.insert(at, text, below(text.size()), length);
+            else
+                text[at] = bytes[below(bytes.size())];
+        }
+        const auto defect = iges_defect(text);
+        ASSERT_TRUE(!defect || !defect->what.empty());
+    }
 }
 
 }  // namespace batten::exchange

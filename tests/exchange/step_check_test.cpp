@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <string>
 
 namespace batten::exchange {
@@ -69,10 +70,40 @@ TEST(StepCheck, NamesTheLineOfWhatIsWrong) {
               "this is no STEP file, which begins with ISO-10303-21;");
 }
 
+TEST(StepCheck, TakesACommentThatDoesNotEnd) {
+    EXPECT_NE(step_defect_of("ISO-10303-21; /* DATA; *"), "");
+    EXPECT_NE(step_defect_of(step_file("/*")), "");
+}
+
 TEST(StepCheck, TakesAnyNesting) {
     const std::string open(100'000, '(');
     EXPECT_EQ(step_defect_of(step_file("#1=A(" + open + std::string(100'000, ')') + ");\n")), "");
     EXPECT_NE(step_defect_of(step_file("#1=A(" + open)), "");
+}
+
+// Bytes replaced, left out, repeated: whatever becomes of it, there is an answer, and a defect names what it is.
+TEST(StepCheck, HasAnAnswerToAnyDamage) {
+    const std::string whole = step_file(whole_data);
+    std::mt19937 engine(3);
+    const auto below = [&](std::size_t count) {
+        return std::uniform_int_distribution<std::size_t>(0, count - 1)(engine);
+    };
+    const std::string bytes = "0159.,;#()'\"=$*/ \n\0\xff";
+    for (int i = 0; i < 20'000; ++i) {
+        std::string text = whole;
+        for (std::size_t changes = 1 + below(3); changes > 0; --changes) {
+            const std::size_t at = below(text.size());
+            const std::size_t length = below(9);
+            if (below(3) == 0)
+                text.erase(at, length);
+            else if (below(2) == 0)
+                text.insert(at, text, below(text.size()), length);
+            else
+                text[at] = bytes[below(bytes.size())];
+        }
+        const auto defect = step_defect(text);
+        ASSERT_TRUE(!defect || !defect->what.empty());
+    }
 }
 
 }  // namespace batten::exchange
