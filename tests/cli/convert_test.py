@@ -52,6 +52,20 @@ class Convert(unittest.TestCase):
             x, y = curve["points"][1]
             self.assertAlmostEqual(x * x + y * y, 2, delta=1e-12)
 
+    def test_a_table_holds_samples_and_is_read_as_points(self):
+        arcs, table = self.folder / "arcs.json", self.folder / "arcs.csv"
+        self.assertEqual(run("new", "circle", 0, 0, 1, "-o", arcs).returncode, 0)
+        written = run("convert", arcs, "-o", table, "--samples", 9)
+        self.assertEqual(written.stdout.splitlines()[1:], [
+            f"{table}: it holds samples of the curves, from which points can be read again, but not the curves themselves"])
+        told = json.loads(run("convert", arcs, "-o", table, "--samples", 9, "--json").stdout)
+        self.assertEqual([report["largest_error"] for report in told], [0.0, None])
+        refused = run("convert", table, "-o", self.folder / "back.json")
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn(f"'batten new interpolate @{table}'", refused.stderr)
+        [through] = json.loads(run("new", "polyline", f"@{table}", "-o", "-").stdout)["curves"]
+        self.assertEqual(len(through["points"]), 9, "the two rows of a knot are one point")
+
     def test_every_format_that_is_written_and_read_brings_a_circle_back(self):
         circle = self.folder / "circle.json"
         self.assertEqual(run("new", "circle", 3, 4, 5, "-o", circle).returncode, 0)
