@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 #include <optional>
 
 #include "render/label_runs.h"
 #include "render/lean_path.h"
+#include "render/prose.h"
 
 namespace batten::render {
 
@@ -69,6 +72,25 @@ Surface mask_of(const CoverageMap& map, const PixelRange& range) {
     return mask;
 }
 
+/// With colors that are multiplied by their alpha.
+Surface surface_of(const Image& image) {
+    constexpr unsigned full = 255;
+    Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
+    unsigned char* rows = cairo_image_surface_get_data(surface.get());
+    if (rows == nullptr) return surface;
+    const int stride = cairo_image_surface_get_stride(surface.get());
+    const std::uint8_t* pixel = image.rgba.data();
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x, pixel += 4) {
+            const auto share = [&](std::size_t c) { return (pixel[c] * unsigned{pixel[3]} + full / 2) / full; };
+            const std::uint32_t value = unsigned{pixel[3]} << 24U | share(0) << 16U | share(1) << 8U | share(2);
+            std::memcpy(rows + static_cast<std::ptrdiff_t>(y) * stride + 4 * static_cast<std::ptrdiff_t>(x), &value,
+                        sizeof value);
+        }
+    cairo_surface_mark_dirty(surface.get());
+    return surface;
+}
+
 /// Paints one command after another.
 class Painter {
   public:
@@ -113,7 +135,23 @@ class Painter {
         cairo_mask_surface(cairo_, mask.get(), range.lower.x, range.lower.y);
     }
 
-    void operator()(const ImageQuad&) const {}  // drawn by, never shown
+    void operator()(const ImageQuad& quad) const {
+        const Image image = embedded(*quad.image);
+        const Surface pixels = surface_of(image);
+        const glm::dvec2 right = (quad.upper_right - quad.upper_left) / static_cast<double>(image.width);
+        const glm::dvec2 down = (quad.lower_left - quad.upper_left) / static_cast<double>(image.height);
+        cairo_matrix_t matrix{};
+        cairo_matrix_init(&matrix, right.x, right.y, down.x, down.y, quad.upper_left.x, quad.upper_left.y);
+        if (right.x * down.y == right.y * down.x) return;  // seen from its side
+        cairo_save(cairo_);
+        cairo_transform(cairo_, &matrix);
+        cairo_set_source_surface(cairo_, pixels.get(), 0.0, 0.0);
+        cairo_pattern_set_extend(cairo_get_source(cairo_), CAIRO_EXTEND_PAD);
+        cairo_rectangle(cairo_, 0.0, 0.0, image.width, image.height);
+        cairo_clip(cairo_);
+        cairo_paint_with_alpha(cairo_, quad.opacity);
+        cairo_restore(cairo_);
+    }
 
     void operator()(const Marker& marker) const {
         trace_shape(marker);
@@ -194,7 +232,7 @@ void paint(cairo_t* cairo, const FigurePart& part) {
     cairo_clip(cairo);
     const Painter painter(cairo);
     if (part.ground) painter.cover(*part.ground);
-    for (const DrawCommand& command : part.list.commands) std::visit(painter, command);
+    for (const DrawCommand& command : set_list(part).commands) std::visit(painter, command);
     cairo_restore(cairo);
 }
 
@@ -258,6 +296,10 @@ FigureBytes png_bytes(const Ink& ink) {
     Painter{cairo.get()}(ink);
     if (auto problem = problem_of(cairo.get(), surface.get())) return tl::unexpected(*std::move(problem));
     return png_bytes(surface.get());
+}
+
+FigureBytes png_bytes(const Image& image) {
+    return png_bytes(surface_of(image).get());
 }
 
 double text_width(std::string_view text, double size_px, LabelFont font) {

@@ -22,6 +22,9 @@ FigureBytes png_bytes(const Figure& figure);
 /// The part of the ink's map that is touched, as a PNG; one clear pixel where none is.
 FigureBytes png_bytes(const Ink& ink);
 
+/// The image, which has at most 32767 pixels a side, as a PNG.
+FigureBytes png_bytes(const Image& image);
+
 /// How wide `text` without scripts is in a font of `size_px`.
 double text_width(std::string_view text, double size_px, LabelFont font);
 

@@ -47,7 +47,7 @@ struct Region {
     Color color;
 };
 
-/// An image stretched to a parallelogram; no figure shows it. Corners are doubles: they may be far outside.
+/// An image stretched to a parallelogram. Corners are doubles: they may be far outside.
 struct ImageQuad {
     std::shared_ptr<const Image> image;  ///< not null, not empty
     glm::dvec2 upper_left{};

@@ -16,12 +16,21 @@ struct FigurePart {
     DrawList list;
     PixelBox box;
     std::optional<Color> ground{};  ///< none: what lies below is seen
+    bool is_prose = false;          ///< its labels are what a user wrote: words, and formulas between dollar signs
 };
 
 struct Figure {
     glm::dvec2 size_px{};  ///< > 0; a pixel is 1/96 of an inch on paper
     std::vector<FigurePart> parts;
-    std::string title{};  ///< what the file says of itself, as UTF-8; empty: nothing
+    std::string title{};                  ///< what the file says of itself, as UTF-8; empty: nothing
+    std::vector<std::string> unplaced{};  ///< labels that had no room
+};
+
+/// What the file of a figure lacks.
+struct FigureLosses {
+    std::vector<std::string> labels{};   ///< that had no room, in the notation of Label
+    std::vector<std::string> letters{};  ///< that the format cannot write, each once
+    bool has_images = false;             ///< images, where the format has none
 };
 
 /// A page with one picture on it.

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "render/svg_painter.h"
+#include "render/tex_text.h"
 #include "render/tikz_painter.h"
 
 namespace batten::render {
@@ -44,6 +45,21 @@ FigureBytes figure_bytes(const Figure& figure, FigureFormat format) {
             break;
     }
     return png_bytes(figure);
+}
+
+FigureLosses figure_losses(const Figure& figure, FigureFormat format) {
+    FigureLosses losses{.labels = figure.unplaced};
+    if (format != FigureFormat::tikz) return losses;
+    for (const FigurePart& part : figure.parts)
+        for (const DrawCommand& command : part.list.commands) {
+            losses.has_images = losses.has_images || std::holds_alternative<ImageQuad>(command);
+            const auto* label = std::get_if<Label>(&command);
+            if (label == nullptr) continue;
+            for (std::string& letter : letters_without_tex(label->text))
+                if (std::ranges::find(losses.letters, letter) == losses.letters.end())
+                    losses.letters.push_back(std::move(letter));
+        }
+    return losses;
 }
 
 }  // namespace batten::render

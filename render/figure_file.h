@@ -16,4 +16,7 @@ std::optional<FigureFormat> figure_format(const std::filesystem::path& file);
 /// The bytes of a file.
 FigureBytes figure_bytes(const Figure& figure, FigureFormat format);
 
+/// What that file lacks of the figure.
+FigureLosses figure_losses(const Figure& figure, FigureFormat format);
+
 }  // namespace batten::render

@@ -39,4 +39,11 @@ Image halved(const Image& image, int halvings) {
     return halvings == 1 ? half : halved(half, halvings - 1);
 }
 
+Image embedded(const Image& image) {
+    constexpr int most_side = 4096;
+    int halvings = 0;
+    while ((std::max(image.width, image.height) - 1) >> halvings >= most_side) ++halvings;
+    return halved(image, halvings);
+}
+
 }  // namespace batten::render

@@ -17,4 +17,7 @@ struct Image {
 /// The same image with each side halved `halvings` times, rounded up: means of 2 x 2 pixels, weighed by their alpha.
 Image halved(const Image& image, int halvings);
 
+/// The image as figures hold it: halved until no side has more than 4096 pixels.
+Image embedded(const Image& image);
+
 }  // namespace batten::render

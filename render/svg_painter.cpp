@@ -7,6 +7,7 @@
 #include "render/cairo_painter.h"
 #include "render/label_runs.h"
 #include "render/lean_path.h"
+#include "render/prose.h"
 #include "render/xml_text.h"
 
 namespace batten::render {
@@ -110,7 +111,18 @@ class SvgPainter {
             range.lower.x, range.lower.y, range.upper.x - range.lower.x, range.upper.y - range.lower.y, base64(*png));
     }
 
-    void operator()(const ImageQuad&) {}  // drawn by, never shown
+    void operator()(const ImageQuad& quad) {
+        const Image image = embedded(*quad.image);
+        const FigureBytes png = png_bytes(image);
+        if (!png) return;
+        const glm::dvec2 right = (quad.upper_right - quad.upper_left) / static_cast<double>(image.width);
+        const glm::dvec2 down = (quad.lower_left - quad.upper_left) / static_cast<double>(image.height);
+        add("<image width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" opacity=\"{:.3g}\" "
+            "transform=\"matrix({:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g})\" "
+            "xlink:href=\"data:image/png;base64,{}\"/>\n",
+            image.width, image.height, quad.opacity, right.x, right.y, down.x, down.y, quad.upper_left.x,
+            quad.upper_left.y, base64(*png));
+    }
 
     void operator()(const Marker& marker) {
         const bool has_outline = marker.outline.alpha > 0 && marker.outline_px > 0.0F;
@@ -186,7 +198,7 @@ void write_part(std::string& text, const FigurePart& part) {
         fmt::format_to(std::back_inserter(text), "<rect width=\"100%\" height=\"100%\"{}/>\n",
                        paint_of("fill", *part.ground));
     SvgPainter painter(text);
-    for (const DrawCommand& command : part.list.commands) std::visit(painter, command);
+    for (const DrawCommand& command : set_list(part).commands) std::visit(painter, command);
     fmt::format_to(std::back_inserter(text), "</svg>\n");
 }
 

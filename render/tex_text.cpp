@@ -3,108 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 
 #include "render/label_runs.h"
+#include "render/prose.h"
+#include "render/tex_signs.h"
 
 namespace batten::render {
 
 namespace {
-
-/// A sign and what LaTeX calls it.
-struct NamedSign {
-    std::string_view sign;
-    std::string_view name;
-};
-
-/// In formulas.
-constexpr std::array math_signs{NamedSign{"−", "-"},
-                                NamedSign{"·", "\\cdot "},
-                                NamedSign{"×", "\\times "},
-                                NamedSign{"±", "\\pm "},
-                                NamedSign{"≤", "\\le "},
-                                NamedSign{"≥", "\\ge "},
-                                NamedSign{"≠", "\\ne "},
-                                NamedSign{"≈", "\\approx "},
-                                NamedSign{"∞", "\\infty "},
-                                NamedSign{"…", "\\dots "},
-                                NamedSign{"′", "'"},
-                                NamedSign{"″", "''"},
-                                NamedSign{"∑", "\\sum "},
-                                NamedSign{"√", "\\sqrt{}"},
-                                NamedSign{"∂", "\\partial "},
-                                NamedSign{"∈", "\\in "},
-                                NamedSign{"→", "\\to "},
-                                NamedSign{"°", "^\\circ "},
-                                NamedSign{"²", "^2"},
-                                NamedSign{"³", "^3"},
-                                NamedSign{"½", "\\frac{1}{2}"},
-                                NamedSign{"¼", "\\frac{1}{4}"},
-                                NamedSign{"▶", "\\triangleright "},
-                                NamedSign{"●", "\\bullet "},
-                                NamedSign{"∥", "\\parallel "},
-                                NamedSign{"⊥", "\\perp "},
-                                NamedSign{"α", "\\alpha "},
-                                NamedSign{"β", "\\beta "},
-                                NamedSign{"γ", "\\gamma "},
-                                NamedSign{"δ", "\\delta "},
-                                NamedSign{"ε", "\\epsilon "},
-                                NamedSign{"θ", "\\theta "},
-                                NamedSign{"κ", "\\kappa "},
-                                NamedSign{"λ", "\\lambda "},
-                                NamedSign{"μ", "\\mu "},
-                                NamedSign{"ξ", "\\xi "},
-                                NamedSign{"π", "\\pi "},
-                                NamedSign{"ρ", "\\rho "},
-                                NamedSign{"σ", "\\sigma "},
-                                NamedSign{"τ", "\\tau "},
-                                NamedSign{"φ", "\\phi "},
-                                NamedSign{"ω", "\\omega "},
-                                NamedSign{"Γ", "\\Gamma "},
-                                NamedSign{"Δ", "\\Delta "},
-                                NamedSign{"Λ", "\\Lambda "},
-                                NamedSign{"Σ", "\\Sigma "},
-                                NamedSign{"Φ", "\\Phi "},
-                                NamedSign{"Ω", "\\Omega "},
-                                NamedSign{"<", "<"},
-                                NamedSign{">", ">"},
-                                NamedSign{"|", "|"},
-                                NamedSign{"+", "+"},
-                                NamedSign{"=", "="},
-                                NamedSign{"*", "*"},
-                                NamedSign{"/", "/"},
-                                NamedSign{"(", "("},
-                                NamedSign{")", ")"},
-                                NamedSign{"[", "["},
-                                NamedSign{"]", "]"},
-                                NamedSign{"{", "\\{"},
-                                NamedSign{"}", "\\}"},
-                                NamedSign{"-", "-"}};
-
-/// In words.
-constexpr std::array text_signs{NamedSign{"&", "\\&"},
-                                NamedSign{"%", "\\%"},
-                                NamedSign{"$", "\\$"},
-                                NamedSign{"#", "\\#"},
-                                NamedSign{"_", "\\_"},
-                                NamedSign{"~", "\\textasciitilde{}"},
-                                NamedSign{"\"", "''"},
-                                NamedSign{"“", "``"},
-                                NamedSign{"”", "''"},
-                                NamedSign{"‘", "`"},
-                                NamedSign{"’", "'"},
-                                NamedSign{"–", "--"},
-                                NamedSign{"—", "---"},
-                                NamedSign{"^", "\\textasciicircum{}"},
-                                NamedSign{"\\", "\\textbackslash{}"}};
-
-template <class Signs>
-std::optional<std::string_view> name_in(const Signs& signs, std::string_view sign) {
-    const auto* found = std::ranges::find(signs, sign, &NamedSign::sign);
-    return found == signs.end() ? std::nullopt : std::optional(found->name);
-}
 
 bool is_digit(std::string_view sign) {
     return sign.size() == 1 && '0' <= sign[0] && sign[0] <= '9';
@@ -151,9 +59,17 @@ std::string_view first_fraction(std::string_view text) {
     return lower.empty() || goes_on ? std::string_view() : text.substr(0, text.size() - rest.size());
 }
 
-/// Writes a label, in and out of formulas.
+/// Whether words may hold it as it is.
+bool is_of_words(std::string_view sign) {
+    constexpr std::string_view signs = " +=*/()[]-'`@";
+    return is_plain(sign) || (sign.size() == 1 && signs.find(sign) != std::string_view::npos);
+}
+
+/// Writes a label, in and out of formulas; of prose, whatever it holds, only signs that words lack are formulas.
 class TexWriter {
   public:
+    explicit TexWriter(bool is_prose) : is_prose_(is_prose) {}
+
     void write(const LabelRun& run) {
         if (run.script == Script::none) return write_signs(run.text);
         enter_formula();
@@ -164,16 +80,26 @@ class TexWriter {
         text_ += '}';
     }
 
+    /// A formula as LaTeX has it.
+    void write_math(std::string_view formula) {
+        leave_formula();
+        add("${}$", formula);
+    }
+
     std::string take() {
         leave_formula();
         return std::move(text_);
     }
 
+    /// Those for which LaTeX has no font, one by one.
+    std::vector<std::string> take_letters() { return std::move(letters_); }
+
   private:
     void write_signs(std::string_view rest) {
         bool follows_number = false;
         while (!rest.empty()) {
-            const std::string_view taken = take_first(rest, follows_number);
+            const std::string_view taken =
+                is_prose_ && !is_script_ ? take_of_prose(rest) : take_first(rest, follows_number);
             follows_number = is_digit(first_sign(taken)) || taken == "." || taken == "/";
             rest.remove_prefix(taken.size());
         }
@@ -188,14 +114,51 @@ class TexWriter {
         if (word.size() > sign.size() || (!word.empty() && sign.size() > 1)) return write_words(word);
         if (is_plain(sign)) return write_plain(sign, follows_number && is_digit(first_sign(rest.substr(1))));
         if (!word.empty()) return write_formula(sign, sign);
-        if (const auto name = name_in(math_signs, sign)) return write_formula(sign, *name);
+        if (const auto name = math_sign(sign)) return write_math_sign(rest, *name);
         if (sign == " " && is_inside_formula()) return sign;
-        if (const auto name = name_in(text_signs, sign)) {
+        if (const auto name = text_sign(sign)) {
             write_words(*name);
             return sign;
         }
         if (sign.size() == 1) return write_words(sign);
         return write_letters(rest);
+    }
+
+    std::string_view take_of_prose(std::string_view rest) {
+        const std::string_view words =
+            first_of(rest, [](std::string_view sign) { return is_latin(sign) || is_of_words(sign); });
+        if (!words.empty()) return write_words(words);
+        const std::string_view sign = first_sign(rest);
+        if (const auto name = text_sign(sign)) {
+            write_words(*name);
+            return sign;
+        }
+        if (const auto name = math_sign(sign)) return write_math_sign(rest, *name);
+        return sign.size() == 1 ? write_words(sign) : write_letters(rest);
+    }
+
+    std::string_view write_math_sign(std::string_view rest, std::string_view name) {
+        return is_script(name) ? write_scripts(rest, name.front()) : write_formula(first_sign(rest), name);
+    }
+
+    static bool is_script(std::string_view name) { return name.starts_with('^') || name.starts_with('_'); }
+
+    /// "⁻¹" as ^{-1}; on a base of their own where something has a script already, of which it may have one.
+    std::string_view write_scripts(std::string_view rest, char kind) {
+        enter_formula();
+        if (text_.ends_with('}') || text_.ends_with('\'')) text_ += "{}";
+        text_ += kind;
+        text_ += '{';
+        std::size_t size = 0;
+        while (size < rest.size()) {
+            const std::string_view sign = first_sign(rest.substr(size));
+            const auto name = math_sign(sign);
+            if (!name || name->front() != kind) break;
+            text_ += name->substr(1);
+            size += sign.size();
+        }
+        text_ += rest.substr(size).starts_with("′") ? "}{}" : "}";
+        return rest.substr(0, size);
     }
 
     std::string_view write_fraction(std::string_view fraction) {
@@ -229,8 +192,10 @@ class TexWriter {
 
     std::string_view write_letters(std::string_view rest) {
         const std::string_view letters = first_of(rest, [](std::string_view sign) {
-            return sign.size() > 1 && !is_latin(sign) && !name_in(math_signs, sign) && !name_in(text_signs, sign);
+            return sign.size() > 1 && !is_latin(sign) && !math_sign(sign) && !text_sign(sign);
         });
+        for (std::string_view left = letters; !left.empty(); left.remove_prefix(first_sign(left).size()))
+            letters_.emplace_back(first_sign(left));
         if (!is_script_) leave_formula();
         add(is_script_ ? "\\hbox{{\\battenletters{{{}}}}}" : "\\battenletters{{{}}}", letters);
         return letters;
@@ -252,6 +217,8 @@ class TexWriter {
     }
 
     std::string text_;
+    std::vector<std::string> letters_;
+    bool is_prose_;
     bool is_in_formula_ = false;
     bool is_script_ = false;
     int open_ = 0;  // parentheses
@@ -260,9 +227,27 @@ class TexWriter {
 }  // namespace
 
 std::string tex_text(std::string_view label) {
-    TexWriter writer;
+    TexWriter writer(false);
     for (const LabelRun& run : label_runs(label)) writer.write(run);
     return writer.take();
+}
+
+std::string tex_prose(std::string_view prose) {
+    TexWriter writer(true);
+    for (const ProsePart& part : prose_parts(prose)) {
+        if (part.is_formula) {
+            writer.write_math(part.text);
+            continue;
+        }
+        for (const LabelRun& run : label_runs(part.text)) writer.write(run);
+    }
+    return writer.take();
+}
+
+std::vector<std::string> letters_without_tex(std::string_view label) {
+    TexWriter writer(true);
+    for (const LabelRun& run : label_runs(label)) writer.write(run);
+    return writer.take_letters();
 }
 
 }  // namespace batten::render

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace batten::render {
 
@@ -10,5 +11,11 @@ namespace batten::render {
 /// reads otherwise as themselves. Letters beyond the Latin and Greek ones stand in \battenletters{...}, since a stock
 /// LaTeX has no font for them.
 std::string tex_text(std::string_view label);
+
+/// What a user wrote: words as they are, and as formulas only what stands between dollar signs.
+std::string tex_prose(std::string_view prose);
+
+/// The letters of a label or of prose that stand in \battenletters, in order.
+std::vector<std::string> letters_without_tex(std::string_view label);
 
 }  // namespace batten::render

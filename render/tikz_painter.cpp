@@ -70,7 +70,8 @@ const char* side_of(Anchor anchor) {
 /// Writes one command of TikZ for each.
 class TikzPainter {
   public:
-    TikzPainter(std::string& text, Palette& palette) : text_(text), palette_(palette) {}
+    TikzPainter(std::string& text, Palette& palette, bool is_prose)
+        : text_(text), palette_(palette), is_prose_(is_prose) {}
 
     void operator()(const Polyline& line) {
         std::vector<Pixel> points = lean_points(line.points);
@@ -105,7 +106,7 @@ class TikzPainter {
         }
     }
 
-    void operator()(const ImageQuad&) {}  // drawn by, never shown
+    void operator()(const ImageQuad&) { add("% An image is left out: TikZ has none.\n"); }
 
     void operator()(const Marker& marker) {
         const bool has_outline = marker.outline.alpha > 0 && marker.outline_px > 0.0F;
@@ -122,7 +123,7 @@ class TikzPainter {
 
     void operator()(const Label& label) {
         const glm::dvec2 place(label.position.x, label.position.y + baseline_drop * label.size_px);
-        const std::string text = tex_text(label.text);
+        const std::string text = is_prose_ ? tex_prose(label.text) : tex_text(label.text);
         // Bold formulas need a group of their own within a node.
         const bool is_bold = label.font == LabelFont::bold;
         add("\\node[anchor={},inner sep=0pt,text={}{},scale={}] at ({}) {{{}}};\n", side_of(label.anchor),
@@ -169,6 +170,7 @@ class TikzPainter {
 
     std::string& text_;
     Palette& palette_;
+    bool is_prose_;
 };
 
 std::string part_text(Palette& palette, const FigurePart& part) {
@@ -176,7 +178,7 @@ std::string part_text(Palette& palette, const FigurePart& part) {
     std::string text = fmt::format("\\begin{{scope}}[shift={{({})}}]\n\\clip (0,0) rectangle ({});\n",
                                    short_place(part.box.lower_px, ','), corner);
     if (part.ground) text += fmt::format("\\fill[{}] (0,0) rectangle ({});\n", palette.name(*part.ground), corner);
-    TikzPainter painter(text, palette);
+    TikzPainter painter(text, palette, part.is_prose);
     for (const DrawCommand& command : part.list.commands) std::visit(painter, command);
     fmt::format_to(std::back_inserter(text), "\\end{{scope}}\n");
     return text;

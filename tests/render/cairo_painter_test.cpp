@@ -125,5 +125,20 @@ TEST(FigureFile, is_known_by_its_ending) {
         EXPECT_EQ(figure_format(other), std::nullopt) << other;
 }
 
+TEST(CairoPainter, stretches_an_image_to_its_corners) {
+    // Red and green above, blue and clear below.
+    auto image =
+        std::make_shared<Image>(Image{2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 0}});
+    DrawList list;
+    // Turned by a quarter: its upper left corner is below on the left.
+    list.add(ImageQuad{image, {20, 100}, {20, 20}, {100, 100}, 1.0});
+    const ReadBack picture(*png_bytes(page_of(list, {120.0, 120.0}, Color{255, 255, 255, 255})));
+    EXPECT_EQ(picture.at(30, 90), (std::array{255, 0, 0, 255}));
+    EXPECT_EQ(picture.at(30, 30), (std::array{0, 255, 0, 255}));
+    EXPECT_EQ(picture.at(90, 90), (std::array{0, 0, 255, 255}));
+    EXPECT_EQ(picture.at(90, 30), (std::array{255, 255, 255, 255})) << "clear";
+    EXPECT_EQ(picture.at(10, 60), (std::array{255, 255, 255, 255})) << "beside it";
+}
+
 }  // namespace
 }  // namespace batten::render

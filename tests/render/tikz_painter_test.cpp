@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "render/figure_file.h"
+#include "render/prose.h"
 #include "render/tex_text.h"
 
 namespace batten::render {
@@ -54,6 +56,37 @@ TEST(TexText, escapes_what_means_something_to_TeX) {
     EXPECT_EQ(tex_text("Ø_{max %}"), "Ø$_{\\mathrm{max}\\mathrm{\\%}}$");
 }
 
+TEST(TexText, knows_signs_that_a_stock_LaTeX_lacks) {
+    EXPECT_EQ(tex_text("⅓ ⅔"), "$\\frac{1}{3}$ $\\frac{2}{3}$");
+    EXPECT_EQ(tex_text("x₁₂"), "$x_{12}$");
+    EXPECT_EQ(tex_text("C¹ 10⁻¹²"), "$C^{1}$ 10$^{-12}$");
+    EXPECT_EQ(tex_text("P_{3}²"), "$P_{3}{}^{2}$") << "no double script";
+    EXPECT_EQ(tex_text("x²′"), "$x^{2}{}'$");
+    EXPECT_EQ(tex_text("ℝ ∫ η"), "$\\mathbf{R}$ $\\int $ $\\eta $");
+    EXPECT_TRUE(letters_without_tex("⅔ ₁ ℝ ∫ ½ é « § ⇒ ψ C¹").empty());
+    EXPECT_EQ(letters_without_tex("Я и 漢 a"), (std::vector<std::string>{"Я", "и", "漢"}));
+}
+
+TEST(TexProse, is_text_but_for_what_stands_between_dollar_signs) {
+    EXPECT_EQ(tex_prose("A point on a curve, u = 1/2 (b)"), "A point on a curve, u = 1/2 (b)");
+    EXPECT_EQ(tex_prose("knots-t3"), "knots-t3");
+    EXPECT_EQ(tex_prose("<b> & 50%"), "$<$b$>$ \\& 50\\%");
+    EXPECT_EQ(tex_prose("The point $P_3$ at $u=\\frac13$"), "The point $P_3$ at $u=\\frac13$");
+    EXPECT_EQ(tex_prose("from $5 to $6"), "from \\$5 to \\$6") << "prices";
+    EXPECT_EQ(tex_prose("$x$5"), "\\$x\\$5");
+    EXPECT_EQ(tex_prose("${$ and $a}$ and $50%$"), "\\$$\\{$\\$ and \\$a$\\}$\\$ and \\$50\\%\\$") << "no formulas";
+    EXPECT_EQ(prose_label("The point $P_3$ of $N_{i,3}$"), "The point P_{3} of N_{i,3}");
+    EXPECT_EQ(prose_label("from $5 to $6"), "from $5 to $6");
+}
+
+TEST(TikzPainter, sets_what_a_user_wrote_as_prose) {
+    DrawList list;
+    list.add(Label{.position = {50, 40}, .text = "A curve $C(u)$", .color = red});
+    Figure figure = page_of(list, {100.0, 80.0}, std::nullopt);
+    figure.parts.front().is_prose = true;
+    EXPECT_TRUE(has(tikz_text(figure), "{A curve $C(u)$};"));
+}
+
 TEST(TikzPainter, draws_in_pixels_from_above) {
     const std::string text = tikz_of(
         Polyline{.points = {{10, 20}, {30, 25.25}}, .color = red, .width_px = 2.0F, .dash_px = 4.0F, .gap_px = 2.0F});
@@ -99,6 +132,20 @@ TEST(TikzPainter, paints_ink_row_by_row) {
     const std::string text = tikz_of(Ink{map, red});
     EXPECT_TRUE(has(text, ",40)rectangle(")) << text;
     EXPECT_FALSE(has(text, ",45)rectangle(")) << text;
+}
+
+TEST(TikzPainter, tells_what_it_leaves_out) {
+    Figure figure = page_of({}, {100.0, 80.0}, std::nullopt);
+    auto image = std::make_shared<Image>(Image{1, 1, {255, 0, 0, 255}});
+    figure.parts.front().list.add(ImageQuad{image, {0, 0}, {10, 0}, {0, 10}, 1.0});
+    figure.parts.front().list.add(Label{.position = {}, .text = "Яa Я", .color = red});
+    figure.unplaced = {"P_{1}"};
+    const FigureLosses losses = figure_losses(figure, FigureFormat::tikz);
+    EXPECT_TRUE(losses.has_images);
+    EXPECT_EQ(losses.letters, std::vector<std::string>{"Я"});
+    EXPECT_EQ(losses.labels, std::vector<std::string>{"P_{1}"});
+    EXPECT_FALSE(figure_losses(figure, FigureFormat::svg).has_images);
+    EXPECT_TRUE(figure_losses(figure, FigureFormat::pdf).letters.empty());
 }
 
 TEST(TikzPainter, defines_what_is_for_other_letters_only_where_there_are_some) {
