@@ -1,14 +1,16 @@
 #include "app/platform/figure_writer.h"
 
 #include "app/editor/scene/figure_scene.h"
+#include "app/editor/words/figure_notes.h"
 #include "core/base/sentence.h"
 #include "core/document/file_text.h"
 #include "render/figure_file.h"
 
 namespace batten::platform {
 
-tl::expected<void, std::string> write_figure(const editor::EditorState& state, const std::filesystem::path& path,
-                                             const editor::FigureForm& form) {
+tl::expected<std::vector<std::string>, std::string> write_figure(const editor::EditorState& state,
+                                                                 const std::filesystem::path& path,
+                                                                 const editor::FigureForm& form) {
     const auto format = render::figure_format(path);
     if (!format)
         return tl::unexpected(
@@ -16,10 +18,13 @@ tl::expected<void, std::string> write_figure(const editor::EditorState& state, c
                            {{"file", path.filename().string()}}));
     editor::FigureForm pixels = form;
     if (*format != render::FigureFormat::png) pixels.scale = 1.0;  // the others can be enlarged as they are
-    return render::figure_bytes(editor::window_figure(state, pixels), *format).and_then([&](const std::string& bytes) {
-        core::tell(state.progress, 1, 1);  // from here on it is not stopped
-        return core::replace_text(path, bytes).map_error([](const core::FileError& error) { return error.sentence(); });
-    });
+    const render::Figure figure = editor::window_figure(state, pixels);
+    const auto bytes = render::figure_bytes(figure, *format);
+    if (!bytes) return tl::unexpected(bytes.error());
+    core::tell(state.progress, 1, 1);  // from here on it is not stopped
+    if (const auto written = core::replace_text(path, *bytes); !written)
+        return tl::unexpected(written.error().sentence());
+    return editor::figure_notes(render::figure_losses(figure, *format));
 }
 
 }  // namespace batten::platform

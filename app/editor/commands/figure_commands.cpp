@@ -3,6 +3,7 @@
 #include "app/editor/commands/file_acts.h"
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
+#include "app/editor/scene/figure_scene.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -10,6 +11,7 @@ namespace batten::editor {
 namespace {
 
 constexpr double most_figure_scale = 8.0;
+constexpr double most_figure_side = 10000.0;
 
 std::string figure_name(const std::string& stem, std::size_t number) {
     if (number == 1) return core::sentence("{name} figure.svg", {{"name", stem}});
@@ -22,9 +24,23 @@ std::filesystem::path figure_path(const EditorState& state) {
     const std::string stem = file.empty() ? "untitled" : file.stem().string();
     std::error_code error;
     for (std::size_t number = 1;; ++number) {
-        std::filesystem::path path = file.parent_path() / figure_name(stem, number);
+        std::filesystem::path path = absolute_path(file.parent_path() / figure_name(stem, number));
         if (!std::filesystem::exists(path, error)) return path;
     }
+}
+
+FigureTheme theme_on_screen(const EditorState& state) {
+    const View& view = state.view;
+    if (view.is_presenting && view.theme == ThemeName::light) return FigureTheme::high_contrast;
+    return view.theme == ThemeName::dark ? FigureTheme::dark : FigureTheme::light;
+}
+
+/// What was typed of it; of one side alone the other follows.
+std::optional<glm::dvec2> page_size(const EditorState& state, const ExportFigure& command) {
+    if (!command.width && !command.height) return std::nullopt;
+    const glm::dvec2 screen = window_figure_size(state, command.view);
+    const double ratio = command.width ? *command.width / screen.x : *command.height / screen.y;
+    return glm::dvec2(command.width.value_or(ratio * screen.x), command.height.value_or(ratio * screen.y));
 }
 
 Outcome<void> export_figure(EditorState& state, const ExportFigure& command) {
@@ -37,7 +53,9 @@ Outcome<void> export_figure(EditorState& state, const ExportFigure& command) {
                             {.view = command.view,
                              .scale = command.scale,
                              .is_transparent = command.is_transparent,
-                             .title = command.title.value_or("")});
+                             .title = command.title.value_or(""),
+                             .theme = command.theme,
+                             .size_px = page_size(state, command)});
 }
 
 std::optional<Refusal> no_visible_curve(const EditorState& state) {
@@ -65,7 +83,12 @@ const CommandSpec& ExportFigure::spec() {
                  .usually(1.0),
              field::flag<&ExportFigure::is_transparent>("transparent", "whether the ground is left out").usually(false),
              field::text<&ExportFigure::title>("title", "a title above the picture"),
-             field::flag<&ExportFigure::replace>("replace", "whether a file that is there is replaced").usually(false)},
+             field::flag<&ExportFigure::replace>("replace", "whether a file that is there is replaced").usually(false),
+             field::number<&ExportFigure::width>("width", "pixels, 96 to an inch; as on the screen where it is empty")
+                 .above(0.0)
+                 .at_most(most_figure_side),
+             field::number<&ExportFigure::height>("height", "likewise").above(0.0).at_most(most_figure_side),
+             field::choice<&ExportFigure::theme>("theme", "the colors").suggesting<theme_on_screen>()},
         .refusal = no_visible_curve,
         .run = body_of<export_figure>};
     return spec;

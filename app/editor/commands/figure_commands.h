@@ -16,7 +16,10 @@ struct ExportFigure {
     double scale = 1.0;  ///< pixels of a PNG for each of the design
     bool is_transparent = false;
     std::optional<std::string> title{};
-    bool replace = false;  ///< a file that is there
+    bool replace = false;                ///< a file that is there
+    std::optional<double> width{};       ///< design pixels, > 0; none: as on the screen, or as the height asks for
+    std::optional<double> height{};      ///< likewise
+    std::optional<FigureTheme> theme{};  ///< none: that of the screen
     static const CommandSpec& spec();
 };
 

@@ -149,6 +149,12 @@ struct Proceed {
     }
 };
 
+// Of several notes the first one.
+std::string exported_message(const std::string& file, const std::vector<std::string>& notes) {
+    if (notes.empty()) return sentence("Exported {file}", {{"file", file}});
+    return sentence("Exported {file}; {note}", {{"file", file}, {"note", notes.front()}});
+}
+
 }  // namespace
 
 fs::path absolute_path(const fs::path& path) {
@@ -218,7 +224,7 @@ Outcome<void> export_figure_to(EditorState& state, const fs::path& path, const F
         return tl::unexpected(Refusal("there is no visible curve to be shown"));
     const auto written = state.desktop.write_figure(state, path, form);
     if (!written) return tl::unexpected(written.error());
-    state.message = {sentence("Exported {file}", {{"file", path.filename().string()}}), false};
+    state.message = {exported_message(path.filename().string(), *written), false};
     return {};
 }
 

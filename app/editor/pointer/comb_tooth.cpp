@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
 
 namespace batten::editor {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double tooth_length = 60.0;    // of the large curvature
 constexpr double longest_tooth = 180.0;  // near cusps
+constexpr double tooth_share = 0.25;     // of the longer side of the control points' box, in a figure
 constexpr double handle_distance = 26.0;
 
 }  // namespace
@@ -20,7 +22,14 @@ std::optional<CombScale> comb_scale(const EditorState& state, const core::Curve&
     const double large = state.derived.large_curvature(curve);
     if (!(large > 0.0) || !std::isfinite(large)) return std::nullopt;
     const double px = state.view.interface_scale;
-    return CombScale{px * tooth_length * factor / large, px * longest_tooth * std::max(1.0, factor)};
+    double longest = px * longest_tooth * std::max(1.0, factor);
+    // A window can be moved; a figure shows its comb whole, and the curve not much smaller for it.
+    if (!state.view.parts.window) {
+        const core::Box box = core::control_box(curve);
+        const double size = std::max(box.upper.x - box.lower.x, box.upper.y - box.lower.y);
+        longest = std::min(longest, tooth_share * size * state.view.camera.scale * std::max(1.0, factor));
+    }
+    return CombScale{px * tooth_length * factor / large, longest};
 }
 
 std::optional<Tooth> tooth_at(const core::Curve& curve, double u, core::Side side, const CombScale& scale) {

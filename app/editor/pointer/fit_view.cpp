@@ -24,6 +24,7 @@ constexpr double least_margin = 18.0;
 constexpr double largest_share = 0.15;  // of a small picture that the margin may take
 constexpr double least_share = 0.25;    // of the scale without panels that going around them may leave
 constexpr double default_scale = 64.0;
+constexpr int most_fit_rounds = 6;
 
 core::Box visible_box(const core::Document& document) {
     core::Box box;
@@ -92,17 +93,28 @@ bool is_clear(const EditorState& state, const Camera& camera, const std::vector<
                        [&](const PixelBox& panel) { return covered(state, camera, panel, cache) == 0; });
 }
 
-/// With what views draw beyond `box`, as far as that is no more than a picture away on each side.
-core::Box with_views(const EditorState& state, core::Box box, SceneCache& cache) {
+/// With what views draw beyond `box`, as far as that is no more than a picture away on each side of `shown`.
+core::Box with_reach(const EditorState& state, core::Box box, const core::Box& shown, SceneCache& cache) {
     EditorState trial = state;
     Camera& camera = trial.view.camera;
-    camera = fitted_into(state.view, box, {{}, camera.size_px});
+    camera = fitted_into(state.view, shown, {{}, camera.size_px});
     camera.size_px *= 3.0;
     const std::optional<PixelBox> reach = reach_of_views(trial, cache);
     if (!reach) return box;
     for (const glm::dvec2 corner : {reach->lower_px, reach->upper_px})
         box.include(core::Point(render::world_from_screen(camera, corner)));
     return box;
+}
+
+/// Teeth and arrows keep their pixels: they reach farther in the plane where more of it is seen.
+core::Box with_views(const EditorState& state, const core::Box& box, SceneCache& cache) {
+    core::Box shown = box;
+    for (int round = 0; round < most_fit_rounds; ++round) {
+        const core::Box wanted = with_reach(state, box, shown, cache);
+        if (wanted.lower == shown.lower && wanted.upper == shown.upper) break;
+        shown = wanted;
+    }
+    return shown;
 }
 
 /// Whether all of `box` is seen beside the insets.

@@ -26,9 +26,11 @@ constexpr double construction_reach = 5.0;
 constexpr double mark_reach = 6.0;
 constexpr double word_gap = 4.0;
 constexpr double wished_step = 6.0;
-constexpr double ground_error = 0.1;  // of the width of a text that is not measured with its font
+constexpr double farther_in_figure = 18.0;  // than beside its point, where a label may stand
+constexpr double ground_error = 0.1;        // of the width of a text that is not measured with its font
 constexpr double ground_margin = 2.0;
 constexpr double label_ground_opacity = 0.85;
+constexpr std::size_t most_unplaced_names = 1000;
 
 /// Puts labels into free places.
 class LabelWriter {
@@ -97,23 +99,74 @@ class LabelWriter {
     bool has_grounds_;
 };
 
-void write_point_name(LabelWriter& writer, CanvasFrame& frame, NumberColumn weights, std::size_t i) {
+/// Around the point, farther away where it is crowded there, then over symbols; nowhere else. Returns false where there
+/// is no room.
+bool write_around(LabelWriter& writer, glm::dvec2 point, const std::vector<LabelWord>& words, double nearest,
+                  Crowding crowding) {
+    for (double distance = nearest; distance <= nearest + farther_in_figure; distance += wished_step)
+        if (writer.write(point, words, distance, LabelSide::upper_right, crowding)) return true;
+    return false;
+}
+
+/// A name, which may have a weight beside it.
+struct PointName {
+    std::size_t index = 0;
+    glm::dvec2 place{};
+    std::vector<LabelWord> words;
+    double distance = 0.0;  ///< design pixels
+};
+
+PointName name_of_point(const CanvasFrame& frame, NumberColumn weights, std::size_t i, glm::dvec2 place) {
     const double weight = frame.curve->weights()[i];
-    std::vector<LabelWord> words{{fmt::format("P_{{{}}}", i), {.color = frame.theme.text, .size = name_size}}};
-    if (weight != 1.0)
-        words.push_back(
-            {fmt::format("· w {}", weight_text(weight, weights)), {.color = frame.theme.dim, .size = name_size}});
     const double ring = weight_ring_radius_px(frame.state, i).value_or(0.0) / frame.pen.px(1.0);
-    const double distance = std::max(i == 0 ? boxed_point_distance : point_distance, ring + 3.0);
+    PointName name{i, place, {}, std::max(i == 0 ? boxed_point_distance : point_distance, ring + 3.0)};
+    name.words.push_back({fmt::format("P_{{{}}}", i), {.color = frame.theme.text, .size = name_size}});
+    if (weight != 1.0)
+        name.words.push_back(
+            {fmt::format("· w {}", weight_text(weight, weights)), {.color = frame.theme.dim, .size = name_size}});
+    return name;
+}
+
+/// Of figures, which nobody can move to make room: with its weight, else without, else farther away, else over what is
+/// there.
+void write_name_in_figure(LabelWriter& writer, CanvasFrame& frame, PointName name) {
+    if (writer.write(name.place, name.words, name.distance, LabelSide::upper_right, Crowding::leave_out)) return;
+    if (name.words.size() > 1) frame.cache.unplaced().push_back(fmt::format("w_{{{}}}", name.index));
+    name.words.resize(1);
+    for (const Crowding crowding : {Crowding::leave_out, Crowding::cover_symbols})
+        if (write_around(writer, name.place, name.words, name.distance, crowding)) return;
+    frame.cache.unplaced().push_back(name.words.front().text);
+}
+
+void write_point_name(LabelWriter& writer, CanvasFrame& frame, PointName name) {
+    if (!frame.state.view.parts.window) return write_name_in_figure(writer, frame, std::move(name));
     const auto* hovered = std::get_if<HoveredPoint>(&frame.state.hover);
-    const bool matters = frame.state.selection.contains_point(i) || (hovered != nullptr && hovered->index == i);
-    writer.write(frame.screen(frame.curve->control_points()[i]), std::move(words), distance, LabelSide::upper_right,
+    const bool is_hovered = hovered != nullptr && hovered->index == name.index;
+    const bool matters = is_hovered || frame.state.selection.contains_point(name.index);
+    writer.write(name.place, std::move(name.words), name.distance, LabelSide::upper_right,
                  matters ? Crowding::cover_symbols : Crowding::leave_out);
+}
+
+/// Notes the names of a figure's points that are too dense to have one.
+void note_nameless(CanvasFrame& frame, const ShownPoints& points) {
+    if (frame.state.view.parts.window || !is_dense(points)) return;
+    std::size_t named = 0;
+    for (std::size_t i = 0; i < frame.curve->control_points().size(); ++i) {
+        if (frame.cache.unplaced().size() >= most_unplaced_names) return;
+        if (named < points.large.size() && points.large[named].index == i)
+            ++named;
+        else
+            frame.cache.unplaced().push_back(fmt::format("P_{{{}}}", i));
+    }
 }
 
 void write_point_names(LabelWriter& writer, CanvasFrame& frame, const ShownPoints& points) {
     const NumberColumn weights = frame.state.derived.weights_of(*frame.curve)->column;
-    for (const MarkPlace& point : points.large) write_point_name(writer, frame, weights, point.index);
+    for (const MarkPlace& point : points.large)
+        write_point_name(
+            writer, frame,
+            name_of_point(frame, weights, point.index, frame.screen(frame.curve->control_points()[point.index])));
+    note_nameless(frame, points);
 }
 
 std::string knot_text(const CurveKnot& knot) {
@@ -124,15 +177,17 @@ std::string knot_text(const CurveKnot& knot) {
 void write_knot(LabelWriter& writer, CanvasFrame& frame, const CurveKnot& knot) {
     if (knot.multiplicity < 2) return;
     const render::Color color = knot.is_lit ? frame.theme.accent : frame.theme.dim;
-    writer.write(knot.places.back(), {{knot_text(knot), {.color = color, .size = detail_size}}}, knot_distance,
-                 LabelSide::upper_right, Crowding::cover_symbols);
+    if (!writer.write(knot.places.back(), {{knot_text(knot), {.color = color, .size = detail_size}}}, knot_distance,
+                      LabelSide::upper_right, Crowding::cover_symbols))
+        frame.cache.unplaced().push_back(knot_text(knot));
 }
 
-void write_wished(LabelWriter& writer, const WishedLabel& label) {
+void write_wished(LabelWriter& writer, CanvasFrame& frame, const WishedLabel& label) {
     for (const Crowding crowding : {Crowding::leave_out, label.crowding})
         for (double distance = label.distance; distance <= std::max(label.distance, label.farthest);
              distance += wished_step)
             if (writer.write(label.place, label.words, distance, label.first, crowding, label.has_ground)) return;
+    if (!label.words.empty()) frame.cache.unplaced().push_back(label.words.front().text);
 }
 
 /// The points of the construction, which move with u: only the name of C(u) gives way to them, so that the others stay.
@@ -158,11 +213,40 @@ void write_curve_point(LabelWriter& writer, CanvasFrame& frame) {
     for (const Crowding crowding : {Crowding::leave_out, Crowding::cover_symbols})
         for (const double distance : {13.0, 24.0, 36.0, 52.0, 72.0})
             if (writer.write(place, {{text, style}}, distance, LabelSide::lower_right, crowding)) return;
+    frame.cache.unplaced().push_back(text);
+}
+
+render::PixelBox box_of(const render::Label& label) {
+    const glm::dvec2 size = text_size(label.text, label.size_px, label.font);
+    const double share = label.anchor == render::Anchor::left     ? 0.0
+                         : label.anchor == render::Anchor::center ? 0.5
+                                                                  : 1.0;
+    const glm::dvec2 lower = glm::dvec2(label.position) - glm::dvec2(share * size.x, 0.5 * size.y);
+    return {lower, lower + size};
 }
 
 }  // namespace
 
+void draw_moving_labels(CanvasFrame& frame, const render::DrawList& list, std::span<const MovingPoint> points) {
+    LabelWriter writer(frame, {}, {});
+    for (const render::DrawCommand& command : list.commands)
+        if (const auto* label = std::get_if<render::Label>(&command)) writer.layout().avoid_box(box_of(*label));
+    const NumberColumn weights = frame.state.derived.weights_of(*frame.curve)->column;
+    std::vector<glm::dvec2> polygon;
+    for (const MovingPoint& point : points) {
+        polygon.push_back(point.place);
+        writer.layout().avoid_symbol(point.place, frame.pen.px(control_point_reach));
+    }
+    writer.layout().avoid_line(polygon);
+    for (const MovingPoint& point : points) {
+        PointName name = name_of_point(frame, weights, point.index, point.place);
+        if (!point.stays) name.words.resize(1);
+        write_name_in_figure(writer, frame, std::move(name));
+    }
+}
+
 void draw_canvas_labels(CanvasFrame& frame, const CanvasMarks& marks, const std::vector<render::PixelBox>& covered) {
+    frame.cache.unplaced().clear();
     const bool has_names = frame.shows(Overlay::labels);
     if (!has_names && frame.labels.empty()) return;
     LabelWriter writer(frame, marks, covered);
@@ -171,9 +255,9 @@ void draw_canvas_labels(CanvasFrame& frame, const CanvasMarks& marks, const std:
     for (const glm::dvec2 mark : frame.marks) writer.layout().avoid_symbol(mark, frame.pen.px(mark_reach));
     for (const CurveKnot& knot : marks.knots.knots)
         for (const glm::dvec2 place : knot.places) writer.layout().avoid_symbol(place, frame.pen.px(5.0));
-    if (has_names) write_point_names(writer, frame, marks.points);
+    if (has_names && frame.state.view.parts.names) write_point_names(writer, frame, marks.points);
     spare_control_points(writer, frame, marks.points);
-    for (const WishedLabel& label : frame.labels) write_wished(writer, label);
+    for (const WishedLabel& label : frame.labels) write_wished(writer, frame, label);
     if (!has_names) return;
     for (const CurveKnot& knot : marks.knots.knots) write_knot(writer, frame, knot);
     if (frame.state.view.parts.parameter) write_curve_point(writer, frame);

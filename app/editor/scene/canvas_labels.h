@@ -21,4 +21,15 @@ struct CanvasMarks {
 /// polygon, curve and `covered` boxes. The frame must have a curve.
 void draw_canvas_labels(CanvasFrame& frame, const CanvasMarks& marks, const std::vector<render::PixelBox>& covered);
 
+/// A control point on its way somewhere.
+struct MovingPoint {
+    std::size_t index = 0;
+    glm::dvec2 place{};
+    bool stays = false;  ///< where it is, with its weight
+};
+
+/// The same names beside moving points: apart from one another, from the polygon through them, the curve, and the
+/// labels that `list` has.
+void draw_moving_labels(CanvasFrame& frame, const render::DrawList& list, std::span<const MovingPoint> points);
+
 }  // namespace batten::editor

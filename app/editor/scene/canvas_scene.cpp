@@ -41,16 +41,16 @@ std::vector<render::PixelBox> draw_background(CanvasFrame& frame) {
     const auto legend = shows_legend(frame.state)
                             ? std::optional(legend_box(frame.state, frame.state.view.legend_corner))
                             : std::nullopt;
-    if (frame.shows(Overlay::grid)) {
-        draw_grid(frame);
-        covered = draw_grid_numbers(frame, legend);
-    }
+    if (frame.shows(Overlay::grid)) draw_grid(frame);
+    // A figure has no rulers around it.
+    const bool has_rulers = frame.shows(Overlay::rulers) && !frame.state.view.parts.window;
+    if (frame.shows(Overlay::grid) || has_rulers) covered = draw_grid_numbers(frame, legend);
     if (legend) covered.push_back(*legend);
     for (const InsetPlace& inset : inset_places(frame.state)) covered.push_back(inset.box);
     if (const auto cards = floating_cards_box(frame.state)) covered.push_back(*cards);
     for (const render::PixelBox& box : finding_boxes(frame)) covered.push_back(box);
     draw_filled_shapes(frame);
-    if (frame.state.view.parts.window) draw_guides(frame);
+    draw_guides(frame);
     reserve_transform_box(frame);
     draw_ghost(frame);
     draw_selected_others(frame);

@@ -81,4 +81,10 @@ void draw_control_points(CanvasFrame& frame, const ShownPoints& points) {
     }
 }
 
+void draw_moving_point(CanvasFrame& frame, glm::dvec2 place, std::size_t i, bool stays) {
+    if (stays) draw_weight_ring(frame, place, i);
+    if (i == 0) draw_first_box(frame, place);
+    draw_control_point(frame, place, i);
+}
+
 }  // namespace batten::editor

@@ -12,4 +12,8 @@ void draw_dense_points(CanvasFrame& frame, const ShownPoints& points);
 /// a curve.
 void draw_control_points(CanvasFrame& frame, const ShownPoints& points);
 
+/// Control point `i` in full size wherever it is on its way, the first one boxed; its weight's ring only where it
+/// `stays`.
+void draw_moving_point(CanvasFrame& frame, glm::dvec2 place, std::size_t i, bool stays);
+
 }  // namespace batten::editor

@@ -77,8 +77,8 @@ void draw_active_curve(CanvasFrame& frame) {
     const render::Color full = color_of(active, frame.theme);
     const render::Color color = active.locked ? render::blended(full, locked_active_share, frame.theme.canvas) : full;
     draw_line(frame, frame.curve_line, {.color = color, .width = active_curve_width});
-    // One arrow where there are no others, and in no figure that did not ask for it.
-    if (frame.state.view.parts.window && !frame.shows(Overlay::directions)) draw_direction(frame, color);
+    // One arrow where there are no others.
+    if (frame.state.view.parts.arrow && !frame.shows(Overlay::directions)) draw_direction(frame, color);
     if (frame.state.view.parts.parameter)
         draw_part(frame, active_span(frame), {.color = frame.theme.accent, .width = span_width});
 }

@@ -6,6 +6,7 @@
 #include "app/editor/pointer/fit_view.h"
 #include "app/editor/scene/canvas_scene.h"
 #include "app/editor/scene/lifted_picture.h"
+#include "app/editor/scene/moving_polygon.h"
 #include "app/editor/scene/plot_scene.h"
 #include "app/editor/scene/text_size.h"
 
@@ -20,7 +21,6 @@ constexpr double figure_title_margin = 16.0;
 constexpr double least_plot_height = 160.0;
 
 constexpr double plot_share = 0.4;  // of the height, below a curve
-constexpr double moving_radius = 6.5;
 
 /// The heights of what stands one above the other, in pixels of the figure.
 struct FigureHeights {
@@ -66,7 +66,10 @@ class FigurePage {
                   .anchor = render::Anchor::center,
                   .font = render::LabelFont::bold});
         add(std::move(list), height_px, theme_.canvas);
+        figure_.parts.back().is_prose = true;
     }
+
+    void lacks(const std::vector<std::string>& labels) { figure_.unplaced = labels; }
 
     const Theme& theme() const { return theme_; }
     render::Figure take() { return std::move(figure_); }
@@ -86,19 +89,19 @@ render::DrawList lifted_scene(const EditorState& state, SceneCache& cache) {
     return list;
 }
 
-void draw_moving_polygon(render::DrawList& list, const EditorState& state, std::span<const CutCorner> moving) {
-    SceneCache cache;
+/// The curve with `moving` in place of its control polygon, points and their names.
+render::DrawList moving_scene(const EditorState& state, std::span<const CutCorner> moving, SceneCache& cache) {
+    EditorState bare = state;
+    bare.view.parts.points = false;
+    bare.view.parts.names = false;
+    bare.view.overlays.show(Overlay::polygon, false);
+    render::DrawList list = canvas_scene(bare, CanvasIdle{}, cache);
     CanvasFrame frame(state, cache, list);
-    if (frame.curve == nullptr || moving.empty()) return;
-    std::vector<glm::dvec2> places;
-    for (const CutCorner& corner : moving) places.push_back(frame.screen(corner.place));
-    if (frame.curve->is_periodic()) places.push_back(places.front());
-    frame.pen.line(places, {.color = frame.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0});
-    for (std::size_t i = 0; i < moving.size(); ++i)
-        frame.pen.symbol(places[i], {.radius = moving_radius,
-                                     .fill = frame.theme.point(frame.hue(moving[i].index)),
-                                     .outline = frame.theme.canvas,
-                                     .outline_width = 2.0});
+    draw_moving_polygon(frame, list, moving,
+                        {.polygon = frame.shows(Overlay::polygon),
+                         .points = state.view.parts.points,
+                         .names = frame.shows(Overlay::labels)});
+    return list;
 }
 
 /// The figure of a state whose camera, scale and parts are those of the figure.
@@ -111,12 +114,12 @@ render::Figure composed(const EditorState& state, const FigureForm& form, const 
     if (form.view == FigureView::homogeneous) {
         page.add(lifted_scene(state, cache), heights.canvas, page.theme().panel);
     } else if (has_canvas(form.view)) {
-        render::DrawList list = canvas_scene(state, CanvasIdle{}, cache);
-        draw_moving_polygon(list, state, moving);
-        page.add(std::move(list), heights.canvas, page.theme().canvas);
+        page.add(moving.empty() ? canvas_scene(state, CanvasIdle{}, cache) : moving_scene(state, moving, cache),
+                 heights.canvas, page.theme().canvas);
     }
     if (has_plot(form.view))
         page.add(plot_scene(state, PlotIdle{}, {width, heights.plot}, cache), heights.plot, page.theme().panel);
+    page.lacks(cache.unplaced());
     return page.take();
 }
 
@@ -133,6 +136,19 @@ void bring_to_rest(EditorState& state) {
     state.tool = Tool::select;
     state.view.playback.is_playing = false;
     state.view.parts.window = false;
+}
+
+void take_theme(View& view, FigureTheme theme) {
+    view.is_presenting = false;
+    view.parts.high_contrast = theme == FigureTheme::high_contrast;
+    view.theme = theme == FigureTheme::dark ? ThemeName::dark : ThemeName::light;
+}
+
+/// What the camera shows, on `size_px`: the same height and width or more.
+void take_size(render::Camera& camera, glm::dvec2 size_px) {
+    const glm::dvec2 ratio = size_px / camera.size_px;
+    camera.scale *= std::min(ratio.x, ratio.y);
+    camera.size_px = size_px;
 }
 
 double title_height(const FigureForm& form) {
@@ -160,13 +176,24 @@ render::Figure window_figure(const EditorState& state, const FigureForm& form) {
     bring_to_rest(still);
     View& view = still.view;
     view.parts.points = view.overlays.is_shown(Overlay::polygon);
+    if (form.theme) take_theme(view, *form.theme);
     const double factor = form.scale / view.interface_scale;
     view.interface_scale = form.scale;
     view.camera.scale *= factor;
     view.camera.size_px *= factor;
-    const FigureHeights heights{
+    FigureHeights heights{
         .title = title_height(form), .canvas = view.camera.size_px.y, .plot = form.scale * view.dock_height};
+    if (form.size_px) {
+        const glm::dvec2 page = form.scale * *form.size_px;
+        heights = shared_heights(form, page.y);
+        take_size(view.camera, {page.x, std::max(heights.canvas, 1.0)});
+    }
     return composed(still, form, heights, {});
+}
+
+glm::dvec2 window_figure_size(const EditorState& state, FigureView view) {
+    const glm::dvec2 canvas = state.view.camera.size_px / state.view.interface_scale;
+    return {canvas.x, (has_canvas(view) ? canvas.y : 0.0) + (has_plot(view) ? state.view.dock_height : 0.0)};
 }
 
 void pose_for_figure(EditorState& state, const FigureForm& form, glm::dvec2 size_px) {

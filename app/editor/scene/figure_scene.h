@@ -10,8 +10,12 @@
 namespace batten::editor {
 
 /// What the canvas of the window shows now, with its camera; with FigureView::both or basis the plot as high as the
-/// dock. Without pointer, selection and what tells how many marks are left out.
+/// dock. Without pointer, selection and what tells how many marks are left out. On a page of another size the same part
+/// of the plane is seen, or more of it.
 render::Figure window_figure(const EditorState& state, const FigureForm& form);
+
+/// How large that is at a scale of 1 without a title, in design pixels.
+glm::dvec2 window_figure_size(const EditorState& state, FigureView view);
 
 /// Prepares a state for a page of `size_px` (> 0, before form.scale) with the overlays and parts of its view: at rest,
 /// and with the camera that shows the visible curves as large as they fit.

@@ -117,7 +117,8 @@ void draw_grid(CanvasFrame& frame) {
 
 std::vector<render::PixelBox> draw_grid_numbers(CanvasFrame& frame, const std::optional<render::PixelBox>& covered) {
     std::vector<render::PixelBox> written;
-    if (frame.shows(Overlay::rulers)) return written;  // which have them
+    const bool are_on_rulers = frame.shows(Overlay::rulers) && frame.state.view.parts.window;
+    if (are_on_rulers) return written;
     for (int axis = 0; axis < 2; ++axis) NumberRow(frame, axis, covered, written).draw();
     return written;
 }

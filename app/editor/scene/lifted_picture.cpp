@@ -1,10 +1,14 @@
 #include "app/editor/scene/lifted_picture.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "app/editor/scene/curve_strokes.h"
+#include "app/editor/scene/label_layout.h"
 #include "app/editor/scene/panel_box.h"
+#include "app/editor/scene/text_size.h"
 #include "core/evaluate/farin_points.h"
 
 namespace batten::editor {
@@ -21,12 +25,25 @@ constexpr double lifted_width = 3.0;
 constexpr double lifted_title_height = 24.0;
 constexpr double lifted_padding = 12.0;
 constexpr double shadow_width = 2.25;
+constexpr double lifted_name_size = 13.0;
+constexpr double lifted_name_distance = 9.0;
+constexpr double lifted_name_farthest = 27.0;
+constexpr double lifted_name_step = 6.0;
+constexpr double lifted_reach = 7.0;
+
+/// What is drawn beside the curve, its shadow and the plane.
+struct LiftedParts {
+    bool polygon = true;
+    bool points = true;
+    bool names = false;
+};
 
 /// One picture while it is drawn.
 class LiftedPicture {
   public:
-    LiftedPicture(CanvasFrame& frame, const render::PixelBox& box)
+    LiftedPicture(CanvasFrame& frame, const render::PixelBox& box, const LiftedParts& parts)
         : frame_(frame),
+          parts_(parts),
           stage_(lifted_stage(frame.state, box)),
           pen_(frame.pen.within({box.lower_px + glm::dvec2(0.0, frame.pen.px(lifted_title_height)), box.upper_px})),
           samples_(frame.kept->lifted(stage_.view)),
@@ -38,7 +55,9 @@ class LiftedPicture {
         draw_plane();
         draw_shadow();
         draw_side(is_from_above_);
-        draw_points();
+        draw_origin();
+        if (parts_.points) draw_points();
+        if (parts_.names) draw_names();
         if (frame_.state.view.parts.parameter) draw_parameter();
         draw_hovered_place();
     }
@@ -74,7 +93,7 @@ class LiftedPicture {
     /// The polygon and the curve in space as far as they are above, or else below the plane.
     void draw_side(bool is_above) {
         const Stroke polygon{.color = frame_.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0};
-        if (lifted_stride(*frame_.curve) == 1)
+        if (parts_.polygon && lifted_stride(*frame_.curve) == 1)
             for (std::size_t leg = 0; leg < core::leg_count(*frame_.curve); ++leg)
                 draw_on_side(leg_samples(leg), is_above, polygon);
         const Stroke lifted{.color = frame_.theme.level(2), .width = lifted_width};
@@ -134,7 +153,7 @@ class LiftedPicture {
         std::vector<glm::dvec2> line;
         for_each_point([&](std::size_t i) { line.push_back(shown(points()[i], 1.0)); });
         if (frame_.curve->is_periodic()) line.push_back(line.front());
-        pen_.line(line, polygon);
+        if (parts_.polygon) pen_.line(line, polygon);
         const render::Color color = color_of(*frame_.state.shown().active_curve(), frame_.theme);
         for (const auto& run : samples_) {
             std::vector<glm::dvec2> curve;
@@ -143,13 +162,16 @@ class LiftedPicture {
         }
     }
 
+    void draw_origin() {
+        pen_.text(origin() + glm::dvec2(pen_.px(8.0), 0.0), "O", {.color = frame_.theme.dim, .size = 13.0});
+        pen_.symbol(origin(), {.radius = 3.5, .fill = frame_.theme.text, .outline = no_color});
+    }
+
     void draw_points() {
         for_each_point([&](std::size_t i) {
             draw_ray(points()[i], weight(i),
                      render::blended(frame_.theme.point(frame_.hue(i)), ray_share, frame_.theme.panel), 1.25);
         });
-        pen_.text(origin() + glm::dvec2(pen_.px(8.0), 0.0), "O", {.color = frame_.theme.dim, .size = 13.0});
-        pen_.symbol(origin(), {.radius = 3.5, .fill = frame_.theme.text, .outline = no_color});
         const auto* hovered = std::get_if<HoveredPoint>(&frame_.state.hover);
         const auto* lifted = std::get_if<HoveredLifted>(&frame_.state.hover);
         for_each_point([&](std::size_t i) {
@@ -162,6 +184,40 @@ class LiftedPicture {
                 shown(points()[i], weight(i)),
                 {.radius = is_large ? 8.0 : 6.0, .fill = color, .outline = frame_.theme.panel, .outline_width = 2.0});
         });
+    }
+
+    /// Beside the lifted points, off the curves and what else has a name.
+    void draw_names() {
+        LabelLayout layout(frame_.pen.size_px());
+        const glm::dvec2 reach(pen_.px(lifted_reach));
+        for (const auto& run : samples_)
+            for (const bool is_lifted : {true, false}) {
+                std::vector<glm::dvec2> line;
+                for (const core::LiftedSample& sample : run)
+                    line.push_back(shown(sample.point, is_lifted ? sample.weight : 1.0));
+                layout.avoid_line(line);
+            }
+        layout.avoid_box({origin() - reach, origin() + 3.0 * reach});
+        for_each_point([&](std::size_t i) {
+            const glm::dvec2 place = shown(points()[i], weight(i));
+            layout.avoid_box({place - reach, place + reach});
+        });
+        for_each_point([&](std::size_t i) {
+            const std::string name = fmt::format("P_{{{}}}", i);
+            if (!write_name(layout, shown(points()[i], weight(i)), name)) frame_.cache.unplaced().push_back(name);
+        });
+    }
+
+    bool write_name(LabelLayout& layout, glm::dvec2 point, const std::string& name) {
+        const glm::dvec2 size = text_size(name, pen_.px(lifted_name_size), render::LabelFont::text);
+        for (const Crowding crowding : {Crowding::leave_out, Crowding::cover_symbols})
+            for (double distance = lifted_name_distance; distance <= lifted_name_farthest; distance += lifted_name_step)
+                if (const auto place = layout.place(point, size, pen_.px(distance), LabelSide::upper_right, crowding)) {
+                    pen_.text(place->position, name,
+                              {.color = frame_.theme.text, .size = lifted_name_size, .anchor = place->anchor});
+                    return true;
+                }
+        return false;
     }
 
     void draw_parameter() {
@@ -186,6 +242,7 @@ class LiftedPicture {
     }
 
     CanvasFrame& frame_;
+    LiftedParts parts_;
     LiftedStage stage_;
     Pen pen_;
     const std::vector<std::vector<core::LiftedSample>>& samples_;
@@ -199,11 +256,14 @@ void draw_lifted_picture(CanvasFrame& frame, const render::PixelBox& box) {
     const glm::dvec2 padding(frame.pen.px(lifted_padding));
     frame.pen.text(box.lower_px + padding + glm::dvec2(0.0, frame.pen.px(2.0)), "Homogeneous view",
                    {.color = frame.theme.dim, .size = 12.0});
-    draw_lifted_curve(frame, box);
+    LiftedPicture(frame, box, {}).draw();
 }
 
 void draw_lifted_curve(CanvasFrame& frame, const render::PixelBox& box) {
-    LiftedPicture(frame, box).draw();
+    const LiftedParts parts{.polygon = frame.shows(Overlay::polygon),
+                            .points = frame.state.view.parts.points,
+                            .names = frame.shows(Overlay::labels)};
+    LiftedPicture(frame, box, parts).draw();
 }
 
 }  // namespace batten::editor

@@ -11,7 +11,8 @@ namespace batten::editor {
 /// The frame must have a curve. Cost: the samples, which are kept, and at most 100 control points.
 void draw_lifted_picture(CanvasFrame& frame, const render::PixelBox& box);
 
-/// The same without the panel and its title, for a picture of its own.
+/// The same without the panel and its title, for a picture of its own, which shows of the polygon, the points and the
+/// parameter what the view does, and the names of the points where it shows labels.
 void draw_lifted_curve(CanvasFrame& frame, const render::PixelBox& box);
 
 }  // namespace batten::editor

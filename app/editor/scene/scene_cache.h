@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/editor/scene/basis_cache.h"
@@ -77,6 +78,9 @@ class SceneCache {
     /// The graphs of the dock.
     BasisCache& basis() { return basis_; }
 
+    /// The labels that the last picture of the canvas had no room for.
+    std::vector<std::string>& unplaced() { return unplaced_; }
+
     /// Forgets curves beyond the first `count`.
     void forget_beyond(std::size_t count);
 
@@ -87,6 +91,7 @@ class SceneCache {
     OtherInk selected_others_;
     FilledShapes fills_;
     BasisCache basis_;
+    std::vector<std::string> unplaced_;
 };
 
 }  // namespace batten::editor

@@ -20,7 +20,7 @@ constexpr double most_points_per_px = 1.5;  // points for each pixel of the pict
 /// In a window the points come with their polygon, in a figure by themselves, and for their names.
 bool has_points(const CanvasFrame& frame) {
     const PictureParts& parts = frame.state.view.parts;
-    return parts.window ? frame.shows(Overlay::polygon) : parts.points || frame.shows(Overlay::labels);
+    return parts.window ? frame.shows(Overlay::polygon) : parts.points || (parts.names && frame.shows(Overlay::labels));
 }
 
 /// What the user points at, as far as it is in the picture.

@@ -93,8 +93,10 @@ struct Desktop {
     /// Has Editor::follow_work called soon; is called from other threads. Without it no command works beside the
     /// interface.
     std::function<void()> wake;
-    /// Writes what the view shows of the state to a file, in the format of its ending; the error is a sentence.
-    std::function<tl::expected<void, std::string>(const EditorState&, const std::filesystem::path&, const FigureForm&)>
+    /// Writes what the view shows of the state to a file, in the format of its ending; returns a sentence for each kind
+    /// of things that the file lacks. The error is a sentence.
+    std::function<tl::expected<std::vector<std::string>, std::string>(const EditorState&, const std::filesystem::path&,
+                                                                      const FigureForm&)>
         write_figure;
     std::filesystem::path examples;  ///< the folder of the example files
     std::filesystem::path lessons;   ///< the folder of the lessons

@@ -60,7 +60,10 @@ std::optional<Refusal> foreign_ending(const std::filesystem::path& path) {
 }
 
 std::optional<Refusal> foreign_result(const std::filesystem::path& path) {
-    return exchange::format_of(path) ? std::nullopt : foreign_ending(path);
+    if (exchange::format_of(path)) return std::nullopt;
+    if (!is_named_as_figure(path)) return foreign_ending(path);
+    return core::sentence("'{name}' is a picture, as 'batten figure' writes it; a file with curves is '{native}'",
+                          {{"name", path.filename().string()}, {"native", native_instead(path).string()}});
 }
 
 Outcome<std::filesystem::path> native_path(const std::filesystem::path& path) {

@@ -21,17 +21,18 @@ class FigureCommands : public ::testing::Test {
     FigureCommands() {
         Desktop desktop;
         desktop.write_figure = [this](const EditorState&, const std::filesystem::path& path,
-                                      const FigureForm& form) -> tl::expected<void, std::string> {
+                                      const FigureForm& form) -> tl::expected<std::vector<std::string>, std::string> {
             asked_ = {path, form, asked_.times + 1};
             if (path.extension() == ".doc")
                 return tl::unexpected(std::string("'wave.doc' has the ending of no figure"));
-            return {};
+            return lacks_;
         };
         editor_ = Editor(desktop);
     }
 
     TemporaryFolder folder_;
     Asked asked_;
+    std::vector<std::string> lacks_;
     Editor editor_;
 };
 
@@ -47,6 +48,29 @@ TEST_F(FigureCommands, ask_the_desktop_for_what_was_chosen) {
     EXPECT_TRUE(editor_.run(ExportFigure{.path = "/tmp/b.svg"}));
     EXPECT_EQ(asked_.form.view, FigureView::curve);
     EXPECT_FALSE(asked_.form.is_transparent);
+}
+
+TEST_F(FigureCommands, take_a_size_and_the_colors_that_are_typed) {
+    ASSERT_TRUE(editor_.run(Open{.path = folder_.write("wave.json", sample_text)}));
+    editor_.change(ResizeCanvas{{1200.0, 800.0}});
+    EXPECT_TRUE(editor_.run(ExportFigure{.path = "/tmp/b.svg"}));
+    EXPECT_FALSE(asked_.form.size_px);
+    EXPECT_TRUE(editor_.run(ExportFigure{.path = "/tmp/b.svg", .width = 300.0, .theme = FigureTheme::high_contrast}));
+    EXPECT_EQ(asked_.form.size_px, glm::dvec2(300.0, 200.0)) << "the height follows";
+    EXPECT_EQ(asked_.form.theme, FigureTheme::high_contrast);
+    EXPECT_TRUE(editor_.run(ExportFigure{.path = "/tmp/b.svg", .height = 400.0}));
+    EXPECT_EQ(asked_.form.size_px, glm::dvec2(600.0, 400.0));
+    EXPECT_TRUE(editor_.run(ExportFigure{.path = "/tmp/b.svg", .width = 100.0, .height = 400.0}));
+    EXPECT_EQ(asked_.form.size_px, glm::dvec2(100.0, 400.0));
+    EXPECT_FALSE(run_typed(editor_, "export-figure a.svg curve 1 off \"\" off 0"));
+}
+
+TEST_F(FigureCommands, tell_what_the_file_lacks) {
+    ASSERT_TRUE(editor_.run(Open{.path = folder_.write("wave.json", sample_text)}));
+    lacks_ = {"there was no room for the label P1; a larger figure may have it"};
+    EXPECT_TRUE(editor_.run(ExportFigure{.path = "/tmp/b.svg"}));
+    EXPECT_EQ(editor_.state().message.text,
+              "Exported b.svg; there was no room for the label P1; a larger figure may have it");
 }
 
 TEST_F(FigureCommands, say_what_the_desktop_refuses) {

@@ -533,7 +533,7 @@ TEST_F(FileCommands, a_figure_is_a_picture_and_no_saving) {
     std::vector<fs::path> written;
     desktop.write_figure = [&written](const EditorState&, const fs::path& path, const FigureForm&) {
         written.push_back(path);
-        return tl::expected<void, std::string>();
+        return tl::expected<std::vector<std::string>, std::string>();
     };
     editor_ = Editor(desktop);
     EXPECT_FALSE(run(SaveAs{.path = folder_.path() / "nothing.pdf"}));

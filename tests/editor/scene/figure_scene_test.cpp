@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/refine/knot_insertion.h"
 #include "tests/editor/sample_editor.h"
 
@@ -64,9 +66,66 @@ TEST(FigureScene, keeps_the_camera_of_the_window) {
     EXPECT_TRUE(is_found);
 }
 
+std::vector<std::string> labels_of(const render::FigurePart& part) {
+    std::vector<std::string> labels;
+    for (const render::DrawCommand& command : part.list.commands)
+        if (const auto* label = std::get_if<render::Label>(&command)) labels.push_back(label->text);
+    return labels;
+}
+
+std::size_t count_lines(const render::FigurePart& part) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        part.list.commands, [](const auto& command) { return std::holds_alternative<render::Polyline>(command); }));
+}
+
+TEST(FigureScene, shows_of_the_window_what_it_shows) {
+    EditorState state = sample_state();
+    state.view.camera = {.center = {1.0, 2.0}, .scale = 40.0, .size_px = {600.0, 400.0}};
+    state.view.overlays.show(Overlay::grid, true);
+    state.view.overlays.show(Overlay::rulers, true);
+    const render::FigurePart with_rulers = window_figure(state, {}).parts.front();
+    state.view.overlays.show(Overlay::rulers, false);
+    const render::FigurePart without = window_figure(state, {}).parts.front();
+    EXPECT_EQ(labels_of(with_rulers), labels_of(without)) << "the numbers of the axes stand beside its edge";
+    state.view.parts.arrow = false;
+    EXPECT_EQ(count_lines(window_figure(state, {}).parts.front()) + 1, count_lines(without)) << "the arrow";
+}
+
+TEST(FigureScene, shows_as_much_of_the_plane_on_another_page) {
+    EditorState state = sample_state();
+    state.view.camera = {.center = {1.0, 2.0}, .scale = 40.0, .size_px = {600.0, 400.0}};
+    const render::Figure figure =
+        window_figure(state, {.theme = FigureTheme::high_contrast, .size_px = glm::dvec2(300.0, 300.0)});
+    EXPECT_EQ(figure.size_px, glm::dvec2(300.0, 300.0));
+    const core::Point point = state.active_curve()->control_points()[1];
+    // At half the scale, with the same middle.
+    const glm::dvec2 place =
+        glm::dvec2(150.0) + 20.0 * (glm::dvec2(point) - glm::dvec2(1.0, 2.0)) * glm::dvec2(1.0, -1.0);
+    EXPECT_TRUE(std::ranges::any_of(figure.parts.front().list.commands, [&](const auto& command) {
+        const auto* marker = std::get_if<render::Marker>(&command);
+        return marker != nullptr && std::abs(marker->center.x - place.x) < 1e-3 &&
+               std::abs(marker->center.y - place.y) < 1e-3;
+    }));
+    EXPECT_EQ(figure.parts.front().ground, high_contrast(ThemeName::light).canvas);
+}
+
+TEST(FigureScene, notes_labels_without_room) {
+    EditorState state = sample_state();
+    for (const double side : {600.0, 60.0}) {
+        pose_for_figure(state, {}, {side, side});
+        const render::Figure figure = figure_of(state, {}, {side, side});
+        const std::vector<std::string> labels = labels_of(figure.parts.front());
+        for (std::size_t i = 0; i < state.active_curve()->control_points().size(); ++i) {
+            const std::string name = "P_{" + std::to_string(i) + "}";
+            EXPECT_NE(std::ranges::count(labels, name), std::ranges::count(figure.unplaced, name)) << name << side;
+        }
+        EXPECT_EQ(figure.unplaced.empty(), side > 100.0);
+    }
+}
+
 TEST(FigureScene, leaves_out_parts_that_were_not_asked_for) {
     EditorState state = sample_state();
-    state.view.parts = {.points = false, .parameter = false, .legend = false, .window = false};
+    state.view.parts = {.points = false, .parameter = false, .legend = false, .arrow = false, .window = false};
     for (const auto& entry : core::Names<Overlay>::table) state.view.overlays.show(entry.value, false);
     pose_for_figure(state, {}, {800.0, 600.0});
     const render::Figure figure = figure_of(state, {}, {800.0, 600.0});

@@ -1,0 +1,59 @@
+#include "app/editor/words/figure_notes.h"
+
+#include <algorithm>
+
+#include "core/base/sentence.h"
+#include "render/label_runs.h"
+
+namespace batten::editor {
+
+namespace {
+
+constexpr std::size_t most_listed = 8;
+constexpr std::size_t most_counted = 1000;
+
+/// "P3" of "P_{3}".
+std::string plain_text(const std::string& label) {
+    std::string text;
+    for (const render::LabelRun& run : render::label_runs(label)) text += run.text;
+    return text;
+}
+
+std::string list_of_first(const std::vector<std::string>& labels) {
+    std::string list;
+    for (std::size_t k = 0; k < std::min(labels.size(), most_listed); ++k) {
+        if (k > 0) list += ", ";
+        list += plain_text(labels[k]);
+    }
+    return list;
+}
+
+std::string note_on_labels(const std::vector<std::string>& labels) {
+    const char* many = "there was no room for the labels {labels}; a larger figure may have it";
+    if (labels.size() > most_listed)
+        many = "there was no room for {count} labels, among them {labels}; a larger figure may have it";
+    if (labels.size() >= most_counted)
+        many = "there was no room for {count} labels or more, among them {labels}; a larger figure may have it";
+    return core::sentence(
+        {.one = "there was no room for the label {labels}; a larger figure may have it", .many = many}, labels.size(),
+        {{"labels", list_of_first(labels)}});
+}
+
+std::string note_on_letters(const std::vector<std::string>& letters) {
+    return core::sentence(
+        "LaTeX as it is installed cannot set {letters}: question marks stand there until the paper "
+        "defines \\battenletters",
+        {{"letters", list_of_first(letters)}});
+}
+
+}  // namespace
+
+std::vector<std::string> figure_notes(const render::FigureLosses& losses) {
+    std::vector<std::string> notes;
+    if (!losses.labels.empty()) notes.push_back(note_on_labels(losses.labels));
+    if (!losses.letters.empty()) notes.push_back(note_on_letters(losses.letters));
+    if (losses.has_images) notes.emplace_back("TikZ has no images, so the pictures are left out");
+    return notes;
+}
+
+}  // namespace batten::editor
