@@ -24,7 +24,7 @@ namespace {
 constexpr const char* file_meaning =
     "A curve file of Batten, or of the program that its ending names; - is standard input";
 constexpr const char* result_meaning = "Where the result is written; - is standard output";
-constexpr int most_derivatives = 25;
+constexpr std::size_t most_derivatives = 25;
 constexpr std::size_t least_samples = 2;
 constexpr std::size_t most_samples = 10'000'000;
 
@@ -37,20 +37,13 @@ std::string evaluate(std::string& text) {
     return {};
 }
 
-// Says what is wrong with a length that must be finite and above 0.
-std::string check_length(std::string& text) {
-    const auto value = core::leading_number(text);
-    if (value && value->length == text.size() && value->value > 0.0) return {};
-    return core::sentence("{found} is no length above 0", {{"found", text}});
-}
-
 void add_format(CLI::App& command, const char* name, std::optional<exchange::Format>& format, const char* meaning) {
     std::vector<std::string> names;
     for (const auto& entry : core::Names<exchange::Format>::table) names.emplace_back(entry.name);
     command
         .add_option_function<std::string>(
             name, [&format](const std::string& given) { format = core::value_named<exchange::Format>(given); }, meaning)
-        ->check(CLI::Validator(CLI::IsMember(names)).description(""))
+        ->check(one_of(names))
         ->type_name("FORMAT");
 }
 
@@ -148,7 +141,7 @@ void Subcommands::add_eval(CLI::App& program) {
         ->type_name("NAME");
     command
         ->add_option("--derivatives", eval_.derivatives, "How many derivatives to print beside each value, at most 25")
-        ->check(CLI::Validator(CLI::Range(0, most_derivatives)).description(""))
+        ->check(whole_number(0, most_derivatives))
         ->type_name("N");
     command->add_flag("--basis", eval_.basis,
                       "Print the basis functions that do not vanish there instead of points, a line for each: the "
@@ -158,7 +151,7 @@ void Subcommands::add_eval(CLI::App& program) {
             "--side",
             [this](const std::string& side) { eval_.side = side == "left" ? core::Side::left : core::Side::right; },
             "The side from which a knot is approached: left or right (the default)")
-        ->check(CLI::Validator(CLI::IsMember({"left", "right"})).description(""))
+        ->check(one_of({"left", "right"}))
         ->type_name("SIDE");
     add_json(*command, eval_.as_json);
     eval_command_ = command;
@@ -192,7 +185,7 @@ void Subcommands::add_check(CLI::App& program) {
                       "there");
     command->add_option("--within", check_.within, "How near ends must be to be a joint")
         ->type_name("LENGTH")
-        ->check(CLI::Validator(check_length, ""));
+        ->check(length_above_0());
     add_json(*command, check_.as_json);
     check_command_ = command;
 }
@@ -209,10 +202,10 @@ void Subcommands::add_convert(CLI::App& program) {
         ->add_option("--tolerance", convert_.write.tolerance,
                      "How far curves may be from their copies where the format cannot hold them as they are (default: "
                      "a millionth of the size of the drawing)")
-        ->check(CLI::Validator(check_length, ""))
+        ->check(length_above_0())
         ->type_name("LENGTH");
     command->add_option("--samples", convert_.write.samples, "How many rows a curve has in a table (default: 101)")
-        ->check(CLI::Validator(CLI::Range(least_samples, most_samples)).description(""))
+        ->check(whole_number(least_samples, most_samples))
         ->type_name("N");
     add_json(*command, convert_.as_json);
     convert_command_ = command;
@@ -238,7 +231,7 @@ void Subcommands::add_code(CLI::App& program) {
             [this](const std::string& name) { code_.language = *core::value_named<exchange::CodeLanguage>(name); },
             core::sentence("The language: {languages}", {{"languages", core::listed_as_alternatives(languages)}}))
         ->required()
-        ->check(CLI::Validator(CLI::IsMember(languages)).description(""))
+        ->check(one_of(languages))
         ->type_name("LANGUAGE");
     command->add_option("--curve", code_.curve, "The name or number of the curve, instead of the active one")
         ->type_name("NAME");

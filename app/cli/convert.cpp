@@ -12,10 +12,6 @@ namespace batten::cli {
 
 namespace {
 
-std::string name_of_result(const std::filesystem::path& file) {
-    return is_standard(file) ? "standard output" : file.string();
-}
-
 Json json_of_report(const std::filesystem::path& file, const exchange::Report& report) {
     return {{"file", shown_name(file)},
             {"largest_error", report.holds_samples ? Json(nullptr) : json_of(report.largest_error)},
@@ -56,16 +52,16 @@ ExitStatus convert(const ConvertOptions& options, Output output) {
     const core::FileResult<void> saved =
         written.and_then([&](const exchange::Exported& exported) { return write(options, exported.text, output); });
     if (!saved) {
-        say_error(output, options.result, saved.error());
+        say_error(output, result_name(options.result), saved.error());
         return ExitStatus::wrong_input;
     }
     std::ostream& told = is_standard(options.result) ? output.errors : output.results;
     if (options.as_json) {
         print(told, Json::array({json_of_report(shown_name(options.file), read->report),
-                                 json_of_report(name_of_result(options.result), written->report)}));
+                                 json_of_report(result_name(options.result), written->report)}));
     } else {
         print_report(told, read->document, shown_name(options.file), read->report);
-        print_report(told, read->document, name_of_result(options.result), written->report);
+        print_report(told, read->document, result_name(options.result), written->report);
     }
     return ExitStatus::done;
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <ostream>
 
 #include "app/cli/figure_frames.h"
@@ -5,6 +6,7 @@
 #include "app/cli/input.h"
 #include "app/cli/movie.h"
 #include "app/cli/standard_streams.h"
+#include "app/editor/words/figure_notes.h"
 #include "core/base/sentence.h"
 #include "core/document/file_text.h"
 
@@ -29,38 +31,66 @@ double share_of(std::size_t frame, std::size_t count) {
     return count < 2 ? 0.0 : static_cast<double>(frame) / static_cast<double>(count - 1);
 }
 
+/// What the frames so far lack, each thing once.
+struct Lacking {
+    render::FigureLosses losses;
+
+    void add(const render::Figure& figure, render::FigureFormat format) {
+        render::FigureLosses more = render::figure_losses(figure, format);
+        add_new(losses.labels, more.labels);
+        add_new(losses.letters, more.letters);
+        losses.has_images = losses.has_images || more.has_images;
+    }
+
+  private:
+    static void add_new(std::vector<std::string>& texts, std::vector<std::string>& more) {
+        for (std::string& text : more)
+            if (std::ranges::find(texts, text) == texts.end()) texts.push_back(std::move(text));
+    }
+};
+
 Written write_still(const FigureFrames& frames, render::FigureFormat format, const FigureOptions& options,
-                    Output output) {
-    const auto bytes = render::figure_bytes(frames.at(0.0), format);
+                    Output output, Lacking& lacking) {
+    const render::Figure figure = frames.at(0.0);
+    lacking.add(figure, format);
+    const auto bytes = render::figure_bytes(figure, format);
     return bytes ? write(options.result, *bytes, output) : failed(bytes.error());
 }
 
-Written write_frames(const FigureFrames& frames, render::FigureFormat format, const FigureOptions& options) {
-    for (std::size_t k = 0; k < options.frames; ++k) {
-        const auto bytes = render::figure_bytes(frames.at(share_of(k, options.frames)), format);
+Written write_frames(const FigureFrames& frames, render::FigureFormat format, const std::filesystem::path& pattern,
+                     std::size_t count, Lacking& lacking) {
+    for (std::size_t k = 0; k < count; ++k) {
+        const render::Figure figure = frames.at(share_of(k, count));
+        lacking.add(figure, format);
+        const auto bytes = render::figure_bytes(figure, format);
         if (!bytes) return failed(bytes.error());
-        if (auto written = core::replace_text(frame_name(options.result, k), *bytes); !written) return written;
+        if (auto written = core::replace_text(frame_name(pattern, k), *bytes); !written) return written;
     }
     return {};
 }
 
-Written write_movie(const FigureFrames& frames, MovieFormat format, const FigureOptions& options, Output output) {
+Written write_movie(const FigureFrames& frames, const FigureOrder& order, const std::filesystem::path& file,
+                    Output output, Lacking& lacking) {
     auto maker = MovieMaker::make();
     if (!maker) return failed(maker.error());
-    for (std::size_t k = 0; k < options.frames; ++k) {
-        const auto png = render::png_bytes(frames.at(share_of(k, options.frames)));
+    for (std::size_t k = 0; k < order.frames; ++k) {
+        const render::Figure figure = frames.at(share_of(k, order.frames));
+        lacking.add(figure, render::FigureFormat::png);
+        const auto png = render::png_bytes(figure);
         if (!png) return failed(png.error());
         if (const auto added = maker->add(*png); !added) return failed(added.error());
     }
-    const auto movie = maker->movie(format, options.rate);
-    return movie ? write(options.result, *movie, output) : failed(movie.error());
+    const auto movie = maker->movie(std::get<MovieFormat>(order.format), order.rate);
+    return movie ? write(file, *movie, output) : failed(movie.error());
 }
 
-Written write_all(const FigureFrames& frames, const FigureOrder& order, const FigureOptions& options, Output output) {
-    if (const auto* movie = std::get_if<MovieFormat>(&order.format))
-        return write_movie(frames, *movie, options, output);
+Written write_all(const FigureFrames& frames, const FigureOrder& order, const FigureOptions& options, Output output,
+                  Lacking& lacking) {
+    if (std::holds_alternative<MovieFormat>(order.format))
+        return write_movie(frames, order, options.result, output, lacking);
     const auto format = std::get<render::FigureFormat>(order.format);
-    return order.motion ? write_frames(frames, format, options) : write_still(frames, format, options, output);
+    return order.motion ? write_frames(frames, format, options.result, order.frames, lacking)
+                        : write_still(frames, format, options, output, lacking);
 }
 
 ExitStatus say_wrong_order(Output output, const std::string& what) {
@@ -69,9 +99,16 @@ ExitStatus say_wrong_order(Output output, const std::string& what) {
 }
 
 /// What is wrong with the name of the frames, if anything is.
-bool lacks_number(const FigureOrder& order, const FigureOptions& options) {
-    return order.motion && std::holds_alternative<render::FigureFormat>(order.format) &&
-           !has_frame_number(options.result);
+std::optional<std::string> problem_of_name(const FigureOrder& order, const std::filesystem::path& file) {
+    const bool has_frames = order.motion && std::holds_alternative<render::FigureFormat>(order.format);
+    const std::size_t places = frame_number_count(file);
+    if (!has_frames || places == 1) return std::nullopt;
+    return core::sentence({.one = "",
+                           .many = "-o: '{found}' has {count} places for the number of a frame; one is needed, as in "
+                                   "frame-%03d.png",
+                           .none = "-o: '{found}' has no place for the number of a frame; one is needed, as in "
+                                   "frame-%03d.png"},
+                          places, {{"found", file.string()}});
 }
 
 }  // namespace
@@ -79,11 +116,7 @@ bool lacks_number(const FigureOrder& order, const FigureOptions& options) {
 ExitStatus figure(const FigureOptions& options, Output output) {
     const auto order = read_order(options);
     if (!order) return say_wrong_order(output, order.error());
-    if (lacks_number(*order, options))
-        return say_wrong_order(
-            output, core::sentence("-o: '{found}' has no place for the number of a frame; one is needed, as in "
-                                   "frame-%03d.png",
-                                   {{"found", options.result.string()}}));
+    if (const auto problem = problem_of_name(*order, options.result)) return say_wrong_order(output, *problem);
     std::optional<core::Document> document = load(output, options.file);
     if (!document) return ExitStatus::wrong_input;
     const std::optional<std::size_t> index = find_curve(output, options.file, *document, options.curve);
@@ -96,9 +129,13 @@ ExitStatus figure(const FigureOptions& options, Output output) {
                   frames.error());
         return ExitStatus::wrong_input;
     }
-    const Written written = write_all(*frames, *order, options, output);
+    Lacking lacking;
+    const Written written = write_all(*frames, *order, options, output, lacking);
+    if (!frames->note().empty()) say_error(output, result_name(options.result), "", frames->note());
+    for (const std::string& note : editor::figure_notes(lacking.losses))
+        say_error(output, result_name(options.result), "", note);
     if (written) return ExitStatus::done;
-    say_error(output, options.result, written.error());
+    say_error(output, result_name(options.result), written.error());
     return ExitStatus::wrong_input;
 }
 

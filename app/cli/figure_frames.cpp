@@ -4,9 +4,11 @@
 #include <cmath>
 #include <memory>
 
+#include "app/cli/figure_scale.h"
 #include "app/editor/derived/cut_polygon.h"
 #include "app/editor/editor.h"
 #include "app/editor/scene/figure_scene.h"
+#include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/edit/knot_edit.h"
 #include "core/refine/corner_cutting.h"
@@ -44,8 +46,12 @@ struct CheckMotion {
     }
     Checked operator()(const InsertedKnot& knot) const {
         const auto cutting = core::corner_cutting(curve, knot.u);
-        if (!cutting) return tl::unexpected(core::describe(cutting.error()));
-        return {};
+        if (cutting) return {};
+        if (cutting.error().code != core::CurveErrorCode::multiplicity_full)
+            return tl::unexpected(core::describe(cutting.error()));
+        return tl::unexpected(
+            core::sentence("no knot {value} can come in: there are {count} of them already, the most that there may be",
+                           {{"value", core::shortest_text(knot.u)}, {"count", count_of(knot.u)}}));
     }
     Checked operator()(const MergedKnot& knot) const {
         const std::size_t count = curve.knots().stored().size();
@@ -57,8 +63,18 @@ struct CheckMotion {
             return tl::unexpected(core::sentence("no knot is larger than knot {index}, so it has none to go to",
                                                  {{"index", knot.index}}));
         const auto merged = core::set_knot(curve, knot.index, *next);
-        if (!merged) return tl::unexpected(core::describe(merged.error()));
-        return {};
+        if (merged) return {};
+        if (merged.error().code != core::CurveErrorCode::multiplicity_too_high)
+            return tl::unexpected(core::describe(merged.error()));
+        return tl::unexpected(
+            core::sentence("knot {index} cannot go to {value}: {count} knots are there already, the "
+                           "most that there may be",
+                           {{"index", knot.index}, {"value", core::shortest_text(*next)}, {"count", count_of(*next)}}));
+    }
+
+    std::size_t count_of(double value) const {
+        const auto knots = curve.knots().stored();
+        return static_cast<std::size_t>(std::count(knots.begin(), knots.end(), value));
     }
 };
 
@@ -71,7 +87,16 @@ tl::expected<FigureFrames, std::string> FigureFrames::make(const core::Document&
     if (!checked) return tl::unexpected(std::move(checked.error()));
     FigureFrames frames(order);
     frames.document_ = document;
-    frames.posed_ = editor::Editor(document).state();
+    if (!order.has_pictures) frames.document_.pictures.clear();
+    if (!order.has_guides) frames.document_.guides.clear();
+    const int exponent = drawn_exponent(frames.document_);
+    if (exponent != 0) frames.document_ = drawn_document(frames.document_, exponent);
+    if (exponent != 0 && has_lengths(order.overlays))
+        frames.note_ = core::sentence(
+            "the curve is drawn 2^{exponent} times as large as it is, and lengths on the figure are those of the drawn "
+            "one",
+            {{"exponent", exponent}});
+    frames.posed_ = editor::Editor(frames.document_).state();
     editor::View& view = frames.posed_.view;
     view.theme = order.theme;
     view.overlays = order.overlays;
@@ -104,12 +129,8 @@ render::Figure FigureFrames::at(double share) const {
         if (moved) state = with_curve(*moved);
     }
     if (inserted != nullptr && share >= 1.0) state = with_curve(*core::insert_knot(curve, inserted->u));
-    if (inserted != nullptr && share > 0.0 && share < 1.0) {
+    if (inserted != nullptr && share > 0.0 && share < 1.0)
         moving = editor::cut_polygon(curve, *core::corner_cutting(curve, inserted->u), share);
-        state.view.parts.points = false;
-        for (const editor::Overlay overlay : {editor::Overlay::polygon, editor::Overlay::labels})
-            state.view.overlays.show(overlay, false);
-    }
     return figure_of(state, order_.form, order_.size_px, moving);
 }
 

@@ -21,6 +21,9 @@ class FigureFrames {
     /// The picture when `share`, from 0 to 1, of the motion is done.
     render::Figure at(double share) const;
 
+    /// What must be known of all frames; empty for most.
+    const std::string& note() const { return note_; }
+
   private:
     explicit FigureFrames(FigureOrder order) : order_(std::move(order)) {}
 
@@ -29,6 +32,7 @@ class FigureFrames {
     FigureOrder order_;
     core::Document document_;
     editor::EditorState posed_;
+    std::string note_;
 };
 
 }  // namespace batten::cli

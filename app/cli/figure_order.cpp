@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/cli/figure_show.h"
+#include "app/cli/frame_names.h"
 #include "app/cli/standard_streams.h"
 #include "app/editor/fields/expression.h"
 #include "core/base/number_text.h"
@@ -17,101 +19,16 @@ namespace {
 
 using core::sentence;
 using editor::Overlay;
-using editor::PictureParts;
 
 /// Nothing, or what is wrong.
 using Checked = tl::expected<void, std::string>;
 
 constexpr double most_side_px = 10000.0;
-constexpr std::size_t most_figure_frames = 10000;
-constexpr core::Interval frame_rates{0.1, 100.0};
-
-/// Words of --show that are no names of overlays.
-struct ShownPart {
-    const char* name;
-    bool PictureParts::*part;
-};
-constexpr std::array shown_parts{ShownPart{"points", &PictureParts::points}, ShownPart{"legend", &PictureParts::legend},
-                                 ShownPart{"parameter", &PictureParts::parameter}};
-
-struct OverlayAlias {
-    const char* name;
-    Overlay overlay;
-};
-constexpr std::array overlay_aliases{
-    OverlayAlias{"deboor", Overlay::construction}, OverlayAlias{"comb", Overlay::curvature_comb},
-    OverlayAlias{"bezier", Overlay::bezier_pieces}, OverlayAlias{"circle", Overlay::osculating_circle}};
-
-constexpr const char* basis_word = "basis";
-
-/// "a, b or c" of all entries of a table.
-template <class Table>
-std::string alternatives(const Table& table) {
-    std::vector<std::string> names;
-    for (const auto& entry : table) names.emplace_back(entry.name);
-    return core::listed_as_alternatives(names);
-}
-
-std::string words_of_show() {
-    std::vector<std::string> names;
-    for (const ShownPart& entry : shown_parts) names.emplace_back(entry.name);
-    names.emplace_back(basis_word);
-    for (const OverlayAlias& entry : overlay_aliases) names.emplace_back(entry.name);
-    for (const auto& entry : core::Names<Overlay>::table) names.emplace_back(entry.name);
-    return core::listed_as_alternatives(names);
-}
 
 std::string_view trimmed(std::string_view text) {
     while (text.starts_with(' ')) text.remove_prefix(1);
     while (text.ends_with(' ')) text.remove_suffix(1);
     return text;
-}
-
-std::vector<std::string> words_between_commas(std::string_view text) {
-    std::vector<std::string> words;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(','), text.size());
-        if (const std::string_view word = trimmed(text.substr(0, end)); !word.empty()) words.emplace_back(word);
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return words;
-}
-
-template <class Table>
-auto entry_named(const Table& table, std::string_view name) {
-    return std::ranges::find_if(table, [&](const auto& entry) { return entry.name == name; });
-}
-
-Checked read_shown(FigureOrder& order, const std::string& show) {
-    for (const std::string& word : words_between_commas(show)) {
-        const auto* const part = entry_named(shown_parts, word);
-        const auto* const alias = entry_named(overlay_aliases, word);
-        const auto overlay = core::value_named<Overlay>(word);
-        if (part != shown_parts.end())
-            order.parts.*part->part = true;
-        else if (word == basis_word)
-            order.form.view = editor::FigureView::both;
-        else if (alias != overlay_aliases.end())
-            order.overlays.show(alias->overlay, true);
-        else if (overlay)
-            order.overlays.show(*overlay, true);
-        else
-            return tl::unexpected(
-                sentence("--show: there is nothing called '{name}' to show; what can be shown is {names}",
-                         {{"name", word}, {"names", words_of_show()}}));
-    }
-    return {};
-}
-
-Checked read_view(FigureOrder& order, const std::string& view) {
-    if (view.empty()) return {};
-    const auto found = core::value_named<editor::FigureView>(view);
-    if (!found)
-        return tl::unexpected(
-            sentence("--view: '{found}' is no view of a figure; {names} are",
-                     {{"found", view}, {"names", alternatives(core::Names<editor::FigureView>::table)}}));
-    order.form.view = *found;
-    return {};
 }
 
 Checked read_theme(FigureOrder& order, const std::string& theme) {
@@ -139,10 +56,10 @@ Checked read_size(FigureOrder& order, const FigureOptions& options) {
     if (!width || !height)
         return tl::unexpected(sentence("--size: '{found}' is no size; two whole numbers of pixels are, as in 800x450",
                                        {{"found", options.size}}));
-    if (!(options.scale > 0.0) || !(std::max(*width, *height) * options.scale <= most_side_px))
+    if (!(std::max(*width, *height) * options.scale <= most_side_px))
         return tl::unexpected(
             sentence("--size: a figure of {size} at a scale of {scale} cannot be made; each side may have "
-                     "at most {most} pixels, and the scale is more than 0",
+                     "at most {most} pixels",
                      {{"size", options.size},
                       {"scale", core::shortest_text(options.scale)},
                       {"most", core::shortest_text(most_side_px)}}));
@@ -197,19 +114,16 @@ tl::expected<Motion, std::string> read_motion(const std::string& text) {
 }
 
 Checked read_animation(FigureOrder& order, const FigureOptions& options) {
+    if (options.animate.empty() && (options.frames || options.rate))
+        return tl::unexpected(sentence("{option}: nothing moves; --animate says what does",
+                                       {{"option", options.frames ? "--frames" : "--rate"}}));
     if (options.animate.empty()) return {};
     auto motion = read_motion(options.animate);
     if (!motion) return tl::unexpected(std::move(motion.error()));
     if (std::holds_alternative<RunningParameter>(*motion)) order.parts.parameter = true;
     order.motion = *motion;
-    if (options.frames == 0 || options.frames > most_figure_frames)
-        return tl::unexpected(sentence("--frames: {count} frames cannot be made; from 1 to {most} can",
-                                       {{"count", options.frames}, {"most", most_figure_frames}}));
-    if (!frame_rates.contains(options.rate))
-        return tl::unexpected(sentence("--rate: {rate} frames a second are not possible; from {least} to {most} are",
-                                       {{"rate", core::shortest_text(options.rate)},
-                                        {"least", core::shortest_text(frame_rates.lower)},
-                                        {"most", core::shortest_text(frame_rates.upper)}}));
+    order.frames = options.frames.value_or(order.frames);
+    order.rate = options.rate.value_or(order.rate);
     return {};
 }
 
@@ -231,6 +145,9 @@ Checked read_format(FigureOrder& order, const FigureOptions& options) {
     if (movie) order.format = *movie;
     if (movie && !order.motion)
         return tl::unexpected(std::string("a GIF or MP4 needs --animate, which says what moves"));
+    if (still && !order.motion && frame_number_count(options.result) > 0)
+        return tl::unexpected(sentence("-o: '{found}' is a pattern for the frames that --animate makes",
+                                       {{"found", options.result.string()}}));
     if (still || movie) return {};
     if (names_format)
         return tl::unexpected(
@@ -243,6 +160,14 @@ Checked read_format(FigureOrder& order, const FigureOptions& options) {
         sentence("-o: '{found}' has the ending of no figure; .svg, .pdf, .png and .tex are such, and .gif "
                  "and .mp4 with --animate",
                  {{"found", options.result.string()}}));
+}
+
+/// Movies of the kind MP4 have even sides.
+void make_even(FigureOrder& order) {
+    const auto* movie = std::get_if<MovieFormat>(&order.format);
+    if (movie == nullptr || *movie != MovieFormat::mp4) return;
+    const double scale = order.form.scale;
+    for (double* side : {&order.size_px.x, &order.size_px.y}) *side = 2.0 * std::ceil(0.5 * scale * *side) / scale;
 }
 
 Checked check_scale(const FigureOrder& order) {
@@ -264,10 +189,9 @@ Checked read_title(FigureOrder& order, const FigureOptions& options) {
 
 tl::expected<FigureOrder, std::string> read_order(const FigureOptions& options) {
     FigureOrder order;
-    order.parts = {.points = false, .parameter = false, .legend = false, .window = false};
+    order.parts = {.points = false, .parameter = false, .legend = false, .arrow = false, .window = false};
     for (const auto& entry : core::Names<Overlay>::table) order.overlays.show(entry.value, false);
-    Checked checked = read_shown(order, options.show);
-    if (checked) checked = read_view(order, options.view);
+    Checked checked = read_show_and_view(order, options);
     if (checked) checked = read_theme(order, options.theme);
     if (checked) checked = read_size(order, options);
     if (checked) checked = read_parameter(order, options.at);
@@ -276,6 +200,7 @@ tl::expected<FigureOrder, std::string> read_order(const FigureOptions& options) 
     if (checked) checked = check_scale(order);
     if (checked) checked = read_title(order, options);
     if (!checked) return tl::unexpected(std::move(checked.error()));
+    make_even(order);
     return order;
 }
 

@@ -33,9 +33,13 @@ struct FigureOrder {
     glm::dvec2 size_px{};
     editor::Overlays overlays;
     editor::PictureParts parts;
+    bool has_pictures = false;  ///< those to draw by
+    bool has_guides = false;
     editor::ThemeName theme = editor::ThemeName::light;
     std::optional<double> at;
     std::optional<Motion> motion;
+    std::size_t frames = 50;
+    double rate = 25.0;  ///< frames a second
 };
 
 /// The order that the words of `options` make; the error is a sentence about the first that cannot be read.

@@ -6,11 +6,11 @@
 
 namespace batten::cli {
 
-/// Whether the file's name, not its folder, has one place for a number: %d, or %3d to %09d with a width of one digit,
-/// filled up with zeros.
-bool has_frame_number(const std::filesystem::path& pattern);
+/// How many places for a number the file's name, not its folder, has: %d, or %3d to %09d with a width of one digit,
+/// filled up with zeros. %% is a percent sign.
+std::size_t frame_number_count(const std::filesystem::path& pattern);
 
-/// The pattern, which has a place, with `number` in it.
+/// The pattern with `number` in its place.
 std::filesystem::path frame_name(const std::filesystem::path& pattern, std::size_t number);
 
 }  // namespace batten::cli

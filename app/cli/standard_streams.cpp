@@ -32,6 +32,10 @@ std::string shown_name(const std::filesystem::path& file) {
     return is_standard(file) ? "standard input" : file.string();
 }
 
+std::string result_name(const std::filesystem::path& file) {
+    return is_standard(file) ? "standard output" : file.string();
+}
+
 bool write_results(std::string_view results, Output output) {
     errno = 0;
     output.results << results << std::flush;

@@ -26,6 +26,9 @@ void guard_standard_streams();
 /// What sentences call a file that is read: "standard input" or its path.
 std::string shown_name(const std::filesystem::path& file);
 
+/// What they call one that is written: "standard output" or its path.
+std::string result_name(const std::filesystem::path& file);
+
 /// Writes all results at once; false after saying why they could not be written, but for a pipe that nobody reads.
 bool write_results(std::string_view results, Output output);
 

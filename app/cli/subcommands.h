@@ -101,20 +101,20 @@ ExitStatus code(const CodeOptions& options, Output output);
 
 struct FigureOptions {
     std::filesystem::path file;
-    std::filesystem::path result;  ///< its ending decides the format; with frames a pattern, "frame-%03d.png"
-    std::string format;            ///< of what goes to standard output: an ending without its dot
-    std::string show = "polygon,points,labels";  ///< names of overlays and parts
-    std::string at;                              ///< a parameter; empty: none is marked
-    std::string curve;                           ///< its name or number; empty: the active one
-    std::string view;                            ///< of editor::FigureView; empty: as `show` asks for
+    std::filesystem::path result;     ///< its ending decides the format; with frames a pattern, "frame-%03d.png"
+    std::string format;               ///< of what goes to standard output: an ending without its dot
+    std::optional<std::string> show;  ///< names of overlays and parts; none: the usual ones
+    std::string at;                   ///< a parameter; empty: none is marked
+    std::string curve;                ///< its name or number; empty: the active one
+    std::string view;                 ///< of editor::FigureView; empty: as `show` asks for
     std::string size = "800x450";
     std::string theme = "light";
     std::string title;
     std::string animate;  ///< "u=0..1", "insert=0.5", "merge=5"; empty: a figure that stands still
     double scale = 1.0;
     bool is_transparent = false;
-    std::size_t frames = 50;
-    double rate = 25.0;  ///< frames a second
+    std::optional<std::size_t> frames;  ///< none: 50
+    std::optional<double> rate;         ///< frames a second; none: 25
 };
 
 /// Writes a picture of a curve, or the frames of an animation.

@@ -16,14 +16,14 @@ constexpr std::size_t most_frames = 100000;
 
 void add_window_options(CLI::App& program, WindowOptions& options) {
     program.add_option("files", options.files, "Files to open; the curves of all but the first are added")
-        ->check(CLI::Validator(CLI::ExistingFile).description(""))
+        ->check(existing_file())
         ->type_name("FILE");
     program.add_option("--example", options.example, "Open this example, for instance circle-nurbs")->type_name("NAME");
     program.add_option("--assets", options.assets, "Folder that holds examples/")->type_name("FOLDER");
     program
         .add_option("--display-scale", options.display_scale,
                     "Window pixels per design pixel, from 0.5 to 4, instead of what the display says")
-        ->check(CLI::Validator(CLI::Range(0.5, 4.0)).description(""))
+        ->check(number_within(0.5, 4.0))
         ->type_name("NUMBER");
     program.add_option("--state-report", options.state_report, "Write what is on screen to this file after each frame")
         ->type_name("FILE");
@@ -36,14 +36,14 @@ ProfileSubcommand::ProfileSubcommand(CLI::App& program) {
         add_command(program, "profile", "Make a gesture in the window, and print what its frames cost the processor");
     command->add_option("file", options_.file, "A curve file in Batten's own format")
         ->required()
-        ->check(CLI::Validator(CLI::ExistingFile).description(""))
+        ->check(existing_file())
         ->type_name("FILE");
     for (const auto& entry : core::Names<editor::ScriptedGesture>::table)
         command->add_flag_callback(
             core::sentence("--{gesture}", {{"gesture", entry.name}}),
             [this, gesture = entry.value] { gestures_.push_back(gesture); }, entry.title);
     command->add_option("--frames", options_.frame_count, "How many frames to measure, at most 100000 (default: 240)")
-        ->check(CLI::Validator(CLI::Range(std::size_t{1}, most_frames)).description(""))
+        ->check(whole_number(1, most_frames))
         ->type_name("N");
     command
         ->add_option("--do", options_.commands,

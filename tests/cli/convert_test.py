@@ -90,6 +90,15 @@ class Convert(unittest.TestCase):
         foreign = run("convert", self.line, "-o", self.folder / "out.ai")
         self.assertEqual((foreign.returncode, foreign.stdout), (2, ""))
         self.assertEqual(foreign.stderr, "batten convert: 'out.ai' ends in .ai, as no file that curves are written to; name it 'out.json'\n")
+        for words, problem in (
+            (("--samples", "1"), "--samples: 1 is no whole number from 2 to 10000000"),
+            (("--samples", "2.5"), "--samples: 2.5 is no whole number from 2 to 10000000"),
+            (("--tolerance", "-1"), "--tolerance: -1 is no length above 0"),
+            (("--to", "word"), "--to: 'word' is none of them; possible are "),
+        ):
+            refused = run("convert", self.line, "-o", result, *words)
+            self.assertEqual(refused.returncode, 2, words)
+            self.assertIn(problem, refused.stderr)
         for words in (("--from", "word"), ("--tolerance", "0"), ("--tolerance", "nan"), ("--tolerance", "1e999"), ("--samples", "1")):
             self.assertEqual(run("convert", self.line, "-o", result, *words).returncode, 2, words)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["line.json"])

@@ -75,17 +75,29 @@ class FigureTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def figure(self, name, *options, file=WAVE):
+    def figure(self, name, *options, file=WAVE, told=""):
         output = self.folder / name
         process = run("figure", file, "-o", output, *options)
-        self.assertEqual((process.returncode, process.stdout, process.stderr), (0, "", ""), options)
+        self.assertEqual((process.returncode, process.stdout), (0, ""), options)
+        if told is not None:
+            self.assertEqual(process.stderr.replace(f"{output}: ", ""), told, options)
         return output
+
+    def example(self, name):
+        return EXAMPLES / f"{name}.json"
+
+    def document(self, **members):
+        """The wave with other members."""
+        file = self.folder / "document.json"
+        file.write_text(json.dumps({**json.loads(WAVE.read_text()), **members}))
+        return file
 
     def refused(self, status, sentence, *options, file=WAVE, output="x.svg"):
         process = run("figure", file, "-o", output if output == "-" else self.folder / output, *options)
         self.assertEqual((process.returncode, process.stdout), (status, ""), options)
-        self.assertIn(sentence, process.stderr)
-        self.assertEqual(process.stderr.count("\n"), 1)
+        told = process.stderr.removesuffix("Run with --help or --help-all for more information.\n")
+        self.assertIn(sentence, told)
+        self.assertEqual(told.count("\n"), 1)
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def needs(self, *programs):
@@ -154,8 +166,92 @@ class Svg(FigureTest):
         self.assertFalse([text for text in basis.texts if text.startswith("u =")], "no parameter was asked for")
         self.assertIn("u = 0.400", Picture(self.figure("a.svg", "--view", "basis", "--at", "0.4")).texts)
         self.assertEqual(self.figure("a.svg", "--show", "basis").read_bytes(), self.figure("b.svg", "--show", "", "--view", "both").read_bytes())
-        lifted = Picture(self.figure("a.svg", "--view", "homogeneous", file=EXAMPLES / "circle-nurbs.json"))
-        self.assertEqual(lifted.texts, ["w = 1", "O"])
+        self.assertEqual(Picture(self.figure("a.svg", "--show", "basis-values")).root.get("height"), "450")
+        self.assertEqual(len(Picture(self.figure("a.svg", "--show", "basis-values")).root.findall(SVG + "svg")), 2, "where it is seen")
+
+    def test_the_lifted_view_shows_what_was_asked_for(self):
+        circle = self.example("circle-nurbs")
+        options = ("--view", "homogeneous", "--size", "600x500")
+        bare = Picture(self.figure("a.svg", *options, "--show", "", file=circle))
+        self.assertEqual((sorted(bare.texts), bare.circles_of(6.0)), (["O", "w = 1"], []))
+        points = Picture(self.figure("a.svg", *options, "--show", "points", file=circle))
+        self.assertEqual((len(points.circles_of(6.0)), len(points.circles_of(3.0))), (9, 9), "lifted and on the plane")
+        usual = Picture(self.figure("a.svg", *options, file=circle))
+        self.assertEqual(sorted(usual.texts), ["O"] + [f"P{i}" for i in range(9)] + ["w = 1"])
+        dashed = lambda picture: sum(line.get("stroke-dasharray") is not None for line in picture.lines)
+        self.assertEqual(dashed(points), 0)
+        self.assertGreater(dashed(Picture(self.figure("a.svg", *options, "--show", "polygon", file=circle))), 1)
+
+    def test_labels_have_a_place_or_are_told(self):
+        file = self.folder / "a.svg"
+        for size in ("300x200", "200x150", "120x80", "60x40"):
+            process = run("figure", self.example("circle-nurbs"), "-o", file, "--size", size, "--show", "polygon,points,labels,knots")
+            texts = Picture(file).texts
+            told = re.findall(r"[Pw]\d", process.stderr)
+            if "among them" not in process.stderr:
+                for name in [f"P{i}" for i in range(9)]:
+                    self.assertEqual(name in texts, name not in told, (size, name, process.stderr))
+            if size in ("300x200", "200x150"):
+                weights = sum(text.startswith("· w") for text in texts)
+                self.assertEqual(weights + sum(name.startswith("w") for name in told), 4, "of four corners")
+            if size == "300x200":
+                self.assertEqual([name for name in told if name.startswith("P")], [])
+
+    def test_an_arrow_tells_the_direction(self):
+        bare, arrow = (Picture(self.figure("a.svg", "--show", show)) for show in ("", "arrow"))
+        self.assertEqual(len(arrow.lines) - len(bare.lines), 1)
+        (back, tip, _) = places_in(arrow.lines[-1])
+        (other,) = places_in(arrow.lines[-1])[2:]
+        self.assertGreater(tip[0], (back[0] + other[0]) / 2, "the wave runs to the right")
+
+    def test_numbers_of_the_axes(self):
+        grid, rulers = (sorted(Picture(self.figure("a.svg", "--show", show)).texts) for show in ("grid", "rulers"))
+        self.assertEqual(grid, sorted(["4", "2", "0", "−2", "−6", "−4", "−2", "0", "2", "4", "6", "8"]))
+        self.assertEqual(grid, rulers)
+
+    def test_pictures_and_guides_are_shown_where_they_are_asked_for(self):
+        picture = self.folder / "ring.png"
+        shutil.copy(ROOT / "tests" / "data" / "pictures" / "ring_gray.png", picture)
+        document = self.document(
+            pictures=[{"path": "ring.png", "width": 64, "height": 64, "position": [-3, -2], "scale": 0.0625, "rotation": 0, "opacity": 1, "visible": True, "locked": False}],
+            guides=[{"point": [0, 1], "angle": 0}],
+        )
+        bare = Picture(self.figure("a.svg", file=document))
+        both = Picture(self.figure("b.svg", "--show", "polygon,points,labels,pictures,guides", file=document))
+        self.assertEqual(list(bare.root.iter(SVG + "image")), [])
+        (image,) = both.root.iter(SVG + "image")
+        (a, b, c, d, e, f) = (float(n) for n in re.findall(r"-?[0-9.e-]+", image.get("transform")))
+        shown, points = both.polygon(), json.loads(WAVE.read_text())["curves"][0]["points"]
+        s = (shown[-1][0] - shown[0][0]) / (points[-1][0] - points[0][0])
+        # From (-3, 2), its upper left corner, on; a pixel is a sixteenth of a unit.
+        for found, expected in zip((a, b, c, d, e, f), (s / 16, 0, 0, s / 16, shown[0][0] + s * (-3 - points[0][0]), shown[0][1] - s * (2 - points[0][1]))):
+            self.assertAlmostEqual(found, expected, delta=0.02)
+        (guide,) = [line for line in both.lines if line.get("stroke-dasharray") == "12 4"]
+        self.assertAlmostEqual(places_in(guide)[0][1], shown[0][1] - s * (1 - points[0][1]), delta=0.02)
+        width, height, rows = pixels(self.figure("c.png", "--show", "pictures", "--transparent", "--size", "640x640", file=document).read_bytes())
+        self.assertGreater(sum(pixel[3] == 255 for row in rows for pixel in row), 10000, "it is opaque")
+        self.figure("d.tex", "--show", "pictures", file=document, told="TikZ has no images, so the pictures are left out\n")
+
+    def test_a_comb_is_on_the_page(self):
+        for example in ("wave", "circle-nurbs", "bezier-cubic", "quadratic-double-knot", "knots-t4"):
+            bare = Picture(self.figure("a.svg", "--show", "", file=self.example(example)))
+            picture = Picture(self.figure("a.svg", "--show", "comb", file=self.example(example)))
+            places = [place for line in picture.lines for place in places_in(line)]
+            self.assertTrue(all(0 <= x <= 800 and 0 <= y <= 450 for x, y in places), example)
+            extent = lambda drawn, axis: max(p[axis] for p in places_in(drawn)) - min(p[axis] for p in places_in(drawn))
+            curves = [max(p.lines, key=lambda line: float(line.get("stroke-width"))) for p in (bare, picture)]
+            self.assertGreater(extent(curves[1], 0), 0.4 * extent(curves[0], 0), example)
+
+    def test_any_size_of_coordinates_looks_the_same(self):
+        wave = json.loads(WAVE.read_text())["curves"][0]
+        for power in (996, -500):
+            scaled = {**wave, "points": [[x * 2.0**power, y * 2.0**power] for x, y in wave["points"]]}
+            file = self.document(curves=[scaled], active=0)
+            for (x, y), (a, b) in zip(Picture(self.figure("a.svg", file=file)).polygon(), Picture(self.figure("b.svg")).polygon()):
+                self.assertAlmostEqual(x, a, delta=0.02)
+                self.assertAlmostEqual(y, b, delta=0.02)
+            process = run("figure", file, "-o", self.folder / "a.svg", "--show", "grid")
+            self.assertIn(f"the curve is drawn 2^{-2 - power} times as large as it is", process.stderr)
 
     def test_titles_are_text_whatever_they_say(self):
         title = "a < b & \"c\" Кривая \\end{x} 50%"
@@ -172,9 +268,13 @@ class Svg(FigureTest):
     def test_every_overlay_of_every_example_is_a_picture(self):
         help_of_show = run("figure", WAVE, "-o", "x.svg", "--show", "?").stderr
         names = re.findall(r"[a-z-]+", help_of_show.split(" is points", 1)[1].removesuffix(".\n"))
-        self.assertGreater(len(names), 50)
+        self.assertGreater(len(names), 45)
+        for word in ("arrow", "guides", "pictures", "rulers"):
+            self.assertIn(word, names)
+        for word in ("quiz", "recurrence", "support"):
+            self.assertNotIn(word, names)
         for example in sorted(EXAMPLES.glob("*.json")):
-            file = self.figure("a.svg", "--show", ",".join(n for n in names if n != "or"), "--at", "0.5", "--view", "both", file=example)
+            file = self.figure("a.svg", "--show", ",".join(n for n in names if n != "or"), "--at", "0.5", "--view", "both", file=example, told=None)
             text = file.read_text()
             self.assertIsNone(re.search(r"nan|inf", re.sub(r"<text.*</text>", "", text)), example.name)
             Picture(file)
@@ -190,7 +290,8 @@ class Svg(FigureTest):
         document = self.folder / "dense.json"
         process = run("new", "new-curve", f"@{table}", "3", "-o", document)
         self.assertEqual(process.returncode, 0, process.stderr)
-        self.assertLess(self.figure("a.svg", file=document).stat().st_size, 1_000_000)
+        told = "there was no room for 1000 labels or more, among them P1, P2, P3, P4, P5, P6, P7, P8; a larger figure may have it\n"
+        self.assertLess(self.figure("a.svg", file=document, told=told).stat().st_size, 1_000_000)
 
 
 class Pixels(FigureTest):
@@ -207,7 +308,7 @@ class Pixels(FigureTest):
 
     def test_tiny_sizes_are_no_trouble(self):
         for view in ("curve", "basis", "both", "homogeneous"):
-            width, height, _ = pixels(self.figure("a.png", "--size", "1x1", "--view", view, "--title", "a").read_bytes())
+            width, height, _ = pixels(self.figure("a.png", "--size", "1x1", "--view", view, "--title", "a", told=None).read_bytes())
             self.assertEqual((width, height), (1, 1))
 
 
@@ -223,14 +324,21 @@ class Papers(FigureTest):
         self.needs("pdflatex", "pdftotext")
         cases = [(example, "--show", "polygon,points,labels,knots,deboor,legend,comb,hull", "--at", "0.5", "--view", "both") for example in sorted(EXAMPLES.glob("*.json"))]
         cases.append((WAVE, "--title", "50% & $1 {x} \\end #_~^ <a> \"b\" Кривая ≤ é 1/6"))
+        cases.append((WAVE, "--title", "A point $P_3$ on a curve-t3: ⅓ ⅔ x₁₂ ℝ ∫ 10⁻¹² C′² C²′ « § ⇒ Ψ η ½ | > a_b^c [1] {2}"))
         for number, (example, *options) in enumerate(cases):
-            self.figure(f"{number}.tex", *options, file=example)
+            self.figure(f"{number}.tex", *options, file=example, told=None)
         pages = "\\newpage ".join(rf"\input{{{number}.tex}}" for number in range(len(cases)))
         (self.folder / "paper.tex").write_text(rf"\documentclass{{article}}\usepackage{{tikz}}\begin{{document}}{pages}\end{{document}}")
         process = subprocess.run(["pdflatex", "-interaction=batchmode", "-halt-on-error", "paper.tex"], cwd=self.folder, capture_output=True, text=True, check=False)
         self.assertEqual(process.returncode, 0, (self.folder / "paper.log").read_text(errors="replace")[-2000:])
         words = subprocess.run(["pdftotext", self.folder / "paper.pdf", "-"], capture_output=True, text=True, check=True).stdout
         self.assertIn("50% & $1 {x}", words)
+        self.assertIn("on a curve-t3", words)
+
+    def test_what_LaTeX_cannot_write_is_told(self):
+        self.figure("a.tex", "--title", "Кривая ⅓", told="LaTeX as it is installed cannot set К, р, и, в, а, я: question marks stand there until the paper defines \\battenletters\n")
+        text = self.figure("b.tex", "--title", "A point on a curve, $P_3$").read_text()
+        self.assertIn("A point on a curve, $P_3$", text)
 
     def test_indices_and_fractions_are_formulas(self):
         text = self.figure("a.tex", "--show", "points,labels,corner-cutting", "--at", "1/2", file=EXAMPLES / "coons-open.json").read_text()
@@ -268,6 +376,40 @@ class Animations(FigureTest):
             self.assertAlmostEqual(place[0], expected[0], delta=0.02)
             self.assertAlmostEqual(place[1], expected[1], delta=0.02)
         self.assertEqual(halfway[:3] + halfway[7:], before[:3] + before[5:])
+
+    def test_a_knot_comes_in_with_all_that_was_asked_for(self):
+        run("figure", WAVE, "--animate", "insert=0.6", "--frames", "4", "-o", self.folder / "%d.svg", "--show", "polygon,points,labels,knots")
+        frames = [Picture(self.folder / f"{k}.svg") for k in range(4)]
+        for k, frame in enumerate(frames):
+            for i in range(7):
+                self.assertIn(f"P{i}", frame.texts, f"frame {k}")
+            self.assertEqual(len(frame.circles_of(6.5)), (7, 9, 9, 8)[k])
+            rings = [c for c in frame.circles if c.get("stroke-dasharray")]
+            self.assertEqual(len(rings), 1 if k < 3 else len(rings), "of the weight 2")
+            boxes = [p for p in frame.root.iter(SVG + "path") if p.get("d").endswith("Z") and p.get("fill") == "none"]
+            self.assertEqual(len(boxes), 1, "around the first point")
+        start = [next(text for text in frame.root.iter(SVG + "text") if "".join(text.itertext()) == "P0") for frame in frames]
+        self.assertEqual(len({(text.get("x"), text.get("y")) for text in start[:3]}), 1, "it stands still")
+        bare = run("figure", WAVE, "--animate", "insert=0.6", "--frames", "3", "-o", self.folder / "b%d.svg", "--show", "points")
+        self.assertEqual(bare.stderr, "")
+        halfway = Picture(self.folder / "b1.svg")
+        self.assertEqual((halfway.texts, len(halfway.lines), len(halfway.circles_of(6.5))), ([], 1, 9))
+
+    def test_names_of_frames(self):
+        process = run("figure", WAVE, "--animate", "u=0..1", "--frames", "2", "-o", self.folder / "p%%q-%02d.svg")
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        self.assertEqual(sorted(file.name for file in self.folder.iterdir()), ["p%q-00.svg", "p%q-01.svg"])
+
+    def test_movies_of_odd_sizes_have_the_ground_up_to_the_edge(self):
+        self.needs("ffmpeg")
+        output = self.folder / "a.mp4"
+        process = run("figure", WAVE, "--animate", "u=0..1", "--frames", "2", "-o", output, "--size", "301x201")
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        subprocess.run(["ffmpeg", "-loglevel", "error", "-i", output, "-frames:v", "1", self.folder / "a.png"], check=True)
+        width, height, rows = pixels((self.folder / "a.png").read_bytes())
+        self.assertEqual((width, height), (302, 202))
+        for x, y in ((301, 0), (301, 201), (0, 201)):
+            self.assertGreater(min(rows[y][x][:3]), 240, "light")
 
     def test_knots_merge(self):
         process = run("figure", WAVE, "--animate", "merge=4", "--frames", "3", "-o", self.folder / "%d.svg", "--view", "basis")
@@ -314,7 +456,16 @@ class Refusals(FigureTest):
             ("'foo' is no motion", ("--animate", "foo")),
             ("'merge=1.5' is no motion", ("--animate", "merge=1.5")),
             ("has no place for the number of a frame", ("--animate", "u=0..1")),
-            ("0 frames cannot be made", ("--animate", "u=0..1", "--frames", "0")),
+            ("--frames: 0 is no whole number from 1 to 10000", ("--animate", "u=0..1", "--frames", "0")),
+            ("--frames: 1.5 is no whole number from 1 to 10000", ("--animate", "u=0..1", "--frames", "1.5")),
+            ("--rate: 1000 is no number from 0.1 to 100", ("--animate", "u=0..1", "--rate", "1000")),
+            ("--frames: nothing moves; --animate says what does", ("--frames", "3")),
+            ("--rate: nothing moves; --animate says what does", ("--rate", "3")),
+            ("--show: 'quiz' is seen in the window only", ("--show", "quiz")),
+            ("--show: 'polygon' is not seen with --view basis, but with curve, both or homogeneous", ("--show", "polygon", "--view", "basis")),
+            ("--show: 'speed-plot' is not seen with --view curve, but with basis or both", ("--show", "speed-plot", "--view", "curve")),
+            ("--show: 'comb' is not seen with --view homogeneous, but with curve or both", ("--show", "comb", "--view", "homogeneous")),
+            ("--show: 'legend' tells what the colors of 'deboor' mean, which is not shown", ("--show", "legend")),
             ("'doc' is no format", ("--format", "doc")),
         ):
             with self.subTest(options=options):
@@ -322,14 +473,17 @@ class Refusals(FigureTest):
         self.refused(2, "'x.doc' has the ending of no figure".replace("x.doc", str(self.folder / "x.doc")), output="x.doc")
         self.refused(2, "a GIF or MP4 needs --animate", output="x.gif")
         self.refused(2, "--format is needed for standard output", output="-")
-        self.refused(2, "at most 10000 pixels", "--scale", "nan", output="x.png")
+        self.refused(2, "--scale: nan is no number above 0", "--scale", "nan", output="x.png")
+        self.refused(2, "x-%03d.png' is a pattern for the frames that --animate makes", output="x-%03d.png")
+        self.refused(2, "%d-%d.svg' has 2 places for the number of a frame; one is needed", "--animate", "u=0..1", output="%d-%d.svg")
 
     def test_wrong_input(self):
         self.refused(1, "the parameter 1.5 is outside the domain; it must be from 0 to 1", "--at", "1.5")
         self.refused(1, "the parameter 2 is outside", "--animate", "u=0..2", output="%d.svg")
         self.refused(1, "there is no knot 99; they have the indices 0 to 10", "--animate", "merge=99", output="%d.svg")
         self.refused(1, "no knot is larger than knot 10", "--animate", "merge=10", output="%d.svg")
-        self.refused(1, "at most 3 equal knots", "--animate", "insert=0", output="%d.svg")
+        self.refused(1, "no knot 0 can come in: there are 4 of them already, the most that there may be", "--animate", "insert=0", output="%d.svg")
+        self.refused(1, "knot 4 cannot go to 0.5: 2 knots are there already, the most that there may be", "--animate", "merge=4", output="%d.svg", file=EXAMPLES / "circle-nurbs.json")
         self.refused(1, "there is no curve 'nix'", "--curve", "nix")
         self.refused(1, "no file can be made in this folder", output="nowhere/x.svg")
         with tempfile.NamedTemporaryFile("w", suffix=".json") as empty:

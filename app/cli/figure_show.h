@@ -1,0 +1,16 @@
+/// What `batten figure --show` names, and the views in which it is seen.
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+
+#include "app/cli/figure_order.h"
+
+namespace batten::cli {
+
+/// Takes `--show` and `--view` of `options` into `order`. What is only seen beside the basis functions brings them in
+/// where no view was chosen. The error is a sentence: an unknown name, one that no figure shows, or one that is not
+/// seen in the view that was chosen.
+tl::expected<void, std::string> read_show_and_view(FigureOrder& order, const FigureOptions& options);
+
+}  // namespace batten::cli
