@@ -43,7 +43,9 @@ std::string with_braces(std::string_view formula) {
         label += formula[i];
         const bool is_script = formula[i] == '_' || formula[i] == '^';
         if (!is_script || i + 1 == formula.size() || formula[i + 1] == '{' || formula[i + 1] == '\\') continue;
-        label.append("{").append(1, formula[++i]).append("}");
+        label += '{';
+        label += formula[++i];
+        label += '}';
     }
     return label;
 }

@@ -146,7 +146,7 @@ class TexWriter {
     /// "⁻¹" as ^{-1}; on a base of their own where something has a script already, of which it may have one.
     std::string_view write_scripts(std::string_view rest, char kind) {
         enter_formula();
-        if (text_.ends_with('}') || text_.ends_with('\'')) text_ += "{}";
+        if (text_.ends_with('}') || text_.ends_with('\'')) add("{{}}");
         text_ += kind;
         text_ += '{';
         std::size_t size = 0;
@@ -157,7 +157,8 @@ class TexWriter {
             text_ += name->substr(1);
             size += sign.size();
         }
-        text_ += rest.substr(size).starts_with("′") ? "}{}" : "}";
+        text_ += '}';
+        if (rest.substr(size).starts_with("′")) add("{{}}");
         return rest.substr(0, size);
     }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/editor/words/ascii.h"
 #include "core/base/sentence.h"
 
 namespace batten::cli {
@@ -138,17 +139,11 @@ std::string words_of_show() {
     return core::listed_as_alternatives(names);
 }
 
-std::string_view trimmed(std::string_view text) {
-    while (text.starts_with(' ')) text.remove_prefix(1);
-    while (text.ends_with(' ')) text.remove_suffix(1);
-    return text;
-}
-
 std::vector<std::string> words_between_commas(std::string_view text) {
     std::vector<std::string> words;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find(','), text.size());
-        if (const std::string_view word = trimmed(text.substr(0, end)); !word.empty()) words.emplace_back(word);
+        if (const std::string_view word = editor::trimmed(text.substr(0, end)); !word.empty()) words.emplace_back(word);
         text.remove_prefix(std::min(end + 1, text.size()));
     }
     return words;

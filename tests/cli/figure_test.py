@@ -187,7 +187,7 @@ class Svg(FigureTest):
         for size in ("300x200", "200x150", "120x80", "60x40"):
             process = run("figure", self.example("circle-nurbs"), "-o", file, "--size", size, "--show", "polygon,points,labels,knots")
             texts = Picture(file).texts
-            told = re.findall(r"[Pw]\d", process.stderr)
+            told = [name[0] + str("₀₁₂₃₄₅₆₇₈₉".index(name[1])) for name in re.findall(r"[Pw][₀-₉]", process.stderr)]
             if "among them" not in process.stderr:
                 for name in [f"P{i}" for i in range(9)]:
                     self.assertEqual(name in texts, name not in told, (size, name, process.stderr))
@@ -290,7 +290,7 @@ class Svg(FigureTest):
         document = self.folder / "dense.json"
         process = run("new", "new-curve", f"@{table}", "3", "-o", document)
         self.assertEqual(process.returncode, 0, process.stderr)
-        told = "there was no room for 1000 labels or more, among them P1, P2, P3, P4, P5, P6, P7, P8; a larger figure may have it\n"
+        told = "there was no room for 1000 labels or more, among them P₁, P₂, P₃, P₄, P₅, P₆, P₇, P₈; a larger figure may have it\n"
         self.assertLess(self.figure("a.svg", file=document, told=told).stat().st_size, 1_000_000)
 
 

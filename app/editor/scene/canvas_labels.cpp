@@ -216,7 +216,7 @@ void write_curve_point(LabelWriter& writer, CanvasFrame& frame) {
     frame.cache.unplaced().push_back(text);
 }
 
-render::PixelBox box_of(const render::Label& label) {
+render::PixelBox box_of_label(const render::Label& label) {
     const glm::dvec2 size = text_size(label.text, label.size_px, label.font);
     const double share = label.anchor == render::Anchor::left     ? 0.0
                          : label.anchor == render::Anchor::center ? 0.5
@@ -230,7 +230,7 @@ render::PixelBox box_of(const render::Label& label) {
 void draw_moving_labels(CanvasFrame& frame, const render::DrawList& list, std::span<const MovingPoint> points) {
     LabelWriter writer(frame, {}, {});
     for (const render::DrawCommand& command : list.commands)
-        if (const auto* label = std::get_if<render::Label>(&command)) writer.layout().avoid_box(box_of(*label));
+        if (const auto* label = std::get_if<render::Label>(&command)) writer.layout().avoid_box(box_of_label(*label));
     const NumberColumn weights = frame.state.derived.weights_of(*frame.curve)->column;
     std::vector<glm::dvec2> polygon;
     for (const MovingPoint& point : points) {

@@ -29,7 +29,7 @@ constexpr double lifted_name_size = 13.0;
 constexpr double lifted_name_distance = 9.0;
 constexpr double lifted_name_farthest = 27.0;
 constexpr double lifted_name_step = 6.0;
-constexpr double lifted_reach = 7.0;
+constexpr double lifted_name_reach = 7.0;
 
 /// What is drawn beside the curve, its shadow and the plane.
 struct LiftedParts {
@@ -189,7 +189,7 @@ class LiftedPicture {
     /// Beside the lifted points, off the curves and what else has a name.
     void draw_names() {
         LabelLayout layout(frame_.pen.size_px());
-        const glm::dvec2 reach(pen_.px(lifted_reach));
+        const glm::dvec2 reach(pen_.px(lifted_name_reach));
         for (const auto& run : samples_)
             for (const bool is_lifted : {true, false}) {
                 std::vector<glm::dvec2> line;

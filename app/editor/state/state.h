@@ -93,8 +93,7 @@ struct Desktop {
     /// Has Editor::follow_work called soon; is called from other threads. Without it no command works beside the
     /// interface.
     std::function<void()> wake;
-    /// Writes what the view shows of the state to a file, in the format of its ending; returns a sentence for each kind
-    /// of things that the file lacks. The error is a sentence.
+    /// Writes what the view shows to a file and returns sentences on what the file lacks; the error is one, too.
     std::function<tl::expected<std::vector<std::string>, std::string>(const EditorState&, const std::filesystem::path&,
                                                                       const FigureForm&)>
         write_figure;

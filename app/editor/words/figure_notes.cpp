@@ -1,9 +1,11 @@
 #include "app/editor/words/figure_notes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "app/editor/words/formula.h"
 #include "core/base/sentence.h"
-#include "render/label_runs.h"
 
 namespace batten::editor {
 
@@ -12,20 +14,10 @@ namespace {
 constexpr std::size_t most_listed = 8;
 constexpr std::size_t most_counted = 1000;
 
-/// "P3" of "P_{3}".
-std::string plain_text(const std::string& label) {
-    std::string text;
-    for (const render::LabelRun& run : render::label_runs(label)) text += run.text;
-    return text;
-}
-
 std::string list_of_first(const std::vector<std::string>& labels) {
-    std::string list;
-    for (std::size_t k = 0; k < std::min(labels.size(), most_listed); ++k) {
-        if (k > 0) list += ", ";
-        list += plain_text(labels[k]);
-    }
-    return list;
+    std::vector<std::string> texts;
+    for (std::size_t k = 0; k < std::min(labels.size(), most_listed); ++k) texts.push_back(plain_text(labels[k]));
+    return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 std::string note_on_labels(const std::vector<std::string>& labels) {
