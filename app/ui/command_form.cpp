@@ -32,6 +32,7 @@ using editor::FieldKind;
 
 constexpr double form_width = 380.0;
 constexpr double form_margin = 20.0;
+constexpr double least_above_share = 0.6;  // of the margin that a high form may reach over above
 constexpr double explanation_gap = 12.0;
 constexpr double rows_gap = 16.0;  // below the rows
 constexpr int message_lines = 3;   // kept free, where there is room
@@ -302,28 +303,45 @@ void draw_form_rows(const PanelContext& context, float message_px) {
                   {ImGui::GetItemRectMax().x, ImGui::GetItemRectMax().y});
 }
 
-/// Over the inspector, so that the canvas shows what would come of it.
-Rectangle right_side(const PanelContext& context, const Rectangle& window, const Rectangle& canvas) {
+/// Over the inspector, so that the canvas shows what would come of it; higher up where it is too high for that.
+Rectangle right_side(const PanelContext& context, const Rectangle& window, const Rectangle& canvas, double height) {
     const double width = (form_width + 2.0 * form_margin) * context.scale;
     const double left = std::max(window.origin_px.x, window.origin_px.x + window.size_px.x - width);
-    return {{left, canvas.origin_px.y}, {width, canvas.size_px.y}};
+    const double lowest = window.origin_px.y + window.size_px.y - (height + 2.0 * form_margin) * context.scale;
+    const double highest = window.origin_px.y - least_above_share * form_margin * context.scale;
+    const double top = std::max(highest, std::min(canvas.origin_px.y, lowest));
+    return {{left, top}, {width, canvas.size_px.y}};
+}
+
+float explanation_height_px(const PanelContext& context, float width_px) {
+    return wrapped_height_px(context.notated(context.panels.form.spec->explanation), context.fonts.text, width_px) +
+           context.px(explanation_gap);
 }
 
 /// As high as everything in it.
-DialogFrame frame_of(const PanelContext& context, const Rectangle& place) {
-    const editor::CommandSpec& spec = *context.panels.form.spec;
+DialogFrame frame_of(const PanelContext& context, const Rectangle& window, const Rectangle& canvas) {
     const float width = context.px(form_width) - 2.0F * dialog_padding_px(context);
-    float height = wrapped_height_px(context.notated(spec.explanation), context.fonts.text, width) +
-                   context.px(explanation_gap + rows_gap);
-    height += rows_height_px(context, width);
+    const float height = explanation_height_px(context, width) + context.px(rows_gap) + rows_height_px(context, width);
     DialogFrame frame;
-    frame.title = context.notated(spec.title);
+    frame.title = context.notated(context.panels.form.spec->title);
     frame.size = {form_width,
                   (height + footer_height_px(context, message_height_px(message_lines)) + dialog_head_px(context)) /
                       context.scale};
-    frame.beside = place;
+    frame.beside = right_side(context, window, canvas, frame.size.y);
     frame.closes_on_outside = false;
     return frame;
+}
+
+/// What the command does; in a low window the fields have its room.
+void draw_explanation(const PanelContext& context) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float explanation = explanation_height_px(context, room.x);
+    const float rest = room.y - explanation - footer_height_px(context, message_height_px(1));
+    if (rest < rows_height_px(context, room.x)) return;
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextDisabled("%s", context.notated(context.panels.form.spec->explanation).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::Dummy(ImVec2(1.0F, context.px(explanation_gap) - ImGui::GetStyle().ItemSpacing.y));
 }
 
 /// A command that was refused brings the form back with what was typed and the reason.
@@ -347,11 +365,8 @@ void draw_command_form(const PanelContext& context, const Rectangle& window, con
         return;
     }
     if (form.spec != context.state.form) begin_form(form, *context.state.form, context.state);
-    form.is_given_up = begin_dialog(context, window, frame_of(context, right_side(context, window, canvas)));
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled("%s", context.notated(form.spec->explanation).c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::Dummy(ImVec2(1.0F, context.px(explanation_gap) - ImGui::GetStyle().ItemSpacing.y));
+    form.is_given_up = begin_dialog(context, window, frame_of(context, window, canvas));
+    draw_explanation(context);
     const float message_px = kept_message_height_px(context);
     draw_form_rows(context, message_px);
     draw_footer(context, message_px);

@@ -2,6 +2,9 @@
 
 #include <imgui.h>
 
+#include <array>
+#include <filesystem>
+
 #include "app/editor/words/native_name.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/style.h"
@@ -53,6 +56,30 @@ void draw_one(const PanelContext& context, const char* name, const std::string& 
     dialog.takes_focus = true;
 }
 
+/// A figure has no format of curves: its name has the ending.
+struct FigureChoice {
+    const char* name;
+    const char* title;
+    const char* ending;
+};
+constexpr std::array figure_choices{FigureChoice{"pdf", "Figure: PDF", ".pdf"},
+                                    FigureChoice{"png", "Figure: PNG", ".png"},
+                                    FigureChoice{"tikz", "Figure: TikZ for LaTeX", ".tex"}};
+
+void draw_figure_choice(const PanelContext& context, const FigureChoice& choice) {
+    FileDialogState& dialog = context.panels.file_dialog;
+    std::filesystem::path name = dialog.choice.typed;
+    Button button{sentence("format {name}", {{"name", choice.name}}), choice.title};
+    button.width_px = context.px(format_field_width);
+    button.anchor = render::Anchor::left;
+    button.is_active = draws_figure(context) && name.extension() == choice.ending;
+    if (!draw_choice(context, button)) return;
+    dialog.format.reset();
+    dialog.choice.typed = name.empty() ? sentence("figure{ending}", {{"ending", choice.ending}})
+                                       : name.replace_extension(choice.ending).string();
+    dialog.takes_focus = true;
+}
+
 // What happens to curves in the file; nothing is said of Batten's own.
 std::string note_on(const PanelContext& context) {
     const bool is_saving = is_saving_curves(context);
@@ -88,6 +115,8 @@ void draw_format_choice(const PanelContext& context) {
     for (const exchange::FormatSpec& spec : exchange::all_formats())
         if (is_offered(spec, is_saving_curves(context)))
             draw_one(context, core::name_of(spec.format), core::title_of(spec.format), spec.format);
+    if (is_saving_curves(context))
+        for (const FigureChoice& choice : figure_choices) draw_figure_choice(context, choice);
     end_choices();
 }
 

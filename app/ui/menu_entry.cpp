@@ -18,10 +18,24 @@ namespace {
 
 using editor::CommandSpec;
 
+bool is_capital(char letter) {
+    return 'A' <= letter && letter <= 'Z';
+}
+
+/// Without what the submenu says already: "JSON" in "Copy as".
+std::string_view title_in_menu(const CommandSpec& spec) {
+    const std::string_view title = spec.title;
+    const std::string_view submenu = spec.submenu == nullptr ? "" : spec.submenu;
+    const bool repeats = !submenu.empty() && title.size() > submenu.size() + 1 && title.starts_with(submenu) &&
+                         title[submenu.size()] == ' ' && is_capital(title[submenu.size() + 1]);
+    return repeats ? title.substr(submenu.size() + 1) : title;
+}
+
 /// With an ellipsis where a form asks for more.
 std::string entry_title(const PanelContext& context, const editor::MenuEntry& entry) {
     const bool asks = !entry.command && has_form(*entry.spec);
-    return context.notated(asks ? fmt::format("{}…", entry.spec->title) : entry.spec->title);
+    return context.notated(asks ? fmt::format("{}…", title_in_menu(*entry.spec))
+                                : std::string(title_in_menu(*entry.spec)));
 }
 
 void draw_check(const PanelContext& context, ImVec2 corner) {

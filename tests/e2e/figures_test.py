@@ -44,6 +44,36 @@ class FiguresTest(WindowTest):
         editor.wait(lambda state: state["message"] == "Exported wave.pdf", "the figure")
         self.assertTrue(figure.read_bytes().startswith(b"%PDF-"))
 
+    def test_all_fields_are_reached_in_a_small_window(self):
+        settings = {"window": {"x": 0, "y": 0, "width": 1024, "height": 700}, "user_scale": 2.0}
+        editor = self.enterContext(self.start(self.display(1024, 700), settings=settings))
+        self.run_typed(editor, "Export figure")
+        state = editor.wait(lambda state: state["dialog"] == "command-form" and "form path" in state["widgets"] and state["is_settled"], "the form")
+        self.assertTrue(state["widgets"]["form path"]["value"].startswith("/"), "in which folder it will be")
+        editor.screenshot("export-figure-in-a-small-window")
+        apply = state["widgets"]["form apply"]
+        fields = ["path", "view", "scale", "transparent", "title", "replace", "width", "height", "theme"]
+        in_view = lambda widgets, name: f"form {name}" in widgets and widgets[f"form {name}"]["y"] + widgets[f"form {name}"]["height"] <= apply["y"]
+        self.assertGreaterEqual(sum(in_view(state["widgets"], name) for name in fields), 3)
+        for name in fields:
+            editor.move(*editor.widget_center("form cancel"))
+            for _ in range(20):
+                if in_view(editor.state()["widgets"], name):
+                    break
+                editor.move(600, 250)
+                editor.wheel(-1)
+                editor.settle()
+            self.assertTrue(in_view(editor.state()["widgets"], name), name)
+
+    def test_a_figure_has_the_size_and_the_colors_that_are_asked_for(self):
+        editor = self.open_editor()
+        figure = self.folder / "wave.svg"
+        self.run_typed(editor, f'export-figure {figure} both 1 off "" off 300 200 high-contrast')
+        editor.wait(lambda state: state["message"].startswith("Exported wave.svg"), "the figure")
+        root = xml.etree.ElementTree.parse(figure).getroot()
+        self.assertEqual((root.get("width"), root.get("height")), ("300", "200"))
+        self.assertEqual(root.find(f".//{SVG}rect").get("fill"), "#ffffff")
+
 
 if __name__ == "__main__":
     unittest.main()

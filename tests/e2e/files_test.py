@@ -95,6 +95,22 @@ class FilesTest(WindowTest):
         editor.wait(lambda state: state["dialog"] == "none", "the copy")
         self.assertTrue((self.curves / "drawing.dxf").exists())
 
+    def test_a_figure_is_among_the_formats(self):
+        editor = self.open_folder()
+        editor.key("ctrl+shift+s")
+        editor.wait(lambda state: state["dialog"] == "save-file" and state["is_settled"], "the dialog")
+        path = self.curves / "drawing.json"
+        self.typed(editor, str(path))
+        editor.click_widget("file-dialog format")
+        editor.wait(lambda state: "format pdf" in state["widgets"], "the formats")
+        editor.screenshot("figures-among-formats")
+        editor.click_widget("format pdf")
+        editor.wait(lambda state: "figure" in state["widgets"].get("file-dialog note", {"value": ""})["value"] and "format pdf" not in state["widgets"], "what a figure is")
+        editor.key("Return")
+        editor.wait(lambda state: state["dialog"] == "none", "the figure")
+        self.assertTrue((self.curves / "drawing.pdf").read_bytes().startswith(b"%PDF-"))
+        self.assertFalse(path.exists())
+
     def test_keys_move_in_the_file_dialog(self):
         editor = self.open_folder(*(f"curve {i}.json" for i in range(30)))
         self.show_dialog(editor, "ctrl+o", "open-file")
