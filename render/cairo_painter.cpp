@@ -281,8 +281,10 @@ FigureBytes pdf_bytes(const Figure& figure) {
 }
 
 FigureBytes png_bytes(const Figure& figure) {
-    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(std::ceil(figure.size_px.x)),
-                                                     static_cast<int>(std::ceil(figure.size_px.y))));
+    constexpr double rounding_px = 1e-6;
+    const auto whole = [](double side) { return static_cast<int>(std::max(1.0, std::ceil(side - rounding_px))); };
+    const Surface surface(
+        cairo_image_surface_create(CAIRO_FORMAT_ARGB32, whole(figure.size_px.x), whole(figure.size_px.y)));
     if (auto problem = paint(surface.get(), figure, 1.0)) return tl::unexpected(*std::move(problem));
     return png_bytes(surface.get());
 }

@@ -25,6 +25,7 @@ using editor::Overlay;
 using Checked = tl::expected<void, std::string>;
 
 constexpr double most_side_px = 10000.0;
+constexpr double rounding_px = 1e-6;  // of sizes that are multiplied by a scale
 
 Checked read_theme(FigureOrder& order, const std::string& theme) {
     order.parts.high_contrast = theme == "high-contrast";
@@ -157,12 +158,15 @@ Checked read_format(FigureOrder& order, const FigureOptions& options) {
                  {{"found", options.result.string()}}));
 }
 
-/// Movies of the kind MP4 have even sides.
-void make_even(FigureOrder& order) {
+/// What has pixels has whole ones, and a movie of the kind MP4 an even number of them on each side.
+void make_whole(FigureOrder& order) {
+    const auto* still = std::get_if<render::FigureFormat>(&order.format);
     const auto* movie = std::get_if<MovieFormat>(&order.format);
-    if (movie == nullptr || *movie != MovieFormat::mp4) return;
+    if (still != nullptr && *still != render::FigureFormat::png) return;
+    const double step = movie != nullptr && *movie == MovieFormat::mp4 ? 2.0 : 1.0;
     const double scale = order.form.scale;
-    for (double* side : {&order.size_px.x, &order.size_px.y}) *side = 2.0 * std::ceil(0.5 * scale * *side) / scale;
+    for (double* side : {&order.size_px.x, &order.size_px.y})
+        *side = step * std::ceil(scale * *side / step - rounding_px) / scale;
 }
 
 Checked check_scale(const FigureOrder& order) {
@@ -195,7 +199,7 @@ tl::expected<FigureOrder, std::string> read_order(const FigureOptions& options) 
     if (checked) checked = check_scale(order);
     if (checked) checked = read_title(order, options);
     if (!checked) return tl::unexpected(std::move(checked.error()));
-    make_even(order);
+    make_whole(order);
     return order;
 }
 

@@ -50,7 +50,7 @@ void draw_one(const PanelContext& context, const char* name, const std::string& 
     Button button{sentence("format {name}", {{"name", name}}), text};
     button.width_px = context.px(format_field_width);
     button.anchor = render::Anchor::left;
-    button.is_active = dialog.format == format;
+    button.is_active = dialog.format == format && !draws_figure(context);
     if (!draw_choice(context, button)) return;
     dialog.format = format;
     dialog.takes_focus = true;

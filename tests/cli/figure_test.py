@@ -300,6 +300,11 @@ class Pixels(FigureTest):
         self.assertEqual((width, height, len(rows)), (500, 250, 250))
         self.assertEqual(rows[0][0], (251, 251, 253, 255), "the canvas of the light theme")
 
+    def test_all_pixels_are_whole(self):
+        width, height, rows = pixels(self.figure("a.png", "--size", "201x101", "--scale", "1.5").read_bytes())
+        self.assertEqual((width, height), (302, 152))
+        self.assertEqual({rows[y][x] for x, y in ((301, 0), (301, 151), (0, 151))}, {(251, 251, 253, 255)})
+
     def test_grounds_can_be_left_out(self):
         width, height, rows = pixels(self.figure("a.png", "--size", "200x100", "--transparent").read_bytes())
         for x, y in ((0, 0), (width - 1, 0), (0, height - 1), (width - 1, height - 1)):

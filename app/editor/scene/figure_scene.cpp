@@ -1,6 +1,7 @@
 #include "app/editor/scene/figure_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 
 #include "app/editor/pointer/fit_view.h"
@@ -180,9 +181,10 @@ render::Figure window_figure(const EditorState& state, const FigureForm& form) {
     const double factor = form.scale / view.interface_scale;
     view.interface_scale = form.scale;
     view.camera.scale *= factor;
-    view.camera.size_px *= factor;
-    FigureHeights heights{
-        .title = title_height(form), .canvas = view.camera.size_px.y, .plot = form.scale * view.dock_height};
+    view.camera.size_px = glm::max(glm::round(factor * view.camera.size_px), glm::dvec2(1.0));
+    FigureHeights heights{.title = title_height(form),
+                          .canvas = view.camera.size_px.y,
+                          .plot = std::round(form.scale * view.dock_height)};
     if (form.size_px) {
         const glm::dvec2 page = form.scale * *form.size_px;
         heights = shared_heights(form, page.y);
