@@ -9,7 +9,7 @@
 #include "app/cli/frame_names.h"
 #include "app/cli/standard_streams.h"
 #include "app/editor/fields/expression.h"
-#include "app/editor/words/ascii.h"
+#include "core/base/ascii.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/base/utf8.h"
@@ -90,7 +90,7 @@ constexpr const char* motions =
 
 tl::expected<Motion, std::string> read_motion(const std::string& text) {
     const std::size_t sign = std::min(text.find('='), text.size());
-    const std::string_view what = editor::trimmed(std::string_view(text).substr(0, sign));
+    const std::string_view what = core::trimmed(std::string_view(text).substr(0, sign));
     const std::string_view how = std::string_view(text).substr(std::min(sign + 1, text.size()));
     const std::size_t dots = how.find("..");
     if (what == "u" && dots != std::string_view::npos) {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor/words/ascii.h"
+#include "core/base/ascii.h"
 #include "core/base/sentence.h"
 
 namespace batten::cli {
@@ -143,7 +143,7 @@ std::vector<std::string> words_between_commas(std::string_view text) {
     std::vector<std::string> words;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find(','), text.size());
-        if (const std::string_view word = editor::trimmed(text.substr(0, end)); !word.empty()) words.emplace_back(word);
+        if (const std::string_view word = core::trimmed(text.substr(0, end)); !word.empty()) words.emplace_back(word);
         text.remove_prefix(std::min(end + 1, text.size()));
     }
     return words;

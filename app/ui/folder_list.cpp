@@ -11,10 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 // Takes the digits off the front of `rest`; returns them without leading zeros.
 std::string_view take_number(std::string_view& rest) {
     const std::size_t end = std::min(rest.find_first_not_of("0123456789"), rest.size());
@@ -33,7 +29,7 @@ int compare_numbers(std::string_view a, std::string_view b) {
 // The same for names, of which a number is one letter.
 int compare_names(std::string_view a, std::string_view b) {
     while (!a.empty() && !b.empty()) {
-        if (is_digit(a.front()) && is_digit(b.front())) {
+        if (core::is_digit(a.front()) && core::is_digit(b.front())) {
             const int order = compare_numbers(take_number(a), take_number(b));
             if (order != 0) return order;
         } else {

@@ -35,7 +35,7 @@ core::FileError defect_in(std::size_t line, std::string what) {
 }
 
 std::optional<std::size_t> count_in(std::string_view field) {
-    field = core::without_blanks(field);
+    field = core::trimmed(field);
     std::size_t count = 0;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), count);
     if (field.empty() || error != std::errc() || end != field.data() + field.size()) return std::nullopt;
@@ -72,7 +72,7 @@ std::optional<core::FileError> take_sections(std::string_view text, IgesSections
                                         "'{found}'; a line is missing or damaged",
                                         {{"count", lines.lines.size()},
                                          {"section", std::string(1, sections[section])},
-                                         {"found", utf8_text(core::without_blanks(line.substr(section_column + 1)))}}));
+                                         {"found", utf8_text(core::trimmed(line.substr(section_column + 1)))}}));
     }
     if (!found.back().lines.empty()) return std::nullopt;
     return defect_in(std::max<std::size_t>(number, 1),
@@ -91,7 +91,7 @@ std::optional<core::FileError> wrong_count(const IgesSections& found) {
                                         "missing or damaged",
                                         {{"section", std::string(1, sections[i])},
                                          {"count", found[i].lines.size()},
-                                         {"told", utf8_text(core::without_blanks(field))}}));
+                                         {"told", utf8_text(core::trimmed(field))}}));
     }
     return std::nullopt;
 }
@@ -167,11 +167,11 @@ std::optional<IgesParameter> IgesParameters::next() {
     const std::size_t length = length_of_text(text_.substr(begin));
     const std::string ends{delimiters_.parameter, delimiters_.record};
     const std::size_t end = std::min(text_.find_first_of(ends, std::min(begin + length, text_.size())), text_.size());
-    IgesParameter parameter = parameter_of(core::without_blanks(text_.substr(begin, end - begin)), begin);
+    IgesParameter parameter = parameter_of(core::trimmed(text_.substr(begin, end - begin)), begin);
     const std::size_t behind = std::min(begin + length, text_.size());
     if (length > 0)
-        parameter.kind = core::without_blanks(text_.substr(behind, end - behind)).empty() ? IgesParameter::Kind::text
-                                                                                          : IgesParameter::Kind::wrong;
+        parameter.kind = core::trimmed(text_.substr(behind, end - behind)).empty() ? IgesParameter::Kind::text
+                                                                                   : IgesParameter::Kind::wrong;
     end_at(end);
     return parameter;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/ascii.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "exchange/places.h"
@@ -21,17 +22,14 @@ bool is_blank(char c) {
     return c == ' ' || c == '\n' || c == '\r' || c == '\t';
 }
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-bool is_letter(char c) {
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '!';
+// Words that programs make up begin with '!'.
+bool begins_word(char c) {
+    return core::is_letter(c) || c == '!';
 }
 
 // The first word of a file has two that words of instances have not.
 bool is_word(char c) {
-    return is_letter(c) || is_digit(c) || c == '_' || c == '-';
+    return begins_word(c) || core::is_digit(c) || c == '_' || c == '-';
 }
 
 // Goes through the text of a file from sign to sign.
@@ -205,7 +203,7 @@ bool StepCheck::take_list() {
             may_end = true;
             continue;
         }
-        if (is_letter(first)) {  // the type of the list that follows
+        if (begins_word(first)) {  // the type of the list that follows
             text_.take_word();
             if (text_.next() != '(') return false;
             continue;
@@ -251,7 +249,7 @@ std::size_t StepCheck::offset_of(Id id, bool is_instance) const {
     std::size_t found = 0;
     for (std::size_t at = all_.find(sign); at != std::string_view::npos; at = all_.find(sign, at + 1)) {
         StepText behind(all_.substr(at + sign.size()));
-        if (is_digit(behind.rest().empty() ? ' ' : behind.rest().front())) continue;
+        if (core::is_digit(behind.rest().empty() ? ' ' : behind.rest().front())) continue;
         if (is_instance && behind.next() != '=') continue;
         found = at;
         if (!is_instance) break;

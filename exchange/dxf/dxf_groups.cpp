@@ -30,7 +30,7 @@ std::string_view DxfGroups::take_line() {
     const std::size_t end = rest_.find('\n');
     const std::string_view line = rest_.substr(0, end);
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    return core::without_blanks(line);
+    return core::trimmed(line);
 }
 
 std::optional<DxfGroup> DxfGroups::refuse(std::string what) {

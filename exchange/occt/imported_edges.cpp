@@ -195,7 +195,7 @@ void collect(Collector& collector, FlatCurve curve, const std::string& name) {
     const auto place = [&] { return name; };
     if (!curve.curve) return collector.notes().add(pattern_of(curve.why), place);
     const std::size_t number = collector.document().curves.size() + 1;
-    std::string wish(core::without_blanks(name));
+    std::string wish(core::trimmed(name));
     if (wish.empty()) wish = core::sentence("curve {number}", {{"number", number}});
     if (collector.add(*std::move(curve.curve), wish, "curve", place) == nullptr) return;
     collector.note_error(curve.error);

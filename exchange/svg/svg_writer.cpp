@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/ascii.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/measure/bounds.h"
@@ -25,12 +26,8 @@ using core::Box;
 using core::DocumentCurve;
 using core::Point;
 
-bool is_letter(char c) {
-    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
-}
-
 bool is_of_id(char c) {
-    return is_letter(c) || ('0' <= c && c <= '9') || c == '-' || c == '.';
+    return core::is_letter(c) || core::is_digit(c) || c == '-' || c == '.';
 }
 
 // A name as XML has them, that no other element has.
@@ -39,7 +36,7 @@ class Ids {
     std::string take(const std::string& name) {
         std::string id;
         for (const char c : name) id += is_of_id(c) ? c : '_';
-        if (id.empty() || !is_letter(id.front())) id.insert(id.begin(), '_');
+        if (id.empty() || !core::is_letter(id.front())) id.insert(id.begin(), '_');
         std::string free = id;
         for (std::size_t& last = last_[id]; !used_.insert(free).second; free = id + '-' + std::to_string(last))
             last = std::max<std::size_t>(last, 1) + 1;

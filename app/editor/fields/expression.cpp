@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "app/editor/fields/quantity.h"
-#include "app/editor/words/ascii.h"
+#include "core/base/ascii.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
@@ -57,7 +57,7 @@ class Parser {
         return rest().substr(0, length);
     }
 
-    void skip_blanks() { position_ = std::min(text_.find_first_not_of(ascii_blanks, position_), text_.size()); }
+    void skip_blanks() { position_ = std::min(text_.find_first_not_of(core::ascii_blanks, position_), text_.size()); }
 
     bool accept(std::string_view token) {
         if (!rest().starts_with(token)) return false;
@@ -72,7 +72,7 @@ class Parser {
     std::string name() const {
         std::string result;
         for (const char c : rest()) {
-            if (!is_letter(c)) break;
+            if (!core::is_letter(c)) break;
             result.push_back(static_cast<char>(c | 0x20));
         }
         return result;
@@ -238,19 +238,19 @@ class Parser {
 std::string_view without_brackets(std::string_view text) {
     const bool has_brackets = text.size() >= 2 && ((text.front() == '[' && text.back() == ']') ||
                                                    (text.front() == '{' && text.back() == '}'));
-    return has_brackets ? trimmed(text.substr(1, text.size() - 2)) : text;
+    return has_brackets ? core::trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
 /// The entries of a list; between separators an entry may be empty, while a run of blanks separates once. A last
 /// separator ends the last entry.
 std::vector<std::string_view> entries_of(std::string_view text) {
     const bool has_separators = find_outside_parentheses(text, ",;") != std::string_view::npos;
-    const std::string_view separators = has_separators ? ",;" : ascii_blanks;
+    const std::string_view separators = has_separators ? ",;" : core::ascii_blanks;
     std::vector<std::string_view> entries;
     while (!text.empty()) {
         const std::size_t end = find_outside_parentheses(text, separators);
-        entries.push_back(trimmed(text.substr(0, end)));
-        text = end == std::string_view::npos ? std::string_view() : trimmed(text.substr(end + 1));
+        entries.push_back(core::trimmed(text.substr(0, end)));
+        text = end == std::string_view::npos ? std::string_view() : core::trimmed(text.substr(end + 1));
     }
     return entries;
 }
@@ -267,8 +267,8 @@ std::size_t find_outside_parentheses(std::string_view text, std::string_view sep
 }
 
 std::string typed_over(std::string_view typed, std::string_view present) {
-    const std::string_view text = trimmed(typed);
-    if (trimmed(present).empty()) return std::string(typed);
+    const std::string_view text = core::trimmed(typed);
+    if (core::trimmed(present).empty()) return std::string(typed);
     for (const std::string_view sign : {"+=", "-=", "\u2212=", "*=", "/=", "^="})
         if (text.starts_with(sign))
             return fmt::format("({}){}({})", present, sign.substr(0, sign.size() - 1), text.substr(sign.size()));
@@ -287,7 +287,7 @@ tl::expected<double, std::string> parse_expression(std::string_view text, Expres
 tl::expected<std::vector<double>, std::string> parse_expressions(std::string_view text,
                                                                  const core::DocumentUnits* lengths) {
     std::vector<double> values;
-    for (const std::string_view entry : entries_of(without_brackets(trimmed(text)))) {
+    for (const std::string_view entry : entries_of(without_brackets(core::trimmed(text)))) {
         const auto value = parse_expression(entry, ExpressionUnit::number, lengths);
         if (!value)
             return tl::make_unexpected(

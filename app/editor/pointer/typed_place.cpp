@@ -7,7 +7,7 @@
 #include "app/editor/fields/expression.h"
 #include "app/editor/pointer/direction.h"
 #include "app/editor/pointer/snap.h"
-#include "app/editor/words/ascii.h"
+#include "core/base/ascii.h"
 
 namespace batten::editor {
 namespace {
@@ -25,7 +25,7 @@ struct Expressions {
 };
 
 Expressions divided(std::string_view text, std::size_t at, Frame frame) {
-    return {frame, trimmed(text.substr(0, at)), trimmed(text.substr(at + 1))};
+    return {frame, core::trimmed(text.substr(0, at)), core::trimmed(text.substr(at + 1))};
 }
 
 Expressions expressions_of_text(std::string_view text, Frame frame) {
@@ -36,13 +36,13 @@ Expressions expressions_of_text(std::string_view text, Frame frame) {
     for (const char* separator : {";", ","})
         if (const std::size_t at = find_outside_parentheses(text, separator); at != std::string_view::npos)
             return divided(text, at, is_relative ? Frame::offsets : Frame::absolute);
-    return {is_relative ? Frame::offsets : frame, trimmed(text), {}};
+    return {is_relative ? Frame::offsets : frame, core::trimmed(text), {}};
 }
 
 std::string_view expression_in(const TypedPlace& typed, std::size_t field) {
-    std::string_view text = trimmed(typed.texts[field]);
+    std::string_view text = core::trimmed(typed.texts[field]);
     if (text.starts_with('=')) text.remove_prefix(1);
-    return trimmed(text);
+    return core::trimmed(text);
 }
 
 Expressions expressions_of(const TypedPlace& typed) {

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <utility>
 
-#include "app/editor/words/ascii.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/reading_text.h"
+#include "core/base/ascii.h"
 #include "core/base/fraction.h"
 #include "core/base/sentence.h"
 
@@ -19,7 +19,7 @@ namespace batten::editor {
 namespace {
 
 bool is_part_of_word(char c) {
-    return is_letter(c) || is_digit(c) || c == '\'';
+    return core::is_letter(c) || core::is_digit(c) || c == '\'';
 }
 
 /// Whether the letter at `place` stands by itself; a factor may stand before it, as in "3u", or the d of "du", and an
@@ -27,9 +27,9 @@ bool is_part_of_word(char c) {
 bool stands_alone(std::string_view text, std::size_t place) {
     std::size_t factor = place;
     if (text[place] == 'u' && factor > 0 && text[factor - 1] == 'd') --factor;
-    while (factor > 0 && is_digit(text[factor - 1])) --factor;
+    while (factor > 0 && core::is_digit(text[factor - 1])) --factor;
     const bool begins = factor == 0 || !is_part_of_word(text[factor - 1]);
-    const bool ends = place + 1 == text.size() || !is_letter(text[place + 1]);
+    const bool ends = place + 1 == text.size() || !core::is_letter(text[place + 1]);
     return begins && ends;
 }
 

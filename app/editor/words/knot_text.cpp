@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/editor/fields/expression.h"
-#include "app/editor/words/ascii.h"
+#include "core/base/ascii.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
@@ -20,10 +20,10 @@ constexpr std::size_t most_knots = 100000;
 
 // Behind "T =", where the text begins so.
 std::string_view without_name(std::string_view text) {
-    text = trimmed(text);
-    if (text.empty() || !is_letter(text.front()) || text.front() == 'p') return text;
-    const std::string_view rest = trimmed(text.substr(1));
-    return !rest.empty() && rest.front() == '=' ? trimmed(rest.substr(1)) : text;
+    text = core::trimmed(text);
+    if (text.empty() || !core::is_letter(text.front()) || text.front() == 'p') return text;
+    const std::string_view rest = core::trimmed(text.substr(1));
+    return !rest.empty() && rest.front() == '=' ? core::trimmed(rest.substr(1)) : text;
 }
 
 // The text of the knots and that of the degree, which may be empty.
@@ -33,10 +33,10 @@ struct Parts {
 };
 
 std::string_view behind_p(std::string_view text) {
-    text = trimmed(text, " \t\r\n,;");
+    text = core::trimmed(text, " \t\r\n,;");
     if (text.empty() || text.front() != 'p') return text;
-    const std::string_view rest = trimmed(text.substr(1));
-    return !rest.empty() && rest.front() == '=' ? trimmed(rest.substr(1)) : text;
+    const std::string_view rest = core::trimmed(text.substr(1));
+    return !rest.empty() && rest.front() == '=' ? core::trimmed(rest.substr(1)) : text;
 }
 
 // Where the parenthesis closes that `text` begins with.
@@ -58,9 +58,9 @@ Parts divided(std::string_view text) {
     }
     const std::size_t equals = text.rfind('=');
     if (equals == std::string_view::npos) return {text, {}};
-    const std::string_view before = trimmed(text.substr(0, equals));
+    const std::string_view before = core::trimmed(text.substr(0, equals));
     if (before.empty() || before.back() != 'p') return {text, {}};
-    return {trimmed(before.substr(0, before.size() - 1), " \t\r\n,;"), trimmed(text.substr(equals + 1))};
+    return {core::trimmed(before.substr(0, before.size() - 1), " \t\r\n,;"), core::trimmed(text.substr(equals + 1))};
 }
 
 // What stands before and between "..." or "…".
@@ -68,7 +68,7 @@ std::vector<std::string_view> parts_of(std::string_view text) {
     std::vector<std::string_view> parts;
     while (true) {
         const std::size_t end = std::min(text.find("..."), text.find("…"));
-        parts.push_back(trimmed(text.substr(0, end), " \t\r\n,;"));
+        parts.push_back(core::trimmed(text.substr(0, end), " \t\r\n,;"));
         if (end == std::string_view::npos) return parts;
         // Both are three bytes long.
         text.remove_prefix(end + 3);
@@ -119,7 +119,7 @@ Outcome<std::vector<double>> read_knots(std::string_view text) {
 bool is_typed_vector(std::string_view text) {
     const std::string_view bare = without_name(text);
     if (bare.empty()) return false;
-    if (bare.front() == '(' || bare.front() == '[' || bare.size() != trimmed(text).size()) return true;
+    if (bare.front() == '(' || bare.front() == '[' || bare.size() != core::trimmed(text).size()) return true;
     constexpr std::string_view begins = "0123456789.+-";
     constexpr std::string_view goes_on = "0123456789.,;+-*/^() \t=pe";
     return begins.find(bare.front()) != std::string_view::npos &&

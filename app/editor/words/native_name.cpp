@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/editor/words/ascii.h"
 #include "core/base/ascii.h"
 #include "core/base/sentence.h"
 
@@ -11,7 +10,7 @@ namespace batten::editor {
 namespace {
 
 bool is_letter_or_digit(char c) {
-    return is_letter(c) || is_digit(c);
+    return core::is_letter(c) || core::is_digit(c);
 }
 
 bool is_small_letter(char c) {
@@ -25,7 +24,7 @@ constexpr std::size_t longest_word = 10;
 bool is_ending(const std::string& text) {
     if (std::all_of(text.begin(), text.end(), is_small_letter)) return text.size() <= longest_word;
     return text.size() <= longest && std::all_of(text.begin(), text.end(), is_letter_or_digit) &&
-           std::any_of(text.begin(), text.end(), is_letter);
+           std::any_of(text.begin(), text.end(), core::is_letter);
 }
 
 // "svg" for "wave.svg"; empty where what stands behind the last dot is no ending.

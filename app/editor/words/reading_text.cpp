@@ -6,8 +6,8 @@
 #include <limits>
 #include <string_view>
 
-#include "app/editor/words/ascii.h"
 #include "app/editor/words/formula.h"
+#include "core/base/ascii.h"
 
 namespace batten::editor {
 
@@ -20,7 +20,7 @@ constexpr std::string_view degree_sign = "°";
 
 /// A character that a number is not divided from: a letter, another script's included, or a part of a name.
 bool belongs_to_word(char c) {
-    return is_digit(c) || is_letter(c) || c == '_' || c == '.' || c == '-' ||
+    return core::is_digit(c) || core::is_letter(c) || c == '_' || c == '.' || c == '-' ||
            (static_cast<unsigned char>(c) & 0x80U) != 0;
 }
 
@@ -30,7 +30,7 @@ std::size_t digit_count(std::string_view number) {
     const std::size_t first = mantissa.find_first_of("123456789");
     if (first == std::string_view::npos) return 1;
     return static_cast<std::size_t>(std::count_if(mantissa.begin() + static_cast<std::ptrdiff_t>(first), mantissa.end(),
-                                                  [](char c) { return is_digit(c); }));
+                                                  [](char c) { return core::is_digit(c); }));
 }
 
 /// The least number of so many digits that is not below `value` but for its last bits.
@@ -46,7 +46,8 @@ std::string with_true_minus(std::string_view number) {
     std::string result;
     for (std::size_t i = 0; i < number.size(); ++i) {
         const bool is_in_exponent = i > 0 && number.find('e') < i;
-        const bool is_filler = is_in_exponent && (number[i] == '+' || (number[i] == '0' && !is_digit(number[i - 1])));
+        const bool is_filler =
+            is_in_exponent && (number[i] == '+' || (number[i] == '0' && !core::is_digit(number[i - 1])));
         if (is_filler) continue;
         if (number[i] == '-')
             result += true_minus;
@@ -68,7 +69,7 @@ std::string shortened(std::string_view number, int most_digits, bool is_bound) {
 std::string_view number_at(std::string_view text, std::size_t i) {
     if (i > 0 && belongs_to_word(text[i - 1])) return {};
     const std::size_t first = text[i] == '-' ? i + 1 : i;
-    if (first >= text.size() || !is_digit(text[first])) return {};
+    if (first >= text.size() || !core::is_digit(text[first])) return {};
     double ignored = 0.0;
     const auto* const end = std::from_chars(text.data() + i, text.data() + text.size(), ignored).ptr;
     const auto length = static_cast<std::size_t>(end - text.data()) - i;

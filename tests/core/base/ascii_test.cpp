@@ -14,11 +14,18 @@ TEST(Ascii, only_its_capital_letters_become_small) {
     EXPECT_EQ(in_small_letters("ÄZ"), "Äz");
 }
 
+TEST(Ascii, its_letters_and_digits_are_62) {
+    std::string found;
+    for (int c = -128; c < 128; ++c)
+        if (const char sign = static_cast<char>(c); is_digit(sign) || is_letter(sign)) found.push_back(sign);
+    EXPECT_EQ(found, "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz");
+}
+
 TEST(Ascii, blanks_are_taken_off_both_ends) {
-    EXPECT_EQ(without_blanks(" \t a b\r\n"), "a b");
-    EXPECT_EQ(without_blanks("x"), "x");
-    EXPECT_EQ(without_blanks(" \r"), "");
-    EXPECT_EQ(without_blanks(""), "");
+    EXPECT_EQ(trimmed(" \t a b\r\n"), "a b");
+    EXPECT_EQ(trimmed("x"), "x");
+    EXPECT_EQ(trimmed(" \r"), "");
+    EXPECT_EQ(trimmed(""), "");
 }
 
 }  // namespace batten::core
