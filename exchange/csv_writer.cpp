@@ -74,7 +74,7 @@ void append_row(std::string& text, const std::string& name, const core::Curve& c
 core::FileResult<Exported> write_csv(const core::Document& document, const WriteOptions& options) {
     return visible_curves(document).map([&](const std::vector<const core::DocumentCurve*>& entries) {
         Notes notes;
-        note_losses(notes, document, {.colors = true, .units = true, .periodic = true});
+        note_losses(notes, document, {.periodic = true});
         Exported exported{"curve,u,x,y,x',y',x'',y'',curvature\n",
                           {.left_out = notes.sentences(), .holds_samples = true}};
         for (const core::DocumentCurve* entry : entries)

@@ -9,6 +9,7 @@
 #include "app/cli/frame_names.h"
 #include "app/cli/standard_streams.h"
 #include "app/editor/fields/expression.h"
+#include "app/editor/scene/figure_scene.h"
 #include "core/base/ascii.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -64,6 +65,15 @@ Checked read_size(FigureOrder& order, const FigureOptions& options) {
     return {};
 }
 
+Checked check_height(const FigureOrder& order) {
+    editor::View view;
+    view.overlays = order.overlays;
+    const double least = editor::least_figure_height(view, order.form);
+    if (order.size_px.y >= least) return {};
+    return tl::unexpected(sentence("--size: with these parts a figure needs a height of at least {least} pixels",
+                                   {{"least", core::shortest_text(least)}}));
+}
+
 tl::expected<double, std::string> read_number(const char* option, std::string_view text) {
     return editor::parse_expression(text).map_error([&](const std::string& problem) {
         return sentence("{option}: {found}: {problem}",
@@ -116,7 +126,10 @@ Checked read_animation(FigureOrder& order, const FigureOptions& options) {
     if (options.animate.empty()) return {};
     auto motion = read_motion(options.animate);
     if (!motion) return tl::unexpected(std::move(motion.error()));
-    if (std::holds_alternative<RunningParameter>(*motion)) order.parts.parameter = true;
+    if (std::holds_alternative<RunningParameter>(*motion)) {
+        if (order.at) return tl::unexpected(std::string("--at: the parameter is what moves; leave one of the two out"));
+        order.parts.parameter = true;
+    }
     order.motion = *motion;
     order.frames = options.frames.value_or(order.frames);
     order.rate = options.rate.value_or(order.rate);
@@ -198,6 +211,7 @@ tl::expected<FigureOrder, std::string> read_order(const FigureOptions& options) 
     if (checked) checked = read_format(order, options);
     if (checked) checked = check_scale(order);
     if (checked) checked = read_title(order, options);
+    if (checked) checked = check_height(order);
     if (!checked) return tl::unexpected(std::move(checked.error()));
     make_whole(order);
     return order;

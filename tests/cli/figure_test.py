@@ -312,12 +312,17 @@ class Pixels(FigureTest):
         self.assertTrue(any(pixel[3] == 255 for row in rows for pixel in row))
 
     def test_tiny_sizes_are_no_trouble(self):
-        for view in ("curve", "basis", "both", "homogeneous"):
+        for view in ("curve", "homogeneous"):
             width, height, _ = pixels(self.figure("a.png", "--size", "1x1", "--view", view, "--title", "a", told=None).read_bytes())
             self.assertEqual((width, height), (1, 1))
 
 
 class Papers(FigureTest):
+    def test_plots_tell_of_the_parameter_where_it_is_asked_for(self):
+        for parameter, count in (((), 0), (("--at", "0.5"), 1)):
+            text = self.figure("a.svg", "--show", "speed-plot", *parameter, told=None).read_text()
+            self.assertEqual((text.count("Speed |C′(u)|"), text.count("|C′| = ")), (1, count), parameter)
+
     def test_labels_of_a_pdf_can_be_found(self):
         self.needs("pdftotext")
         file = self.figure("a.pdf", "--title", "Ein Überblick")
@@ -466,6 +471,10 @@ class Refusals(FigureTest):
             ("--rate: 1000 is no number from 0.1 to 100", ("--animate", "u=0..1", "--rate", "1000")),
             ("--frames: nothing moves; --animate says what does", ("--frames", "3")),
             ("--rate: nothing moves; --animate says what does", ("--rate", "3")),
+            ("--at: the parameter is what moves; leave one of the two out", ("--animate", "u=0..1", "--at", "0.3")),
+            ("--size: with these parts a figure needs a height of at least 240 pixels", ("--view", "both", "--size", "600x239")),
+            ("--size: with these parts a figure needs a height of at least 204 pixels",
+             ("--view", "basis", "--title", "N", "--size", "600x200")),
             ("--show: 'quiz' is seen in the window only", ("--show", "quiz")),
             ("--show: 'polygon' is not seen with --view basis, but with curve, both or homogeneous", ("--show", "polygon", "--view", "basis")),
             ("--show: 'speed-plot' is not seen with --view curve, but with basis or both", ("--show", "speed-plot", "--view", "curve")),

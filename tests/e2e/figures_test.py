@@ -68,10 +68,10 @@ class FiguresTest(WindowTest):
     def test_a_figure_has_the_size_and_the_colors_that_are_asked_for(self):
         editor = self.open_editor()
         figure = self.folder / "wave.svg"
-        self.run_typed(editor, f'export-figure {figure} both 1 off "" off 300 200 high-contrast')
+        self.run_typed(editor, f'export-figure {figure} both 1 off "" off 300 250 high-contrast')
         editor.wait(lambda state: state["message"].startswith("Exported wave.svg"), "the figure")
         root = xml.etree.ElementTree.parse(figure).getroot()
-        self.assertEqual((root.get("width"), root.get("height")), ("300", "200"))
+        self.assertEqual((root.get("width"), root.get("height")), ("300", "250"))
         self.assertEqual(root.find(f".//{SVG}rect").get("fill"), "#ffffff")
 
 

@@ -4,6 +4,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/scene/figure_scene.h"
+#include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -49,13 +50,17 @@ Outcome<void> export_figure(EditorState& state, const ExportFigure& command) {
     if (!command.replace && std::filesystem::exists(path, error))
         return tl::unexpected(core::sentence("{file} is there already; choose 'replace', or another name",
                                              {{"file", path.filename().string()}}));
-    return export_figure_to(state, path,
-                            {.view = command.view,
-                             .scale = command.scale,
-                             .is_transparent = command.is_transparent,
-                             .title = command.title.value_or(""),
-                             .theme = command.theme,
-                             .size_px = page_size(state, command)});
+    const FigureForm form{.view = command.view,
+                          .scale = command.scale,
+                          .is_transparent = command.is_transparent,
+                          .title = command.title.value_or(""),
+                          .theme = command.theme,
+                          .size_px = page_size(state, command)};
+    const double least = least_figure_height(state.view, form);
+    if (form.size_px && form.size_px->y < least)
+        return tl::unexpected(core::sentence("with these parts a figure needs a height of at least {least} pixels",
+                                             {{"least", core::shortest_text(least)}}));
+    return export_figure_to(state, path, form);
 }
 
 std::optional<Refusal> no_visible_curve(const EditorState& state) {

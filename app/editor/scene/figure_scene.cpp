@@ -20,6 +20,7 @@ constexpr double figure_title_height = 44.0;
 constexpr double figure_title_size = 18.0;
 constexpr double figure_title_margin = 16.0;
 constexpr double least_plot_height = 160.0;
+constexpr double least_canvas_height = 80.0;
 
 constexpr double plot_share = 0.4;  // of the height, below a curve
 
@@ -156,15 +157,20 @@ double title_height(const FigureForm& form) {
     return form.title.empty() ? 0.0 : figure_title_height * form.scale;
 }
 
+/// Of the basis functions, the knots and the other plots.
+double least_height_of_plots(const View& view) {
+    return least_plot_height + height_of_plots(view);
+}
+
 /// What a page of that height gives to each; nothing gets less than a pixel.
-FigureHeights shared_heights(const FigureForm& form, double height_px) {
+FigureHeights shared_heights(const View& view, const FigureForm& form, double height_px) {
     FigureHeights heights{.title = std::min(title_height(form), 0.5 * height_px)};
     const double rest = height_px - heights.title;
     if (form.view == FigureView::basis) {
         heights.plot = rest;
     } else if (form.view == FigureView::both) {
-        const double least = std::min(least_plot_height * form.scale, 0.5 * rest);
-        heights.plot = std::max(plot_share * rest, least);
+        const double most = std::max(rest - least_canvas_height * form.scale, 0.5 * rest);
+        heights.plot = std::max(plot_share * rest, std::min(least_height_of_plots(view) * form.scale, most));
     }
     heights.canvas = rest - heights.plot;
     return heights;
@@ -187,7 +193,7 @@ render::Figure window_figure(const EditorState& state, const FigureForm& form) {
                           .plot = std::round(form.scale * view.dock_height)};
     if (form.size_px) {
         const glm::dvec2 page = form.scale * *form.size_px;
-        heights = shared_heights(form, page.y);
+        heights = shared_heights(view, form, page.y);
         take_size(view.camera, {page.x, std::max(heights.canvas, 1.0)});
     }
     return composed(still, form, heights, {});
@@ -198,17 +204,23 @@ glm::dvec2 window_figure_size(const EditorState& state, FigureView view) {
     return {canvas.x, (has_canvas(view) ? canvas.y : 0.0) + (has_plot(view) ? state.view.dock_height : 0.0)};
 }
 
+double least_figure_height(const View& view, const FigureForm& form) {
+    if (!has_plot(form.view)) return 0.0;
+    const double title = form.title.empty() ? 0.0 : figure_title_height;
+    return title + (has_canvas(form.view) ? least_canvas_height : 0.0) + least_height_of_plots(view);
+}
+
 void pose_for_figure(EditorState& state, const FigureForm& form, glm::dvec2 size_px) {
     bring_to_rest(state);
     const glm::dvec2 page = form.scale * size_px;
     state.view.interface_scale = form.scale;
-    state.view.camera.size_px = {page.x, std::max(shared_heights(form, page.y).canvas, 1.0)};
+    state.view.camera.size_px = {page.x, std::max(shared_heights(state.view, form, page.y).canvas, 1.0)};
     if (has_canvas(form.view)) fit_view(state);
 }
 
 render::Figure figure_of(const EditorState& posed, const FigureForm& form, glm::dvec2 size_px,
                          std::span<const CutCorner> moving) {
-    return composed(posed, form, shared_heights(form, form.scale * size_px.y), moving);
+    return composed(posed, form, shared_heights(posed.view, form, form.scale * size_px.y), moving);
 }
 
 }  // namespace batten::editor

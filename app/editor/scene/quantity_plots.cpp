@@ -39,10 +39,12 @@ class QuantityPlot {
         if (quantity_ == core::Quantity::curvature && frame_.state.view.overlays.is_shown(Overlay::curvature_marks))
             draw_bends();
         draw_title();
-        draw_at_parameter();
+        if (shows_parameter()) draw_at_parameter();
     }
 
   private:
+    bool shows_parameter() const { return frame_.state.view.parts.parameter; }
+
     double y(double value) const {
         const double share = (value - values_.lower) / values_.length();
         return box_.upper_px.y - share * (box_.upper_px.y - box_.lower_px.y);
@@ -54,7 +56,8 @@ class QuantityPlot {
 
     void draw_ground() {
         const core::KnotVector& knots = frame_.curve.knots();
-        if (auto span = frame_.band({knots[frame_.span], knots[frame_.span + 1]})) {
+        auto span = frame_.band({knots[frame_.span], knots[frame_.span + 1]});
+        if (span && shows_parameter()) {
             span->lower_px.y = box_.lower_px.y;
             span->upper_px.y = box_.upper_px.y;
             frame_.pen.fill(corners_of(*span), render::faded(frame_.theme.accent, 0.07));
@@ -151,6 +154,7 @@ class QuantityPlot {
         const double height = box_.lower_px.y - frame_.pen.px(0.5 * quantity_title_height);
         frame_.pen.text({frame_.pen.px(16.0), height}, is_curvature ? "Curvature κ(u)" : "Speed |C′(u)|",
                         {.color = frame_.theme.text, .size = 12.5, .font = render::LabelFont::bold});
+        if (!shows_parameter()) return;
         const auto value = core::quantity_at(frame_.curve, quantity_, frame_.u);
         const std::string number = value ? number_text(shown(*value)) : "none";
         frame_.pen.text({frame_.pen.size_px().x - frame_.pen.px(16.0), height},

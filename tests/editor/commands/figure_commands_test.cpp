@@ -101,5 +101,20 @@ TEST_F(FigureCommands, replace_a_file_only_where_that_is_chosen) {
     EXPECT_EQ(std::get<std::string>(path.initial(editor_.state())), folder_.path() / "wave figure 2.svg");
 }
 
+TEST_F(FigureCommands, refuse_a_height_that_presses_the_plots_flat) {
+    ASSERT_TRUE(editor_.run(Open{.path = folder_.write("wave.json", sample_text)}));
+    ExportFigure command{.path = folder_.path() / "low.svg", .view = FigureView::both, .width = 300.0, .height = 239.0};
+    EXPECT_FALSE(editor_.run(command));
+    EXPECT_EQ(editor_.state().message.text, "with these parts a figure needs a height of at least 240 pixels");
+    EXPECT_EQ(asked_.times, 0u);
+    command.height = 240.0;
+    EXPECT_TRUE(editor_.run(command));
+    command.title = "N";
+    EXPECT_FALSE(editor_.run(command));
+    command.view = FigureView::curve;
+    EXPECT_TRUE(editor_.run(command));
+    EXPECT_EQ(asked_.times, 2u);
+}
+
 }  // namespace
 }  // namespace batten::editor
