@@ -32,7 +32,7 @@ inline constexpr std::string_view ascii_blanks = " \t\r\n";
 /// `text` without the characters of `around` at both ends.
 constexpr std::string_view trimmed(std::string_view text, std::string_view around = ascii_blanks) {
     const std::size_t first = text.find_first_not_of(around);
-    if (first == text.npos) return {};
+    if (first == std::string_view::npos) return {};
     return text.substr(first, text.find_last_not_of(around) - first + 1);
 }
 
