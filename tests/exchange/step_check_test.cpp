@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <string>
+
+#include "tests/exchange/damage.h"
 
 namespace batten::exchange {
 
@@ -84,24 +85,10 @@ TEST(StepCheck, TakesAnyNesting) {
 // Bytes replaced, left out, repeated: whatever becomes of it, there is an answer, and a defect names what it is.
 TEST(StepCheck, HasAnAnswerToAnyDamage) {
     const std::string whole = step_file(whole_data);
-    std::mt19937 engine(3);
-    const auto below = [&](std::size_t count) {
-        return std::uniform_int_distribution<std::size_t>(0, count - 1)(engine);
-    };
-    const std::string bytes = "0159.,;#()'\"=$*/ \n\0\xff";
+    using namespace std::string_literals;
+    Damage damage(3, "0159.,;#()'\"=$*/ \n\0\xff"s);  // with the zero
     for (int i = 0; i < 20'000; ++i) {
-        std::string text = whole;
-        for (std::size_t changes = 1 + below(3); changes > 0; --changes) {
-            const std::size_t at = below(text.size());
-            const std::size_t length = below(9);
-            if (below(3) == 0)
-                text.erase(at, length);
-            else if (below(2) == 0)
-                text.insert(at, text, below(text.size()), length);
-            else
-                text[at] = bytes[below(bytes.size())];
-        }
-        const auto defect = step_defect(text);
+        const auto defect = step_defect(damage.of(whole));
         ASSERT_TRUE(!defect || !defect->what.empty());
     }
 }
