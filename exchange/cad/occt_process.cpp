@@ -91,6 +91,30 @@ std::optional<std::string> read_all(int descriptor, Clock::time_point deadline) 
     return std::nullopt;
 }
 
+// A process holds back no signals, whatever this one holds back while it saves or waits for its end.
+class FreeSignals {
+  public:
+    FreeSignals() {
+        is_made_ = posix_spawnattr_init(&attributes_) == 0;
+        if (!is_made_) return;
+        sigset_t none;
+        sigemptyset(&none);
+        posix_spawnattr_setsigmask(&attributes_, &none);
+        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK);
+    }
+    ~FreeSignals() {
+        if (is_made_) posix_spawnattr_destroy(&attributes_);
+    }
+    FreeSignals(const FreeSignals&) = delete;
+    FreeSignals& operator=(const FreeSignals&) = delete;
+
+    const posix_spawnattr_t* attributes() const { return is_made_ ? &attributes_ : nullptr; }
+
+  private:
+    posix_spawnattr_t attributes_{};
+    bool is_made_ = false;
+};
+
 std::optional<pid_t> start(const std::filesystem::path& program, const char* task, const char* format, int input,
                            int output) {
     std::array<std::string, 3> words{program.string(), task, format};
@@ -99,8 +123,9 @@ std::optional<pid_t> start(const std::filesystem::path& program, const char* tas
     if (posix_spawn_file_actions_init(&actions) != 0) return std::nullopt;
     posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+    const FreeSignals free;
     pid_t process = 0;
-    const int error = posix_spawn(&process, program.c_str(), &actions, nullptr, arguments.data(), environ);
+    const int error = posix_spawn(&process, program.c_str(), &actions, free.attributes(), arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     return error == 0 ? std::optional(process) : std::nullopt;
 }

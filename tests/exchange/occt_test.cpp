@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -128,8 +129,9 @@ class OcctProcess : public testing::Test {
     }
 
     // What is told within half a minute where the program does `commands`.
-    std::string told(const std::string& commands, std::chrono::milliseconds most_time) {
-        std::ofstream(script_) << "#!/bin/sh\n" << commands << "\n";
+    std::string told(const std::string& commands, std::chrono::milliseconds most_time,
+                     const std::string& interpreter = "/bin/sh") {
+        std::ofstream(script_) << "#!" << interpreter << "\n" << commands << "\n";
         std::filesystem::permissions(script_, std::filesystem::perms::owner_all);
         setenv("BATTEN_OCCT", script_.c_str(), 1);
         const auto start = std::chrono::steady_clock::now();
@@ -165,6 +167,20 @@ TEST_F(OcctProcess, EachEndHasItsSentence) {
 
 TEST_F(OcctProcess, AnswersInTimeAreTaken) {
     EXPECT_EQ(told("cat >/dev/null; echo '{\"text\": \"whole\"}'", std::chrono::minutes(2)), "answered: whole");
+}
+
+// Else whoever asked it to end would wait. A shell would let all signals through by itself.
+TEST_F(OcctProcess, HoldsBackNoSignals) {
+    sigset_t ends;
+    sigset_t before;
+    sigemptyset(&ends);
+    sigaddset(&ends, SIGTERM);
+    ASSERT_EQ(pthread_sigmask(SIG_BLOCK, &ends, &before), 0);
+    const std::string answer = told(R"(BEGIN { while ((getline line < "/proc/self/status") > 0)
+                            if (line ~ /^SigBlk/) printf "{\"text\": \"%s\"}", substr(line, 9) })",
+                                    std::chrono::minutes(2), "/usr/bin/awk -f");
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    EXPECT_EQ(answer, "answered: 0000000000000000");
 }
 
 TEST_P(ThroughOpenCascade, CurvesOfEveryDegreeKeepEveryBit) {
