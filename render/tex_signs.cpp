@@ -185,9 +185,10 @@ constexpr std::array ascii_signs{NamedSign{"<", "<"},   NamedSign{">", ">"}, Nam
                                  NamedSign{")", ")"},   NamedSign{"[", "["}, NamedSign{"]", "]"}, NamedSign{"{", "\\{"},
                                  NamedSign{"}", "\\}"}, NamedSign{"-", "-"}};
 
+// Of "\\$" and its like LaTeX since 2020 knows only bitmaps where no more fonts are installed than it needs.
 constexpr std::array text_signs{NamedSign{"&", "\\&"},
                                 NamedSign{"%", "\\%"},
-                                NamedSign{"$", "\\$"},
+                                NamedSign{"$", "\\symbol{36}"},
                                 NamedSign{"#", "\\#"},
                                 NamedSign{"_", "\\_"},
                                 NamedSign{"~", "\\textasciitilde{}"},

@@ -345,6 +345,16 @@ class Papers(FigureTest):
         self.assertIn("50% & $1 {x}", words)
         self.assertIn("on a curve-t3", words)
 
+    def test_a_dollar_is_a_letter_of_an_outline_font(self):
+        self.needs("pdflatex", "pdffonts")
+        self.figure("a.tex", "--show", "", "--title", "from $5 to $6")
+        (self.folder / "paper.tex").write_text(r"\documentclass{article}\usepackage{tikz}\begin{document}\input{a.tex}\end{document}")
+        process = subprocess.run(["pdflatex", "-interaction=batchmode", "paper.tex"], cwd=self.folder, capture_output=True, text=True, check=True)
+        self.assertEqual(process.stderr, "", "a font is made")
+        fonts = subprocess.run(["pdffonts", self.folder / "paper.pdf"], capture_output=True, text=True, check=True).stdout
+        self.assertIn("Type 1", fonts)
+        self.assertNotIn("Type 3", fonts)
+
     def test_what_LaTeX_cannot_write_is_told(self):
         self.figure("a.tex", "--title", "Кривая ⅓", told="LaTeX as it is installed cannot set К, р, и, в, а, я: question marks stand there until the paper defines \\battenletters\n")
         text = self.figure("b.tex", "--title", "A point on a curve, $P_3$").read_text()
@@ -524,6 +534,7 @@ class Guide(FigureTest):
         environment = dict(os.environ, PATH=f"{self.folder / 'bin'}:{os.environ['PATH']}")
         commands = [line for block in re.findall(r"```sh\n(.*?)```", page, re.S) for line in block.splitlines()]
         self.assertGreaterEqual(len(commands), 10)
+        self.assertEqual([command for command in commands if re.search(r'"[^"]*\$[^"]*"', command)], [], "a shell takes $x for a variable there")
         for command in commands:
             with self.subTest(command=command):
                 words = shlex.split(command)

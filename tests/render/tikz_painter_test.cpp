@@ -49,7 +49,7 @@ TEST(TexText, leaves_words_as_text) {
 
 TEST(TexText, escapes_what_means_something_to_TeX) {
     EXPECT_EQ(tex_text("50% & $3 #1 {x} \\end ~"),
-              "50\\% \\& \\$3 \\#1 $\\{x\\}$ \\textbackslash{}end \\textasciitilde{}");
+              "50\\% \\& \\symbol{36}3 \\#1 $\\{x\\}$ \\textbackslash{}end \\textasciitilde{}");
     EXPECT_EQ(tex_text("a_b^c"), "$a$\\_$b$\\textasciicircum{}$c$");
     EXPECT_EQ(tex_text("\"a\" < b"), "''$a$'' $<$ $b$");
     EXPECT_EQ(tex_text("Кривая 2"), "\\battenletters{Кривая} 2");
@@ -72,9 +72,11 @@ TEST(TexProse, is_text_but_for_what_stands_between_dollar_signs) {
     EXPECT_EQ(tex_prose("knots-t3"), "knots-t3");
     EXPECT_EQ(tex_prose("<b> & 50%"), "$<$b$>$ \\& 50\\%");
     EXPECT_EQ(tex_prose("The point $P_3$ at $u=\\frac13$"), "The point $P_3$ at $u=\\frac13$");
-    EXPECT_EQ(tex_prose("from $5 to $6"), "from \\$5 to \\$6") << "prices";
-    EXPECT_EQ(tex_prose("$x$5"), "\\$x\\$5");
-    EXPECT_EQ(tex_prose("${$ and $a}$ and $50%$"), "\\$$\\{$\\$ and \\$a$\\}$\\$ and \\$50\\%\\$") << "no formulas";
+    EXPECT_EQ(tex_prose("from $5 to $6"), "from \\symbol{36}5 to \\symbol{36}6") << "prices";
+    EXPECT_EQ(tex_prose("$x$5"), "\\symbol{36}x\\symbol{36}5");
+    EXPECT_EQ(tex_prose("${$ and $a}$ and $50%$"),
+              "\\symbol{36}$\\{$\\symbol{36} and \\symbol{36}a$\\}$\\symbol{36} and \\symbol{36}50\\%\\symbol{36}")
+        << "no formulas";
     EXPECT_EQ(prose_label("The point $P_3$ of $N_{i,3}$"), "The point P_{3} of N_{i,3}");
     EXPECT_EQ(prose_label("from $5 to $6"), "from $5 to $6");
 }
