@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "app/cli/figure_scale.h"
+#include "app/cli/drawn_document.h"
 #include "app/editor/derived/cut_polygon.h"
 #include "app/editor/editor.h"
 #include "app/editor/scene/figure_scene.h"
@@ -33,6 +33,26 @@ Checked check_inside(const core::Curve& curve, double u) {
                                           .value = u,
                                           .lower = curve.domain().lower,
                                           .upper = curve.domain().upper}));
+}
+
+/// What the figure does not tell about where the curve is; empty where it tells nothing that is not so.
+std::string note_on_place(const DrawnPlace& place, const editor::Overlays& overlays) {
+    const bool is_moved = place.offset != core::Vector(0.0, 0.0) && has_coordinates(overlays);
+    const bool is_scaled = place.exponent != 0 && has_lengths(overlays);
+    const char* pattern = "";
+    if (is_moved)
+        pattern = "the curve is drawn moved by ({x}, {y}), and places on the figure are those of the drawn one";
+    if (is_scaled)
+        pattern =
+            "the curve is drawn 2^{exponent} times as large as it is, and lengths on the figure are those of the drawn "
+            "one";
+    if (is_moved && is_scaled)
+        pattern =
+            "the curve is drawn moved by ({x}, {y}) and then 2^{exponent} times as large as it is, and places and "
+            "lengths on the figure are those of the drawn one";
+    return core::filled_as_needed(pattern, {{"x", core::shortest_text(place.offset.x)},
+                                            {"y", core::shortest_text(place.offset.y)},
+                                            {"exponent", place.exponent}});
 }
 
 /// Whether a curve can move so.
@@ -89,13 +109,10 @@ tl::expected<FigureFrames, std::string> FigureFrames::make(const core::Document&
     frames.document_ = document;
     if (!order.has_pictures) frames.document_.pictures.clear();
     if (!order.has_guides) frames.document_.guides.clear();
-    const int exponent = drawn_exponent(frames.document_);
-    if (exponent != 0) frames.document_ = drawn_document(frames.document_, exponent);
-    if (exponent != 0 && has_lengths(order.overlays))
-        frames.note_ = core::sentence(
-            "the curve is drawn 2^{exponent} times as large as it is, and lengths on the figure are those of the drawn "
-            "one",
-            {{"exponent", exponent}});
+    const DrawnPlace place = drawn_place(frames.document_);
+    const bool is_moved = place.offset != core::Vector(0.0, 0.0);
+    if (is_moved || place.exponent != 0) frames.document_ = drawn_document(frames.document_, place);
+    frames.note_ = note_on_place(place, order.overlays);
     frames.posed_ = editor::Editor(frames.document_).state();
     editor::View& view = frames.posed_.view;
     view.theme = order.theme;

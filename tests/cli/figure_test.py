@@ -1,6 +1,7 @@
 """Figures: what is on them and where, in every format; animations; what is refused; and every command of docs/figures.md."""
 
 import json
+import math
 import os
 import pathlib
 import re
@@ -252,6 +253,24 @@ class Svg(FigureTest):
                 self.assertAlmostEqual(y, b, delta=0.02)
             process = run("figure", file, "-o", self.folder / "a.svg", "--show", "grid")
             self.assertIn(f"the curve is drawn 2^{-2 - power} times as large as it is", process.stderr)
+
+    def test_a_curve_far_from_the_origin_looks_the_same(self):
+        wave = json.loads(WAVE.read_text())["curves"][0]
+        # Multiples of 1/4, which is the step of numbers from 2^50 on.
+        wave = {**wave, "points": [[round(4 * x) / 4, round(4 * y) / 4] for x, y in wave["points"]]}
+        expected = Picture(self.figure("b.svg", file=self.document(curves=[wave], active=0)))
+        for x_power, y_power in ((50, 49), (50, None), (None, -50)):
+            right, up = (math.copysign(2.0 ** abs(power), power) if power else 0.0 for power in (x_power, y_power))
+            moved = {**wave, "points": [[x + right, y + up] for x, y in wave["points"]]}
+            file = self.document(curves=[moved], active=0)
+            found = Picture(self.figure("a.svg", file=file))
+            for line, wanted in zip(found.lines, expected.lines, strict=True):
+                for (x, y), (a, b) in zip(places_in(line), places_in(wanted), strict=True):
+                    self.assertAlmostEqual(x, a, delta=0.02)
+                    self.assertAlmostEqual(y, b, delta=0.02)
+            process = run("figure", file, "-o", self.folder / "a.svg", "--show", "grid")
+            self.assertIn("the curve is drawn moved by (", process.stderr)
+            self.assertIn("places on the figure are those of the drawn one", process.stderr)
 
     def test_titles_are_text_whatever_they_say(self):
         title = "a < b & \"c\" Кривая \\end{x} 50%"
