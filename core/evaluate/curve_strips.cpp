@@ -159,6 +159,10 @@ CurveStrips::CurveStrips(std::shared_ptr<const Curve> curve)
     open_.resize(stretch_spans_.size());
 }
 
+double CurveStrips::rounding() const {
+    return rounding_of_halving(box());
+}
+
 ItemRange CurveStrips::spans_over(Interval range) const {
     const KnotVector& knots = curve_->knots();
     const Interval domain = curve_->domain();

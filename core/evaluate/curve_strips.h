@@ -24,6 +24,9 @@ class CurveStrips {
     /// Contains the curve.
     const Box& box() const { return stretches_.strip(stretches_.level_count() - 1, 0).box; }
 
+    /// Below this tolerance there is no finer: what coordinates of such a size round. Not finite where they overflow.
+    double rounding() const;
+
     /// From now on these are the strips of `curve`. Cost: comparing knots, points and weights, and the changed spans
     /// and their stretches anew; all of it anew where the degree is another, or more than a few knots were inserted or
     /// removed in one place.

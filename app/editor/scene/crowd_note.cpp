@@ -1,7 +1,11 @@
 #include "app/editor/scene/crowd_note.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/text_size.h"
+#include "app/editor/words/length.h"
 #include "core/base/sentence.h"
 
 namespace batten::editor {
@@ -13,6 +17,7 @@ constexpr double note_bottom = 43.0;   // in the middle of the row of the legend
 constexpr double note_step = 20.0;     // from one to the next
 constexpr double note_distance = 6.0;  // from the legend
 constexpr double note_size = 12.5;
+constexpr double most_rounding_px = 1.0;
 constexpr double ground_opacity = 0.94;  // over what is drawn there
 
 std::string shown_points_text(const ShownPoints& points) {
@@ -41,9 +46,21 @@ std::string thinned_text(const char* pattern, const Thinned& thinned) {
     return core::sentence(pattern, {{"shown", thinned.shown}, {"count", thinned.seen}});
 }
 
+/// Where curves are drawn no finer than their coordinates are rounded, and that can be seen.
+std::string rounding_text(const CanvasFrame& frame) {
+    const core::CurveStrips& strips = frame.kept->strips();
+    const double rounding = strips.rounding();
+    if (!std::isfinite(rounding) || !(rounding * frame.state.view.camera.scale > most_rounding_px)) return "";
+    const core::Box& box = strips.box();
+    const double farthest = std::max({-box.lower.x, -box.lower.y, box.upper.x, box.upper.y});
+    const double step = std::nextafter(farthest, core::Box::infinity) - farthest;
+    return core::sentence("Coordinates have steps of {step} here, so that lines are coarse",
+                          {{"step", length_words(units_of(frame.state), step)}});
+}
+
 /// From below.
-std::vector<std::string> note_texts(const CanvasMarks& marks, double room) {
-    std::vector<std::string> texts{marks_text(marks, room),
+std::vector<std::string> note_texts(const CanvasFrame& frame, const CanvasMarks& marks, double room) {
+    std::vector<std::string> texts{rounding_text(frame), marks_text(marks, room),
                                    thinned_text("Showing {shown} of {count} Bézier polygons", marks.pieces),
                                    thinned_text("Showing {shown} of {count} hulls", marks.hulls),
                                    thinned_text("The comb has teeth at {shown} of {count} spans", marks.comb_spans)};
@@ -79,7 +96,7 @@ double above_legend(const CanvasFrame& frame) {
 std::vector<CrowdNote> crowd_notes(const CanvasFrame& frame, const CanvasMarks& marks) {
     std::vector<CrowdNote> notes;
     double y = frame.pen.size_px().y - frame.pen.px(note_bottom);
-    for (std::string& text : note_texts(marks, frame.pen.size_px().x / frame.pen.px(1.0) - 2.0 * note_side)) {
+    for (std::string& text : note_texts(frame, marks, frame.pen.size_px().x / frame.pen.px(1.0) - 2.0 * note_side)) {
         if (meets_legend(frame, note_at(frame, text, y).box)) y = above_legend(frame);
         notes.push_back(note_at(frame, std::move(text), y));
         y -= frame.pen.px(note_step);

@@ -1,4 +1,5 @@
-/// The sentences that tell how many points, knots, pieces and spans there are where not all of them are drawn.
+/// The sentences that tell how many points, knots, pieces and spans there are where not all of them are drawn, and why
+/// lines are coarse where they are.
 #pragma once
 
 #include <string>

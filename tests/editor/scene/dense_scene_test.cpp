@@ -157,6 +157,22 @@ TEST(DenseScene, tells_how_many_of_how_many_it_shows) {
     EXPECT_TRUE(has_note(test::plot_picture(many, PlotIdle{}, dock), " of 100004 knots"));
 }
 
+TEST(DenseScene, tells_why_lines_far_from_the_origin_are_coarse) {
+    const auto notes = [](double distance) {
+        std::vector<core::Point> points = spiral(20);
+        for (core::Point& point : points) point.x += distance;
+        EditorState state = state_of(std::move(points));
+        fit_view(state);
+        std::vector<std::string> texts = test::texts_of(test::canvas_picture(state, CanvasIdle{}));
+        std::erase_if(texts, [](const std::string& text) { return !text.starts_with("Coordinates "); });
+        return texts;
+    };
+    EXPECT_TRUE(notes(0.0).empty());
+    EXPECT_TRUE(notes(0x1p30).empty());
+    // From 2^50 on doubles are multiples of 2^-2.
+    EXPECT_EQ(notes(0x1p50), std::vector<std::string>{"Coordinates have steps of 0.25 here, so that lines are coarse"});
+}
+
 TEST(DenseScene, tells_how_many_polygons_of_pieces_and_teeth_it_shows) {
     for (const std::size_t count : {20U, 3000U, 100000U}) {
         EditorState state = state_of(spiral(count));
