@@ -1,0 +1,32 @@
+# Writes a test of ctest for each suite of PROGRAM into the file SUITES, and one for each test of a suite that runs with many values, which
+# takes longer.
+execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX REPLACE " *#[^\n]*" "" listed "${listed}")
+string(REPLACE "\n" ";" lines "${listed}")
+
+set(filters)
+foreach(line IN LISTS lines)
+  if(line MATCHES "^([^ ]+)\\.$")
+    set(suite ${CMAKE_MATCH_1})
+    if(NOT suite MATCHES "/")
+      list(APPEND filters "${suite}.*")
+    endif()
+  elseif(suite MATCHES "/" AND line MATCHES "^  (.+)$")
+    list(APPEND filters "${suite}.${CMAKE_MATCH_1}")
+  endif()
+endforeach()
+
+if(NOT filters)
+  message(FATAL_ERROR "${PROGRAM} lists no tests")
+endif()
+
+set(text)
+foreach(filter IN LISTS filters)
+  string(REGEX REPLACE "\\.\\*$" "" name "${filter}")
+  string(APPEND text "add_test([==[${name}]==] [==[${PROGRAM}]==] [==[--gtest_filter=${filter}]==])\n")
+  if(PROPERTIES)
+    list(JOIN PROPERTIES "]==] [==[" properties)
+    string(APPEND text "set_tests_properties([==[${name}]==] PROPERTIES [==[${properties}]==])\n")
+  endif()
+endforeach()
+file(WRITE ${SUITES} "${text}")
