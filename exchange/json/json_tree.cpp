@@ -1,50 +1,28 @@
 #include "exchange/json/json_tree.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
-#include <unordered_set>
 
 #include "core/base/sentence.h"
+#include "core/document/json_walk.h"
 
 namespace batten::exchange {
 
 namespace {
 
-using Json = nlohmann::json;
-
-constexpr std::size_t deepest_nesting = 100;
-constexpr std::size_t most_members = 1000;
 constexpr std::size_t most_values = 2'000'000;  // beside numbers in lists
 constexpr std::size_t longest_row = 4;
 
-std::string place_of_byte(std::string_view text, std::size_t byte) {
-    const std::string_view before = text.substr(0, byte);
-    const auto lines = static_cast<std::size_t>(std::ranges::count(before, '\n'));
-    const std::size_t last = before.rfind('\n');
-    const std::size_t column = last == std::string_view::npos ? before.size() : before.size() - last - 1;
-    return core::sentence("line {line}, column {column}", {{"line", lines + 1}, {"column", column + 1}});
-}
-
-class TreeMaker : public nlohmann::json_sax<Json> {
+class TreeMaker : public core::JsonListener {
   public:
-    explicit TreeMaker(std::string_view text) : text_(text) {}
-
     JsonValue& tree() { return tree_; }
-    const core::FileError& error() const { return error_; }
 
-    bool null() override { return add(JsonValue()); }
-    bool boolean(bool value) override { return add(JsonValue(value)); }
-    bool number_integer(number_integer_t value) override { return add_number(static_cast<double>(value)); }
-    bool number_unsigned(number_unsigned_t value) override { return add_number(static_cast<double>(value)); }
-    bool number_float(number_float_t value, const string_t& /*text*/) override { return add_number(value); }
-    bool string(string_t& value) override { return add(JsonValue(std::move(value))); }
-    bool binary(binary_t& /*value*/) override { return false; }
-    bool start_object(std::size_t /*count*/) override { return enter(false); }
-    bool start_array(std::size_t /*count*/) override { return enter(true); }
+    bool scalar(core::JsonScalar value) override;
+    bool begin_list() override { return enter(true); }
+    bool end_list() override;
+    bool begin_object() override { return enter(false); }
     bool end_object() override;
-    bool end_array() override;
-    bool key(string_t& name) override;
-    bool parse_error(std::size_t byte, const std::string& token, const nlohmann::detail::exception& exception) override;
+    bool name(std::string name) override;
+    std::string refusal() const override;
 
   private:
     // A list or an object whose end is not read yet.
@@ -52,21 +30,16 @@ class TreeMaker : public nlohmann::json_sax<Json> {
         bool is_list;
         JsonList list{};
         JsonValue::Object object{};
-        std::unordered_set<std::string> names{};  // of the members, where they are many
     };
 
     bool enter(bool is_list);
     bool add(JsonValue value);
     bool add_number(double value);
     bool add_row(const std::vector<double>& row);
-    bool refuse(core::FileError error);
-    static bool is_new_name(Open& open, const std::string& name);
 
-    std::string_view text_;
     JsonValue tree_;
     std::vector<Open> open_;
     std::size_t value_count_ = 0;
-    core::FileError error_;
 };
 
 std::size_t item_count(const JsonList& list) {
@@ -80,23 +53,23 @@ bool note_odd(JsonList& list) {
     return true;
 }
 
-bool TreeMaker::refuse(core::FileError error) {
-    error_ = std::move(error);
-    return false;
+bool TreeMaker::scalar(core::JsonScalar value) {
+    if (const double* const number = std::get_if<double>(&value)) return add_number(*number);
+    return add(JsonValue(std::move(value)));
+}
+
+std::string TreeMaker::refusal() const {
+    return core::sentence("there are more than {most} texts, lists and objects, the most that is read",
+                          {{"most", most_values}});
 }
 
 bool TreeMaker::enter(bool is_list) {
-    if (open_.size() == deepest_nesting)
-        return refuse(
-            {"", core::sentence("lists and objects are nested more than {most} deep", {{"most", deepest_nesting}})});
     open_.push_back({is_list});
     return true;
 }
 
 bool TreeMaker::add(JsonValue value) {
-    if (++value_count_ > most_values)
-        return refuse(
-            {"", core::sentence("there are more than {most} texts, lists and objects", {{"most", most_values}})});
+    if (++value_count_ > most_values) return false;
     if (open_.empty()) {
         tree_ = std::move(value);
         return true;
@@ -128,7 +101,7 @@ bool TreeMaker::add_row(const std::vector<double>& row) {
     return true;
 }
 
-bool TreeMaker::end_array() {
+bool TreeMaker::end_list() {
     JsonList list = std::move(open_.back().list);
     open_.pop_back();
     const bool is_row = list.row_length == 0 && list.items.empty() && !list.first_odd && !list.numbers.empty() &&
@@ -143,34 +116,9 @@ bool TreeMaker::end_object() {
     return add(JsonValue(std::move(object)));
 }
 
-// A few members are searched faster than a set of them is made.
-bool TreeMaker::is_new_name(Open& open, const std::string& name) {
-    constexpr std::size_t few_members = 16;
-    if (open.object.size() < few_members)
-        return std::ranges::find(open.object, name, &JsonValue::Member::first) == open.object.end();
-    if (open.names.empty())
-        for (const JsonValue::Member& member : open.object) open.names.insert(member.first);
-    return open.names.insert(name).second;
-}
-
-bool TreeMaker::key(string_t& name) {
-    JsonValue::Object& object = open_.back().object;
-    if (object.size() == most_members)
-        return refuse({"", core::sentence("an object has more than {most} members", {{"most", most_members}})});
-    if (!is_new_name(open_.back(), name))
-        return refuse({"", core::sentence("the member \"{name}\" occurs twice in one object; every name may occur once",
-                                          {{"name", name}})});
-    object.emplace_back(std::move(name), JsonValue());
+bool TreeMaker::name(std::string name) {
+    open_.back().object.emplace_back(std::move(name), JsonValue());
     return true;
-}
-
-bool TreeMaker::parse_error(std::size_t byte, const std::string& /*token*/,
-                            const nlohmann::detail::exception& exception) {
-    // The only error of another kind than syntax is a number beyond the range of doubles.
-    const bool is_syntax = dynamic_cast<const Json::parse_error*>(&exception) != nullptr;
-    return refuse({place_of_byte(text_, std::max<std::size_t>(byte, 1) - 1),
-                   is_syntax ? "this is not JSON; the text is wrong here or ends too early"
-                             : "the number is too large; numbers must be finite"});
 }
 
 }  // namespace
@@ -192,9 +140,8 @@ const JsonValue* JsonValue::member(std::string_view name) const {
 }
 
 core::FileResult<JsonValue> parse_json_tree(std::string_view text) {
-    TreeMaker maker(text);
-    if (!Json::sax_parse(text.begin(), text.end(), &maker)) return tl::unexpected(maker.error());
-    return std::move(maker.tree());
+    TreeMaker maker;
+    return core::walk_json(text, maker).map([&] { return std::move(maker.tree()); });
 }
 
 }  // namespace batten::exchange

@@ -3,14 +3,13 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "core/document/file_text.h"
+#include "core/document/json_walk.h"
 
 namespace batten::exchange {
 
@@ -31,9 +30,8 @@ class JsonValue {
     using Object = std::vector<Member>;
 
     JsonValue() = default;
-    explicit JsonValue(bool value) : value_(value) {}
-    explicit JsonValue(double value) : value_(value) {}
-    explicit JsonValue(std::string value) : value_(std::move(value)) {}
+    explicit JsonValue(core::JsonScalar value)
+        : value_(std::visit([](auto&& each) { return Value(std::move(each)); }, std::move(value))) {}
     explicit JsonValue(JsonList value) : value_(std::make_unique<JsonList>(std::move(value))) {}
     explicit JsonValue(Object value) : value_(std::make_unique<Object>(std::move(value))) {}
 
@@ -50,12 +48,14 @@ class JsonValue {
     const JsonValue* member(std::string_view name) const;
 
   private:
-    std::variant<std::monostate, bool, double, std::string, std::unique_ptr<JsonList>, std::unique_ptr<Object>> value_;
+    using Value =
+        std::variant<std::monostate, bool, double, std::string, std::unique_ptr<JsonList>, std::unique_ptr<Object>>;
+
+    Value value_;
 };
 
-/// The tree of `text`. Refused, with "line L, column C" where it is known: what is not JSON, numbers beyond doubles,
-/// nesting, members or values beyond fixed limits, a member that occurs twice in one object. Takes a few times the
-/// memory of the text at most. Cost O(n).
+/// The tree of `text`. Refused, with "line L, column C": what core::walk_json refuses; more texts, lists and objects
+/// than a fixed limit. Takes a few times the memory of the text at most. Cost O(n).
 [[nodiscard]] core::FileResult<JsonValue> parse_json_tree(std::string_view text);
 
 }  // namespace batten::exchange

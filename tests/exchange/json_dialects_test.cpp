@@ -254,8 +254,7 @@ TEST(OpenCascade, RefusesWhatDoesNotFit) {
 }
 
 TEST(JsonDialects, SayWhatIsWrongAndWhere) {
-    EXPECT_EQ(refusal_by(read_rhino, "{\"curves\": [\n  nan]}"),
-              "line 2, column 4: this is not JSON; the text is wrong here or ends too early");
+    EXPECT_EQ(refusal_by(read_rhino, "{\"curves\": [\n  nan]}"), "line 2, column 4: this is not JSON: invalid literal");
     EXPECT_EQ(refusal_by(read_rhino, "[1e999]"), "line 1, column 6: the number is too large; numbers must be finite");
     EXPECT_EQ(refusal_by(read_rhino, "[]"), "there are no curves in this file");
     EXPECT_EQ(refusal_by(read_rhino, "[1, 2]"), "there are no curves in this file");
@@ -270,10 +269,13 @@ TEST(JsonDialects, SayWhatIsWrongAndWhere) {
         refusal_by(read_rhino, R"({"degree": 2, "knots": [1], "points": [[1, 2], [1, 2, 3]]})"),
         "curve at the top was left out: \"points\" must be a list of points, each a list of two or three numbers");
     EXPECT_EQ(refusal_by(read_rhino, R"({"degree": 2, "degree": 3})"),
-              "the member \"degree\" occurs twice in one object; every name may occur once");
+              "line 1, column 22: the member \"degree\" occurs twice in one object; every name may occur once");
     EXPECT_EQ(refusal_by(read_nurbs_python, "{}"),
               "the member \"shape\" with \"data\" is missing, which every file of NURBS-Python has");
-    EXPECT_EQ(refusal_by(read_rhino, std::string(100'000, '[')), "lists and objects are nested more than 100 deep");
+    EXPECT_EQ(refusal_by(read_rhino, "{\"a\":\n" + std::string(100'000, '[')),
+              "line 2, column 100: lists and objects are nested more than 100 deep, the most that is read");
+    EXPECT_EQ(refusal_by(read_rhino, std::string("[1, \0 2]", 8)),
+              "line 1, column 5: this is not JSON: there is a zero byte, which no text has");
 }
 
 TEST(JsonTree, KeepsNumbersAndRowsTogether) {

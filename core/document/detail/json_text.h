@@ -7,12 +7,6 @@
 
 namespace batten::core {
 
-/// Lists and objects inside one another beyond this are refused, because trees are walked by recursion.
-inline constexpr std::size_t deepest_nesting = 100;
-
-/// Objects of more members are refused, because one is found by comparing with all.
-inline constexpr std::size_t most_members = 10'000;
-
 /// What a text may have beside the packed numbers: so many bytes, and so many values. Both stand for memory, of which
 /// a tree takes far more than its text.
 inline constexpr std::size_t most_other_bytes = std::size_t{16} << 20U;
