@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <string>
 #include <utility>
 
+#include "core/base/byte_hash.h"
 #include "core/document/native_file.h"
 #include "exchange/svg/viewport.h"
 
@@ -20,16 +22,21 @@ constexpr const char* looks_mark = "looks";
 constexpr const char* page_mark = "page";
 constexpr const char* losses_mark = "losses";
 
-// FNV-1a of 64 bits, which tells an edit from none; nobody gains by deceiving it.
+// Tells an edit from none; nobody gains by deceiving it.
 class Fingerprint {
   public:
     void add(std::string_view bytes) {
-        for (const char c : bytes) add_byte(static_cast<unsigned char>(c));
-        add_byte(0);
+        hash_ = core::hash_of(bytes, hash_);
+        hash_ = core::hash_of(std::string_view("", 1), hash_);
     }
 
     void add(std::uint64_t number) {
-        for (int shift = 0; shift < 64; shift += 8) add_byte(static_cast<unsigned char>(number >> shift));
+        std::array<char, sizeof(number)> bytes{};
+        for (char& byte : bytes) {
+            byte = static_cast<char>(number & 0xffU);
+            number >>= 8U;
+        }
+        hash_ = core::hash_of({bytes.data(), bytes.size()}, hash_);
     }
 
     // 0 and -0 are one.
@@ -38,9 +45,7 @@ class Fingerprint {
     std::string text() const { return fmt::format("{:016x}", hash_); }
 
   private:
-    void add_byte(unsigned char byte) { hash_ = (hash_ ^ byte) * 0x100000001b3U; }
-
-    std::uint64_t hash_ = 0xcbf29ce484222325U;
+    std::uint64_t hash_ = core::hash_of_no_bytes;
 };
 
 std::string fingerprint_of_curves(const SvgDrawing& drawing) {

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "app/editor/recovery/byte_code.h"
+#include "core/base/byte_hash.h"
 
 namespace batten::editor {
 
@@ -37,13 +38,9 @@ struct RecordHead {
 };
 static_assert(sizeof(RecordHead) == record_head_bytes);
 
-// FNV-1a with 64 bits (Fowler, Noll and Vo), begun from the checksum of what is before.
+// Begun from the checksum of what is before.
 std::uint64_t checksum_of(std::string_view bytes, std::uint64_t before) {
-    constexpr std::uint64_t offset_basis = 0xcbf29ce484222325;
-    constexpr std::uint64_t prime = 0x100000001b3;
-    std::uint64_t sum = offset_basis ^ before;
-    for (const char byte : bytes) sum = (sum ^ static_cast<unsigned char>(byte)) * prime;
-    return sum;
+    return core::hash_of(bytes, core::hash_of_no_bytes ^ before);
 }
 
 template <class T>
