@@ -14,6 +14,7 @@
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/style.h"
 #include "core/base/sentence.h"
+#include "core/base/utf8.h"
 
 namespace batten::ui {
 
@@ -185,9 +186,8 @@ std::string wrapped(const std::string& text, ImFont* font, float width_px) {
 std::string elided(const std::string& text, ImFont* font, float width_px) {
     if (text_width(text, font) <= width_px) return text;
     std::string kept = text;
-    const auto is_continuation = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
     while (!kept.empty()) {
-        while (kept.size() > 1 && is_continuation(kept.back())) kept.pop_back();
+        while (kept.size() > 1 && core::continues_utf8(kept.back())) kept.pop_back();
         kept.pop_back();
         std::string shown = fmt::format("{}…", kept);
         if (text_width(shown, font) <= width_px) return shown;

@@ -17,6 +17,7 @@
 #include "app/ui/style.h"
 #include "app/ui/text_lines.h"
 #include "core/base/sentence.h"
+#include "core/base/utf8.h"
 #include "core/evaluate/evaluate.h"
 #include "render/camera.h"
 
@@ -42,8 +43,8 @@ struct Readout {
 };
 
 std::size_t letter_count(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return !core::continues_utf8(c); }));
 }
 
 std::string padded(const std::string& text, std::size_t columns) {

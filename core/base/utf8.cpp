@@ -9,7 +9,7 @@ unsigned byte_at(std::string_view text, std::size_t i) {
 }
 
 bool is_continuation(unsigned byte) {
-    return (byte & 0xc0U) == 0x80U;
+    return continues_utf8(static_cast<char>(byte));
 }
 
 }  // namespace
@@ -45,6 +45,12 @@ bool is_utf8(std::string_view text) {
         text.remove_prefix(length);
     }
     return true;
+}
+
+std::string_view utf8_front(std::string_view text, std::size_t most_bytes) {
+    if (text.size() <= most_bytes) return text;
+    while (most_bytes > 0 && continues_utf8(text[most_bytes])) --most_bytes;
+    return text.substr(0, most_bytes);
 }
 
 }  // namespace batten::core

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/utf8.h"
 #include "exchange/svg/basic_shapes.h"
 #include "exchange/svg/conditions.h"
 #include "exchange/svg/path_data.h"
@@ -31,10 +32,7 @@ std::string_view prefix_of(const xml_node& element) {
 // Names that are copied to many curves, or told, are as long as people read them.
 std::string shortened(std::string_view name) {
     constexpr std::size_t most_bytes = 120;
-    if (name.size() <= most_bytes) return std::string(name);
-    std::size_t end = most_bytes;
-    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end;
-    return std::string(name.substr(0, end));
+    return std::string(core::utf8_front(name, most_bytes));
 }
 
 // How much is looked at to draw an element, apart from what is inside its children.

@@ -12,6 +12,7 @@
 #include "core/base/ascii.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
+#include "core/base/utf8.h"
 
 namespace batten::editor {
 namespace {
@@ -53,7 +54,7 @@ class Parser {
     /// The whole UTF-8 character at the position.
     std::string_view character() const {
         std::size_t length = 1;
-        while (length < rest().size() && (static_cast<unsigned char>(rest()[length]) & 0xC0U) == 0x80U) ++length;
+        while (length < rest().size() && core::continues_utf8(rest()[length])) ++length;
         return rest().substr(0, length);
     }
 

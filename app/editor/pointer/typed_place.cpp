@@ -8,6 +8,7 @@
 #include "app/editor/pointer/direction.h"
 #include "app/editor/pointer/snap.h"
 #include "core/base/ascii.h"
+#include "core/base/utf8.h"
 
 namespace batten::editor {
 namespace {
@@ -142,7 +143,7 @@ std::optional<TypedPlace> typed_key(TypedPlace typed, Key key) {
     }
     if (key != Key::backspace) return std::nullopt;
     std::string& text = typed.texts[typed.active];
-    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.pop_back();
+    while (!text.empty() && core::continues_utf8(text.back())) text.pop_back();
     if (!text.empty()) {
         text.pop_back();
         if (typed.texts[0].empty() && typed.texts[1].empty() && !typed.has_offsets) typed = {};

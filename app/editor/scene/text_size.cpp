@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/base/utf8.h"
+
 namespace batten::editor {
 
 namespace {
@@ -24,10 +26,6 @@ double advance(std::string_view text) {
     return 0.61;
 }
 
-bool continues_character(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
-
 }  // namespace
 
 glm::dvec2 text_size(std::string_view text, double size, render::LabelFont font) {
@@ -41,7 +39,7 @@ glm::dvec2 text_size(std::string_view text, double size, render::LabelFont font)
             ++i;
         } else if (c == '}') {
             share = 1.0;
-        } else if (!continues_character(c)) {
+        } else if (!core::continues_utf8(c)) {
             width += share * (font == render::LabelFont::number ? 0.61 : advance(text.substr(i)));
         }
     }

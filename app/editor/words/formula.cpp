@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/base/sentence.h"
+#include "core/base/utf8.h"
 
 namespace batten::editor {
 namespace {
@@ -88,7 +89,7 @@ std::optional<std::string> raised_or_lowered(const std::string& character, bool 
 /// The bytes of the UTF-8 character that starts at `position`.
 std::string character_at(const std::string& text, std::size_t position) {
     std::size_t end = position + 1;
-    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) ++end;
+    while (end < text.size() && core::continues_utf8(text[end])) ++end;
     return text.substr(position, end - position);
 }
 

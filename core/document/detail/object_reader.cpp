@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "core/base/sentence.h"
+#include "core/base/utf8.h"
 
 namespace batten::core {
 
@@ -25,10 +26,7 @@ std::string quotation(const Json& value) {
 
 std::string short_name(std::string_view name) {
     if (name.size() <= longest_quotation) return std::string(name);
-    const auto continues = [&](std::size_t at) { return (static_cast<unsigned char>(name[at]) & 0xC0U) == 0x80U; };
-    std::size_t length = longest_quotation;
-    while (length > 0 && continues(length)) --length;
-    return fmt::format("{}…", name.substr(0, length));
+    return fmt::format("{}…", utf8_front(name, longest_quotation));
 }
 
 std::string place_in(std::string_view pointer, std::string_view name) {

@@ -36,4 +36,13 @@ TEST(Utf8, IsWhatConsistsOfCharacters) {
     EXPECT_FALSE(is_utf8("a\xe9t"));
 }
 
+TEST(Utf8, HasWholeCharactersAtTheFrontOfATextThatIsTooLong) {
+    EXPECT_EQ(utf8_front("aЖ−b", 7), "aЖ−b");
+    EXPECT_EQ(utf8_front("aЖ−b", 6), "aЖ−");
+    EXPECT_EQ(utf8_front("aЖ−b", 5), "aЖ");
+    EXPECT_EQ(utf8_front("aЖ−b", 2), "a");
+    EXPECT_EQ(utf8_front("Ж", 1), "");
+    EXPECT_EQ(utf8_front("a", 0), "");
+}
+
 }  // namespace batten::core
