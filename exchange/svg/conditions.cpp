@@ -3,23 +3,23 @@
 #include <algorithm>
 #include <string_view>
 
+#include "core/base/ascii.h"
+#include "exchange/svg/scanner.h"
+
 namespace batten::exchange {
 
 namespace {
 
 // "en" or "en-GB", in capitals or not.
 bool is_english(std::string_view tag) {
-    const auto is = [&](std::size_t i, char small, char capital) { return tag[i] == small || tag[i] == capital; };
-    return tag.size() >= 2 && is(0, 'e', 'E') && is(1, 'n', 'N') && (tag.size() == 2 || tag[2] == '-');
+    return core::in_small_letters(tag.substr(0, 2)) == "en" && (tag.size() == 2 || tag[2] == '-');
 }
 
 // Tags with commas between.
 bool has_english(std::string_view tags) {
     while (!tags.empty()) {
         const std::string_view tag = tags.substr(0, tags.find(','));
-        const std::size_t start = std::min(tag.find_first_not_of(" \t\r\n\f"), tag.size());
-        const std::size_t end = tag.find_last_not_of(" \t\r\n\f") + 1;
-        if (start < end && is_english(tag.substr(start, end - start))) return true;
+        if (is_english(core::trimmed(tag, svg_blanks))) return true;
         tags.remove_prefix(std::min(tag.size() + 1, tags.size()));
     }
     return false;

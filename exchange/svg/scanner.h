@@ -9,6 +9,9 @@
 
 namespace batten::exchange {
 
+/// What separates words in attributes and in style sheets.
+inline constexpr std::string_view svg_blanks = " \t\r\n\f";
+
 class Scanner {
   public:
     explicit Scanner(std::string_view text) : text_(text) {}
@@ -22,7 +25,7 @@ class Scanner {
     void skip() { ++at_; }
 
     void skip_blanks() {
-        while (!is_at_end() && std::string_view(" \t\r\n\f").find(text_[at_]) != std::string_view::npos) ++at_;
+        while (!is_at_end() && svg_blanks.find(text_[at_]) != std::string_view::npos) ++at_;
     }
 
     /// Blanks with at most one comma among them.

@@ -16,14 +16,7 @@ namespace {
 using core::DocumentColor;
 
 std::string_view stripped(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\n\f";
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-std::string in_lower_case(std::string_view text) {
-    return core::in_small_letters(text);
+    return core::trimmed(text, svg_blanks);
 }
 
 // "rgb(76, 127, 224)", also with % and an opacity, which is not read.
@@ -71,7 +64,7 @@ void take_color(std::string_view text, std::optional<DocumentColor>& color) {
 
 std::optional<DocumentColor> read_color(std::string_view text) {
     constexpr std::size_t short_length = 4;
-    const std::string color = in_lower_case(stripped(text));
+    const std::string color = core::in_small_letters(stripped(text));
     if (color.size() == short_length && color[0] == '#') {
         const std::string doubled{'#', color[1], color[1], color[2], color[2], color[3], color[3]};
         return core::color_of_text(doubled);
