@@ -1,6 +1,7 @@
 #include "exchange/collector.h"
 
 #include "core/curve/knot_analysis.h"
+#include "exchange/refusal.h"
 #include "exchange/utf8_text.h"
 
 namespace batten::exchange {
@@ -84,8 +85,7 @@ void Collector::note_heights(std::string_view what, const PlaceText& place) {
 core::FileResult<Imported> Collector::finish(const char* nothing_found) && {
     Imported imported{std::move(document_), {.largest_error = largest_error_, .left_out = notes_.sentences()}};
     const std::vector<std::string>& left_out = imported.report.left_out;
-    if (imported.document.curves.empty())
-        return tl::unexpected(core::FileError{"", left_out.empty() ? nothing_found : left_out.front()});
+    if (imported.document.curves.empty()) return refused_file(left_out.empty() ? nothing_found : left_out.front());
     return imported;
 }
 

@@ -14,16 +14,13 @@
 #include "core/base/sentence.h"
 #include "core/base/utf8.h"
 #include "exchange/outline.h"
+#include "exchange/refusal.h"
 
 namespace batten::exchange {
 
 namespace {
 
 using core::Point;
-
-tl::unexpected<core::FileError> letters_refused(std::string what) {
-    return tl::unexpected(core::FileError{"", std::move(what)});
-}
 
 struct Character {
     FT_ULong code = 0;
@@ -52,18 +49,18 @@ struct OpenFont {
 
 core::FileResult<OpenFont> open_font(std::string_view bytes) {
     FT_Library library = nullptr;
-    if (FT_Init_FreeType(&library) != 0) return letters_refused("the library that reads fonts cannot be started");
+    if (FT_Init_FreeType(&library) != 0) return refused_file("the library that reads fonts cannot be started");
     OpenFont font;
     font.library.reset(library);
     FT_Face face = nullptr;
     const auto* const data = reinterpret_cast<const FT_Byte*>(bytes.data());
     if (bytes.empty() || FT_New_Memory_Face(library, data, static_cast<FT_Long>(bytes.size()), 0, &face) != 0)
-        return letters_refused("this is no font, or a damaged one; TrueType, OpenType and Type 1 are read");
+        return refused_file("this is no font, or a damaged one; TrueType, OpenType and Type 1 are read");
     font.face.reset(face);
     if (!FT_IS_SCALABLE(face) || face->units_per_EM == 0)
-        return letters_refused("this font has pictures of pixels only; one with outlines is needed");
+        return refused_file("this font has pictures of pixels only; one with outlines is needed");
     if (FT_Select_Charmap(face, FT_ENCODING_UNICODE) != 0)
-        return letters_refused("the letters of this font have no numbers of Unicode, by which they could be found");
+        return refused_file("the letters of this font have no numbers of Unicode, by which they could be found");
     return font;
 }
 
@@ -145,7 +142,7 @@ class Typesetter {
 
     core::FileResult<Imported> result() && {
         if (imported_.document.curves.empty() && imported_.report.left_out.empty() && missing_.empty())
-            return letters_refused("the text has no letter that is drawn");
+            return refused_file("the text has no letter that is drawn");
         tell(missing_,
              {"the font has no '{character}', which is left out",
               "the font does not have {count} of the characters, the first one '{character}'; they are left out"});
@@ -157,7 +154,7 @@ class Typesetter {
                 "only the first {count} characters are drawn, since the outlines of one more would make more than "
                 "{most} points",
                 {{"count", count_ - 1}, {"most", most_points_}}));
-        if (imported_.document.curves.empty()) return letters_refused(imported_.report.left_out.front());
+        if (imported_.document.curves.empty()) return refused_file(imported_.report.left_out.front());
         if (has_pairs_ && !FT_HAS_KERNING(face_) && has_table(FT_MAKE_TAG('G', 'P', 'O', 'S')))
             imported_.report.left_out.emplace_back(
                 "pairs of letters keep their plain distance: this font has their kerning only in its table GPOS, which "
@@ -242,11 +239,11 @@ core::FileResult<std::vector<Character>> characters_of(std::string_view text) {
     while (!text.empty()) {
         const auto character = front_character(text);
         if (!character)
-            return letters_refused(
+            return refused_file(
                 core::sentence("byte {place} of the text is no UTF-8", {{"place", size - text.size() + 1}}));
         if (characters.size() == most_letters)
-            return letters_refused(core::sentence("the text has more than {most} characters, the most that are set",
-                                                  {{"most", most_letters}}));
+            return refused_file(core::sentence("the text has more than {most} characters, the most that are set",
+                                               {{"most", most_letters}}));
         text.remove_prefix(character->text.size());
         characters.push_back(*character);
     }

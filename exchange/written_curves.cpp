@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/sentence.h"
+#include "exchange/refusal.h"
 
 namespace batten::exchange {
 
@@ -43,8 +44,8 @@ core::FileResult<std::vector<const core::DocumentCurve*>> visible_curves(const c
     std::vector<const core::DocumentCurve*> curves;
     for (const core::DocumentCurve& entry : document.curves)
         if (entry.visible) curves.push_back(&entry);
-    if (document.curves.empty()) return tl::unexpected(core::FileError{"", "there is no curve to write"});
-    if (curves.empty()) return tl::unexpected(core::FileError{"", "no curve is visible; show one of them to write it"});
+    if (document.curves.empty()) return refused_file("there is no curve to write");
+    if (curves.empty()) return refused_file("no curve is visible; show one of them to write it");
     return curves;
 }
 

@@ -25,11 +25,6 @@ tl::unexpected<FileError> refused(const std::string& name, const std::string& wh
     return tl::unexpected(FileError{name, what});
 }
 
-// `pattern` has the place {reason}, for what the system says.
-tl::unexpected<FileError> refused_by_system(const std::string& name, const char* pattern) {
-    return refused(name, sentence(pattern, {{"reason", std::strerror(errno)}}));
-}
-
 // Reads to the end, and where `stops_at_zero` to a zero byte.
 FileResult<std::string> whole_content(InputFile& file, bool stops_at_zero) {
     std::string text;
@@ -94,7 +89,7 @@ FileResult<FileStamp> written_in_place(const std::string& name, const fs::path& 
                                        TemporaryFile& beside) {
     FileInPlace file(target);
     if (!file.is_open() || !beside.close_beside() || !file.make_room(text.size()))
-        return refused_by_system(name, "the file cannot be written: {reason}");
+        return refuse_by_system(name, "the file cannot be written: {reason}");
     if (!file.write_whole(text)) {
         const std::string reason = std::strerror(errno);
         beside.keep();
@@ -108,7 +103,7 @@ FileResult<FileStamp> written_in_place(const std::string& name, const fs::path& 
 
 FileResult<FileStamp> replace_and_stamp(const fs::path& path, std::string_view text) {
     const fs::path target = resolved(path);
-    const auto fail = [&](const char* pattern) { return refused_by_system(path.string(), pattern); };
+    const auto fail = [&](const char* pattern) { return refuse_by_system(path.string(), pattern); };
     struct stat old {};
     const bool exists = stat(target.c_str(), &old) == 0;
     if (!exists && errno == ELOOP) return fail("the file cannot be written: {reason}");

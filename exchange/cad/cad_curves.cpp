@@ -7,6 +7,7 @@
 #include "core/refine/clamping.h"
 #include "core/refine/periodic.h"
 #include "core/refine/reparametrize.h"
+#include "exchange/refusal.h"
 #include "exchange/written_curves.h"
 
 namespace batten::exchange {
@@ -91,7 +92,7 @@ class CadWriter {
 
     core::FileResult<CadCurves> take() {
         if (!result_.curves.empty()) return std::move(result_);
-        return tl::unexpected(core::FileError{{}, result_.notes.sentences().back()});
+        return refused_file(result_.notes.sentences().back());
     }
 
     CadCurves& result() { return result_; }

@@ -7,6 +7,7 @@
 #include "exchange/cad/iges_check.h"
 #include "exchange/cad/occt_process.h"
 #include "exchange/cad/step_check.h"
+#include "exchange/refusal.h"
 
 namespace batten::exchange {
 
@@ -112,12 +113,11 @@ core::FileResult<Exported> write_cad(const CadFormat& format, const core::Docume
     auto result = written_and_read(format, curves->unit, curves->curves);
     if (result && result->copies.empty()) {
         LostCurves(format, *curves).leave_out();
-        if (curves->curves.empty()) return tl::unexpected(core::FileError{{}, curves->notes.sentences().back()});
+        if (curves->curves.empty()) return refused_file(curves->notes.sentences().back());
         result = written_and_read(format, curves->unit, curves->curves);
     }
     if (!result) return tl::unexpected(result.error());
-    if (result->copies.empty())
-        return tl::unexpected(core::FileError{{}, "the file that was made does not give its curves back"});
+    if (result->copies.empty()) return refused_file("the file that was made does not give its curves back");
     return with_report(*curves, *std::move(result));
 }
 

@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "core/document/native_file.h"
+#include "exchange/refusal.h"
 
 namespace batten::exchange {
 
@@ -44,10 +45,6 @@ class Descriptor {
   private:
     int number_;
 };
-
-tl::unexpected<core::FileError> occt_error(const char* what) {
-    return tl::unexpected(core::FileError{.where = {}, .what = what});
-}
 
 std::filesystem::path program_path() {
     if (const char* path = std::getenv("BATTEN_OCCT")) return path;
@@ -154,8 +151,8 @@ End end_of(pid_t process, Clock::time_point deadline) {
 
 core::FileResult<OcctAnswer> answer_of(const std::string& text) {
     const auto json = nlohmann::json::parse(text, nullptr, false);
-    if (!json.is_object()) return occt_error("batten-occt gave no answer");
-    if (json.contains("what")) return tl::unexpected(core::FileError{json.value("where", ""), json.value("what", "")});
+    if (!json.is_object()) return refused_file("batten-occt gave no answer");
+    if (json.contains("what")) return refused_file(json.value("what", ""), json.value("where", ""));
     // Infinity has no number in JSON.
     const auto error = json.find("largest_error");
     const bool is_known = error != json.end() && error->is_number();
@@ -171,23 +168,24 @@ core::FileResult<OcctAnswer> ask_occt(const char* task, const char* format, std:
     const Descriptor input(memfd_create("batten", MFD_CLOEXEC));
     std::array<int, 2> ends{-1, -1};
     if (input.number() < 0 || !write_all(input.number(), text) || pipe2(ends.data(), O_CLOEXEC) != 0)
-        return occt_error("there is not enough memory to hand it over to OpenCASCADE");
+        return refused_file("there is not enough memory to hand it over to OpenCASCADE");
     Descriptor output(ends[0]);
     Descriptor output_of_program(ends[1]);
     const Clock::time_point deadline = Clock::now() + most_time;
     const auto process = start(program_path(), task, format, input.number(), ends[1]);
     output_of_program.close();
     if (!process)
-        return occt_error(
+        return refused_file(
             "the program batten-occt cannot be started; it must stand beside batten or in "
             "libexec/batten");
     const std::optional<std::string> answer = read_all(output.number(), deadline);
     output.close();
     const bool is_late = Clock::now() >= deadline;
     const End end = end_of(*process, answer ? deadline : Clock::now());
-    if (!answer && !is_late && end == End::late) return occt_error("OpenCASCADE makes more than 256 MiB of this file");
-    if (end == End::late) return occt_error("OpenCASCADE takes more than a minute for this file");
-    if (end == End::badly || !answer) return occt_error("OpenCASCADE fails on this file");
+    if (!answer && !is_late && end == End::late)
+        return refused_file("OpenCASCADE makes more than 256 MiB of this file");
+    if (end == End::late) return refused_file("OpenCASCADE takes more than a minute for this file");
+    if (end == End::badly || !answer) return refused_file("OpenCASCADE fails on this file");
     return answer_of(*answer);
 }
 

@@ -8,6 +8,7 @@
 #include "core/curve/control_box.h"
 #include "core/document/native_file.h"
 #include "exchange/code/languages.h"
+#include "exchange/refusal.h"
 #include "exchange/svg/path_text.h"
 
 namespace batten::exchange {
@@ -28,9 +29,8 @@ core::FileResult<PathPieces> pieces_of(const core::DocumentCurve& entry, Arcs ar
     const double wanted = relative_tolerance * std::max(sides.x, sides.y);
     PathPieces pieces = path_pieces(*entry.curve, std::max(wanted, std::numeric_limits<double>::min()), arcs);
     if (!std::isfinite(pieces.error))
-        return tl::unexpected(core::FileError{
-            .where = core::sentence("curve '{name}'", {{"name", entry.name}}),
-            .what = "its points or weights are too far apart for its pieces to be computed with doubles"});
+        return refused_file("its points or weights are too far apart for its pieces to be computed with doubles",
+                            core::sentence("curve '{name}'", {{"name", entry.name}}));
     return pieces;
 }
 

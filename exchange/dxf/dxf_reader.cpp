@@ -7,6 +7,7 @@
 #include "exchange/dxf/dxf_curves.h"
 #include "exchange/dxf/dxf_tables.h"
 #include "exchange/places.h"
+#include "exchange/refusal.h"
 #include "exchange/utf8_text.h"
 
 namespace batten::exchange {
@@ -124,9 +125,8 @@ core::FileResult<Imported> DxfReader::read() {
         if (group->value == "EOF") return std::move(found_).finish("there are no curves in this file");
     }
     if (groups_.error()) return tl::unexpected(*groups_.error());
-    if (groups_.line() == 0) return tl::unexpected(core::FileError{"", "the file is empty"});
-    return tl::unexpected(
-        core::FileError{line_place(groups_.line()), "the file ends without its end mark, EOF; it is not whole"});
+    if (groups_.line() == 0) return refused_file("the file is empty");
+    return refused_file("the file ends without its end mark, EOF; it is not whole", line_place(groups_.line()));
 }
 
 void DxfReader::begin(const DxfGroup& group) {
@@ -207,9 +207,8 @@ core::FileResult<Imported> read_dxf(std::string_view text) {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     if (text.starts_with("AutoCAD Binary DXF"))
-        return tl::unexpected(core::FileError{"", "this is a binary DXF; save it as text (ASCII) to read it"});
-    if (text.starts_with("AC10"))
-        return tl::unexpected(core::FileError{"", "this is a DWG, not a DXF; save it as DXF to read it"});
+        return refused_file("this is a binary DXF; save it as text (ASCII) to read it");
+    if (text.starts_with("AC10")) return refused_file("this is a DWG, not a DXF; save it as DXF to read it");
     return DxfReader(text).read();
 }
 

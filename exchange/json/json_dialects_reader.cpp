@@ -9,6 +9,7 @@
 #include "exchange/collector.h"
 #include "exchange/json/homogeneous.h"
 #include "exchange/json/json_members.h"
+#include "exchange/refusal.h"
 
 namespace batten::exchange {
 
@@ -223,8 +224,7 @@ core::FileResult<Imported> read_nurbs_python(std::string_view text) {
         const JsonValue* shape = tree.member("shape");
         const JsonValue* data = shape == nullptr ? nullptr : shape->member("data");
         if (data == nullptr)
-            return tl::unexpected(core::FileError{
-                "", R"(the member "shape" with "data" is missing, which every file of NURBS-Python has)"});
+            return refused_file(R"(the member "shape" with "data" is missing, which every file of NURBS-Python has)");
         return read_curves(*data, nurbs_python_curve, "/shape/data");
     });
 }

@@ -9,6 +9,7 @@
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "exchange/json/homogeneous.h"
+#include "exchange/refusal.h"
 #include "exchange/written_curves.h"
 
 namespace batten::exchange {
@@ -189,7 +190,7 @@ core::FileResult<Written> written(const core::Document& document, WriteCurve wri
     note_losses(result.notes, document, {.periodic = has_periods});
     for (const DocumentCurve* entry : *entries)
         if (std::string text = write(*entry, result); !text.empty()) result.curves.push_back(std::move(text));
-    if (result.curves.empty()) return tl::unexpected(core::FileError{"", result.notes.sentences().back()});
+    if (result.curves.empty()) return refused_file(result.notes.sentences().back());
     return result;
 }
 

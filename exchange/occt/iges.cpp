@@ -18,6 +18,7 @@
 #include "exchange/occt/geom_curves.h"
 #include "exchange/occt/imported_edges.h"
 #include "exchange/occt/lengths.h"
+#include "exchange/refusal.h"
 
 namespace batten::exchange::occt {
 
@@ -63,7 +64,7 @@ core::FileResult<Imported> read_iges(const std::string& path) {
     Interface_Static::SetIVal("read.iges.bspline.continuity", 0);
     IGESControl_Reader reader;
     if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-        return tl::unexpected(core::FileError{.where = {}, .what = "this is no IGES file that OpenCASCADE can read"});
+        return refused_file("this is no IGES file that OpenCASCADE can read");
     const double unit = reader.IGESModel()->GlobalSection().UnitValue();
     count_lengths_in(reader.IGESModel(), unit_to_read_in(unit));
     reader.TransferRoots();

@@ -29,6 +29,7 @@
 #include "core/refine/periodic.h"
 #include "core/refine/split.h"
 #include "exchange/collector.h"
+#include "exchange/refusal.h"
 
 namespace batten::exchange::occt {
 
@@ -257,10 +258,9 @@ core::FileResult<Imported> with_faults_told(Imported imported, const Handle(Inte
             check->HasEntity() ? check->Entity() : model->Value(std::max(checks.Number(), 1));
         if (!is_geometry(entity)) continue;
         const Handle(TCollection_HAsciiString) label = model->StringLabel(entity);
-        return tl::unexpected(core::FileError{
-            .where = {},
-            .what = core::sentence("OpenCASCADE finds a fault in the geometry, in '{entity}'; the file is damaged",
-                                   {{"entity", label->ToCString()}})});
+        return refused_file(
+            core::sentence("OpenCASCADE finds a fault in the geometry, in '{entity}'; the file is damaged",
+                           {{"entity", label->ToCString()}}));
     }
     if (faults == 0) return imported;
     imported.report.largest_error = std::numeric_limits<double>::infinity();

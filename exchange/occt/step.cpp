@@ -32,6 +32,7 @@
 #include "exchange/occt/geom_curves.h"
 #include "exchange/occt/imported_edges.h"
 #include "exchange/occt/lengths.h"
+#include "exchange/refusal.h"
 
 namespace batten::exchange::occt {
 
@@ -126,7 +127,7 @@ core::FileResult<Imported> read_step(const std::string& text) {
     STEPControl_Reader reader;
     std::istringstream stream(text);
     if (reader.ReadStream("input", stream) != IFSelect_RetDone)
-        return tl::unexpected(core::FileError{.where = {}, .what = "this is no STEP file that OpenCASCADE can read"});
+        return refused_file("this is no STEP file that OpenCASCADE can read");
     TColStd_SequenceOfAsciiString lengths;
     TColStd_SequenceOfAsciiString angles;
     TColStd_SequenceOfAsciiString solid_angles;

@@ -7,6 +7,7 @@
 
 #include "core/base/sentence.h"
 #include "exchange/places.h"
+#include "exchange/refusal.h"
 #include "exchange/svg/drawing.h"
 #include "exchange/svg/native_copy.h"
 
@@ -14,22 +15,17 @@ namespace batten::exchange {
 
 namespace {
 
-tl::unexpected<core::FileError> svg_refused(std::string where, std::string what) {
-    return tl::unexpected(core::FileError{std::move(where), std::move(what)});
-}
-
 // Refuses what would take much memory as a tree, or is no text.
 core::FileResult<void> check_text(std::string_view text) {
     if (text.starts_with("\x1f\x8b"))
-        return svg_refused("", "this is a compressed SVG; gunzip unpacks it, then it can be read");
+        return refused_file("this is a compressed SVG; gunzip unpacks it, then it can be read");
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
-        return svg_refused(line_place(line_of(text, zero)),
-                           "there is a zero byte, which no XML has; SVG is read as UTF-8");
+        return refused_file("there is a zero byte, which no XML has; SVG is read as UTF-8",
+                            line_place(line_of(text, zero)));
     const auto count = std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; });
     if (static_cast<std::size_t>(count) > most_svg_elements)
-        return svg_refused("",
-                           core::sentence("there are more than {most} elements and attributes, the most that are read",
-                                          {{"most", most_svg_elements}}));
+        return refused_file(core::sentence("there are more than {most} elements and attributes, the most that are read",
+                                           {{"most", most_svg_elements}}));
     return {};
 }
 
@@ -55,11 +51,11 @@ core::FileResult<Imported> read_svg(std::string_view text) {
     const pugi::xml_parse_result parsed =
         file.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype | pugi::parse_pi);
     if (!parsed)
-        return svg_refused(line_place(line_of(text, static_cast<std::size_t>(parsed.offset))),
-                           core::sentence("this is no XML: {reason}", {{"reason", parsed.description()}}));
+        return refused_file(core::sentence("this is no XML: {reason}", {{"reason", parsed.description()}}),
+                            line_place(line_of(text, static_cast<std::size_t>(parsed.offset))));
     const pugi::xml_node svg = file.document_element();
     if (local_name(svg) != "svg")
-        return svg_refused("", core::sentence("the file is a '{name}'; an 'svg' is needed", {{"name", svg.name()}}));
+        return refused_file(core::sentence("the file is a '{name}'; an 'svg' is needed", {{"name", svg.name()}}));
     SvgDrawing drawing = drawing_of(svg);
     if (has_style_sheet(file)) drawing.left_out.count(SvgLoss::style_sheet);
     if (has_entities(file)) drawing.left_out.count(SvgLoss::entities);
@@ -69,7 +65,7 @@ core::FileResult<Imported> read_svg(std::string_view text) {
     Imported imported{.document = {}, .report = {drawing.largest_error, drawing.left_out.sentences()}};
     if (drawing.curves.empty()) {
         const auto& left_out = imported.report.left_out;
-        return svg_refused("", left_out.empty() ? "no path and no shape is drawn in this file" : left_out.front());
+        return refused_file(left_out.empty() ? "no path and no shape is drawn in this file" : left_out.front());
     }
     auto& told = imported.report.left_out;
     told.insert(told.end(), copy.told.begin(), copy.told.end());

@@ -15,6 +15,7 @@
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/measure/bounds.h"
+#include "exchange/refusal.h"
 #include "exchange/svg/native_copy.h"
 #include "exchange/svg/path_text.h"
 
@@ -133,10 +134,6 @@ class SvgFile {
     Ids ids_;
 };
 
-tl::unexpected<core::FileError> svg_not_written(std::string what) {
-    return tl::unexpected(core::FileError{"", std::move(what)});
-}
-
 std::optional<Box> box_of_visible(const core::Document& document) {
     std::optional<Box> whole;
     for (const DocumentCurve& entry : document.curves) {
@@ -172,9 +169,9 @@ core::FileResult<Exported> write_svg(const core::Document& document, const Write
 core::FileResult<Exported> write_svg(const core::Document& document, const WriteOptions& options,
                                      std::size_t most_bytes) {
     const std::optional<Box> box = box_of_visible(document);
-    if (!box) return svg_not_written("there is no visible curve to write");
+    if (!box) return refused_file("there is no visible curve to write");
     const double side = std::max(box->size().x, box->size().y);
-    if (!std::isfinite(side)) return svg_not_written("the curves are larger than the numbers of SVG");
+    if (!std::isfinite(side)) return refused_file("the curves are larger than the numbers of SVG");
     constexpr double tolerance_share = 1e-6;
     const double tolerance = options.tolerance.value_or(side > 0.0 ? tolerance_share * side : tolerance_share);
 
@@ -184,7 +181,7 @@ core::FileResult<Exported> write_svg(const core::Document& document, const Write
         if (!entry.visible) continue;
         const PathPieces pieces = path_pieces(*entry.curve, tolerance, Arcs::as_arcs);
         if (!std::isfinite(pieces.error))
-            return svg_not_written(
+            return refused_file(
                 core::sentence("'{name}' cannot be written as cubic pieces: numbers on the way are too large",
                                {{"name", entry.name}}));
         tell_losses(entry, pieces, tolerance, exported.report);
@@ -196,7 +193,7 @@ core::FileResult<Exported> write_svg(const core::Document& document, const Write
     file.take_out_document();
     exported.text = file.text();
     if (exported.text.size() > most_bytes)
-        return svg_not_written(core::sentence(
+        return refused_file(core::sentence(
             "the file would have more than the {most} MiB that are read; a larger tolerance makes it smaller",
             {{"most", most_bytes >> 20U}}));
     exported.report.left_out.push_back(core::sentence(

@@ -17,10 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::unexpected<FileError> refused_input(const std::string& name, const char* pattern) {
-    return tl::unexpected(FileError{name, sentence(pattern, {{"reason", std::strerror(errno)}})});
-}
-
 std::size_t bytes_ahead(int descriptor) {
     struct stat status {};
     if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return 0;
@@ -30,12 +26,16 @@ std::size_t bytes_ahead(int descriptor) {
 
 }  // namespace
 
+tl::unexpected<FileError> refuse_by_system(const std::string& name, const char* pattern) {
+    return tl::unexpected(FileError{name, sentence(pattern, {{"reason", std::strerror(errno)}})});
+}
+
 FileResult<InputFile> InputFile::open(const fs::path& path, std::size_t most_bytes) {
     std::error_code error;
     if (fs::is_directory(path, error))
         return tl::unexpected(FileError{path.string(), "this is a folder; a file is needed"});
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
-    if (descriptor < 0) return refused_input(path.string(), "the file cannot be opened: {reason}");
+    if (descriptor < 0) return refuse_by_system(path.string(), "the file cannot be opened: {reason}");
     InputFile file(descriptor, path.string(), most_bytes);
     file.is_own_ = true;
     return file;
@@ -64,7 +64,7 @@ FileResult<std::size_t> InputFile::read(char* target, std::size_t room) {
     do {
         count = ::read(descriptor_, target, room);
     } while (count < 0 && errno == EINTR);
-    if (count < 0) return refused_input(name_, "the file cannot be read: {reason}");
+    if (count < 0) return refuse_by_system(name_, "the file cannot be read: {reason}");
     bytes_read_ += static_cast<std::size_t>(count);
     if (bytes_read_ <= most_bytes_) return static_cast<std::size_t>(count);
     return tl::unexpected(FileError{

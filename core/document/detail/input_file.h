@@ -5,6 +5,9 @@
 
 namespace batten::core {
 
+/// The error of a call of the system, just now, about the file `name`; `pattern` has the place {reason}.
+tl::unexpected<FileError> refuse_by_system(const std::string& name, const char* pattern);
+
 class InputFile {
   public:
     /// Opens the file at `path`, of which `most_bytes` are read. Errors: a folder; what cannot be opened. Waits for
