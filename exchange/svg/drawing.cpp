@@ -10,6 +10,7 @@
 #include "core/base/utf8.h"
 #include "exchange/svg/basic_shapes.h"
 #include "exchange/svg/conditions.h"
+#include "exchange/svg/losses.h"
 #include "exchange/svg/path_data.h"
 #include "exchange/svg/style.h"
 #include "exchange/svg/svg_reader.h"
@@ -75,7 +76,7 @@ class Walk {
         if (const auto map = transform_of(properties, page.viewport))
             around.map = chained(page.map, in_view_box(*map, inner_viewport(svg_, page.viewport).map));
         else
-            drawing_.left_out.count(SvgLoss::wrong_transform, name_of_element(svg_));
+            tell(svg_loss::wrong_transform, name_of_element(svg_));
         visit_children(svg_, around);
         return std::move(drawing_);
     }
@@ -87,7 +88,7 @@ class Walk {
             if (const pugi::xml_attribute id = node.attribute("id")) by_id_.try_emplace(id.value(), node);
             most_bytes_ += bytes_of(node);
             if (local_name(node) == "style" && prefix_of(node) == prefix_ && *node.child_value() != '\0')
-                drawing_.left_out.count(SvgLoss::style_sheet);
+                tell(svg_loss::style_sheet);
             if (node.first_child()) {
                 node = node.first_child();
                 continue;
@@ -106,16 +107,14 @@ class Walk {
 
     void visit(const xml_node& element, const Surroundings& around) {
         if (!may_look_at(element)) return;
-        if (around.depth >= most_svg_depth)
-            return drawing_.left_out.count(SvgLoss::too_deep, {}, std::to_string(most_svg_depth));
+        if (around.depth >= most_svg_depth) return tell(svg_loss::too_deep, {}, std::to_string(most_svg_depth));
         const std::string_view name = local_name(element);
         if (!is_drawn(name)) return;
-        if (!is_for_english_viewers(element)) return drawing_.left_out.count(SvgLoss::for_others);
-        if (const auto loss = loss_of(name)) return drawing_.left_out.count(*loss);
+        if (!is_for_english_viewers(element)) return tell(svg_loss::for_others);
+        if (const auto* const loss = loss_of(name)) return tell(*loss);
         const SvgProperties properties(element);
-        if (properties[SvgProperty::display] == "none") return drawing_.left_out.count(SvgLoss::not_displayed);
-        if (properties.has(SvgProperty::clip_path) || properties.has(SvgProperty::mask))
-            drawing_.left_out.count(SvgLoss::clipped);
+        if (properties[SvgProperty::display] == "none") return tell(svg_loss::not_displayed);
+        if (properties.has(SvgProperty::clip_path) || properties.has(SvgProperty::mask)) tell(svg_loss::clipped);
         const Surroundings inside = within(element, properties, around);
         if (name == "use")
             visit_use(element, inside);
@@ -131,9 +130,9 @@ class Walk {
 
     // What is repeated by `use` is read again each time.
     bool may_look_at(const xml_node& element) {
-        if (++visited_ > most_svg_visits) stop(SvgLoss::too_many, most_svg_visits);
+        if (++visited_ > most_svg_visits) stop(svg_loss::too_many, most_svg_visits);
         bytes_ += bytes_of(element);
-        if (bytes_ > most_bytes_) stop(SvgLoss::too_often, most_svg_repeated_bytes);
+        if (bytes_ > most_bytes_) stop(svg_loss::too_often, most_svg_repeated_bytes);
         return !is_full_;
     }
 
@@ -143,14 +142,13 @@ class Walk {
 
     // By viewers.
     static bool is_drawn(std::string_view name) {
-        return is_group(name) || name == "use" || name == "path" || is_basic_shape(name) || loss_of(name);
+        return is_group(name) || name == "use" || name == "path" || is_basic_shape(name) || loss_of(name) != nullptr;
     }
 
-    static std::optional<SvgLoss> loss_of(std::string_view name) {
-        if (name == "text") return SvgLoss::text;
-        if (name == "image") return SvgLoss::image;
-        if (name == "foreignObject") return SvgLoss::foreign;
-        return std::nullopt;
+    static const core::PluralPattern* loss_of(std::string_view name) {
+        if (name == "text") return &svg_loss::text;
+        if (name == "image") return &svg_loss::image;
+        return name == "foreignObject" ? &svg_loss::foreign : nullptr;
     }
 
     Surroundings within(const xml_node& element, const SvgProperties& properties, const Surroundings& around) {
@@ -160,7 +158,7 @@ class Walk {
         if (const auto map = transform_of(properties, around.viewport))
             inside.map = chained(around.map, *map);
         else
-            drawing_.left_out.count(SvgLoss::wrong_transform, name_of_element(element));
+            tell(svg_loss::wrong_transform, name_of_element(element));
         return inside;
     }
 
@@ -182,7 +180,7 @@ class Walk {
             if (is_next)
                 visit(child, around);
             else
-                drawing_.left_out.count(SvgLoss::for_others);
+                tell(svg_loss::for_others);
             is_taken = is_taken || is_next;
         }
     }
@@ -190,12 +188,12 @@ class Walk {
     void visit_use(const xml_node& use, Surroundings around) {
         const pugi::xml_attribute plain = use.attribute("href");
         const std::string target = plain ? plain.value() : use.attribute("xlink:href").value();
-        if (!target.starts_with('#')) return drawing_.left_out.count(SvgLoss::outside, shortened(target));
+        if (!target.starts_with('#')) return tell(svg_loss::outside, shortened(target));
         const auto found = by_id_.find(std::string_view(target).substr(1));
-        if (found == by_id_.end()) return drawing_.left_out.count(SvgLoss::unknown_use, shortened(target));
+        if (found == by_id_.end()) return tell(svg_loss::unknown_use, shortened(target));
         const xml_node element = found->second;
         if (std::find(used_.begin(), used_.end(), element) != used_.end())
-            return drawing_.left_out.count(SvgLoss::circle, shortened(target));
+            return tell(svg_loss::circle, shortened(target));
         const core::Vector offset{around.viewport.length(use, "x"), around.viewport.length(use, "y")};
         around.map = chained(around.map, core::translation(offset));
         used_.push_back(element);
@@ -209,7 +207,7 @@ class Walk {
         if (name != "symbol" && name != "svg") return visit(element, around);
         if (!may_look_at(element)) return;
         const SvgProperties properties(element);
-        if (properties[SvgProperty::display] == "none") return drawing_.left_out.count(SvgLoss::not_displayed);
+        if (properties[SvgProperty::display] == "none") return tell(svg_loss::not_displayed);
         visit_inner(inner_viewport(element, use, around.viewport), element, within(element, properties, around));
     }
 
@@ -219,19 +217,21 @@ class Walk {
         const OutlineSink sink = [&](const Outline& outline) { return add(outline, name, around.style); };
         const auto fault = kind == "path" ? read_path_data(element.attribute("d").value(), around.map, sink)
                                           : read_basic_shape(element, kind, around.viewport, around.map, sink);
-        if (fault) drawing_.left_out.count(SvgLoss::wrong_path, name, std::to_string(*fault + 1));
+        if (fault)
+            tell(svg_loss::wrong_path,
+                 core::sentence("character {character} of '{name}'", {{"character", *fault + 1}, {"name", name}}));
         if (drawing_.curves.size() < first + 2) return;
         for (std::size_t i = first; i < drawing_.curves.size(); ++i) drawing_.curves[i].group = name;
     }
 
     bool add(const Outline& outline, const std::string& name, const SvgStyle& style) {
         if (drawing_.curves.size() == most_svg_curves) {
-            stop(SvgLoss::too_many, most_svg_curves);
+            stop(svg_loss::too_many, most_svg_curves);
             return false;
         }
         auto curve = outline.curve();
         if (!curve) {
-            drawing_.left_out.count(SvgLoss::refused_curve, name, core::describe(curve.error()));
+            tell(svg_loss::refused_curve, name, core::describe(curve.error()));
             return true;
         }
         points_ += curve->control_points().size();
@@ -242,12 +242,17 @@ class Walk {
         entry.visible = style.visible;
         drawing_.curves.push_back(std::move(entry));
         drawing_.largest_error = std::max(drawing_.largest_error, outline.closing_gap());
-        if (points_ > most_points) stop(SvgLoss::too_many, drawing_.curves.size());
+        if (points_ > most_points) stop(svg_loss::too_many, drawing_.curves.size());
         return !is_full_;
     }
 
-    void stop(SvgLoss loss, std::size_t most) {
-        if (!is_full_) drawing_.left_out.count(loss, {}, std::to_string(most));
+    void tell(const core::PluralPattern& loss, const std::string& name = {}, std::string_view reason = {}) {
+        drawing_.notes.add(
+            loss, [&] { return name; }, {}, reason);
+    }
+
+    void stop(const core::PluralPattern& loss, std::size_t most) {
+        if (!is_full_) tell(loss, {}, std::to_string(most));
         is_full_ = true;
     }
 

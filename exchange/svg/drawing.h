@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/document/document.h"
-#include "exchange/svg/left_out.h"
+#include "exchange/notes.h"
 
 namespace batten::exchange {
 
@@ -14,7 +14,7 @@ struct SvgDrawing {
     std::vector<core::DocumentCurve> curves;
     std::optional<core::DocumentUnits> units{};
     double largest_error = 0.0;
-    LeftOut left_out{};
+    Notes notes{};  ///< of what is left out (losses.h)
 };
 
 /// Walks through `svg`, the outermost element, as read_svg() says.

@@ -86,7 +86,7 @@ std::string fingerprint_of_page(const pugi::xml_node& svg) {
 
 std::string fingerprint_of_losses(const SvgDrawing& drawing) {
     Fingerprint fingerprint;
-    for (const std::string& sentence : drawing.left_out.sentences()) fingerprint.add(sentence);
+    for (const std::string& sentence : drawing.notes.sentences()) fingerprint.add(sentence);
     return fingerprint.text();
 }
 
@@ -139,7 +139,7 @@ NativeCopy native_copy(const pugi::xml_node& svg, const SvgDrawing& drawing) {
         found.told.emplace_back("names, colors and what is hidden are as another program has changed them");
     }
     if (!has_mark(losses_mark, fingerprint_of_losses(drawing)))
-        for (const std::string& sentence : drawing.left_out.sentences()) found.told.push_back(sentence);
+        for (const std::string& sentence : drawing.notes.sentences()) found.told.push_back(sentence);
     return found;
 }
 

@@ -9,6 +9,7 @@
 #include "exchange/places.h"
 #include "exchange/refusal.h"
 #include "exchange/svg/drawing.h"
+#include "exchange/svg/losses.h"
 #include "exchange/svg/native_copy.h"
 
 namespace batten::exchange {
@@ -57,12 +58,12 @@ core::FileResult<Imported> read_svg(std::string_view text) {
     if (local_name(svg) != "svg")
         return refused_file(core::sentence("the file is a '{name}'; an 'svg' is needed", {{"name", svg.name()}}));
     SvgDrawing drawing = drawing_of(svg);
-    if (has_style_sheet(file)) drawing.left_out.count(SvgLoss::style_sheet);
-    if (has_entities(file)) drawing.left_out.count(SvgLoss::entities);
+    if (has_style_sheet(file)) drawing.notes.add(svg_loss::style_sheet, [] { return std::string(); });
+    if (has_entities(file)) drawing.notes.add("entities that the file defines are not read");
     NativeCopy copy = native_copy(svg, drawing);
     if (copy.document)
         return Imported{.document = *std::move(copy.document), .report = {.left_out = std::move(copy.told)}};
-    Imported imported{.document = {}, .report = {drawing.largest_error, drawing.left_out.sentences()}};
+    Imported imported{.document = {}, .report = {drawing.largest_error, drawing.notes.sentences()}};
     if (drawing.curves.empty()) {
         const auto& left_out = imported.report.left_out;
         return refused_file(left_out.empty() ? "no path and no shape is drawn in this file" : left_out.front());

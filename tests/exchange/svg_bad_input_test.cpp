@@ -72,7 +72,7 @@ TEST(BadSvg, ExpandsNoEntity) {
     ASSERT_TRUE(imported);
     EXPECT_EQ(imported->document.curves.size(), 1U);
     EXPECT_EQ(imported->report.left_out.front(),
-              "the path data of 'p' go wrong at character 1; they are read up to there");
+              "the path data go wrong at character 1 of 'p'; they are read up to there");
     EXPECT_EQ(imported->report.left_out.back(), "entities that the file defines are not read");
 }
 

@@ -194,7 +194,7 @@ TEST(SvgPath, ReadsUpToWhatGoesWrong) {
     EXPECT_EQ(points_of(curve_of(imported)), (std::vector<Point>{{0, 0}, {1, -1}}));
     EXPECT_EQ(
         imported.report.left_out,
-        (std::vector<std::string>{"the path data of 'wave' go wrong at character 12; they are read up to there"}));
+        (std::vector<std::string>{"the path data go wrong at character 12 of 'wave'; they are read up to there"}));
     for (const std::string data : {"M0 0h1 1e999", "M0 0h1 L5", "M0 0h1A1 1 0 2 0 5 5", "M0 0h1L", "M0 0h1,",
                                    "M0 0h1 nan", "M0 0h1L inf 0", "M0 0h1#", "M0 0h1Z3", "M0 0h1L0x10 3"})
         EXPECT_EQ(read_path(data).report.left_out.size(), 1U) << data;
@@ -302,9 +302,9 @@ TEST(SvgTree, FollowsNoCircleAndNoAddress) {
     EXPECT_EQ(
         imported.report.left_out,
         (std::vector<std::string>{
+            "an element that uses itself is left out: '#g'",
             "2 elements of other files are left out, the first one 'other.svg#a'; nothing outside this file is read",
-            "an element that is used but not there is left out: '#none'",
-            "an element that uses itself is left out: '#g'"}));
+            "an element that is used but not there is left out: '#none'"}));
 }
 
 TEST(SvgTree, LeavesOutWhatIsNoCurveWithOneSentenceForEachKind) {

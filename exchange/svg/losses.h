@@ -1,0 +1,54 @@
+/// What there is to tell of an SVG file that does not become curves, or other ones.
+#pragma once
+
+#include "core/base/sentence.h"
+
+/// Sentences for Notes (notes.h): {place} is the name of the first one.
+namespace batten::exchange::svg_loss {
+
+inline constexpr core::PluralPattern wrong_path{
+    "the path data go wrong at {place}; they are read up to there",
+    "the data of {count} paths go wrong, first at {place}; they are read up to there"};
+inline constexpr core::PluralPattern refused_curve{"'{place}' is left out: {reason}",
+                                                   "{count} curves are left out, first '{place}': {reason}"};
+inline constexpr core::PluralPattern wrong_transform{
+    "the transform of '{place}' cannot be read, so it stands where it would without",
+    "{count} transforms cannot be read, the first one that of '{place}'; what they belong to stands where it would "
+    "without"};
+inline constexpr core::PluralPattern text{
+    "a text is left out; in the program that made it, it can be turned into paths",
+    "{count} texts are left out; in the program that made them, they can be turned into paths"};
+inline constexpr core::PluralPattern image{"an image is left out", "{count} images are left out"};
+inline constexpr core::PluralPattern foreign{"a part that is no SVG is left out",
+                                             "{count} parts that are no SVG are left out"};
+inline constexpr core::PluralPattern not_displayed{"an element that is not displayed is left out",
+                                                   "{count} elements that are not displayed are left out"};
+/// For other languages, or programs with extensions.
+inline constexpr core::PluralPattern for_others{
+    "an alternative that viewers do not show for readers of English is left out",
+    "{count} alternatives that viewers do not show for readers of English are left out"};
+inline constexpr core::PluralPattern outside{
+    "an element of another file is left out: '{place}'; nothing outside this file is read",
+    "{count} elements of other files are left out, the first one '{place}'; nothing outside this file is read"};
+inline constexpr core::PluralPattern unknown_use{
+    "an element that is used but not there is left out: '{place}'",
+    "{count} elements that are used but not there are left out, the first one '{place}'"};
+inline constexpr core::PluralPattern circle{
+    "an element that uses itself is left out: '{place}'",
+    "{count} elements that use themselves are left out, the first one '{place}'"};
+inline constexpr core::PluralPattern clipped{"an element that is clipped or masked is read whole",
+                                             "{count} elements that are clipped or masked are read whole"};
+inline constexpr core::PluralPattern style_sheet{
+    "a style sheet is not read, so colors may be others, and what it hides or moves is read as if it did not",
+    "{count} style sheets are not read, so colors may be others, and what they hide or move is read as if they did "
+    "not"};
+/// The limit stands in for {reason}.
+inline constexpr core::PluralPattern too_deep{"elements that are nested more than {reason} deep are left out",
+                                              "elements that are nested more than {reason} deep are left out"};
+inline constexpr core::PluralPattern too_many{"what follows the first {reason} curves or elements is left out",
+                                              "what follows the first {reason} curves or elements is left out"};
+inline constexpr core::PluralPattern too_often{
+    "what follows is left out, since 'use' repeats more than {reason} bytes of the file",
+    "what follows is left out, since 'use' repeats more than {reason} bytes of the file"};
+
+}  // namespace batten::exchange::svg_loss
