@@ -1,5 +1,6 @@
 #include "core/base/number_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -15,6 +16,20 @@ void append_chars(std::string& text, Arguments... arguments) {
     std::array<char, 32> buffer{};
     char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), arguments...).ptr;
     text.append(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+}
+
+// Whether a number outside the range of doubles is too small for them: by the decimal exponent of its first digit.
+bool is_too_small(std::string_view number) {
+    const std::size_t behind_digits = std::min(number.find_first_of("eE"), number.size());
+    const std::string_view digits = number.substr(0, behind_digits);
+    const auto first = static_cast<double>(digits.find_first_of("123456789"));
+    const auto point = static_cast<double>(std::min(digits.find('.'), digits.size()));
+    std::string_view exponent = number.substr(std::min(behind_digits + 1, number.size()));
+    exponent.remove_prefix(exponent.starts_with('+') ? 1 : 0);
+    std::int64_t power = 0;
+    const auto read = std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
+    if (read.ec == std::errc::result_out_of_range) return exponent.starts_with('-');
+    return point - first + static_cast<double>(power) < 0.0;
 }
 
 }  // namespace
@@ -47,8 +62,11 @@ std::optional<LeadingNumber> leading_number(std::string_view text) {
     const std::size_t sign = text.starts_with('+') && !text.starts_with("+-") ? 1 : 0;
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data() + sign, text.data() + text.size(), value);
+    const auto length = static_cast<std::size_t>(end - text.data());
+    if (error == std::errc::result_out_of_range && is_too_small(text.substr(0, length)))
+        return LeadingNumber{text.starts_with('-') ? -0.0 : 0.0, length};
     if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
-    return LeadingNumber{value, static_cast<std::size_t>(end - text.data())};
+    return LeadingNumber{value, length};
 }
 
 }  // namespace batten::core

@@ -24,7 +24,8 @@ struct LeadingNumber {
 };
 
 /// The decimal number at the front of `text`, "2", "+.5" or "1e-3", as the double that is nearest to it, whatever the
-/// locale; none where there is no number, or one that is not finite or outside the range of doubles.
+/// locale: 0, with its sign, where it is nearer to 0 than they are. None where there is no number, or one that is not
+/// finite or too large for doubles.
 std::optional<LeadingNumber> leading_number(std::string_view text);
 
 }  // namespace batten::core

@@ -293,6 +293,14 @@ TEST(DxfReader, RefusesWhatIsNoDrawing) {
     EXPECT_EQ(refusal_of(drawing("999 comment")), "there are no curves in this file");
 }
 
+TEST(DxfReader, TakesNumbersBelowTheDoublesForZeros) {
+    const auto found = read_dxf(drawing("0 LINE 10 1e-400 20 2 11 -1e-400 21 5"));
+    ASSERT_TRUE(found);
+    const auto points = found->document.curves.at(0).curve->control_points();
+    EXPECT_EQ(points[0], core::Point(0, 2));
+    EXPECT_EQ(points[1], core::Point(0, 5));
+}
+
 TEST(DxfReader, SurvivesNumbersThatAreTooLarge) {
     for (const char* number : {"1e308", "-1.7e308", "1e999", "inf", "-nan", "1e-320", "--5", ""})
         for (const char* entity :

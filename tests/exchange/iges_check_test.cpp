@@ -49,6 +49,13 @@ TEST(IgesCheck, FindsNothingInAWholeFile) {
     EXPECT_EQ(defect_of(line_file(whole_line)), "");
 }
 
+TEST(IgesCheck, TakesNumbersBelowTheDoublesForZeros) {
+    EXPECT_EQ(defect_of(line_file(with(whole_line, "2.5", "1D-400"))), "");
+    EXPECT_EQ(defect_of(line_file(with(whole_line, "2.5", "-1E-400"))), "");
+    EXPECT_EQ(defect_of(line_file(with(whole_line, "2.5", "1D400"))),
+              "line 4: found '1D400' where a finite number or a text must be");
+}
+
 TEST(IgesCheck, RefusesAFileThatIsCutOffAtAnyByte) {
     const std::string text = freecad_text();
     const std::size_t end_of_line_t = text.rfind('T') + 7;

@@ -32,6 +32,11 @@ TEST(StepCheck, FindsNothingInAWholeFile) {
     EXPECT_EQ(step_defect_of(step_file("")), "");
 }
 
+TEST(StepCheck, TakesNumbersBelowTheDoublesForZeros) {
+    EXPECT_EQ(step_defect_of(step_file("#1=POINT('',(1.E-400,-1.E-400));\n")), "");
+    EXPECT_NE(step_defect_of(step_file("#1=POINT('',(1.E400,0.));\n")), "");
+}
+
 TEST(StepCheck, RefusesAFileThatIsCutOff) {
     const std::string text = core::read_text(BATTEN_EXCHANGE_DATA "/freecad.step").value();
     const std::size_t end = text.find("END-ISO-10303-21") + 16;

@@ -307,6 +307,12 @@ TEST(SvgTree, FollowsNoCircleAndNoAddress) {
             "an element that is used but not there is left out: '#none'"}));
 }
 
+TEST(SvgTree, TakesNumbersBelowTheDoublesForZeros) {
+    const Imported imported = read_elements(R"(<path d="M1e-400 2L-1e-400 5"/>)");
+    EXPECT_TRUE(imported.report.left_out.empty());
+    EXPECT_EQ(points_of(curve_of(imported)), (std::vector<Point>{{0, -2}, {0, -5}}));
+}
+
 TEST(SvgTree, LeavesOutWhatIsNoCurveWithOneSentenceForEachKind) {
     const Imported imported = read_elements(
         R"svg(<path d="M0 0h1"/><text>a</text><text>b</text><image/><path display="none" d="M0 0h1"/>

@@ -53,8 +53,28 @@ TEST(NumberText, numbers_are_read_at_the_front) {
     expect_number("1.000000000000000111022302462515654042363166809082031251", 0x1.0000000000001p0, 56);
 }
 
+// Whatever their digits are: by their exponent, by their zeros, by both.
+TEST(NumberText, numbers_below_the_doubles_are_zeros_and_those_beyond_are_none) {
+    const std::string zeros(400, '0');
+    expect_number("1e-400 ", 0.0, 6);
+    expect_number("+9.9E-324,", 0x1p-1073, 9);
+    expect_number("2e-324", 0.0, 6);
+    expect_number("1e-99999999999999999999999", 0.0, 26);
+    expect_number("0." + zeros + "1", 0.0, 403);
+    expect_number("0." + zeros + "1e50", 0.0, 406);
+    expect_number("1" + zeros + "e-800", 0.0, 406);
+    expect_number("1" + zeros + "e-400", 1.0, 406);
+    expect_number("0." + zeros + "1e401", 1.0, 407);
+    expect_number("-1e-400", 0.0, 7);
+    EXPECT_TRUE(std::signbit(leading_number("-1e-400")->value));
+    EXPECT_FALSE(std::signbit(leading_number("+1e-400")->value));
+    for (const std::string& text : {"1" + zeros, "-1" + zeros + "e-50", "0." + zeros + "1e800",
+                                    std::string("1e99999999999999999999999"), std::string("1e+309")})
+        EXPECT_FALSE(leading_number(text)) << text;
+}
+
 TEST(NumberText, what_is_no_finite_number_is_none) {
-    for (const char* text : {"", " 1", "x", "+-1", "--1", "nan", "inf", "-infinity", "1e999", "1e-999", ".", "-"})
+    for (const char* text : {"", " 1", "x", "+-1", "--1", "nan", "inf", "-infinity", "1e999", "-1e999", ".", "-"})
         EXPECT_FALSE(leading_number(text)) << text;
 }
 

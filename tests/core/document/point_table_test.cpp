@@ -108,6 +108,10 @@ TEST(PointTable, errors_name_line_and_column) {
               std::string::npos);
 }
 
+TEST(PointTable, takes_numbers_below_the_doubles_for_zeros) {
+    EXPECT_EQ(table_of("1e-400,2\n3,-1e-400\n").points, (Points{{0, 2}, {3, 0}}));
+}
+
 TEST(PointTable, a_first_line_with_a_slip_is_no_heading) {
     EXPECT_EQ(refusal_of("1.5,abc\n1,2\n3,4\n"),
               "line 1, column 2: 'abc' is not a finite number; this table has decimal points");
