@@ -70,7 +70,9 @@ class Walk {
     SvgDrawing drawing() && {
         const Page page = page_of(svg_);
         drawing_.units = page.units;
-        const SvgProperties properties(svg_);
+        const SvgProperties properties(svg_, sheet_);
+        const auto is_part = [&](SvgProperty size) { return properties.in_style(size).ends_with('%'); };
+        if (!is_part(SvgProperty::width) && !is_part(SvgProperty::height)) tell_styled_size(svg_, properties);
         Surroundings around{.map = page.map, .viewport = page.viewport};
         around.style = around.style.within(properties);
         if (const auto map = transform_of(properties, page.viewport))
@@ -87,8 +89,7 @@ class Walk {
         for (xml_node node = svg_; node;) {
             if (const pugi::xml_attribute id = node.attribute("id")) by_id_.try_emplace(id.value(), node);
             most_bytes_ += bytes_of(node);
-            if (local_name(node) == "style" && prefix_of(node) == prefix_ && *node.child_value() != '\0')
-                tell(svg_loss::style_sheet);
+            if (local_name(node) == "style" && prefix_of(node) == prefix_) sheet_.add(node, drawing_.notes);
             if (node.first_child()) {
                 node = node.first_child();
                 continue;
@@ -112,9 +113,10 @@ class Walk {
         if (!is_drawn(name)) return;
         if (!is_for_english_viewers(element)) return tell(svg_loss::for_others);
         if (const auto* const loss = loss_of(name)) return tell(*loss);
-        const SvgProperties properties(element);
+        const SvgProperties properties(element, sheet_);
         if (properties[SvgProperty::display] == "none") return tell(svg_loss::not_displayed);
         if (properties.has(SvgProperty::clip_path) || properties.has(SvgProperty::mask)) tell(svg_loss::clipped);
+        if (!is_group(name) || name == "svg") tell_styled_size(element, properties);
         const Surroundings inside = within(element, properties, around);
         if (name == "use")
             visit_use(element, inside);
@@ -206,7 +208,7 @@ class Walk {
         const std::string_view name = local_name(element);
         if (name != "symbol" && name != "svg") return visit(element, around);
         if (!may_look_at(element)) return;
-        const SvgProperties properties(element);
+        const SvgProperties properties(element, sheet_);
         if (properties[SvgProperty::display] == "none") return tell(svg_loss::not_displayed);
         visit_inner(inner_viewport(element, use, around.viewport), element, within(element, properties, around));
     }
@@ -246,6 +248,10 @@ class Walk {
         return !is_full_;
     }
 
+    void tell_styled_size(const xml_node& element, const SvgProperties& properties) {
+        if (properties.has_styled_size()) tell(svg_loss::styled_size, name_of_element(element));
+    }
+
     void tell(const core::PluralPattern& loss, const std::string& name = {}, std::string_view reason = {}) {
         drawing_.notes.add(
             loss, [&] { return name; }, {}, reason);
@@ -273,6 +279,7 @@ class Walk {
     const std::string_view prefix_;
     std::unordered_map<std::string_view, xml_node> by_id_;
     core::FreeNames names_;
+    StyleSheet sheet_{};
     std::vector<xml_node> used_;
     std::size_t visited_ = 0;
     std::size_t bytes_ = 0;  // looked at

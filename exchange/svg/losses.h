@@ -42,6 +42,13 @@ inline constexpr core::PluralPattern style_sheet{
     "a style sheet is not read, so colors may be others, and what it hides or moves is read as if it did not",
     "{count} style sheets are not read, so colors may be others, and what they hide or move is read as if they did "
     "not"};
+inline constexpr core::PluralPattern style_rule{
+    "a style rule is not read: '{place}'; colors may be others, and what it hides or moves is read as if it did not",
+    "{count} style rules are not read, the first one '{place}'; colors may be others, and what they hide or move is "
+    "read as if they did not"};
+inline constexpr core::PluralPattern styled_size{
+    "the style of '{place}' sets a size or a place, which are read as attributes alone",
+    "the styles of {count} elements, first of '{place}', set sizes or places, which are read as attributes alone"};
 /// The limit stands in for {reason}.
 inline constexpr core::PluralPattern too_deep{"elements that are nested more than {reason} deep are left out",
                                               "elements that are nested more than {reason} deep are left out"};

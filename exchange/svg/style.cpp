@@ -15,10 +15,6 @@ namespace {
 
 using core::DocumentColor;
 
-std::string_view stripped(std::string_view text) {
-    return core::trimmed(text, svg_blanks);
-}
-
 // "rgb(76, 127, 224)", also with % and an opacity, which is not read.
 std::optional<DocumentColor> color_of_function(std::string_view text) {
     const std::size_t open = text.find('(');
@@ -44,17 +40,6 @@ std::optional<DocumentColor> color_of_name(const std::string& name) {
     return core::color_of_text(found->color);
 }
 
-// In the order of SvgProperty.
-constexpr std::array<std::string_view, svg_property_count> property_names{
-    "stroke",           "fill",          "visibility", "display", "clip-path", "mask", "transform",
-    "transform-origin", "transform-box", "translate",  "rotate",  "scale"};
-
-std::optional<std::size_t> index_of_property(std::string_view name) {
-    const auto* const found = std::find(property_names.begin(), property_names.end(), name);
-    if (found == property_names.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - property_names.begin());
-}
-
 // Changes `color` where `text` speaks of it.
 void take_color(std::string_view text, std::optional<DocumentColor>& color) {
     if (!text.empty() && text != "inherit") color = read_color(text);
@@ -64,7 +49,7 @@ void take_color(std::string_view text, std::optional<DocumentColor>& color) {
 
 std::optional<DocumentColor> read_color(std::string_view text) {
     constexpr std::size_t short_length = 4;
-    const std::string color = core::in_small_letters(stripped(text));
+    const std::string color = core::in_small_letters(core::trimmed(text, svg_blanks));
     if (color.size() == short_length && color[0] == '#') {
         const std::string doubled{'#', color[1], color[1], color[2], color[2], color[3], color[3]};
         return core::color_of_text(doubled);
@@ -74,31 +59,27 @@ std::optional<DocumentColor> read_color(std::string_view text) {
     return color_of_name(color);
 }
 
-SvgProperties::SvgProperties(const pugi::xml_node& element) {
-    read_style(element.attribute("style").value());
+SvgProperties::SvgProperties(const pugi::xml_node& element, const StyleSheet& sheet) {
+    constexpr std::uint16_t of_style_attribute = 1000;  // which beats every selector
+    const auto take_value = [&](SvgProperty property, const CssValue& value) {
+        take(value, of_style_[static_cast<std::size_t>(property)]);
+    };
+    sheet.read(element, take_value);
+    read_declarations(element.attribute("style").value(), [&](SvgProperty property, CssValue value) {
+        value.specificity = of_style_attribute;
+        take_value(property, value);
+    });
     for (const pugi::xml_attribute& attribute : element.attributes())
-        if (const auto index = index_of_property(attribute.name()))
-            of_attributes_[*index] = stripped(attribute.value());
+        if (const auto property = svg_property(attribute.name()))
+            of_attributes_[static_cast<std::size_t>(*property)] = core::trimmed(attribute.value(), svg_blanks);
 }
 
-void SvgProperties::read_style(std::string_view text) {
-    constexpr std::string_view important = "!important";
-    std::array<bool, svg_property_count> is_important{};
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(';'), text.size());
-        const std::string_view declaration = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        const std::size_t colon = declaration.find(':');
-        if (colon == std::string_view::npos) continue;
-        const auto index = index_of_property(stripped(declaration.substr(0, colon)));
-        if (!index) continue;
-        std::string_view value = stripped(declaration.substr(colon + 1));
-        const bool beats_others = value.ends_with(important);
-        if (beats_others) value = stripped(value.substr(0, value.size() - important.size()));
-        if (is_important[*index] && !beats_others) continue;
-        is_important[*index] = beats_others;
-        of_style_[*index] = value;
+bool SvgProperties::has_styled_size() const {
+    for (std::size_t i = static_cast<std::size_t>(SvgProperty::x); i < svg_property_count; ++i) {
+        const std::string_view styled = of_style_[i].text;
+        if (!styled.empty() && styled != "auto" && styled != of_attributes_[i]) return true;
     }
+    return false;
 }
 
 SvgStyle SvgStyle::within(const SvgProperties& properties) const {

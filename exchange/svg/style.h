@@ -1,4 +1,4 @@
-/// Properties of SVG elements: colors, visibility, what the style attribute says.
+/// Properties of SVG elements: colors, visibility, what attributes and styles say.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/document/document.h"
+#include "exchange/svg/style_sheet.h"
 
 namespace batten::exchange {
 
@@ -14,38 +15,20 @@ namespace batten::exchange {
 /// currentColor, gradients.
 std::optional<core::DocumentColor> read_color(std::string_view text);
 
-/// The properties that are looked at.
-enum class SvgProperty {
-    stroke,
-    fill,
-    visibility,
-    display,
-    clip_path,
-    mask,
-    transform,
-    transform_origin,
-    transform_box,
-    translate,
-    rotate,
-    scale,
-};
-
-inline constexpr std::size_t svg_property_count = static_cast<std::size_t>(SvgProperty::scale) + 1;
-
-/// What an element says of itself. Cost O(length of its attributes), once.
+/// What is said of an element itself. Cost O(length of its attributes), once.
 class SvgProperties {
   public:
-    explicit SvgProperties(const pugi::xml_node& element);
+    SvgProperties(const pugi::xml_node& element, const StyleSheet& sheet);
 
-    /// What the style attribute says: the last of several values, but one that is important before others.
-    std::string_view in_style(SvgProperty property) const { return of_style_[static_cast<std::size_t>(property)]; }
+    /// What the style attribute and the style sheets say: of several values the one that CSS prefers.
+    std::string_view in_style(SvgProperty property) const { return of_style_[static_cast<std::size_t>(property)].text; }
 
     /// What the attribute of that name says.
     std::string_view in_attribute(SvgProperty property) const {
         return of_attributes_[static_cast<std::size_t>(property)];
     }
 
-    /// What holds: the style attribute, else the attribute; empty where there is neither.
+    /// What holds: the style, else the attribute; empty where there is neither.
     std::string_view operator[](SvgProperty property) const {
         return in_style(property).empty() ? in_attribute(property) : in_style(property);
     }
@@ -53,10 +36,11 @@ class SvgProperties {
     /// Whether there is such a value other than none.
     bool has(SvgProperty property) const { return !(*this)[property].empty() && (*this)[property] != "none"; }
 
-  private:
-    void read_style(std::string_view text);
+    /// Whether the style gives a shape or a viewport another size or place than its attributes.
+    bool has_styled_size() const;
 
-    std::array<std::string_view, svg_property_count> of_style_{};
+  private:
+    SvgValues of_style_{};
     std::array<std::string_view, svg_property_count> of_attributes_{};
 };
 

@@ -126,13 +126,99 @@ TEST(SvgStyles, TakeTheLastValueButTheImportantOne) {
     EXPECT_EQ(color("stroke:#010203 !important; stroke:#040506!important"), (core::DocumentColor{4, 5, 6}));
 }
 
-TEST(SvgStyles, InSheetsAreTold) {
-    const std::vector<std::string> told{
-        "a style sheet is not read, so colors may be others, and what it hides or moves is read as if it did not"};
-    EXPECT_EQ(read_elements("<style>.a{display:none}</style><path class='a' d='M0 0h1'/>").report.left_out, told);
-    EXPECT_EQ(read_elements("<defs><style>.a{display:none}</style></defs><path d='M0 0h1'/>").report.left_out, told);
-    EXPECT_TRUE(read_elements("<style/><style> </style><path d='M0 0h1'/>").report.left_out.empty());
-    EXPECT_EQ(read_svg("<?xml-stylesheet href='a.css'?><svg><path d='M0 0h1'/></svg>")->report.left_out, told);
+TEST(SvgSheets, HideColorAndMoveWhatTheirRulesAreFor) {
+    const Imported imported = read_elements(R"(<defs><style type="text/css"><![CDATA[
+        /* as Illustrator has it */ .st0{display:none;}
+        .st1, .st2 {stroke:#010203}  .st2{ transform: translate(10px, 0px) }
+        #here{visibility:hidden} line { stroke: #040506 }
+      ]]></style></defs>
+      <path class="st0" d="M0 0h1"/><path class="other st2" d="M0 0h1"/><path id="here" class="st1" d="M0 0h1"/>
+      <line x1="1"/><path d="M0 0h1"/>)");
+    EXPECT_EQ(imported.report.left_out, std::vector<std::string>{"an element that is not displayed is left out"});
+    const auto& curves = imported.document.curves;
+    ASSERT_EQ(curves.size(), 4U);
+    EXPECT_EQ(curves[0].color, (core::DocumentColor{1, 2, 3}));
+    EXPECT_EQ(points_of(*curves[0].curve).front(), Point(10, 0));
+    EXPECT_FALSE(curves[1].visible);
+    EXPECT_EQ(curves[1].color, (core::DocumentColor{1, 2, 3}));
+    EXPECT_EQ(curves[2].color, (core::DocumentColor{4, 5, 6}));
+    EXPECT_FALSE(curves[3].color);
+}
+
+// The color of a path of class 'a b' and id 'i' in a group of class 'g', by the cascade of CSS.
+TEST(SvgSheets, GiveWayToWhatIsMoreSpecificOrLater) {
+    const auto color = [](const std::string& sheet, const std::string& attributes = "") {
+        const Imported imported = read_elements("<style>" + sheet + "</style><g class='g'><path id='i' class='a b' " +
+                                                attributes + " d='M0 0h1'/></g>");
+        EXPECT_TRUE(imported.report.left_out.empty());
+        return core::color_text(imported.document.curves.at(0).color.value_or(core::DocumentColor{}));
+    };
+    const std::string plain = "stroke='#999999'";
+    EXPECT_EQ(color("path{stroke:#111111}", plain), "#111111") << "before the attribute";
+    EXPECT_EQ(color("*{stroke:#111111}", plain), "#111111");
+    EXPECT_EQ(color(".g{stroke:#111111}", plain), "#999999") << "what is inherited comes last";
+    EXPECT_EQ(color(".g{stroke:#111111}"), "#111111");
+    EXPECT_EQ(color(".a{stroke:#111111}path{stroke:#222222}*{stroke:#333333}"), "#111111");
+    EXPECT_EQ(color("#i{stroke:#111111}.a{stroke:#222222}path.a{stroke:#333333}"), "#111111");
+    EXPECT_EQ(color("path.a{stroke:#111111}.b{stroke:#222222}"), "#111111");
+    EXPECT_EQ(color(".b{stroke:#111111}.a{stroke:#222222}"), "#222222") << "the later rule, not the later word";
+    EXPECT_EQ(color(".a{stroke:#111111}.a{stroke:#222222}"), "#222222");
+    EXPECT_EQ(color(".a{stroke:#111111!important}.a{stroke:#222222}#i{stroke:#333333}"), "#111111");
+    EXPECT_EQ(color("#i{stroke:#111111}", "style='stroke:#222222'"), "#222222");
+    EXPECT_EQ(color("#i{stroke:#111111 ! important}", "style='stroke:#222222'"), "#111111");
+    EXPECT_EQ(color("*{stroke:#111111!important}", "style='stroke:#222222!important'"), "#222222");
+    EXPECT_EQ(color(".c,\n.a ,line{stroke:#111111}"), "#111111");
+    EXPECT_EQ(color("line.a{stroke:#111111}.A{stroke:#222222}#a{stroke:#333333}", plain), "#999999");
+    EXPECT_EQ(color("@font-face{font-family:x}.a{stroke:#111111}"), "#111111");
+    EXPECT_EQ(color("a > path:hover{cursor:pointer} .a{content:'}';stroke:#111111"), "#111111");
+    EXPECT_EQ(color("</style><style media='print'>.a{stroke:#222222}</style><style>.a{stroke:#111111}"), "#111111");
+}
+
+TEST(SvgSheets, AreToldWhereTheyAreNotRead) {
+    const auto told = [](const std::string& sheet) {
+        return read_elements("<style>" + sheet + "</style><path class='a' d='M0 0h1'/>").report.left_out;
+    };
+    const auto rule = [](const std::string& name) {
+        return std::vector<std::string>{"a style rule is not read: '" + name +
+                                        "'; colors may be others, and what it hides or moves is read as if it did not"};
+    };
+    EXPECT_EQ(told("g > .a{display:none}"), rule("g > .a"));
+    EXPECT_EQ(told(".b, .a:hover{fill:red}"), rule(".a:hover"));
+    EXPECT_EQ(told("[d]{fill:red}"), rule("[d]"));
+    EXPECT_EQ(told("@media print{.a{display:none}} .b{fill:red}"), rule("@media print"));
+    EXPECT_EQ(told("@import 'a.css';"), rule("@import 'a.css'"));
+    EXPECT_EQ(told("g .a{fill:red}.a.b{fill:red}"),
+              std::vector<std::string>{"2 style rules are not read, the first one 'g .a'; colors may be others, and "
+                                       "what they hide or move is read as if they did not"});
+    EXPECT_TRUE(told("g > .a{font-size:3px}").empty()) << "which changes nothing here";
+    EXPECT_EQ(read_svg("<?xml-stylesheet href='a.css'?><svg><path d='M0 0h1'/></svg>")->report.left_out,
+              std::vector<std::string>{"a style sheet is not read, so colors may be others, and what it hides or moves "
+                                       "is read as if it did not"});
+}
+
+TEST(SvgSheets, OfManyRulesAreReadInTime) {
+    std::string sheet;
+    for (int i = 0; i < 20'000; ++i) sheet += ".c" + std::to_string(i) + ",";
+    std::string properties;
+    for (int i = 0; i < 20'000; ++i) properties += "fill:#123456;";
+    const Imported imported =
+        read_elements("<style>" + sheet + "x{" + properties + "}</style><path class='c777' d='M0 0h1'/>");
+    EXPECT_EQ(imported.document.curves[0].color, (core::DocumentColor{0x12, 0x34, 0x56}));
+}
+
+TEST(SvgStyles, OfSizesAreTold) {
+    const auto told = [](const std::string& elements) { return read_elements(elements).report.left_out; };
+    const std::vector<std::string> size{"the style of 'r' sets a size or a place, which are read as attributes alone"};
+    EXPECT_EQ(told("<rect id='r' width='2' height='2' style='width:10px'/>"), size);
+    EXPECT_EQ(told("<style>rect{x:3px}</style><rect id='r' width='2' height='2'/>"), size);
+    EXPECT_EQ(told("<style>#r{d:path('M0 0')}</style><path id='r' d='M0 0h1'/>"), size);
+    EXPECT_TRUE(told("<rect id='r' width='2' height='2' style='width:auto;height:2'/>").empty());
+    EXPECT_TRUE(told("<style>g{width:3px}</style><g><path d='M0 0h1'/></g>").empty());
+    const auto of_file = [](const std::string& style) {
+        return read_svg("<svg id='r' style='" + style + "'><path d='M0 0h1'/></svg>")->report.left_out;
+    };
+    EXPECT_EQ(of_file("width:3cm"), size);
+    EXPECT_TRUE(of_file("width:100%;height:auto").empty()) << "of the window";
 }
 
 TEST(SvgSwitch, ShowsWhatAReaderOfEnglishSees) {

@@ -1,0 +1,67 @@
+/// Declarations of CSS, as they stand in style attributes and in style sheets.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+namespace batten::exchange {
+
+/// The properties that are looked at. Those from x on are sizes and places of shapes, which are read as attributes
+/// alone.
+enum class SvgProperty : std::uint8_t {
+    stroke,
+    fill,
+    visibility,
+    display,
+    clip_path,
+    mask,
+    transform,
+    transform_origin,
+    transform_box,
+    translate,
+    rotate,
+    scale,
+    x,
+    y,
+    width,
+    height,
+    cx,
+    cy,
+    r,
+    rx,
+    ry,
+    d,
+};
+
+inline constexpr std::size_t svg_property_count = static_cast<std::size_t>(SvgProperty::d) + 1;
+
+/// The property of that name; none for those that are not looked at.
+std::optional<SvgProperty> svg_property(std::string_view name);
+
+/// What one declaration says, and what it beats: those that are less important, less specific, or before it.
+struct CssValue {
+    bool is_important = false;
+    std::uint16_t specificity = 0;
+    std::uint32_t order = 0;
+    std::string_view text{};
+
+    bool beats(const CssValue& other) const;
+};
+
+/// By property; the text is empty where nothing is said.
+using SvgValues = std::array<CssValue, svg_property_count>;
+
+/// Puts `value` into `place` where it beats what is there.
+void take(const CssValue& value, CssValue& place);
+
+using CssDeclaration = std::function<void(SvgProperty property, const CssValue& value)>;
+
+/// Hands each declaration of `text` about a property that is looked at to `declaration`; order and specificity are left
+/// to it. Cost O(n).
+void read_declarations(std::string_view text, const CssDeclaration& declaration);
+
+}  // namespace batten::exchange
