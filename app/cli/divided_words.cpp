@@ -57,8 +57,10 @@ class Divider {
 
     void take_option() {
         const bool takes_next = takes_next_word(words_[next_]);
+        // One that lacks its word stays last, or the file would be taken for that.
+        if (takes_next && next_ + 1 == words_.size()) return move_to(result_.options);
         move_to_front_options();
-        if (takes_next && next_ < words_.size()) move_to_front_options();
+        if (takes_next) move_to_front_options();
     }
 
     void move_to(std::vector<std::string>& list) { list.push_back(words_[next_++]); }
