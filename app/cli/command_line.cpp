@@ -11,6 +11,7 @@
 #include "app/cli/help_text.h"
 #include "app/cli/standard_streams.h"
 #include "app/cli/table_argument.h"
+#include "app/cli/usage_problem.h"
 #include "app/cli/window_options.h"
 #include "app/editor/fields/expression.h"
 #include "core/base/number_text.h"
@@ -271,7 +272,7 @@ std::optional<ExitStatus> Subcommands::run(Output output) const {
     return std::nullopt;
 }
 
-ExitStatus say_wrong_usage(Output output, const char* sentence) {
+ExitStatus say_wrong_usage(Output output, const std::string& sentence) {
     output.errors << sentence << '\n';
     return ExitStatus::wrong_usage;
 }
@@ -305,6 +306,13 @@ ExitStatus Subcommands::run_apply(Output output) const {
         output, "batten apply: a file and at least one operation are needed; batten apply --list explains them");
 }
 
+// "--json=no" would ask for JSON.
+void refuse_values_of_flags(CLI::App& program) {
+    for (CLI::App* command : program.get_subcommands([](CLI::App*) { return true; }))
+        for (CLI::Option* option : command->get_options())
+            if (option->get_items_expected_max() == 0) option->disable_flag_override();
+}
+
 // What the process ends with; none where the window is to be opened.
 std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, WindowOptions* window, Output output) {
     CLI::App program("Batten: an interactive editor for B-spline and NURBS curves", "batten");
@@ -322,17 +330,25 @@ std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, W
         profile.emplace(program);
         add_window_options(program, *window);
     }
+    refuse_values_of_flags(program);
     try {
         subcommands.parse(program, words);
+    } catch (const CLI::Success& asked) {
+        program.exit(asked, output.results, output.errors);
+        return ExitStatus::done;
     } catch (const CLI::ParseError& error) {
-        const bool is_done = program.exit(error, output.results, output.errors) == 0;
-        return is_done ? ExitStatus::done : ExitStatus::wrong_usage;
+        return say_wrong_usage(output, usage_problem(program, error));
     }
-    if (const auto status = subcommands.run(output)) return status;
-    if (window != nullptr) {
-        if (!profile->is_given()) return std::nullopt;
+    if (window != nullptr && profile->is_given()) {
         window->profile = profile->options(output);
         return window->profile ? std::nullopt : std::optional(ExitStatus::wrong_usage);
+    }
+    if (const auto problem = problem_of_window_words(program)) return say_wrong_usage(output, *problem);
+    if (const auto status = subcommands.run(output)) return status;
+    if (window != nullptr) {
+        for (const std::filesystem::path& file : window->files)
+            if (const auto problem = problem_of_file(program, file.string())) return say_wrong_usage(output, *problem);
+        return std::nullopt;
     }
     return say_wrong_usage(output,
                            "batten: this build has no window; the subcommands are info, eval, apply, new, convert, "

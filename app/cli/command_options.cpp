@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <optional>
 
+#include "app/editor/words/nearest_name.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
@@ -77,17 +77,12 @@ CLI::Validator length_above_0() {
 CLI::Validator one_of(std::vector<std::string> names) {
     return checked_by([names = std::move(names)](const std::string& text) {
         if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
-        return core::sentence("'{found}' is none of them; possible are {names}",
-                              {{"found", text}, {"names", core::listed_as_alternatives(names)}});
-    });
-}
-
-CLI::Validator existing_file() {
-    return checked_by([](const std::string& text) {
-        std::error_code error;
-        if (std::filesystem::is_directory(text, error)) return core::sentence("{file} is a folder", {{"file", text}});
-        return std::filesystem::exists(text, error) ? std::string()
-                                                    : core::sentence("there is no file {file}", {{"file", text}});
+        const core::Place found("found", text);
+        const core::Place possible("names", core::listed_as_alternatives(names));
+        if (const auto nearest = editor::nearest_name(text, names))
+            return core::sentence("'{found}' is none of them; did you mean '{nearest}'? possible are {names}",
+                                  {found, possible, {"nearest", *nearest}});
+        return core::sentence("'{found}' is none of them; possible are {names}", {found, possible});
     });
 }
 

@@ -21,6 +21,5 @@ CLI::Validator number_within(double least, double most);
 CLI::Validator number_above_0();
 CLI::Validator length_above_0();
 CLI::Validator one_of(std::vector<std::string> names);
-CLI::Validator existing_file();
 
 }  // namespace batten::cli

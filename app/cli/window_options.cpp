@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "app/cli/command_options.h"
+#include "app/cli/usage_problem.h"
 #include "core/base/sentence.h"
 
 namespace batten::cli {
@@ -16,7 +17,6 @@ constexpr std::size_t most_frames = 100000;
 
 void add_window_options(CLI::App& program, WindowOptions& options) {
     program.add_option("files", options.files, "Files to open; the curves of all but the first are added")
-        ->check(existing_file())
         ->type_name("FILE");
     program.add_option("--example", options.example, "Open this example, for instance circle-nurbs")->type_name("NAME");
     program.add_option("--assets", options.assets, "Folder that holds examples/")->type_name("FOLDER");
@@ -34,10 +34,7 @@ void add_window_options(CLI::App& program, WindowOptions& options) {
 ProfileSubcommand::ProfileSubcommand(CLI::App& program) {
     CLI::App* command =
         add_command(program, "profile", "Make a gesture in the window, and print what its frames cost the processor");
-    command->add_option("file", options_.file, "A curve file in Batten's own format")
-        ->required()
-        ->check(existing_file())
-        ->type_name("FILE");
+    command->add_option("file", options_.file, "A curve file in Batten's own format")->required()->type_name("FILE");
     for (const auto& entry : core::Names<editor::ScriptedGesture>::table)
         command->add_flag_callback(
             core::sentence("--{gesture}", {{"gesture", entry.name}}),
@@ -55,6 +52,10 @@ ProfileSubcommand::ProfileSubcommand(CLI::App& program) {
 }
 
 std::optional<ProfileOptions> ProfileSubcommand::options(Output output) const {
+    if (const auto problem = problem_of_file(*command_, options_.file.string())) {
+        output.errors << *problem << '\n';
+        return std::nullopt;
+    }
     if (gestures_.size() != 1) {
         std::vector<std::string> names;
         for (const auto& entry : core::Names<editor::ScriptedGesture>::table)

@@ -96,9 +96,8 @@ class FigureTest(unittest.TestCase):
     def refused(self, status, sentence, *options, file=WAVE, output="x.svg"):
         process = run("figure", file, "-o", output if output == "-" else self.folder / output, *options)
         self.assertEqual((process.returncode, process.stdout), (status, ""), options)
-        told = process.stderr.removesuffix("Run with --help or --help-all for more information.\n")
-        self.assertIn(sentence, told)
-        self.assertEqual(told.count("\n"), 1)
+        self.assertIn(sentence, process.stderr)
+        self.assertEqual(process.stderr.count("\n"), 1)
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def needs(self, *programs):
