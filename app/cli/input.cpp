@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include "app/cli/standard_streams.h"
+#include "app/editor/words/unknown_curve.h"
 #include "core/base/sentence.h"
 #include "exchange/curve_file.h"
 
@@ -58,9 +59,7 @@ std::optional<std::size_t> find_curve(Output output, const std::filesystem::path
     }
     if (name.empty()) return document.active;
     if (const auto index = core::curve_meant_by(document, name)) return index;
-    say_error(output, file, "curves",
-              core::sentence("there is no curve '{name}'; there are {names}",
-                             {{"name", name}, {"names", core::quoted_names(document)}}));
+    say_error(output, file, "curves", editor::unknown_curve(document, name));
     return std::nullopt;
 }
 

@@ -121,7 +121,7 @@ class Operations(unittest.TestCase):
         self.assertEqual(run("eval", self.output, "--curve", 1, "--at", 0.5).stdout, "0.5\t1.5\t2\n")
         self.assertEqual(run("eval", self.output, "--curve", 0, "--at", 0.5).stdout, "0.5\t0.5\t0.5\n")
         self.assertIn("5", run("apply", self.output, "--curve", 1, "arc-length").stdout)
-        self.assertIn("there is no curve '2'; there are 'line', 'line 2'", run("eval", self.output, "--curve", 2, "--at", 0).stderr)
+        self.assertIn("there is no curve '2'; there are 'line', 'line 2', with the numbers 0 to 1\n", run("eval", self.output, "--curve", 2, "--at", 0).stderr)
 
     def test_an_exact_name_comes_before_a_number(self):
         self.made("line 0 0 1 1 line 0 0 3 4 rename-curve 1 0")

@@ -134,7 +134,7 @@ class Subcommands(unittest.TestCase):
     def test_input_that_is_wrong_ends_with_1_and_a_sentence(self):
         self.assertEqual(self.refused(1, "eval", self.file, "--at", 1.5),
                          f"{self.file}: curve 'quarter': the parameter 1.5 is outside the domain; it must be from 0 to 1\n")
-        self.assertIn("there is no curve 'x'; there are 'quarter', 'line'", self.refused(1, "eval", self.file, "--at", 0, "--curve", "x"))
+        self.assertIn("there is no curve 'x'; there are 'quarter', 'line', with the numbers 0 to 1\n", self.refused(1, "eval", self.file, "--at", 0, "--curve", "x"))
         self.assertIn("cannot be opened", self.refused(1, "info", self.folder / "none.json"))
         broken = write_document(self.folder / "broken.json", {**LINE, "knots": [0, 0, 2, 1]})
         self.assertRegex(self.refused(1, "check", broken), r"^.*broken\.json: /curves/0/knots/3: .*decrease")

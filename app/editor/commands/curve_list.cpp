@@ -10,6 +10,7 @@
 #include "app/editor/state/selected_parts.h"
 #include "app/editor/words/formula.h"
 #include "app/editor/words/refusal.h"
+#include "app/editor/words/unknown_curve.h"
 #include "core/base/sentence.h"
 #include "core/edit/point_edit.h"
 
@@ -41,8 +42,7 @@ std::optional<Refusal> no_other_curve(const EditorState& state) {
 Outcome<std::size_t> curve_named(const EditorState& state, const std::string& name) {
     const core::Document& document = state.history.present();
     if (const auto index = core::curve_meant_by(document, name)) return *index;
-    return tl::unexpected(core::sentence("there is no curve '{name}'; there are {names}",
-                                         {{"name", name}, {"names", core::quoted_names(document)}}));
+    return tl::unexpected(unknown_curve(document, name));
 }
 
 std::vector<core::DocumentCurve> entries_of_parts(const core::DocumentCurve& entry, std::vector<core::Curve> parts,

@@ -4,6 +4,7 @@
 #include "app/editor/fields/field.h"
 #include "app/editor/state/state.h"
 #include "app/editor/words/length.h"
+#include "app/editor/words/unknown_curve.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
@@ -138,8 +139,7 @@ std::optional<Refusal> check_choice(const Field& field, const std::string& value
 std::optional<Refusal> check_curve_name(const std::string& value, const EditorState& state) {
     const core::Document& document = state.history.present();
     if (core::curve_meant_by(document, value)) return std::nullopt;
-    return sentence("there is no curve '{name}'; there are {names}",
-                    {{"name", value}, {"names", core::quoted_names(document)}});
+    return unknown_curve(document, value);
 }
 
 std::optional<Refusal> check_color(const Field& field, const std::string& value) {

@@ -82,7 +82,7 @@ TEST_F(CombineCommands, say_what_cannot_be_combined) {
     EXPECT_FALSE(editor_.run(IntersectShapes{.others = "far"}));
     EXPECT_EQ(message(), "nothing would be left of 'a'");
     EXPECT_FALSE(editor_.run(Unite{.others = "b, nobody"}));
-    EXPECT_EQ(message(), "there is no curve 'nobody'; there are 'a', 'line', 'b', 'far'");
+    EXPECT_EQ(message(), "there is no curve 'nobody'; there are 'a', 'line', 'b', 'far', with the numbers 0 to 3");
     EXPECT_TRUE(editor_.run(ActivateCurve{.index = 1}));
     EXPECT_FALSE(editor_.run(Unite{}));
     EXPECT_EQ(message(), "'line' is not closed and encloses nothing; its ends must meet");

@@ -103,7 +103,7 @@ TEST_F(JointCommands, match_refuses_what_cannot_be_matched) {
     EXPECT_FALSE(type("match line G1"));
     EXPECT_EQ(said(), "'line' is the active curve; name another one");
     EXPECT_FALSE(type("match nobody G1"));
-    EXPECT_EQ(said(), "there is no curve 'nobody'; there are 'line', 'arc', 'corner', 'bar'");
+    EXPECT_EQ(said(), "there is no curve 'nobody'; there are 'line', 'arc', 'corner', 'bar', with the numbers 0 to 3");
     ASSERT_TRUE(run(ActivateCurve{.index = 1}));
     EXPECT_FALSE(type("match line G1"));
     EXPECT_EQ(said(), "curve 'arc' is locked; unlock it in the inspector");

@@ -152,7 +152,8 @@ TEST_F(PieceCommands, join_gives_the_continuity_asked_for) {
 
 TEST_F(PieceCommands, join_refuses_what_it_cannot_take) {
     EXPECT_FALSE(run(Join{.other = "nobody", .continuity = core::JoinContinuity::c0}));
-    EXPECT_EQ(state().message.text, "there is no curve 'nobody'; there are 'parabola', 'line', 'fixed'");
+    EXPECT_EQ(state().message.text,
+              "there is no curve 'nobody'; there are 'parabola', 'line', 'fixed', with the numbers 0 to 2");
     EXPECT_FALSE(run(Join{.other = "parabola", .continuity = core::JoinContinuity::c0}));
     EXPECT_FALSE(run(Join{.other = "fixed", .continuity = core::JoinContinuity::c0}));
     EXPECT_FALSE(type("join line C3"));
