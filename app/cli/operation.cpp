@@ -7,6 +7,7 @@
 #include "app/editor/command_reader.h"
 #include "app/editor/command_table.h"
 #include "app/editor/fields/field_text.h"
+#include "app/editor/words/nearest_name.h"
 #include "core/base/sentence.h"
 
 namespace batten::cli {
@@ -49,6 +50,13 @@ bool can_mean(const Field& field, const std::string& word) {
     return editor::read_field(field, arguments).has_value();
 }
 
+std::vector<std::string> names_of_operations() {
+    std::vector<std::string> names;
+    for (const editor::CommandSpec& spec : editor::command_table())
+        if (spec.offered.scripts) names.emplace_back(spec.name);
+    return names;
+}
+
 }  // namespace
 
 const editor::CommandSpec* operation_called(const std::string& name) {
@@ -75,18 +83,23 @@ void OperationReader::skip_mark() {
 
 editor::Refusal OperationReader::no_operation() const {
     const core::Place word("word", words_[next_]);
+    if (!before_.empty() && left_out_ != nullptr)
+        return sentence(
+            "'{word}' after '{before}' is neither an operation nor a value of {name}, for which {needed} is needed; "
+            "batten apply --list explains all operations",
+            {word,
+             {"before", before_},
+             {"name", left_out_->parts.front().name},
+             {"needed", editor::needed_text(*left_out_)}});
+    if (const auto nearest = editor::nearest_name(words_[next_], names_of_operations()))
+        return sentence(
+            "'{word}' is not an operation; did you mean '{nearest}'? batten apply --list explains all of "
+            "them",
+            {word, {"nearest", *nearest}});
     if (before_.empty())
         return sentence("'{word}' is not an operation; batten apply --list explains all of them", {word});
-    if (left_out_ == nullptr)
-        return sentence("'{word}' after '{before}' is not an operation; batten apply --list explains all of them",
-                        {word, {"before", before_}});
-    return sentence(
-        "'{word}' after '{before}' is neither an operation nor a value of {name}, for which {needed} is needed; "
-        "batten apply --list explains all operations",
-        {word,
-         {"before", before_},
-         {"name", left_out_->parts.front().name},
-         {"needed", editor::needed_text(*left_out_)}});
+    return sentence("'{word}' after '{before}' is not an operation; batten apply --list explains all of them",
+                    {word, {"before", before_}});
 }
 
 // Whether the next word is an argument of the operation, of which `given` are there already.

@@ -139,6 +139,8 @@ class Operations(unittest.TestCase):
     def test_an_unknown_word_is_named_with_what_could_stand_there(self):
         for words, part in (
             ("frobnicate", "'frobnicate' is not an operation; batten apply --list"),
+            ("elevat 1", "'elevat' is not an operation; did you mean 'elevate'? batten apply --list"),
+            ("line 0 0 1 1 insrt-knot 0.5", "'insrt-knot' is not an operation; did you mean 'insert-knot'? batten apply --list"),
             ("line 0 0 1 1 frobnicate", "'frobnicate' after 'line 0 0 1 1' is not an operation"),
             ("line 0 0 1 1 insert-knot frobnicate", "'frobnicate' after 'insert-knot' is neither an operation nor a value of u, for which a number is needed"),
             ("line 0 0 1 1 clamp strat", "'strat' after 'clamp' is neither an operation nor a value of end, for which start, end or both is needed"),
