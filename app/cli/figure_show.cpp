@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 #include <string_view>
-#include <vector>
 
+#include "app/editor/words/nearest_name.h"
 #include "core/base/ascii.h"
 #include "core/base/sentence.h"
 
@@ -128,25 +128,28 @@ std::string alternatives(const Table& table) {
     return core::listed_as_alternatives(names);
 }
 
-std::string words_of_show() {
-    std::vector<std::string> names;
-    for (const ShownPart& entry : shown_parts) names.emplace_back(entry.name);
-    for (const ShownContent& entry : shown_contents) names.emplace_back(entry.name);
-    names.emplace_back(basis_word);
-    for (const OverlayAlias& entry : overlay_aliases) names.emplace_back(entry.name);
-    for (const auto& entry : core::Names<Overlay>::table)
-        if (is_seen_at_all(entry.value)) names.emplace_back(entry.name);
-    return core::listed_as_alternatives(names);
-}
-
+/// None of nothing but blanks.
 std::vector<std::string> words_between_commas(std::string_view text) {
     std::vector<std::string> words;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(','), text.size());
-        if (const std::string_view word = core::trimmed(text.substr(0, end)); !word.empty()) words.emplace_back(word);
-        text.remove_prefix(std::min(end + 1, text.size()));
+    if (core::trimmed(text).empty()) return words;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        words.emplace_back(core::trimmed(text.substr(begin, end - begin)));
+        begin = end + 1;
     }
     return words;
+}
+
+std::string unknown_name(const std::string& word) {
+    if (const auto nearest = editor::nearest_name(word, names_to_show()))
+        return sentence(
+            "--show: there is nothing called '{name}' to show; did you mean '{nearest}'? 'batten figure "
+            "--help' lists all that can be shown",
+            {{"name", word}, {"nearest", *nearest}});
+    return sentence(
+        "--show: there is nothing called '{name}' to show; 'batten figure --help' lists all that can be "
+        "shown",
+        {{"name", word}});
 }
 
 /// Puts what `word` names into the order, and returns where it is seen.
@@ -164,9 +167,7 @@ tl::expected<Sight, std::string> take_word(FigureOrder& order, const std::string
         order.*content->content = true;
         return on_curve;
     }
-    if (!overlay)
-        return tl::unexpected(sentence("--show: there is nothing called '{name}' to show; what can be shown is {names}",
-                                       {{"name", word}, {"names", words_of_show()}}));
+    if (!overlay) return tl::unexpected(unknown_name(word));
     if (!is_seen_at_all(*overlay))
         return tl::unexpected(sentence("--show: '{name}' is seen in the window only, as a card or where the pointer is",
                                        {{"name", word}}));
@@ -206,11 +207,28 @@ Checked read_word(FigureOrder& order, const std::string& word, bool has_chosen_v
 
 }  // namespace
 
+std::vector<std::string> names_to_show() {
+    std::vector<std::string> names;
+    for (const ShownPart& entry : shown_parts) names.emplace_back(entry.name);
+    for (const ShownContent& entry : shown_contents) names.emplace_back(entry.name);
+    names.emplace_back(basis_word);
+    for (const OverlayAlias& entry : overlay_aliases) names.emplace_back(entry.name);
+    for (const auto& entry : core::Names<Overlay>::table)
+        if (is_seen_at_all(entry.value)) names.emplace_back(entry.name);
+    return names;
+}
+
 Checked read_show_and_view(FigureOrder& order, const FigureOptions& options) {
     if (auto chosen = read_chosen_view(order, options.view); !chosen) return chosen;
     const std::string usual = order.form.view == FigureView::basis ? "" : usual_words;
-    for (const std::string& word : words_between_commas(options.show.value_or(usual)))
+    const std::string given = options.show.value_or(usual);
+    for (const std::string& word : words_between_commas(given)) {
+        if (word.empty())
+            return tl::unexpected(sentence(
+                "--show: a name is missing beside a comma of '{found}'; names stand between commas, as in {usual}",
+                {{"found", given}, {"usual", usual_words}}));
         if (auto read = read_word(order, word, !options.view.empty()); !read) return read;
+    }
     if (order.parts.legend && !order.overlays.is_shown(Overlay::construction))
         return tl::unexpected(
             std::string("--show: 'legend' tells what the colors of 'deboor' mean, which is not shown"));

@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command_options.h"
+#include "app/cli/figure_show.h"
+#include "core/base/sentence.h"
 
 namespace batten::cli {
 
@@ -14,11 +16,11 @@ constexpr double most_frame_rate = 100.0;
 
 void add_pictured(CLI::App& command, FigureOptions& options) {
     command
-        .add_option("--show", options.show,
-                    "What is shown beside the curve, between commas: points, legend, parameter, arrow, pictures, "
-                    "guides, basis, "
-                    "and overlays by their names, such as polygon, labels, knots, hull, deboor or comb (default: "
-                    "polygon,points,labels)")
+        .add_option(
+            "--show", options.show,
+            core::sentence("What is shown beside the curve, several of these with commas between them (default: "
+                           "polygon,points,labels): {names}",
+                           {{"names", core::listed_as_alternatives(names_to_show())}}))
         ->type_name("NAMES");
     command.add_option("--at", options.at, "The parameter at which the curve is marked")->type_name("U");
     command.add_option("--curve", options.curve, "The name or number of the curve, instead of the active one")

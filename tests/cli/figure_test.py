@@ -481,7 +481,12 @@ class Animations(FigureTest):
 class Refusals(FigureTest):
     def test_wrong_words(self):
         for sentence, options in (
-            ("nothing called 'foo' to show; what can be shown is points, legend,", ("--show", "points,foo")),
+            ("--show: there is nothing called 'foo' to show; 'batten figure --help' lists all that can be shown\n", ("--show", "points,foo")),
+            ("nothing called 'polygn' to show; did you mean 'polygon'? ", ("--show", "polygn,knots")),
+            ("nothing called 'debor' to show; did you mean 'deboor'? ", ("--show", "debor")),
+            ("--show: a name is missing beside a comma of 'polygon,,knots'; names stand between commas, as in polygon,points,labels", ("--show", "polygon,,knots")),
+            ("a name is missing beside a comma of 'polygon,'", ("--show", "polygon,")),
+            ("a name is missing beside a comma of ' , '", ("--show", " , ")),
             ("--at: nan:", ("--at", "nan")),
             ("--at: 1e999:", ("--at", "1e999")),
             ("at most 10000 pixels", ("--size", "100000x100000")),
@@ -518,6 +523,16 @@ class Refusals(FigureTest):
         self.refused(2, "--scale: nan is no number above 0", "--scale", "nan", output="x.png")
         self.refused(2, "x-%03d.png' is a pattern for the frames that --animate makes", output="x-%03d.png")
         self.refused(2, "%d-%d.svg' has 2 places for the number of a frame; one is needed", "--animate", "u=0..1", output="%d-%d.svg")
+
+    def test_the_help_lists_all_that_can_be_shown(self):
+        text = run("figure", "--help").stdout
+        for name in ("polygon", "curvature-comb", "comb", "osculating-circle", "legend", "rulers"):
+            self.assertIn(f" {name}", text.partition("--show")[2].partition("--at")[0])
+
+    def test_nothing_is_shown_beside_the_curve(self):
+        process = run("figure", WAVE, "-o", "-", "--format", "svg", "--show", "")
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        self.assertNotIn("<text", process.stdout)
 
     def test_wrong_input(self):
         self.refused(1, "the parameter 1.5 is outside the domain; it must be from 0 to 1", "--at", "1.5")
