@@ -1,6 +1,8 @@
 #include "exchange/cad/cad_files.h"
 
 #include <algorithm>
+#include <charconv>
+#include <functional>
 #include <span>
 
 #include "exchange/cad/cad_curves.h"
@@ -16,6 +18,9 @@ namespace {
 constexpr core::PluralPattern not_held{
     "'{place}' was left out: read from such a file, its numbers make no curve",
     "{count} curves were left out: read from such a file, their numbers make no curves; the first one is '{place}'"};
+constexpr core::PluralPattern not_tried{
+    "'{place}' was left out, since too many others make no curves in such a file",
+    "{count} curves were left out, since too many others make no curves in such a file; the first one is '{place}'"};
 constexpr core::PluralPattern read_otherwise{
     "'{place}' is read from the file otherwise than it was written: OpenCASCADE takes ends nearer than 1e-7, and "
     "weights that differ in the last digit, for equal",
@@ -42,54 +47,71 @@ core::Document cad_document(core::LengthUnit unit, std::span<const CadCurve> cur
 // What is written, and what is read from it again.
 struct WrittenAndRead {
     Exported written{};
-    std::vector<core::DocumentCurve> copies{};  // none where one of the curves does not come back
+    std::vector<core::DocumentCurve> copies{};  // none where the file cannot be read
 };
 
-core::FileResult<WrittenAndRead> written_and_read(const CadFormat& format, core::LengthUnit unit,
-                                                  std::span<const CadCurve> curves) {
-    return write_through_occt(format.name, cad_document(unit, curves)).map([&](Exported written) {
+core::FileResult<WrittenAndRead> written_and_read(const CadFormat& format, const core::Document& document) {
+    return write_through_occt(format.name, document).map([&](Exported written) {
         auto copy = format.read(written.text);
         WrittenAndRead result{std::move(written)};
-        if (copy && copy->document.curves.size() == curves.size()) result.copies = std::move(copy->document.curves);
+        if (copy) result.copies = std::move(copy->document.curves);
         return result;
     });
 }
 
-// Parts the curves until those are found that do not come back; after so many tries, what is left is given up.
+// Finds the curves that do not come back. Those that are only missing show at once. Those for whose sake nothing can be
+// read are found by halves, a few tries for each of them; after so many tries, what is left is given up.
 class LostCurves {
   public:
     LostCurves(const CadFormat& format, CadCurves& curves) : format_(format), curves_(curves) {}
 
     void leave_out() {
-        std::vector<CadCurve> all = std::move(curves_.curves);
+        const std::vector<CadCurve> all = std::move(curves_.curves);
         curves_.curves.clear();
-        sort_halves(all);
+        sort(all);
     }
 
   private:
-    void sort(std::span<CadCurve> part) {
-        if (tries_ > 0 && --tries_ > 0 && comes_back(part))
-            curves_.curves.insert(curves_.curves.end(), part.begin(), part.end());
-        else if (part.size() == 1 || tries_ == 0)
-            for (const CadCurve& curve : part) curves_.notes.add(not_held, [&] { return curve.name; });
-        else
-            sort_halves(part);
+    void sort(std::span<const CadCurve> part) {
+        if (tries_ == 0) return leave_out(part, not_tried);
+        --tries_;
+        const std::vector<bool> is_there = come_back(part);
+        if (part.size() > 1 && std::ranges::none_of(is_there, std::identity())) return sort_halves(part);
+        for (std::size_t i = 0; i < part.size(); ++i)
+            if (is_there[i])
+                curves_.curves.push_back(part[i]);
+            else
+                leave_out(part.subspan(i, 1), not_held);
     }
 
-    void sort_halves(std::span<CadCurve> part) {
+    void sort_halves(std::span<const CadCurve> part) {
         const std::size_t half = part.size() / 2;
-        if (half > 0) sort(part.first(half));
+        sort(part.first(half));
         sort(part.subspan(half));
     }
 
-    bool comes_back(std::span<const CadCurve> part) const {
-        const auto result = written_and_read(format_, curves_.unit, part);
-        return result && !result->copies.empty();
+    void leave_out(std::span<const CadCurve> part, const core::PluralPattern& why) {
+        for (const CadCurve& curve : part) curves_.notes.add(why, [&] { return curve.name; });
+    }
+
+    // Which of them are in a file of all; in it they are named by their numbers.
+    std::vector<bool> come_back(std::span<const CadCurve> part) const {
+        std::vector<bool> is_there(part.size(), false);
+        core::Document document = cad_document(curves_.unit, part);
+        for (std::size_t i = 0; i < part.size(); ++i) document.curves[i].name = std::to_string(i);
+        const auto result = written_and_read(format_, document);
+        if (!result) return is_there;
+        for (const core::DocumentCurve& copy : result->copies) {
+            std::size_t i = part.size();
+            std::from_chars(copy.name.data(), copy.name.data() + copy.name.size(), i);
+            if (i < part.size()) is_there[i] = true;
+        }
+        return is_there;
     }
 
     const CadFormat& format_;
     CadCurves& curves_;
-    int tries_ = 200;
+    int tries_ = 100;
 };
 
 Exported with_report(CadCurves& curves, WrittenAndRead result) {
@@ -110,14 +132,16 @@ Exported with_report(CadCurves& curves, WrittenAndRead result) {
 core::FileResult<Exported> write_cad(const CadFormat& format, const core::Document& document) {
     auto curves = cad_curves(document);
     if (!curves) return tl::unexpected(curves.error());
-    auto result = written_and_read(format, curves->unit, curves->curves);
-    if (result && result->copies.empty()) {
+    const auto written = [&] { return written_and_read(format, cad_document(curves->unit, curves->curves)); };
+    auto result = written();
+    if (result && result->copies.size() != curves->curves.size()) {
         LostCurves(format, *curves).leave_out();
         if (curves->curves.empty()) return refused_file(curves->notes.sentences().back());
-        result = written_and_read(format, curves->unit, curves->curves);
+        result = written();
     }
     if (!result) return tl::unexpected(result.error());
-    if (result->copies.empty()) return refused_file("the file that was made does not give its curves back");
+    if (result->copies.size() != curves->curves.size())
+        return refused_file("the file that was made does not give its curves back");
     return with_report(*curves, *std::move(result));
 }
 
