@@ -15,7 +15,8 @@ struct CubicFit {
 
 /// The cubic from the first to the last point of `piece`, a Bézier curve, with its tangents there. The error is bounded
 /// by control points of the difference of both, in which the parameter of the cubic is matched to that of the curve, a
-/// few times halved until the bound is within `wanted`. It is infinite where numbers are beyond doubles. Cost O(p).
+/// few times halved until the bound is within `wanted`; the rounding of these steps is in it. It is infinite where
+/// numbers are beyond doubles. Cost O(p^2).
 CubicFit cubic_fit(const core::Curve& piece, double wanted);
 
 /// The Bézier curve with the same points that draws the same by a parameter from 0 to 1 of its own (a linear rational

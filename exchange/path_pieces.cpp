@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/curve/control_box.h"
 #include "core/evaluate/bezier_pieces.h"
 #include "core/refine/split.h"
 #include "exchange/cubic_fit.h"
@@ -87,10 +88,36 @@ bool all_equal(std::span<const double> weights) {
     return std::ranges::all_of(weights, [&](double weight) { return weight == weights.front(); });
 }
 
+// How far what is computed of a curve may be from it by rounding, after steps that each put a point between two others:
+// main + share (other - main), with a share of 1/2 at most. The sum is rounded by half an epsilon of the largest
+// coordinate, in the plane of 0.71 epsilon. The rest is of the size of the curve alone: 13 roundings of the second term
+// by half an epsilon of half of it, in the plane 4.6; and 6 of the new weight, which moves the curve by 3.
+class StepRounding {
+  public:
+    explicit StepRounding(const core::Curve& curve) : p_(static_cast<double>(curve.degree())) {
+        constexpr double epsilon = std::numeric_limits<double>::epsilon();
+        const core::Box box = core::control_box(curve);
+        const double half_size = core::robust_length(box.upper - core::middle(box.lower, box.upper));
+        of_step_ = epsilon * farthest_coordinate(curve.control_points()) + 16.0 * epsilon * half_size;
+    }
+
+    // For a half of a half ... of the Bézier curve over a span. To get that, p knots are inserted at both of its ends,
+    // where the last of them rests on p, p - 1, ... steps at the knots after it; a halving takes p steps. The ends of
+    // spans are moved onto those of their neighbors, which are as far off themselves.
+    double after(int halvings) const {
+        const double of_span = p_ * (p_ + 1.0) / 2.0 + p_;
+        return (3.0 * of_span + p_ * halvings) * of_step_;
+    }
+
+  private:
+    double p_;
+    double of_step_ = 0.0;
+};
+
 class PathMaker {
   public:
-    PathMaker(double tolerance, Arcs arcs, std::size_t most_halvings)
-        : tolerance_(tolerance), arcs_(arcs), halvings_left_(most_halvings) {}
+    PathMaker(const core::Curve& curve, double tolerance, Arcs arcs, std::size_t most_halvings)
+        : rounding_(curve), tolerance_(tolerance), arcs_(arcs), halvings_left_(most_halvings) {}
 
     // The piece over one span.
     void add(std::span<const Point> points, std::span<const double> weights, bool is_torn) {
@@ -141,7 +168,8 @@ class PathMaker {
     }
 
     void add_halves(const core::Curve& curve, double unit, int halvings = most_halvings_of_one) {
-        const double wanted = std::max(rounding_of(curve), tolerance_ / unit);
+        const double rounding = rounding_.after(most_halvings_of_one - halvings);
+        const double wanted = std::max(rounding_of(curve), std::max(tolerance_ - rounding, 0.5 * tolerance_) / unit);
         const CubicFit fit = cubic_fit(curve, wanted);
         if (fit.error > wanted && halvings > 0 && halvings_left_ > 0 && std::isfinite(fit.error)) {
             if (const auto halves = core::split(curve, 0.5)) {
@@ -155,9 +183,10 @@ class PathMaker {
                                [unit](Point point) { return Point(point.x * unit, point.y * unit); });
         if (!made_.pieces.empty()) piece.points[0] = made_.pieces.back().end();
         made_.pieces.push_back(piece);
-        made_.error = std::max(made_.error, fit.error * unit);
+        made_.error = std::max(made_.error, fit.error * unit + rounding);
     }
 
+    StepRounding rounding_;
     double tolerance_;
     Arcs arcs_;
     std::size_t halvings_left_;
@@ -170,7 +199,7 @@ PathPieces path_pieces(const core::Curve& curve, double tolerance, Arcs arcs, st
     const core::KnotVector& knots = curve.knots();
     const auto p = static_cast<std::size_t>(curve.degree());
     const core::BezierPieces spans = core::bezier_pieces(curve);
-    PathMaker maker(tolerance, arcs, most_halvings);
+    PathMaker maker(curve, tolerance, arcs, most_halvings);
     for (std::size_t k = 0; k < spans.size(); ++k) {
         const std::size_t span = spans.span(k);
         const bool is_torn = k > 0 && knots[span - p] == knots[span];

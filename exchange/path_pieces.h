@@ -28,8 +28,8 @@ struct PathPiece {
 
 struct PathPieces {
     std::vector<PathPiece> pieces;  ///< in order
-    double error = 0.0;  ///< no point of the curve is farther from the pieces, nor the other way round; 0 where they
-                         ///< are the curve itself but for rounding; infinite beyond doubles
+    double error = 0.0;  ///< no point of the curve is farther from the pieces, nor the other way round, rounding and
+                         ///< all; 0 where they are the curve itself but for rounding; infinite beyond doubles
 };
 
 /// Whether arcs of circles are told as such.
