@@ -27,7 +27,7 @@ class Fingerprint {
   public:
     void add(std::string_view bytes) {
         hash_ = core::hash_of(bytes, hash_);
-        hash_ = core::hash_of(std::string_view("", 1), hash_);
+        hash_ = core::hash_of(std::string_view("\0", 1), hash_);
     }
 
     void add(std::uint64_t number) {

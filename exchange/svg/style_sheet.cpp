@@ -13,7 +13,7 @@ namespace batten::exchange {
 namespace {
 
 // More values are left out, so that a file cannot take all memory.
-constexpr std::size_t most_values = 1'000'000;
+constexpr std::size_t most_sheet_values = 1'000'000;
 
 // The text in `style`, with a blank in place of each comment.
 std::string text_of(const pugi::xml_node& style) {
@@ -132,7 +132,7 @@ void StyleSheet::add_rule(std::string_view selectors, std::string_view declarati
         const std::string_view selector =
             core::trimmed(taken(selectors, std::min(selectors.find(','), selectors.size())), svg_blanks);
         const auto specificity = specificity_of(selector);
-        if (!specificity || value_count_ >= most_values) {
+        if (!specificity || value_count_ >= most_sheet_values) {
             notes.add(svg_loss::style_rule, [&] { return quoted(selector); });
             continue;
         }
