@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 
+#include "render/first_sign.h"
 #include "render/label_runs.h"
 #include "render/lean_path.h"
 #include "render/prose.h"
@@ -33,16 +34,50 @@ cairo_status_t append(void* text, const unsigned char* data, unsigned int length
     return CAIRO_STATUS_SUCCESS;
 }
 
-void take_font(cairo_t* cairo, double size_px, LabelFont font) {
-    cairo_select_font_face(cairo, font == LabelFont::number ? "JetBrains Mono" : "Inter", CAIRO_FONT_SLANT_NORMAL,
+void take_font(cairo_t* cairo, double size_px, LabelFont font, const char* family) {
+    cairo_select_font_face(cairo, family, CAIRO_FONT_SLANT_NORMAL,
                            font == LabelFont::bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cairo, size_px);
 }
 
-double advance_of(cairo_t* cairo, std::string_view text) {
-    cairo_text_extents_t extents{};
-    cairo_text_extents(cairo, std::string(text).c_str(), &extents);
-    return extents.x_advance;
+/// Whether the font that is taken has a glyph for `sign`.
+bool has_glyph(cairo_t* cairo, std::string_view sign) {
+    if (sign.size() < 2) return true;
+    cairo_glyph_t* glyphs = nullptr;
+    int count = 0;
+    cairo_scaled_font_text_to_glyphs(cairo_get_scaled_font(cairo), 0.0, 0.0, sign.data(), static_cast<int>(sign.size()),
+                                     &glyphs, &count, nullptr, nullptr, nullptr);
+    const bool has_one = count > 0 && glyphs[0].index != 0;
+    cairo_glyph_free(glyphs);
+    return has_one;
+}
+
+/// Calls visit(stretch) for the stretches of `text` that are of one font, with that font taken: signs that the
+/// interface's font lacks are those of another, since Cairo looks for no other font by itself.
+template <class Visit>
+void for_each_stretch(cairo_t* cairo, std::string_view text, double size_px, LabelFont font, const Visit& visit) {
+    const char* family = font == LabelFont::number ? "JetBrains Mono" : "Inter";
+    const auto is_lacking = [&](std::string_view sign) { return !has_glyph(cairo, sign); };
+    while (!text.empty()) {
+        take_font(cairo, size_px, font, family);
+        const bool is_other = is_lacking(first_sign(text));
+        std::size_t size = 0;
+        while (size < text.size() && is_lacking(first_sign(text.substr(size))) == is_other)
+            size += first_sign(text.substr(size)).size();
+        if (is_other) take_font(cairo, size_px, font, "DejaVu Sans");
+        visit(std::string(text.substr(0, size)));
+        text.remove_prefix(size);
+    }
+}
+
+double advance_of(cairo_t* cairo, std::string_view text, double size_px, LabelFont font) {
+    double sum = 0.0;
+    for_each_stretch(cairo, text, size_px, font, [&](const std::string& stretch) {
+        cairo_text_extents_t extents{};
+        cairo_text_extents(cairo, stretch.c_str(), &extents);
+        sum += extents.x_advance;
+    });
+    return sum;
 }
 
 double share_left_of(Anchor anchor) {
@@ -210,13 +245,14 @@ class Painter {
         for (const LabelRun& run : label_runs(label.text)) {
             if (!run.is_stacked) start = end;
             const bool is_script = run.script != Script::none;
-            take_font(cairo_, (is_script ? script_size : 1.0) * label.size_px, label.font);
+            const double size = (is_script ? script_size : 1.0) * label.size_px;
             const double shift = !is_script ? 0.0 : run.script == Script::sub ? script_shift : -script_shift;
             if (is_shown) {
                 cairo_move_to(cairo_, start, label.position.y + (shift + baseline_drop) * label.size_px);
-                cairo_show_text(cairo_, std::string(run.text).c_str());
+                for_each_stretch(cairo_, run.text, size, label.font,
+                                 [&](const std::string& stretch) { cairo_show_text(cairo_, stretch.c_str()); });
             }
-            end = std::max(end, start + advance_of(cairo_, run.text));
+            end = std::max(end, start + advance_of(cairo_, run.text, size, label.font));
         }
         return end - left;
     }
@@ -307,8 +343,7 @@ FigureBytes png_bytes(const Image& image) {
 double text_width(std::string_view text, double size_px, LabelFont font) {
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
     const Context cairo(cairo_create(surface.get()));
-    take_font(cairo.get(), size_px, font);
-    return advance_of(cairo.get(), text);
+    return advance_of(cairo.get(), text, size_px, font);
 }
 
 }  // namespace batten::render

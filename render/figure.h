@@ -28,9 +28,10 @@ struct Figure {
 
 /// What the file of a figure lacks.
 struct FigureLosses {
-    std::vector<std::string> labels{};   ///< that had no room, in the notation of Label
-    std::vector<std::string> letters{};  ///< that the format cannot write, each once
-    bool has_images = false;             ///< images, where the format has none
+    std::vector<std::string> labels{};    ///< that had no room, in the notation of Label
+    std::vector<std::string> letters{};   ///< that the format cannot write, each once
+    std::vector<std::string> commands{};  ///< of formulas, that stand there as they were typed, each once
+    bool has_images = false;              ///< images, where the format has none
 };
 
 /// A page with one picture on it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "render/prose.h"
 #include "render/svg_painter.h"
 #include "render/tex_text.h"
 #include "render/tikz_painter.h"
@@ -22,6 +23,11 @@ constexpr std::array endings{Ending{".svg", FigureFormat::svg}, Ending{".pdf", F
 
 char small_letter(char letter) {
     return 'A' <= letter && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+}
+
+void add_new(std::vector<std::string>& texts, const std::vector<std::string>& more) {
+    for (const std::string& text : more)
+        if (std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
 }
 
 }  // namespace
@@ -49,17 +55,23 @@ FigureBytes figure_bytes(const Figure& figure, FigureFormat format) {
 
 FigureLosses figure_losses(const Figure& figure, FigureFormat format) {
     FigureLosses losses{.labels = figure.unplaced};
-    if (format != FigureFormat::tikz) return losses;
+    const bool is_tikz = format == FigureFormat::tikz;
     for (const FigurePart& part : figure.parts)
         for (const DrawCommand& command : part.list.commands) {
-            losses.has_images = losses.has_images || std::holds_alternative<ImageQuad>(command);
+            losses.has_images = losses.has_images || (is_tikz && std::holds_alternative<ImageQuad>(command));
             const auto* label = std::get_if<Label>(&command);
             if (label == nullptr) continue;
-            for (std::string& letter : letters_without_tex(label->text))
-                if (std::ranges::find(losses.letters, letter) == losses.letters.end())
-                    losses.letters.push_back(std::move(letter));
+            if (is_tikz) add_new(losses.letters, letters_without_tex(label->text));
+            if (!is_tikz && part.is_prose) add_new(losses.commands, unset_commands(label->text));
         }
     return losses;
+}
+
+void add_losses(FigureLosses& losses, const FigureLosses& more) {
+    add_new(losses.labels, more.labels);
+    add_new(losses.letters, more.letters);
+    add_new(losses.commands, more.commands);
+    losses.has_images = losses.has_images || more.has_images;
 }
 
 }  // namespace batten::render

@@ -19,4 +19,7 @@ FigureBytes figure_bytes(const Figure& figure, FigureFormat format);
 /// What that file lacks of the figure.
 FigureLosses figure_losses(const Figure& figure, FigureFormat format);
 
+/// Adds to `losses` what `more` has beside them.
+void add_losses(FigureLosses& losses, const FigureLosses& more);
+
 }  // namespace batten::render

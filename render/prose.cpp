@@ -1,6 +1,10 @@
 #include "render/prose.h"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
+
+#include "render/formula_label.h"
 
 namespace batten::render {
 
@@ -36,20 +40,6 @@ std::optional<std::size_t> end_of_formula(std::string_view text, std::size_t sta
     return can_be_formula(text.substr(start + 1, end - start - 1)) ? std::optional(end) : std::nullopt;
 }
 
-/// "P_3" as "P_{3}".
-std::string with_braces(std::string_view formula) {
-    std::string label;
-    for (std::size_t i = 0; i < formula.size(); ++i) {
-        label += formula[i];
-        const bool is_script = formula[i] == '_' || formula[i] == '^';
-        if (!is_script || i + 1 == formula.size() || formula[i + 1] == '{' || formula[i + 1] == '\\') continue;
-        label += '{';
-        label += formula[++i];
-        label += '}';
-    }
-    return label;
-}
-
 }  // namespace
 
 std::vector<ProsePart> prose_parts(std::string_view prose) {
@@ -72,8 +62,15 @@ std::vector<ProsePart> prose_parts(std::string_view prose) {
 std::string prose_label(std::string_view prose) {
     std::string label;
     for (const ProsePart& part : prose_parts(prose))
-        label += part.is_formula ? with_braces(part.text) : std::string(part.text);
+        label += part.is_formula ? formula_label(part.text).text : std::string(part.text);
     return label;
+}
+
+std::vector<std::string> unset_commands(std::string_view prose) {
+    std::vector<std::string> commands;
+    for (const ProsePart& part : prose_parts(prose))
+        if (part.is_formula) std::ranges::move(formula_label(part.text).unknown, std::back_inserter(commands));
+    return commands;
 }
 
 DrawList set_list(const FigurePart& part) {

@@ -18,8 +18,11 @@ struct ProsePart {
 /// a sign and before no digit, so that prices are none; its braces are balanced, and it has no %, #, & and ~.
 std::vector<ProsePart> prose_parts(std::string_view prose);
 
-/// The text in the notation of Label: "$P_3$ on the curve" as "P_{3} on the curve".
+/// The text in the notation of Label: "$P_3$ on the curve" as "P_{3} on the curve", formulas by formula_label.
 std::string prose_label(std::string_view prose);
+
+/// The commands of its formulas that stand there as they were typed, in order.
+std::vector<std::string> unset_commands(std::string_view prose);
 
 /// What painters that know no formulas draw of a part.
 DrawList set_list(const FigurePart& part);

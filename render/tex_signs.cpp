@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 namespace batten::render {
 
@@ -215,6 +216,30 @@ constexpr std::array text_signs{NamedSign{"&", "\\&"},
                                 NamedSign{"\u2009", "\\,"},
                                 NamedSign{"\u202f", "\\,"}};
 
+/// Other names of the same signs.
+constexpr std::array other_names{NamedSign{"≤", "\\leq"},        NamedSign{"≥", "\\geq"},
+                                 NamedSign{"≠", "\\neq"},        NamedSign{"…", "\\ldots"},
+                                 NamedSign{"…", "\\dotsc"},      NamedSign{"⋯", "\\dotsb"},
+                                 NamedSign{"→", "\\rightarrow"}, NamedSign{"→", "\\longrightarrow"},
+                                 NamedSign{"←", "\\gets"},       NamedSign{"↦", "\\longmapsto"},
+                                 NamedSign{"⇒", "\\implies"},    NamedSign{"⇔", "\\iff"},
+                                 NamedSign{"∧", "\\land"},       NamedSign{"∨", "\\lor"},
+                                 NamedSign{"¬", "\\lnot"},       NamedSign{"ε", "\\varepsilon"},
+                                 NamedSign{"φ", "\\varphi"},     NamedSign{"ϱ", "\\varrho"},
+                                 NamedSign{"∅", "\\varnothing"}, NamedSign{"′", "\\prime"},
+                                 NamedSign{"•", "\\bullet"},     NamedSign{"*", "\\ast"},
+                                 NamedSign{":", "\\colon"},      NamedSign{"|", "\\mid"},
+                                 NamedSign{"|", "\\vert"},       NamedSign{"|", "\\lvert"},
+                                 NamedSign{"|", "\\rvert"},      NamedSign{"‖", "\\Vert"},
+                                 NamedSign{"‖", "\\lVert"},      NamedSign{"‖", "\\rVert"}};
+
+template <class Signs>
+std::optional<std::string_view> sign_in(const Signs& signs, std::string_view name) {
+    const auto* found = std::ranges::find_if(
+        signs, [&](const NamedSign& sign) { return sign.name == name || sign.name == std::string(name) + ' '; });
+    return found == signs.end() ? std::nullopt : std::optional(found->sign);
+}
+
 template <class Signs>
 std::optional<std::string_view> name_in(const Signs& signs, std::string_view sign) {
     const auto* found = std::ranges::find(signs, sign, &NamedSign::sign);
@@ -231,6 +256,27 @@ std::optional<std::string_view> math_sign(std::string_view sign) {
 
 std::optional<std::string_view> text_sign(std::string_view sign) {
     return name_in(text_signs, sign);
+}
+
+std::optional<std::string_view> sign_of_command(std::string_view command) {
+    const std::string name = std::string(1, '\\').append(command);
+    if (const auto sign = sign_in(other_names, name)) return sign;
+    if (const auto sign = sign_in(math_signs, name)) return sign;
+    if (const auto sign = sign_in(ascii_signs, name)) return sign;
+    return sign_in(text_signs, name);
+}
+
+std::optional<std::string_view> blackboard_sign(char letter) {
+    return sign_in(math_signs, std::string("\\mathbf{").append(1, letter).append(1, '}'));
+}
+
+std::optional<std::string_view> script_sign(char kind, std::string_view sign) {
+    return sign_in(math_signs, std::string(1, kind).append(sign == "−" ? "-" : sign));
+}
+
+std::optional<std::string_view> fraction_sign(std::string_view upper, std::string_view lower) {
+    return sign_in(fraction_signs,
+                   std::string("\\frac{").append(upper).append(1, '}').append(1, '{').append(lower).append(1, '}'));
 }
 
 }  // namespace batten::render

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "render/first_sign.h"
 #include "render/label_runs.h"
 #include "render/prose.h"
 #include "render/tex_signs.h"
@@ -29,15 +30,6 @@ bool is_latin(std::string_view sign) {
     if (sign.size() == 1) return ('a' <= sign[0] && sign[0] <= 'z') || ('A' <= sign[0] && sign[0] <= 'Z');
     constexpr std::string_view rare = "ÐðÞþĐđĸŊŋŉĦħŁŦŧĿŀſĄąĘęĮįŲų×÷";
     return sign.size() == 2 && sign >= "À" && sign <= "ž" && rare.find(sign) == std::string_view::npos;
-}
-
-/// The first character, with all its bytes.
-std::string_view first_sign(std::string_view text) {
-    constexpr unsigned going_on = 0x80;
-    constexpr unsigned kind = 0xC0;
-    std::size_t size = std::min<std::size_t>(1, text.size());
-    while (size < text.size() && (static_cast<unsigned char>(text[size]) & kind) == going_on) ++size;
-    return text.substr(0, size);
 }
 
 /// The signs from the beginning on that are of one kind.

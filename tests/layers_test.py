@@ -19,7 +19,8 @@ LAYERS = {
 
 # The part of render that is plain data, open to all above it.
 PICTURE = {"render/draw_list.h", "render/camera.h", "render/clip.h", "render/color.h", "render/coverage_map.h", "render/figure.h",
-           "render/image.h", "render/label_runs.h", "render/orbit_camera.h", "render/pixel_box.h", "render/region_cover.h"}
+           "render/first_sign.h", "render/formula_label.h", "render/image.h", "render/label_runs.h", "render/orbit_camera.h",
+           "render/pixel_box.h", "render/prose.h", "render/region_cover.h", "render/tex_signs.h"}
 
 # The folders of core in the order of reading, with those before each that it may include. What measures, refines, edits and makes knows
 # each other only where an operation stands on another.

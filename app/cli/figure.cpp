@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <ostream>
 
 #include "app/cli/figure_frames.h"
@@ -31,37 +30,19 @@ double share_of(std::size_t frame, std::size_t count) {
     return count < 2 ? 0.0 : static_cast<double>(frame) / static_cast<double>(count - 1);
 }
 
-/// What the frames so far lack, each thing once.
-struct Lacking {
-    render::FigureLosses losses;
-
-    void add(const render::Figure& figure, render::FigureFormat format) {
-        render::FigureLosses more = render::figure_losses(figure, format);
-        add_new(losses.labels, more.labels);
-        add_new(losses.letters, more.letters);
-        losses.has_images = losses.has_images || more.has_images;
-    }
-
-  private:
-    static void add_new(std::vector<std::string>& texts, std::vector<std::string>& more) {
-        for (std::string& text : more)
-            if (std::ranges::find(texts, text) == texts.end()) texts.push_back(std::move(text));
-    }
-};
-
 Written write_still(const FigureFrames& frames, render::FigureFormat format, const FigureOptions& options,
-                    Output output, Lacking& lacking) {
+                    Output output, render::FigureLosses& losses) {
     const render::Figure figure = frames.at(0.0);
-    lacking.add(figure, format);
+    add_losses(losses, render::figure_losses(figure, format));
     const auto bytes = render::figure_bytes(figure, format);
     return bytes ? write(options.result, *bytes, output) : failed(bytes.error());
 }
 
 Written write_frames(const FigureFrames& frames, render::FigureFormat format, const std::filesystem::path& pattern,
-                     std::size_t count, Lacking& lacking) {
+                     std::size_t count, render::FigureLosses& losses) {
     for (std::size_t k = 0; k < count; ++k) {
         const render::Figure figure = frames.at(share_of(k, count));
-        lacking.add(figure, format);
+        add_losses(losses, render::figure_losses(figure, format));
         const auto bytes = render::figure_bytes(figure, format);
         if (!bytes) return failed(bytes.error());
         if (auto written = core::replace_text(frame_name(pattern, k), *bytes); !written) return written;
@@ -70,12 +51,12 @@ Written write_frames(const FigureFrames& frames, render::FigureFormat format, co
 }
 
 Written write_movie(const FigureFrames& frames, const FigureOrder& order, const std::filesystem::path& file,
-                    Output output, Lacking& lacking) {
+                    Output output, render::FigureLosses& losses) {
     auto maker = MovieMaker::make();
     if (!maker) return failed(maker.error());
     for (std::size_t k = 0; k < order.frames; ++k) {
         const render::Figure figure = frames.at(share_of(k, order.frames));
-        lacking.add(figure, render::FigureFormat::png);
+        add_losses(losses, render::figure_losses(figure, render::FigureFormat::png));
         const auto png = render::png_bytes(figure);
         if (!png) return failed(png.error());
         if (const auto added = maker->add(*png); !added) return failed(added.error());
@@ -85,12 +66,12 @@ Written write_movie(const FigureFrames& frames, const FigureOrder& order, const 
 }
 
 Written write_all(const FigureFrames& frames, const FigureOrder& order, const FigureOptions& options, Output output,
-                  Lacking& lacking) {
+                  render::FigureLosses& losses) {
     if (std::holds_alternative<MovieFormat>(order.format))
-        return write_movie(frames, order, options.result, output, lacking);
+        return write_movie(frames, order, options.result, output, losses);
     const auto format = std::get<render::FigureFormat>(order.format);
-    return order.motion ? write_frames(frames, format, options.result, order.frames, lacking)
-                        : write_still(frames, format, options, output, lacking);
+    return order.motion ? write_frames(frames, format, options.result, order.frames, losses)
+                        : write_still(frames, format, options, output, losses);
 }
 
 ExitStatus say_wrong_order(Output output, const std::string& what) {
@@ -129,10 +110,10 @@ ExitStatus figure(const FigureOptions& options, Output output) {
                   frames.error());
         return ExitStatus::wrong_input;
     }
-    Lacking lacking;
-    const Written written = write_all(*frames, *order, options, output, lacking);
+    render::FigureLosses losses;
+    const Written written = write_all(*frames, *order, options, output, losses);
     if (!frames->note().empty()) say_error(output, result_name(options.result), "", frames->note());
-    for (const std::string& note : editor::figure_notes(lacking.losses))
+    for (const std::string& note : editor::figure_notes(losses))
         say_error(output, result_name(options.result), "", note);
     if (written) return ExitStatus::done;
     say_error(output, result_name(options.result), written.error());

@@ -277,6 +277,16 @@ class Svg(FigureTest):
         self.assertEqual(picture.root.find(SVG + "title").text, title)
         self.assertIn(title, picture.texts)
 
+    def test_formulas_of_titles_are_set(self):
+        title = "From $\\alpha_i \\le \\frac{1}{6}$ to $\\sqrt{2}\\in\\mathbb{R}$"
+        picture = Picture(self.figure("a.svg", "--title", title))
+        self.assertIn("From αi ≤ ⅙ to √2 ∈ ℝ", picture.texts)
+        self.assertIn(title, self.figure("a.tex", "--title", title).read_text())
+        told = "\\vec stands in the title as it was typed: these figures set Greek letters, signs such as \\le or \\int, \\frac, \\sqrt, \\mathbb and \\text; LaTeX sets all commands of a TikZ figure\n"
+        for name in ("a.svg", "a.png", "a.pdf"):
+            self.figure(name, "--title", "$\\vec{a}$", told=told)
+        self.figure("a.tex", "--title", "$\\vec{a}$")
+
     def test_themes(self):
         grounds = {theme: Picture(self.figure("a.svg", "--theme", theme)).root.find(f".//{SVG}rect").get("fill") for theme in ("light", "dark", "high-contrast")}
         self.assertEqual(len(set(grounds.values())), 3)
@@ -310,6 +320,7 @@ class Svg(FigureTest):
         self.assertEqual(process.returncode, 0, process.stderr)
         told = "there was no room for 1000 labels or more, among them P₁, P₂, P₃, P₄, P₅, P₆, P₇, P₈; a larger figure may have it\n"
         self.assertLess(self.figure("a.svg", file=document, told=told).stat().st_size, 1_000_000)
+
 
 
 class Pixels(FigureTest):

@@ -115,6 +115,19 @@ TEST(CairoPainter, measures_text) {
     EXPECT_EQ(text_width("", 20.0, LabelFont::text), 0.0);
 }
 
+TEST(CairoPainter, has_signs_that_the_font_of_the_interface_lacks) {
+    const auto png_of = [](const char* text) {
+        DrawList list;
+        list.add(Label{.position = {20, 40}, .text = text, .color = red, .size_px = 30.0F, .font = LabelFont::bold});
+        return png_bytes(page_of(list, {100.0, 80.0}, std::nullopt)).value();
+    };
+    // Signs without a glyph are the same box.
+    EXPECT_NE(png_of("ℝ"), png_of("ℂ"));
+    EXPECT_NE(png_of("∈"), png_of("∇"));
+    EXPECT_NEAR(text_width("aℝ", 20.0, LabelFont::bold),
+                text_width("a", 20.0, LabelFont::bold) + text_width("ℝ", 20.0, LabelFont::bold), 0.01);
+}
+
 TEST(FigureFile, is_known_by_its_ending) {
     EXPECT_EQ(figure_format("a.b/wave.SVG"), FigureFormat::svg);
     EXPECT_EQ(figure_format("wave.pdf"), FigureFormat::pdf);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "render/figure_file.h"
-#include "render/prose.h"
 #include "render/tex_text.h"
 
 namespace batten::render {
@@ -77,8 +76,6 @@ TEST(TexProse, is_text_but_for_what_stands_between_dollar_signs) {
     EXPECT_EQ(tex_prose("${$ and $a}$ and $50%$"),
               "\\symbol{36}$\\{$\\symbol{36} and \\symbol{36}a$\\}$\\symbol{36} and \\symbol{36}50\\%\\symbol{36}")
         << "no formulas";
-    EXPECT_EQ(prose_label("The point $P_3$ of $N_{i,3}$"), "The point P_{3} of N_{i,3}");
-    EXPECT_EQ(prose_label("from $5 to $6"), "from $5 to $6");
 }
 
 TEST(TikzPainter, sets_what_a_user_wrote_as_prose) {

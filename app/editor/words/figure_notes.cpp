@@ -38,12 +38,24 @@ std::string note_on_letters(const std::vector<std::string>& letters) {
         {{"letters", list_of_first(letters)}});
 }
 
+std::string note_on_commands(const std::vector<std::string>& commands) {
+    return core::sentence(
+        {.one =
+             "{commands} stands in the title as it was typed: these figures set Greek letters, signs such as \\le or "
+             "\\int, \\frac, \\sqrt, \\mathbb and \\text; LaTeX sets all commands of a TikZ figure",
+         .many =
+             "{commands} stand in the title as they were typed: these figures set Greek letters, signs such as \\le "
+             "or \\int, \\frac, \\sqrt, \\mathbb and \\text; LaTeX sets all commands of a TikZ figure"},
+        commands.size(), {{"commands", list_of_first(commands)}});
+}
+
 }  // namespace
 
 std::vector<std::string> figure_notes(const render::FigureLosses& losses) {
     std::vector<std::string> notes;
     if (!losses.labels.empty()) notes.push_back(note_on_labels(losses.labels));
     if (!losses.letters.empty()) notes.push_back(note_on_letters(losses.letters));
+    if (!losses.commands.empty()) notes.push_back(note_on_commands(losses.commands));
     if (losses.has_images) notes.emplace_back("TikZ has no images, so the pictures are left out");
     return notes;
 }
