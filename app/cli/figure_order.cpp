@@ -68,7 +68,7 @@ Checked read_size(FigureOrder& order, const FigureOptions& options) {
 Checked check_height(const FigureOrder& order) {
     editor::View view;
     view.overlays = order.overlays;
-    const double least = editor::least_figure_height(view, order.form);
+    const double least = editor::least_figure_height(view, order.form, order.size_px.x);
     if (order.size_px.y >= least) return {};
     return tl::unexpected(sentence("--size: with these parts a figure needs a height of at least {least} pixels",
                                    {{"least", core::shortest_text(least)}}));

@@ -56,7 +56,7 @@ Outcome<void> export_figure(EditorState& state, const ExportFigure& command) {
                           .title = command.title.value_or(""),
                           .theme = command.theme,
                           .size_px = page_size(state, command)};
-    const double least = least_figure_height(state.view, form);
+    const double least = form.size_px ? least_figure_height(state.view, form, form.size_px->x) : 0.0;
     if (form.size_px && form.size_px->y < least)
         return tl::unexpected(core::sentence("with these parts a figure needs a height of at least {least} pixels",
                                              {{"least", core::shortest_text(least)}}));

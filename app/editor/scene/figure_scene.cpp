@@ -3,29 +3,30 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <limits>
+#include <optional>
 
 #include "app/editor/pointer/fit_view.h"
 #include "app/editor/scene/canvas_scene.h"
+#include "app/editor/scene/figure_title.h"
 #include "app/editor/scene/lifted_picture.h"
 #include "app/editor/scene/moving_polygon.h"
 #include "app/editor/scene/plot_scene.h"
-#include "app/editor/scene/text_size.h"
 
 namespace batten::editor {
 
 namespace {
 
 // Design pixels.
-constexpr double figure_title_height = 44.0;
-constexpr double figure_title_size = 18.0;
-constexpr double figure_title_margin = 16.0;
 constexpr double least_plot_height = 160.0;
 constexpr double least_canvas_height = 80.0;
 
-constexpr double plot_share = 0.4;  // of the height, below a curve
+constexpr double plot_share = 0.4;   // of the height, below a curve
+constexpr double title_share = 0.5;  // of the height, at most
 
 /// The heights of what stands one above the other, in pixels of the figure.
 struct FigureHeights {
+    std::optional<FigureTitle> set_title;  ///< none where it has no room
     double title = 0.0;
     double canvas = 0.0;
     double plot = 0.0;
@@ -55,19 +56,22 @@ class FigurePage {
         figure_.size_px = {width_px_, bottom_px_};
     }
 
-    /// As large as it fits in one line.
-    void add_title(double height_px, double scale) {
-        if (height_px <= 0.0) return;
+    void add_title(const FigureHeights& heights, double scale) {
+        figure_.lacks_title = !heights.set_title;
+        if (heights.title <= 0.0) return;
         render::DrawList list;
-        Pen pen(list, {width_px_, height_px}, scale);
-        const double room = std::max(1.0, width_px_ / scale - 2.0 * figure_title_margin);
-        const double width = text_size(form_.title, figure_title_size, render::LabelFont::bold).x;
-        pen.text({0.5 * width_px_, 0.5 * height_px}, form_.title,
-                 {.color = theme_.text,
-                  .size = figure_title_size * std::min(1.0, room / width),
-                  .anchor = render::Anchor::center,
-                  .font = render::LabelFont::bold});
-        add(std::move(list), height_px, theme_.canvas);
+        Pen pen(list, {width_px_, heights.title}, scale);
+        const std::vector<std::string>& lines = heights.set_title->lines;
+        double y = 0.5 * (heights.title - static_cast<double>(lines.size() - 1) * pen.px(heights.set_title->pitch()));
+        for (const std::string& line : lines) {
+            pen.text({0.5 * width_px_, y}, line,
+                     {.color = theme_.text,
+                      .size = heights.set_title->size,
+                      .anchor = render::Anchor::center,
+                      .font = render::LabelFont::bold});
+            y += pen.px(heights.set_title->pitch());
+        }
+        add(std::move(list), heights.title, theme_.canvas);
         figure_.parts.back().is_prose = true;
     }
 
@@ -112,7 +116,7 @@ render::Figure composed(const EditorState& state, const FigureForm& form, const 
     SceneCache cache;
     const double width = state.view.camera.size_px.x;
     FigurePage page(state, form, width);
-    page.add_title(heights.title, state.view.interface_scale);
+    page.add_title(heights, state.view.interface_scale);
     if (form.view == FigureView::homogeneous) {
         page.add(lifted_scene(state, cache), heights.canvas, page.theme().panel);
     } else if (has_canvas(form.view)) {
@@ -153,8 +157,15 @@ void take_size(render::Camera& camera, glm::dvec2 size_px) {
     camera.size_px = size_px;
 }
 
-double title_height(const FigureForm& form) {
-    return form.title.empty() ? 0.0 : figure_title_height * form.scale;
+/// With the title that a page of that width has, on `page_height_px` or beside it.
+FigureHeights heights_with_title(const FigureForm& form, double width_px, double page_height_px) {
+    FigureHeights heights;
+    const double most = title_share * page_height_px;
+    heights.set_title = fitted_title(form.title, width_px / form.scale, most / form.scale);
+    // Whole pixels, between which no seam is seen.
+    if (heights.set_title)
+        heights.title = std::floor(std::min(std::ceil(form.scale * heights.set_title->height()), most));
+    return heights;
 }
 
 /// Of the basis functions, the knots and the other plots.
@@ -163,9 +174,9 @@ double least_height_of_plots(const View& view) {
 }
 
 /// What a page of that height gives to each; nothing gets less than a pixel.
-FigureHeights shared_heights(const View& view, const FigureForm& form, double height_px) {
-    FigureHeights heights{.title = std::min(title_height(form), 0.5 * height_px)};
-    const double rest = height_px - heights.title;
+FigureHeights shared_heights(const View& view, const FigureForm& form, glm::dvec2 page_px) {
+    FigureHeights heights = heights_with_title(form, page_px.x, page_px.y);
+    const double rest = page_px.y - heights.title;
     if (form.view == FigureView::basis) {
         heights.plot = rest;
     } else if (form.view == FigureView::both) {
@@ -188,12 +199,12 @@ render::Figure window_figure(const EditorState& state, const FigureForm& form) {
     view.interface_scale = form.scale;
     view.camera.scale *= factor;
     view.camera.size_px = glm::max(glm::round(factor * view.camera.size_px), glm::dvec2(1.0));
-    FigureHeights heights{.title = title_height(form),
-                          .canvas = view.camera.size_px.y,
-                          .plot = std::round(form.scale * view.dock_height)};
+    FigureHeights heights = heights_with_title(form, view.camera.size_px.x, view.camera.size_px.y);
+    heights.canvas = view.camera.size_px.y;
+    heights.plot = std::round(form.scale * view.dock_height);
     if (form.size_px) {
         const glm::dvec2 page = form.scale * *form.size_px;
-        heights = shared_heights(view, form, page.y);
+        heights = shared_heights(view, form, page);
         take_size(view.camera, {page.x, std::max(heights.canvas, 1.0)});
     }
     return composed(still, form, heights, {});
@@ -204,23 +215,24 @@ glm::dvec2 window_figure_size(const EditorState& state, FigureView view) {
     return {canvas.x, (has_canvas(view) ? canvas.y : 0.0) + (has_plot(view) ? state.view.dock_height : 0.0)};
 }
 
-double least_figure_height(const View& view, const FigureForm& form) {
+double least_figure_height(const View& view, const FigureForm& form, double width_px) {
     if (!has_plot(form.view)) return 0.0;
-    const double title = form.title.empty() ? 0.0 : figure_title_height;
-    return title + (has_canvas(form.view) ? least_canvas_height : 0.0) + least_height_of_plots(view);
+    const auto title = fitted_title(form.title, width_px, std::numeric_limits<double>::infinity());
+    const double canvas = has_canvas(form.view) ? least_canvas_height : 0.0;
+    return std::ceil((title ? title->height() : 0.0) + canvas + least_height_of_plots(view));
 }
 
 void pose_for_figure(EditorState& state, const FigureForm& form, glm::dvec2 size_px) {
     bring_to_rest(state);
     const glm::dvec2 page = form.scale * size_px;
     state.view.interface_scale = form.scale;
-    state.view.camera.size_px = {page.x, std::max(shared_heights(state.view, form, page.y).canvas, 1.0)};
+    state.view.camera.size_px = {page.x, std::max(shared_heights(state.view, form, page).canvas, 1.0)};
     if (has_canvas(form.view)) fit_view(state);
 }
 
 render::Figure figure_of(const EditorState& posed, const FigureForm& form, glm::dvec2 size_px,
                          std::span<const CutCorner> moving) {
-    return composed(posed, form, shared_heights(posed.view, form, form.scale * size_px.y), moving);
+    return composed(posed, form, shared_heights(posed.view, form, form.scale * size_px), moving);
 }
 
 }  // namespace batten::editor

@@ -17,8 +17,9 @@ render::Figure window_figure(const EditorState& state, const FigureForm& form);
 /// How large that is at a scale of 1 without a title, in design pixels.
 glm::dvec2 window_figure_size(const EditorState& state, FigureView view);
 
-/// The least height, before form.scale, of a page on which the plots of the view can be read; 0 where there are none.
-double least_figure_height(const View& view, const FigureForm& form);
+/// The least height, before form.scale, of a page of that width on which the plots of the view can be read, and the
+/// title, a whole number; 0 where there are no plots.
+double least_figure_height(const View& view, const FigureForm& form, double width_px);
 
 /// Prepares a state for a page of `size_px` (> 0, before form.scale) with the overlays and parts of its view: at rest,
 /// and with the camera that shows the visible curves as large as they fit.
