@@ -8,6 +8,7 @@
 #include "app/editor/derived/cut_polygon.h"
 #include "app/editor/editor.h"
 #include "app/editor/scene/figure_scene.h"
+#include "app/editor/state/point_hues.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 #include "core/edit/knot_edit.h"
@@ -125,7 +126,7 @@ tl::expected<FigureFrames, std::string> FigureFrames::make(const core::Document&
 
 editor::EditorState FigureFrames::with_curve(const core::Curve& curve) const {
     core::Document document = document_;
-    document.curves[document.active].curve = std::make_shared<const core::Curve>(curve);
+    editor::replace_curve(document.curves[document.active], std::make_shared<const core::Curve>(curve));
     editor::EditorState state = editor::Editor(std::move(document)).state();
     state.view = posed_.view;
     return state;
@@ -134,7 +135,7 @@ editor::EditorState FigureFrames::with_curve(const core::Curve& curve) const {
 render::Figure FigureFrames::at(double share) const {
     const core::Curve& curve = *document_.active_curve()->curve;
     editor::EditorState state = posed_;
-    std::vector<editor::CutCorner> moving;
+    editor::MovingPolygon moving;
     const auto* running = order_.motion ? std::get_if<RunningParameter>(&*order_.motion) : nullptr;
     const auto* inserted = order_.motion ? std::get_if<InsertedKnot>(&*order_.motion) : nullptr;
     const auto* merged = order_.motion ? std::get_if<MergedKnot>(&*order_.motion) : nullptr;
@@ -145,9 +146,10 @@ render::Figure FigureFrames::at(double share) const {
             core::set_knot(curve, merged->index, std::lerp(from, *next_knot(curve, merged->index), share));
         if (moved) state = with_curve(*moved);
     }
-    if (inserted != nullptr && share >= 1.0) state = with_curve(*core::insert_knot(curve, inserted->u));
-    if (inserted != nullptr && share > 0.0 && share < 1.0)
-        moving = editor::cut_polygon(curve, *core::corner_cutting(curve, inserted->u), share);
+    if (inserted != nullptr) {
+        state = with_curve(*core::insert_knot(curve, inserted->u));
+        moving = {editor::cut_polygon(curve, *core::corner_cutting(curve, inserted->u), share), share};
+    }
     return figure_of(state, order_.form, order_.size_px, moving);
 }
 

@@ -70,6 +70,12 @@ class Picture:
         return [(float(c.get("cx")), float(c.get("cy"))) for c in self.circles if float(c.get("r")) == radius]
 
 
+def diamonds(picture):
+    """The marks of the knots on the curve."""
+    corners = (places_in(path) for path in picture.root.iter(SVG + "path") if path.get("d").endswith("Z") and path.get("fill") != "none")
+    return [four for four in corners if len(four) == 4 and four[0][1] == four[2][1] and four[1][0] == four[3][0]]
+
+
 class FigureTest(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -454,15 +460,31 @@ class Animations(FigureTest):
                 self.assertIn(f"P{i}", frame.texts, f"frame {k}")
             self.assertEqual(len(frame.circles_of(6.5)), (7, 9, 9, 8)[k])
             rings = [c for c in frame.circles if c.get("stroke-dasharray")]
-            self.assertEqual(len(rings), 1 if k < 3 else len(rings), "of the weight 2")
+            self.assertEqual(len(rings), (1, 2, 2, 2)[k], "of the weight 2, and of those that it goes to")
+            self.assertEqual(len(diamonds(frame)), 4, "of the knots inside, the new one from the first frame on")
             boxes = [p for p in frame.root.iter(SVG + "path") if p.get("d").endswith("Z") and p.get("fill") == "none"]
             self.assertEqual(len(boxes), 1, "around the first point")
         start = [next(text for text in frame.root.iter(SVG + "text") if "".join(text.itertext()) == "P0") for frame in frames]
-        self.assertEqual(len({(text.get("x"), text.get("y")) for text in start[:3]}), 1, "it stands still")
+        self.assertEqual(len({(text.get("x"), text.get("y")) for text in start}), 1, "it stands still")
         bare = run("figure", WAVE, "--animate", "insert=0.6", "--frames", "3", "-o", self.folder / "b%d.svg", "--show", "points")
         self.assertEqual(bare.stderr, "")
         halfway = Picture(self.folder / "b1.svg")
         self.assertEqual((halfway.texts, len(halfway.lines), len(halfway.circles_of(6.5))), ([], 1, 9))
+
+    def test_names_change_half_way(self):
+        file = self.document(curves=[{"name": "b", "degree": 2, "knots": [0, 0, 0, 1, 2, 3, 3, 3], "points": [[0, 0], [2, 4], [6, 4], [8, 0], [12, 0]], "weights": [1, 1, 2, 1, 1]}], active=0)
+        process = run("figure", file, "--animate", "insert=0.5", "--frames", "6", "-o", self.folder / "%d.svg", "--show", "polygon,points,labels,knots", "--size", "1000x600")
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        shown = []
+        for k in range(6):
+            texts = [text for text in Picture(self.folder / f"{k}.svg").root.iter(SVG + "text")]
+            shown.append({"".join(t.itertext()): float(t.get("fill-opacity", "1")) for t in texts})
+        self.assertEqual(set(shown[0]), {"P0", "P1", "P2", "· w 2", "P3", "P4"})
+        self.assertEqual(set(shown[5]), {"P0", "P1", "P2", "· w 1.25", "P3", "· w 2", "P4", "P5"})
+        self.assertNotIn("P5", shown[2])
+        self.assertAlmostEqual(shown[2]["P4"], 0.4, delta=0.01)
+        self.assertAlmostEqual(shown[3]["P5"], 0.4, delta=0.01)
+        self.assertEqual((shown[1]["P4"], shown[4]["P5"], shown[2]["P0"]), (1.0, 1.0, 1.0))
 
     def test_names_of_frames(self):
         process = run("figure", WAVE, "--animate", "u=0..1", "--frames", "2", "-o", self.folder / "p%%q-%02d.svg")

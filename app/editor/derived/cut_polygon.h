@@ -11,6 +11,14 @@ namespace batten::editor {
 struct CutCorner {
     core::Point place;
     std::size_t index = 0;  ///< of the control point before the insertion that it comes of
+    std::size_t next = 0;   ///< of the control point after the insertion that it goes to
+    double weight = 1.0;    ///< on the way from the one's to the other's
+};
+
+/// Such a polygon, and how much of its way is done: 0..1.
+struct MovingPolygon {
+    std::vector<CutCorner> corners{};  ///< none where nothing moves
+    double share = 0.0;
 };
 
 /// The corners of the polygon of `curve` when `share` (0..1) of `cutting`, an insertion into it, is done: each one that

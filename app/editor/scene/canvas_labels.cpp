@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "app/editor/pointer/weight_ring.h"
 #include "app/editor/scene/control_polygon.h"
@@ -116,14 +117,16 @@ struct PointName {
     double distance = 0.0;  ///< design pixels
 };
 
-PointName name_of_point(const CanvasFrame& frame, NumberColumn weights, std::size_t i, glm::dvec2 place) {
-    const double weight = frame.curve->weights()[i];
-    const double ring = weight_ring_radius_px(frame.state, i).value_or(0.0) / frame.pen.px(1.0);
-    PointName name{i, place, {}, std::max(i == 0 ? boxed_point_distance : point_distance, ring + 3.0)};
-    name.words.push_back({fmt::format("P_{{{}}}", i), {.color = frame.theme.text, .size = name_size}});
-    if (weight != 1.0)
-        name.words.push_back(
-            {fmt::format("· w {}", weight_text(weight, weights)), {.color = frame.theme.dim, .size = name_size}});
+PointName name_of_point(const CanvasFrame& frame, NumberColumn weights, const MovingPoint& point, double ring_px) {
+    const double ring = ring_px / frame.pen.px(1.0);
+    PointName name{
+        point.index, point.place, {}, std::max(point.index == 0 ? boxed_point_distance : point_distance, ring + 3.0)};
+    const auto word = [&](std::string text, render::Color color) {
+        return LabelWord{std::move(text), {.color = render::faded(color, point.opacity), .size = name_size}};
+    };
+    name.words.push_back(word(fmt::format("P_{{{}}}", point.index), frame.theme.text));
+    if (point.weight != 1.0)
+        name.words.push_back(word(fmt::format("· w {}", weight_text(point.weight, weights)), frame.theme.dim));
     return name;
 }
 
@@ -162,10 +165,13 @@ void note_nameless(CanvasFrame& frame, const ShownPoints& points) {
 
 void write_point_names(LabelWriter& writer, CanvasFrame& frame, const ShownPoints& points) {
     const NumberColumn weights = frame.state.derived.weights_of(*frame.curve)->column;
-    for (const MarkPlace& point : points.large)
-        write_point_name(
-            writer, frame,
-            name_of_point(frame, weights, point.index, frame.screen(frame.curve->control_points()[point.index])));
+    for (const MarkPlace& point : points.large) {
+        const std::size_t i = point.index;
+        const glm::dvec2 place = frame.screen(frame.curve->control_points()[i]);
+        write_point_name(writer, frame,
+                         name_of_point(frame, weights, {place, i, frame.curve->weights()[i]},
+                                       weight_ring_radius_px(frame.state, i).value_or(0.0)));
+    }
     note_nameless(frame, points);
 }
 
@@ -238,11 +244,12 @@ void draw_moving_labels(CanvasFrame& frame, const render::DrawList& list, std::s
         writer.layout().avoid_symbol(point.place, frame.pen.px(control_point_reach));
     }
     writer.layout().avoid_line(polygon);
-    for (const MovingPoint& point : points) {
-        PointName name = name_of_point(frame, weights, point.index, point.place);
-        if (!point.stays) name.words.resize(1);
-        write_name_in_figure(writer, frame, std::move(name));
-    }
+    for (const MovingPoint& point : points)
+        if (point.opacity > 0.0)
+            write_name_in_figure(
+                writer, frame,
+                name_of_point(frame, weights, point,
+                              weight_ring_radius_px(point.weight, frame.state.view.interface_scale).value_or(0.0)));
 }
 
 void draw_canvas_labels(CanvasFrame& frame, const CanvasMarks& marks, const std::vector<render::PixelBox>& covered) {

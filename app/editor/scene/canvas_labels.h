@@ -23,9 +23,10 @@ void draw_canvas_labels(CanvasFrame& frame, const CanvasMarks& marks, const std:
 
 /// A control point on its way somewhere.
 struct MovingPoint {
-    std::size_t index = 0;
     glm::dvec2 place{};
-    bool stays = false;  ///< where it is, with its weight
+    std::size_t index = 0;  ///< that it is called by
+    double weight = 1.0;
+    double opacity = 1.0;  ///< of its name; 0 for none
 };
 
 /// The same names beside moving points: apart from one another, from the polygon through them, the curve, and the

@@ -1,6 +1,7 @@
 #include "app/editor/scene/control_points.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "app/editor/pointer/weight_ring.h"
 
@@ -32,8 +33,7 @@ void draw_first_box(CanvasFrame& frame, glm::dvec2 place) {
                              .outline_width = 1.25});
 }
 
-void draw_weight_ring(CanvasFrame& frame, glm::dvec2 place, std::size_t i) {
-    const auto ring_px = weight_ring_radius_px(frame.state, i);
+void draw_weight_ring(CanvasFrame& frame, glm::dvec2 place, std::size_t i, std::optional<double> ring_px) {
     if (!ring_px) return;
     const auto* ring = std::get_if<HoveredWeightRing>(&frame.state.hover);
     frame.pen.symbol(place, {.radius = *ring_px / frame.pen.px(1.0),
@@ -74,15 +74,16 @@ void draw_dense_points(CanvasFrame& frame, const ShownPoints& points) {
 
 void draw_control_points(CanvasFrame& frame, const ShownPoints& points) {
     // Rings are lines: all of them, and then all points, are painted in one go.
-    for (const auto& [i, place] : points.large) draw_weight_ring(frame, place, i);
+    for (const auto& [i, place] : points.large)
+        draw_weight_ring(frame, place, i, weight_ring_radius_px(frame.state, i));
     for (const auto& [i, place] : points.large) {
         if (i == 0) draw_first_box(frame, place);
         draw_control_point(frame, place, i);
     }
 }
 
-void draw_moving_point(CanvasFrame& frame, glm::dvec2 place, std::size_t i, bool stays) {
-    if (stays) draw_weight_ring(frame, place, i);
+void draw_moving_point(CanvasFrame& frame, glm::dvec2 place, std::size_t i, double weight) {
+    draw_weight_ring(frame, place, i, weight_ring_radius_px(weight, frame.state.view.interface_scale));
     if (i == 0) draw_first_box(frame, place);
     draw_control_point(frame, place, i);
 }

@@ -12,8 +12,7 @@ void draw_dense_points(CanvasFrame& frame, const ShownPoints& points);
 /// a curve.
 void draw_control_points(CanvasFrame& frame, const ShownPoints& points);
 
-/// Control point `i` in full size wherever it is on its way, the first one boxed; its weight's ring only where it
-/// `stays`.
-void draw_moving_point(CanvasFrame& frame, glm::dvec2 place, std::size_t i, bool stays);
+/// Control point `i` in full size wherever it is on its way, with the ring of `weight`; the first one boxed.
+void draw_moving_point(CanvasFrame& frame, glm::dvec2 place, std::size_t i, double weight);
 
 }  // namespace batten::editor

@@ -96,7 +96,7 @@ render::DrawList lifted_scene(const EditorState& state, SceneCache& cache) {
 }
 
 /// The curve with `moving` in place of its control polygon, points and their names.
-render::DrawList moving_scene(const EditorState& state, std::span<const CutCorner> moving, SceneCache& cache) {
+render::DrawList moving_scene(const EditorState& state, const MovingPolygon& moving, SceneCache& cache) {
     EditorState bare = state;
     bare.view.parts.points = false;
     bare.view.parts.names = false;
@@ -112,7 +112,7 @@ render::DrawList moving_scene(const EditorState& state, std::span<const CutCorne
 
 /// The figure of a state whose camera, scale and parts are those of the figure.
 render::Figure composed(const EditorState& state, const FigureForm& form, const FigureHeights& heights,
-                        std::span<const CutCorner> moving) {
+                        const MovingPolygon& moving) {
     SceneCache cache;
     const double width = state.view.camera.size_px.x;
     FigurePage page(state, form, width);
@@ -120,7 +120,7 @@ render::Figure composed(const EditorState& state, const FigureForm& form, const 
     if (form.view == FigureView::homogeneous) {
         page.add(lifted_scene(state, cache), heights.canvas, page.theme().panel);
     } else if (has_canvas(form.view)) {
-        page.add(moving.empty() ? canvas_scene(state, CanvasIdle{}, cache) : moving_scene(state, moving, cache),
+        page.add(moving.corners.empty() ? canvas_scene(state, CanvasIdle{}, cache) : moving_scene(state, moving, cache),
                  heights.canvas, page.theme().canvas);
     }
     if (has_plot(form.view))
@@ -231,7 +231,7 @@ void pose_for_figure(EditorState& state, const FigureForm& form, glm::dvec2 size
 }
 
 render::Figure figure_of(const EditorState& posed, const FigureForm& form, glm::dvec2 size_px,
-                         std::span<const CutCorner> moving) {
+                         const MovingPolygon& moving) {
     return composed(posed, form, shared_heights(posed.view, form, form.scale * size_px), moving);
 }
 

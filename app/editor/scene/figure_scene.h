@@ -1,8 +1,6 @@
 /// Figures for slides and papers: the pictures of the window, without what only a window needs.
 #pragma once
 
-#include <span>
-
 #include "app/editor/derived/cut_polygon.h"
 #include "app/editor/state/state.h"
 #include "render/figure.h"
@@ -25,9 +23,9 @@ double least_figure_height(const View& view, const FigureForm& form, double widt
 /// and with the camera that shows the visible curves as large as they fit.
 void pose_for_figure(EditorState& state, const FigureForm& form, glm::dvec2 size_px);
 
-/// The page of a state that was prepared for it. In place of the control polygon `moving` is drawn over the curve where
-/// it has points.
+/// The page of a state that was prepared for it. In place of the control polygon of the curve, which has the knot that
+/// comes in, `moving` is drawn over it where it has corners.
 render::Figure figure_of(const EditorState& posed, const FigureForm& form, glm::dvec2 size_px,
-                         std::span<const CutCorner> moving = {});
+                         const MovingPolygon& moving = {});
 
 }  // namespace batten::editor

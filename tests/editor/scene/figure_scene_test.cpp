@@ -165,6 +165,9 @@ TEST(CutPolygon, goes_from_the_polygon_before_to_the_one_after) {
     EXPECT_EQ(place(1.0, 3), core::Point(1, 4));
     EXPECT_EQ(place(1.0, 4), core::Point(5, 4));
     EXPECT_EQ(cut_polygon(curve, cutting, 0.5).at(2).index, 1U);
+    std::vector<std::size_t> next;
+    for (const CutCorner& corner : cut_polygon(curve, cutting, 0.5)) next.push_back(corner.next);
+    EXPECT_EQ(next, (std::vector<std::size_t>{0, 1, 2, 2, 3, 4, 5}));
     // The corners at the end are the points of the refined curve.
     const core::Curve after = *core::insert_knot(curve, 0.5);
     for (const core::Point point : after.control_points()) {
@@ -172,6 +175,24 @@ TEST(CutPolygon, goes_from_the_polygon_before_to_the_one_after) {
         for (const CutCorner& corner : cut_polygon(curve, cutting, 1.0)) is_there = is_there || corner.place == point;
         EXPECT_TRUE(is_there) << point.x << ' ' << point.y;
     }
+}
+
+TEST(CutPolygon, knows_the_points_after_the_insertion_also_of_closed_curves) {
+    const core::Curve closed = *core::Curve::make({.degree = 3,
+                                                   .knots = {0, 1, 2, 3, 4, 5, 6, 7},
+                                                   .points = {{0, 0}, {4, 0}, {8, 0}, {8, 8}, {4, 8}, {0, 8}, {-4, 4}},
+                                                   .weights = {1, 2, 1, 3, 1, 1, 4},
+                                                   .periodic = true});
+    for (const core::Curve& curve : {closed, clamped_cubic()})
+        for (double u = 0.25; u < curve.domain().upper; u += 0.5) {
+            const core::Curve after = *core::insert_knot(curve, u);
+            for (const CutCorner& corner : cut_polygon(curve, *core::corner_cutting(curve, u), 1.0)) {
+                const core::Point point = after.control_points()[corner.next];
+                EXPECT_NEAR(corner.place.x, point.x, 1e-12) << u;
+                EXPECT_NEAR(corner.place.y, point.y, 1e-12) << u;
+                EXPECT_NEAR(corner.weight, after.weights()[corner.next], 1e-12) << u;
+            }
+        }
 }
 
 TEST(CutPolygon, lets_a_single_new_point_out_of_the_one_before) {
