@@ -510,6 +510,10 @@ class Animations(FigureTest):
         self.assertIn("0.375", halfway)
         self.assertIn("×2 C1", after)
 
+    def test_knots_that_have_no_room_for_their_values_are_told(self):
+        process = run("figure", WAVE, "--animate", "merge=4", "--frames", "12", "-o", self.folder / "%d.svg", "--view", "both", "--size", "640x480")
+        self.assertIn("there was no room for the label 0.5; a larger figure may have it", process.stderr)
+
     def test_movies(self):
         self.needs("ffmpeg", "ffprobe")
         temporary = self.folder / "temporary"

@@ -182,21 +182,25 @@ void draw_knot_strip(PlotFrame& frame, const std::vector<KnotStack>& stacks) {
                     frame.pen.symbol(place, diamond(frame, stack, chosen ? std::max(radius, 6.0) : radius));
 }
 
-void draw_knot_labels(PlotFrame& frame, std::vector<KnotStack> stacks) {
+std::vector<std::string> draw_knot_labels(PlotFrame& frame, std::vector<KnotStack> stacks) {
     std::stable_sort(stacks.begin(), stacks.end(), [&](const KnotStack& a, const KnotStack& b) {
         return importance(frame, a) > importance(frame, b);
     });
     const double room = frame.layout.labels_px;
     TextRow values;
     TextRow details;
+    std::vector<std::string> unplaced;
     for (const KnotStack& stack : stacks) {
         const double x = stack.places.front().x;
         const TextStyle value{.color = stack.is_chosen ? frame.theme.accent : frame.theme.text,
                               .size = value_size,
                               .anchor = render::Anchor::center};
+        const std::string name = value_text(frame, stack.value);
         // A detail without its value would tell nothing.
-        if (!values.write(frame.pen, {x, frame.layout.strip_px + 0.4 * room}, value_text(frame, stack.value), value))
+        if (!values.write(frame.pen, {x, frame.layout.strip_px + 0.4 * room}, name, value)) {
+            unplaced.push_back(name);
             continue;
+        }
         const std::string text = detail_text(frame, stack);
         if (text.empty() || has_ratio_bar(frame)) continue;
         const TextStyle detail{.color = stack.is_chosen ? frame.theme.accent : frame.theme.dim,
@@ -204,6 +208,7 @@ void draw_knot_labels(PlotFrame& frame, std::vector<KnotStack> stacks) {
                                .anchor = render::Anchor::center};
         details.write(frame.pen, {x, frame.layout.strip_px + 0.68 * room}, text, detail);
     }
+    return unplaced;
 }
 
 void draw_knot_guides(PlotFrame& frame, const std::vector<KnotStack>& stacks) {

@@ -30,8 +30,8 @@ ShownStacks knot_stacks(const PlotFrame& frame);
 void draw_knot_strip(PlotFrame& frame, const std::vector<KnotStack>& stacks);
 
 /// Below each stack its value and "×4 clamped", "×2 C^{1}" or "C^{2}"; where there is no room the less important ones
-/// are left out, and the second line where a ratio_bar needs its place.
-void draw_knot_labels(PlotFrame& frame, std::vector<KnotStack> stacks);
+/// are left out, and the second line where a ratio_bar needs its place. Returns the values that are left out.
+std::vector<std::string> draw_knot_labels(PlotFrame& frame, std::vector<KnotStack> stacks);
 
 /// A dashed line through the plot at knots that are hovered, selected or dragged.
 void draw_knot_guides(PlotFrame& frame, const std::vector<KnotStack>& stacks);

@@ -1,5 +1,8 @@
 #include "app/editor/scene/plot_scene.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "app/editor/scene/basis_areas.h"
 #include "app/editor/scene/basis_graphs.h"
 #include "app/editor/scene/knot_strip.h"
@@ -51,7 +54,8 @@ render::DrawList plot_scene(const EditorState& state, const PlotMode& mode, glm:
     draw_plot_views_above(frame);
     draw_plot_title(frame, plot_note(basis, knots));
     draw_knot_strip(frame, knots.stacks);
-    draw_knot_labels(frame, knots.stacks);
+    const std::vector<std::string> unplaced = draw_knot_labels(frame, knots.stacks);
+    if (!state.view.parts.window) std::ranges::copy(unplaced, std::back_inserter(cache.unplaced()));
     draw_ratio_bar(frame);
     return list;
 }

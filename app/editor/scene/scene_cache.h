@@ -78,7 +78,7 @@ class SceneCache {
     /// The graphs of the dock.
     BasisCache& basis() { return basis_; }
 
-    /// The labels that the last picture of the canvas had no room for.
+    /// The labels that the last picture of the canvas, or that and the plot of a figure, had no room for.
     std::vector<std::string>& unplaced() { return unplaced_; }
 
     /// Forgets curves beyond the first `count`.
