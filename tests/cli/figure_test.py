@@ -70,6 +70,13 @@ class Picture:
         return [(float(c.get("cx")), float(c.get("cy"))) for c in self.circles if float(c.get("r")) == radius]
 
 
+def between(places):
+    """Places a pixel or less from one another on the line through these."""
+    for (a, b), (c, d) in zip(places, places[1:]):
+        steps = int(max(abs(c - a), abs(d - b))) + 1
+        yield from ((a + (c - a) * k / steps, b + (d - b) * k / steps) for k in range(steps))
+
+
 def diamonds(picture):
     """The marks of the knots on the curve."""
     corners = (places_in(path) for path in picture.root.iter(SVG + "path") if path.get("d").endswith("Z") and path.get("fill") != "none")
@@ -348,6 +355,18 @@ class Svg(FigureTest):
         self.assertLess(self.figure("a.svg", file=document, told=told).stat().st_size, 1_000_000)
 
 
+    def test_labels_of_small_figures_stay_off_the_curve(self):
+        for example, at in (("wave", "0.4"), ("knots-t4", "2.5")):
+            picture = Picture(self.figure("a.svg", "--show", "polygon,points,labels,knots,deboor", "--at", at, "--size", "300x200", file=self.example(example), told=None))
+            curve = [place for line in picture.lines if float(line.get("stroke-width")) >= 3.0 for place in between(places_in(line))]
+            self.assertGreater(len(curve), 100)
+            (name,) = (text for text in picture.root.iter(SVG + "text") if "".join(text.itertext()).startswith("C("))
+            x, y, size = (float(name.get(what)) for what in ("x", "y", "font-size"))
+            width = 0.5 * size * len("".join(name.itertext()))
+            left = x - width if name.get("text-anchor") == "end" else x
+            for a, b in curve:
+                self.assertFalse(left < a < left + width and y - 0.7 * size < b < y, f"{example}: the curve at {a}, {b}")
+
 
 class Pixels(FigureTest):
     def test_sizes_are_multiplied_by_the_scale(self):
@@ -361,7 +380,7 @@ class Pixels(FigureTest):
         self.assertEqual({rows[y][x] for x, y in ((301, 0), (301, 151), (0, 151))}, {(251, 251, 253, 255)})
 
     def test_grounds_can_be_left_out(self):
-        width, height, rows = pixels(self.figure("a.png", "--size", "200x100", "--transparent").read_bytes())
+        width, height, rows = pixels(self.figure("a.png", "--size", "200x100", "--transparent", told=None).read_bytes())
         for x, y in ((0, 0), (width - 1, 0), (0, height - 1), (width - 1, height - 1)):
             self.assertEqual(rows[y][x][3], 0)
         self.assertTrue(any(pixel[3] == 255 for row in rows for pixel in row))

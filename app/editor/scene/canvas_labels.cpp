@@ -23,8 +23,11 @@ constexpr double point_distance = 11.0;
 constexpr double knot_distance = 9.0;
 constexpr double boxed_point_distance = 14.0;
 constexpr double control_point_reach = 7.5;
+constexpr double first_point_reach = 12.0;  // which has a box around it
 constexpr double construction_reach = 5.0;
 constexpr double mark_reach = 6.0;
+constexpr double subscript_reach = 0.25;  // of a line
+constexpr double apart_in_figure = 9.0;   // of labels side by side
 constexpr double word_gap = 4.0;
 constexpr double wished_step = 6.0;
 constexpr double farther_in_figure = 18.0;  // than beside its point, where a label may stand
@@ -32,6 +35,15 @@ constexpr double ground_error = 0.1;        // of the width of a text that is no
 constexpr double ground_margin = 2.0;
 constexpr double label_ground_opacity = 0.85;
 constexpr std::size_t most_unplaced_names = 1000;
+
+bool is_figure(const CanvasFrame& frame) {
+    return !frame.state.view.parts.window;
+}
+
+/// In pixels; in the window, where more is shown, labels may reach into the box of the first point.
+double reach_of_point(const CanvasFrame& frame, std::size_t index) {
+    return frame.pen.px(index == 0 && is_figure(frame) ? first_point_reach : control_point_reach);
+}
 
 /// Puts labels into free places.
 class LabelWriter {
@@ -46,7 +58,7 @@ class LabelWriter {
         }
         layout_.avoid_ink(maps);
         for (const MarkPlace& point : marks.points.large)
-            layout_.avoid_symbol(point.place, frame.pen.px(control_point_reach));
+            layout_.avoid_symbol(point.place, reach_of_point(frame, point.index));
         if (!is_dense(marks.points)) return;
         for (const MarkPlace& point : marks.points.crowd.shown)
             layout_.avoid_symbol(point.place, frame.pen.px(marks.points.crowd.radius));
@@ -65,6 +77,7 @@ class LabelWriter {
             size = {size.x + gap + width_px(word), std::max(size.y, frame_.pen.px(1.25 * word.style.size))};
         const auto place = layout_.place(point, size, frame_.pen.px(distance), first, crowding);
         if (!place) return false;
+        if (is_figure(frame_)) spare_surroundings(place->box);
         // Words are set from the end that is anchored, where the true widths of the fonts do no harm.
         const bool is_from_right = place->anchor == render::Anchor::right;
         if (has_grounds_ || has_ground) fill_ground(place->box, is_from_right);
@@ -80,6 +93,13 @@ class LabelWriter {
     }
 
   private:
+    /// Its subscripts, which reach below the box, where the ground of another label would lie over them, and so much
+    /// room beside it that the next label is not read as a part of it.
+    void spare_surroundings(const render::PixelBox& box) {
+        const glm::dvec2 reach(frame_.pen.px(apart_in_figure), subscript_reach * (box.upper_px.y - box.lower_px.y));
+        layout_.avoid_box({box.lower_px - glm::dvec2(reach.x, 0.0), box.upper_px + reach});
+    }
+
     /// Keeps what is dense there from running through the words, which may be longer than they are taken for.
     void fill_ground(const render::PixelBox& box, bool is_from_right) {
         const glm::dvec2 around(frame_.pen.px(ground_margin));
@@ -99,6 +119,13 @@ class LabelWriter {
     LabelLayout layout_;
     bool has_grounds_;
 };
+
+/// What is tried for a label, up to what it may do at last; in figures, where labels have not to stay where they are
+/// while something moves, first a place where it covers nothing.
+std::vector<Crowding> crowdings_until(const CanvasFrame& frame, Crowding last) {
+    if (!is_figure(frame)) return {Crowding::leave_out, last};
+    return {Crowding::cover_nothing, Crowding::leave_out, last};
+}
 
 /// Around the point, farther away where it is crowded there, then over symbols; nowhere else. Returns false where there
 /// is no room.
@@ -130,19 +157,20 @@ PointName name_of_point(const CanvasFrame& frame, NumberColumn weights, const Mo
     return name;
 }
 
-/// Of figures, which nobody can move to make room: with its weight, else without, else farther away, else over what is
-/// there.
+/// Of figures, which nobody can move to make room: with its weight, if need be farther away, else without, else over
+/// what is there.
 void write_name_in_figure(LabelWriter& writer, CanvasFrame& frame, PointName name) {
+    if (write_around(writer, name.place, name.words, name.distance, Crowding::cover_nothing)) return;
     if (writer.write(name.place, name.words, name.distance, LabelSide::upper_right, Crowding::leave_out)) return;
     if (name.words.size() > 1) frame.cache.unplaced().push_back(fmt::format("w_{{{}}}", name.index));
     name.words.resize(1);
-    for (const Crowding crowding : {Crowding::leave_out, Crowding::cover_symbols})
+    for (const Crowding crowding : {Crowding::cover_nothing, Crowding::leave_out, Crowding::cover_symbols})
         if (write_around(writer, name.place, name.words, name.distance, crowding)) return;
     frame.cache.unplaced().push_back(name.words.front().text);
 }
 
 void write_point_name(LabelWriter& writer, CanvasFrame& frame, PointName name) {
-    if (!frame.state.view.parts.window) return write_name_in_figure(writer, frame, std::move(name));
+    if (is_figure(frame)) return write_name_in_figure(writer, frame, std::move(name));
     const auto* hovered = std::get_if<HoveredPoint>(&frame.state.hover);
     const bool is_hovered = hovered != nullptr && hovered->index == name.index;
     const bool matters = is_hovered || frame.state.selection.contains_point(name.index);
@@ -152,7 +180,7 @@ void write_point_name(LabelWriter& writer, CanvasFrame& frame, PointName name) {
 
 /// Notes the names of a figure's points that are too dense to have one.
 void note_nameless(CanvasFrame& frame, const ShownPoints& points) {
-    if (frame.state.view.parts.window || !is_dense(points)) return;
+    if (!is_figure(frame) || !is_dense(points)) return;
     std::size_t named = 0;
     for (std::size_t i = 0; i < frame.curve->control_points().size(); ++i) {
         if (frame.cache.unplaced().size() >= most_unplaced_names) return;
@@ -183,13 +211,15 @@ std::string knot_text(const CurveKnot& knot) {
 void write_knot(LabelWriter& writer, CanvasFrame& frame, const CurveKnot& knot) {
     if (knot.multiplicity < 2) return;
     const render::Color color = knot.is_lit ? frame.theme.accent : frame.theme.dim;
-    if (!writer.write(knot.places.back(), {{knot_text(knot), {.color = color, .size = detail_size}}}, knot_distance,
-                      LabelSide::upper_right, Crowding::cover_symbols))
+    const std::vector<LabelWord> words{{knot_text(knot), {.color = color, .size = detail_size}}};
+    if (is_figure(frame) && write_around(writer, knot.places.back(), words, knot_distance, Crowding::cover_nothing))
+        return;
+    if (!writer.write(knot.places.back(), words, knot_distance, LabelSide::upper_right, Crowding::cover_symbols))
         frame.cache.unplaced().push_back(knot_text(knot));
 }
 
 void write_wished(LabelWriter& writer, CanvasFrame& frame, const WishedLabel& label) {
-    for (const Crowding crowding : {Crowding::leave_out, label.crowding})
+    for (const Crowding crowding : crowdings_until(frame, label.crowding))
         for (double distance = label.distance; distance <= std::max(label.distance, label.farthest);
              distance += wished_step)
             if (writer.write(label.place, label.words, distance, label.first, crowding, label.has_ground)) return;
@@ -206,8 +236,10 @@ void avoid_construction(LabelWriter& writer, const CanvasFrame& frame) {
 
 /// What views and C(u) are called covers no control point, whatever else it has to cover.
 void spare_control_points(LabelWriter& writer, const CanvasFrame& frame, const ShownPoints& points) {
-    const glm::dvec2 reach(frame.pen.px(control_point_reach));
-    for (const MarkPlace& point : points.large) writer.layout().avoid_box({point.place - reach, point.place + reach});
+    for (const MarkPlace& point : points.large) {
+        const glm::dvec2 reach(reach_of_point(frame, point.index));
+        writer.layout().avoid_box({point.place - reach, point.place + reach});
+    }
 }
 
 /// Beside C(u), or farther away when it is crowded there, before it covers a mark; the dock tells the parameter, too.
@@ -216,7 +248,7 @@ void write_curve_point(LabelWriter& writer, CanvasFrame& frame) {
     const glm::dvec2 place = frame.screen(frame.triangle->point());
     const std::string text = fmt::format("C({})", parameter_text(*frame.curve, frame.triangle->u));
     const TextStyle style{.color = frame.theme.parameter, .size = name_size, .font = render::LabelFont::bold};
-    for (const Crowding crowding : {Crowding::leave_out, Crowding::cover_symbols})
+    for (const Crowding crowding : crowdings_until(frame, Crowding::cover_symbols))
         for (const double distance : {13.0, 24.0, 36.0, 52.0, 72.0})
             if (writer.write(place, {{text, style}}, distance, LabelSide::lower_right, crowding)) return;
     frame.cache.unplaced().push_back(text);
@@ -241,7 +273,7 @@ void draw_moving_labels(CanvasFrame& frame, const render::DrawList& list, std::s
     std::vector<glm::dvec2> polygon;
     for (const MovingPoint& point : points) {
         polygon.push_back(point.place);
-        writer.layout().avoid_symbol(point.place, frame.pen.px(control_point_reach));
+        writer.layout().avoid_symbol(point.place, reach_of_point(frame, point.index));
     }
     writer.layout().avoid_line(polygon);
     for (const MovingPoint& point : points)

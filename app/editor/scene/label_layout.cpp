@@ -64,6 +64,19 @@ render::PixelBox with_subscripts(const render::PixelBox& box) {
     return {box.lower_px, box.upper_px + glm::dvec2(0.0, script_reach * (box.upper_px.y - box.lower_px.y))};
 }
 
+/// A place that costs as much or more is none.
+double cost_limit(Crowding crowding) {
+    switch (crowding) {
+        case Crowding::cover_nothing:
+            return faint_line_cost;
+        case Crowding::leave_out:
+            return symbol_cost;
+        case Crowding::cover_symbols:
+            break;
+    }
+    return impossible;
+}
+
 LabelPlace place_at(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide side) {
     const glm::dvec2 direction = direction_to(side);
     const bool is_diagonal = direction.x != 0.0 && direction.y != 0.0;
@@ -204,7 +217,7 @@ double LabelLayout::cost(const render::PixelBox& box, double limit) {
 std::optional<LabelPlace> LabelLayout::place(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide first,
                                              Crowding crowding) {
     std::optional<LabelPlace> best;
-    double least = crowding == Crowding::leave_out ? symbol_cost : impossible;
+    double least = cost_limit(crowding);
     const auto consider = [&](LabelSide side) {
         if (least == 0.0) return;
         const LabelPlace candidate = place_at(point, text_px, offset_px, side);

@@ -17,8 +17,9 @@ enum class LabelSide { upper_right, upper_left, lower_right, lower_left, right, 
 
 /// What happens to a label that has no free place.
 enum class Crowding {
-    leave_out,     ///< it is left out rather than cover a symbol or several lines
-    cover_symbols  ///< it may cover anything but other labels
+    cover_nothing,  ///< it is left out rather than cover anything, be it a line
+    leave_out,      ///< it is left out rather than cover a symbol or several lines
+    cover_symbols   ///< it may cover anything but other labels
 };
 
 /// Where a label came to stand.

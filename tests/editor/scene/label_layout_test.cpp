@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "app/editor/scene/text_size.h"
 
@@ -100,6 +101,20 @@ TEST(LabelLayout, leaves_out_rather_than_cover_symbols_unless_told_to) {
         for (int y = -3; y <= 3; ++y) layout.avoid_symbol(point + glm::dvec2(12.0 * x, 12.0 * y), 7.0);
     EXPECT_FALSE(place(layout));
     EXPECT_TRUE(layout.place(point, text, 11.0, LabelSide::upper_right, Crowding::cover_symbols));
+}
+
+TEST(LabelLayout, covers_not_even_a_line_where_nothing_may_be_covered) {
+    LabelLayout layout(picture);
+    for (const double y : {-20.0, 0.0, 20.0})
+        layout.avoid_faint_line(std::array{point + glm::dvec2(-100.0, y), point + glm::dvec2(100.0, y)});
+    const auto found = [&](double distance) {
+        return layout.place(point, text, distance, LabelSide::upper_right, Crowding::cover_nothing);
+    };
+    EXPECT_FALSE(found(11.0)) << "three lines through all sides";
+    EXPECT_TRUE(place(layout));
+    const auto farther = found(26.0);
+    ASSERT_TRUE(farther);
+    EXPECT_GE(std::abs(farther->position.y - point.y) - 8.0, 20.0);
 }
 
 TEST(LabelLayout, leaves_room_for_subscripts_at_the_lower_edge) {
