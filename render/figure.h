@@ -25,6 +25,7 @@ struct Figure {
     std::string title{};                  ///< what the file says of itself, as UTF-8; empty: nothing
     std::vector<std::string> unplaced{};  ///< labels that had no room
     bool lacks_title = false;             ///< which had no room either
+    bool lacks_legend = false;            ///< likewise
 };
 
 /// What the file of a figure lacks.
@@ -34,6 +35,7 @@ struct FigureLosses {
     std::vector<std::string> commands{};  ///< of formulas, that stand there as they were typed, each once
     bool has_images = false;              ///< images, where the format has none
     bool has_title = false;               ///< a title that had no room
+    bool has_legend = false;              ///< a legend likewise
 };
 
 /// A page with one picture on it.

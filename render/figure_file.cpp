@@ -54,7 +54,7 @@ FigureBytes figure_bytes(const Figure& figure, FigureFormat format) {
 }
 
 FigureLosses figure_losses(const Figure& figure, FigureFormat format) {
-    FigureLosses losses{.labels = figure.unplaced, .has_title = figure.lacks_title};
+    FigureLosses losses{.labels = figure.unplaced, .has_title = figure.lacks_title, .has_legend = figure.lacks_legend};
     const bool is_tikz = format == FigureFormat::tikz;
     for (const FigurePart& part : figure.parts)
         for (const DrawCommand& command : part.list.commands) {
@@ -73,6 +73,7 @@ void add_losses(FigureLosses& losses, const FigureLosses& more) {
     add_new(losses.commands, more.commands);
     losses.has_images = losses.has_images || more.has_images;
     losses.has_title = losses.has_title || more.has_title;
+    losses.has_legend = losses.has_legend || more.has_legend;
 }
 
 }  // namespace batten::render

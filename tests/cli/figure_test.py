@@ -367,6 +367,18 @@ class Svg(FigureTest):
             for a, b in curve:
                 self.assertFalse(left < a < left + width and y - 0.7 * size < b < y, f"{example}: the curve at {a}, {b}")
 
+    def test_legends_cover_nothing(self):
+        words = ("--show", "polygon,points,labels,deboor,legend", "--at", "0.4")
+        for size in ("300x200", "800x450"):
+            picture = Picture(self.figure("a.svg", *words, "--size", size, told=None))
+            box = next(places_in(path) for path in picture.root.iter(SVG + "path") if path.get("d").endswith("Z") and len(places_in(path)) > 8)
+            left, right, above, below = min(x for x, _ in box), max(x for x, _ in box), min(y for _, y in box), max(y for _, y in box)
+            for x, y in picture.circles_of(6.5):
+                self.assertFalse(left - 6.5 < x < right + 6.5 and above - 6.5 < y < below + 6.5, f"{size}: a point at {x}, {y}")
+        self.figure("a.svg", *words, "--size", "300x120", told=None)
+        process = run("figure", WAVE, "-o", self.folder / "a.svg", *words, "--size", "300x120")
+        self.assertIn("there was no room for the legend; a larger figure may have it", process.stderr)
+
 
 class Pixels(FigureTest):
     def test_sizes_are_multiplied_by_the_scale(self):

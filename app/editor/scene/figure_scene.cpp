@@ -6,9 +6,11 @@
 #include <limits>
 #include <optional>
 
+#include "app/editor/pointer/canvas_cover.h"
 #include "app/editor/pointer/fit_view.h"
 #include "app/editor/scene/canvas_scene.h"
 #include "app/editor/scene/figure_title.h"
+#include "app/editor/scene/legend.h"
 #include "app/editor/scene/lifted_picture.h"
 #include "app/editor/scene/moving_polygon.h"
 #include "app/editor/scene/plot_scene.h"
@@ -75,7 +77,10 @@ class FigurePage {
         figure_.parts.back().is_prose = true;
     }
 
-    void lacks(const std::vector<std::string>& labels) { figure_.unplaced = labels; }
+    void lacks(const std::vector<std::string>& labels, bool lacks_legend) {
+        figure_.unplaced = labels;
+        figure_.lacks_legend = lacks_legend;
+    }
 
     const Theme& theme() const { return theme_; }
     render::Figure take() { return std::move(figure_); }
@@ -110,10 +115,23 @@ render::DrawList moving_scene(const EditorState& state, const MovingPolygon& mov
     return list;
 }
 
+/// Takes the legend away where it would lie over the curves; returns whether it did.
+bool leave_out_legend(EditorState& state, const FigureForm& form, SceneCache& cache) {
+    const bool is_wanted = has_canvas(form.view) && form.view != FigureView::homogeneous && state.view.parts.legend &&
+                           state.view.overlays.is_shown(Overlay::construction) &&
+                           state.visible_active_curve() != nullptr;
+    if (!is_wanted) return false;
+    const bool has_room = shows_legend(state) &&
+                          covered(state, state.view.camera, legend_box(state, state.view.legend_corner), cache) == 0;
+    state.view.parts.legend = has_room;
+    return !has_room;
+}
+
 /// The figure of a state whose camera, scale and parts are those of the figure.
-render::Figure composed(const EditorState& state, const FigureForm& form, const FigureHeights& heights,
+render::Figure composed(EditorState state, const FigureForm& form, const FigureHeights& heights,
                         const MovingPolygon& moving) {
     SceneCache cache;
+    const bool lacks_legend = leave_out_legend(state, form, cache);
     const double width = state.view.camera.size_px.x;
     FigurePage page(state, form, width);
     page.add_title(heights, state.view.interface_scale);
@@ -125,7 +143,7 @@ render::Figure composed(const EditorState& state, const FigureForm& form, const 
     }
     if (has_plot(form.view))
         page.add(plot_scene(state, PlotIdle{}, {width, heights.plot}, cache), heights.plot, page.theme().panel);
-    page.lacks(cache.unplaced());
+    page.lacks(cache.unplaced(), lacks_legend);
     return page.take();
 }
 

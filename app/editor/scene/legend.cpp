@@ -16,7 +16,7 @@ namespace batten::editor {
 namespace {
 
 constexpr double legend_side_margin = 14.0;
-constexpr double bottom = 28.0;  // leaves room for the numbers of the grid
+constexpr double number_room = 14.0;  // below it, for the numbers of the grid
 constexpr double legend_height = 30.0;
 constexpr double legend_padding = 13.0;
 constexpr double text = 12.5;
@@ -120,6 +120,10 @@ render::PixelBox legend_box(const EditorState& state, Corner corner) {
     const glm::dvec2 size{fitting_texts(state).width(), legend_height};
     const bool is_left = corner == Corner::lower_left || corner == Corner::upper_left;
     const bool is_lower = corner == Corner::lower_left || corner == Corner::lower_right;
+    const Overlays& overlays = state.view.overlays;
+    const bool has_numbers =
+        state.view.parts.window || overlays.is_shown(Overlay::grid) || overlays.is_shown(Overlay::rulers);
+    const double bottom = legend_side_margin + (has_numbers ? number_room : 0.0);
     const std::optional<render::PixelBox> insets = insets_box(state);
     const double top =
         corner == Corner::upper_right && insets ? insets->upper_px.y / scale + inset_distance : legend_side_margin;
