@@ -379,6 +379,13 @@ class Svg(FigureTest):
         process = run("figure", WAVE, "-o", self.folder / "a.svg", *words, "--size", "300x120")
         self.assertIn("there was no room for the legend; a larger figure may have it", process.stderr)
 
+    def test_the_plane_of_the_lifted_curve_is_named_beside_the_points(self):
+        picture = Picture(self.figure("a.svg", "--view", "homogeneous", "--size", "300x200", file=self.example("circle-nurbs"), told=None))
+        places = {"".join(t.itertext()): (float(t.get("x")), float(t.get("y"))) for t in picture.root.iter(SVG + "text")}
+        x, y = places.pop("w = 1")
+        for name, (a, b) in places.items():
+            self.assertTrue(abs(x - a) > 30 or abs(y - b) > 12, name)
+
 
 class Pixels(FigureTest):
     def test_sizes_are_multiplied_by_the_scale(self):

@@ -30,6 +30,8 @@ constexpr double lifted_name_distance = 9.0;
 constexpr double lifted_name_farthest = 27.0;
 constexpr double lifted_name_step = 6.0;
 constexpr double lifted_name_reach = 7.0;
+constexpr double plane_name_size = 12.0;
+constexpr double shadow_reach = 4.0;
 
 /// What is drawn beside the curve, its shadow and the plane.
 struct LiftedParts {
@@ -57,7 +59,7 @@ class LiftedPicture {
         draw_side(is_from_above_);
         draw_origin();
         if (parts_.points) draw_points();
-        if (parts_.names) draw_names();
+        draw_labels();
         if (frame_.state.view.parts.parameter) draw_parameter();
         draw_hovered_place();
     }
@@ -137,15 +139,17 @@ class LiftedPicture {
         end_line();
     }
 
-    void draw_plane() {
+    std::vector<glm::dvec2> plane_corners() const {
         std::vector<glm::dvec2> corners;
         for (const glm::dvec3& corner : stage_.plane)
             corners.push_back(render::screen_from_space(stage_.camera, corner));
+        return corners;
+    }
+
+    void draw_plane() {
+        const std::vector<glm::dvec2> corners = plane_corners();
         pen_.fill(corners, render::faded(frame_.theme.field, plane_opacity));
         pen_.outline(corners, {.color = frame_.theme.dim});
-        const auto highest = std::ranges::min_element(corners, {}, [](glm::dvec2 corner) { return corner.y; });
-        pen_.text(*highest - glm::dvec2(0.0, pen_.px(9.0)), "w = 1",
-                  {.color = frame_.theme.dim, .size = 12.0, .anchor = render::Anchor::center});
     }
 
     void draw_shadow() {
@@ -186,8 +190,8 @@ class LiftedPicture {
         });
     }
 
-    /// Beside the lifted points, off the curves and what else has a name.
-    void draw_names() {
+    /// What the plane is called, and the names beside the lifted points, off the curves and what else has a name.
+    void draw_labels() {
         LabelLayout layout(frame_.pen.size_px());
         const glm::dvec2 reach(pen_.px(lifted_name_reach));
         for (const auto& run : samples_)
@@ -198,10 +202,36 @@ class LiftedPicture {
                 layout.avoid_line(line);
             }
         layout.avoid_box({origin() - reach, origin() + 3.0 * reach});
-        for_each_point([&](std::size_t i) {
-            const glm::dvec2 place = shown(points()[i], weight(i));
-            layout.avoid_box({place - reach, place + reach});
-        });
+        if (parts_.points)
+            for_each_point([&](std::size_t i) {
+                const glm::dvec2 place = shown(points()[i], weight(i));
+                layout.avoid_box({place - reach, place + reach});
+                layout.avoid_symbol(shown(points()[i], 1.0), pen_.px(shadow_reach));
+            });
+        write_plane_name(layout);
+        if (!parts_.names) return;
+        std::vector<glm::dvec2> plane = plane_corners();
+        plane.push_back(plane.front());
+        layout.avoid_line(plane);
+        draw_names(layout);
+    }
+
+    /// At the highest corner where it covers nothing, else at the highest.
+    void write_plane_name(LabelLayout& layout) {
+        std::vector<glm::dvec2> corners = plane_corners();
+        std::ranges::sort(corners, {}, [](glm::dvec2 corner) { return corner.y; });
+        const glm::dvec2 size = text_size("w = 1", pen_.px(plane_name_size), render::LabelFont::text);
+        for (const Crowding crowding : {Crowding::cover_nothing, Crowding::cover_symbols})
+            for (const glm::dvec2 corner : corners)
+                if (const auto place = layout.place(corner, size, pen_.px(1.5), LabelSide::above, crowding)) {
+                    pen_.text(place->position, "w = 1",
+                              {.color = frame_.theme.dim, .size = plane_name_size, .anchor = place->anchor});
+                    return;
+                }
+        frame_.cache.unplaced().emplace_back("w = 1");
+    }
+
+    void draw_names(LabelLayout& layout) {
         for_each_point([&](std::size_t i) {
             const std::string name = fmt::format("P_{{{}}}", i);
             if (!write_name(layout, shown(points()[i], weight(i)), name)) frame_.cache.unplaced().push_back(name);
@@ -210,7 +240,7 @@ class LiftedPicture {
 
     bool write_name(LabelLayout& layout, glm::dvec2 point, const std::string& name) {
         const glm::dvec2 size = text_size(name, pen_.px(lifted_name_size), render::LabelFont::text);
-        for (const Crowding crowding : {Crowding::leave_out, Crowding::cover_symbols})
+        for (const Crowding crowding : {Crowding::cover_nothing, Crowding::leave_out, Crowding::cover_symbols})
             for (double distance = lifted_name_distance; distance <= lifted_name_farthest; distance += lifted_name_step)
                 if (const auto place = layout.place(point, size, pen_.px(distance), LabelSide::upper_right, crowding)) {
                     pen_.text(place->position, name,
@@ -263,7 +293,9 @@ void draw_lifted_curve(CanvasFrame& frame, const render::PixelBox& box) {
     const LiftedParts parts{.polygon = frame.shows(Overlay::polygon),
                             .points = frame.state.view.parts.points,
                             .names = frame.shows(Overlay::labels)};
-    LiftedPicture(frame, box, parts).draw();
+    // Where the title of an inset is there is room.
+    const glm::dvec2 title(0.0, frame.pen.px(lifted_title_height));
+    LiftedPicture(frame, {box.lower_px - title, box.upper_px}, parts).draw();
 }
 
 }  // namespace batten::editor
