@@ -220,7 +220,7 @@ class Walk {
         const auto fault = kind == "path" ? read_path_data(element.attribute("d").value(), around.map, sink)
                                           : read_basic_shape(element, kind, around.viewport, around.map, sink);
         if (fault)
-            tell(svg_loss::wrong_path,
+            tell(kind == "path" ? svg_loss::wrong_path : svg_loss::wrong_points,
                  core::sentence("character {character} of '{name}'", {{"character", *fault + 1}, {"name", name}}));
         if (drawing_.curves.size() < first + 2) return;
         for (std::size_t i = first; i < drawing_.curves.size(); ++i) drawing_.curves[i].group = name;

@@ -9,6 +9,10 @@ namespace batten::exchange::svg_loss {
 inline constexpr core::PluralPattern wrong_path{
     "the path data go wrong at {place}; they are read up to there",
     "the data of {count} paths go wrong, first at {place}; they are read up to there"};
+/// Of a polygon or a polyline.
+inline constexpr core::PluralPattern wrong_points{
+    "the points go wrong at {place}; they are read up to there",
+    "the points of {count} polygons or polylines go wrong, first at {place}; they are read up to there"};
 inline constexpr core::PluralPattern refused_curve{"'{place}' is left out: {reason}",
                                                    "{count} curves are left out, first '{place}': {reason}"};
 inline constexpr core::PluralPattern wrong_transform{

@@ -195,6 +195,13 @@ TEST(SvgPath, ReadsUpToWhatGoesWrong) {
     EXPECT_EQ(
         imported.report.left_out,
         (std::vector<std::string>{"the path data go wrong at character 12 of 'wave'; they are read up to there"}));
+    const Imported several = read_elements(R"(<path id="a" d="M0 0h1 X"/><polygon id="b" points="0,0 1,0 1,1 x"/>
+        <path id="c" d="M0 0h1 L5"/><polyline id="d" points="0,0 1,0 1"/>)");
+    EXPECT_EQ(several.report.left_out,
+              (std::vector<std::string>{
+                  "the data of 2 paths go wrong, first at character 8 of 'a'; they are read up to there",
+                  "the points of 2 polygons or polylines go wrong, first at character 13 of 'b'; they are read up to "
+                  "there"}));
     for (const std::string data : {"M0 0h1 1e999", "M0 0h1 L5", "M0 0h1A1 1 0 2 0 5 5", "M0 0h1L", "M0 0h1,",
                                    "M0 0h1 nan", "M0 0h1L inf 0", "M0 0h1#", "M0 0h1Z3", "M0 0h1L0x10 3"})
         EXPECT_EQ(read_path(data).report.left_out.size(), 1U) << data;

@@ -42,10 +42,11 @@ Outcome<LoadedFile> load_foreign(const fs::path& path, exchange::Format format) 
     return LoadedFile{std::move(imported->document), true, std::move(remarks)};
 }
 
-std::string error_words(const Units& units, double largest_error) {
-    if (largest_error == 0.0) return "its curves are exact";
-    if (!std::isfinite(largest_error)) return "how far its curves are off is not known";
-    return sentence("its curves are off by at most {error}", {{"error", length_words(units, largest_error)}});
+std::string error_words(const Units& units, const exchange::Report& report) {
+    if (report.largest_error == 0.0)
+        return report.left_out.empty() ? "its curves are exact" : "its curves are exact apart from what follows";
+    if (!std::isfinite(report.largest_error)) return "how far its curves are off is not known";
+    return sentence("its curves are off by at most {error}", {{"error", length_words(units, report.largest_error)}});
 }
 
 }  // namespace
@@ -59,7 +60,7 @@ std::vector<std::string> report_words(const Units& units, const exchange::Report
     std::vector<std::string> words{
         report.holds_samples
             ? "it holds samples of the curves, from which points can be read again, but not the curves themselves"
-            : error_words(units, report.largest_error)};
+            : error_words(units, report)};
     words.insert(words.end(), report.left_out.begin(), report.left_out.end());
     return words;
 }
