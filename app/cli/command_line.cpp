@@ -38,12 +38,19 @@ std::string evaluate(std::string& text) {
     return {};
 }
 
-void add_format(CLI::App& command, const char* name, std::optional<exchange::Format>& format, const char* meaning) {
-    std::vector<std::string> names;
+FileKind kind_named(const std::string& name) {
+    const auto format = core::value_named<exchange::Format>(name);
+    return format ? FileKind(*format) : FileKind(NativeKind{});
+}
+
+// `meaning` has a place for the names.
+void add_kind(CLI::App& command, const char* option, std::optional<FileKind>& kind, const char* meaning) {
+    std::vector<std::string> names{"batten"};
     for (const auto& entry : core::Names<exchange::Format>::table) names.emplace_back(entry.name);
     command
         .add_option_function<std::string>(
-            name, [&format](const std::string& given) { format = core::value_named<exchange::Format>(given); }, meaning)
+            option, [&kind](const std::string& name) { kind = kind_named(name); },
+            core::sentence(meaning, {{"names", core::listed_as_alternatives(names)}}))
         ->check(one_of(names))
         ->type_name("FORMAT");
 }
@@ -197,8 +204,8 @@ void Subcommands::add_convert(CLI::App& program) {
     command->add_option("-o,--output", convert_.result, "Where the curves are written; - is standard output")
         ->required()
         ->type_name("FILE");
-    add_format(*command, "--from", convert_.from, "What kind of file it is, instead of by its ending");
-    add_format(*command, "--to", convert_.to, "What kind of file is written, instead of by its ending");
+    add_kind(*command, "--from", convert_.from, "What kind of file it is, instead of by its ending: {names}");
+    add_kind(*command, "--to", convert_.to, "What kind of file is written, instead of by its ending: {names}");
     command
         ->add_option("--tolerance", convert_.write.tolerance,
                      "How far curves may be from their copies where the format cannot hold them as they are (default: "

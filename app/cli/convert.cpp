@@ -25,7 +25,7 @@ void print_report(std::ostream& out, const core::Document& document, const std::
 }
 
 core::FileResult<exchange::Exported> text_of(const core::Document& document, const ConvertOptions& options) {
-    const auto format = options.to ? options.to : exchange::format_of(options.result);
+    const auto format = format_meant(options.result, options.to);
     if (format) return exchange::write_curves(document, *format, options.write);
     return exchange::Exported{core::format_document(document)};
 }

@@ -17,9 +17,14 @@ void say_error(Output output, const std::filesystem::path& file, const core::Fil
     say_error(output, file, error.where == shown_name(file) ? "" : error.where, error.what);
 }
 
-core::FileResult<exchange::Imported> read_curves(const std::filesystem::path& file,
-                                                 std::optional<exchange::Format> format) {
-    if (!format) format = exchange::format_of(file);
+std::optional<exchange::Format> format_meant(const std::filesystem::path& file, std::optional<FileKind> kind) {
+    if (!kind) return exchange::format_of(file);
+    const auto* const format = std::get_if<exchange::Format>(&*kind);
+    return format == nullptr ? std::nullopt : std::optional(*format);
+}
+
+core::FileResult<exchange::Imported> read_curves(const std::filesystem::path& file, std::optional<FileKind> kind) {
+    const std::optional<exchange::Format> format = format_meant(file, kind);
     if (format == exchange::Format::csv)
         return tl::unexpected(core::FileError{
             "",

@@ -16,10 +16,14 @@ void say_error(Output output, const std::filesystem::path& file, const std::stri
 /// The same for why `file` could not be read or written.
 void say_error(Output output, const std::filesystem::path& file, const core::FileError& error);
 
-/// The curves in `file`, or on standard input, read as `format`: none means by the ending, which for most is that of
+/// The curves in `file`, or on standard input, read as that kind: none means by the ending, which for most is that of
 /// Batten's own files.
 core::FileResult<exchange::Imported> read_curves(const std::filesystem::path& file,
-                                                 std::optional<exchange::Format> format = std::nullopt);
+                                                 std::optional<FileKind> kind = std::nullopt);
+
+/// The format of another program that is meant by `kind`, or by the ending of `file` where there is none; none for
+/// Batten's own.
+std::optional<exchange::Format> format_meant(const std::filesystem::path& file, std::optional<FileKind> kind);
 
 /// The document in `file`, or on standard input; what of it was left out goes to the errors.
 core::FileResult<core::Document> read_document(Output output, const std::filesystem::path& file);

@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "app/editor/pointer/gesture_script.h"
@@ -69,11 +70,15 @@ struct CheckOptions {
 /// Says of each file whether it is valid, and what is wrong where it is not; lists its joints where they are asked for.
 ExitStatus check(const CheckOptions& options, Output output);
 
+/// The kind of Batten's own files.
+struct NativeKind {};
+using FileKind = std::variant<NativeKind, exchange::Format>;
+
 struct ConvertOptions {
     std::filesystem::path file;
-    std::optional<exchange::Format> from{};  ///< none: by the ending
+    std::optional<FileKind> from{};  ///< none: by the ending
     std::filesystem::path result;
-    std::optional<exchange::Format> to{};  ///< likewise
+    std::optional<FileKind> to{};  ///< likewise
     exchange::WriteOptions write{};
     bool as_json = false;
 };

@@ -29,6 +29,23 @@ class Convert(unittest.TestCase):
         self.assertEqual(json.loads(process.stdout)["curves"][0]["points"], LINE["points"])
         self.assertEqual(process.stderr, f"{self.line}: its curves are exact\nstandard output: its curves are exact\n")
 
+    def test_the_native_kind_is_chosen_too(self):
+        for name in ("copy.svg", "copy.xyz"):
+            copy = self.folder / name
+            self.assertEqual(run("convert", self.line, "-o", copy, "--to", "batten").stdout.splitlines()[1], f"{copy}: its curves are exact")
+            self.assertEqual(json.loads(copy.read_text())["format"], "batten")
+        back = run("convert", self.folder / "copy.svg", "--from", "batten", "-o", "-", "--to", "batten")
+        self.assertEqual(json.loads(back.stdout)["curves"][0]["points"], LINE["points"])
+        self.assertEqual(run("convert", self.folder / "copy.svg", "-o", "-").returncode, 1)
+
+    def test_exact_curves_beside_a_loss_are_told_as_such(self):
+        drawing = self.folder / "drawing.svg"
+        drawing.write_text('<svg xmlns="http://www.w3.org/2000/svg"><path id="a" d="M0 0h1 X"/><polygon id="b" points="0,0 1,0 1,1 x"/></svg>')
+        self.assertEqual(run("convert", drawing, "-o", "-").stderr.splitlines()[:3], [
+            f"{drawing}: its curves are exact apart from what follows",
+            f"{drawing}: the path data of 'a' go wrong at character 8; they are read up to there",
+            f"{drawing}: the points of 'b' go wrong at character 13; they are read up to there"])
+
     def test_errors_are_told_in_numbers_that_can_be_copied(self):
         circle = self.folder / "circle.json"
         self.assertEqual(run("new", "circle", 0, 0, 1, "elevate", 1, "-o", circle).returncode, 0)
@@ -89,12 +106,13 @@ class Convert(unittest.TestCase):
         self.assertIn("none.json: ", missing.stderr)
         foreign = run("convert", self.line, "-o", self.folder / "out.ai")
         self.assertEqual((foreign.returncode, foreign.stdout), (2, ""))
-        self.assertEqual(foreign.stderr, "batten convert: 'out.ai' ends in .ai, as no file that curves are written to; name it 'out.json'\n")
+        self.assertRegex(foreign.stderr, "^batten convert: 'out.ai' ends in .ai, as no file that curves are written to; name it 'out.json', or with "
+                         ".svg, .dxf, .* or .csv\n$")
         for words, problem in (
             (("--samples", "1"), "--samples: 1 is no whole number from 2 to 10000000"),
             (("--samples", "2.5"), "--samples: 2.5 is no whole number from 2 to 10000000"),
             (("--tolerance", "-1"), "--tolerance: -1 is no length above 0"),
-            (("--to", "word"), "--to: 'word' is none of them; possible are "),
+            (("--to", "word"), "--to: 'word' is none of them; possible are batten, svg, "),
         ):
             refused = run("convert", self.line, "-o", result, *words)
             self.assertEqual(refused.returncode, 2, words)

@@ -164,11 +164,11 @@ class Operations(unittest.TestCase):
         for ending in ("ai", "AI", "txt", "geojson"):
             path = self.folder / f"wave.{ending}"
             error = self.wrong_usage("new", *words_of("line 0 0 1 1"), "-o", path)
-            self.assertEqual(error, f"batten new: 'wave.{ending}' ends in .{ending}, as no file that curves are written to; name it 'wave.json'\n")
+            self.assertRegex(error, f"^batten new: 'wave.{ending}' ends in .{ending}, as no file that curves are written to; name it 'wave.json', or with .svg, .dxf, .* or .csv\n$")
             self.assertFalse(path.exists())
         for ending in ("pdf", "PNG", "tex"):
             error = self.wrong_usage("new", *words_of("line 0 0 1 1"), "-o", self.folder / f"wave.{ending}")
-            self.assertEqual(error, f"batten new: 'wave.{ending}' is a picture, as 'batten figure' writes it; a file with curves is 'wave.json'\n")
+            self.assertRegex(error, f"^batten new: 'wave.{ending}' is a picture, as 'batten figure' writes it; a file with curves is 'wave.json'\n")
         for name in ("wave", "wave.JSON", "wave 1.5", "tmp.Yk3xQzA9bc"):
             self.assertEqual(run("new", *words_of("line 0 0 1 1"), "-o", self.folder / name).returncode, 0)
             self.assertTrue((self.folder / name).exists())

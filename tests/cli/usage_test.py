@@ -70,7 +70,7 @@ class Usage(unittest.TestCase):
                 self.assertEqual(self.refused(name, "line.json", f"--json={value}"), f"batten {name}: --json takes no value; it stands alone")
 
     def test_a_wrong_value_is_told_with_what_is_allowed(self):
-        self.assertEqual(self.refused("convert", "line.json", "-o", "a.dxf", "--from", "dfx").partition("? possible are svg, ")[0],
+        self.assertEqual(self.refused("convert", "line.json", "-o", "a.dxf", "--from", "dfx").partition("? possible are batten, svg, ")[0],
                          "batten convert: --from: 'dfx' is none of them; did you mean 'dxf'")
         self.assertEqual(self.refused("eval", "line.json", "--at", 0, "--side", "above"),
                          "batten eval: --side: 'above' is none of them; possible are left or right")

@@ -45,22 +45,39 @@ std::filesystem::path native_instead(const std::filesystem::path& path) {
     return native += ".json";
 }
 
-}  // namespace
+// Of files for other programs: ".svg, .dxf or .csv".
+std::string other_endings() {
+    std::vector<std::string> endings;
+    for (const exchange::FormatSpec& spec : exchange::all_formats())
+        if (spec.write != nullptr) endings.push_back(spec.endings.front());
+    return core::listed_as_alternatives(endings);
+}
 
-std::optional<Refusal> foreign_ending(const std::filesystem::path& path) {
+// Of a name that ends like a file of another kind.
+std::optional<Refusal> refused_ending(const std::filesystem::path& path, const char* pattern) {
     const std::string name = path.filename().string();
     if (name.starts_with('.') && name.size() <= longest + 1 && is_ending(name.substr(1)))
         return core::sentence("'{name}' is an ending without a name; name it 'curves.json'", {{"name", name}});
     const std::string ending = ending_of(path);
     if (ending.empty() || is_native(ending)) return std::nullopt;
     const std::filesystem::path native = native_instead(path);
-    return core::sentence("'{name}' ends in .{ending}, as no file that curves are written to; name it '{native}'",
-                          {{"name", name}, {"ending", ending}, {"native", native.string()}});
+    return core::filled_as_needed(
+        pattern, {{"name", name}, {"ending", ending}, {"native", native.string()}, {"others", other_endings()}});
+}
+
+}  // namespace
+
+std::optional<Refusal> foreign_ending(const std::filesystem::path& path) {
+    return refused_ending(path,
+                          "'{name}' ends in .{ending}, as no file that curves are written to; name it '{native}'");
 }
 
 std::optional<Refusal> foreign_result(const std::filesystem::path& path) {
     if (exchange::format_of(path)) return std::nullopt;
-    if (!is_named_as_figure(path)) return foreign_ending(path);
+    if (!is_named_as_figure(path))
+        return refused_ending(path,
+                              "'{name}' ends in .{ending}, as no file that curves are written to; name it '{native}', "
+                              "or with {others}");
     return core::sentence("'{name}' is a picture, as 'batten figure' writes it; a file with curves is '{native}'",
                           {{"name", path.filename().string()}, {"native", native_instead(path).string()}});
 }

@@ -14,7 +14,7 @@ namespace batten::editor {
 /// temporary "out.Yk3xQz" have none. An ending without a name, ".svg" or ".json", would be a hidden file.
 std::optional<Refusal> foreign_ending(const std::filesystem::path& path);
 
-/// The same for a name that may have the ending of a format of exchange.
+/// The same for a name that may have the ending of a format of exchange, all of which the refusal names.
 std::optional<Refusal> foreign_result(const std::filesystem::path& path);
 
 /// The path of a file to save: with the ending of native files where it has none. A foreign one is refused.
