@@ -31,6 +31,7 @@ constexpr core::PluralPattern read_otherwise{
 struct CadFormat {
     const char* name;
     Reader read;
+    std::vector<std::size_t> (*damaged_curves)(std::string_view text);  // of those that a file was written of, if known
 };
 
 core::Document cad_document(core::LengthUnit unit, std::span<const CadCurve> curves) {
@@ -59,8 +60,9 @@ core::FileResult<WrittenAndRead> written_and_read(const CadFormat& format, const
     });
 }
 
-// Finds the curves that do not come back. Those that are only missing show at once. Those for whose sake nothing can be
-// read are found by halves, a few tries for each of them; after so many tries, what is left is given up.
+// Finds the curves that do not come back. Those that are only missing show at once, and so do those whose numbers the
+// text has no numbers for. Others for whose sake nothing can be read are found by halves, a few tries for each of them;
+// after so many tries, what is left is given up.
 class LostCurves {
   public:
     LostCurves(const CadFormat& format, CadCurves& curves) : format_(format), curves_(curves) {}
@@ -72,13 +74,21 @@ class LostCurves {
     }
 
   private:
+    // What came of a file of some curves.
+    struct Try {
+        std::vector<bool> is_there;
+        std::vector<std::size_t> damaged{};  // those at fault where the file cannot be read, if they are known
+    };
+
     void sort(std::span<const CadCurve> part) {
         if (tries_ == 0) return leave_out(part, not_tried);
         --tries_;
-        const std::vector<bool> is_there = come_back(part);
-        if (part.size() > 1 && std::ranges::none_of(is_there, std::identity())) return sort_halves(part);
+        const Try tried = try_file(part);
+        const bool is_nothing_there = std::ranges::none_of(tried.is_there, std::identity());
+        if (part.size() > 1 && is_nothing_there)
+            return tried.damaged.empty() ? sort_halves(part) : sort_others(part, tried.damaged);
         for (std::size_t i = 0; i < part.size(); ++i)
-            if (is_there[i])
+            if (tried.is_there[i])
                 curves_.curves.push_back(part[i]);
             else
                 leave_out(part.subspan(i, 1), not_held);
@@ -90,23 +100,34 @@ class LostCurves {
         sort(part.subspan(half));
     }
 
+    void sort_others(std::span<const CadCurve> part, std::span<const std::size_t> damaged) {
+        std::vector<CadCurve> others;
+        for (std::size_t i = 0; i < part.size(); ++i)
+            if (std::ranges::binary_search(damaged, i))
+                leave_out(part.subspan(i, 1), not_held);
+            else
+                others.push_back(part[i]);
+        if (!others.empty()) sort(others);
+    }
+
     void leave_out(std::span<const CadCurve> part, const core::PluralPattern& why) {
         for (const CadCurve& curve : part) curves_.notes.add(why, [&] { return curve.name; });
     }
 
-    // Which of them are in a file of all; in it they are named by their numbers.
-    std::vector<bool> come_back(std::span<const CadCurve> part) const {
-        std::vector<bool> is_there(part.size(), false);
+    // In the file they are named by their numbers.
+    Try try_file(std::span<const CadCurve> part) const {
+        Try tried{std::vector<bool>(part.size(), false)};
         core::Document document = cad_document(curves_.unit, part);
         for (std::size_t i = 0; i < part.size(); ++i) document.curves[i].name = std::to_string(i);
         const auto result = written_and_read(format_, document);
-        if (!result) return is_there;
+        if (!result) return tried;
         for (const core::DocumentCurve& copy : result->copies) {
             std::size_t i = part.size();
             std::from_chars(copy.name.data(), copy.name.data() + copy.name.size(), i);
-            if (i < part.size()) is_there[i] = true;
+            if (i < part.size()) tried.is_there[i] = true;
         }
-        return is_there;
+        if (result->copies.empty()) tried.damaged = format_.damaged_curves(result->written.text);
+        return tried;
     }
 
     const CadFormat& format_;
@@ -158,11 +179,11 @@ core::FileResult<Imported> read_step(std::string_view text) {
 }
 
 core::FileResult<Exported> write_iges(const core::Document& document, const WriteOptions& /*options*/) {
-    return write_cad({"iges", read_iges}, document);
+    return write_cad({"iges", read_iges, damaged_iges_entities}, document);
 }
 
 core::FileResult<Exported> write_step(const core::Document& document, const WriteOptions& /*options*/) {
-    return write_cad({"step", read_step}, document);
+    return write_cad({"step", read_step, [](std::string_view) { return std::vector<std::size_t>(); }}, document);
 }
 
 }  // namespace batten::exchange

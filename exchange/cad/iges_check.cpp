@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -284,9 +285,11 @@ std::optional<core::FileError> wrong_parameters(const IgesSections& found, const
     return std::nullopt;
 }
 
-std::optional<core::FileError> wrong_entity(const IgesSections& found) {
+// Hands each entity that is no macro, with its number, to `look`, which may end it with a defect.
+std::optional<core::FileError> look_at_entities(
+    const IgesSections& found,
+    const std::function<std::optional<core::FileError>(std::size_t number, const IgesEntity& entity)>& look) {
     const IgesSection& directory = found[2];
-    const IgesDelimiters delimiters = delimiters_in(found[1]);
     std::size_t taken = 0;
     for (std::size_t i = 0; i < directory.lines.size(); i += 2) {
         const auto entity = i + 1 < directory.lines.size() ? entity_in(found, i) : std::nullopt;
@@ -298,7 +301,7 @@ std::optional<core::FileError> wrong_entity(const IgesSections& found) {
             return defect_in(directory.first_line + i,
                              "by the directory, entities have more lines in section P than there are");
         if (is_macro(entity->type)) continue;
-        if (auto defect = wrong_parameters(found, *entity, delimiters)) return defect;
+        if (auto defect = look(i / 2, *entity)) return defect;
     }
     return std::nullopt;
 }
@@ -309,7 +312,23 @@ std::optional<core::FileError> iges_defect(std::string_view text) {
     IgesSections found;
     if (auto defect = take_sections(text, found)) return defect;
     if (auto defect = wrong_count(found)) return defect;
-    return wrong_entity(found);
+    const IgesDelimiters delimiters = delimiters_in(found[1]);
+    return look_at_entities(found, [&](std::size_t /*number*/, const IgesEntity& entity) {
+        return wrong_parameters(found, entity, delimiters);
+    });
+}
+
+std::vector<std::size_t> damaged_iges_entities(std::string_view text) {
+    IgesSections found;
+    if (take_sections(text, found)) return {};
+    const IgesDelimiters delimiters = delimiters_in(found[1]);
+    std::vector<std::size_t> damaged;
+    const auto defect =
+        look_at_entities(found, [&](std::size_t number, const IgesEntity& entity) -> std::optional<core::FileError> {
+            if (wrong_parameters(found, entity, delimiters)) damaged.push_back(number);
+            return std::nullopt;
+        });
+    return defect ? std::vector<std::size_t>() : damaged;
 }
 
 }  // namespace batten::exchange

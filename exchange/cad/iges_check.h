@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "core/document/file_text.h"
 
@@ -13,5 +14,9 @@ namespace batten::exchange {
 /// directory and its parameters belong together and each parameter is a number or a text; and of a B-spline curve
 /// (entity 126) that it has as many knots, weights and coordinates as its first two numbers say. Cost O(n).
 std::optional<core::FileError> iges_defect(std::string_view text);
+
+/// The numbers, from 0 on in the order of the directory, of the entities whose parameters are missing or damaged; none
+/// where more than that is. Cost O(n).
+std::vector<std::size_t> damaged_iges_entities(std::string_view text);
 
 }  // namespace batten::exchange

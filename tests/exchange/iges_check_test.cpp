@@ -56,6 +56,14 @@ TEST(IgesCheck, TakesNumbersBelowTheDoublesForZeros) {
               "line 4: found '1D400' where a finite number or a text must be");
 }
 
+TEST(IgesCheck, NamesTheEntitiesThatAreDamaged) {
+    using Numbers = std::vector<std::size_t>;
+    EXPECT_EQ(damaged_iges_entities(freecad_text()), Numbers());
+    EXPECT_EQ(damaged_iges_entities(line_file(whole_line)), Numbers());
+    EXPECT_EQ(damaged_iges_entities(line_file(with(whole_line, "2.5", "NAN"))), Numbers{0});
+    EXPECT_EQ(damaged_iges_entities(""), Numbers());
+}
+
 TEST(IgesCheck, RefusesAFileThatIsCutOffAtAnyByte) {
     const std::string text = freecad_text();
     const std::size_t end_of_line_t = text.rfind('T') + 7;
