@@ -48,12 +48,11 @@ std::optional<double> length_of(const core::Curve& curve) {
     return core::is_sharp(length) ? std::optional(length.value) : std::nullopt;
 }
 
-Json json_of_curve(const core::DocumentCurve& entry) {
+// All but the knots, of which there may be millions.
+Json head_of_curve(const core::DocumentCurve& entry) {
     const core::Curve& curve = *entry.curve;
     const std::optional<core::Box> bounds = bounds_of(curve);
     const std::optional<double> length = length_of(curve);
-    Json knots = Json::array();
-    visit_knots_of_domain(curve, [&](const core::DistinctKnot& knot) { knots.push_back(json_of_knot(knot)); });
     return {{"name", entry.name},
             {"degree", curve.degree()},
             {"kind", core::title_of(core::kind_by_values(curve.knots()))},
@@ -65,8 +64,18 @@ Json json_of_curve(const core::DocumentCurve& entry) {
             {"segments", core::segment_count(curve.knots())},
             {"domain", Json::array({curve.domain().lower, curve.domain().upper})},
             {"length", length ? Json(*length) : Json(nullptr)},
-            {"bounds", bounds ? json_of_box(*bounds) : Json(nullptr)},
-            {"knots", std::move(knots)}};
+            {"bounds", bounds ? json_of_box(*bounds) : Json(nullptr)}};
+}
+
+void print_json(std::ostream& out, const std::filesystem::path& file, const core::Document& document) {
+    ListPrinter curves(out, Json::object({{"file", file.string()}}), "curves");
+    for (const core::DocumentCurve& entry : document.curves) {
+        ListPrinter knots(out, head_of_curve(entry), "knots", curves.begin_item());
+        visit_knots_of_domain(*entry.curve, [&](const core::DistinctKnot& knot) { knots.add(json_of_knot(knot)); });
+        knots.end();
+    }
+    curves.end();
+    out << '\n';
 }
 
 std::string text_of(const core::DistinctKnot& knot) {
@@ -109,15 +118,10 @@ void print_curve(std::ostream& out, const core::DocumentCurve& entry) {
 ExitStatus info(const InfoOptions& options, Output output) {
     const std::optional<core::Document> document = load(output, options.file);
     if (!document) return ExitStatus::wrong_input;
-    Json curves = Json::array();
-    for (const core::DocumentCurve& entry : document->curves) {
-        if (options.as_json) {
-            curves.push_back(json_of_curve(entry));
-        } else {
-            print_curve(output.results, entry);
-        }
-    }
-    if (options.as_json) print(output.results, {{"file", options.file.string()}, {"curves", std::move(curves)}});
+    if (options.as_json)
+        print_json(output.results, options.file, *document);
+    else
+        for (const core::DocumentCurve& entry : document->curves) print_curve(output.results, entry);
     return ExitStatus::done;
 }
 

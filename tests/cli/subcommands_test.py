@@ -48,6 +48,11 @@ class Subcommands(unittest.TestCase):
         self.assertEqual(quarter["knots"], [{"value": 0, "multiplicity": 3}, {"value": 1, "multiplicity": 3}])
         self.assertEqual((line["length"], line["domain"]), (5, [0, 2]))
 
+    def test_info_as_json_has_one_member_a_line(self):
+        for file in (self.file, write_document(self.folder / "none.json")):
+            text = run("info", "--json", file).stdout
+            self.assertEqual(text, json.dumps(json.loads(text), indent=2, ensure_ascii=False) + "\n")
+
     def test_info_as_text_names_the_same(self):
         text = run("info", self.file).stdout
         for part in ("quarter", "Bézier, rational", "multiplicity 3", "0 to 2", "line"):
