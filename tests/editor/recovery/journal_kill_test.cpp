@@ -1,19 +1,23 @@
 // Kills sessions at random moments, and reads what they left. BATTEN_KILLS sets how many; 40 where it is not set.
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
 #include <new>
 #include <random>
+#include <stop_token>
 #include <thread>
 
 #include "app/editor/recovery/document_pieces.h"
@@ -29,10 +33,36 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t nanoseconds_in_second = 1'000'000'000;
 
-std::int64_t nanoseconds_now() {
+// When something is in a session, by two clocks that stand still where others take the machine away, as its journal
+// does then. On a machine of its own a second is one on both.
+struct Moment {
+    std::int64_t worked = 0;  // how long the session, which never waits, had a processor, in nanoseconds
+    std::int64_t synced = 0;  // how long the disk was at hand
+
+    bool is_a_second_before(const Moment& other) const {
+        return worked + nanoseconds_in_second <= other.worked && synced + nanoseconds_in_second <= other.synced;
+    }
+};
+
+std::int64_t nanoseconds_worked() {
     timespec time{};
-    clock_gettime(CLOCK_MONOTONIC, &time);
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return time.tv_sec * nanoseconds_in_second + time.tv_nsec;
+}
+
+// Counts `time` on by ten milliseconds for as many, or for as long as the disk takes for a byte where that is longer.
+void count_while_disk_syncs(const fs::path& folder, std::atomic<std::int64_t>& time, const std::stop_token& end) {
+    constexpr std::chrono::milliseconds step(10);
+    const int file = open((folder / "clock").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    ASSERT_GE(file, 0);
+    while (!end.stop_requested()) {
+        const auto next = std::chrono::steady_clock::now() + step;
+        EXPECT_EQ(pwrite(file, "x", 1, 0), 1);
+        EXPECT_EQ(fsync(file), 0);
+        std::this_thread::sleep_until(next);
+        time += std::chrono::nanoseconds(step).count();
+    }
+    close(file);
 }
 
 // All bits of a document.
@@ -50,17 +80,18 @@ std::uint64_t sum_of(const core::Document& document) {
 // What a session says that it committed, in memory that outlives it.
 struct Testimony {
     struct Commit {
-        std::int64_t time = 0;
+        Moment moment{};
         std::uint64_t sum = 0;
         bool is_modified = false;
     };
     std::array<Commit, 100'000> commits{};
     std::atomic<std::size_t> count = 0;
+    std::atomic<std::int64_t> synced = 0;  // the clock of the disk
 
     void add(const EditorState& state) {
         const std::size_t i = count;
         if (i == commits.size()) return;
-        commits[i] = {nanoseconds_now(), sum_of(state.history.present()), state.is_modified()};
+        commits[i] = {{nanoseconds_worked(), synced}, sum_of(state.history.present()), state.is_modified()};
         count = i + 1;
     }
 };
@@ -113,11 +144,11 @@ core::Document long_document(std::size_t count) {
 
 // What is left of the session is one of the documents that it committed, and none that was committed more than a second
 // before the next one.
-void expect_survived(const fs::path& folder, const Testimony& testimony, std::int64_t killed) {
+void expect_survived(const fs::path& folder, const Testimony& testimony) {
     const std::size_t count = testimony.count;
-    std::size_t due = 0;  // the last commit that must be on disk
+    std::size_t due = 0;  // the last commit that must be on disk; the last one of all came just before the kill
     for (std::size_t i = 0; i < count; ++i)
-        if (testimony.commits.at(i).time + nanoseconds_in_second <= killed) due = i;
+        if (testimony.commits.at(i).moment.is_a_second_before(testimony.commits.at(count - 1).moment)) due = i;
     const std::vector<Recoverable> left = find_recoverable(folder);
     ASSERT_LE(left.size(), 1U);
     if (left.empty()) {
@@ -139,18 +170,22 @@ void expect_survived(const fs::path& folder, const Testimony& testimony, std::in
 
 void kill_one(unsigned seed) {
     const TemporaryFolder folder;
+    const TemporaryFolder other_folder;
     const SharedTestimony testimony;
     const pid_t session = fork();
     if (session == 0) be_a_session(folder.path(), seed, *testimony.operator->());
+    std::jthread clock([&](const std::stop_token& end) {
+        count_while_disk_syncs(other_folder.path(), testimony.operator->()->synced, end);
+    });
     std::mt19937 random(seed);
     std::this_thread::sleep_for(std::chrono::milliseconds(random() % 2500));
     kill(session, SIGKILL);
-    const std::int64_t killed = nanoseconds_now();
+    clock = {};
     int status = 0;
     ASSERT_EQ(waitpid(session, &status, 0), session);
     ASSERT_TRUE(WIFSIGNALED(status)) << "the session ended by itself";
     SCOPED_TRACE("session " + std::to_string(seed));
-    expect_survived(folder.path(), *testimony.operator->(), killed);
+    expect_survived(folder.path(), *testimony.operator->());
 }
 
 // Several at once, each in a process of its own, which tells by its exit status.
