@@ -524,6 +524,17 @@ class Animations(FigureTest):
         self.assertAlmostEqual(shown[3]["P5"], 0.4, delta=0.01)
         self.assertEqual((shown[1]["P4"], shown[4]["P5"], shown[2]["P0"]), (1.0, 1.0, 1.0))
 
+    def test_multiple_knots_stand_beside_their_points(self):
+        run("figure", self.example("circle-nurbs"), "--animate", "insert=0.3", "--frames", "3", "-o", self.folder / "%d.svg", "--show", "points,knots")
+        for k in range(3):
+            frame = Picture(self.folder / f"{k}.svg")
+            marks = diamonds(frame)
+            self.assertEqual(len(marks), 7, f"frame {k}: three double knots and the new one")
+            for four in marks:
+                x, y = four[1][0], four[0][1]
+                least = min((x - a) ** 2 + (y - b) ** 2 for a, b in frame.circles_of(6.5)) ** 0.5
+                self.assertGreater(least, 8.0, f"frame {k}")
+
     def test_names_of_frames(self):
         process = run("figure", WAVE, "--animate", "u=0..1", "--frames", "2", "-o", self.folder / "p%%q-%02d.svg")
         self.assertEqual((process.returncode, process.stderr), (0, ""))

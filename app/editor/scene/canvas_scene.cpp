@@ -34,6 +34,8 @@ namespace batten::editor {
 
 namespace {
 
+enum class Points { drawn, left_out };
+
 /// Returns what labels must keep clear of: the numbers of the grid, legend, insets and cards, and the marks of
 /// findings.
 std::vector<render::PixelBox> draw_background(CanvasFrame& frame) {
@@ -82,10 +84,10 @@ void note_lines(CanvasFrame& frame, const render::DrawList& list, std::size_t fi
     }
 }
 
-void draw_lines_of_active_curve(CanvasFrame& frame, const render::DrawList& list, CanvasMarks& marks) {
+void draw_lines_of_active_curve(CanvasFrame& frame, const render::DrawList& list, CanvasMarks& marks, Points points) {
     draw_hull(frame);
     draw_control_polygon(frame, marks.polygon);
-    if (frame.state.view.parts.points) draw_dense_points(frame, marks.points);
+    if (points == Points::drawn) draw_dense_points(frame, marks.points);
     const std::size_t first = list.commands.size();
     if (frame.shows(Overlay::bezier_pieces)) marks.pieces = draw_bezier_pieces(frame);
     if (frame.shows(Overlay::curvature_comb)) marks.comb_spans = draw_curvature_comb(frame);
@@ -98,14 +100,14 @@ void draw_lines_of_active_curve(CanvasFrame& frame, const render::DrawList& list
 }
 
 void draw_marks_of_active_curve(CanvasFrame& frame, const render::DrawList& list, const CanvasMarks& marks,
-                                const std::vector<render::PixelBox>& covered) {
+                                const std::vector<render::PixelBox>& covered, Points points) {
     draw_curve_knots(frame, marks.knots);
     draw_marked_joints(frame);
     draw_hovered_place(frame);
     const std::size_t first = list.commands.size();
     if (frame.shows(Overlay::construction)) draw_construction(frame);
-    if (frame.state.view.parts.points) draw_control_points(frame, marks.points);
-    if (frame.state.view.parts.points) draw_fit_marks(frame);
+    if (points == Points::drawn) draw_control_points(frame, marks.points);
+    if (points == Points::drawn) draw_fit_marks(frame);
     draw_handlebar(frame);
     draw_views_above(frame);
     note_lines(frame, list, first);
@@ -113,9 +115,7 @@ void draw_marks_of_active_curve(CanvasFrame& frame, const render::DrawList& list
     draw_canvas_labels(frame, marks, covered);
 }
 
-}  // namespace
-
-render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, SceneCache& cache) {
+render::DrawList scene_with(const EditorState& state, const CanvasMode& mode, SceneCache& cache, Points points) {
     if (has_sketch(state)) return sketch_scene(state);
     render::DrawList list;
     CanvasFrame frame(state, cache, list);
@@ -124,10 +124,10 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, 
     std::vector<CrowdNote> notes;
     if (frame.curve != nullptr) {
         CanvasMarks marks = marks_of(frame);
-        draw_lines_of_active_curve(frame, list, marks);
+        draw_lines_of_active_curve(frame, list, marks, points);
         if (state.view.parts.window) notes = crowd_notes(frame, marks);
         for (const CrowdNote& note : notes) covered.push_back(note.box);
-        draw_marks_of_active_curve(frame, list, marks, covered);
+        draw_marks_of_active_curve(frame, list, marks, covered, points);
     }
     if (frame.shows(Overlay::directions)) draw_directions(frame);
     draw_finding_marks(frame);
@@ -140,6 +140,16 @@ render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, 
     draw_crowd_notes(frame, notes);
     draw_place(frame);
     return list;
+}
+
+}  // namespace
+
+render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, SceneCache& cache) {
+    return scene_with(state, mode, cache, state.view.parts.points ? Points::drawn : Points::left_out);
+}
+
+render::DrawList canvas_scene_without_points(const EditorState& state, SceneCache& cache) {
+    return scene_with(state, CanvasIdle{}, cache, Points::left_out);
 }
 
 }  // namespace batten::editor

@@ -14,4 +14,7 @@ namespace batten::editor {
 /// file is opened, what is read of it stands there instead.
 render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, SceneCache& cache);
 
+/// The same at rest without the control points, which the caller draws; what stands beside them makes way as before.
+render::DrawList canvas_scene_without_points(const EditorState& state, SceneCache& cache);
+
 }  // namespace batten::editor

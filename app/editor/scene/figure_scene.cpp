@@ -103,10 +103,9 @@ render::DrawList lifted_scene(const EditorState& state, SceneCache& cache) {
 /// The curve with `moving` in place of its control polygon, points and their names.
 render::DrawList moving_scene(const EditorState& state, const MovingPolygon& moving, SceneCache& cache) {
     EditorState bare = state;
-    bare.view.parts.points = false;
     bare.view.parts.names = false;
     bare.view.overlays.show(Overlay::polygon, false);
-    render::DrawList list = canvas_scene(bare, CanvasIdle{}, cache);
+    render::DrawList list = canvas_scene_without_points(bare, cache);
     CanvasFrame frame(state, cache, list);
     draw_moving_polygon(frame, list, moving,
                         {.polygon = frame.shows(Overlay::polygon),
