@@ -181,7 +181,8 @@ StatusTexts arranged(const PanelContext& context, ImFont* font, const std::strin
     return texts;
 }
 
-/// Gives up readouts until hint and message are whole, then the size of the letters, then the end of the hint.
+/// Gives up readouts until hint and message are whole, then the size of the letters, then the end of the hint,
+/// then, for a long message, hint and readouts.
 StatusTexts arranged(const PanelContext& context, const std::string& hint, const std::string& message,
                      std::vector<Readout>& readouts, float room_px) {
     for (;;) {
@@ -196,8 +197,12 @@ StatusTexts arranged(const PanelContext& context, const std::string& hint, const
             readouts.erase(next);
             continue;
         }
-        StatusTexts texts = arranged(context, context.fonts.small, hint, message, room, 0.3F);
-        return texts.message.is_whole ? texts : arranged(context, context.fonts.small, hint, message, room, 0.6F);
+        for (const float share : {0.3F, 0.6F}) {
+            StatusTexts texts = arranged(context, context.fonts.small, hint, message, room, share);
+            if (texts.message.is_whole) return texts;
+        }
+        readouts.clear();
+        return arranged(context, context.fonts.small, hint, message, std::max(room_px, 0.0F), 1.0F);
     }
 }
 
