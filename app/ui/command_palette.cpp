@@ -11,6 +11,7 @@
 #include "app/editor/typed_command.h"
 #include "app/ui/command_entry.h"
 #include "app/ui/dialog_frame.h"
+#include "app/ui/form_row.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
 #include "app/ui/palette_entries.h"
@@ -25,7 +26,9 @@ namespace {
 
 using editor::CommandSpec;
 
+constexpr double palette_height = 480.0;
 constexpr double entry_height = 28.0;
+constexpr double meaning_indent = 110.0;  // of what a field means, behind its name
 
 /// Puts the text that the palette itself wrote into the active field, and the cursor behind it.
 int follow_replacement(ImGuiInputTextCallbackData* data) {
@@ -168,9 +171,16 @@ void draw_field(const PanelContext& context, const editor::Field& field) {
         ImGui::PushFont(context.fonts.number);
         ImGui::TextUnformatted(part.name);
         ImGui::PopFont();
-        ImGui::SameLine(context.px(110));
+        ImGui::SameLine(context.px(meaning_indent));
         ImGui::TextWrapped("%s", context.notated(part_meaning(context, field, part)).c_str());
     }
+}
+
+/// Why the chosen command was or would be refused; empty where it was not.
+std::string problem_of_chosen(const PanelContext& context, const CommandSpec* spec) {
+    const std::string& problem = context.panels.palette.problem;
+    if (!problem.empty() || spec == nullptr) return problem;
+    return refusal_of(*spec, context.state).value_or("");
 }
 
 /// What the chosen command does and takes, and why it was or would be refused.
@@ -185,16 +195,34 @@ void draw_explanation(const PanelContext& context, const CommandSpec* spec) {
     } else {
         ImGui::TextDisabled("No command or example matches.");
     }
-    std::string problem = context.panels.palette.problem;
-    if (problem.empty() && spec != nullptr) problem = refusal_of(*spec, context.state).value_or("");
-    draw_dialog_error(context, problem);
+    draw_dialog_error(context, problem_of_chosen(context, spec));
 }
 
+/// What its texts take when they are broken into lines.
+float needed_height(const PanelContext& context, const CommandSpec& spec) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    const auto height_of = [&](const std::string& text, float width_px) {
+        return wrapped_height_px(context.notated(text), context.fonts.text, width_px) + gap;
+    };
+    float height = height_of(spec.explanation, width);
+    for (const editor::Field& field : spec.fields)
+        for (const editor::FieldPart& part : field.parts)
+            height += height_of(part_meaning(context, field, part), width - context.px(meaning_indent));
+    // As wide as with the sign of an error.
+    const std::string problem = problem_of_chosen(context, &spec);
+    return problem.empty() ? height : height + height_of(core::sentence("⚠ {problem}", {{"problem", problem}}), width);
+}
+
+/// Below the list: room for a long explanation and a refusal, so that the list stays where it is, but no more than is
+/// needed where the window is so low that the list needs the rest.
 float explanation_height(const PanelContext& context, const CommandSpec* spec) {
     std::size_t lines = 4;
     if (spec != nullptr)
         for (const editor::Field& field : spec->fields) lines += field.parts.size();
-    return static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing() + context.px(8);
+    const float usual = static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing() + context.px(8);
+    const bool is_low = ImGui::GetWindowHeight() < context.px(palette_height);
+    return is_low && spec != nullptr ? std::min(usual, needed_height(context, *spec) + context.px(16)) : usual;
 }
 
 void draw_list(const PanelContext& context, const std::vector<PaletteEntry>& entries) {
@@ -236,7 +264,7 @@ void draw_command_palette(const PanelContext& context, const Rectangle& window) 
     }
     DialogFrame frame;
     frame.title = "Commands";
-    frame.size = {640.0, 480.0};
+    frame.size = {640.0, palette_height};
     frame.is_at_top = true;
     const bool is_left =
         begin_dialog(context, window, frame) || was_pressed(context, editor::Key::p, {true, false, false});
