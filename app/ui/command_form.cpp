@@ -275,17 +275,24 @@ float kept_message_height_px(const PanelContext& context) {
     return std::clamp(height + ImGui::GetStyle().ItemSpacing.y, message_height_px(1), most);
 }
 
+/// What is previewed is applied; what happens only then is named.
+const char* label_of_apply(const editor::CommandSpec& spec) {
+    return spec.run.act == nullptr ? "Apply" : spec.title;
+}
+
 void draw_footer(const PanelContext& context, float message_px) {
     FormState& form = context.panels.form;
     const std::string problem = problem_of(context);
     const float top = ImGui::GetCursorPosY();
     draw_message(context);
     ImGui::SetCursorPosY(top + message_px);
-    const float width = label_button_width(context, "Apply") + label_button_width(context, "Cancel") + context.px(8);
+    const char* apply_label = label_of_apply(*form.spec);
+    const float width =
+        label_button_width(context, apply_label) + label_button_width(context, "Cancel") + context.px(8);
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - width);
     if (draw_label_button(context, "form cancel", "Cancel")) form.is_given_up = true;
     ImGui::SameLine(0.0F, context.px(8));
-    const bool is_applied = draw_label_button(context, "form apply", "Apply", ButtonLook::primary);
+    const bool is_applied = draw_label_button(context, "form apply", apply_label, ButtonLook::primary);
     if (!is_applied && !was_pressed(context, editor::Key::enter)) return;
     form.takes_focus = form.was_tried = true;
     if (problem.empty()) apply(context);

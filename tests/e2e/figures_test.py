@@ -38,6 +38,7 @@ class FiguresTest(WindowTest):
         editor.click_widget("menu-item export-figure")
         editor.wait(lambda state: state["dialog"] == "command-form" and "form path" in state["widgets"] and state["is_settled"], "the form")
         figure = self.folder / "wave.pdf"
+        self.assertEqual(editor.state()["widgets"]["form apply"]["value"], "Export figure")
         editor.click_widget("form path")
         self.retype(editor, "form path", str(figure))
         editor.click_widget("form apply")
@@ -52,7 +53,7 @@ class FiguresTest(WindowTest):
         self.assertTrue(state["widgets"]["form path"]["value"].startswith("/"), "in which folder it will be")
         editor.screenshot("export-figure-in-a-small-window")
         apply = state["widgets"]["form apply"]
-        fields = ["path", "view", "scale", "transparent", "title", "replace", "width", "height", "theme"]
+        fields = ["path", "view", "width", "height", "scale", "title", "theme", "transparent", "replace"]
         in_view = lambda widgets, name: f"form {name}" in widgets and widgets[f"form {name}"]["y"] + widgets[f"form {name}"]["height"] <= apply["y"]
         self.assertGreaterEqual(sum(in_view(state["widgets"], name) for name in fields), 3)
         for name in fields:
@@ -68,7 +69,7 @@ class FiguresTest(WindowTest):
     def test_a_figure_has_the_size_and_the_colors_that_are_asked_for(self):
         editor = self.open_editor()
         figure = self.folder / "wave.svg"
-        self.run_typed(editor, f'export-figure {figure} both 1 off "" off 300 250 high-contrast')
+        self.run_typed(editor, f'export-figure {figure} both 300 250 1 "" high-contrast')
         editor.wait(lambda state: state["message"].startswith("Exported wave.svg"), "the figure")
         root = xml.etree.ElementTree.parse(figure).getroot()
         self.assertEqual((root.get("width"), root.get("height")), ("300", "250"))

@@ -4,6 +4,7 @@
 #include "app/editor/commands/groups.h"
 #include "app/editor/fields/field_kinds.h"
 #include "app/editor/scene/figure_scene.h"
+#include "app/editor/state/dialog.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
 
@@ -60,7 +61,9 @@ Outcome<void> export_figure(EditorState& state, const ExportFigure& command) {
     if (form.size_px && form.size_px->y < least)
         return tl::unexpected(core::sentence("with these parts a figure needs a height of at least {least} pixels",
                                              {{"least", core::shortest_text(least)}}));
-    return export_figure_to(state, path, form);
+    return export_figure_to(state, path, form).map([&] {
+        if (state.dialog == Dialog::save_file) show_dialog(state, Dialog::none);
+    });
 }
 
 std::optional<Refusal> no_visible_curve(const EditorState& state) {
@@ -82,18 +85,21 @@ const CommandSpec& ExportFigure::spec() {
             {field::file<&ExportFigure::path>("path", "the file, ending in .svg, .pdf, .png or .tex")
                  .beginning_with<figure_path>(),
              field::choice<&ExportFigure::view>("view", "what the figure shows").usually(FigureView::curve),
-             field::number<&ExportFigure::scale>("scale", "pixels of a PNG for each on the screen, up to 8")
+             field::number<&ExportFigure::width>("width",
+                                                 "pixels, 96 to an inch; empty: by the height, or as on the screen")
+                 .above(0.0)
+                 .at_most(most_figure_side),
+             field::number<&ExportFigure::height>("height", "pixels; empty: by the width, or as on the screen")
+                 .above(0.0)
+                 .at_most(most_figure_side),
+             field::number<&ExportFigure::scale>("scale", "pixels of a PNG for each of width and height, up to 8")
                  .above(0.0)
                  .at_most(most_figure_scale)
                  .usually(1.0),
-             field::flag<&ExportFigure::is_transparent>("transparent", "whether the ground is left out").usually(false),
              field::text<&ExportFigure::title>("title", "a title above the picture"),
-             field::flag<&ExportFigure::replace>("replace", "whether a file that is there is replaced").usually(false),
-             field::number<&ExportFigure::width>("width", "pixels, 96 to an inch; as on the screen where it is empty")
-                 .above(0.0)
-                 .at_most(most_figure_side),
-             field::number<&ExportFigure::height>("height", "likewise").above(0.0).at_most(most_figure_side),
-             field::choice<&ExportFigure::theme>("theme", "the colors").suggesting<theme_on_screen>()},
+             field::choice<&ExportFigure::theme>("theme", "the colors").suggesting<theme_on_screen>(),
+             field::flag<&ExportFigure::is_transparent>("transparent", "whether the ground is left out").usually(false),
+             field::flag<&ExportFigure::replace>("replace", "whether a file that is there is replaced").usually(false)},
         .refusal = no_visible_curve,
         .run = body_of<export_figure>};
     return spec;

@@ -38,9 +38,11 @@ class FigureCommands : public ::testing::Test {
 
 TEST_F(FigureCommands, ask_the_desktop_for_what_was_chosen) {
     ASSERT_TRUE(editor_.run(Open{.path = folder_.write("wave.json", sample_text)}));
-    EXPECT_TRUE(run_typed(editor_, "export-figure /tmp/a.png both 2 on \"A wave\"")) << editor_.state().message.text;
+    EXPECT_TRUE(run_typed(editor_, "export-figure /tmp/a.png both 300 250 2 \"A wave\" dark on"))
+        << editor_.state().message.text;
     EXPECT_EQ(asked_.path, "/tmp/a.png");
     EXPECT_EQ(asked_.form.view, FigureView::both);
+    EXPECT_EQ(asked_.form.size_px, glm::dvec2(300.0, 250.0));
     EXPECT_EQ(asked_.form.scale, 2.0);
     EXPECT_TRUE(asked_.form.is_transparent);
     EXPECT_EQ(asked_.form.title, "A wave");
@@ -62,7 +64,7 @@ TEST_F(FigureCommands, take_a_size_and_the_colors_that_are_typed) {
     EXPECT_EQ(asked_.form.size_px, glm::dvec2(600.0, 400.0));
     EXPECT_TRUE(editor_.run(ExportFigure{.path = "/tmp/b.svg", .width = 100.0, .height = 400.0}));
     EXPECT_EQ(asked_.form.size_px, glm::dvec2(100.0, 400.0));
-    EXPECT_FALSE(run_typed(editor_, "export-figure a.svg curve 1 off \"\" off 0"));
+    EXPECT_FALSE(run_typed(editor_, "export-figure a.svg curve 0"));
 }
 
 TEST_F(FigureCommands, tell_what_the_file_lacks) {
@@ -84,7 +86,7 @@ TEST_F(FigureCommands, need_a_curve_and_a_scale_within_limits) {
     EXPECT_NE(editor_.state().message.text.find("there is no visible curve to be shown"), std::string::npos);
     ASSERT_TRUE(editor_.run(Open{.path = folder_.write("wave.json", sample_text)}));
     for (const char* scale : {"0", "-1", "9", "nan"})
-        EXPECT_FALSE(run_typed(editor_, std::string("export-figure a.svg curve ") + scale)) << scale;
+        EXPECT_FALSE(run_typed(editor_, std::string("export-figure a.svg curve 300 200 ") + scale)) << scale;
     EXPECT_EQ(asked_.times, 0U);
 }
 
