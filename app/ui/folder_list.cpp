@@ -71,6 +71,11 @@ FolderContent read_folder(const fs::path& folder, const std::vector<std::string>
     content.folder = fs::weakly_canonical(folder, error);
     if (error) content.folder = folder;
     fs::directory_iterator iterator(content.folder, error);
+    if (error == std::errc::no_such_file_or_directory) {
+        content.is_missing = true;
+        content.problem = core::sentence("there is no folder {folder}", {{"folder", content.folder.string()}});
+        return content;
+    }
     if (error) {
         content.problem = core::sentence("{folder} cannot be read: {reason}",
                                          {{"folder", content.folder.string()}, {"reason", error.message()}});

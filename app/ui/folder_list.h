@@ -17,6 +17,7 @@ struct FolderContent {
     std::filesystem::path folder;      ///< absolute, without "." and ".."
     std::vector<FolderEntry> entries;  ///< folders first, then files, each by name
     std::string problem;               ///< why the folder cannot be read; else empty
+    bool is_missing = false;           ///< there is no such folder, which is the problem then
 };
 
 /// Reads `folder`: its folders, and the files whose names end in one of `endings`, in any case. Hidden entries are left

@@ -104,7 +104,7 @@ TEST_F(FileChoices, a_typed_folder_is_listed) {
     type((folder_.path() / "week").string() + "/");
     EXPECT_EQ(shown(), std::vector<std::string>{"notes.json"});
     type("nowhere/");
-    EXPECT_NE(choice_.listed.problem.find("No such file"), std::string::npos);
+    EXPECT_NE(choice_.listed.problem.find("there is no folder"), std::string::npos);
     EXPECT_TRUE(shown().empty());
 }
 

@@ -46,8 +46,14 @@ TEST(FolderList, folders_come_first_and_2_before_10) {
 
 TEST(FolderList, what_cannot_be_read_is_a_sentence) {
     const FolderContent content = read_folder("/no/such folder");
-    EXPECT_EQ(content.problem, "/no/such folder cannot be read: No such file or directory");
+    EXPECT_EQ(content.problem, "there is no folder /no/such folder");
+    EXPECT_TRUE(content.is_missing);
     EXPECT_TRUE(content.entries.empty());
+    const TemporaryFolder folder;
+    folder.add_file("wave.json");
+    const FolderContent file = read_folder(folder.path() / "wave.json");
+    EXPECT_TRUE(file.problem.ends_with("wave.json cannot be read: Not a directory")) << file.problem;
+    EXPECT_FALSE(file.is_missing);
 }
 
 TEST(FolderList, text_is_found_in_any_case) {
