@@ -5,12 +5,15 @@
 #include <array>
 #include <utility>
 
+#include "app/editor/commands/figure_commands.h"
 #include "app/editor/commands/file_commands.h"
 #include "app/editor/commands/help_commands.h"
 #include "app/editor/commands/picture_commands.h"
 #include "app/editor/commands/table_commands.h"
 #include "app/editor/words/native_name.h"
 #include "app/ui/dialog_frame.h"
+#include "app/ui/file_rows.h"
+#include "app/ui/form_row.h"
 #include "app/ui/format_choice.h"
 #include "app/ui/imgui_compat.h"
 #include "app/ui/inspector_widgets.h"
@@ -26,7 +29,8 @@ namespace {
 namespace fs = std::filesystem;
 using core::sentence;
 
-constexpr double hover_share = 0.1;
+constexpr double dialog_height = 520.0;
+constexpr double height_of_fields = 72.0;  // below the list, without the lines of texts there
 
 bool is_saving(const PanelContext& context) {
     return context.state.dialog == editor::Dialog::save_file;
@@ -109,6 +113,14 @@ void begin_choice(const PanelContext& context) {
     if (context.state.message.is_error) context.queue.run(editor::DismissMessage{});
 }
 
+/// Curves or, where that was chosen, a figure.
+void write_file(const PanelContext& context, const fs::path& path) {
+    if (draws_figure(context))
+        context.queue.run(editor::ExportFigure{.path = path, .replace = true});
+    else
+        context.queue.run(editor::SaveAs{path, context.panels.file_dialog.format});
+}
+
 void save_as(const PanelContext& context, const fs::path& typed) {
     FileDialogState& dialog = context.panels.file_dialog;
     const editor::Outcome<editor::SavedName> name = editor::saved_name(typed, dialog.format);
@@ -117,7 +129,7 @@ void save_as(const PanelContext& context, const fs::path& typed) {
         dialog.to_replace = name->path;
         dialog.is_replacing = false;
     } else {
-        context.queue.run(editor::SaveAs{typed, dialog.format});
+        write_file(context, typed);
     }
 }
 
@@ -162,59 +174,11 @@ void draw_folder_row(const PanelContext& context) {
     report_item(context, "file-dialog folder", shown.string());
 }
 
-/// Draws one row; returns whether it was clicked.
-bool draw_entry_row(const PanelContext& context, const FolderEntry& entry, bool is_chosen) {
-    const std::string shown = entry.is_folder ? fmt::format("{}/", entry.name) : entry.name;
-    ImGui::PushID(entry.name.c_str());
-    if (entry.is_folder) ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(context.theme.dim));
-    // Weaker than what is chosen.
-    if (!is_chosen)
-        ImGui::PushStyleColor(ImGuiCol_HeaderHovered, imgui_color(render::faded(context.theme.accent, hover_share)));
-    const bool is_clicked = ImGui::Selectable("##entry", is_chosen, ImGuiSelectableFlags_AllowDoubleClick);
-    if (!is_chosen) ImGui::PopStyleColor();
-    const Rectangle place = last_item_place();
-    report_item(context, fmt::format("{} {}", entry.is_folder ? "folder" : "file", entry.name),
-                is_chosen ? "chosen" : "");
-    const float room = static_cast<float>(place.size_px.x) - context.px(20);
-    const std::string fitting = elided(shown, context.fonts.text, room);
-    if (fitting != shown && ImGui::IsItemHovered())
-        draw_tooltip_at(context, shown, place.origin_px + glm::dvec2(0.0, place.size_px.y), {0.0, 0.0});
-    const glm::vec2 corner(place.origin_px);
-    ImGui::GetWindowDrawList()->AddText({corner.x + context.px(10), corner.y + 0.5F * ImGui::GetStyle().ItemSpacing.y},
-                                        ImGui::GetColorU32(ImGuiCol_Text), fitting.c_str());
-    if (entry.is_folder) ImGui::PopStyleColor();
-    ImGui::PopID();
-    return is_clicked;
-}
-
-/// Brings the chosen row into sight of the current window, whose rows are `pitch_px` high.
-void scroll_to_choice(FileDialogState& dialog, float pitch_px) {
-    if (!std::exchange(dialog.follows_choice, false)) return;
-    const float top = pitch_px * static_cast<float>(dialog.choice.chosen.value_or(0));
-    const float height = ImGui::GetWindowHeight() - 2.0F * ImGui::GetStyle().WindowPadding.y;
-    const float most = top;
-    const float least = top + pitch_px - height;
-    ImGui::SetScrollY(std::clamp(ImGui::GetScrollY(), std::min(least, most), most));
-}
-
-/// Draws the rows that are in sight; returns which one was clicked, if one was.
-std::optional<std::size_t> draw_file_rows(const PanelContext& context, float pitch_px) {
-    const FileChoice& choice = context.panels.file_dialog.choice;
-    std::optional<std::size_t> clicked;
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(choice.shown.size()), pitch_px);
-    while (clipper.Step()) {
-        for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
-            const auto index = static_cast<std::size_t>(row);
-            const FolderEntry& entry = choice.listed.entries[choice.shown[index]];
-            if (draw_entry_row(context, entry, choice.chosen == index)) clicked = index;
-        }
-    }
-    return clicked;
-}
-
 const char* reason_of_no_rows(const PanelContext& context) {
-    if (context.panels.file_dialog.choice.listed.entries.empty()) return purpose_of(context.state.dialog)->nothing_here;
+    const FolderContent& listed = context.panels.file_dialog.choice.listed;
+    if (listed.is_missing) return "There is no such folder.";
+    if (!listed.problem.empty()) return "This folder cannot be read.";
+    if (listed.entries.empty()) return purpose_of(context.state.dialog)->nothing_here;
     return "Nothing here has that in its name.";
 }
 
@@ -301,26 +265,40 @@ void draw_name_field(const PanelContext& context) {
     dialog.follows_choice = true;
 }
 
-/// What stands below the name: the question, or what is wrong.
+/// What is wrong, if anything is.
+std::string problem_of_files(const PanelContext& context) {
+    const FileDialogState& dialog = context.panels.file_dialog;
+    if (context.state.message.is_error) return context.state.message.text;
+    return dialog.problem.empty() ? dialog.choice.listed.problem : dialog.problem;
+}
+
+/// What stands below the name: the question, what is wrong, or what the format does.
 void draw_sentence(const PanelContext& context) {
     const FileDialogState& dialog = context.panels.file_dialog;
-    const editor::Message& message = context.state.message;
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float height = 2.0F * ImGui::GetTextLineHeight();
     if (dialog.to_replace) {
         const float room = ImGui::GetContentRegionAvail().x;
         const std::string name = elided(dialog.to_replace->filename().string(), context.fonts.text, room);
         ImGui::TextWrapped("%s", sentence("Replace {name}? It exists already.", {{"name", name}}).c_str());
         report_item(context, "dialog question", dialog.to_replace->string());
         show_cut_text(context, dialog.to_replace->string(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
-    } else if (message.is_error) {
-        draw_dialog_error(context, message.text);
-    } else if (!dialog.problem.empty() || !dialog.choice.listed.problem.empty()) {
-        draw_dialog_error(context, dialog.problem.empty() ? dialog.choice.listed.problem : dialog.problem);
-    } else if (asks_for_format(context.state.dialog)) {
+    } else if (const std::string problem = problem_of_files(context); !problem.empty()) {
+        draw_dialog_error(context, problem);
+    } else {
         draw_format_note(context);
     }
-    ImGui::SetCursorScreenPos({corner.x, corner.y + height + context.px(6)});
+}
+
+/// Of that sentence: two lines, or as many as it needs where the window is so low that the list needs the rest.
+float sentence_height_px(const PanelContext& context) {
+    const std::string problem = problem_of_files(context);
+    // As wide as with the sign of an error.
+    const std::string text = problem.empty() ? format_note(context) : fmt::format("⚠ {}", problem);
+    const float needed =
+        text.empty() ? 0.0F : wrapped_height_px(text, context.fonts.text, ImGui::GetContentRegionAvail().x);
+    const bool is_low = ImGui::GetWindowHeight() < context.px(dialog_height);
+    const float line = ImGui::GetTextLineHeight();
+    if (context.panels.file_dialog.to_replace) return is_low ? line : 2.0F * line;
+    return is_low ? needed : std::max(needed, 2.0F * line);
 }
 
 void place_buttons(const PanelContext& context, const char* first, const char* second) {
@@ -349,8 +327,7 @@ void draw_question(const PanelContext& context, bool is_left) {
     const bool is_kept = draw_label_button(context, "dialog keep", "Keep", look_of(!dialog.is_replacing));
     ImGui::SameLine();
     const bool is_replaced = draw_label_button(context, "dialog replace", "Replace", look_of(dialog.is_replacing));
-    if (is_replaced || (is_answered && dialog.is_replacing))
-        context.queue.run(editor::SaveAs{*dialog.to_replace, dialog.format});
+    if (is_replaced || (is_answered && dialog.is_replacing)) write_file(context, *dialog.to_replace);
     if (!is_replaced && !is_kept && !is_left && !is_answered) return;
     dialog.to_replace.reset();
     dialog.takes_focus = dialog.shows_choice = true;
@@ -378,12 +355,11 @@ void draw_file_dialog(const PanelContext& context, const Rectangle& window) {
     if (!dialog.was_open) begin_choice(context);
     DialogFrame frame;
     frame.title = purpose->title;
-    frame.size = {640.0, 520.0};
+    frame.size = {640.0, dialog_height};
     frame.closes_on_outside = false;
-    const bool is_left = begin_dialog(context, window, frame);
+    const bool is_left = begin_dialog(context, window, frame) && !dialog.lists_formats;
     draw_folder_row(context);
-    const float below = context.px(46 + 34 + 6) + 3.0F * ImGui::GetTextLineHeight();
-    draw_entries(context, -below);
+    draw_entries(context, -context.px(height_of_fields) - ImGui::GetTextLineHeight() - sentence_height_px(context));
     draw_name_field(context);
     draw_sentence(context);
     if (dialog.to_replace) {

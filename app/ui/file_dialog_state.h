@@ -16,6 +16,8 @@ struct FileDialogState {
     FileChoice choice;
     std::string suggested_name;                       ///< where a document is saved
     std::optional<exchange::Format> format;           ///< that was chosen; none: by the ending
+    bool lists_formats = false;                       ///< in the last frame, so that Escape closes that list alone
+    bool draws_svg = false;                           ///< a name that ends in .svg was chosen as that of a figure
     std::optional<std::filesystem::path> to_replace;  ///< the file that saving would overwrite, asked about
     bool is_replacing = false;                        ///< the answer that keys chose; at first to keep the file
     std::string problem;                              ///< why the folder cannot be shown

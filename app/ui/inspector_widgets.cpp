@@ -195,8 +195,8 @@ bool begin_choices(const PanelContext& context, const ChoiceField& field) {
     const float gap = context.px(2);
     if (field.opens_upward) {
         ImGui::SetNextWindowPos(ImVec2(origin.x, origin.y - gap), ImGuiCond_Always, ImVec2(0.0F, 1.0F));
-        ImGui::SetNextWindowSizeConstraints(ImVec2(0.0F, 0.0F),
-                                            ImVec2(std::numeric_limits<float>::max(), origin.y - 2.0F * gap));
+        ImGui::SetNextWindowSizeConstraints(
+            ImVec2(0.0F, 0.0F), ImVec2(std::numeric_limits<float>::max(), origin.y - field.top_px - 2.0F * gap));
     } else {
         ImGui::SetNextWindowPos(ImVec2(origin.x, origin.y + size.y + gap));
     }

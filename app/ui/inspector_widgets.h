@@ -77,6 +77,7 @@ struct ChoiceField {
     bool is_enabled = true;
     std::string tooltip = {};
     bool opens_upward = false;  ///< at the lower edge of a window
+    float top_px = 0.0F;        ///< of the window, above which what opens upward does not reach
 };
 
 /// Draws the field; a click opens the list below it, or above. Returns whether that is open: then draw its choices, and

@@ -182,7 +182,81 @@ class FilesTest(WindowTest):
         editor.key("Return")
         state = editor.wait(lambda state: "dialog error" in state["widgets"], "the sentence")
         self.assertIn("name it 'wave.json'", state["widgets"]["dialog error"]["value"])
+        self.assertEqual(state["widgets"]["file-dialog format"]["value"], "by its ending: unknown")
         self.assertFalse((self.folder / "wave.ai").exists())
+        self.choose_format(editor, "batten")
+        state = editor.wait(lambda state: state["widgets"]["file-dialog name"]["value"] == "wave.json", "the name")
+        self.assertEqual(state["widgets"]["file-dialog format"]["value"], "by its ending: Batten")
+
+    def choose_format(self, editor, name):
+        editor.click_widget("file-dialog format")
+        editor.wait(lambda state: f"format {name}" in state["widgets"] and state["is_settled"], "the formats")
+        editor.click_widget(f"format {name}")
+        editor.wait(lambda state: f"format {name}" not in state["widgets"] and state["is_settled"], "the choice")
+
+    def test_batten_is_chosen_in_place_of_any_other_kind(self):
+        editor = self.open_editor()
+        self.show_dialog(editor, "ctrl+shift+s", "save-file")
+        for name in ("wave.pdf", "wave.svg", "wave.tinyspline.json", "wave", "wave.json"):
+            editor.click_widget("file-dialog name")
+            self.typed(editor, name)
+            self.choose_format(editor, "batten")
+            editor.wait(lambda state: state["widgets"]["file-dialog name"]["value"] == "wave.json", name)
+
+    def test_an_svg_is_a_figure_where_that_is_chosen(self):
+        editor = self.open_folder()
+        drawing = self.curves / "drawing.svg"
+        drawing.write_text("of yesterday")
+        self.show_dialog(editor, "ctrl+shift+s", "save-file")
+        self.typed(editor, str(self.curves / "drawing"))
+        self.choose_format(editor, "figure-svg")
+        state = editor.wait(lambda state: state["widgets"]["file-dialog name"]["value"] == str(drawing), "the name")
+        self.assertEqual(state["widgets"]["file-dialog format"]["value"], "as figure")
+        self.assertEqual(state["widgets"]["file-dialog note"]["value"], "What the canvas shows is drawn as a figure.")
+        editor.screenshot("figure-by-save-as")
+        editor.click_widget("dialog save")
+        editor.wait(lambda state: "dialog question" in state["widgets"], "whether to replace it")
+        editor.click_widget("dialog replace")
+        editor.wait(lambda state: state["dialog"] == "none" and state["message"].startswith("Exported drawing.svg"), "the figure")
+        self.assertIn("<text", drawing.read_text())
+        self.assertNotIn('"format"', drawing.read_text(), "no document is within")
+        self.assertEqual(editor.state()["path"], str(self.curves / "wave.json"))
+
+    def test_a_missing_folder_is_told(self):
+        editor = self.open_editor()
+        for key, dialog in (("ctrl+shift+s", "save-file"), ("ctrl+o", "open-file")):
+            self.show_dialog(editor, key, dialog)
+            state = self.typed(editor, "/no/such folder/wave.json")
+            self.assertEqual(state["widgets"]["dialog error"]["value"], "there is no folder /no/such folder/")
+            editor.key("Escape")
+            editor.wait(lambda state: state["dialog"] == "none", "the window")
+
+    def test_a_low_window_shows_files_formats_and_what_was_left_out(self):
+        settings = {"window": {"x": 0, "y": 0, "width": 1024, "height": 700}, "user_scale": 2.0}
+        self.curves = self.folder / "curves"
+        self.curves.mkdir()
+        for i in range(30):
+            (self.curves / f"curve {i}.json").write_text(self.path.read_text())
+        editor = self.enterContext(self.start(self.display(1024, 700), self.curves / "curve 0.json", settings=settings))
+        self.show_dialog(editor, "ctrl+shift+s", "save-file")
+        name = editor.state()["widgets"]["file-dialog name"]
+        rows = [widget for key, widget in editor.state()["widgets"].items() if key.startswith("file ") and widget["y"] + widget["height"] <= name["y"]]
+        self.assertGreaterEqual(len(rows), 5)
+        title = editor.state()["widgets"]["dialog close"]
+        editor.click_widget("file-dialog format")
+        state = editor.wait(lambda state: "format by-ending" in state["widgets"] and state["is_settled"], "the formats")
+        self.assertGreaterEqual(state["widgets"]["format by-ending"]["y"], title["y"] + title["height"])
+        editor.screenshot("formats-in-a-low-window")
+        editor.key("Escape")
+        editor.wait(lambda state: "format by-ending" not in state["widgets"] and state["dialog"] == "save-file", "the dialog alone")
+        name = "a copy of the curves in this file for a table.csv"
+        self.typed(editor, str(self.curves / name))
+        editor.key("Return")
+        state = editor.wait(lambda state: state["dialog"] == "none" and state["message"].startswith(f"Exported {name}") and state["is_settled"], "the copy")
+        editor.screenshot("report-in-a-low-window")
+        message = state["widgets"]["status message"]
+        self.assertLessEqual(message["x"] + message["width"], 1024)
+        self.assertGreater(message["width"], 800, "hint and readouts make room")
 
     def test_ten_thousand_files_are_listed(self):
         editor = self.open_folder(*(f"curve {i}.json" for i in range(10000)))
