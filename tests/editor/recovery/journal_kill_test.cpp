@@ -94,6 +94,12 @@ struct Testimony {
         commits[i] = {{nanoseconds_worked(), synced}, sum_of(state.history.present()), state.is_modified()};
         count = i + 1;
     }
+
+    // By both clocks.
+    bool is_as_old_as(std::int64_t nanoseconds) const {
+        const std::size_t made = count;
+        return made > 0 && commits.at(made - 1).moment.worked >= nanoseconds && synced >= nanoseconds;
+    }
 };
 
 class SharedTestimony {
@@ -178,7 +184,9 @@ void kill_one(unsigned seed) {
         count_while_disk_syncs(other_folder.path(), testimony.operator->()->synced, end);
     });
     std::mt19937 random(seed);
-    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 2500));
+    const std::int64_t age = static_cast<std::int64_t>(random() % 2500) * 1'000'000;
+    for (int looks = 0; looks < 20'000 && !testimony.operator->()->is_as_old_as(age); ++looks)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     kill(session, SIGKILL);
     clock = {};
     int status = 0;
