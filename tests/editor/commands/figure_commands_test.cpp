@@ -38,11 +38,11 @@ class FigureCommands : public ::testing::Test {
 
 TEST_F(FigureCommands, ask_the_desktop_for_what_was_chosen) {
     ASSERT_TRUE(editor_.run(Open{.path = folder_.write("wave.json", sample_text)}));
-    EXPECT_TRUE(run_typed(editor_, "export-figure /tmp/a.png both 300 250 2 \"A wave\" dark on"))
+    EXPECT_TRUE(run_typed(editor_, "export-figure /tmp/a.png both 300 300 2 \"A wave\" dark on"))
         << editor_.state().message.text;
     EXPECT_EQ(asked_.path, "/tmp/a.png");
     EXPECT_EQ(asked_.form.view, FigureView::both);
-    EXPECT_EQ(asked_.form.size_px, glm::dvec2(300.0, 250.0));
+    EXPECT_EQ(asked_.form.size_px, glm::dvec2(300.0, 300.0));
     EXPECT_EQ(asked_.form.scale, 2.0);
     EXPECT_TRUE(asked_.form.is_transparent);
     EXPECT_EQ(asked_.form.title, "A wave");
