@@ -186,7 +186,7 @@ constexpr std::array ascii_signs{NamedSign{"<", "<"},   NamedSign{">", ">"}, Nam
                                  NamedSign{")", ")"},   NamedSign{"[", "["}, NamedSign{"]", "]"}, NamedSign{"{", "\\{"},
                                  NamedSign{"}", "\\}"}, NamedSign{"-", "-"}};
 
-// Of "\\$" and its like LaTeX since 2020 knows only bitmaps where no more fonts are installed than it needs.
+// Of "\$" and its like LaTeX since 2020 knows only bitmaps where no more fonts are installed than it needs.
 constexpr std::array text_signs{NamedSign{"&", "\\&"},
                                 NamedSign{"%", "\\%"},
                                 NamedSign{"$", "\\symbol{36}"},
