@@ -43,8 +43,8 @@ class Convert(unittest.TestCase):
         drawing.write_text('<svg xmlns="http://www.w3.org/2000/svg"><path id="a" d="M0 0h1 X"/><polygon id="b" points="0,0 1,0 1,1 x"/></svg>')
         self.assertEqual(run("convert", drawing, "-o", "-").stderr.splitlines()[:3], [
             f"{drawing}: its curves are exact apart from what follows",
-            f"{drawing}: the path data of 'a' go wrong at character 8; they are read up to there",
-            f"{drawing}: the points of 'b' go wrong at character 13; they are read up to there"])
+            f"{drawing}: the path data go wrong at character 8 of 'a'; they are read up to there",
+            f"{drawing}: the points go wrong at character 13 of 'b'; they are read up to there"])
 
     def test_errors_are_told_in_numbers_that_can_be_copied(self):
         circle = self.folder / "circle.json"

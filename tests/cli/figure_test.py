@@ -327,15 +327,15 @@ class Svg(FigureTest):
         self.assertIsNone(Picture(self.figure("a.svg", "--transparent")).root.find(f".//{SVG}rect"))
 
     def test_every_overlay_of_every_example_is_a_picture(self):
-        help_of_show = run("figure", WAVE, "-o", "x.svg", "--show", "?").stderr
-        names = re.findall(r"[a-z-]+", help_of_show.split(" is points", 1)[1].removesuffix(".\n"))
+        (listed,) = re.findall(r"\): (points, .*)\n", run("figure", "--help").stdout)
+        names = [name for name in re.findall(r"[a-z-]+", listed) if name != "or"]
         self.assertGreater(len(names), 45)
         for word in ("arrow", "guides", "pictures", "rulers"):
             self.assertIn(word, names)
         for word in ("quiz", "recurrence", "support"):
             self.assertNotIn(word, names)
         for example in sorted(EXAMPLES.glob("*.json")):
-            file = self.figure("a.svg", "--show", ",".join(n for n in names if n != "or"), "--at", "0.5", "--view", "both", file=example, told=None)
+            file = self.figure("a.svg", "--show", ",".join(names), "--at", "0.5", "--view", "both", file=example, told=None)
             text = file.read_text()
             self.assertIsNone(re.search(r"nan|inf", re.sub(r"<text.*</text>", "", text)), example.name)
             Picture(file)

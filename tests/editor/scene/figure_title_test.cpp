@@ -72,8 +72,8 @@ TEST(FigureTitle, breaks_words_only_where_they_are_longer_than_a_line) {
     EXPECT_LE(widest_line(title), 268.0);
     std::string accents;
     for (int i = 0; i < 60; ++i) accents += "é";
-    for (const std::string& line : fitted_title(accents, 300.0, any_height)->lines)
-        EXPECT_EQ(line.size() % 2, 0U) << "whole signs";
+    const FigureTitle accented = *fitted_title(accents, 300.0, any_height);
+    for (const std::string& line : accented.lines) EXPECT_EQ(line.size() % 2, 0U) << "whole signs";
 }
 
 TEST(FigureTitle, is_none_without_room) {
