@@ -140,7 +140,11 @@ class Editor:
             found.update(self.state())
             return predicate(found)
 
-        self.wait_until(holds, what)
+        try:
+            self.wait_until(holds, what)
+        except AssertionError as error:
+            told = ("dialog", "pointer", "buttons_down", "is_settled", "is_playing", "frame_count", "message")
+            raise AssertionError(f"{error}; the last state: { {name: found.get(name) for name in told} }") from error
         return found
 
     def settle(self):
