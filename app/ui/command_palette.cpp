@@ -262,6 +262,8 @@ void draw_command_palette(const PanelContext& context, const Rectangle& window) 
         if (palette.was_open && palette.problem.empty()) palette = {};
         return;
     }
+    // The command that has run is the one that shows the palette.
+    if (palette.was_submitted) palette = {};
     DialogFrame frame;
     frame.title = "Commands";
     frame.size = {640.0, palette_height};

@@ -11,6 +11,12 @@ class CommandsTest(WindowTest):
         editor.key("ctrl+p")
         editor.wait(lambda state: state["dialog"] == "command-palette" and "palette input" in state["widgets"], "the palette")
 
+    def test_the_palette_shown_from_the_palette_is_empty_and_at_rest(self):
+        editor = self.open_editor()
+        self.find(editor, "command-palette")
+        editor.key("Return")
+        editor.wait(lambda state: state["dialog"] == "command-palette" and state["widgets"]["palette input"]["value"] == "" and state["is_settled"], "the palette")
+
     def find(self, editor, typed):
         """What the palette lists for what was typed, best first."""
         self.open_palette(editor)
