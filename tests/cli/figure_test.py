@@ -281,8 +281,10 @@ class Svg(FigureTest):
                     self.assertAlmostEqual(x, a, delta=0.02)
                     self.assertAlmostEqual(y, b, delta=0.02)
             process = run("figure", file, "-o", self.folder / "a.svg", "--show", "grid")
-            self.assertIn("the curve is drawn moved by (", process.stderr)
             self.assertIn("places on the figure are those of the drawn one", process.stderr)
+            ((x, y),) = re.findall(r"the curve is drawn moved by \((.*), (.*)\), and", process.stderr)
+            for place, distance in ((right, float(x)), (up, float(y))):
+                self.assertLess(abs(place + distance), 8, "the curve comes to the origin")
 
     def test_titles_are_text_whatever_they_say(self):
         title = "a < b & \"c\" Кривая \\end{x} 50%"
