@@ -70,6 +70,10 @@ class Picture:
         return [(float(c.get("cx")), float(c.get("cy"))) for c in self.circles if float(c.get("r")) == radius]
 
 
+    def places_of_circles(self):
+        return [(c.get("cx"), c.get("cy"), c.get("r")) for c in self.circles]
+
+
 def between(places):
     """Places a pixel or less from one another on the line through these."""
     for (a, b), (c, d) in zip(places, places[1:]):
@@ -510,6 +514,28 @@ class Animations(FigureTest):
         self.assertEqual(bare.stderr, "")
         halfway = Picture(self.folder / "b1.svg")
         self.assertEqual((halfway.texts, len(halfway.lines), len(halfway.circles_of(6.5))), ([], 1, 9))
+
+    def test_a_knot_comes_in_among_many_as_it_looks_at_rest(self):
+        n = 1000
+        points = [[i / 10, 3 * math.sin(i / 50) + 2 * (i * i % 7) / 7] for i in range(n)]
+        knots = [0, 0, 0, *range(n - 2), n - 3, n - 3, n - 3]
+        file = self.document(curves=[{"name": "many", "degree": 3, "knots": knots, "points": points, "weights": [1] * n}], active=0)
+        shown = ("--show", "polygon,points,labels,knots")
+        process = run("figure", file, "--animate", "insert=500.5", "--frames", "5", "-o", self.folder / "%d.svg", *shown)
+        self.assertIn("there was no room for 999 labels", process.stderr)
+        after = self.folder / "after.json"
+        self.assertEqual(run("apply", file, "insert-knot", "500.5", "-o", after).returncode, 0)
+        at_rest = Picture(self.figure("rest.svg", *shown, file=after, told=None))
+        frames = [Picture(self.folder / f"{k}.svg") for k in range(5)]
+        self.assertEqual(frames[4].places_of_circles(), at_rest.places_of_circles())
+        self.assertEqual(frames[4].texts, at_rest.texts)
+        for k, frame in enumerate(frames):
+            self.assertEqual(len(frame.circles_of(6.5)), 2, "the first and the last point")
+            self.assertLess(len(frame.circles), n, "not all of the others")
+            kinds = [item.tag.removeprefix(SVG) for item in frame.root.iter() if item in frame.circles or item in frame.lines or item.tag == SVG + "image"]
+            curve = kinds.index("image")
+            self.assertEqual((kinds[0], set(kinds[1:curve]), kinds[curve + 1:]), ("path", {"circle"}, ["circle", "circle"]),
+                             "below the curve are the polygon and the small points, above it the first and the last one")
 
     def test_names_change_half_way(self):
         file = self.document(curves=[{"name": "b", "degree": 2, "knots": [0, 0, 0, 1, 2, 3, 3, 3], "points": [[0, 0], [2, 4], [6, 4], [8, 0], [12, 0]], "weights": [1, 1, 2, 1, 1]}], active=0)

@@ -1,5 +1,6 @@
 #include "app/editor/derived/cut_polygon.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace batten::editor {
@@ -38,6 +39,15 @@ std::vector<CutCorner> cut_polygon(const core::Curve& curve, const core::CornerC
     std::vector<CutCorner> polygon;
     for (const std::vector<CutCorner>& there : places) polygon.insert(polygon.end(), there.begin(), there.end());
     return polygon;
+}
+
+std::vector<CutCorner> corners_apart(std::vector<CutCorner> corners, bool is_closed) {
+    const auto are_one = [](const CutCorner& a, const CutCorner& b) {
+        return a.place == b.place && (a.index == b.index || a.next == b.next);
+    };
+    corners.erase(std::unique(corners.begin(), corners.end(), are_one), corners.end());
+    if (is_closed && corners.size() > 1 && are_one(corners.back(), corners.front())) corners.pop_back();
+    return corners;
 }
 
 }  // namespace batten::editor

@@ -26,4 +26,8 @@ struct MovingPolygon {
 /// with corners that meet.
 std::vector<CutCorner> cut_polygon(const core::Curve& curve, const core::CornerCutting& cutting, double share);
 
+/// The corners without the other part of those that are one at the beginning or at the end, which the last and the
+/// first one of a closed polygon may be, too.
+std::vector<CutCorner> corners_apart(std::vector<CutCorner> corners, bool is_closed);
+
 }  // namespace batten::editor

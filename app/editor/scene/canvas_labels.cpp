@@ -181,14 +181,9 @@ void write_point_name(LabelWriter& writer, CanvasFrame& frame, PointName name) {
 /// Notes the names of a figure's points that are too dense to have one.
 void note_nameless(CanvasFrame& frame, const ShownPoints& points) {
     if (!is_figure(frame) || !is_dense(points)) return;
-    std::size_t named = 0;
-    for (std::size_t i = 0; i < frame.curve->control_points().size(); ++i) {
-        if (frame.cache.unplaced().size() >= most_unplaced_names) return;
-        if (named < points.large.size() && points.large[named].index == i)
-            ++named;
-        else
-            frame.cache.unplaced().push_back(fmt::format("P_{{{}}}", i));
-    }
+    const std::vector<bool> is_named = is_among(points.large, frame.curve->control_points().size());
+    for (std::size_t i = 0; i < is_named.size() && frame.cache.unplaced().size() < most_unplaced_names; ++i)
+        if (!is_named[i]) frame.cache.unplaced().push_back(fmt::format("P_{{{}}}", i));
 }
 
 void write_point_names(LabelWriter& writer, CanvasFrame& frame, const ShownPoints& points) {
@@ -265,23 +260,19 @@ render::PixelBox box_of_label(const render::Label& label) {
 
 }  // namespace
 
-void draw_moving_labels(CanvasFrame& frame, const render::DrawList& list, std::span<const MovingPoint> points) {
-    LabelWriter writer(frame, {}, {});
+void draw_moving_labels(CanvasFrame& frame, const render::DrawList& list, const CanvasMarks& marks,
+                        std::span<const MovingPoint> points) {
+    LabelWriter writer(frame, marks, {});
     for (const render::DrawCommand& command : list.commands)
         if (const auto* label = std::get_if<render::Label>(&command)) writer.layout().avoid_box(box_of_label(*label));
     const NumberColumn weights = frame.state.derived.weights_of(*frame.curve)->column;
-    std::vector<glm::dvec2> polygon;
-    for (const MovingPoint& point : points) {
-        polygon.push_back(point.place);
-        writer.layout().avoid_symbol(point.place, reach_of_point(frame, point.index));
-    }
-    writer.layout().avoid_line(polygon);
     for (const MovingPoint& point : points)
         if (point.opacity > 0.0)
             write_name_in_figure(
                 writer, frame,
                 name_of_point(frame, weights, point,
                               weight_ring_radius_px(point.weight, frame.state.view.interface_scale).value_or(0.0)));
+    note_nameless(frame, marks.points);
 }
 
 void draw_canvas_labels(CanvasFrame& frame, const CanvasMarks& marks, const std::vector<render::PixelBox>& covered) {

@@ -29,8 +29,9 @@ struct MovingPoint {
     double opacity = 1.0;  ///< of its name; 0 for none
 };
 
-/// The same names beside moving points: apart from one another, from the polygon through them, the curve, and the
-/// labels that `list` has.
-void draw_moving_labels(CanvasFrame& frame, const render::DrawList& list, std::span<const MovingPoint> points);
+/// The same names beside moving `points`: apart from one another, from `marks` on their way, the curve, and the labels
+/// that `list` has.
+void draw_moving_labels(CanvasFrame& frame, const render::DrawList& list, const CanvasMarks& marks,
+                        std::span<const MovingPoint> points);
 
 }  // namespace batten::editor

@@ -21,6 +21,7 @@
 #include "app/editor/scene/insets.h"
 #include "app/editor/scene/legend.h"
 #include "app/editor/scene/marked_joints.h"
+#include "app/editor/scene/moving_polygon.h"
 #include "app/editor/scene/other_curves.h"
 #include "app/editor/scene/pictures.h"
 #include "app/editor/scene/place_marks.h"
@@ -33,8 +34,6 @@
 namespace batten::editor {
 
 namespace {
-
-enum class Points { drawn, left_out };
 
 /// Returns what labels must keep clear of: the numbers of the grid, legend, insets and cards, and the marks of
 /// findings.
@@ -61,11 +60,12 @@ std::vector<render::PixelBox> draw_background(CanvasFrame& frame) {
     return covered;
 }
 
-CanvasMarks marks_of(const CanvasFrame& frame) {
+/// Without a polygon that moves, so that labels stay where they are.
+CanvasMarks marks_of(const CanvasFrame& frame, const MovingPolygon& moving) {
     CanvasMarks marks;
     marks.points = shown_points(frame);
     marks.knots = shown_knots(frame, marks.points);
-    if (frame.shows(Overlay::polygon)) marks.polygon = polygon_line(frame);
+    if (frame.shows(Overlay::polygon) && moving.corners.empty()) marks.polygon = polygon_line(frame);
     return marks;
 }
 
@@ -84,10 +84,23 @@ void note_lines(CanvasFrame& frame, const render::DrawList& list, std::size_t fi
     }
 }
 
-void draw_lines_of_active_curve(CanvasFrame& frame, const render::DrawList& list, CanvasMarks& marks, Points points) {
+/// None where they are left out, the dense ones where they move.
+ShownPoints points_to_draw(const CanvasFrame& frame, const ShownPoints& points, const MovingPolygon& moving) {
+    if (!frame.state.view.parts.points) return {};
+    if (moving.corners.empty()) return points;
+    ShownPoints dense = moved_points(frame, points, moving);
+    dense.large.clear();
+    return dense;
+}
+
+void draw_lines_of_active_curve(CanvasFrame& frame, const render::DrawList& list, CanvasMarks& marks,
+                                const ShownPoints& points, const MovingPolygon& moving) {
     draw_hull(frame);
-    draw_control_polygon(frame, marks.polygon);
-    if (points == Points::drawn) draw_dense_points(frame, marks.points);
+    if (moving.corners.empty())
+        draw_control_polygon(frame, marks.polygon);
+    else if (frame.shows(Overlay::polygon))
+        draw_moving_line(frame, moving);
+    draw_dense_points(frame, points);
     const std::size_t first = list.commands.size();
     if (frame.shows(Overlay::bezier_pieces)) marks.pieces = draw_bezier_pieces(frame);
     if (frame.shows(Overlay::curvature_comb)) marks.comb_spans = draw_curvature_comb(frame);
@@ -100,14 +113,14 @@ void draw_lines_of_active_curve(CanvasFrame& frame, const render::DrawList& list
 }
 
 void draw_marks_of_active_curve(CanvasFrame& frame, const render::DrawList& list, const CanvasMarks& marks,
-                                const std::vector<render::PixelBox>& covered, Points points) {
+                                const std::vector<render::PixelBox>& covered, const ShownPoints& points) {
     draw_curve_knots(frame, marks.knots);
     draw_marked_joints(frame);
     draw_hovered_place(frame);
     const std::size_t first = list.commands.size();
     if (frame.shows(Overlay::construction)) draw_construction(frame);
-    if (points == Points::drawn) draw_control_points(frame, marks.points);
-    if (points == Points::drawn) draw_fit_marks(frame);
+    draw_control_points(frame, points);
+    if (frame.state.view.parts.points) draw_fit_marks(frame);
     draw_handlebar(frame);
     draw_views_above(frame);
     note_lines(frame, list, first);
@@ -115,7 +128,8 @@ void draw_marks_of_active_curve(CanvasFrame& frame, const render::DrawList& list
     draw_canvas_labels(frame, marks, covered);
 }
 
-render::DrawList scene_with(const EditorState& state, const CanvasMode& mode, SceneCache& cache, Points points) {
+render::DrawList scene_with(const EditorState& state, const CanvasMode& mode, const MovingPolygon& moving,
+                            SceneCache& cache) {
     if (has_sketch(state)) return sketch_scene(state);
     render::DrawList list;
     CanvasFrame frame(state, cache, list);
@@ -123,8 +137,9 @@ render::DrawList scene_with(const EditorState& state, const CanvasMode& mode, Sc
     std::vector<render::PixelBox> covered = draw_background(frame);
     std::vector<CrowdNote> notes;
     if (frame.curve != nullptr) {
-        CanvasMarks marks = marks_of(frame);
-        draw_lines_of_active_curve(frame, list, marks, points);
+        CanvasMarks marks = marks_of(frame, moving);
+        const ShownPoints points = points_to_draw(frame, marks.points, moving);
+        draw_lines_of_active_curve(frame, list, marks, points, moving);
         if (state.view.parts.window) notes = crowd_notes(frame, marks);
         for (const CrowdNote& note : notes) covered.push_back(note.box);
         draw_marks_of_active_curve(frame, list, marks, covered, points);
@@ -145,11 +160,11 @@ render::DrawList scene_with(const EditorState& state, const CanvasMode& mode, Sc
 }  // namespace
 
 render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, SceneCache& cache) {
-    return scene_with(state, mode, cache, state.view.parts.points ? Points::drawn : Points::left_out);
+    return scene_with(state, mode, {}, cache);
 }
 
-render::DrawList canvas_scene_without_points(const EditorState& state, SceneCache& cache) {
-    return scene_with(state, CanvasIdle{}, cache, Points::left_out);
+render::DrawList canvas_scene_around(const MovingPolygon& moving, const EditorState& state, SceneCache& cache) {
+    return scene_with(state, CanvasIdle{}, moving, cache);
 }
 
 }  // namespace batten::editor

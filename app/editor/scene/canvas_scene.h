@@ -1,6 +1,7 @@
 /// What the canvas shows, as a picture.
 #pragma once
 
+#include "app/editor/derived/cut_polygon.h"
 #include "app/editor/pointer/canvas_mode.h"
 #include "app/editor/scene/scene_cache.h"
 #include "app/editor/state/state.h"
@@ -14,7 +15,8 @@ namespace batten::editor {
 /// file is opened, what is read of it stands there instead.
 render::DrawList canvas_scene(const EditorState& state, const CanvasMode& mode, SceneCache& cache);
 
-/// The same at rest without the control points, which the caller draws; what stands beside them makes way as before.
-render::DrawList canvas_scene_without_points(const EditorState& state, SceneCache& cache);
+/// The same at rest with `moving` for its control polygon: the line, and of the points those too dense for their size.
+/// The others lie above it, and the caller draws them; what stands beside them makes way as before.
+render::DrawList canvas_scene_around(const MovingPolygon& moving, const EditorState& state, SceneCache& cache);
 
 }  // namespace batten::editor

@@ -13,11 +13,6 @@ constexpr double lit_hull_opacity = 0.16;
 
 constexpr double passed_opacity = 0.35;  // where the points that the curve passes are edited instead
 
-Stroke stroke_of(const CanvasFrame& frame) {
-    if (shown_fit(frame) != nullptr) return {.color = render::faded(frame.theme.polygon, passed_opacity), .width = 1.0};
-    return {.color = frame.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0};
-}
-
 std::vector<core::Point> lit_points(const CanvasFrame& frame) {
     std::vector<core::Point> points;
     const auto control = frame.curve->control_points();
@@ -33,12 +28,17 @@ std::vector<core::Point> active_points(const CanvasFrame& frame) {
 
 }  // namespace
 
+Stroke control_polygon_stroke(const CanvasFrame& frame) {
+    if (shown_fit(frame) != nullptr) return {.color = render::faded(frame.theme.polygon, passed_opacity), .width = 1.0};
+    return {.color = frame.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0};
+}
+
 SeenLine polygon_line(const CanvasFrame& frame) {
-    return seen_polygon(frame, *frame.kept, stroke_of(frame));
+    return seen_polygon(frame, *frame.kept, control_polygon_stroke(frame));
 }
 
 void draw_control_polygon(CanvasFrame& frame, const SeenLine& line) {
-    draw_line(frame, line, stroke_of(frame));
+    draw_line(frame, line, control_polygon_stroke(frame));
     const auto points = frame.curve->control_points();
     const auto leg = hovered_leg(frame.state.hover);
     if (leg && *leg < core::leg_count(*frame.curve))

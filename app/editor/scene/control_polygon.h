@@ -5,6 +5,9 @@
 
 namespace batten::editor {
 
+/// Dashes, pale ones where other points are edited instead.
+Stroke control_polygon_stroke(const CanvasFrame& frame);
+
 /// The polygon as far as it is seen.
 SeenLine polygon_line(const CanvasFrame& frame);
 

@@ -57,6 +57,12 @@ std::vector<MarkPlace> one_for_each_cell(const CanvasFrame& frame, const std::ve
 
 }  // namespace
 
+std::vector<bool> is_among(std::span<const MarkPlace> places, std::size_t count) {
+    std::vector<bool> is_there(count);
+    for (const MarkPlace& place : places) is_there[place.index] = true;
+    return is_there;
+}
+
 Crowd settle(const CanvasFrame& frame, std::vector<MarkPlace> places, const MarkSizes& sizes) {
     const double largest = sizes.radii.front();
     const double smallest = sizes.radii.back();

@@ -16,6 +16,9 @@ struct MarkPlace {
     glm::dvec2 place{};
 };
 
+/// Of each index below `count`, whether one of the places has it.
+std::vector<bool> is_among(std::span<const MarkPlace> places, std::size_t count);
+
 /// Which of the places are marked, and how large.
 struct Crowd {
     double radius = 0.0;           ///< of the marks, in design pixels

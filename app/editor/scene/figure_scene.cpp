@@ -100,17 +100,15 @@ render::DrawList lifted_scene(const EditorState& state, SceneCache& cache) {
     return list;
 }
 
-/// The curve with `moving` in place of its control polygon, points and their names.
-render::DrawList moving_scene(const EditorState& state, const MovingPolygon& moving, SceneCache& cache) {
+/// The curve with `moving` in place of its control polygon.
+render::DrawList moving_scene(const EditorState& state, MovingPolygon moving, SceneCache& cache) {
     EditorState bare = state;
     bare.view.parts.names = false;
-    bare.view.overlays.show(Overlay::polygon, false);
-    render::DrawList list = canvas_scene_without_points(bare, cache);
+    const core::Curve* curve = state.visible_active_curve();
+    if (curve != nullptr) moving.corners = corners_apart(std::move(moving.corners), curve->is_periodic());
+    render::DrawList list = canvas_scene_around(moving, bare, cache);
     CanvasFrame frame(state, cache, list);
-    draw_moving_polygon(frame, list, moving,
-                        {.polygon = frame.shows(Overlay::polygon),
-                         .points = state.view.parts.points,
-                         .names = frame.shows(Overlay::labels)});
+    if (curve != nullptr) draw_moving_points(frame, list, moving);
     return list;
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/editor/scene/canvas_labels.h"
 #include "app/editor/scene/control_points.h"
+#include "app/editor/scene/control_polygon.h"
 
 namespace batten::editor {
 
@@ -18,16 +19,6 @@ constexpr double apart = 24.0;  // corners of one name that are nearer have it o
 /// How much is seen of a name that is another one at the end: nothing half way.
 double opacity_half_way(double share) {
     return std::min(1.0, 4.0 * std::abs(share - 0.5));
-}
-
-/// Without the other part of those that are one at the beginning or at the end.
-std::vector<CutCorner> corners_apart(std::vector<CutCorner> corners, bool is_periodic) {
-    const auto are_one = [](const CutCorner& a, const CutCorner& b) {
-        return a.place == b.place && (a.index == b.index || a.next == b.next);
-    };
-    corners.erase(std::unique(corners.begin(), corners.end(), are_one), corners.end());
-    if (is_periodic && corners.size() > 1 && are_one(corners.back(), corners.front())) corners.pop_back();
-    return corners;
 }
 
 /// The corners with the names that they have now.
@@ -44,25 +35,60 @@ std::vector<MovingPoint> named_points(const CanvasFrame& frame, const MovingPoly
     return points;
 }
 
-void draw_polygon(CanvasFrame& frame, const std::vector<MovingPoint>& points) {
+std::vector<glm::dvec2> line_through(const CanvasFrame& frame, const MovingPolygon& moving) {
     std::vector<glm::dvec2> line;
-    for (const MovingPoint& point : points) line.push_back(point.place);
+    for (const CutCorner& corner : moving.corners) line.push_back(frame.screen(corner.place));
     if (frame.curve->is_periodic()) line.push_back(line.front());
-    frame.pen.line(line, {.color = frame.theme.polygon, .width = 1.5, .dash = 6.0, .gap = 5.0});
+    return line;
+}
+
+/// Leaves only what is of points in full size.
+void keep_large(const core::Curve& curve, const ShownPoints& shown, MovingPolygon& moving,
+                std::vector<MovingPoint>& points) {
+    const std::vector<bool> is_large = is_among(shown.large, curve.control_points().size());
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (!is_large[moving.corners[k].next]) continue;
+        moving.corners[kept] = moving.corners[k];
+        points[kept++] = points[k];
+    }
+    moving.corners.resize(kept);
+    points.resize(kept);
+}
+
+std::vector<MarkPlace> moved_places(const CanvasFrame& frame, const std::vector<MarkPlace>& places,
+                                    const MovingPolygon& moving) {
+    const std::vector<bool> is_there = is_among(places, frame.curve->control_points().size());
+    std::vector<MarkPlace> moved;
+    for (const CutCorner& corner : moving.corners)
+        if (is_there[corner.next]) moved.push_back({corner.next, frame.screen(corner.place)});
+    return moved;
 }
 
 }  // namespace
 
-void draw_moving_polygon(CanvasFrame& frame, const render::DrawList& list, MovingPolygon moving,
-                         const MovingParts& parts) {
-    if (frame.curve == nullptr || moving.corners.empty()) return;
-    moving.corners = corners_apart(std::move(moving.corners), frame.curve->is_periodic());
-    const std::vector<MovingPoint> points = named_points(frame, moving);
-    if (parts.polygon) draw_polygon(frame, points);
-    if (parts.points)
+ShownPoints moved_points(const CanvasFrame& frame, const ShownPoints& points, const MovingPolygon& moving) {
+    ShownPoints moved = points;
+    moved.crowd.shown = moved_places(frame, points.crowd.shown, moving);
+    moved.large = moved_places(frame, points.large, moving);
+    return moved;
+}
+
+void draw_moving_line(CanvasFrame& frame, const MovingPolygon& moving) {
+    frame.pen.line(line_through(frame, moving), control_polygon_stroke(frame));
+}
+
+void draw_moving_points(CanvasFrame& frame, const render::DrawList& list, MovingPolygon moving) {
+    CanvasMarks marks;
+    marks.polygon.runs.push_back(line_through(frame, moving));
+    const ShownPoints shown = shown_points(frame);
+    marks.points = moved_points(frame, shown, moving);
+    std::vector<MovingPoint> points = named_points(frame, moving);
+    keep_large(*frame.curve, shown, moving, points);
+    if (frame.state.view.parts.points)
         for (const CutCorner& corner : moving.corners)
             draw_moving_point(frame, frame.screen(corner.place), corner.next, corner.weight);
-    if (parts.names) draw_moving_labels(frame, list, points);
+    if (frame.shows(Overlay::labels)) draw_moving_labels(frame, list, marks, points);
 }
 
 }  // namespace batten::editor
