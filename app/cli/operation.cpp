@@ -68,6 +68,7 @@ std::vector<const Field*> fields_of_arguments(const editor::CommandSpec& spec, s
     std::vector<const Field*> fields = parts_of(spec);
     for (std::size_t i = fields.size(); i-- > 0 && fields.size() > count;)
         if (fields[i]->can_be_left_out()) fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(i));
+    fields.resize(std::min(fields.size(), count));
     return fields;
 }
 

@@ -18,7 +18,8 @@ const editor::CommandSpec* operation_called(const std::string& name);
 /// How many arguments it cannot do without.
 std::size_t needed_count(const editor::CommandSpec& spec);
 
-/// The fields that `count` arguments are for, one for each: the last ones that can be left out are.
+/// The fields that `count` arguments are for, one for each as far as there are fields: the last ones that can be left
+/// out are, and needed ones where there are too few arguments.
 std::vector<const editor::Field*> fields_of_arguments(const editor::CommandSpec& spec, std::size_t count);
 
 /// One operation as it was given.

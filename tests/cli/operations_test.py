@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import re
 import tempfile
 import unittest
 
@@ -151,6 +152,17 @@ class Operations(unittest.TestCase):
     def test_what_may_be_left_out_is_left_out_before_an_operation(self):
         (curve,) = self.made("line 0 0 1 1 elevate insert-knot 0.5 select-knot 3 set-knot 0.25 elevate 1")
         self.assertEqual(curve["knots"], [0, 0, 0, 0, 0.25, 0.25, 1, 1, 1, 1])
+
+    def test_what_is_needed_and_not_given_is_named(self):
+        needed = re.findall(r"^  ([a-z-]+) <(\w+)>", run("apply", "--list").stdout, re.MULTILINE)
+        self.assertGreater(len(needed), 50)
+        named = 0
+        for name, field in needed:
+            process = run("apply", self.empty, name)
+            self.assertEqual((process.returncode, process.stdout, process.stderr.count("\n")), (1, "", 1), name)
+            self.assertRegex(process.stderr, f": operation 1, {name}: .+\n$")
+            named += f"{name} needs {field}, " in process.stderr
+        self.assertGreaterEqual(named, 10, "others are refused first, since there is no curve")
 
     def test_new_begins_with_nothing(self):
         (curve,) = self.made("line 0 0 3 4")

@@ -51,6 +51,7 @@ void run(std::string_view bytes) {
         const auto operation = reader.take(editor.state().history.present());
         if (!operation) return require(!operation.error().empty(), "a refusal says why");
         if (names_a_file(*operation->spec)) return;
+        require(cli::table_words(*operation).empty(), "words that name files are left out");
         const auto command = editor::read_command(*operation->spec, editor.state(), operation->arguments);
         if (!command) return require(!command.error().empty(), "a refusal says why");
         if (!editor.run(*command)) return require(!editor.state().message.text.empty(), "a refusal says why");
