@@ -147,6 +147,19 @@ TEST(CommandTable, explains_every_command) {
     }
 }
 
+// The palette tells what would be taken for a field also where a command is refused.
+TEST(CommandTable, suggests_what_fits_or_nothing_without_a_curve) {
+    const Editor editor{core::Document{}};
+    ASSERT_EQ(editor.state().history.present().active_curve(), nullptr);
+    for (const CommandSpec& spec : command_table())
+        for (const Field& field : spec.fields)
+            for (const FieldValue& value : {field.suggestion(editor.state()), field.initial(editor.state())})
+                if (!is_absent(value)) {
+                    EXPECT_FALSE(shown_text(field, value, editor.state()).empty())
+                        << spec.name << " " << field.parts.front().name;
+                }
+}
+
 // A step says what it did; what is not undone says nothing.
 TEST(CommandTable, says_what_every_edit_did) {
     for (const CommandSpec& spec : command_table()) {

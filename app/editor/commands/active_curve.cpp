@@ -84,7 +84,8 @@ Outcome<std::vector<std::size_t>> free_points(const core::DocumentCurve& entry,
 }
 
 bool is_made_of_points(const EditorState& state) {
-    return state.history.present().active_curve()->fit != nullptr;
+    const core::DocumentCurve* entry = state.history.present().active_curve();
+    return entry != nullptr && entry->fit != nullptr;
 }
 
 std::vector<std::size_t> ascending(std::vector<std::size_t> indices) {

@@ -38,7 +38,7 @@ std::vector<std::size_t> held_points(const core::DocumentCurve& entry);
 Outcome<std::vector<std::size_t>> free_points(const EditorState& state, const std::vector<std::size_t>& points);
 Outcome<std::vector<std::size_t>> free_points(const core::DocumentCurve& entry, const std::vector<std::size_t>& points);
 
-/// Whether the committed active curve, which there must be, is made of fit points.
+/// Whether the committed active curve is made of fit points; not where there is none.
 bool is_made_of_points(const EditorState& state);
 
 /// The indices, ascending and without repeats.
