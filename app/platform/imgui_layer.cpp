@@ -65,11 +65,14 @@ void ImguiLayer::leave_window() {
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     is_in_window_ = false;
+    has_begun_frame_ = false;
 }
 
 void ImguiLayer::renew_font_texture() {
 #if IMGUI_VERSION_NUM < 19200
-    // Later versions watch the atlas themselves.
+    // Later versions watch the atlas themselves. The first frame in a window makes the texture, and would not let go of
+    // an earlier one.
+    if (!has_begun_frame_) return;
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
 #endif
@@ -80,6 +83,7 @@ void ImguiLayer::ignore_pointer() {
 }
 
 void ImguiLayer::begin_frame() {
+    has_begun_frame_ = true;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();

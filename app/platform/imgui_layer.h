@@ -35,6 +35,7 @@ class ImguiLayer {
 
   private:
     bool is_in_window_ = false;
+    bool has_begun_frame_ = false;  ///< in this window
 };
 
 }  // namespace batten::platform

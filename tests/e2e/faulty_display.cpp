@@ -2,6 +2,7 @@
 // in the folder BATTEN_FAULTS ask for. "reset": the driver loses the context once. "no-window": no new one can be
 // opened. "scale": the window is on a monitor of the scale that stands in the file. "unplug": the monitor that the
 // window covers is taken away. "drop": the files that it names, one in each line, are dropped on the window.
+// "count-textures": how many textures the context has is written to "textures".
 #include <GLFW/glfw3.h>
 #include <dlfcn.h>
 
@@ -43,6 +44,14 @@ constexpr unsigned innocent_context_reset = 0x8254;
 
 unsigned reset_status() {
     return take("reset") ? innocent_context_reset : 0;
+}
+
+void count_textures() {
+    constexpr unsigned most = 1000;  // names are given in order
+    const auto is_texture = reinterpret_cast<unsigned char (*)(unsigned)>(glfwGetProcAddress("glIsTexture"));
+    int count = 0;
+    for (unsigned name = 1; name < most; ++name) count += is_texture(name) != 0 ? 1 : 0;
+    std::ofstream(fault_path("textures")) << count;
 }
 
 struct Faults {
@@ -108,6 +117,13 @@ GLFWwindowcontentscalefun glfwSetWindowContentScaleCallback(GLFWwindow*, GLFWwin
 GLFWdropfun glfwSetDropCallback(GLFWwindow*, GLFWdropfun dropped) {
     faults.dropped = dropped;
     return nullptr;
+}
+
+void glfwSwapBuffers(GLFWwindow* window) {
+    real<void (*)(GLFWwindow*)>("glfwSwapBuffers")(window);
+    if (!is_asked("count-textures")) return;
+    count_textures();
+    take("count-textures");
 }
 
 void glfwWaitEventsTimeout(double seconds) {

@@ -53,6 +53,21 @@ class FaultyDisplayTest(WindowTest):
             editor.wait(lambda state: state["undo_count"] == 0 and not state["is_modified"], "the steps back")
             self.assertEqual(editor.error_text(), "")
 
+    def texture_count(self, editor):
+        self.faults.ask("count-textures")
+        editor.move(700, 320)
+        editor.move(640, 320)
+        editor.wait_until(lambda: self.faults.is_done("count-textures"), "the count")
+        return int((self.faults.folder / "textures").read_text())
+
+    def test_a_window_has_its_fonts_once(self):
+        with self.begin(self.path) as editor:
+            first = self.texture_count(editor)
+            self.faults.ask("scale", "2")
+            self.lose_context(editor)
+            editor.wait(lambda state: state["interface_scale"] == 2.0, "the other scale")
+            self.assertEqual((first, self.texture_count(editor)), (1, 1))
+
     def test_a_drag_ends_with_the_context(self):
         with self.begin(self.path) as editor:
             x, y = editor.point(2)
@@ -97,7 +112,7 @@ class FaultyDisplayTest(WindowTest):
     def test_a_monitor_of_another_scale(self):
         with self.begin(self.path) as editor:
             place = editor.widget("menu file")
-            before = self.picture(editor, "scale-1")
+            before = self.picture(editor, "scale-1-first")
             for scale in (2, 1.25, 1):
                 # Nobody touches the window, which shows itself anew all the same.
                 self.faults.ask("scale", str(scale))
