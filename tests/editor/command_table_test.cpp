@@ -154,7 +154,7 @@ TEST(CommandTable, suggests_what_fits_or_nothing_without_a_curve) {
     for (const CommandSpec& spec : command_table())
         for (const Field& field : spec.fields)
             for (const FieldValue& value : {field.suggestion(editor.state()), field.initial(editor.state())})
-                if (!is_absent(value)) {
+                if (!is_absent(value) && field.kind != FieldKind::text) {
                     EXPECT_FALSE(shown_text(field, value, editor.state()).empty())
                         << spec.name << " " << field.parts.front().name;
                 }
