@@ -157,14 +157,16 @@ class RandomEventsTest(WindowTest):
             faults.ask("reset")
 
     def memory_at_rest(self, editor, faults):
-        """Without a document, and with all else as at the beginning, so that what is left can be compared."""
+        """Without a document, and with all else that takes memory as at the beginning, so that what is left can be compared."""
         for key in (*MODIFIERS, *"dz"):
             editor.xdotool("keyup", key)
         self.choose_layout(editor, "us")
         faults.ask("scale", "1")
         self.resize(editor, SIZE)
         editor.key("Escape", "Escape", "Escape")
-        editor.wait(lambda state: state["dialog"] != "at-work" and (state["is_settled"] or state["is_playing"]), "the end of what is at work")
+        self.run_command(editor, "scale-reset")
+        is_as_before = lambda state: state["dialog"] != "at-work" and state["interface_scale"] == 1.0
+        editor.wait(lambda state: is_as_before(state) and (state["is_settled"] or state["is_playing"]), "the end of what is at work")
         editor.key("ctrl+n")
         state = editor.wait(lambda state: state["dialog"] == "unsaved-changes" or state["curve_count"] == 0, "the question, or no document")
         if state["dialog"] == "unsaved-changes":
