@@ -108,6 +108,14 @@ std::vector<core::Point> scattered_points(std::size_t count, core::Vector extent
     return points;
 }
 
+glm::dvec2 screen(const EditorState& state, core::Point place) {
+    return render::screen_from_world(state.view.camera, place);
+}
+
+Theme dark() {
+    return theme_of(ThemeName::dark);
+}
+
 render::DrawList canvas_picture(const EditorState& state, const CanvasMode& mode) {
     SceneCache cache;
     return canvas_scene(state, mode, cache);

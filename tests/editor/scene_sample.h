@@ -23,10 +23,20 @@ EditorState scene_state(core::CurveDefinition definition);
 std::vector<core::Point> scattered_points(std::size_t count, core::Vector extent);
 
 /// The picture of the canvas, with nothing kept from another one.
-render::DrawList canvas_picture(const EditorState& state, const CanvasMode& mode);
+render::DrawList canvas_picture(const EditorState& state, const CanvasMode& mode = CanvasIdle{});
+
+/// Where a place of the world is in it.
+glm::dvec2 screen(const EditorState& state, core::Point place);
+
+/// The theme of the states.
+Theme dark();
+
+/// Of the dock below that picture.
+constexpr glm::dvec2 dock_size{1048.0, 260.0};
 
 /// The picture of the dock, with nothing kept from another one.
-render::DrawList plot_picture(const EditorState& state, const PlotMode& mode, glm::dvec2 size_px);
+render::DrawList plot_picture(const EditorState& state, const PlotMode& mode = PlotIdle{},
+                              glm::dvec2 size_px = dock_size);
 
 /// The same state on a screen of twice the density.
 EditorState doubled(EditorState state);

@@ -11,6 +11,7 @@
 #include "app/editor/commands/selection_commands.h"
 #include "app/editor/derived/shown_function.h"
 #include "app/editor/state/point_hues.h"
+#include "tests/editor/card_words.h"
 #include "tests/editor/sample_editor.h"
 #include "tests/editor/scene_sample.h"
 
@@ -43,9 +44,7 @@ EditorState state_of(int degree, std::vector<double> knots, double u, bool perio
     return state;
 }
 
-bool says(const Card& card, const std::string& text) {
-    return card_text(card).find(text) != std::string::npos;
-}
+using test::says;
 
 CardDrawing picture_of(const Card& card) {
     for (const CardBlock& block : card.blocks)

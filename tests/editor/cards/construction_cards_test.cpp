@@ -9,6 +9,7 @@
 #include "app/editor/cards/triangle_card.h"
 #include "app/editor/commands/overlay_commands.h"
 #include "app/editor/commands/view_commands.h"
+#include "tests/editor/card_words.h"
 #include "tests/editor/pointer_driver.h"
 #include "tests/editor/scene_sample.h"
 
@@ -38,9 +39,7 @@ core::CurveDefinition rational_cubic() {
     return definition;
 }
 
-bool says(const Card& card, const std::string& text) {
-    return card_text(card).find(text) != std::string::npos;
-}
+using test::says;
 
 /// All pictures of a card at the usual width.
 std::vector<CardDrawing> drawings_of(const Card& card) {

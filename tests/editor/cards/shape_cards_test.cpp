@@ -14,6 +14,7 @@
 #include "app/editor/pointer/comb_tooth.h"
 #include "app/editor/pointer/view_handle.h"
 #include "tests/editor/canvas_fixture.h"
+#include "tests/editor/card_words.h"
 #include "tests/editor/sample_editor.h"
 
 namespace batten::editor {
@@ -22,9 +23,7 @@ namespace {
 using test::committed;
 using test::px;
 
-bool says(const Card& card, const std::string& text) {
-    return card_text(card).find(text) != std::string::npos;
-}
+using test::says;
 
 class ShapeCards : public test::CanvasFixture {
   protected:

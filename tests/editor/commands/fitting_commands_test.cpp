@@ -35,10 +35,10 @@ class FittingCommands : public ::testing::Test {
     Editor editor_;
 };
 
-const std::vector<core::Point> zigzag{{0, 0}, {1, 2}, {3, 1}, {4, 3}, {6, 0}};
+const std::vector<core::Point> zigzag_points{{0, 0}, {1, 2}, {3, 1}, {4, 3}, {6, 0}};
 
 Interpolate through_zigzag(core::Parametrization parametrization) {
-    return {.points = zigzag, .degree = 3, .parametrization = parametrization};
+    return {.points = zigzag_points, .degree = 3, .parametrization = parametrization};
 }
 
 TEST_F(FittingCommands, interpolate_typed_points) {
@@ -46,7 +46,7 @@ TEST_F(FittingCommands, interpolate_typed_points) {
     EXPECT_EQ(message(), "Interpolated points");
     EXPECT_EQ(curve(editor_).degree(), 3);
     EXPECT_EQ(points(editor_).size(), 5U);
-    for (const core::Point point : zigzag) EXPECT_LT(distance_to(point), 1e-13);
+    for (const core::Point point : zigzag_points) EXPECT_LT(distance_to(point), 1e-13);
     EXPECT_TRUE(type("interpolate 0,0,1,1,2,0"));
     EXPECT_EQ(curve(editor_).degree(), 2);
     EXPECT_EQ(document(editor_).active_curve()->name, "curve 2");
@@ -78,12 +78,12 @@ TEST_F(FittingCommands, left_out_points_are_the_control_points) {
 }
 
 TEST_F(FittingCommands, natural_ends_and_tangents) {
-    EXPECT_TRUE(
-        run(InterpolateNatural{.points = zigzag, .degree = 3, .parametrization = core::Parametrization::centripetal}));
+    EXPECT_TRUE(run(InterpolateNatural{
+        .points = zigzag_points, .degree = 3, .parametrization = core::Parametrization::centripetal}));
     EXPECT_LT(core::length(core::derivatives_at(curve(editor_), 0.0, 2)[2]), 1e-10);
     EXPECT_TRUE(run(InterpolateTangents{.start = core::Vector(0, 5),
                                         .end = std::nullopt,
-                                        .points = zigzag,
+                                        .points = zigzag_points,
                                         .degree = 3,
                                         .parametrization = core::Parametrization::centripetal}));
     EXPECT_LT(core::length(core::derivatives_at(curve(editor_), 0.0, 1)[1] - core::Vector(0, 5)), 1e-12);
@@ -91,8 +91,9 @@ TEST_F(FittingCommands, natural_ends_and_tangents) {
     expect_refused("interpolate-tangents 1, 0,0 0,0,1,2,3,1",
                    "start is a list of one number; a list of two numbers is needed, x and y of the derivative at the "
                    "start; none leaves it free");
-    expect_refused(InterpolateNatural{.points = zigzag, .degree = 2, .parametrization = core::Parametrization::chordal},
-                   "the degree is 2; it must be at least 3 here");
+    expect_refused(
+        InterpolateNatural{.points = zigzag_points, .degree = 2, .parametrization = core::Parametrization::chordal},
+        "the degree is 2; it must be at least 3 here");
 }
 
 TEST_F(FittingCommands, name_the_point_that_is_repeated) {

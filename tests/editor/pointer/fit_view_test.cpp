@@ -273,9 +273,7 @@ TEST_F(Legend, gives_way_to_the_grips_of_the_transform_box) {
 }
 
 TEST_F(Legend, is_left_out_where_every_corner_is_taken_by_a_grip) {
-    const auto tells_levels = [&] {
-        return test::has_text(test::canvas_picture(editor_.state(), CanvasIdle{}), "level 1");
-    };
+    const auto tells_levels = [&] { return test::has_text(test::canvas_picture(editor_.state()), "level 1"); };
     // The corners of the box, which is 12 pixels around 8 x 4 units, are in the middle of the legend in each corner.
     const PixelBox first = legend_box(editor_.state(), Corner::lower_left);
     const glm::dvec2 size{8.0 * 64.0 + 24.0 + 28.0 + (first.upper_px.x - first.lower_px.x), 4.0 * 64.0 + 24.0 + 72.0};

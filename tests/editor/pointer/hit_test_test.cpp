@@ -12,7 +12,7 @@
 #include "app/editor/pointer/weight_ring.h"
 #include "core/evaluate/evaluate.h"
 #include "core/measure/nearest.h"
-#include "tests/editor/pointer_driver.h"
+#include "tests/editor/canvas_fixture.h"
 
 namespace batten::editor {
 namespace {
@@ -29,9 +29,7 @@ EditorState zigzag() {
     return state;
 }
 
-glm::dvec2 px(double x, double y) {
-    return {640.0 + 64.0 * x, 360.0 - 64.0 * y};
-}
+using test::px;
 
 void hide(EditorState& state, Overlay overlay) {
     state.view.overlays.show(overlay, false);

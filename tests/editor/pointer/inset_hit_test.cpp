@@ -40,15 +40,11 @@ EditorState arc() {
     return showing(definition, {Overlay::polygon, Overlay::homogeneous});
 }
 
-render::DrawList scene_of(const EditorState& state) {
-    return test::canvas_picture(state, CanvasIdle{});
-}
-
 /// The places of the points of a hodograph, of which none is lit.
 std::vector<glm::dvec2> places_in(const EditorState& state, Overlay inset) {
     const render::PixelBox box = inset_box(state, inset).value();
     std::vector<glm::dvec2> places;
-    for (const render::Marker& disc : test::markers_of(scene_of(state), render::MarkerShape::disc, 2.75F))
+    for (const render::Marker& disc : test::markers_of(test::canvas_picture(state), render::MarkerShape::disc, 2.75F))
         if (box.contains(disc.center)) places.emplace_back(disc.center);
     return places;
 }
@@ -56,7 +52,7 @@ std::vector<glm::dvec2> places_in(const EditorState& state, Overlay inset) {
 /// Where the marks of a hovered parameter are.
 std::vector<glm::dvec2> marks_of(const EditorState& state) {
     std::vector<glm::dvec2> places;
-    for (const render::Marker& disc : test::markers_of(scene_of(state), render::MarkerShape::disc, 4.0F))
+    for (const render::Marker& disc : test::markers_of(test::canvas_picture(state), render::MarkerShape::disc, 4.0F))
         if (disc.outline == shown_theme(state.view).accent) places.emplace_back(disc.center);
     return places;
 }
@@ -65,9 +61,7 @@ void expect_near(glm::dvec2 a, glm::dvec2 b) {
     EXPECT_LT(glm::distance(a, b), 0.02) << a.x << " " << a.y << " and " << b.x << " " << b.y;
 }
 
-glm::dvec2 screen(const EditorState& state, core::Point world) {
-    return render::screen_from_world(state.view.camera, world);
-}
+using test::screen;
 
 TEST(InsetHit, control_points_of_hodographs_are_differences_of_points) {
     EditorState state = cubic();
@@ -80,7 +74,7 @@ TEST(InsetHit, control_points_of_hodographs_are_differences_of_points) {
     EXPECT_EQ(hit_canvas(state, second[1]), (Hover{HoveredHodograph{2, 1, {}}}));
     state.hover = HoveredHodograph{1, 2, {}};
     EXPECT_EQ(highlight(state).points, (std::vector<std::size_t>{2, 3}));
-    const auto leg = test::lines_of(scene_of(state), shown_theme(state.view).accent, 2.0F);
+    const auto leg = test::lines_of(test::canvas_picture(state), shown_theme(state.view).accent, 2.0F);
     ASSERT_EQ(leg.size(), 1U);
     expect_near(glm::dvec2(leg[0].points.front()), screen(state, {3, 2}));
     expect_near(glm::dvec2(leg[0].points.back()), screen(state, {4, 0}));

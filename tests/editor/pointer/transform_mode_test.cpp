@@ -331,8 +331,7 @@ TEST_F(Transforming, draws_finite_numbers_for_any_box) {
         EditorState drawn = test::state_with({.degree = 1, .knots = {0, 0, 1, 1}, .points = points});
         drawn.tool = Tool::transform;
         drawn.view.camera.size_px = {1000.0, 600.0};
-        EXPECT_TRUE(
-            test::faults_of(test::canvas_picture(drawn, CanvasIdle{}), drawn.view.camera.size_px, 1e30).empty());
+        EXPECT_TRUE(test::faults_of(test::canvas_picture(drawn), drawn.view.camera.size_px, 1e30).empty());
         static_cast<void>(hit_for_transform(drawn, {500.0, 300.0}));
     }
 }

@@ -13,11 +13,9 @@ using render::Fill;
 using render::Label;
 using render::Polyline;
 
-constexpr glm::dvec2 size{1048.0, 260.0};
+using test::dock_size;
 
-Theme dark() {
-    return theme_of(ThemeName::dark);
-}
+using test::dark;
 
 EditorState shown(core::CurveDefinition definition, Overlay overlay, double u) {
     EditorState state = test::scene_state(std::move(definition));
@@ -44,7 +42,7 @@ core::CurveDefinition arc() {
 }
 
 render::DrawList plot_of(const EditorState& state) {
-    return test::plot_picture(state, PlotIdle{}, size);
+    return test::plot_picture(state);
 }
 
 /// Whether a fill of this color covers the place.
@@ -66,7 +64,7 @@ bool is_filled(const render::DrawList& list, glm::dvec2 place, render::Color col
 
 TEST(BasisViews, areas_are_stacked_to_one_in_the_domain_and_to_less_beyond) {
     const EditorState state = shown(uniform(), Overlay::basis_values, 3.5);
-    const PlotLayout layout = plot_layout(state, size);
+    const PlotLayout layout = plot_layout(state, dock_size);
     const render::DrawList list = plot_of(state);
     const auto color = [](std::size_t i) { return render::blended(dark().point(i), 0.55, dark().panel); };
     const auto at = [&](double u, double value) {
@@ -95,7 +93,7 @@ TEST(BasisViews, values_stand_on_the_line_at_u) {
 
 TEST(BasisViews, names_of_areas_stay_in_the_plot) {
     const EditorState state = shown(test::cubic(), Overlay::basis_values, 0.4);
-    const PlotLayout layout = plot_layout(state, size);
+    const PlotLayout layout = plot_layout(state, dock_size);
     std::size_t count = 0;
     for (const render::Label& label : test::all_of<render::Label>(plot_of(state))) {
         if (label.text != "N_{0,3}" && label.text != "N_{6,3}") continue;
@@ -108,7 +106,7 @@ TEST(BasisViews, names_of_areas_stay_in_the_plot) {
 
 TEST(BasisViews, rational_functions_are_dashed_where_weights_differ) {
     EditorState state = shown(arc(), Overlay::rational_basis, 0.5);
-    const PlotLayout layout = plot_layout(state, size);
+    const PlotLayout layout = plot_layout(state, dock_size);
     std::vector<Polyline> dashed;
     for (const Polyline& line : test::all_of<Polyline>(plot_of(state)))
         if (line.dash_px == 6.0F && line.color == dark().point(1)) dashed.push_back(line);
@@ -125,7 +123,7 @@ TEST(BasisViews, rational_functions_are_dashed_where_weights_differ) {
 TEST(BasisViews, pieces_have_colors_of_their_own) {
     EditorState state = shown(uniform(), Overlay::basis_pieces, 3.5);
     state.selection.points = {0};
-    const PlotLayout layout = plot_layout(state, size);
+    const PlotLayout layout = plot_layout(state, dock_size);
     const render::DrawList list = plot_of(state);
     const std::vector<double> values{1.0 / 48, 23.0 / 48, 23.0 / 48};
     for (std::size_t n = 0; n < 3; ++n) {
@@ -142,7 +140,7 @@ TEST(BasisViews, a_cell_shows_its_functions_and_ramps) {
     EditorState state = shown(uniform(), Overlay::recurrence, 3.5);
     EXPECT_FALSE(test::has_text(plot_of(state), "N_{1,2}"));
     state.hover = HoveredBasisCell{1, 2};
-    const PlotLayout layout = plot_layout(state, size);
+    const PlotLayout layout = plot_layout(state, dock_size);
     const render::DrawList list = plot_of(state);
     for (const char* text : {"N_{1,2}", "N_{1,1}", "N_{2,1}",
                              "N_{1,2} = (u − u_{1})/(u_{3} − u_{1}) N_{1,1} + (u_{4} − u)/(u_{4} − u_{2}) N_{2,1}"})
@@ -203,7 +201,7 @@ TEST(BasisViews, take_every_sort_of_curve) {
                 state.hover = HoveredBasisCell{2, k};
                 const render::DrawList list = plot_of(state);
                 EXPECT_LT(list.commands.size(), 20000U);
-                const auto faults = test::faults_of(list, size, 70.0);
+                const auto faults = test::faults_of(list, dock_size, 70.0);
                 EXPECT_TRUE(faults.empty()) << faults.front();
             }
     }

@@ -21,21 +21,13 @@ using render::MarkerShape;
 using render::Polyline;
 using test::all_of;
 
-render::DrawList scene_of(const EditorState& state) {
-    return test::canvas_picture(state, CanvasIdle{});
-}
-
-glm::dvec2 screen(const EditorState& state, core::Point world) {
-    return render::screen_from_world(state.view.camera, world);
-}
+using test::screen;
 
 double distance(render::Pixel a, glm::dvec2 b) {
     return glm::distance(glm::dvec2(a), b);
 }
 
-Theme dark() {
-    return theme_of(ThemeName::dark);
-}
+using test::dark;
 
 void show_only(EditorState& state, std::initializer_list<Overlay> shown) {
     for (std::size_t i = 0; i < overlay_count; ++i) state.view.overlays.show(static_cast<Overlay>(i), false);
@@ -60,7 +52,7 @@ TEST(CanvasScene, curve_is_true_to_a_quarter_of_a_pixel) {
         EditorState state = test::sample_state();
         state.view.camera.scale = scale;
         state.view.camera.center = core::point_at(*state.active_curve(), 0.4);
-        const auto lines = test::lines_of(scene_of(state), dark().curve, 3.0F);
+        const auto lines = test::lines_of(test::canvas_picture(state), dark().curve, 3.0F);
         const glm::dvec2 size = state.view.camera.size_px;
         int seen = 0;
         for (int k = 0; k <= 2000; ++k) {
@@ -75,7 +67,7 @@ TEST(CanvasScene, curve_is_true_to_a_quarter_of_a_pixel) {
 
 TEST(CanvasScene, active_span_begins_and_ends_at_its_knots) {
     const EditorState state = test::sample_state();
-    const auto lines = test::lines_of(scene_of(state), dark().accent, 4.0F);
+    const auto lines = test::lines_of(test::canvas_picture(state), dark().accent, 4.0F);
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_LT(distance(lines[0].points.front(), screen(state, core::point_at(*state.active_curve(), 0.25))), 0.01);
     EXPECT_LT(distance(lines[0].points.back(), screen(state, core::point_at(*state.active_curve(), 0.5))), 0.01);
@@ -87,7 +79,7 @@ TEST(CanvasScene, construction_stands_where_the_reference_says) {
     definition.points = {{-6, -2.25}, {-4.5, 2.5}, {-1.5, 3.5}, {-0.5, -2.5}, {2.5, -3.25}, {3.5, 2.25}, {6.25, 2.75}};
     EditorState state = test::scene_state(definition);
     state.view.parameter = 0.4;
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     const Theme theme = dark();
     expect_markers(discs_of_color(list, theme.level(1), 4.0F), state,
                    {{-2.1, 3.3}, {-0.9666666666666667, 0.3}, {0.1, -2.65}});
@@ -105,7 +97,7 @@ TEST(CanvasScene, construction_stands_where_the_reference_says) {
 TEST(CanvasScene, construction_stops_at_the_level_of_the_view) {
     EditorState state = test::sample_state();
     state.view.level = 1;
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     EXPECT_EQ(discs_of_color(list, dark().level(1), 4.0F).size(), 3U);
     EXPECT_TRUE(discs_of_color(list, dark().level(2), 4.0F).empty());
     EXPECT_TRUE(test::lines_of(list, dark().level(3), 1.75F).empty());
@@ -113,20 +105,20 @@ TEST(CanvasScene, construction_stops_at_the_level_of_the_view) {
     ASSERT_EQ(point.size(), 1U);
     EXPECT_EQ(point[0].fill, dark().canvas) << "C(u) is not reached yet";
     state.view.level = 3;
-    EXPECT_EQ(discs_of_color(scene_of(state), dark().parameter, 8.0F).size(), 1U);
+    EXPECT_EQ(discs_of_color(test::canvas_picture(state), dark().parameter, 8.0F).size(), 1U);
 }
 
 TEST(CanvasScene, hovered_cell_lights_the_segment_it_divides) {
     EditorState state = test::sample_state();
     state.hover = HoveredCell{1, 1};
-    const auto lit = test::lines_of(scene_of(state), dark().level(1), 4.0F);
+    const auto lit = test::lines_of(test::canvas_picture(state), dark().level(1), 4.0F);
     ASSERT_EQ(lit.size(), 1U);
     EXPECT_LT(distance(lit[0].points.front(), screen(state, {-1.6, 3.6})), 1e-3);
     EXPECT_LT(distance(lit[0].points.back(), screen(state, {-0.4, -2.6})), 1e-3);
 }
 
 TEST(CanvasScene, labels_name_the_points_and_keep_apart) {
-    const render::DrawList list = scene_of(test::sample_state());
+    const render::DrawList list = test::canvas_picture(test::sample_state());
     for (const char* text :
          {"P_{0}", "P_{1}", "P_{2}", "P_{3}", "P_{4}", "P_{5}", "· w 2", "P_{6}", "C(0.400)", "de Boor"})
         EXPECT_TRUE(test::has_text(list, text)) << text;
@@ -136,7 +128,7 @@ TEST(CanvasScene, labels_name_the_points_and_keep_apart) {
 TEST(CanvasScene, legend_of_a_bezier_curve_says_de_casteljau) {
     const core::CurveDefinition definition{
         .degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{0, 0}, {1, 2}, {2, 0}}};
-    const render::DrawList list = scene_of(test::scene_state(definition));
+    const render::DrawList list = test::canvas_picture(test::scene_state(definition));
     EXPECT_TRUE(test::has_text(list, "de Casteljau"));
     EXPECT_FALSE(test::has_text(list, "de Boor"));
 }
@@ -150,7 +142,7 @@ TEST(CanvasScene, name_of_the_curve_point_covers_no_mark) {
     state.view.camera.center = {1.5, 3.5};
     for (int k = 0; k <= 300; ++k) {
         state.view.parameter = 0.01 * k;
-        const render::DrawList list = scene_of(state);
+        const render::DrawList list = test::canvas_picture(state);
         const auto labels = test::all_of<render::Label>(list);
         const auto name = std::find_if(labels.begin(), labels.end(),
                                        [](const render::Label& label) { return label.text.starts_with("C("); });
@@ -171,7 +163,7 @@ TEST(CanvasScene, labels_keep_clear_of_the_grips_of_the_transform_box) {
     const TransformBox box = transform_box(state).value();
     for (int k = 0; k <= 100; ++k) {
         state.view.parameter = 0.01 * k;
-        for (const auto& label : test::all_of<render::Label>(scene_of(state))) {
+        for (const auto& label : test::all_of<render::Label>(test::canvas_picture(state))) {
             if (!label.text.starts_with("C(") && !label.text.starts_with("P")) continue;
             for (const TransformGrip grip : visible_grips(box)) {
                 const glm::dvec2 place = grip_place(state, box, grip);
@@ -188,7 +180,7 @@ TEST(CanvasScene, name_of_the_curve_point_stays_inside_and_off_control_points_in
     state.view.camera.scale = 40.0;
     for (int k = 0; k <= 100; ++k) {
         state.view.parameter = 0.01 * k;
-        const render::DrawList list = scene_of(state);
+        const render::DrawList list = test::canvas_picture(state);
         for (const render::Label& label : test::all_of<render::Label>(list)) {
             if (!label.text.starts_with("C(")) continue;
             const render::PixelBox box = test::box_of(label);
@@ -212,7 +204,7 @@ TEST(CanvasScene, labels_stay_while_a_point_moves_away_from_them) {
         std::make_shared<const core::Curve>(core::set_control_point(*before.active_curve(), 6, {6.3, 2.9}).value());
     after.preview = moved;
     const auto offset = [](const EditorState& state, std::size_t i) {
-        for (const Label& label : all_of<Label>(scene_of(state)))
+        for (const Label& label : all_of<Label>(test::canvas_picture(state)))
             if (label.text == "P_{" + std::to_string(i) + "}")
                 return glm::dvec2(label.position) - screen(state, state.active_curve()->control_points()[i]);
         return glm::dvec2(1e9);
@@ -221,8 +213,8 @@ TEST(CanvasScene, labels_stay_while_a_point_moves_away_from_them) {
 }
 
 TEST(CanvasScene, sizes_follow_the_interface_scale) {
-    const render::DrawList one = scene_of(test::sample_state());
-    const render::DrawList two = scene_of(test::doubled(test::sample_state()));
+    const render::DrawList one = test::canvas_picture(test::sample_state());
+    const render::DrawList two = test::canvas_picture(test::doubled(test::sample_state()));
     const auto small = all_of<Marker>(one);
     const auto large = all_of<Marker>(two);
     ASSERT_EQ(small.size(), large.size());
@@ -251,8 +243,8 @@ TEST(CanvasScene, picture_is_steady_at_a_zoom_of_1e12) {
         state.view.camera.scale = 1e12;
         EditorState panned = state;
         panned.view.camera = render::panned(state.view.camera, {1.0, 1.0});
-        const auto before = all_of<Marker>(scene_of(state));
-        const auto after = all_of<Marker>(scene_of(panned));
+        const auto before = all_of<Marker>(test::canvas_picture(state));
+        const auto after = all_of<Marker>(test::canvas_picture(panned));
         ASSERT_EQ(before.size(), after.size());
         int moving = 0;
         for (std::size_t i = 0; i < before.size(); ++i) {
@@ -270,7 +262,7 @@ TEST(CanvasScene, curve_at_a_zoom_of_1e12_passes_through_its_point) {
     EditorState state = test::sample_state();
     state.view.camera.center = core::point_at(*state.active_curve(), 0.4);
     state.view.camera.scale = 1e12;
-    const auto lines = test::lines_of(scene_of(state), dark().accent, 4.0F);
+    const auto lines = test::lines_of(test::canvas_picture(state), dark().accent, 4.0F);
     ASSERT_FALSE(lines.empty());
     EXPECT_LT(test::distance_to(lines, 0.5 * state.view.camera.size_px), 0.5);
 }
@@ -280,7 +272,7 @@ TEST(CanvasScene, multiple_knot_is_a_stack_across_the_curve) {
     definition.knots = {0, 0, 0, 0, 0.25, 0.5, 0.5, 1, 1, 1, 1};
     EditorState state = test::scene_state(definition);
     state.view.parameter = 0.1;
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     const auto diamonds = test::markers_of(list, MarkerShape::diamond, 5.0F);
     ASSERT_EQ(diamonds.size(), 3U) << "one at 1/4, two at 1/2";
     const glm::dvec2 a(diamonds[1].center);
@@ -291,19 +283,19 @@ TEST(CanvasScene, multiple_knot_is_a_stack_across_the_curve) {
     EXPECT_NEAR(glm::dot(glm::normalize(b - a), glm::normalize(glm::dvec2(along.x, -along.y))), 0.0, 1e-4);
     EXPECT_TRUE(test::has_text(list, "×2 C^{1}"));
     state.view.overlays.show(Overlay::labels, false);
-    EXPECT_FALSE(test::has_text(scene_of(state), "×2 C^{1}"));
+    EXPECT_FALSE(test::has_text(test::canvas_picture(state), "×2 C^{1}"));
 }
 
 TEST(CanvasScene, knot_hovered_on_the_strip_is_lit_on_the_curve) {
     EditorState state = test::sample_state();
     state.hover = HoveredKnot{5};
-    const auto chosen = test::markers_of(scene_of(state), MarkerShape::diamond, 6.5F);
+    const auto chosen = test::markers_of(test::canvas_picture(state), MarkerShape::diamond, 6.5F);
     ASSERT_EQ(chosen.size(), 1U);
     EXPECT_EQ(chosen[0].outline, dark().accent);
     EXPECT_LT(distance(chosen[0].center, screen(state, core::point_at(*state.active_curve(), 0.5))), 1e-3);
     state.hover = HoveredNothing{};
     state.selection.knot = 4;
-    const auto selected = test::markers_of(scene_of(state), MarkerShape::diamond, 6.5F);
+    const auto selected = test::markers_of(test::canvas_picture(state), MarkerShape::diamond, 6.5F);
     ASSERT_EQ(selected.size(), 1U);
     EXPECT_LT(distance(selected[0].center, screen(state, core::point_at(*state.active_curve(), 0.25))), 1e-3);
 }
@@ -311,7 +303,7 @@ TEST(CanvasScene, knot_hovered_on_the_strip_is_lit_on_the_curve) {
 TEST(CanvasScene, hidden_overlays_add_nothing) {
     EditorState state = test::sample_state();
     show_only(state, {});
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     EXPECT_TRUE(all_of<Label>(list).empty());
     EXPECT_TRUE(all_of<Fill>(list).empty());
     EXPECT_EQ(all_of<Marker>(list).size(), 1U) << "C(u)";
@@ -321,20 +313,20 @@ TEST(CanvasScene, hidden_overlays_add_nothing) {
 TEST(CanvasScene, each_overlay_adds_something_of_its_own) {
     EditorState state = test::sample_state();
     show_only(state, {});
-    const std::size_t bare = scene_of(state).commands.size();
+    const std::size_t bare = test::canvas_picture(state).commands.size();
     for (std::size_t i = 0; i < basic_overlay_count; ++i) {
         const auto overlay = static_cast<Overlay>(i);
         // An open curve has no inside, and rulers stand beside the canvas.
         if (overlay == Overlay::fill || overlay == Overlay::even_odd_fill || overlay == Overlay::rulers) continue;
         show_only(state, {overlay});
-        EXPECT_GT(scene_of(state).commands.size(), bare) << core::name_of(static_cast<Overlay>(i));
+        EXPECT_GT(test::canvas_picture(state).commands.size(), bare) << core::name_of(static_cast<Overlay>(i));
     }
 }
 
 TEST(CanvasScene, hull_is_that_of_the_active_points) {
     EditorState state = test::sample_state();
     show_only(state, {Overlay::hull});
-    const auto fills = all_of<Fill>(scene_of(state));
+    const auto fills = all_of<Fill>(test::canvas_picture(state));
     ASSERT_EQ(fills.size(), 1U);
     ASSERT_EQ(fills[0].points.size(), 4U);
     for (const core::Point point : {core::Point(-4.6, 2.6), {-1.6, 3.6}, {-0.4, -2.6}, {2.6, -3.2}}) {
@@ -348,7 +340,7 @@ TEST(CanvasScene, hull_is_that_of_the_active_points) {
 TEST(CanvasScene, polygon_is_dashed_and_closes_for_a_periodic_curve) {
     EditorState state = test::sample_state();
     show_only(state, {Overlay::polygon});
-    auto legs = test::lines_of(scene_of(state), dark().polygon, 1.5F);
+    auto legs = test::lines_of(test::canvas_picture(state), dark().polygon, 1.5F);
     ASSERT_EQ(legs.size(), 1U);
     EXPECT_EQ(legs[0].points.size(), 7U);
     EXPECT_FLOAT_EQ(legs[0].dash_px, 6.0F);
@@ -356,7 +348,7 @@ TEST(CanvasScene, polygon_is_dashed_and_closes_for_a_periodic_curve) {
 
     state = test::scene_state(test::closed_cubic());
     show_only(state, {Overlay::polygon});
-    legs = test::lines_of(scene_of(state), dark().polygon, 1.5F);
+    legs = test::lines_of(test::canvas_picture(state), dark().polygon, 1.5F);
     ASSERT_EQ(legs.size(), 1U);
     EXPECT_EQ(legs[0].points.size(), 7U);
     EXPECT_EQ(legs[0].points.front(), legs[0].points.back());
@@ -367,7 +359,7 @@ TEST(CanvasScene, control_points_show_color_selection_weight_and_direction) {
     show_only(state, {Overlay::polygon});
     state.selection.points = {2};
     state.hover = HoveredPoint{3};
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     const auto plain = test::markers_of(list, MarkerShape::disc, 6.5F);
     ASSERT_EQ(plain.size(), 6U) << "all but the hovered one";
     EXPECT_EQ(plain[2].fill, dark().palette[2]);
@@ -399,7 +391,7 @@ TEST(CanvasScene, ghost_is_opaque_and_where_the_old_curve_was) {
     state.ghost = Ghost{old, 0.5};
     const render::Color color = render::blended(dark().curve, 0.35, dark().canvas);
     EXPECT_EQ(color.alpha, 255);
-    const auto lines = test::lines_of(scene_of(state), color, 2.0F);
+    const auto lines = test::lines_of(test::canvas_picture(state), color, 2.0F);
     ASSERT_FALSE(lines.empty());
     for (const double u : {0.1, 0.45, 0.8})
         EXPECT_LT(test::distance_to(lines, screen(state, core::point_at(*old, u))), 0.251);
@@ -414,9 +406,9 @@ TEST(CanvasScene, other_curves_are_drawn_unless_hidden) {
     document.curves[2].visible = false;
     state.history = History(document);
     const render::Color dim = render::blended({200, 80, 120, 255}, 0.55, dark().canvas);
-    EXPECT_EQ(test::lines_of(scene_of(state), dim, 2.0F).size(), 1U);
+    EXPECT_EQ(test::lines_of(test::canvas_picture(state), dim, 2.0F).size(), 1U);
     state.hover = HoveredOtherCurve{1};
-    EXPECT_EQ(test::lines_of(scene_of(state), {200, 80, 120, 255}, 3.0F).size(), 1U);
+    EXPECT_EQ(test::lines_of(test::canvas_picture(state), {200, 80, 120, 255}, 3.0F).size(), 1U);
 }
 
 TEST(CanvasScene, hidden_active_curve_shows_nothing_of_itself) {
@@ -424,15 +416,16 @@ TEST(CanvasScene, hidden_active_curve_shows_nothing_of_itself) {
     core::Document document = state.shown();
     document.curves[0].visible = false;
     state.history = History(document);
-    EXPECT_TRUE(all_of<Marker>(scene_of(state)).empty());
+    EXPECT_TRUE(all_of<Marker>(test::canvas_picture(state)).empty());
     state.history = History(core::Document{});
-    EXPECT_TRUE(all_of<Marker>(scene_of(state)).empty());
+    EXPECT_TRUE(all_of<Marker>(test::canvas_picture(state)).empty());
 }
 
 TEST(CanvasScene, hovered_point_lights_its_part_of_the_curve) {
     EditorState state = test::sample_state();
     state.hover = HoveredPoint{1};
-    const auto glow = test::lines_of(scene_of(state), render::blended(dark().palette[1], 0.35, dark().canvas), 11.0F);
+    const auto glow =
+        test::lines_of(test::canvas_picture(state), render::blended(dark().palette[1], 0.35, dark().canvas), 11.0F);
     ASSERT_EQ(glow.size(), 1U);
     EXPECT_LT(distance(glow[0].points.front(), screen(state, {-6, -2.2})), 0.01);
     EXPECT_LT(distance(glow[0].points.back(), screen(state, core::point_at(*state.active_curve(), 0.5))), 0.01);
@@ -472,7 +465,7 @@ TEST(CanvasScene, comb_points_away_from_the_center_of_curvature) {
     parabola.points = {{-1, 1}, {0, -1}, {1, 1}};
     EditorState state = test::scene_state(parabola);
     show_only(state, {Overlay::curvature_comb});
-    const auto tips = test::lines_of(scene_of(state), dark().comb, 1.5F);
+    const auto tips = test::lines_of(test::canvas_picture(state), dark().comb, 1.5F);
     ASSERT_EQ(tips.size(), 1U) << "one span, no break";
     double lowest = 0.0;
     for (const render::Pixel tip : tips[0].points) lowest = std::max(lowest, static_cast<double>(tip.y));
@@ -486,13 +479,13 @@ TEST(CanvasScene, comb_breaks_at_knots_and_leaves_out_straight_lines) {
     quadratic.points = {{-4, 0}, {-3, 3}, {0, 0}, {2, 3}, {4, 0}};
     EditorState state = test::scene_state(quadratic);
     show_only(state, {Overlay::curvature_comb});
-    EXPECT_EQ(test::lines_of(scene_of(state), dark().comb, 1.5F).size(), 3U);
+    EXPECT_EQ(test::lines_of(test::canvas_picture(state), dark().comb, 1.5F).size(), 3U);
     quadratic.points = {{-4, 0}, {-3, 0}, {0, 0}, {2, 0}, {4, 0}};
     state = test::scene_state(quadratic);
     show_only(state, {});
-    const std::size_t bare = scene_of(state).commands.size();
+    const std::size_t bare = test::canvas_picture(state).commands.size();
     show_only(state, {Overlay::curvature_comb});
-    EXPECT_EQ(scene_of(state).commands.size(), bare);
+    EXPECT_EQ(test::canvas_picture(state).commands.size(), bare);
 }
 
 TEST(CanvasScene, hodograph_of_a_parabola_is_a_straight_line) {
@@ -503,7 +496,7 @@ TEST(CanvasScene, hodograph_of_a_parabola_is_a_straight_line) {
     EditorState state = test::scene_state(parabola);
     state.view.parameter = 0.25;
     show_only(state, {Overlay::hodograph});
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     const auto lines = test::lines_of(list, dark().curve, 1.75F);
     ASSERT_EQ(lines.size(), 1U);
     const render::Pixel from = lines[0].points.front();
@@ -523,7 +516,7 @@ TEST(CanvasScene, far_points_leave_the_near_part_of_the_polygon_in_place) {
     EditorState state = test::scene_state(line);
     state.view.camera.center = {0.0, 1.0};
     state.view.camera.scale = 100.0;
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     EXPECT_EQ(test::faults_of(list, state.view.camera.size_px, 80.0), std::vector<std::string>{});
     const auto legs = test::lines_of(list, dark().polygon, 1.5F);
     ASSERT_EQ(legs.size(), 1U);
@@ -540,7 +533,7 @@ TEST(CanvasScene, curve_that_stands_in_one_point_is_cheap_beyond_the_resolution_
     EditorState state = test::scene_state(standing);
     state.view.camera.center = standing.points[0];
     state.view.camera.scale = 1.6e13;
-    EXPECT_LT(scene_of(state).commands.size(), 100U);
+    EXPECT_LT(test::canvas_picture(state).commands.size(), 100U);
 }
 
 TEST(CanvasScene, names_stand_beside_the_cards_of_a_projector) {
@@ -552,7 +545,7 @@ TEST(CanvasScene, names_stand_beside_the_cards_of_a_projector) {
     ASSERT_TRUE(cards);
     for (const double shift : {0.0, 1.0, 2.0, 3.0}) {
         state.view.camera.center.x = -shift;
-        for (const render::Label& label : test::all_of<render::Label>(test::canvas_picture(state, CanvasIdle{})))
+        for (const render::Label& label : test::all_of<render::Label>(test::canvas_picture(state)))
             EXPECT_FALSE(test::box_of(label).overlaps(*cards)) << label.text;
     }
 }

@@ -59,7 +59,7 @@ std::size_t places_of(const std::vector<Polyline>& lines) {
 TEST(DenseScene, takes_no_more_than_eight_vertices_for_each_pixel_of_width) {
     for (const auto& points : {spiral(3), spiral(3000), spiral(100000), scattered(3000), scattered(100000)}) {
         const EditorState state = state_of(points);
-        const render::DrawList canvas = test::canvas_picture(state, CanvasIdle{});
+        const render::DrawList canvas = test::canvas_picture(state);
         const Theme theme = theme_of(state.view.theme);
         // A place of a stroke takes up to four vertices, a marker four.
         const std::size_t most = static_cast<std::size_t>(8.0 * least_wide / 4.0);
@@ -143,7 +143,7 @@ TEST(DenseScene, inks_many_other_curves_and_keeps_the_ink) {
 
 TEST(DenseScene, tells_how_many_of_how_many_it_shows) {
     const EditorState few = state_of(spiral(20));
-    for (const std::string& text : test::texts_of(test::canvas_picture(few, CanvasIdle{})))
+    for (const std::string& text : test::texts_of(test::canvas_picture(few)))
         EXPECT_FALSE(text.starts_with("Showing")) << text;
     const EditorState many = state_of(spiral(100000));
     const auto has_note = [](const render::DrawList& list, const std::string& end) {
@@ -152,7 +152,7 @@ TEST(DenseScene, tells_how_many_of_how_many_it_shows) {
             return text.starts_with("Showing ") && text.find(end) != std::string::npos;
         });
     };
-    EXPECT_TRUE(has_note(test::canvas_picture(many, CanvasIdle{}), " of 100000 points and "));
+    EXPECT_TRUE(has_note(test::canvas_picture(many), " of 100000 points and "));
     EXPECT_TRUE(has_note(test::plot_picture(many, PlotIdle{}, dock), " of 100000 functions and "));
     EXPECT_TRUE(has_note(test::plot_picture(many, PlotIdle{}, dock), " of 100004 knots"));
 }
@@ -163,7 +163,7 @@ TEST(DenseScene, tells_why_lines_far_from_the_origin_are_coarse) {
         for (core::Point& point : points) point.x += distance;
         EditorState state = state_of(std::move(points));
         fit_view(state);
-        std::vector<std::string> texts = test::texts_of(test::canvas_picture(state, CanvasIdle{}));
+        std::vector<std::string> texts = test::texts_of(test::canvas_picture(state));
         std::erase_if(texts, [](const std::string& text) { return !text.starts_with("Coordinates "); });
         return texts;
     };
@@ -180,7 +180,7 @@ TEST(DenseScene, tells_how_many_polygons_of_pieces_and_teeth_it_shows) {
             state.view.overlays.show(overlay, false);
         state.view.overlays.show(Overlay::bezier_pieces, true);
         state.view.overlays.show(Overlay::curvature_comb, true);
-        const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
+        const render::DrawList list = test::canvas_picture(state);
         std::vector<Label> notes;
         for (const Label& label : all_of<Label>(list))
             if (label.text.find(" of ") != std::string::npos) notes.push_back(label);
@@ -204,7 +204,7 @@ TEST(DenseScene, tells_how_many_hulls_it_shows) {
         for (const Overlay overlay : {Overlay::polygon, Overlay::knots, Overlay::labels})
             state.view.overlays.show(overlay, false);
         state.view.overlays.show(Overlay::span_hulls, true);
-        std::vector<std::string> notes = test::texts_of(test::canvas_picture(state, CanvasIdle{}));
+        std::vector<std::string> notes = test::texts_of(test::canvas_picture(state));
         std::erase_if(notes, [](const std::string& text) { return !text.starts_with("Showing "); });
         ASSERT_EQ(notes.size(), count == 20U ? 0U : 1U);
         for (const std::string& note : notes) EXPECT_TRUE(note.ends_with(" of 2997 hulls")) << note;
@@ -218,7 +218,7 @@ TEST(DenseScene, notes_stand_beside_the_legend_or_above_it) {
             state.view.camera.size_px = {width, 338.0};
             state.view.legend_corner = corner;
             const render::PixelBox legend = legend_box(state, corner);
-            for (const Label& label : all_of<Label>(test::canvas_picture(state, CanvasIdle{})))
+            for (const Label& label : all_of<Label>(test::canvas_picture(state)))
                 EXPECT_FALSE(label.text.starts_with("Showing ") && test::box_of(label).overlaps(legend))
                     << label.text << " " << width;
         }
@@ -228,7 +228,7 @@ TEST(DenseScene, labels_have_a_ground_where_points_are_dense) {
     const auto grounds_behind_names = [](std::size_t count) {
         EditorState state = state_of(spiral(count));
         state.hover = HoveredPoint{count / 2};
-        const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
+        const render::DrawList list = test::canvas_picture(state);
         const auto labels = all_of<Label>(list);
         const auto name = std::find_if(labels.begin(), labels.end(), [&](const Label& label) {
             return label.text == "P_{" + std::to_string(count / 2) + "}";
@@ -258,8 +258,7 @@ TEST(DenseScene, misses_no_loop_of_the_hodograph) {
     EditorState state = test::scene_state(definition);
     state.view.overlays = {};
     state.view.overlays.show(Overlay::hodograph, true);
-    const auto lines =
-        test::lines_of(test::canvas_picture(state, CanvasIdle{}), theme_of(state.view.theme).curve, 1.75F);
+    const auto lines = test::lines_of(test::canvas_picture(state), theme_of(state.view.theme).curve, 1.75F);
     double lowest = -1e9;
     double highest = 1e9;
     for (const Polyline& line : lines)
@@ -299,7 +298,7 @@ TEST(DenseScene, traces_functions_and_hodographs_once) {
 
 TEST(DenseScene, leaves_the_curve_uncovered) {
     const EditorState state = state_of(spiral(3000));
-    const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
+    const render::DrawList list = test::canvas_picture(state);
     const Theme theme = theme_of(state.view.theme);
     bool is_above_curve = false;
     std::size_t above = 0;
@@ -320,9 +319,9 @@ TEST(DenseScene, leaves_the_curve_uncovered) {
 TEST(DenseScene, shows_what_is_selected_in_full_size) {
     EditorState state = state_of(spiral(3000));
     state.selection.points = {700, 1500};
-    const auto rings = test::markers_of(test::canvas_picture(state, CanvasIdle{}), render::MarkerShape::disc, 7.5F);
+    const auto rings = test::markers_of(test::canvas_picture(state), render::MarkerShape::disc, 7.5F);
     EXPECT_EQ(rings.size(), 2U);
-    EXPECT_TRUE(test::has_text(test::canvas_picture(state, CanvasIdle{}), "P_{1500}"));
+    EXPECT_TRUE(test::has_text(test::canvas_picture(state), "P_{1500}"));
 }
 
 TEST(DenseScene, is_the_same_from_a_cache_that_has_seen_other_curves) {
@@ -335,7 +334,7 @@ TEST(DenseScene, is_the_same_from_a_cache_that_has_seen_other_curves) {
         EditorState state = state_of(points);
         state.view.camera.scale *= 1.0 + 0.3 * (k % 3);
         const auto kept = canvas_scene(state, CanvasIdle{}, cache);
-        const auto anew = test::canvas_picture(state, CanvasIdle{});
+        const auto anew = test::canvas_picture(state);
         ASSERT_EQ(all_of<Polyline>(kept).size(), all_of<Polyline>(anew).size()) << k;
         EXPECT_EQ(places_of(all_of<Polyline>(kept)), places_of(all_of<Polyline>(anew))) << k;
         EXPECT_EQ(all_of<Marker>(kept).size(), all_of<Marker>(anew).size()) << k;

@@ -14,19 +14,13 @@ namespace {
 
 using test::all_of;
 
-Theme dark() {
-    return theme_of(ThemeName::dark);
-}
+using test::dark;
 
 EditorState showing(core::CurveDefinition definition, std::initializer_list<Overlay> shown) {
     EditorState state = test::scene_state(std::move(definition));
     for (std::size_t i = 0; i < overlay_count; ++i) state.view.overlays.show(static_cast<Overlay>(i), false);
     for (const Overlay overlay : shown) state.view.overlays.show(overlay, true);
     return state;
-}
-
-render::DrawList scene_of(const EditorState& state) {
-    return test::canvas_picture(state, CanvasIdle{});
 }
 
 core::CurveDefinition two_cubics(double size = 1.0) {
@@ -52,7 +46,7 @@ void expect_near(glm::dvec2 a, glm::dvec2 b) {
 TEST(ContinuityMarks, are_the_derivatives_before_and_behind_the_knot) {
     const EditorState state = showing(two_cubics(), {Overlay::continuity});
     const auto screen = [&](core::Point world) { return render::screen_from_world(state.view.camera, world); };
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     // Four spans of 1/4 on average, so velocities are drawn by 1/12: (1/2, 0) arrives, (1, 0) leaves.
     const auto before = tips_of(list, dark().error);
     const auto behind = tips_of(list, dark().comb);
@@ -75,7 +69,7 @@ TEST(ContinuityMarks, stay_in_proportion_and_in_the_picture_however_fast_the_cur
     state.view.camera.scale = 1e4;
     state.view.camera.center = {0.0, 1.0};
     const auto knot = render::screen_from_world(state.view.camera, {0, 1});
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     const auto behind = tips_of(list, dark().comb);
     ASSERT_EQ(behind.size(), 2U);
     expect_near(behind[0], knot + glm::dvec2(180.0, 0.0));
@@ -89,7 +83,7 @@ TEST(ContinuityMarks, show_the_gap_of_a_tear) {
     torn.points = {{-2, 0}, {0, 0}, {0, 2}, {2, 2}};
     torn.tears = core::Tears::allow;
     const EditorState state = showing(torn, {Overlay::continuity});
-    const auto gaps = test::lines_of(scene_of(state), dark().text, 1.5F);
+    const auto gaps = test::lines_of(test::canvas_picture(state), dark().text, 1.5F);
     ASSERT_EQ(gaps.size(), 1U);
     expect_near(gaps[0].points.front(), render::screen_from_world(state.view.camera, {0, 0}));
     expect_near(gaps[0].points.back(), render::screen_from_world(state.view.camera, {0, 2}));
@@ -103,14 +97,14 @@ TEST(EndMarks, are_velocities_along_the_legs) {
     state.view.camera.scale = 40.0;
     const auto screen = [&](core::Point world) { return render::screen_from_world(state.view.camera, world); };
     // Legs, and second differences (2, 0) and (-1, -3).
-    const auto tips = tips_of(scene_of(state), dark().comb);
+    const auto tips = tips_of(test::canvas_picture(state), dark().comb);
     ASSERT_EQ(tips.size(), 4U);
     expect_near(tips[0], screen({-2, 1}));
     expect_near(tips[1], screen({-1, 0}));
     expect_near(tips[2], screen({5, -2}));
     expect_near(tips[3], screen({2, -3}));
-    EXPECT_TRUE(test::has_text(scene_of(state), "C′(0)"));
-    EXPECT_TRUE(test::has_text(scene_of(state), "C″(1)"));
+    EXPECT_TRUE(test::has_text(test::canvas_picture(state), "C′(0)"));
+    EXPECT_TRUE(test::has_text(test::canvas_picture(state), "C″(1)"));
 }
 
 core::CurveDefinition cubic_of_known_hodographs() {
@@ -128,14 +122,16 @@ std::vector<render::Marker> polygon_points_of(const render::DrawList& list) {
 
 TEST(Hodographs, have_their_control_polygons) {
     // 3 (1, 0), 3 (1, 1), 3 (0, 1): the second is right above the first.
-    const auto first = polygon_points_of(scene_of(showing(cubic_of_known_hodographs(), {Overlay::hodograph})));
+    const auto first =
+        polygon_points_of(test::canvas_picture(showing(cubic_of_known_hodographs(), {Overlay::hodograph})));
     ASSERT_EQ(first.size(), 3U);
     EXPECT_NEAR(first[0].center.x, first[1].center.x, 1e-3);
     EXPECT_NEAR(first[1].center.y, first[2].center.y, 1e-3);
     EXPECT_LT(first[1].center.y, first[0].center.y);
     EXPECT_LT(first[2].center.x, first[1].center.x);
     // 6 (0, 1) and 6 (-1, 0).
-    const auto second = polygon_points_of(scene_of(showing(cubic_of_known_hodographs(), {Overlay::second_hodograph})));
+    const auto second =
+        polygon_points_of(test::canvas_picture(showing(cubic_of_known_hodographs(), {Overlay::second_hodograph})));
     ASSERT_EQ(second.size(), 2U);
     EXPECT_LT(second[0].center.y, second[1].center.y);
     EXPECT_LT(second[1].center.x, second[0].center.x);
@@ -147,7 +143,7 @@ TEST(Hodographs, stand_in_boxes_of_their_own) {
     const auto second = inset_box(state, Overlay::second_hodograph);
     ASSERT_TRUE(first && second);
     EXPECT_FALSE(first->overlaps(*second));
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     EXPECT_TRUE(test::has_text(list, "C′(u) and its polygon"));
     EXPECT_TRUE(test::has_text(list, "C″(u) and its polygon"));
     EXPECT_EQ(polygon_points_of(list).size(), 5U);
@@ -158,15 +154,15 @@ TEST(Hodographs, stand_in_boxes_of_their_own) {
 TEST(Hodographs, light_the_control_point_of_the_hovered_leg) {
     EditorState state = showing(cubic_of_known_hodographs(), {Overlay::hodograph});
     state.hover = HoveredLeg{1};
-    auto lit = test::markers_of(scene_of(state), render::MarkerShape::disc, 4.5F);
+    auto lit = test::markers_of(test::canvas_picture(state), render::MarkerShape::disc, 4.5F);
     std::erase_if(lit, [](const render::Marker& disc) { return disc.fill != dark().accent; });
     ASSERT_EQ(lit.size(), 1U);
-    EXPECT_EQ(polygon_points_of(scene_of(state)).size(), 2U);
+    EXPECT_EQ(polygon_points_of(test::canvas_picture(state)).size(), 2U);
 }
 
 TEST(Hodographs, break_their_polygons_at_tears) {
     // The derivative jumps at 1/2, where two cubics meet.
-    const render::DrawList list = scene_of(showing(two_cubics(), {Overlay::hodograph}));
+    const render::DrawList list = test::canvas_picture(showing(two_cubics(), {Overlay::hodograph}));
     const auto legs = test::lines_of(list, dark().polygon, 1.0F);
     ASSERT_EQ(legs.size(), 2U);
     EXPECT_EQ(legs[0].points.size(), 3U);
@@ -176,22 +172,26 @@ TEST(Hodographs, break_their_polygons_at_tears) {
 TEST(Hodographs, of_rational_curves_say_their_degree_and_of_long_ones_leave_the_polygon_out) {
     core::CurveDefinition rational = cubic_of_known_hodographs();
     rational.weights = {1, 2, 1, 1};
-    EXPECT_TRUE(test::has_text(scene_of(showing(rational, {Overlay::hodograph})), "C′(u), rational, degree 6"));
-    EXPECT_TRUE(test::has_text(scene_of(showing(rational, {Overlay::second_hodograph})), "C″(u), rational, degree 9"));
+    EXPECT_TRUE(
+        test::has_text(test::canvas_picture(showing(rational, {Overlay::hodograph})), "C′(u), rational, degree 6"));
+    EXPECT_TRUE(test::has_text(test::canvas_picture(showing(rational, {Overlay::second_hodograph})),
+                               "C″(u), rational, degree 9"));
     core::CurveDefinition longer;
     const auto knots = core::make_knots(core::KnotKind::clamped_uniform, 3, 1000).value();
     longer.knots = {knots.values().begin(), knots.values().end()};
     longer.points = test::scattered_points(1000, {8.0, 4.0});
-    const render::DrawList list = scene_of(showing(longer, {Overlay::second_hodograph}));
+    const render::DrawList list = test::canvas_picture(showing(longer, {Overlay::second_hodograph}));
     EXPECT_TRUE(test::has_text(list, "C″(u) without its polygon"));
     EXPECT_TRUE(polygon_points_of(list).empty());
     const auto many = core::make_knots(core::KnotKind::clamped_uniform, 3, 24003).value();
     longer.knots = {many.values().begin(), many.values().end()};
     longer.points = test::scattered_points(24003, {8.0, 4.0});
-    EXPECT_TRUE(test::has_text(scene_of(showing(longer, {Overlay::second_hodograph})), "C″(u) on 1847 of 24000 spans"));
+    EXPECT_TRUE(test::has_text(test::canvas_picture(showing(longer, {Overlay::second_hodograph})),
+                               "C″(u) on 1847 of 24000 spans"));
     longer.weights.assign(24003, 1.0);
     longer.weights[1] = 2.0;
-    EXPECT_TRUE(test::has_text(scene_of(showing(longer, {Overlay::hodograph})), "C′(u) on 1847 of 24000 spans"));
+    EXPECT_TRUE(
+        test::has_text(test::canvas_picture(showing(longer, {Overlay::hodograph})), "C′(u) on 1847 of 24000 spans"));
 }
 
 TEST(Derivatives, of_the_worst_curves_are_drawn_without_fault) {
@@ -220,7 +220,8 @@ TEST(Derivatives, of_the_worst_curves_are_drawn_without_fault) {
     for (const core::CurveDefinition& definition : worst) {
         const EditorState state = showing(definition, {Overlay::continuity, Overlay::end_derivatives,
                                                        Overlay::hodograph, Overlay::second_hodograph, Overlay::labels});
-        EXPECT_EQ(test::faults_of(scene_of(state), state.view.camera.size_px, 80.0), std::vector<std::string>{})
+        EXPECT_EQ(test::faults_of(test::canvas_picture(state), state.view.camera.size_px, 80.0),
+                  std::vector<std::string>{})
             << definition.degree;
     }
 }
@@ -230,7 +231,7 @@ TEST(HodographScene, titles_stay_in_their_insets) {
         showing(two_cubics(), {Overlay::hodograph, Overlay::second_hodograph, Overlay::homogeneous, Overlay::labels});
     for (const double width : {528.0, 1048.0}) {
         state.view.camera.size_px = {width, 338.0};
-        const render::DrawList list = scene_of(state);
+        const render::DrawList list = test::canvas_picture(state);
         EXPECT_EQ(test::has_text(list, "C″(u) and its polygon"), width > 1000.0);
         for (const render::Label& label : all_of<render::Label>(list)) {
             if (!label.text.starts_with("C′(u)") && !label.text.starts_with("C″(u)")) continue;

@@ -106,7 +106,7 @@ TEST(DrawingMode, always_shows_what_is_selected_or_hovered) {
     const auto has_mark = [&](std::size_t i) {
         const glm::dvec2 place =
             render::screen_from_world(state.view.camera, {-5.0 + 2.0 * static_cast<double>(i) / 66.0, 1.0});
-        for (const Marker& marker : test::all_of<Marker>(test::canvas_picture(state, CanvasIdle{})))
+        for (const Marker& marker : test::all_of<Marker>(test::canvas_picture(state)))
             if (glm::distance(glm::dvec2(marker.center), place) < 0.5) return true;
         return false;
     };
@@ -121,7 +121,7 @@ TEST(DrawingMode, always_shows_what_is_selected_or_hovered) {
 
 TEST(DrawingMode, draws_no_more_than_without_it_of_a_million_points) {
     EditorState state = state_of(test::scattered_points(100'000, {12.0, 7.0}));
-    const std::size_t drawn = test::all_of<Marker>(test::canvas_picture(state, CanvasIdle{})).size();
+    const std::size_t drawn = test::all_of<Marker>(test::canvas_picture(state)).size();
     EXPECT_GT(drawn, 100U);
     EXPECT_LT(drawn, 2000U);
 }

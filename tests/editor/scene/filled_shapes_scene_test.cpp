@@ -36,14 +36,10 @@ EditorState showing(std::vector<core::CurveDefinition> curves, Overlay overlay) 
     return state;
 }
 
-render::DrawList scene_of(const EditorState& state) {
-    return test::canvas_picture(state, CanvasIdle{});
-}
-
 // In units of the world.
 double filled_area(const EditorState& state) {
     double sum = 0.0;
-    for (const Region& region : test::all_of<Region>(scene_of(state)))
+    for (const Region& region : test::all_of<Region>(test::canvas_picture(state)))
         sum += std::accumulate(region.map->values().begin(), region.map->values().end(), 0.0) / 255.0;
     return sum / (state.view.camera.scale * state.view.camera.scale);
 }
@@ -54,12 +50,12 @@ TEST(FilledShapes, follow_their_rule) {
     EXPECT_NEAR(filled_area(showing({outer, square({-1, -1}, 2)}, Overlay::fill)), 16.0, 0.01);
     EXPECT_NEAR(filled_area(showing({outer, square({-1, -1}, 2, true)}, Overlay::fill)), 12.0, 0.01);
     EXPECT_NEAR(filled_area(showing({outer, square({-1, -1}, 2)}, Overlay::even_odd_fill)), 12.0, 0.01);
-    EXPECT_TRUE(test::all_of<Region>(scene_of(showing({outer}, Overlay::grid))).empty());
+    EXPECT_TRUE(test::all_of<Region>(test::canvas_picture(showing({outer}, Overlay::grid))).empty());
 }
 
 TEST(FilledShapes, are_those_of_closed_visible_curves) {
     const core::CurveDefinition open{.degree = 1, .knots = {0, 0, 1, 2, 2}, .points = {{0, 0}, {1, 0}, {1, 1}}};
-    EXPECT_TRUE(test::all_of<Region>(scene_of(showing({open}, Overlay::fill))).empty());
+    EXPECT_TRUE(test::all_of<Region>(test::canvas_picture(showing({open}, Overlay::fill))).empty());
     EditorState state = showing({square({-2, -2}, 2), square({0, 0}, 1)}, Overlay::fill);
     core::Document document = state.history.present();
     document.curves[0].visible = false;
@@ -73,7 +69,7 @@ TEST(FilledShapes, reach_beyond_the_picture) {
     const glm::dvec2 size = state.view.camera.size_px;
     const double picture = size.x * size.y / (state.view.camera.scale * state.view.camera.scale);
     EXPECT_NEAR(filled_area(state), picture, 1e-9);
-    EXPECT_EQ(test::faults_of(scene_of(state), size, 100.0), std::vector<std::string>());
+    EXPECT_EQ(test::faults_of(test::canvas_picture(state), size, 100.0), std::vector<std::string>());
     state = showing({square({state.view.camera.center.x, state.view.camera.center.y}, 1e6)}, Overlay::fill);
     EXPECT_NEAR(filled_area(state), 0.25 * picture, 0.02);
     // A ring around the picture.
@@ -96,7 +92,7 @@ TEST(Directions, point_along_the_curve) {
     // Chevrons are lines of three points, the one in the middle ahead of the others.
     const glm::dvec2 center = render::screen_from_world(state.view.camera, {0.0, 0.0});
     int count = 0;
-    for (const auto& line : test::all_of<render::Polyline>(scene_of(state))) {
+    for (const auto& line : test::all_of<render::Polyline>(test::canvas_picture(state))) {
         if (line.points.size() != 3) continue;
         ++count;
         const glm::dvec2 tip(line.points[1]);

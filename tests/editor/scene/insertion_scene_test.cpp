@@ -50,23 +50,23 @@ std::vector<Marker> diamonds_near(const render::DrawList& list, glm::dvec2 place
 
 TEST_F(InsertionScene, marks_the_new_points_on_their_legs) {
     const EditorState state = state_with(Overlay::corner_cutting);
-    const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
+    const render::DrawList list = test::canvas_picture(state);
     for (const core::Point q : {core::Point(6, 1), core::Point(9, 0), core::Point(12, 1)})
         EXPECT_EQ(diamonds_near(list, place_of(state, q)).size(), 1u) << q.x;
     for (const char* text : {"α = 5/6", "α = 1/2", "α = 1/6", "Q_{3}", "Q_{4}", "Q_{5}"})
         EXPECT_TRUE(test::has_text(list, text)) << text;
     // The two corners that go.
-    EXPECT_EQ(all_of<Fill>(list).size(), all_of<Fill>(test::canvas_picture(editor_.state(), CanvasIdle{})).size() + 2);
+    EXPECT_EQ(all_of<Fill>(list).size(), all_of<Fill>(test::canvas_picture(editor_.state())).size() + 2);
     EXPECT_TRUE(test::overlapping_labels(list).empty());
     EXPECT_TRUE(test::faults_of(list, state.view.camera.size_px, 200.0).empty());
 }
 
 TEST_F(InsertionScene, keeps_colors_and_places_through_the_insertion) {
     const EditorState before = state_with(Overlay::corner_cutting);
-    const auto list_before = test::canvas_picture(before, CanvasIdle{});
+    const auto list_before = test::canvas_picture(before);
     ASSERT_TRUE(editor_.run(InsertKnot{.u = 0.5}));
     const EditorState after = state_with(Overlay::corner_cutting);
-    const auto list_after = test::canvas_picture(after, CanvasIdle{});
+    const auto list_after = test::canvas_picture(after);
     for (const core::Point q : {core::Point(6, 1), core::Point(9, 0), core::Point(12, 1)}) {
         const auto old_marks = diamonds_near(list_before, place_of(before, q));
         const auto marks = diamonds_near(list_after, place_of(after, q));
@@ -84,14 +84,14 @@ TEST_F(InsertionScene, keeps_colors_and_places_through_the_insertion) {
 TEST_F(InsertionScene, tells_the_place_on_the_leg_that_weights_make) {
     ASSERT_TRUE(editor_.run(SetWeight{.index = 3, .weight = 2.0}));
     // 5/6 2 / (1/6 + 5/6 2) = 10/11
-    EXPECT_TRUE(test::has_text(test::canvas_picture(state_with(Overlay::corner_cutting), CanvasIdle{}),
-                               "α = 5/6, at 10/11 of the leg"));
+    EXPECT_TRUE(
+        test::has_text(test::canvas_picture(state_with(Overlay::corner_cutting)), "α = 5/6, at 10/11 of the leg"));
 }
 
 TEST_F(InsertionScene, slides_with_the_parameter) {
     ASSERT_TRUE(editor_.run(SetParameter{.u = 0.45}));
     const EditorState state = state_with(Overlay::corner_cutting);
-    const auto list = test::canvas_picture(state, CanvasIdle{});
+    const auto list = test::canvas_picture(state);
     // α_3 = 0.45/0.6, on the leg from (6, 6) to (6, 0).
     EXPECT_EQ(diamonds_near(list, place_of(state, {6, 1.5})).size(), 1u);
     EXPECT_TRUE(test::has_text(list, "α = 3/4"));
@@ -111,7 +111,7 @@ TEST_F(InsertionScene, draws_the_functions_on_the_other_side) {
 
 TEST_F(InsertionScene, shows_the_rounds_and_the_distance) {
     const EditorState state = state_with(Overlay::polygon_distance);
-    const auto list = test::canvas_picture(state, CanvasIdle{});
+    const auto list = test::canvas_picture(state);
     const Theme theme = theme_of(state.view.theme);
     for (const std::size_t r : {1u, 2u, 3u})
         EXPECT_FALSE(test::lines_of(list, round_color(theme, r), 1.5F).empty()) << r;
@@ -121,17 +121,17 @@ TEST_F(InsertionScene, shows_the_rounds_and_the_distance) {
 // The Bezier curve (0, 0) (3, 6) (6, 0) is at (3, 3) halfway, 3 below its corner.
 TEST_F(InsertionScene, has_the_distance_in_the_unit) {
     ASSERT_TRUE(editor_.run(NewCurve{.points = {{0, 0}, {3, 6}, {6, 0}}, .degree = 2}));
-    EXPECT_TRUE(test::has_text(test::canvas_picture(state_with(Overlay::polygon_distance), CanvasIdle{}), "3"));
+    EXPECT_TRUE(test::has_text(test::canvas_picture(state_with(Overlay::polygon_distance)), "3"));
     ASSERT_TRUE(run_typed(editor_, "set-units mm 10"));
     const EditorState state = state_with(Overlay::polygon_distance);
-    EXPECT_TRUE(test::has_text(test::canvas_picture(state, CanvasIdle{}), "0.3 mm"));
+    EXPECT_TRUE(test::has_text(test::canvas_picture(state), "0.3 mm"));
     const Card card = polygon_distance_card(state);
     EXPECT_EQ(std::get<CardLine>(card.blocks.at(0)).text.text, "The control polygon is at most 0.3 mm from the curve.");
 }
 
 TEST_F(InsertionScene, names_the_bezier_points) {
     const EditorState state = state_with(Overlay::bezier_points);
-    const auto list = test::canvas_picture(state, CanvasIdle{});
+    const auto list = test::canvas_picture(state);
     for (const char* text : {"b_{6}", "b_{7}", "b_{8}", "b_{9}"}) EXPECT_TRUE(test::has_text(list, text)) << text;
     EXPECT_TRUE(test::overlapping_labels(list).empty());
 }
@@ -162,7 +162,7 @@ TEST_F(InsertionScene, bears_the_worst_curves) {
             for (const double share : {0.0, 0.3, 0.5, 1.0}) {
                 const core::Interval domain = state.active_curve()->domain();
                 state.view.parameter = domain.lower + share * domain.length();
-                const auto list = test::canvas_picture(state, CanvasIdle{});
+                const auto list = test::canvas_picture(state);
                 EXPECT_TRUE(test::faults_of(list, state.view.camera.size_px, 1e4).empty());
                 const auto plot = test::plot_picture(state, PlotIdle{}, plot_size);
                 EXPECT_TRUE(test::faults_of(plot, plot_size, 1e4).empty());

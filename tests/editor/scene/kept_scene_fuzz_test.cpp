@@ -77,7 +77,7 @@ TEST(KeptSceneFuzz, random_sessions_look_as_with_nothing_kept) {
             editor.perform(next_request(session, editor.state(), step));
             SCOPED_TRACE(::testing::Message() << "seed " << seed << ", step " << step);
             const auto kept = canvas_scene(editor.state(), CanvasIdle{}, cache);
-            const auto anew = test::canvas_picture(editor.state(), CanvasIdle{});
+            const auto anew = test::canvas_picture(editor.state());
             const glm::ivec2 size(glm::ceil(editor.state().view.camera.size_px));
             EXPECT_EQ(difference(composed(kept, size), composed(anew, size)), 0U);
             EXPECT_EQ(test::all_of<render::Polyline>(kept).size(), test::all_of<render::Polyline>(anew).size());

@@ -25,12 +25,12 @@ core::CurveDefinition line(core::Point from, core::Point to) {
 }
 
 std::size_t dots(const EditorState& state) {
-    return test::markers_of(test::canvas_picture(state, CanvasIdle{}), render::MarkerShape::disc, 3.5F).size();
+    return test::markers_of(test::canvas_picture(state), render::MarkerShape::disc, 3.5F).size();
 }
 
 TEST(OtherPolygons, have_points_where_they_are_and_letters_of_their_own) {
     const EditorState state = state_with_others({line({-5, -4}, {5, -4}), line({-5, 4}, {5, 4})});
-    const render::DrawList picture = test::canvas_picture(state, CanvasIdle{});
+    const render::DrawList picture = test::canvas_picture(state);
     const auto points = test::markers_of(picture, render::MarkerShape::disc, 3.5F);
     ASSERT_EQ(points.size(), 4U);
     const glm::dvec2 first = render::screen_from_world(state.view.camera, {-5, -4});
@@ -43,11 +43,11 @@ TEST(OtherPolygons, have_points_where_they_are_and_letters_of_their_own) {
 TEST(OtherPolygons, follow_the_letter_of_the_lecture) {
     EditorState state = state_with_others({line({-5, -4}, {5, -4})});
     state.view.notation.points = PointLetter::V;
-    EXPECT_TRUE(test::has_text(test::canvas_picture(state, CanvasIdle{}), "W_{0}"));
+    EXPECT_TRUE(test::has_text(test::canvas_picture(state), "W_{0}"));
     state.view.notation.points = PointLetter::d;
-    EXPECT_TRUE(test::has_text(test::canvas_picture(state, CanvasIdle{}), "e_{1}"));
+    EXPECT_TRUE(test::has_text(test::canvas_picture(state), "e_{1}"));
     state.view.overlays.show(Overlay::labels, false);
-    EXPECT_FALSE(test::has_text(test::canvas_picture(state, CanvasIdle{}), "e_{1}"));
+    EXPECT_FALSE(test::has_text(test::canvas_picture(state), "e_{1}"));
     EXPECT_EQ(dots(state), 2U);
 }
 
@@ -55,7 +55,7 @@ TEST(OtherPolygons, close_with_their_curves) {
     const EditorState state = state_with_others({test::closed_cubic()});
     const Theme theme = theme_of(state.view.theme);
     const render::Color color = render::blended(theme.polygon, 0.6, theme.canvas);
-    const auto lines = test::lines_of(test::canvas_picture(state, CanvasIdle{}), color, 1.25F);
+    const auto lines = test::lines_of(test::canvas_picture(state), color, 1.25F);
     ASSERT_EQ(lines.size(), 1U);
     ASSERT_EQ(lines[0].points.size(), 7U);
     EXPECT_EQ(lines[0].points.front(), lines[0].points.back());

@@ -10,12 +10,12 @@
 namespace batten::editor {
 namespace {
 
-constexpr glm::dvec2 size{800.0, 600.0};
+constexpr glm::dvec2 picture_size{800.0, 600.0};
 constexpr Stroke dashed{.color = {1, 2, 3, 255}, .width = 1.5, .dash = 6.0, .gap = 5.0};
 
 std::vector<render::Polyline> lines(const std::vector<glm::dvec2>& points, const Stroke& stroke, double scale = 1.0) {
     render::DrawList list;
-    Pen(list, size, scale).line(points, stroke);
+    Pen(list, picture_size, scale).line(points, stroke);
     return test::all_of<render::Polyline>(list);
 }
 
@@ -54,7 +54,7 @@ TEST(Pen, line_through_the_picture_between_huge_ends_passes_where_it_should) {
 
 TEST(Pen, what_is_far_away_is_left_out) {
     render::DrawList list;
-    Pen pen(list, size, 1.0);
+    Pen pen(list, picture_size, 1.0);
     pen.symbol({1e9, 10.0}, {.fill = {}, .outline = {}});
     pen.text({10.0, -1e300}, "far", {.color = {}});
     pen.segment({1e9, 0.0}, {1e9, 500.0}, dashed);
@@ -64,15 +64,15 @@ TEST(Pen, what_is_far_away_is_left_out) {
 
 TEST(Pen, fill_larger_than_the_picture_is_cut) {
     render::DrawList list;
-    Pen pen(list, size, 1.0);
+    Pen pen(list, picture_size, 1.0);
     pen.fill({{-1e30, -1e30}, {1e30, -1e30}, {1e30, 1e30}, {-1e30, 1e30}}, {});
     ASSERT_EQ(list.commands.size(), 1U);
-    EXPECT_EQ(test::faults_of(list, size, 64.5), std::vector<std::string>{});
+    EXPECT_EQ(test::faults_of(list, picture_size, 64.5), std::vector<std::string>{});
 }
 
 TEST(Pen, clears_the_texts_that_reach_into_a_box_and_nothing_else) {
     render::DrawList list;
-    Pen pen(list, size, 1.0);
+    Pen pen(list, picture_size, 1.0);
     pen.segment({0, 0}, {100, 100}, dashed);
     // Ten letters of 10 pixels are some 50 wide: to the right of 100, to the left of it, and on both sides.
     const std::string text = "ten letter";

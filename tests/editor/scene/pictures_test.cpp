@@ -27,7 +27,7 @@ class Pictures : public CanvasFixture {
 };
 
 TEST_F(Pictures, are_drawn_below_everything) {
-    const render::DrawList list = canvas_picture(state(), CanvasIdle{});
+    const render::DrawList list = canvas_picture(state());
     ASSERT_TRUE(std::holds_alternative<render::ImageQuad>(list.commands.front()));
     const auto& quad = std::get<render::ImageQuad>(list.commands.front());
     EXPECT_EQ(quad.upper_left, px(-1, 1));
@@ -36,14 +36,14 @@ TEST_F(Pictures, are_drawn_below_everything) {
     EXPECT_EQ(quad.opacity, 0.25);
     EXPECT_EQ(quad.image->width, 64);
     // The same image from frame to frame.
-    EXPECT_EQ(std::get<render::ImageQuad>(canvas_picture(state(), CanvasIdle{}).commands.front()).image, quad.image);
+    EXPECT_EQ(std::get<render::ImageQuad>(canvas_picture(state()).commands.front()).image, quad.image);
     editor.run(ShowPicture{.picture = 0, .visible = false});
-    EXPECT_TRUE(all_of<render::ImageQuad>(canvas_picture(state(), CanvasIdle{})).empty());
+    EXPECT_TRUE(all_of<render::ImageQuad>(canvas_picture(state())).empty());
 }
 
 TEST_F(Pictures, turn_on_the_canvas) {
     editor.run(PlacePicture{.picture = 0, .position = {1, 1}, .width = 2, .rotation = 90});
-    const auto quad = all_of<render::ImageQuad>(canvas_picture(state(), CanvasIdle{})).at(0);
+    const auto quad = all_of<render::ImageQuad>(canvas_picture(state())).at(0);
     EXPECT_EQ(quad.lower_left, px(1, 1));
     EXPECT_EQ(quad.upper_left, px(-1, 1));
     EXPECT_EQ(quad.upper_right, px(-1, 3));
@@ -54,7 +54,7 @@ TEST_F(Pictures, a_missing_file_leaves_a_frame_with_the_reason) {
     document.pictures.front().path = "/no/such/scan.png";
     EditorState missing = state();
     missing.history = History(document);
-    const render::DrawList list = canvas_picture(missing, CanvasIdle{});
+    const render::DrawList list = canvas_picture(missing);
     EXPECT_TRUE(all_of<render::ImageQuad>(list).empty());
     EXPECT_TRUE(has_text(list, "scan.png: there is no such file"));
     const auto lines = all_of<render::Polyline>(list);
@@ -121,7 +121,7 @@ TEST_F(Pictures, points_that_gauge_them_stand_out_from_light_and_dark) {
     pointer.click(px(-0.5, 0.5));
     const Theme theme = shown_theme(state().view);
     int found = 0;
-    for (const render::Marker& marker : all_of<render::Marker>(canvas_picture(state(), CanvasIdle{}))) {
+    for (const render::Marker& marker : all_of<render::Marker>(canvas_picture(state()))) {
         if (glm::distance(glm::dvec2(marker.center), px(-0.5, 0.5)) > 0.01) continue;
         ++found;
         EXPECT_EQ(marker.fill, theme.canvas);

@@ -45,8 +45,7 @@ void expect_half_as_large_again(const render::DrawList& usual, const render::Dra
 
 TEST(PresentingScene, lines_marks_and_texts_of_the_canvas_are_half_as_large_again) {
     EXPECT_EQ(presenting_scale, 1.5);
-    expect_half_as_large_again(test::canvas_picture(shown(1.0), CanvasIdle{}),
-                               test::canvas_picture(shown(presenting_scale), CanvasIdle{}));
+    expect_half_as_large_again(test::canvas_picture(shown(1.0)), test::canvas_picture(shown(presenting_scale)));
 }
 
 TEST(PresentingScene, lines_marks_and_texts_of_the_plot_are_half_as_large_again) {
@@ -58,7 +57,7 @@ TEST(PresentingScene, is_drawn_in_colors_of_high_contrast) {
     const Theme theme = high_contrast(ThemeName::dark);
     EditorState state = shown(presenting_scale);
     state.view.is_presenting = true;
-    const auto lines = test::all_of<render::Polyline>(test::canvas_picture(state, CanvasIdle{}));
+    const auto lines = test::all_of<render::Polyline>(test::canvas_picture(state));
     const auto has = [&](render::Color color) {
         return std::ranges::any_of(lines, [&](const render::Polyline& line) { return line.color == color; });
     };

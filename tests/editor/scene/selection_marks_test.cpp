@@ -25,8 +25,7 @@ EditorState several_curves() {
 
 std::vector<render::Polyline> bands(const EditorState& state) {
     const Theme theme = theme_of(state.view.theme);
-    return test::lines_of(test::canvas_picture(state, CanvasIdle{}), render::blended(theme.accent, 0.4, theme.canvas),
-                          11.0F);
+    return test::lines_of(test::canvas_picture(state), render::blended(theme.accent, 0.4, theme.canvas), 11.0F);
 }
 
 TEST(SelectionMarks, whole_curves_lie_on_a_band) {
@@ -45,7 +44,7 @@ TEST(SelectionMarks, whole_curves_lie_on_a_band) {
 TEST(SelectionMarks, points_of_other_curves_are_shown_where_some_are_selected) {
     EditorState state = several_curves();
     state.selection.others = {{1, {1}}};
-    const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
+    const render::DrawList list = test::canvas_picture(state);
     const auto selected = test::markers_of(list, render::MarkerShape::disc, 5.5F);
     ASSERT_EQ(selected.size(), 1U);
     const glm::dvec2 place = render::screen_from_world(state.view.camera, {5, -4});
@@ -53,7 +52,7 @@ TEST(SelectionMarks, points_of_other_curves_are_shown_where_some_are_selected) {
     EXPECT_NEAR(selected[0].center.y, place.y, 1e-3);
     EXPECT_EQ(test::markers_of(list, render::MarkerShape::disc, 3.5F).size(), 1U) << "the other one of the line";
     state.hover = HoveredOtherPoint{1, 1};
-    EXPECT_EQ(test::markers_of(test::canvas_picture(state, CanvasIdle{}), render::MarkerShape::disc, 7.0F).size(), 1U);
+    EXPECT_EQ(test::markers_of(test::canvas_picture(state), render::MarkerShape::disc, 7.0F).size(), 1U);
 }
 
 TEST(SelectionMarks, very_many_points_are_some) {
@@ -71,7 +70,7 @@ TEST(SelectionMarks, very_many_points_are_some) {
     SelectedPart part{1};
     for (std::size_t i = 0; i < count; ++i) part.points.push_back(i);
     state.selection.others = {part};
-    const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
+    const render::DrawList list = test::canvas_picture(state);
     EXPECT_LE(test::markers_of(list, render::MarkerShape::disc, 5.5F).size(), 4000U);
 }
 
@@ -89,7 +88,7 @@ TEST(SelectionMarks, very_many_curves_are_marked_by_no_more_than_a_picture_holds
     state.history = History(document);
     state.selection.others.clear();
     for (std::size_t k = 3; k < document.curves.size(); ++k) state.selection.others.push_back({k});
-    const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
+    const render::DrawList list = test::canvas_picture(state);
     std::size_t places = 0;
     for (const render::Polyline& line : test::all_of<render::Polyline>(list)) places += line.points.size();
     EXPECT_LT(places, 10'000U);
@@ -98,8 +97,7 @@ TEST(SelectionMarks, very_many_curves_are_marked_by_no_more_than_a_picture_holds
     EXPECT_TRUE(std::ranges::any_of(
         inks, [&](const render::Ink& ink) { return ink.color == render::blended(theme.accent, 0.4, theme.canvas); }));
     for (SelectedPart& part : state.selection.others) part.points = {1, 2, 3};
-    EXPECT_LE(test::markers_of(test::canvas_picture(state, CanvasIdle{}), render::MarkerShape::disc, 3.5F).size(),
-              2000U);
+    EXPECT_LE(test::markers_of(test::canvas_picture(state), render::MarkerShape::disc, 3.5F).size(), 2000U);
 }
 
 /// Fifty waves of 500 points, all selected.
@@ -152,7 +150,7 @@ TEST(SelectionMarks, very_much_that_moves_has_no_band_until_it_rests) {
     EXPECT_EQ(values_of_ink(after, line), values_of_ink(before, line));
     state.history = History(moved);
     const render::DrawList committed = canvas_scene(state, CanvasIdle{}, cache);
-    const render::DrawList anew = test::canvas_picture(state, CanvasIdle{});
+    const render::DrawList anew = test::canvas_picture(state);
     EXPECT_EQ(values_of_ink(committed, band), values_of_ink(anew, band));
     EXPECT_EQ(values_of_ink(committed, line), values_of_ink(anew, line)) << "not as coarse as while it moved";
 }
@@ -160,7 +158,7 @@ TEST(SelectionMarks, very_much_that_moves_has_no_band_until_it_rests) {
 TEST(SelectionMarks, a_locked_curve_is_paler) {
     const EditorState state = several_curves();
     const Theme theme = theme_of(state.view.theme);
-    const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
+    const render::DrawList list = test::canvas_picture(state);
     const auto line_at = [&](double y, double share) {
         const auto lines = test::lines_of(list, render::blended(theme.curve, share, theme.canvas), 2.0F);
         return test::distance_to(lines, render::screen_from_world(state.view.camera, {0, y}));

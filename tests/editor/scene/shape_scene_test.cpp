@@ -19,9 +19,7 @@ namespace {
 using render::Marker;
 using render::MarkerShape;
 
-Theme dark() {
-    return theme_of(ThemeName::dark);
-}
+using test::dark;
 
 // Only `overlay`, so that nothing else has its marks.
 EditorState showing(EditorState state, std::initializer_list<Overlay> overlays) {
@@ -48,13 +46,7 @@ core::CurveDefinition circle(double radius) {
             .weights = {1, w, 1, w, 1, w, 1, w, 1}};
 }
 
-render::DrawList scene_of(const EditorState& state) {
-    return test::canvas_picture(state, CanvasIdle{});
-}
-
-glm::dvec2 screen(const EditorState& state, core::Point world) {
-    return render::screen_from_world(state.view.camera, world);
-}
+using test::screen;
 
 bool has_mark(const std::vector<Marker>& marks, glm::dvec2 place) {
     return std::ranges::any_of(
@@ -62,7 +54,7 @@ bool has_mark(const std::vector<Marker>& marks, glm::dvec2 place) {
 }
 
 void expect_no_faults(const EditorState& state) {
-    const auto faults = test::faults_of(scene_of(state), state.view.camera.size_px, 4000.0);
+    const auto faults = test::faults_of(test::canvas_picture(state), state.view.camera.size_px, 4000.0);
     EXPECT_TRUE(faults.empty()) << faults.front();
     const glm::dvec2 dock(1048.0, 420.0);
     const auto plot_faults = test::faults_of(test::plot_picture(state, PlotIdle{}, dock), dock, 4000.0);
@@ -71,7 +63,7 @@ void expect_no_faults(const EditorState& state) {
 
 TEST(VariationScene, marks_crossings_of_curve_and_polygon) {
     EditorState state = showing(zigzag(), {Overlay::variation});
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     const auto discs = test::markers_of(list, MarkerShape::disc, 6.0F);
     ASSERT_EQ(discs.size(), 4U);
     for (const double x : {-25.0 / 9.0, -1.0, 1.0, 25.0 / 9.0})
@@ -82,10 +74,10 @@ TEST(VariationScene, marks_crossings_of_curve_and_polygon) {
     for (const double x : {-3.0, -1.0, 1.0, 3.0}) EXPECT_TRUE(has_mark(squares, screen(state, {x, 0.0}))) << x;
     // Higher it crosses the polygon alone; along the highest points it touches: -2 + 8t - 6t^2 is 2/3 at t = 2/3.
     state.view.shape.line = ProbeLine{{0, 1}, {1, 1}};
-    EXPECT_TRUE(test::markers_of(scene_of(state), MarkerShape::disc, 6.0F).empty());
-    EXPECT_EQ(test::markers_of(scene_of(state), MarkerShape::square, 6.0F).size(), 4U);
+    EXPECT_TRUE(test::markers_of(test::canvas_picture(state), MarkerShape::disc, 6.0F).empty());
+    EXPECT_EQ(test::markers_of(test::canvas_picture(state), MarkerShape::square, 6.0F).size(), 4U);
     state.view.shape.line = ProbeLine{{0, 2.0 / 3.0}, {1, 2.0 / 3.0}};
-    const auto touches = test::markers_of(scene_of(state), MarkerShape::disc, 6.0F);
+    const auto touches = test::markers_of(test::canvas_picture(state), MarkerShape::disc, 6.0F);
     ASSERT_EQ(touches.size(), 2U);
     EXPECT_EQ(touches[0].fill, dark().canvas);
 }
@@ -96,7 +88,7 @@ TEST(VariationScene, line_passes_its_handles_and_the_whole_picture_at_any_zoom) 
         state.view.shape.line = ProbeLine{{-1, -0.5}, {3, 0.5}};
         state.view.camera.scale = scale;
         state.view.camera.center = {1.0, 0.0};
-        const auto lines = test::lines_of(scene_of(state), dark().accent, 2.0F);
+        const auto lines = test::lines_of(test::canvas_picture(state), dark().accent, 2.0F);
         ASSERT_EQ(lines.size(), 1U);
         EXPECT_LT(test::distance_to(lines, 0.5 * state.view.camera.size_px), 0.5) << scale;
         const glm::dvec2 along = glm::dvec2(lines[0].points.back()) - glm::dvec2(lines[0].points.front());
@@ -108,7 +100,7 @@ TEST(VariationScene, line_passes_its_handles_and_the_whole_picture_at_any_zoom) 
 TEST(PartsScene, equal_lengths_divide_a_circle_evenly_and_equal_steps_do_not) {
     EditorState state = showing(circle(3.0), {Overlay::equal_steps, Overlay::equal_lengths});
     state.view.shape.part_count = 12;
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     const auto rings = test::markers_of(list, MarkerShape::disc, 7.0F);
     ASSERT_EQ(rings.size(), 13U);
     for (int k = 0; k < 12; ++k) {
@@ -128,7 +120,7 @@ TEST(CurvatureScene, extremes_are_named_within_the_comb_and_off_control_points) 
     for (const double scale : {25.0, 40.0, 66.0}) {
         state.view.camera.scale = scale;
         std::size_t extremes = 0;
-        for (const render::Label& label : test::all_of<render::Label>(test::canvas_picture(state, CanvasIdle{}))) {
+        for (const render::Label& label : test::all_of<render::Label>(test::canvas_picture(state))) {
             if (label.text.find("κ = ") == std::string::npos) continue;
             if (label.text.starts_with("m")) ++extremes;
             for (const core::Point point : state.active_curve()->control_points())
@@ -142,7 +134,7 @@ TEST(CurvatureScene, extremes_are_named_within_the_comb_and_off_control_points) 
 TEST(CurvatureScene, osculating_circle_of_a_circle_is_the_circle) {
     EditorState state = showing(circle(2.0), {Overlay::osculating_circle});
     state.view.parameter = 0.3;
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     const auto lines = test::lines_of(list, dark().comb, 2.0F);
     ASSERT_EQ(lines.size(), 1U);
     const double radius = 2.0 * state.view.camera.scale;
@@ -161,7 +153,7 @@ TEST(CurvatureScene, is_in_the_unit_of_the_document) {
     EditorState state = showing(circle(2.0), {Overlay::osculating_circle, Overlay::curvature_plot});
     state.history = History(std::move(document));
     state.view.parameter = 0.3;
-    EXPECT_TRUE(test::has_text(scene_of(state), "ρ = 1/5 mm"));
+    EXPECT_TRUE(test::has_text(test::canvas_picture(state), "ρ = 1/5 mm"));
     const render::DrawList plot = test::plot_picture(state, PlotIdle{}, {1048.0, 342.0});
     EXPECT_TRUE(test::has_text(plot, "κ = 5"));
     EXPECT_TRUE(test::has_text(plot, "5")) << "the level on which the graph is";
@@ -172,18 +164,18 @@ TEST(CurvatureScene, extremes_are_in_the_unit_of_the_document) {
     core::CurveDefinition ellipse = circle(1.0);
     for (core::Point& point : ellipse.points) point.x *= 2.0;
     EditorState state = showing(ellipse, {Overlay::curvature_marks});
-    EXPECT_TRUE(test::has_text(scene_of(state), "max κ = 2"));
+    EXPECT_TRUE(test::has_text(test::canvas_picture(state), "max κ = 2"));
     core::Document document = state.shown();
     document.units = core::DocumentUnits{.unit = core::LengthUnit::mm, .scale = 10.0};
     state.history = History(std::move(document));
-    EXPECT_TRUE(test::has_text(scene_of(state), "max κ = 20"));
-    EXPECT_TRUE(test::has_text(scene_of(state), "min κ = 5/2"));
+    EXPECT_TRUE(test::has_text(test::canvas_picture(state), "max κ = 20"));
+    EXPECT_TRUE(test::has_text(test::canvas_picture(state), "min κ = 5/2"));
 }
 
 TEST(CurvatureScene, tangent_and_normal_stand_square_on_each_other) {
     EditorState state = showing(circle(2.0), {Overlay::tangent_normal});
     state.view.parameter = 1.0;  // (0, 2), going left
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     EXPECT_TRUE(test::has_text(list, "T"));
     EXPECT_TRUE(test::has_text(list, "N"));
     const auto tangent = test::lines_of(list, dark().level(1), 3.0F);
@@ -202,7 +194,7 @@ TEST(CurvatureScene, inflection_and_extremes_of_a_cubic_graph) {
     EditorState state =
         showing({.degree = 3, .knots = {0, 0, 0, 0, 1, 1, 1, 1}, .points = {{-1, -1}, {0, 2}, {1, -4}, {2, 8}}},
                 {Overlay::curvature_marks});
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     const auto rings = test::markers_of(list, MarkerShape::disc, 6.0F);
     ASSERT_EQ(rings.size(), 1U);
     EXPECT_TRUE(has_mark(rings, screen(state, {0.0, 0.0})));
@@ -216,9 +208,9 @@ TEST(CurvatureScene, inflection_and_extremes_of_a_cubic_graph) {
 
 TEST(SupportScene, band_ends_where_the_support_does) {
     EditorState state = showing(test::cubic(), {Overlay::support});
-    EXPECT_TRUE(test::markers_of(scene_of(state), MarkerShape::disc, 6.0F).empty());
+    EXPECT_TRUE(test::markers_of(test::canvas_picture(state), MarkerShape::disc, 6.0F).empty());
     state.selection.points = {4};  // [u_4, u_8] = [1/4, 1]
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     const auto ends = test::markers_of(list, MarkerShape::disc, 6.0F);
     ASSERT_EQ(ends.size(), 2U);
     EXPECT_TRUE(has_mark(ends, screen(state, core::point_at(*state.active_curve(), 0.25))));
@@ -239,7 +231,7 @@ TEST(SupportScene, band_ends_where_the_support_does) {
 
 TEST(HullScene, each_span_has_the_hull_of_its_points) {
     const EditorState state = showing(zigzag(), {Overlay::span_hulls});
-    const auto fills = test::all_of<render::Fill>(scene_of(state));
+    const auto fills = test::all_of<render::Fill>(test::canvas_picture(state));
     ASSERT_EQ(fills.size(), 3U);
     for (const render::Fill& fill : fills) EXPECT_EQ(fill.points.size(), 3U);
     for (const core::Point corner : {core::Point(-2, 2), core::Point(0, -2), core::Point(2, 2)})
@@ -258,7 +250,7 @@ TEST(CombHandle, stands_at_the_tip_and_stretches_the_comb) {
     EXPECT_NEAR(dragged_comb_factor(state, 1.0, {35.0, 30.0}), 0.5, 1e-9);
     EXPECT_EQ(dragged_comb_factor(state, 1.0, {0.0, 5000.0}), comb_factors.lower);
     state.view.shape.comb_factor = 2.0;
-    const auto tips = test::lines_of(scene_of(state), dark().comb, 1.5F);
+    const auto tips = test::lines_of(test::canvas_picture(state), dark().comb, 1.5F);
     ASSERT_FALSE(tips.empty());
     const double radius = 2.0 * state.view.camera.scale + 120.0;
     for (const render::Pixel tip : tips.front().points)
@@ -378,11 +370,11 @@ TEST(ShapeScene, ten_thousand_points_cost_a_bounded_picture) {
     state.selection.points = {5000};
     expect_no_faults(state);
     EXPECT_FALSE(is_searched_whole(*state.active_curve()));
-    EXPECT_LT(scene_of(state).commands.size(), 20'000U);
+    EXPECT_LT(test::canvas_picture(state).commands.size(), 20'000U);
     // Close enough, the bends in view are marked.
     state.view.camera.center = {50.0, 0.5};
     state.view.camera.scale = 1000.0;
-    EXPECT_FALSE(test::markers_of(scene_of(state), MarkerShape::square, 5.0F).empty());
+    EXPECT_FALSE(test::markers_of(test::canvas_picture(state), MarkerShape::square, 5.0F).empty());
 }
 
 }  // namespace

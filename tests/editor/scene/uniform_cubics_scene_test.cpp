@@ -25,13 +25,7 @@ core::CurveDefinition coons() {
     return {.degree = 3, .knots = {-3, -2, -1, 0, 1, 2, 3, 4}, .points = {{-3, -2}, {-2, 1}, {1, 1}, {2, -3}}};
 }
 
-render::DrawList scene_of(const EditorState& state) {
-    return test::canvas_picture(state, CanvasIdle{});
-}
-
-glm::dvec2 screen(const EditorState& state, core::Point world) {
-    return render::screen_from_world(state.view.camera, world);
-}
+using test::screen;
 
 bool has_marker(const render::DrawList& list, const EditorState& state, core::Point place, float radius_px) {
     for (const render::Marker& marker : test::markers_of(list, render::MarkerShape::disc, radius_px))
@@ -58,7 +52,7 @@ bool has_segment(const render::DrawList& list, const EditorState& state, core::P
 TEST(UniformCubicsScene, anticentroids_stand_a_third_along_the_medians) {
     EditorState state = state_with(coons(), {Overlay::anticentroids});
     state.view.parameter = 0.25;
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     // ((-3, -2) + 4 (-2, 1) + (1, 1)) / 6 and ((-2, 1) + 4 (1, 1) + (2, -3)) / 6.
     EXPECT_TRUE(has_marker(list, state, {-10.0 / 6.0, 0.5}, 5.0F));
     EXPECT_TRUE(has_marker(list, state, {4.0 / 6.0, 2.0 / 6.0}, 5.0F));
@@ -77,7 +71,7 @@ TEST(UniformCubicsScene, names_stand_off_the_medians) {
                                           .points = {{4, 0}, {2.5, 3}, {-1, 2.5}, {-4, 1}, {-3, -2.5}, {1.5, -3}},
                                           .periodic = true},
                                          {Overlay::polygon, Overlay::labels, Overlay::anticentroids});
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     for (const render::Label& label : test::all_of<render::Label>(list)) {
         if (!label.text.starts_with("P_")) continue;
         const render::PixelBox box = test::box_of(label);
@@ -92,14 +86,14 @@ TEST(UniformCubicsScene, the_construction_follows_the_pointer) {
     EditorState state = state_with(coons(), {Overlay::anticentroids});
     state.view.parameter = 0.25;
     state.hover = HoveredPoint{2};
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     EXPECT_TRUE(has_tip(list, state, {4.0 / 6.0 + 2.0, 2.0 / 6.0 - 2.0}));
     EXPECT_FALSE(has_tip(list, state, {-10.0 / 6.0 + 2.0, 0.5 + 1.5}));
 }
 
 TEST(UniformCubicsScene, ferguson_form_has_both_tangents) {
     const EditorState state = state_with(coons(), {Overlay::ferguson});
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     EXPECT_TRUE(has_tip(list, state, {-10.0 / 6.0 + 2.0, 0.5 + 1.5}));
     EXPECT_TRUE(has_tip(list, state, {4.0 / 6.0 + 2.0, 2.0 / 6.0 - 2.0}));
     for (const char* text : {"Q_{0}", "Q_{1}", "Q_{0}′", "Q_{1}′"}) EXPECT_TRUE(test::has_text(list, text)) << text;
@@ -108,7 +102,7 @@ TEST(UniformCubicsScene, ferguson_form_has_both_tangents) {
 
 TEST(UniformCubicsScene, end_vertices_show_where_the_curve_would_begin) {
     const EditorState state = state_with(coons(), {Overlay::end_vertices});
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     EXPECT_TRUE(has_marker(list, state, {-3.0 + 1.0 / 6.0, -1.5}, 5.0F)) << "double: a sixth of the leg";
     EXPECT_TRUE(has_marker(list, state, {-3, -2}, 5.0F)) << "triple and phantom";
     EXPECT_TRUE(has_marker(list, state, {3, -7}, 6.0F) || screen(state, {3, -7}).y > 566.0) << "2 P3 - P2";
@@ -122,7 +116,7 @@ TEST(UniformCubicsScene, end_vertices_that_were_added_have_their_name) {
     core::CurveDefinition definition = coons();
     definition.points.insert(definition.points.begin(), {-4, -5});  // 2 (-3, -2) - (-2, 1)
     definition.knots.insert(definition.knots.begin(), -4);
-    const render::DrawList list = scene_of(state_with(definition, {Overlay::end_vertices}));
+    const render::DrawList list = test::canvas_picture(state_with(definition, {Overlay::end_vertices}));
     const auto count_of = [&](const std::string& text) { return std::ranges::count(test::texts_of(list), text); };
     EXPECT_EQ(count_of("midway vertex"), 1);
     EXPECT_EQ(count_of("double"), 1) << "at the other end alone";
@@ -138,7 +132,7 @@ TEST(UniformCubicsScene, long_second_derivatives_are_shortened_alike) {
     document.curves.back().curve = std::make_shared<const core::Curve>(*core::Curve::make(
         {.degree = 3, .knots = {-3, -2, -1, 0, 1, 2, 3, 4}, .points = {{-5, 0}, {-2, 4}, {0, -2}, {4, 2}}}));
     state.preview = document;
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     // C″ is (-1, -4) and (-1, -10), longer than the six vertices are apart: 5 across, 6 up.
     const core::Point joint{-13.0 / 6.0, 7.0 / 3.0};
     EXPECT_TRUE(has_tip(list, state, joint + core::Vector(-0.5, -2)));
@@ -152,7 +146,7 @@ TEST(UniformCubicsScene, tells_of_equal_and_collinear_vertices) {
                                      .points = {{-4, 0}, {-2, 2}, {-2, 2}, {1, 2}, {3, 2}, {4, 2}, {5, -1}}};
     for (int i = 0; i < 11; ++i) definition.knots.push_back(i);
     const EditorState state = state_with(definition, {Overlay::end_vertices});
-    const render::DrawList list = scene_of(state);
+    const render::DrawList list = test::canvas_picture(state);
     EXPECT_TRUE(test::has_text(list, "double vertex"));
     EXPECT_TRUE(test::has_text(list, "collinear"));
     EXPECT_TRUE(has_marker(list, state, {-2.0 - 2.0 / 6.0, 2.0 - 2.0 / 6.0}, 5.0F)) << "a sixth of the leg to P0";
@@ -164,7 +158,7 @@ TEST(UniformCubicsScene, draws_nothing_for_other_curves) {
     for (const Overlay overlay : cubic_overlays) {
         EditorState with = state_with(test::cubic(), {overlay});
         EditorState without = state_with(test::cubic(), {});
-        EXPECT_EQ(scene_of(with).commands.size(), scene_of(without).commands.size());
+        EXPECT_EQ(test::canvas_picture(with).commands.size(), test::canvas_picture(without).commands.size());
     }
 }
 
@@ -181,7 +175,7 @@ TEST(UniformCubicsScene, stays_finite_and_bounded) {
     for (const core::CurveDefinition& definition : {coons(), huge, far, one_place, two, many}) {
         EditorState state = state_with(
             definition, {Overlay::anticentroids, Overlay::ferguson, Overlay::end_vertices, Overlay::joined_cubics});
-        const render::DrawList list = scene_of(state);
+        const render::DrawList list = test::canvas_picture(state);
         EXPECT_EQ(test::faults_of(list, state.view.camera.size_px, 2000.0), std::vector<std::string>{});
         EXPECT_LT(list.commands.size(), 2000u);
     }

@@ -11,6 +11,7 @@
 #include "app/editor/derived/lifted_stage.h"
 #include "app/editor/scene/insets.h"
 #include "core/evaluate/farin_points.h"
+#include "tests/editor/card_words.h"
 #include "tests/editor/pointer_driver.h"
 #include "tests/editor/scene_sample.h"
 
@@ -36,13 +37,9 @@ EditorState circle_state() {
                               .weights = {1, half_root, 1, half_root, 1, half_root, 1, half_root, 1}});
 }
 
-bool says(const Card& card, const std::string& text) {
-    return card_text(card).find(text) != std::string::npos;
-}
+using test::says;
 
-glm::dvec2 screen(const EditorState& state, core::Point world) {
-    return render::screen_from_world(state.view.camera, world);
-}
+using test::screen;
 
 bool has_marker_at(const render::DrawList& list, glm::dvec2 place) {
     return std::ranges::any_of(test::all_of<render::Marker>(list), [&](const render::Marker& marker) {
@@ -112,7 +109,7 @@ TEST(ConicCard, buttons_make_every_kind) {
 
 TEST(ConicScene, marks_middle_and_shoulder) {
     const EditorState state = conic_state({1, 0.5, 1});
-    const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
+    const render::DrawList list = test::canvas_picture(state);
     EXPECT_TRUE(has_marker_at(list, screen(state, {1.5, 1.5})));
     EXPECT_TRUE(has_marker_at(list, screen(state, {2, 2})));
     for (const char* name : {"M", "X", "a"}) EXPECT_TRUE(test::has_text(list, name)) << name;
@@ -123,7 +120,7 @@ TEST(ConicScene, draws_the_conic_beyond_the_arc) {
     EditorState state = conic_state({1, half_root, 1});
     state.view.camera.center = {0, 0};
     const glm::dvec2 opposite = screen(state, {-3 * half_root, -3 * half_root});
-    const auto lines = [&] { return test::all_of<render::Polyline>(test::canvas_picture(state, CanvasIdle{})); };
+    const auto lines = [&] { return test::all_of<render::Polyline>(test::canvas_picture(state)); };
     const auto near = [&](const std::vector<render::Polyline>& all) {
         std::vector<render::Polyline> wide;
         for (const render::Polyline& line : all)
@@ -139,7 +136,7 @@ TEST(FarinScene, draws_a_square_on_every_leg) {
     EditorState state = conic_state({1, 3, 1});
     state.view.overlays.show(Overlay::conic, false);
     state.view.overlays.show(Overlay::farin_points, true);
-    const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
+    const render::DrawList list = test::canvas_picture(state);
     const auto squares = test::markers_of(list, MarkerShape::square, 4.5F);
     ASSERT_EQ(squares.size(), 2U);
     EXPECT_LT(glm::distance(glm::dvec2(squares[0].center), screen(state, {3, 2.25})), 0.01);
@@ -159,10 +156,10 @@ TEST(FarinScene, is_no_more_work_for_many_points) {
                                                }(),
                                            .points = test::scattered_points(10000, {10.0, 6.0})});
     state.view.overlays.show(Overlay::farin_points, true);
-    EXPECT_TRUE(test::markers_of(test::canvas_picture(state, CanvasIdle{}), MarkerShape::square, 4.5F).empty());
+    EXPECT_TRUE(test::markers_of(test::canvas_picture(state), MarkerShape::square, 4.5F).empty());
     state.view.camera.scale = 20000.0;
     state.view.camera.center = core::farin_point(*state.active_curve(), 77).point;
-    EXPECT_FALSE(test::markers_of(test::canvas_picture(state, CanvasIdle{}), MarkerShape::square, 4.5F).empty());
+    EXPECT_FALSE(test::markers_of(test::canvas_picture(state), MarkerShape::square, 4.5F).empty());
 }
 
 TEST(FarinCard, tells_the_ratios) {
@@ -182,7 +179,7 @@ class HomogeneousScene : public testing::Test {
 };
 
 TEST_F(HomogeneousScene, shows_points_lifted_and_as_shadows) {
-    const render::DrawList list = test::canvas_picture(state, CanvasIdle{});
+    const render::DrawList list = test::canvas_picture(state);
     const LiftedStage seen = stage();
     EXPECT_EQ(seen.view.exponent, 1.0);
     const auto curve = state.active_curve();
@@ -223,7 +220,7 @@ TEST_F(HomogeneousScene, draws_no_lines_outside_of_its_box) {
     state.view.orbit.zoom = 8.0;
     const render::PixelBox box = inset_box(state, Overlay::homogeneous).value();
     for (const render::Polyline& line :
-         test::lines_of(test::canvas_picture(state, CanvasIdle{}), theme_of(ThemeName::dark).level(2), 3.0F))
+         test::lines_of(test::canvas_picture(state), theme_of(ThemeName::dark).level(2), 3.0F))
         for (const render::Pixel point : line.points) EXPECT_TRUE(box.contains(glm::dvec2(point)));
 }
 
@@ -251,7 +248,7 @@ TEST_F(HomogeneousScene, survives_the_worst_curves) {
         EditorState shown = test::scene_state(definition);
         for (const Overlay view : {Overlay::homogeneous, Overlay::conic, Overlay::farin_points})
             shown.view.overlays.show(view, true);
-        EXPECT_EQ(test::faults_of(test::canvas_picture(shown, CanvasIdle{}), shown.view.camera.size_px, 100.0),
+        EXPECT_EQ(test::faults_of(test::canvas_picture(shown), shown.view.camera.size_px, 100.0),
                   std::vector<std::string>{});
         for (const auto& make : {farin_card, conic_card, homogeneous_card})
             EXPECT_EQ(card_text(make(shown)).find("nan"), std::string::npos);
