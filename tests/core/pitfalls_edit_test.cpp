@@ -16,6 +16,7 @@
 #include "core/refine/knot_insertion.h"
 #include "core/refine/knot_removal.h"
 #include "tests/core/random_curves.h"
+#include "tests/core/stored_knots.h"
 
 namespace batten::core {
 namespace {
@@ -23,10 +24,6 @@ namespace {
 using Knots = std::vector<double>;
 
 const Box everything{{-1e12, -1e12}, {1e12, 1e12}};
-
-Knots stored(const Curve& curve) {
-    return {curve.knots().stored().begin(), curve.knots().stored().end()};
-}
 
 Curve from_file(const std::string& curve_members) {
     const auto document = parse_document(R"({"format": "batten", "version": 1, "curves": [{)" + curve_members + "}]}");

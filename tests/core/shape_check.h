@@ -4,6 +4,7 @@
 #include "core/evaluate/evaluate.h"
 #include "tests/core/golden_cases.h"
 #include "tests/core/random_curves.h"
+#include "tests/core/stored_knots.h"
 
 namespace batten::core {
 
@@ -17,18 +18,6 @@ inline double shape_change(const Curve& before, const Curve& after, RandomCurves
             largest = std::max(largest, distance(point_at(before, u, side), point_at(after, u, side)));
     }
     return largest / golden::largest_coordinate(before.control_points());
-}
-
-/// The curve with all points moved.
-inline Curve translated(const Curve& curve, Vector by) {
-    CurveDefinition definition = curve.definition();
-    for (Point& point : definition.points) point += by;
-    return Curve::make(std::move(definition)).value();
-}
-
-/// The knots that are stored.
-inline std::vector<double> stored(const Curve& curve) {
-    return {curve.knots().stored().begin(), curve.knots().stored().end()};
 }
 
 /// The largest difference of the control points of two curves, relative to the largest coordinate; infinite when they

@@ -7,6 +7,7 @@
 
 #include "core/edit/point_edit.h"
 #include "core/evaluate/evaluate.h"
+#include "tests/core/near_points.h"
 
 namespace batten::core {
 namespace {
@@ -42,11 +43,6 @@ Curve kept_alone(const Curve& old, const Curve& now, int level, std::vector<std:
     const KeptJoints kept = keep_joints({edited(old, now, std::move(held))}, {at_knot(1, level)});
     EXPECT_TRUE(kept.lost.empty());
     return kept.curves.front();
-}
-
-void expect_near(Point a, Point b, double tolerance = 1e-13) {
-    EXPECT_NEAR(a.x, b.x, tolerance);
-    EXPECT_NEAR(a.y, b.y, tolerance);
 }
 
 /// The sine of the angle between the directions on both sides of a joint, which do not turn back.

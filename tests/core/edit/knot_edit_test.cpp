@@ -10,6 +10,7 @@
 #include "core/curve/knot_kinds.h"
 #include "core/evaluate/evaluate.h"
 #include "tests/core/random_curves.h"
+#include "tests/core/stored_knots.h"
 
 namespace batten::core {
 namespace {
@@ -30,10 +31,6 @@ Curve open_curve(int degree, Knots knots, KnotKind kind = KnotKind::custom) {
 Curve periodic_curve(int degree, Knots period) {
     const std::size_t count = period.size() - 1;
     return Curve::make({.degree = degree, .knots = std::move(period), .points = wave(count), .periodic = true}).value();
-}
-
-Knots stored(const Curve& curve) {
-    return {curve.knots().stored().begin(), curve.knots().stored().end()};
 }
 
 Knots moved(const Curve& curve, std::size_t index, double u, KnotMove mode, double snap_distance = 0.0) {

@@ -7,22 +7,16 @@
 
 #include "core/evaluate/evaluate.h"
 #include "core/measure/nearest.h"
+#include "tests/core/known_curves.h"
 #include "tests/core/random_curves.h"
 
 namespace batten::core {
 
 namespace {
 
-// The unit circle, left turning, as nine points of degree 2.
-Curve circle(Point center, double radius) {
-    CurveDefinition definition{.degree = 2, .knots = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}, .points = {}, .weights = {}};
-    const double w = std::sqrt(0.5);
-    for (const Vector point : {Vector(1, 0), Vector(1, 1), Vector(0, 1), Vector(-1, 1), Vector(-1, 0), Vector(-1, -1),
-                               Vector(0, -1), Vector(1, -1), Vector(1, 0)}) {
-        definition.points.push_back(center + radius * point);
-        definition.weights.push_back(definition.weights.size() % 2 == 0 ? 1.0 : w);
-    }
-    return Curve::make(std::move(definition)).value();
+// Left turning, a quarter over each unit.
+Curve circle_about(Point center, double radius) {
+    return over(ellipse(radius, radius, center), 0.0, 4.0);
 }
 
 Curve gentle(bool periodic, bool rational, int degree = 3) {
@@ -57,15 +51,15 @@ double sampled_error(const Curve& curve, const Curve& result, double distance) {
 }  // namespace
 
 TEST(Offset, of_a_circle_is_a_circle) {
-    const Curve inner = offset(circle({3, -2}, 2.0), 0.5, 1e-9).value().curve;
-    const Curve outer = offset(circle({3, -2}, 2.0), -0.5, 1e-9).value().curve;
+    const Curve inner = offset(circle_about({3, -2}, 2.0), 0.5, 1e-9).value().curve;
+    const Curve outer = offset(circle_about({3, -2}, 2.0), -0.5, 1e-9).value().curve;
     EXPECT_EQ(inner.degree(), 2);
     EXPECT_EQ(inner.control_points().size(), 9U);
     for (double u = 0.0; u <= 4.0; u += 0.01) {
         EXPECT_NEAR(distance(point_at(inner, u), Point(3, -2)), 1.5, 4e-15);
         EXPECT_NEAR(distance(point_at(outer, u), Point(3, -2)), 2.5, 4e-15);
     }
-    EXPECT_EQ(describe(offset(circle({0, 0}, 2.0), 2.5, 1e-9).error()).substr(0, 20), "the distance is 2.5,");
+    EXPECT_EQ(describe(offset(circle_about({0, 0}, 2.0), 2.5, 1e-9).error()).substr(0, 20), "the distance is 2.5,");
 }
 
 TEST(Offset, of_a_line_is_the_parallel) {

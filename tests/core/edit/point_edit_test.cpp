@@ -11,6 +11,7 @@
 #include "core/evaluate/evaluate.h"
 #include "core/refine/knot_insertion.h"
 #include "tests/core/random_curves.h"
+#include "tests/core/stored_knots.h"
 
 namespace batten::core {
 namespace {
@@ -30,10 +31,6 @@ Curve of_kind(KnotKind kind, int degree, std::size_t count) {
 Curve custom(int degree, Knots knots, std::vector<double> weights = {}) {
     const std::size_t count = knots.size() - static_cast<std::size_t>(degree) - 1;
     return Curve::make({.degree = degree, .knots = knots, .points = wave(count), .weights = weights}).value();
-}
-
-Knots stored(const Curve& curve) {
-    return {curve.knots().stored().begin(), curve.knots().stored().end()};
 }
 
 std::vector<Point> points(const Curve& curve) {

@@ -10,6 +10,7 @@
 #include "core/curve/knot_kinds.h"
 #include "core/evaluate/evaluate.h"
 #include "core/make/conics.h"
+#include "tests/core/near_points.h"
 #include "tests/core/random_curves.h"
 
 namespace batten::core {
@@ -34,11 +35,6 @@ Curve arch() {
 
 PlaneMap with_last_row(double wx, double wy, double w, Point pivot = {0.0, 0.0}) {
     return {.rows = {{{1, 0, 0}, {0, 1, 0}, {wx, wy, w}}}, .pivot = pivot};
-}
-
-void expect_near(Point found, Point expected, double tolerance) {
-    EXPECT_NEAR(found.x, expected.x, tolerance);
-    EXPECT_NEAR(found.y, expected.y, tolerance);
 }
 
 // The map as the textbook writes it, in the arithmetic of the test.

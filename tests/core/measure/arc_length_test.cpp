@@ -9,33 +9,13 @@
 #include "core/evaluate/evaluate.h"
 #include "core/refine/degree.h"
 #include "tests/core/golden.h"
+#include "tests/core/known_curves.h"
 #include "tests/core/random_curves.h"
 
 namespace batten::core {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-Curve moved(const Curve& curve, Vector offset) {
-    CurveDefinition definition = curve.definition();
-    for (Point& point : definition.points) point += offset;
-    return Curve::make(std::move(definition)).value();
-}
-
-Curve over(const Curve& curve, double lower, double factor) {
-    CurveDefinition definition = curve.definition();
-    for (double& knot : definition.knots) knot = lower + factor * knot;
-    return Curve::make(std::move(definition)).value();
-}
-
-Curve ellipse(double a, double b) {
-    const double w = std::sqrt(0.5);
-    return Curve::make({.degree = 2,
-                        .knots = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1},
-                        .points = {{a, 0}, {a, b}, {0, b}, {-a, b}, {-a, 0}, {-a, -b}, {0, -b}, {a, -b}, {a, 0}},
-                        .weights = {1, w, 1, w, 1, w, 1, w, 1}})
-        .value();
-}
+using std::numbers::pi;
 
 // y = x^2 for x from 0 to 2, of length sqrt(17) + asinh(4) / 4.
 Curve parabola() {

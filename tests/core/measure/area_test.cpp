@@ -8,27 +8,13 @@
 
 #include "core/evaluate/evaluate.h"
 #include "core/refine/degree.h"
+#include "tests/core/known_curves.h"
 #include "tests/core/random_curves.h"
 
 namespace batten::core {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-Curve moved(const Curve& curve, Vector offset) {
-    CurveDefinition definition = curve.definition();
-    for (Point& point : definition.points) point += offset;
-    return Curve::make(std::move(definition)).value();
-}
-
-Curve ellipse(double a, double b) {
-    const double w = std::sqrt(0.5);
-    return Curve::make({.degree = 2,
-                        .knots = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1},
-                        .points = {{a, 0}, {a, b}, {0, b}, {-a, b}, {-a, 0}, {-a, -b}, {0, -b}, {a, -b}, {a, 0}},
-                        .weights = {1, w, 1, w, 1, w, 1, w, 1}})
-        .value();
-}
+using std::numbers::pi;
 
 Curve triangle() {
     return Curve::make({.degree = 1, .knots = {0, 0, 1, 2, 3, 3}, .points = {{0, 0}, {6, 0}, {0, 3}, {0, 0}}}).value();

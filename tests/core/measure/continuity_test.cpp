@@ -8,16 +8,11 @@
 #include "core/curve/control_box.h"
 #include "core/evaluate/evaluate.h"
 #include "core/refine/knot_insertion.h"
+#include "tests/core/known_curves.h"
 #include "tests/core/random_curves.h"
 
 namespace batten::core {
 namespace {
-
-Curve moved(const Curve& curve, Vector offset) {
-    CurveDefinition definition = curve.definition();
-    for (Point& point : definition.points) point += offset;
-    return Curve::make(std::move(definition)).value();
-}
 
 Curve cubic_pieces(std::vector<Point> points, double knot = 0.5) {
     return Curve::make({.degree = 3, .knots = {0, 0, 0, 0, knot, knot, knot, 1, 1, 1, 1}, .points = std::move(points)})

@@ -8,22 +8,11 @@
 #include "core/measure/cusps.h"
 #include "core/refine/degree.h"
 #include "core/refine/knot_insertion.h"
+#include "tests/core/known_curves.h"
 #include "tests/core/random_curves.h"
 
 namespace batten::core {
 namespace {
-
-Curve moved(const Curve& curve, Vector offset) {
-    CurveDefinition definition = curve.definition();
-    for (Point& point : definition.points) point += offset;
-    return Curve::make(std::move(definition)).value();
-}
-
-Curve over(const Curve& curve, double lower, double factor) {
-    CurveDefinition definition = curve.definition();
-    for (double& knot : definition.knots) knot = lower + factor * knot;
-    return Curve::make(std::move(definition)).value();
-}
 
 // y = x^3 for x from -1 to 2, u from 0 to 1, so x = 3u - 1.
 Curve cubic_graph() {
@@ -34,22 +23,6 @@ Curve cubic_graph() {
 // y = x^2 for x from -2 to 4.
 Curve parabola() {
     return Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{-2, 4}, {1, -8}, {4, 16}}}).value();
-}
-
-Curve ellipse(double a, double b) {
-    const double w = std::sqrt(0.5);
-    return Curve::make({.degree = 2,
-                        .knots = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1},
-                        .points = {{a, 0}, {a, b}, {0, b}, {-a, b}, {-a, 0}, {-a, -b}, {0, -b}, {a, -b}, {a, 0}},
-                        .weights = {1, w, 1, w, 1, w, 1, w, 1}})
-        .value();
-}
-
-Curve polygon(std::vector<Point> points) {
-    std::vector<double> knots{0};
-    for (std::size_t i = 0; i < points.size(); ++i) knots.push_back(static_cast<double>(i));
-    knots.push_back(knots.back());
-    return Curve::make({.degree = 1, .knots = std::move(knots), .points = std::move(points)}).value();
 }
 
 TEST(Bending, of_a_parabola_in_closed_form) {

@@ -9,16 +9,11 @@
 #include "core/refine/degree.h"
 #include "core/refine/knot_insertion.h"
 #include "tests/core/bezier_curve.h"
+#include "tests/core/known_curves.h"
 #include "tests/core/random_curves.h"
 
 namespace batten::core {
 namespace {
-
-Curve moved(const Curve& curve, Vector offset) {
-    CurveDefinition definition = curve.definition();
-    for (Point& point : definition.points) point += offset;
-    return Curve::make(std::move(definition)).value();
-}
 
 Curve reversed(const Curve& curve) {
     CurveDefinition definition = curve.definition();
@@ -27,29 +22,6 @@ Curve reversed(const Curve& curve) {
     std::reverse(definition.knots.begin(), definition.knots.end());
     for (double& knot : definition.knots) knot = -knot;
     return Curve::make(std::move(definition)).value();
-}
-
-Curve over(const Curve& curve, double lower, double factor) {
-    CurveDefinition definition = curve.definition();
-    for (double& knot : definition.knots) knot = lower + factor * knot;
-    return Curve::make(std::move(definition)).value();
-}
-
-Curve polygon(std::vector<Point> points) {
-    std::vector<double> knots{0};
-    for (std::size_t i = 0; i < points.size(); ++i) knots.push_back(static_cast<double>(i));
-    knots.push_back(knots.back());
-    return Curve::make({.degree = 1, .knots = std::move(knots), .points = std::move(points)}).value();
-}
-
-Curve ellipse(double a, double b, Point center = Point{}) {
-    const double w = std::sqrt(0.5);
-    return moved(Curve::make({.degree = 2,
-                              .knots = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1},
-                              .points = {{a, 0}, {a, b}, {0, b}, {-a, b}, {-a, 0}, {-a, -b}, {0, -b}, {a, -b}, {a, 0}},
-                              .weights = {1, w, 1, w, 1, w, 1, w, 1}})
-                     .value(),
-                 vector_to(center));
 }
 
 // (t^2, t^3 - t) for t from -3/2 to 3/2 has its double point at t = -1 and 1, u = 1/6 and 5/6.

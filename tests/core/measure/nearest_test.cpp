@@ -10,21 +10,13 @@
 #include "core/refine/degree.h"
 #include "core/refine/knot_refinement.h"
 #include "tests/core/golden.h"
+#include "tests/core/known_curves.h"
 #include "tests/core/random_curves.h"
 
 namespace batten::core {
 namespace {
 
 const double half_root = std::sqrt(0.5);
-
-Curve circle() {
-    const double w = half_root;
-    return Curve::make({.degree = 2,
-                        .knots = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1},
-                        .points = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}},
-                        .weights = {1, w, 1, w, 1, w, 1, w, 1}})
-        .value();
-}
 
 TEST(Golden, closest_point) {
     golden::Tally tally("closest_point.json");
@@ -67,7 +59,7 @@ TEST(Nearest, point_of_the_curve_is_its_own_nearest) {
 }
 
 TEST(Nearest, of_equally_near_points_the_first_is_taken) {
-    EXPECT_EQ(nearest_point(circle(), {0, 0}).u, 0.0);
+    EXPECT_EQ(nearest_point(ellipse(1, 1), {0, 0}).u, 0.0);
     const Curve valley =
         Curve::make({.degree = 2, .knots = {0, 0, 0, 1, 1, 1}, .points = {{-1, 1}, {0, -1}, {1, 1}}}).value();
     // y = x^2 has the two nearest points x = -+sqrt(1/2) to (0, 1).
@@ -77,7 +69,7 @@ TEST(Nearest, of_equally_near_points_the_first_is_taken) {
 }
 
 TEST(Nearest, seam_of_a_closed_curve_is_its_beginning) {
-    EXPECT_EQ(nearest_point(circle(), {2, 0}).u, 0.0);
+    EXPECT_EQ(nearest_point(ellipse(1, 1), {2, 0}).u, 0.0);
     const Curve loop =
         Curve::make(
             {.degree = 2, .knots = {0, 1, 2, 3, 4}, .points = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}, .periodic = true})
@@ -117,9 +109,9 @@ TEST(Nearest, far_from_the_origin_as_near_it) {
 }
 
 TEST(Nearest, query_beyond_all_measure_ends) {
-    EXPECT_NEAR(nearest_point(circle(), {1e12, 0}).u, 0.0, 1e-9);
-    EXPECT_TRUE(std::isfinite(nearest_point(circle(), {0, 1e200}).point.y));
-    EXPECT_NEAR(nearest_point(circle(), {1e-9, 1e-9}).u, 0.125, 1e-5);
+    EXPECT_NEAR(nearest_point(ellipse(1, 1), {1e12, 0}).u, 0.0, 1e-9);
+    EXPECT_TRUE(std::isfinite(nearest_point(ellipse(1, 1), {0, 1e200}).point.y));
+    EXPECT_NEAR(nearest_point(ellipse(1, 1), {1e-9, 1e-9}).u, 0.125, 1e-5);
     const Curve overflowing = Curve::make({.degree = 3,
                                            .knots = {5, 5, 5, 5, 6, 6, 6, 6},
                                            .points = {{0, 0}, {1e20, 5}, {2, -1e300}, {3, 0}},
@@ -184,7 +176,7 @@ TEST(Nearest, looks_grow_as_the_logarithm_of_the_control_points) {
 TEST(Nearest, near_the_center_of_a_circle_every_span_is_looked_at_a_few_times) {
     std::vector<double> more;
     for (int i = 1; i < 400; ++i) more.push_back(i / 401.0);
-    for (const Curve& round : {circle(), refine_knots(elevate_degree(circle(), 3).value(), more).value()}) {
+    for (const Curve& round : {ellipse(1, 1), refine_knots(elevate_degree(ellipse(1, 1), 3).value(), more).value()}) {
         const NearestFinder finder(round);
         const auto spans = static_cast<std::size_t>(segment_count(round.knots()));
         for (const double offset : {0.0, 1e-17, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-9, 1e-6, 1e-3}) {

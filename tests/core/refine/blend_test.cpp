@@ -12,6 +12,7 @@
 #include "core/refine/reverse.h"
 #include "core/refine/split.h"
 #include "tests/core/joint_jumps.h"
+#include "tests/core/known_curves.h"
 #include "tests/core/shape_check.h"
 
 namespace batten::core {
@@ -101,8 +102,8 @@ TEST(Blend, follows_longer_with_more_tension) {
 
 TEST(Blend, far_away_joins_bit_by_bit) {
     const Vector far(1e6, -1e6);
-    const Curve first = translated(circular_arc({0, 0}, 1, {0, 60}).value(), far);
-    const Curve second = translated(circular_arc({4, 1}, 2, {150, -60}).value(), far);
+    const Curve first = moved(circular_arc({0, 0}, 1, {0, 60}).value(), far);
+    const Curve second = moved(circular_arc({4, 1}, 2, {150, -60}).value(), far);
     const Curve blended = blend(first, second, {CurveEnd::end, CurveEnd::start}, {g3}, {g3}).value();
     EXPECT_EQ(blended.control_points().front(), first.control_points().back());
     EXPECT_EQ(blended.control_points().back(), second.control_points().front());

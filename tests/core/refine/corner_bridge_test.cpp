@@ -13,6 +13,7 @@
 #include "core/refine/periodic.h"
 #include "core/refine/reverse.h"
 #include "tests/core/joint_jumps.h"
+#include "tests/core/known_curves.h"
 #include "tests/core/shape_check.h"
 
 namespace batten::core {
@@ -75,8 +76,8 @@ TEST(Fillet, of_two_circles_touches_both_from_outside) {
 
 TEST(Fillet, far_away_is_as_exact) {
     const Vector far(1e6, -3e6);
-    const Curve first = translated(line({-5, 1}, {5, -1}).value(), far);
-    const Curve second = translated(circular_arc({0, 2}, 3, {200, 140}).value(), far);
+    const Curve first = moved(line({-5, 1}, {5, -1}).value(), far);
+    const Curve second = moved(circular_arc({0, 2}, 3, {200, 140}).value(), far);
     const auto bridge = fillet({first, 0.2}, {second, 0.2}, 0.5).value();
     const Point center =
         point_at(bridge.bridge, 0.0) +

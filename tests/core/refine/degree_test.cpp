@@ -20,6 +20,7 @@
 #include "core/refine/periodic.h"
 #include "core/refine/reverse.h"
 #include "tests/core/golden.h"
+#include "tests/core/known_curves.h"
 #include "tests/core/random_curves.h"
 #include "tests/core/shape_check.h"
 #include "tests/core/smooth_shapes.h"
@@ -126,7 +127,7 @@ TEST(ElevateDegree, is_right_to_the_last_digits_in_every_degree) {
 TEST(ElevateDegree, far_away_and_with_rings_of_few_points) {
     RandomCurves random(109);
     for (int i = 0; i < 100; ++i) {
-        const Curve far = translated(random.curve(), {1e6, -1e6});
+        const Curve far = moved(random.curve(), {1e6, -1e6});
         EXPECT_LE(shape_change(far, elevate_degree(far, 2).value(), random), 1e-15);
     }
     for (const int degree : {5, 12, 24}) {

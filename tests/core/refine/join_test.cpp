@@ -14,6 +14,7 @@
 #include "core/refine/reverse.h"
 #include "core/refine/split.h"
 #include "tests/core/joint_jumps.h"
+#include "tests/core/known_curves.h"
 #include "tests/core/shape_check.h"
 
 namespace batten::core {
@@ -168,7 +169,7 @@ TEST(Join, closes_a_gap) {
     const Curve first = quarter({0, 0}, 1.0, 0.0);
     for (const double gap : {1e-3, 0.1, 0.5})
         for (const JoinContinuity continuity : all) {
-            const auto joined = join(first, translated(arc_turned_by(0.0), {-gap, 0.0}), continuity).value();
+            const auto joined = join(first, moved(arc_turned_by(0.0), {-gap, 0.0}), continuity).value();
             SCOPED_TRACE(testing::Message() << gap << ", " << name_of(continuity));
             EXPECT_NEAR(joined.before.gap, gap, 1e-12);
             EXPECT_EQ(joined.after.gap, 0.0);
@@ -298,8 +299,8 @@ TEST(Join, keeps_its_continuity_far_away_and_in_high_degrees) {
     RandomCurves random(374);
     for (const int degree : {10, 24})
         for (const JoinContinuity continuity : all) {
-            const Curve first = translated(high_degree_curve(degree, 3, random), {1e6, 1e6});
-            const Curve second = translated(high_degree_curve(degree, 3, random), {1e6, 1e6});
+            const Curve first = moved(high_degree_curve(degree, 3, random), {1e6, 1e6});
+            const Curve second = moved(high_degree_curve(degree, 3, random), {1e6, 1e6});
             const auto joined = join(first, second, continuity, forward);
             ASSERT_TRUE(joined) << describe(joined.error());
             EXPECT_LE(jump_at(joined->curve, first.domain().upper, continuity), 1e-6);

@@ -6,6 +6,7 @@
 
 #include "core/curve/detail/spline.h"
 #include "core/refine/knot_insertion.h"
+#include "tests/core/known_curves.h"
 #include "tests/core/shape_check.h"
 
 namespace batten::core {
@@ -47,7 +48,7 @@ TEST(KnotRefinement, keeps_the_shape_far_away_in_high_degrees_and_over_short_spa
         std::erase_if(added, [&](double u) { return u > curve.domain().upper; });
         const Curve refined = refine_knots(curve, added).value();
         EXPECT_LE(shape_change(curve, refined, random), 1e-14);
-        const Curve far = translated(curve, {1e6, -3e6});
+        const Curve far = moved(curve, {1e6, -3e6});
         EXPECT_LE(shape_change(far, refine_knots(far, added).value(), random), 1e-15);
     }
 }

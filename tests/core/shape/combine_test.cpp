@@ -9,7 +9,7 @@
 namespace batten::core {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<Curve> combined(const Curve& a, const Curve& b, ShapeOperation operation) {
     return combine({{a}}, {{b}}, operation).value();

@@ -12,7 +12,7 @@
 namespace batten::core {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Curve wave() {
     return interpolate(std::vector<Point>{{0, 0}, {2, 1.5}, {4, -1}, {6, 2}, {9, 0}, {11, 1}}).value().curve;
