@@ -26,8 +26,6 @@ void expect_refused(const Result<T>& result) {
     EXPECT_EQ(result.error().code, CurveErrorCode::tolerance_not_positive);
 }
 
-}  // namespace
-
 TEST_P(BadTolerance, is_refused_by_every_operation) {
     const double tolerance = GetParam();
     const Curve ring = circle({0, 0}, 1.0).value();
@@ -47,5 +45,7 @@ TEST_P(BadTolerance, is_refused_by_every_operation) {
 
 INSTANTIATE_TEST_SUITE_P(Tolerances, BadTolerance,
                          testing::Values(0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()));
+
+}  // namespace
 
 }  // namespace batten::core

@@ -45,7 +45,7 @@ core::Curve curve_over(int degree, const std::vector<double>& inner, bool has_we
     return made(std::move(definition));
 }
 
-core::Document document_of(const core::Curve& curve, const std::string& name = "wave") {
+core::Document document_with_units(const core::Curve& curve, const std::string& name = "wave") {
     core::Document document;
     document.curves.emplace_back();
     document.curves.back().name = name;
@@ -79,7 +79,7 @@ class ThroughOpenCascade : public testing::TestWithParam<Format> {
         core::Document document;
         for (const core::Curve& curve : curves) {
             const std::string name = "c" + std::to_string(document.curves.size());
-            document.curves.push_back(document_of(curve, name).curves.front());
+            document.curves.push_back(document_with_units(curve, name).curves.front());
         }
         document.units = core::DocumentUnits{};
         const Exported exported = written(document);
@@ -102,7 +102,7 @@ class ThroughOpenCascade : public testing::TestWithParam<Format> {
 
     // Another description of the same curve comes back, and the report says so.
     static void expect_same_shape(const core::Curve& curve, const std::string& said, double tolerance) {
-        const Exported exported = written(document_of(curve));
+        const Exported exported = written(document_with_units(curve));
         ASSERT_EQ(exported.report.left_out.size(), 1u);
         EXPECT_EQ(exported.report.left_out[0], said);
         const Imported imported = read(exported.text);
@@ -146,8 +146,6 @@ class OcctProcess : public testing::Test {
 };
 
 constexpr const char* occt_is_late = "OpenCASCADE takes more than a minute for this file";
-
-}  // namespace
 
 TEST_F(OcctProcess, AnAnswerThatIsTooLongEndsIt) {
     EXPECT_EQ(told("exec cat /dev/zero", std::chrono::minutes(2)), "OpenCASCADE makes more than 256 MiB of this file");
@@ -247,7 +245,7 @@ TEST_P(ThroughOpenCascade, UnclampedAndPeriodicCurvesAreClamped) {
 TEST_P(ThroughOpenCascade, ClampedCopiesAreNotCalledExact) {
     const core::Curve curve =
         made({.degree = 3, .knots = {0, 1, 2, 3, 4, 5, 6, 7}, .points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}}});
-    const Exported exported = written(document_of(curve));
+    const Exported exported = written(document_with_units(curve));
     EXPECT_GT(exported.report.largest_error, 0.0) << "no double is 7/6";
     EXPECT_LT(exported.report.largest_error, 2e-15);
     const core::Point end = read(exported.text).document.curves.at(0).curve->control_points().front();
@@ -261,7 +259,7 @@ TEST_P(ThroughOpenCascade, WhatComesBackOtherwiseIsTold) {
         const core::Curve curve = made({.degree = 3,
                                         .knots = clamped_knots(3),
                                         .points = {{0, 0}, {size, 2 * size}, {3 * size, 2 * size}, {6 * size, 0}}});
-        const Exported exported = written(document_of(curve));
+        const Exported exported = written(document_with_units(curve));
         const core::Curve copy = *read(exported.text).document.curves.at(0).curve;
         const double gone = core::distance(core::point_at(copy, 1.0), {6 * size, 0});
         EXPECT_LE(gone, exported.report.largest_error) << size;
@@ -274,11 +272,11 @@ TEST_P(ThroughOpenCascade, WhatComesBackOtherwiseIsTold) {
 }
 
 TEST_P(ThroughOpenCascade, WhatDoesNotComeBackIsLeftOutByName) {
-    core::Document document = document_of(curve_over(3, {0.25}, true), "first");
+    core::Document document = document_with_units(curve_over(3, {0.25}, true), "first");
     const core::Curve huge =
         made({.degree = 3, .knots = clamped_knots(3), .points = {{0, 0}, {1e300, 2e300}, {3e300, 2e300}, {4e300, 0}}});
-    document.curves.push_back(document_of(huge, "a huge one").curves[0]);
-    document.curves.push_back(document_of(curve_over(2, {0.5}, false), "third").curves[0]);
+    document.curves.push_back(document_with_units(huge, "a huge one").curves[0]);
+    document.curves.push_back(document_with_units(curve_over(2, {0.5}, false), "third").curves[0]);
     const Exported exported = written(document);
     const Imported imported = read(exported.text);
     const bool is_lost = std::ranges::find(exported.report.left_out,
@@ -288,14 +286,14 @@ TEST_P(ThroughOpenCascade, WhatDoesNotComeBackIsLeftOutByName) {
     EXPECT_EQ(core::largest_deviation(*imported.document.curves.front().curve, *document.curves.front().curve), 0.0);
     EXPECT_EQ(core::largest_deviation(*imported.document.curves.back().curve, *document.curves.back().curve), 0.0);
     EXPECT_EQ(exported.report.largest_error, 0.0) << "of what is there";
-    EXPECT_EQ(format().write(document_of(huge), {}).has_value(), !is_lost);
+    EXPECT_EQ(format().write(document_with_units(huge), {}).has_value(), !is_lost);
 }
 
 // Wherever they stand, the others are all there in their order.
 TEST_P(ThroughOpenCascade, OfManyCurvesThoseAreLeftOutThatDoNotComeBack) {
     const core::Curve huge =
         made({.degree = 3, .knots = clamped_knots(3), .points = {{0, 0}, {1e300, 2e300}, {3e300, 2e300}, {4e300, 0}}});
-    if (format().write(document_of(huge), {}).has_value()) GTEST_SKIP() << "everything comes back";
+    if (format().write(document_with_units(huge), {}).has_value()) GTEST_SKIP() << "everything comes back";
     const std::vector<int> lost{0, 5, 6, 15};
     core::Document document;
     document.units = core::DocumentUnits{};
@@ -303,7 +301,7 @@ TEST_P(ThroughOpenCascade, OfManyCurvesThoseAreLeftOutThatDoNotComeBack) {
     for (int i = 0; i < 16; ++i) {
         const bool is_lost = std::ranges::find(lost, i) != lost.end();
         const core::Curve plain = made({.degree = 1, .knots = clamped_knots(1), .points = {{0, i * 1.0}, {1, 0}}});
-        document.curves.push_back(document_of(is_lost ? huge : plain, "c" + std::to_string(i)).curves[0]);
+        document.curves.push_back(document_with_units(is_lost ? huge : plain, "c" + std::to_string(i)).curves[0]);
         if (!is_lost) kept.push_back(document.curves.back().name);
     }
     const Exported exported = written(document);
@@ -316,8 +314,8 @@ TEST_P(ThroughOpenCascade, OfManyCurvesThoseAreLeftOutThatDoNotComeBack) {
 }
 
 TEST_P(ThroughOpenCascade, SaysWhatFilesHaveNoPlaceFor) {
-    core::Document document = document_of(curve_over(3, {0.25}, true), "first");
-    document.curves.push_back(document_of(curve_over(2, {0.5}, false), "hidden").curves[0]);
+    core::Document document = document_with_units(curve_over(3, {0.25}, true), "first");
+    document.curves.push_back(document_with_units(curve_over(2, {0.5}, false), "hidden").curves[0]);
     document.curves[1].visible = false;
     document.curves[0].color = core::DocumentColor{1, 2, 3};
     document.curves[0].group = "parts";
@@ -333,7 +331,7 @@ TEST_P(ThroughOpenCascade, SaysWhatFilesHaveNoPlaceFor) {
 }
 
 TEST_P(ThroughOpenCascade, LengthsKeepTheirUnit) {
-    core::Document document = document_of(curve_over(3, {0.25}, true));
+    core::Document document = document_with_units(curve_over(3, {0.25}, true));
     document.units = core::DocumentUnits{.unit = core::LengthUnit::inch};
     const Imported imported = read(written(document).text);
     EXPECT_EQ(imported.document.units, document.units);
@@ -351,7 +349,7 @@ TEST_P(ThroughOpenCascade, LengthsKeepTheirUnit) {
 }
 
 TEST_P(ThroughOpenCascade, VisibleCurvesAreWrittenInOrderWithTheirNames) {
-    core::Document document = document_of(curve_over(2, {}, false), "first");
+    core::Document document = document_with_units(curve_over(2, {}, false), "first");
     for (const char* name : {"hidden", "second", "it's 3"}) {
         document.curves.push_back(document.curves.front());
         document.curves.back().name = name;
@@ -367,10 +365,10 @@ TEST_P(ThroughOpenCascade, VisibleCurvesAreWrittenInOrderWithTheirNames) {
 
 TEST_P(ThroughOpenCascade, WhatCannotBeWrittenIsRefused) {
     EXPECT_FALSE(format().write(core::Document{}, {}));
-    const auto torn = format().write(document_of(made({.degree = 1,
-                                                       .knots = {0, 0, 1, 1, 2, 2},
-                                                       .points = {{0, 0}, {1, 0}, {1, 1}, {2, 1}},
-                                                       .tears = core::Tears::allow})),
+    const auto torn = format().write(document_with_units(made({.degree = 1,
+                                                               .knots = {0, 0, 1, 1, 2, 2},
+                                                               .points = {{0, 0}, {1, 0}, {1, 1}, {2, 1}},
+                                                               .tears = core::Tears::allow})),
                                      {});
     ASSERT_FALSE(torn);
     EXPECT_EQ(torn.error().what, "'wave' was left out, since it comes apart at a knot");
@@ -438,7 +436,7 @@ TEST_P(ThroughOpenCascade, PeriodicCurvesOfFreeCadDrawTheSame) {
 TEST_P(ThroughOpenCascade, WhatIsDamagedIsNotCalledExact) {
     const core::Curve curve =
         made({.degree = 3, .knots = clamped_knots(3), .points = {{0.125, 2.625}, {1, 2.5}, {3, 2}, {4, 1.75}}});
-    const std::string text = written(document_of(curve)).text;
+    const std::string text = written(document_with_units(curve)).text;
     const auto with = [&](const std::string& before, const std::string& after) {
         const std::size_t at = text.find(before);
         EXPECT_NE(at, std::string::npos) << before;
@@ -454,7 +452,7 @@ TEST_P(ThroughOpenCascade, WhatIsDamagedIsNotCalledExact) {
 // OpenCASCADE ends on some of these with a signal; the program that asked it goes on.
 TEST_P(ThroughOpenCascade, DamagedFilesAreRefusedOrReadInPart) {
     const core::Curve curve = curve_over(3, {0.25, 0.5}, true);
-    const std::string text = written(document_of(curve)).text;
+    const std::string text = written(document_with_units(curve)).text;
     std::size_t refused = 0;
     const auto take = [&](const std::string& damaged) {
         auto imported = format().read(damaged);
@@ -486,5 +484,7 @@ TEST_P(ThroughOpenCascade, DamagedFilesAreRefusedOrReadInPart) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, ThroughOpenCascade, testing::Values(Format::iges, Format::step),
                          [](const auto& tested) { return core::title_of(tested.param); });
+
+}  // namespace
 
 }  // namespace batten::exchange

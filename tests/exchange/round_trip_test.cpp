@@ -66,8 +66,6 @@ void expect_same(const core::Curve& curve, const core::Curve& copy) {
     EXPECT_EQ(found.weights, expected.weights);
 }
 
-}  // namespace
-
 TEST_P(ExactRoundTrip, KeepsEveryNumberOfEachCurve) {
     for (const CarriedCurve& curve : carried_curves(random_count)) {
         SCOPED_TRACE(curve.name);
@@ -149,5 +147,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip,
                          testing::Values(Format::dxf, Format::nurbs_python, Format::tinyspline, Format::rhino,
                                          Format::opencascade),
                          name_of_test);
+
+}  // namespace
 
 }  // namespace batten::exchange

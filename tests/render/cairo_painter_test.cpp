@@ -6,11 +6,10 @@
 #include <array>
 
 #include "render/figure_file.h"
+#include "tests/render/plain_colors.h"
 
 namespace batten::render {
 namespace {
-
-constexpr Color red{255, 0, 0, 255};
 
 /// A PNG that is read back: red, green, blue and alpha of its pixels, not premultiplied where they are opaque.
 class ReadBack {

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <regex>
 
+#include "tests/render/plain_colors.h"
+
 namespace batten::render {
 namespace {
 
 constexpr Color white{255, 255, 255, 255};
-constexpr Color red{255, 0, 0, 255};
 
 std::string svg_of(const DrawCommand& command) {
     DrawList list;

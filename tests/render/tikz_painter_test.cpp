@@ -4,11 +4,10 @@
 
 #include "render/figure_file.h"
 #include "render/tex_text.h"
+#include "tests/render/plain_colors.h"
 
 namespace batten::render {
 namespace {
-
-constexpr Color red{255, 0, 0, 255};
 
 std::string tikz_of(const DrawCommand& command) {
     DrawList list;

@@ -20,7 +20,7 @@ constexpr const char* bow_line =
 constexpr const char* tail_line = R"({ "degree": 1, "knots": [0,0,1,1], "points": [[1,1],[3,5]], "joints": )";
 constexpr const char* far_line = R"({ "degree": 1, "knots": [0,0,1,1], "points": [[4,5],[4,9]], "joints": )";
 
-std::string refusal_of(const std::string& curves) {
+std::string refusal_of_curves(const std::string& curves) {
     const auto read = parse_document(R"({"format": "batten", "version": 1, "curves": [)" + curves + "]}");
     return read ? "none" : read.error().where + ": " + read.error().what;
 }
@@ -29,13 +29,13 @@ TEST(JointMarks, marks_of_joints_that_are_not_so_are_refused) {
     const auto marked = [](const char* mark) {
         return std::string(R"([{"end": "end", "joint": 7, "mark": "corner"}, {"u": 1, "mark": ")") + mark + "\"}]}";
     };
-    EXPECT_EQ(refusal_of(corner_line + marked("corner")), "none");
-    EXPECT_EQ(refusal_of(corner_line + marked("smooth")),
+    EXPECT_EQ(refusal_of_curves(corner_line + marked("corner")), "none");
+    EXPECT_EQ(refusal_of_curves(corner_line + marked("smooth")),
               "/curves/0/joints/1/mark: found \"smooth\", but it must be \"corner\", since the tangent turns by 90° "
               "there");
-    EXPECT_EQ(refusal_of(bow_line + marked("smooth")), "none");
+    EXPECT_EQ(refusal_of_curves(bow_line + marked("smooth")), "none");
     EXPECT_EQ(
-        refusal_of(bow_line + marked("curvature")),
+        refusal_of_curves(bow_line + marked("curvature")),
         "/curves/0/joints/1/mark: found \"curvature\", but it must be \"smooth\" or \"corner\", since the curvature "
         "jumps there from 0 to 2");
 }
@@ -45,18 +45,18 @@ TEST(JointMarks, marks_of_ends_that_do_not_meet_so_are_refused) {
         return bow_line + std::string(R"([{"u": 1, "mark": "corner"}, {"end": "end", "joint": 5, "mark": ")") + first +
                "\"}]}, " + other + "[{\"end\": \"" + end + R"(", "joint": 5, "mark": ")" + mark + "\"}]}";
     };
-    EXPECT_EQ(refusal_of(ends("smooth", tail_line, "start", "smooth")), "none");
-    EXPECT_EQ(refusal_of(ends("corner", tail_line, "start", "smooth")), "none");
+    EXPECT_EQ(refusal_of_curves(ends("smooth", tail_line, "start", "smooth")), "none");
+    EXPECT_EQ(refusal_of_curves(ends("corner", tail_line, "start", "smooth")), "none");
     // The parabola bends by 2 / (1 + 4 x^2)^(3/2).
-    const std::string jumps = refusal_of(ends("smooth", tail_line, "start", "curvature"));
+    const std::string jumps = refusal_of_curves(ends("smooth", tail_line, "start", "curvature"));
     EXPECT_EQ(jumps.find("/curves/1/joints/0/mark: found \"curvature\", but it must be \"smooth\" or \"corner\", since "
                          "the curvature jumps there from 0.17888543819998"),
               0U)
         << jumps;
-    EXPECT_EQ(refusal_of(ends("corner", far_line, "start", "corner")),
+    EXPECT_EQ(refusal_of_curves(ends("corner", far_line, "start", "corner")),
               "/curves/0/joints/1/mark: found \"corner\", but it must be a mark of ends that meet; these are 5 apart");
     // Ends that are alone in a file, as in that of one curve that was copied, may have marks.
-    EXPECT_EQ(refusal_of(std::string(bow_line) + R"([{"end": "end", "joint": 5, "mark": "smooth"}]})"), "none");
+    EXPECT_EQ(refusal_of_curves(std::string(bow_line) + R"([{"end": "end", "joint": 5, "mark": "smooth"}]})"), "none");
 }
 
 // The curve with its inner knots made smooth where that can be, and marked so.

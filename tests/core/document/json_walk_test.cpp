@@ -32,7 +32,7 @@ class Notes : public JsonListener {
     }
 };
 
-std::string refusal_of(const std::string& text) {
+std::string refusal_of_text(const std::string& text) {
     Notes notes;
     const auto walked = walk_json(text, notes);
     return walked ? std::string() : walked.error().sentence();
@@ -45,18 +45,18 @@ TEST(JsonWalk, tells_everything_in_its_order) {
 }
 
 TEST(JsonWalk, refuses_what_no_reader_takes_in_the_words_of_documents) {
-    EXPECT_EQ(refusal_of("[1,\n2"), "line 2, column 2: this is not JSON: unexpected end of input; expected ']'");
-    EXPECT_EQ(refusal_of("[[1e999]]"), "line 1, column 7: the number is too large; numbers must be finite");
-    EXPECT_EQ(refusal_of("[{\"a\": 1}, {\"b\": {\"a\": 1},\n  \"b\": 2}]"),
+    EXPECT_EQ(refusal_of_text("[1,\n2"), "line 2, column 2: this is not JSON: unexpected end of input; expected ']'");
+    EXPECT_EQ(refusal_of_text("[[1e999]]"), "line 1, column 7: the number is too large; numbers must be finite");
+    EXPECT_EQ(refusal_of_text("[{\"a\": 1}, {\"b\": {\"a\": 1},\n  \"b\": 2}]"),
               "line 2, column 5: the member \"b\" occurs twice in one object; every name may occur once");
-    EXPECT_EQ(refusal_of("\n" + std::string(101, '[')),
+    EXPECT_EQ(refusal_of_text("\n" + std::string(101, '[')),
               "line 2, column 101: lists and objects are nested more than 100 deep, the most that is read");
-    EXPECT_EQ(refusal_of(std::string("[1,\0", 4)),
+    EXPECT_EQ(refusal_of_text(std::string("[1,\0", 4)),
               "line 1, column 4: this is not JSON: there is a zero byte, which no text has");
 }
 
 TEST(JsonWalk, ends_where_the_listener_does) {
-    EXPECT_EQ(refusal_of("[\n  \"stop\", 2"), "line 2, column 8: it was told to stop");
+    EXPECT_EQ(refusal_of_text("[\n  \"stop\", 2"), "line 2, column 8: it was told to stop");
 }
 
 }  // namespace

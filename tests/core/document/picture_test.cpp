@@ -80,23 +80,23 @@ TEST(Picture, is_told_from_the_folder_of_the_document) {
     fs::remove_all(folder);
 }
 
-std::string refusal_of(const std::string& picture) {
+std::string refusal_of_picture(const std::string& picture) {
     const auto read = parse_document(R"({"format": "batten", "version": 1, "pictures": [)" + picture + "]}");
     return read ? "" : read.error().sentence();
 }
 
 TEST(Picture, wrong_members_are_named) {
-    EXPECT_EQ(refusal_of(R"({"path": "a.png", "width": 2, "height": 3})"), "");
-    EXPECT_EQ(refusal_of(R"({"width": 2, "height": 3})"), "/pictures/0: the member \"path\" is missing");
-    EXPECT_EQ(refusal_of(R"({"path": "a.png", "width": 0, "height": 3})"),
+    EXPECT_EQ(refusal_of_picture(R"({"path": "a.png", "width": 2, "height": 3})"), "");
+    EXPECT_EQ(refusal_of_picture(R"({"width": 2, "height": 3})"), "/pictures/0: the member \"path\" is missing");
+    EXPECT_EQ(refusal_of_picture(R"({"path": "a.png", "width": 0, "height": 3})"),
               "/pictures/0/width: found 0.0, but it must be a whole number from 1 to 1000000");
-    EXPECT_EQ(refusal_of(R"({"path": "a.png", "width": 2, "height": 2.5})"),
+    EXPECT_EQ(refusal_of_picture(R"({"path": "a.png", "width": 2, "height": 2.5})"),
               "/pictures/0/height: found 2.5, but it must be a whole number from 1 to 1000000");
-    EXPECT_EQ(refusal_of(R"({"path": "a.png", "width": 2, "height": 3, "scale": 0})"),
+    EXPECT_EQ(refusal_of_picture(R"({"path": "a.png", "width": 2, "height": 3, "scale": 0})"),
               "/pictures/0/scale: found 0.0, but it must be a number above 0");
-    EXPECT_EQ(refusal_of(R"({"path": "a.png", "width": 2, "height": 3, "opacity": 1.5})"),
+    EXPECT_EQ(refusal_of_picture(R"({"path": "a.png", "width": 2, "height": 3, "opacity": 1.5})"),
               "/pictures/0/opacity: found 1.5, but it must be a number from 0 to 1");
-    EXPECT_EQ(refusal_of("7").substr(0, 12), "/pictures/0:");
+    EXPECT_EQ(refusal_of_picture("7").substr(0, 12), "/pictures/0:");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ PointTable table_of(std::string_view text, std::optional<TableColumns> columns =
     return table.value_or(PointTable{});
 }
 
-std::string refusal_of(std::string_view text, std::optional<TableColumns> columns = std::nullopt) {
+std::string refusal_of_table(std::string_view text, std::optional<TableColumns> columns = std::nullopt) {
     const auto table = read_point_table(text, columns);
     return table ? "" : table.error().sentence();
 }
@@ -87,16 +87,16 @@ TEST(PointTable, joins_the_two_sides_of_an_airfoil) {
 }
 
 TEST(PointTable, errors_name_line_and_column) {
-    EXPECT_EQ(refusal_of("x,y\n1,2\n3,abc\n"),
+    EXPECT_EQ(refusal_of_table("x,y\n1,2\n3,abc\n"),
               "line 3, column 2: 'abc' is not a finite number; this table has decimal points");
-    EXPECT_EQ(refusal_of("1;2,5\n\n1,5;2.5\n3,5;4,5"),
+    EXPECT_EQ(refusal_of_table("1;2,5\n\n1,5;2.5\n3,5;4,5"),
               "line 3, column 2: '2.5' is not a finite number; this table has decimal commas");
-    EXPECT_EQ(refusal_of("1\t2\n\t4\n5\t6\n"), "line 2, column 1: the cell is empty; a number is needed");
-    EXPECT_EQ(refusal_of("1,2\n3\n4,5\n"), "line 2, column 2: the line has one column");
-    EXPECT_EQ(refusal_of("1,2\n3,4\n", TableColumns{1, 5}), "line 1, column 5: the line has 2 columns");
-    EXPECT_EQ(refusal_of("1,2\n3,inf\n"),
+    EXPECT_EQ(refusal_of_table("1\t2\n\t4\n5\t6\n"), "line 2, column 1: the cell is empty; a number is needed");
+    EXPECT_EQ(refusal_of_table("1,2\n3\n4,5\n"), "line 2, column 2: the line has one column");
+    EXPECT_EQ(refusal_of_table("1,2\n3,4\n", TableColumns{1, 5}), "line 1, column 5: the line has 2 columns");
+    EXPECT_EQ(refusal_of_table("1,2\n3,inf\n"),
               "line 2, column 2: 'inf' is not a finite number; this table has decimal points");
-    EXPECT_EQ(refusal_of("1,2\n3,1e999\n"),
+    EXPECT_EQ(refusal_of_table("1,2\n3,1e999\n"),
               "line 2, column 2: '1e999' is not a finite number; this table has decimal points");
     const char* none = "no line with two numbers was found; a table of points has x and y in two of its columns";
     for (const char* text : {"", "\n\n", "x,y\n", "only words\nhere too\n"})
@@ -113,7 +113,7 @@ TEST(PointTable, takes_numbers_below_the_doubles_for_zeros) {
 }
 
 TEST(PointTable, a_first_line_with_a_slip_is_no_heading) {
-    EXPECT_EQ(refusal_of("1.5,abc\n1,2\n3,4\n"),
+    EXPECT_EQ(refusal_of_table("1.5,abc\n1,2\n3,4\n"),
               "line 1, column 2: 'abc' is not a finite number; this table has decimal points");
 }
 

@@ -18,13 +18,13 @@ Curve sample(std::vector<double> weights = {}, Point start = {}) {
         .value();
 }
 
-void expect_near(Vector found, Vector expected, double tolerance = 1e-14) {
+void expect_close(Vector found, Vector expected, double tolerance = 1e-14) {
     EXPECT_LE(length(found - expected), tolerance)
         << found.x << ' ' << found.y << " instead of " << expected.x << ' ' << expected.y;
 }
 
-void expect_near(Point found, Point expected, double tolerance = 1e-14) {
-    expect_near(vector_to(found), vector_to(expected), tolerance);
+void expect_close(Point found, Point expected, double tolerance = 1e-14) {
+    expect_close(vector_to(found), vector_to(expected), tolerance);
 }
 
 // The old part of the curve is bit-equal.
@@ -39,24 +39,24 @@ TEST(EndVertices, doubled_begins_a_sixth_along_the_first_leg_without_curvature) 
     const Curve curve = add_end_vertex(sample(), CurveEnd::start, EndVertex::doubled).value();
     EXPECT_EQ(curve.domain(), (Interval{-1, 2}));
     const auto start = derivatives_at(curve, -1.0, 2);
-    expect_near(start.point, {1, 3});
-    expect_near(start[1], {3, 9});
+    expect_close(start.point, {1, 3});
+    expect_close(start[1], {3, 9});
     EXPECT_NEAR(curvature_at(curve, -1.0).value(), 0.0, 1e-14);
     expect_kept(sample(), curve);
     // Unequal weights: the share is w1 / (5 w0 + w1) = 5 / 15.
     const Curve rational = add_end_vertex(sample({2, 5, 1, 1, 1}), CurveEnd::start, EndVertex::doubled).value();
-    expect_near(point_at(rational, -1.0), {2, 6});
+    expect_close(point_at(rational, -1.0), {2, 6});
 }
 
 TEST(EndVertices, tripled_begins_in_the_point_and_is_straight_over_a_span) {
     const Curve curve = add_end_vertex(sample(), CurveEnd::start, EndVertex::tripled).value();
     EXPECT_EQ(curve.domain(), (Interval{-2, 2}));
     const auto start = derivatives_at(curve, -2.0, 1);
-    expect_near(start.point, {0, 0});
-    expect_near(start[1], {0, 0});
-    expect_near(point_at(curve, -1.0), {1, 3});
+    expect_close(start.point, {0, 0});
+    expect_close(start[1], {0, 0});
+    expect_close(point_at(curve, -1.0), {1, 3});
     // t^3 / 6 of the leg.
-    expect_near(point_at(curve, -1.5), {0.125, 0.375});
+    expect_close(point_at(curve, -1.5), {0.125, 0.375});
     expect_kept(sample(), curve);
 }
 
@@ -64,14 +64,14 @@ TEST(EndVertices, phantom_begins_in_the_point_without_second_derivative) {
     const Curve curve = add_end_vertex(sample(), CurveEnd::start, EndVertex::phantom).value();
     EXPECT_EQ(curve.control_points()[0], Point(-6, -18));
     const auto start = derivatives_at(curve, -1.0, 2);
-    expect_near(start.point, {0, 0});
-    expect_near(start[1], {6, 18});
-    expect_near(start[2], {0, 0});
+    expect_close(start.point, {0, 0});
+    expect_close(start[1], {6, 18});
+    expect_close(start[2], {0, 0});
     expect_kept(sample(), curve);
     const Curve rational = add_end_vertex(sample({2, 5, 1, 1, 1}), CurveEnd::start, EndVertex::phantom).value();
     const auto rational_start = derivatives_at(rational, -1.0, 2);
-    expect_near(rational_start.point, {0, 0});
-    expect_near(rational_start[2], {0, 0}, 1e-13);
+    expect_close(rational_start.point, {0, 0});
+    expect_close(rational_start[2], {0, 0}, 1e-13);
     EXPECT_GT(length(rational_start[1]), 1.0);
 }
 
@@ -80,21 +80,21 @@ TEST(EndVertices, act_at_the_other_end_likewise) {
     EXPECT_EQ(phantom.domain(), (Interval{0, 3}));
     EXPECT_EQ(phantom.control_points().back(), Point(54, 30));
     const auto end = derivatives_at(phantom, 3.0, 2, Side::left);
-    expect_near(end.point, {42, 12});
-    expect_near(end[1], {12, 18});
-    expect_near(end[2], {0, 0}, 1e-13);
+    expect_close(end.point, {42, 12});
+    expect_close(end[1], {12, 18});
+    expect_close(end[2], {0, 0}, 1e-13);
     expect_kept(sample(), phantom);
     const Curve doubled = add_end_vertex(sample(), CurveEnd::end, EndVertex::doubled).value();
-    expect_near(point_at(doubled, 3.0), {40, 9});
+    expect_close(point_at(doubled, 3.0), {40, 9});
     const Curve tripled = add_end_vertex(sample(), CurveEnd::end, EndVertex::tripled).value();
-    expect_near(point_at(tripled, 4.0), {42, 12});
+    expect_close(point_at(tripled, 4.0), {42, 12});
 }
 
 TEST(EndVertices, work_far_from_the_origin) {
     const Point offset(1048576, -1048576);
     const Curve curve = add_end_vertex(sample({}, offset), CurveEnd::start, EndVertex::phantom).value();
     EXPECT_EQ(point_at(curve, -1.0), offset);
-    expect_near(derivatives_at(curve, -1.0, 2)[2], {0, 0}, 1e-9);
+    expect_close(derivatives_at(curve, -1.0, 2)[2], {0, 0}, 1e-9);
 }
 
 TEST(EndVertices, are_refused_where_the_curve_is_not_a_uniform_cubic) {
@@ -122,9 +122,9 @@ TEST(EndVertices, the_joint_is_told_without_making_the_curve) {
         const auto expect_joint = [&](const Anticentroid& joint, const Curve& made) {
             const double u = is_start ? made.domain().lower : made.domain().upper;
             const Jet jet = derivatives_at(made, u, 2, is_start ? Side::right : Side::left);
-            expect_near(joint.anticentroid, jet.point, 1e-13);
-            expect_near(joint.tangent, jet[1], 1e-13);
-            expect_near(joint.second_derivative, jet[2], 1e-13);
+            expect_close(joint.anticentroid, jet.point, 1e-13);
+            expect_close(joint.tangent, jet[1], 1e-13);
+            expect_close(joint.second_derivative, jet[2], 1e-13);
         };
         const Anticentroid plain = end_joint(sample(), end);
         EXPECT_EQ(plain.index, is_start ? 1u : 3u);
@@ -148,8 +148,8 @@ TEST(EndVertices, shared_ones_join_with_c2) {
               (std::vector<Point>{{2, 7}, {5, 3}, {7, -4}, {30, -6}, {42, 12}}));
     const Jet left = derivatives_at(other, 6.0, 2, Side::left);
     const Jet right = derivatives_at(after, 0.0, 2);
-    expect_near(right.point, left.point);
-    for (std::size_t r = 1; r <= 2; ++r) expect_near(right[r], left[r], 1e-13);
+    expect_close(right.point, left.point);
+    for (std::size_t r = 1; r <= 2; ++r) expect_close(right[r], left[r], 1e-13);
     const Curve before = share_end_vertices(sample(), CurveEnd::end, other).value();
     EXPECT_EQ(std::vector(before.control_points().begin(), before.control_points().end()),
               (std::vector<Point>{{0, 0}, {6, 18}, {0, 0}, {9, 9}, {1, 8}}));

@@ -9,7 +9,7 @@
 namespace batten::core {
 namespace {
 
-constexpr Interval everything{-1e9, 1e9};
+constexpr Interval all_values{-1e9, 1e9};
 
 // y = x^2 for x from -2 to 4, so x = 6u - 2.
 Curve parabola() {
@@ -17,8 +17,8 @@ Curve parabola() {
 }
 
 TEST(QuantityGraph, parabola_in_closed_form) {
-    const auto curvatures = quantity_graph(parabola(), Quantity::curvature, everything, 60);
-    const auto speeds = quantity_graph(parabola(), Quantity::speed, everything, 60);
+    const auto curvatures = quantity_graph(parabola(), Quantity::curvature, all_values, 60);
+    const auto speeds = quantity_graph(parabola(), Quantity::speed, all_values, 60);
     ASSERT_EQ(curvatures.size(), 1U);
     ASSERT_EQ(speeds.size(), 1U);
     ASSERT_EQ(curvatures[0].size(), 61U);
@@ -29,7 +29,7 @@ TEST(QuantityGraph, parabola_in_closed_form) {
         EXPECT_NEAR(speeds[0][k].value, 6.0 * std::sqrt(1.0 + 4.0 * x * x), 1e-12);
     }
     // The other way the curve turns right.
-    const auto mirrored = quantity_graph(bezier({{2, 4}, {-1, -8}, {-4, 16}}), Quantity::curvature, everything, 8);
+    const auto mirrored = quantity_graph(bezier({{2, 4}, {-1, -8}, {-4, 16}}), Quantity::curvature, all_values, 8);
     EXPECT_LT(mirrored[0][0].value, 0.0);
 }
 
@@ -40,7 +40,7 @@ TEST(QuantityGraph, each_span_has_its_own_values_at_a_knot) {
                                      .knots = {0, 0, 0, 1, 1, 2, 2, 2},
                                      .points = {{0, 0}, {0.5, 0.5}, {1, 0}, {1.5, -0.5}, {2, 0}}})
                             .value();
-    const auto runs = quantity_graph(curve, Quantity::curvature, everything, 100);
+    const auto runs = quantity_graph(curve, Quantity::curvature, all_values, 100);
     ASSERT_EQ(runs.size(), 2U);
     EXPECT_EQ(runs[0].back().u, 1.0);
     EXPECT_EQ(runs[1].front().u, 1.0);
@@ -57,14 +57,14 @@ TEST(QuantityGraph, each_span_has_its_own_values_at_a_knot) {
 TEST(QuantityGraph, breaks_at_a_cusp_and_misses_in_a_point) {
     // (t^2, t^3) for t from -1 to 1 stands still at u = 1/2.
     const Curve cusp = bezier({{1, -1}, {-1.0 / 3, 1}, {-1.0 / 3, -1}, {1, 1}});
-    const auto runs = quantity_graph(cusp, Quantity::curvature, everything, 100);
+    const auto runs = quantity_graph(cusp, Quantity::curvature, all_values, 100);
     ASSERT_EQ(runs.size(), 2U);
     EXPECT_LT(runs[0].back().u, 0.5);
     EXPECT_GT(runs[1].front().u, 0.5);
-    EXPECT_EQ(quantity_graph(cusp, Quantity::speed, everything, 100).size(), 1U);
+    EXPECT_EQ(quantity_graph(cusp, Quantity::speed, all_values, 100).size(), 1U);
     const Curve still = bezier({{1, 1}, {1, 1}, {1, 1}});
-    EXPECT_TRUE(quantity_graph(still, Quantity::curvature, everything, 100).empty());
-    EXPECT_EQ(quantity_graph(still, Quantity::speed, everything, 100)[0][3].value, 0.0);
+    EXPECT_TRUE(quantity_graph(still, Quantity::curvature, all_values, 100).empty());
+    EXPECT_EQ(quantity_graph(still, Quantity::speed, all_values, 100)[0][3].value, 0.0);
 }
 
 TEST(QuantityGraph, cost_is_bounded_whatever_the_curve) {
@@ -72,7 +72,7 @@ TEST(QuantityGraph, cost_is_bounded_whatever_the_curve) {
     for (int i = 0; i < 10'000; ++i) definition.points.emplace_back(1e6 + i, i % 3);
     for (int i = 0; i < 10'004; ++i) definition.knots.push_back(i);
     const Curve curve = Curve::make(std::move(definition)).value();
-    const auto runs = quantity_graph(curve, Quantity::speed, everything, 500);
+    const auto runs = quantity_graph(curve, Quantity::speed, all_values, 500);
     ASSERT_EQ(runs.size(), 1U);
     EXPECT_EQ(runs[0].size(), 501U);
     std::size_t count = 0;
@@ -84,7 +84,7 @@ TEST(QuantityGraph, cost_is_bounded_whatever_the_curve) {
         Curve::make(
             {.degree = 2, .knots = {0, 1, 2, 3, 4}, .points = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}, .periodic = true})
             .value();
-    EXPECT_EQ(quantity_graph(circle, Quantity::curvature, everything, 100).size(), 4U);
+    EXPECT_EQ(quantity_graph(circle, Quantity::curvature, all_values, 100).size(), 4U);
 }
 
 }  // namespace

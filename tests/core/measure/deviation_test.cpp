@@ -14,7 +14,7 @@
 namespace batten::core {
 namespace {
 
-Curve line(Point a, Point b, Interval domain = {0.0, 1.0}) {
+Curve line_over(Point a, Point b, Interval domain = {0.0, 1.0}) {
     return Curve::make(
                {.degree = 1, .knots = {domain.lower, domain.lower, domain.upper, domain.upper}, .points = {a, b}})
         .value();
@@ -37,7 +37,7 @@ void expect_bound(double found, double exact) {
 }
 
 TEST(Deviation, moved_curve_deviates_by_the_offset) {
-    expect_bound(largest_deviation(line({0, 0}, {4, 0}), line({3, 4}, {7, 4})), 5.0);
+    expect_bound(largest_deviation(line_over({0, 0}, {4, 0}), line_over({3, 4}, {7, 4})), 5.0);
 }
 
 TEST(Deviation, is_found_quickly_where_few_spans_differ) {
@@ -52,8 +52,8 @@ TEST(Deviation, is_found_quickly_where_few_spans_differ) {
 }
 
 TEST(Deviation, moved_end_is_seen) {
-    expect_bound(largest_deviation(line({0, 0}, {1, 0}), line({0, 0}, {1, 2})), 2.0);
-    expect_bound(largest_deviation(line({0, 0}, {1, 0}), line({0, -3}, {1, 0})), 3.0);
+    expect_bound(largest_deviation(line_over({0, 0}, {1, 0}), line_over({0, 0}, {1, 2})), 2.0);
+    expect_bound(largest_deviation(line_over({0, 0}, {1, 0}), line_over({0, -3}, {1, 0})), 3.0);
 }
 
 // The move v of P_1 moves C(t) by 3 t (1-t)^2 v, which is largest at 1/3: 4/9 v.
@@ -103,18 +103,19 @@ TEST(Deviation, of_points_as_far_as_their_weights_are_small_is_a_bound) {
 // The middle point of a parabola counts half in its middle.
 TEST(Deviation, of_curves_that_differ_in_the_last_bit_is_a_bound) {
     const double ulp = std::numeric_limits<double>::epsilon();
-    expect_bound(largest_deviation(line({0, 1}, {2, 1}), bezier({{0, 1}, {1, 1.0 + ulp}, {2, 1}})), 0.5 * ulp);
+    expect_bound(largest_deviation(line_over({0, 1}, {2, 1}), bezier({{0, 1}, {1, 1.0 + ulp}, {2, 1}})), 0.5 * ulp);
     const double far = 1e9;
     const double step = std::nextafter(far, 2e9) - far;
-    expect_bound(largest_deviation(line({far, far}, {far + 2, far}),
+    expect_bound(largest_deviation(line_over({far, far}, {far + 2, far}),
                                    bezier({{far, far}, {far + 1, far + step}, {far + 2, far}}, {5.0, 5.0, 5.0})),
                  0.5 * step);
 }
 
 TEST(Deviation, of_extreme_sizes_is_a_bound) {
     for (const double size : {1e-300, 1e-160, 1e160, 1e300})
-        expect_bound(largest_deviation(line({0, 0}, {size, 0}), line({0, 0}, {size, 0.5 * size})), 0.5 * size);
-    EXPECT_TRUE(std::isinf(largest_deviation(line({0, 0}, {1.7e308, 0}), line({0, 0}, {-1.7e308, 0}))));
+        expect_bound(largest_deviation(line_over({0, 0}, {size, 0}), line_over({0, 0}, {size, 0.5 * size})),
+                     0.5 * size);
+    EXPECT_TRUE(std::isinf(largest_deviation(line_over({0, 0}, {1.7e308, 0}), line_over({0, 0}, {-1.7e308, 0}))));
 }
 
 // So many pieces of which each could be the largest.
@@ -155,7 +156,7 @@ TEST(Deviation, is_above_every_sample_and_near_the_largest) {
 }
 
 TEST(Deviation, domains_are_matched_affinely) {
-    EXPECT_NEAR(largest_deviation(line({0, 0}, {1, 0}), line({0, 0}, {1, 0}, {-7.0, 19.0})), 0.0, 1e-15);
+    EXPECT_NEAR(largest_deviation(line_over({0, 0}, {1, 0}), line_over({0, 0}, {1, 0}, {-7.0, 19.0})), 0.0, 1e-15);
 }
 
 TEST(Deviation, tears_of_both_curves_are_matched_in_other_domains) {
@@ -198,7 +199,7 @@ TEST(Deviation, is_the_same_from_both_sides) {
 }
 
 TEST(Deviation, narrow_bump_of_either_curve_is_seen) {
-    const Curve flat = line({0, 0}, {1, 0});
+    const Curve flat = line_over({0, 0}, {1, 0});
     const Curve bump = Curve::make({.degree = 1,
                                     .knots = {0, 0, 0.5, 0.5001, 0.5002, 1, 1},
                                     .points = {{0, 0}, {0.5, 0}, {0.5001, 9}, {0.5002, 0}, {1, 0}}})
