@@ -2,8 +2,9 @@
 set(BATTEN_SANITIZERS -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
   -fno-sanitize=null,alignment,vptr,object-size,nonnull-attribute,returns-nonnull-attribute)
 
-# batten_settings(TARGET): warnings as errors, and the sanitizers where asked for.
+# batten_settings(TARGET): warnings as errors, the sanitizers where asked for, sources together where asked for.
 function(batten_settings target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${BATTEN_TOGETHER} UNITY_BUILD_BATCH_SIZE 6)
   # Where sources are compiled together, a local name may be that of something in another of them.
   set(shadow -Wshadow)
   if(BATTEN_TOGETHER)
@@ -29,7 +30,6 @@ endfunction()
 # does not compile.
 function(batten_library name folder)
   add_library(${name} STATIC ${ARGN})
-  set_target_properties(${name} PROPERTIES UNITY_BUILD ${BATTEN_TOGETHER} UNITY_BUILD_BATCH_SIZE 6)
   batten_settings(${name})
   set(reach ${PROJECT_BINARY_DIR}/layers/${name})
   get_filename_component(parent ${reach}/${folder} DIRECTORY)
