@@ -25,8 +25,8 @@ class Editor {
 
     /// Runs a command. A refused command changes nothing but the message; only the preview of an edit goes with every
     /// further edit. A commit of an edit becomes one step of the history, unless it changes nothing, and shows the
-    /// older shape as a ghost where the command changes it. The preview of an act does nothing. Returns whether the
-    /// command did what it was asked for.
+    /// older shape as a ghost where the command changes it. The preview of an act does nothing but take back an earlier
+    /// refusal. Returns whether the command did what it was asked for.
     ///
     /// Where the desktop can be woken, a commit that takes longer than a moment goes on beside the interface, as
     /// state().at_work tells, and its outcome comes with follow_work(); so do those of commits that are asked for

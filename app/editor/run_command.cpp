@@ -89,6 +89,10 @@ Outcome<Edit> edit_by(const EditorState& state, const Command& command) {
     return edit;
 }
 
+void take_back_refusal(EditorState& state) {
+    if (state.message.is_error) state.message = {};
+}
+
 bool preview_edit(EditorState& state, const Command& command) {
     Outcome<Edit> edit = edit_by(state, command);
     if (!edit) return show_refusal(state, edit.error());
@@ -96,8 +100,8 @@ bool preview_edit(EditorState& state, const Command& command) {
     state.preview = std::move(edit->document);
     if (edit->remark)
         state.message = {*edit->remark, false};
-    else if (state.message.is_error)
-        state.message = {};
+    else
+        take_back_refusal(state);
     return true;
 }
 
@@ -226,7 +230,11 @@ bool run_checked(EditorState& state, const Command& command, Phase phase) {
     if (spec.run.edit != nullptr && std::exchange(state.preview, std::nullopt)) state.ghost.reset();
     if (const std::optional<Refusal> refusal = refusal_of(state, command))
         return show_refusal(state, *refusal, !is_idle(spec, state));
-    if (phase == Phase::preview) return spec.run.edit == nullptr || preview_edit(state, command);
+    if (phase == Phase::preview && spec.run.edit != nullptr) return preview_edit(state, command);
+    if (phase == Phase::preview) {
+        take_back_refusal(state);
+        return true;
+    }
     return spec.run.edit != nullptr ? commit_edit(state, command) : commit_act(state, command);
 }
 

@@ -39,11 +39,19 @@ class FiguresTest(WindowTest):
         editor.wait(lambda state: state["dialog"] == "command-form" and "form path" in state["widgets"] and state["is_settled"], "the form")
         figure = self.folder / "wave.pdf"
         self.assertEqual(editor.state()["widgets"]["form apply"]["value"], "Export figure")
+        another = self.folder / "another.svg"
+        another.write_text("what was there")
+        editor.click_widget("form path")
+        self.retype(editor, "form path", str(another))
+        editor.click_widget("form apply")
+        editor.wait(lambda state: "is there already" in state["widgets"].get("dialog error", {}).get("value", "") and state["is_settled"], "the refusal")
         editor.click_widget("form path")
         self.retype(editor, "form path", str(figure))
+        editor.wait(lambda state: "dialog error" not in state["widgets"] and state["is_settled"], "no refusal for the other name")
         editor.click_widget("form apply")
         editor.wait(lambda state: state["message"] == "Exported wave.pdf", "the figure")
         self.assertTrue(figure.read_bytes().startswith(b"%PDF-"))
+        self.assertEqual(another.read_text(), "what was there")
 
     def test_all_fields_are_reached_in_a_small_window(self):
         settings = {"window": {"x": 0, "y": 0, "width": 1024, "height": 700}, "user_scale": 2.0}
