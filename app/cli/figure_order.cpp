@@ -190,10 +190,17 @@ Checked check_scale(const FigureOrder& order) {
         std::string("--scale is for pixels: PNG, GIF and MP4 have them; other figures can be enlarged as they are"));
 }
 
+Checked read_ground(FigureOrder& order, const FigureOptions& options) {
+    const auto* movie = std::get_if<MovieFormat>(&order.format);
+    if (options.is_transparent && movie != nullptr && *movie == MovieFormat::mp4)
+        return tl::unexpected(std::string("--transparent: an MP4 has a ground; GIF and numbered PNG may have none"));
+    order.form.is_transparent = options.is_transparent;
+    return {};
+}
+
 Checked read_title(FigureOrder& order, const FigureOptions& options) {
     if (!core::is_utf8(options.title)) return tl::unexpected(std::string("--title: the text is not UTF-8"));
     order.form.title = options.title;
-    order.form.is_transparent = options.is_transparent;
     return {};
 }
 
@@ -210,6 +217,7 @@ tl::expected<FigureOrder, std::string> read_order(const FigureOptions& options) 
     if (checked) checked = read_animation(order, options);
     if (checked) checked = read_format(order, options);
     if (checked) checked = check_scale(order);
+    if (checked) checked = read_ground(order, options);
     if (checked) checked = read_title(order, options);
     if (checked) checked = check_height(order);
     if (!checked) return tl::unexpected(std::move(checked.error()));

@@ -45,8 +45,8 @@ void count_lengths_in(const Handle(IGESData_IGESModel) & model, double unit) {
 }
 
 constexpr core::PluralPattern labeled{
-    "the name '{place}' was cut, since IGES has labels of eight ASCII characters",
-    "{count} names were cut, since IGES has labels of eight ASCII characters; the first one is '{place}'"};
+    "the name '{place}' was changed, since IGES has labels of eight ASCII characters",
+    "{count} names were changed, since IGES has labels of eight ASCII characters; the first one is '{place}'"};
 
 // Labels have eight characters of ASCII.
 Handle(TCollection_HAsciiString) iges_label(const std::string& name) {

@@ -653,6 +653,7 @@ class Refusals(FigureTest):
                 self.refused(2, sentence, *options)
         self.refused(2, "'x.doc' has the ending of no figure".replace("x.doc", str(self.folder / "x.doc")), output="x.doc")
         self.refused(2, "a GIF or MP4 needs --animate", output="x.gif")
+        self.refused(2, "--transparent: an MP4 has a ground; GIF and numbered PNG may have none", "--animate", "u=0..1", "--transparent", output="x.mp4")
         self.refused(2, "--format is needed for standard output", output="-")
         self.refused(2, "--scale: nan is no number above 0", "--scale", "nan", output="x.png")
         self.refused(2, "x-%03d.png' is a pattern for the frames that --animate makes", output="x-%03d.png")
@@ -713,6 +714,8 @@ class Guide(FigureTest):
                 self.assertEqual((process.returncode, re.sub("circle 0 0 1: .*\n|merge[^:]*: there was no room for the label 0.5; .*\n", "", process.stderr)), (0, ""))
                 made = output % 0 if "%" in output else output
                 self.assertGreater((self.folder / made).stat().st_size, 100)
+                if made == "paper.pdf":
+                    self.assertNotIn("Overfull", (self.folder / "paper.log").read_text(errors="replace"), "it is wider than the page")
 
 
 if __name__ == "__main__":
