@@ -6,6 +6,7 @@
 #include "app/cli/input.h"
 #include "app/cli/json_output.h"
 #include "app/cli/operation.h"
+#include "app/cli/say.h"
 #include "app/cli/standard_streams.h"
 #include "app/cli/table_argument.h"
 #include "app/editor/command_reader.h"
@@ -60,15 +61,14 @@ Json json_of_operation(const editor::Editor& editor, const Operation& operation)
 void print_operation(std::ostream& out, const editor::EditorState& state, const Operation& operation) {
     const editor::CommandSpec& spec = *operation.spec;
     const std::string message = message_of(state, spec);
-    out << operation.text << (message.empty() ? "" : ": ") << message << '\n';
+    out << printable(operation.text) << (message.empty() ? "" : ": ") << message << '\n';
     if (spec.group != editor::CommandGroup::analyze || !state.findings) return;
     for (const editor::Finding& finding : state.findings->rows) print(out, finding);
 }
 
 ExitStatus say_wrong_usage(Output output, const ApplyOptions& options, const editor::Refusal& refusal) {
-    output.errors << core::sentence("batten {subcommand}: {refusal}",
-                                    {{"subcommand", options.file ? "apply" : "new"}, {"refusal", refusal}})
-                  << '\n';
+    say(output, core::sentence("batten {subcommand}: {refusal}",
+                               {{"subcommand", options.file ? "apply" : "new"}, {"refusal", refusal}}));
     return ExitStatus::wrong_usage;
 }
 

@@ -9,6 +9,7 @@
 #include "app/cli/divided_words.h"
 #include "app/cli/figure_words.h"
 #include "app/cli/help_text.h"
+#include "app/cli/say.h"
 #include "app/cli/standard_streams.h"
 #include "app/cli/table_argument.h"
 #include "app/cli/usage_problem.h"
@@ -280,7 +281,7 @@ std::optional<ExitStatus> Subcommands::run(Output output) const {
 }
 
 ExitStatus say_wrong_usage(Output output, const std::string& sentence) {
-    output.errors << sentence << '\n';
+    say(output, sentence);
     return ExitStatus::wrong_usage;
 }
 
@@ -320,6 +321,17 @@ void refuse_values_of_flags(CLI::App& program) {
             if (option->get_items_expected_max() == 0) option->disable_flag_override();
 }
 
+// An empty name is that of a variable of a script that is not set.
+std::optional<std::string> problem_of_result(const CLI::App& program) {
+    for (const CLI::App* command : program.get_subcommands()) {
+        const CLI::Option* option = command->get_option_no_throw("--output");
+        if (option != nullptr && option->count() > 0 && option->results().back().empty())
+            return core::sentence("batten {command}: -o: the name of the file is empty; - is standard output",
+                                  {{"command", command->get_name()}});
+    }
+    return std::nullopt;
+}
+
 // What the process ends with; none where the window is to be opened.
 std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, WindowOptions* window, Output output) {
     CLI::App program("Batten: an interactive editor for B-spline and NURBS curves", "batten");
@@ -351,6 +363,7 @@ std::optional<ExitStatus> parse_and_run(const std::vector<std::string>& words, W
         return window->profile ? std::nullopt : std::optional(ExitStatus::wrong_usage);
     }
     if (const auto problem = problem_of_window_words(program)) return say_wrong_usage(output, *problem);
+    if (const auto problem = problem_of_result(program)) return say_wrong_usage(output, *problem);
     if (const auto status = subcommands.run(output)) return status;
     if (window != nullptr) {
         for (const std::filesystem::path& file : window->files)

@@ -2,6 +2,7 @@
 
 #include "app/cli/input.h"
 #include "app/cli/json_output.h"
+#include "app/cli/say.h"
 #include "app/cli/standard_streams.h"
 #include "app/editor/commands/loaded_file.h"
 #include "app/editor/words/native_name.h"
@@ -40,7 +41,7 @@ core::FileResult<void> write(const ConvertOptions& options, const std::string& t
 
 ExitStatus convert(const ConvertOptions& options, Output output) {
     if (const auto refusal = options.to ? std::nullopt : editor::foreign_result(options.result)) {
-        output.errors << core::sentence("batten convert: {refusal}", {{"refusal", *refusal}}) << '\n';
+        say(output, core::sentence("batten convert: {refusal}", {{"refusal", *refusal}}));
         return ExitStatus::wrong_usage;
     }
     const core::FileResult<exchange::Imported> read = read_curves(options.file, options.from);

@@ -4,6 +4,7 @@
 
 #include "app/cli/basis_rows.h"
 #include "app/cli/input.h"
+#include "app/cli/say.h"
 #include "app/cli/table_argument.h"
 #include "core/base/number_text.h"
 #include "core/base/sentence.h"
@@ -27,7 +28,7 @@ std::optional<std::vector<double>> parameters_of(const EvalOptions& options, Out
         }
         const auto numbers = read_table(word, TableContent::numbers);
         if (!numbers) {
-            output.errors << numbers.error().sentence() << '\n';
+            say(output, numbers.error().sentence());
             return std::nullopt;
         }
         parameters.insert(parameters.end(), numbers->begin(), numbers->end());

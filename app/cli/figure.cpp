@@ -4,6 +4,7 @@
 #include "app/cli/frame_names.h"
 #include "app/cli/input.h"
 #include "app/cli/movie.h"
+#include "app/cli/say.h"
 #include "app/cli/standard_streams.h"
 #include "app/editor/words/figure_notes.h"
 #include "core/base/sentence.h"
@@ -75,7 +76,7 @@ Written write_all(const FigureFrames& frames, const FigureOrder& order, const Fi
 }
 
 ExitStatus say_wrong_order(Output output, const std::string& what) {
-    output.errors << core::sentence("batten figure: {problem}", {{"problem", what}}) << '\n';
+    say(output, core::sentence("batten figure: {problem}", {{"problem", what}}));
     return ExitStatus::wrong_usage;
 }
 

@@ -180,7 +180,9 @@ tl::expected<std::string, std::string> page_of(const std::filesystem::path& path
 
 ExitStatus handout(const HandoutOptions& options, Output output) {
     // A name alone would be looked for among the lessons of the program.
-    const auto text = page_of(std::filesystem::absolute(options.lesson));
+    std::error_code error;
+    const std::filesystem::path lesson = std::filesystem::absolute(options.lesson, error);
+    const auto text = error ? tl::unexpected(error.message()) : page_of(lesson);
     if (!text) {
         say_error(output, options.lesson, "", text.error());
         return ExitStatus::wrong_input;

@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "app/cli/say.h"
 #include "app/cli/standard_streams.h"
 #include "app/editor/words/unknown_curve.h"
 #include "core/base/sentence.h"
@@ -10,7 +11,8 @@
 namespace batten::cli {
 
 void say_error(Output output, const std::filesystem::path& file, const std::string& where, const std::string& what) {
-    output.errors << shown_name(file) << ": " << core::FileError{where, what}.sentence() << '\n';
+    say(output, core::sentence("{file}: {problem}",
+                               {{"file", shown_name(file)}, {"problem", core::FileError{where, what}.sentence()}}));
 }
 
 void say_error(Output output, const std::filesystem::path& file, const core::FileError& error) {

@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "app/cli/command_options.h"
+#include "app/cli/say.h"
 #include "app/cli/usage_problem.h"
 #include "core/base/sentence.h"
 
@@ -53,7 +54,7 @@ ProfileSubcommand::ProfileSubcommand(CLI::App& program) {
 
 std::optional<ProfileOptions> ProfileSubcommand::options(Output output) const {
     if (const auto problem = problem_of_file(*command_, options_.file.string())) {
-        output.errors << *problem << '\n';
+        say(output, *problem);
         return std::nullopt;
     }
     if (gestures_.size() != 1) {

@@ -96,6 +96,8 @@ class Handout(unittest.TestCase):
         process = run("handout", lesson, "-o", output)
         self.assertEqual((process.returncode, process.stdout), (1, ""))
         self.assertIn('the member "format" is missing', process.stderr)
+        process = run("handout", "", "-o", self.folder / "x.html")
+        self.assertEqual((process.returncode, process.stdout, process.stderr.count("\n")), (1, "", 1))
         self.assertFalse(output.exists())
         process = run("handout", self.folder / "absent.json", "-o", output)
         self.assertEqual(process.returncode, 1)

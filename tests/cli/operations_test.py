@@ -164,6 +164,25 @@ class Operations(unittest.TestCase):
             named += f"{name} needs {field}, " in process.stderr
         self.assertGreaterEqual(named, 10, "others are refused first, since there is no curve")
 
+    def test_a_refusal_is_one_line_whatever_is_refused(self):
+        for word, shown in (("a\nb", "a?b"), ("\x1b[31m", "?[31m"), ("\u2028", "?"), ("\udcff", "?"), ("Кривая", "Кривая")):
+            for words in (("info", word), ("apply", self.empty, word), ("apply", self.empty, "rename-curve", word), ("figure", self.empty, "-o", "x.svg", "--title", "t", "--show", word), (word,)):
+                process = run(*words)
+                self.assertIn(process.returncode, (1, 2), words)
+                self.assertEqual((process.stdout, process.stderr.count("\n")), ("", 1), words)
+                self.assertTrue(shown in process.stderr or "--show" in words, process.stderr)
+
+    def test_an_empty_name_of_a_result_is_refused(self):
+        for words in (("new", "circle"), ("apply", self.empty, "reverse"), ("convert", self.empty), ("handout", "x.json"), ("figure", self.empty)):
+            self.assertEqual(self.wrong_usage(*words, "-o", ""), f"batten {words[0]}: -o: the name of the file is empty; - is standard output\n")
+
+    def test_limits_are_told(self):
+        line = ("new", "line", 0, 0, 1, 1)
+        refused = run(*line, "rebuild", "1000000000", 3)
+        self.assertIn("it must be from 2 to 100000", refused.stderr)
+        union = run("new", "through-points", "1e200,0,0,1e200,-1e200,0,0,-1e200", "local", "chordal", "yes", "--", "union")
+        self.assertNotIn("nan", union.stdout + union.stderr)
+
     def test_new_begins_with_nothing(self):
         (curve,) = self.made("line 0 0 3 4")
         self.assertEqual((curve["name"], curve["points"]), ("line", [[0, 0], [3, 4]]))
