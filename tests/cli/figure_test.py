@@ -290,6 +290,14 @@ class Svg(FigureTest):
             for place, distance in ((right, float(x)), (up, float(y))):
                 self.assertLess(abs(place + distance), 8, "the curve comes to the origin")
 
+    def test_the_longest_domain_has_a_place_for_every_value(self):
+        file = self.folder / "long.json"
+        self.assertEqual(run("new", "new-curve", "0,0,1,2,3,1,4,4", 3, "reparametrize", 1, "1.7e308", "-o", file).returncode, 0)
+        for shown in ("basis", "speed-plot", "curvature-plot", "polygon,points,labels,knots,deboor"):
+            figure = self.figure("long.svg", "--show", shown, "--view", "both", file=file, told=None)
+            self.assertNotIn("nan", figure.read_text())
+            self.assertNotIn("inf", figure.read_text())
+
     def test_titles_are_text_whatever_they_say(self):
         title = "a < b & \"c\" Кривая \\end{x} 50%"
         picture = Picture(self.figure("a.svg", "--title", title))

@@ -1,6 +1,7 @@
 #include "app/editor/commands/combine_commands.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/editor/commands/active_curve.h"
 #include "app/editor/commands/curve_list.h"
@@ -122,7 +123,7 @@ Outcome<Edit> combined(const EditorState& state, const std::optional<std::string
         return tl::unexpected(sentence("nothing would be left of '{name}'", {{"name", document.active_curve()->name}}));
     const auto sum = measured(*boundary, core::Point(0.0, 0.0));
     Edit edit = with_boundary(state, *boundary, *others);
-    if (sum)
+    if (sum && std::isfinite(sum->area))
         edit.remark = sentence({.one = "one closed curve encloses the area {area}",
                                 .many = "{count} closed curves enclose the area {area}"},
                                boundary->size(), {{"area", area_words(document.units, sum->area)}});

@@ -68,10 +68,13 @@ StepTexts texts_of_delete_and_refit(const EditorState&, const DeleteAndRefit& co
             sentence("Deleted {points} and fitted the rest to the old curve", {points})};
 }
 
+constexpr double most_rebuilt = 100'000.0;
+
 std::optional<std::size_t> half_as_many_points(const EditorState& state) {
     if (no_curve(state)) return std::nullopt;
     const core::Curve& curve = active_curve(state);
-    return std::max(curve.control_points().size() / 2, static_cast<std::size_t>(curve.degree()) + 1);
+    const std::size_t half = std::min(curve.control_points().size() / 2, static_cast<std::size_t>(most_rebuilt));
+    return std::max(half, static_cast<std::size_t>(curve.degree()) + 1);
 }
 
 std::optional<int> degree_now(const EditorState& state) {
@@ -135,7 +138,8 @@ const CommandSpec& Rebuild::spec() {
         .effect = ShapeEffect::changes,
         .fields = {field::count<&Rebuild::count>("points", "how many control points")
                        .suggesting<half_as_many_points>()
-                       .at_least(2.0),
+                       .at_least(2.0)
+                       .at_most(most_rebuilt),
                    field::count<&Rebuild::degree>("degree", "of the new curve, 1 to 25")
                        .suggesting<degree_now>()
                        .at_least(core::min_degree)

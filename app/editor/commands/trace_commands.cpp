@@ -37,11 +37,16 @@ core::Result<core::Curve> placed(const core::Curve& curve, const core::Picture& 
     return core::Curve::make(std::move(definition));
 }
 
-std::string remark_of(const core::Trace& found) {
-    std::string told = sentence(
-        {.one = "one outline of what is darker than {threshold}, within {error} pixels",
-         .many = "{count} outlines of what is darker than {threshold}, within {error} pixels"},
-        found.curves.size(), {{"threshold", core::shortest_text(found.threshold)}, {"error", bound_text(found.error)}});
+std::string remark_of(const core::Trace& found, bool is_inverted) {
+    constexpr core::PluralPattern dark{
+        .one = "one outline of what is darker than {threshold}, within {error} pixels",
+        .many = "{count} outlines of what is darker than {threshold}, within {error} pixels"};
+    constexpr core::PluralPattern light{
+        .one = "one outline of what is lighter than {threshold}, within {error} pixels",
+        .many = "{count} outlines of what is lighter than {threshold}, within {error} pixels"};
+    std::string told =
+        sentence(is_inverted ? light : dark, found.curves.size(),
+                 {{"threshold", core::shortest_text(found.threshold)}, {"error", bound_text(found.error)}});
     if (found.left_out == 0) return told;
     return sentence("{told}; {left} smaller ones were left out", {{"told", told}, {"left", found.left_out}});
 }
@@ -71,7 +76,7 @@ Outcome<Edit> with_outlines(const EditorState& state, const Command& command, co
         added.curve = std::make_shared<const core::Curve>(*std::move(curve));
         edit.document.curves.push_back(std::move(added));
     }
-    edit.remark = remark_of(*found);
+    edit.remark = remark_of(*found, command.inverted);
     return edit;
 }
 

@@ -33,7 +33,9 @@ Step next(Step step) {
 
 Step major_step(double scale) {
     // Begun a decade too low, so that the rounding of the logarithm does not matter.
-    Step step{1, static_cast<int>(std::floor(std::log10(least_major_px / scale))) - 1};
+    const double decade = std::floor(std::log10(least_major_px / scale));
+    if (!std::isfinite(decade)) return {1, 0};  // nothing is drawn at such a scale
+    Step step{1, static_cast<int>(decade) - 1};
     while (step.value() * scale < least_major_px) step = next(step);
     return step;
 }

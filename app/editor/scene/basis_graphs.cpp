@@ -150,7 +150,7 @@ class GraphTracer {
             degree() == 1 ? 1 : static_cast<int>(std::clamp(width / sample_spacing_px, least, most_graph_steps));
         std::vector<std::vector<glm::dvec2>> samples(std::min(degree() + 1, frame_.curve.control_points().size()));
         for (int k = 0; k <= steps; ++k) {
-            const double u = k == steps ? shown.upper : shown.lower + shown.length() * k / steps;
+            const double u = k == steps ? shown.upper : shown.lower + shown.length() * (static_cast<double>(k) / steps);
             const core::Side side = u < knots[s + 1] ? core::Side::right : core::Side::left;
             add_sample(samples, u, core::basis_functions(knots, u, 0, side).derivatives[0]);
         }

@@ -173,6 +173,10 @@ TEST_F(PictureCommands, what_is_transparent_is_paper) {
         << said();
     ASSERT_EQ(document(editor_).curves.size(), 2U);
     EXPECT_LE(farthest_from_circle(*document(editor_).curves[0].curve, {32.3, 64 - 31.6}, 24), 0.4);
+    ASSERT_TRUE(run(TraceFile{
+        .path = pictures / "ring_alpha.png", .threshold = {}, .tolerance = 0.3, .speckle = 8, .inverted = true}))
+        << said();
+    EXPECT_NE(said().find("outlines of what is lighter than"), std::string::npos) << said();
 }
 
 TEST_F(PictureCommands, refusals_of_tracing) {
