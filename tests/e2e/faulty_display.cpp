@@ -2,9 +2,11 @@
 // in the folder BATTEN_FAULTS ask for. "reset": the driver loses the context once. "no-window": no new one can be
 // opened. "scale": the window is on a monitor of the scale that stands in the file. "unplug": the monitor that the
 // window covers is taken away. "drop": the files that it names, one in each line, are dropped on the window.
-// "count-textures": how many textures the context has is written to "textures".
+// "count-textures": how many textures the context has is written to "textures". "give-back": what is free goes back to
+// the system.
 #include <GLFW/glfw3.h>
 #include <dlfcn.h>
+#include <malloc.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -54,6 +56,11 @@ void count_textures() {
     std::ofstream(fault_path("textures")) << count;
 }
 
+void give_back() {
+    if (const auto purge = reinterpret_cast<void (*)()>(dlsym(RTLD_DEFAULT, "__sanitizer_purge_allocator"))) purge();
+    malloc_trim(0);
+}
+
 struct Faults {
     GLFWwindow* window = nullptr;
     GLFWwindowcontentscalefun scale_changed = nullptr;
@@ -62,6 +69,10 @@ struct Faults {
 
     // What a desktop does on its own while the program waits.
     void happen() {
+        if (is_asked("give-back")) {
+            give_back();
+            take("give-back");
+        }
         if (const float scale = asked_scale(); scale != told_scale) {
             told_scale = scale;
             if (scale_changed != nullptr) scale_changed(window, scale, scale);
