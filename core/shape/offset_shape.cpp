@@ -167,9 +167,15 @@ class Trimmer {
         const bool is_turn = source_of(part).is_smoothly_closed() && run.range.length() >= period * (1.0 - 1e-14) &&
                              run.last + 1 == graph_.first_edges[run.part + 1];
         auto fitted = fit_offset(source_of(part), is_turn ? part.curve.domain() : run.range, fit_share * tolerance_);
-        if (!fitted) return refuse(fitted.error());
+        if (!fitted) return refuse(with_whole_tolerance(fitted.error()));
         error = std::max(error, fitted->error);
         return fitted->curve.is_periodic() ? fitted->curve : snapped(fitted->curve, run, error);
+    }
+
+    // As it was asked for.
+    CurveError with_whole_tolerance(CurveError error) const {
+        if (error.code == CurveErrorCode::tolerance_not_reached) error.value = tolerance_;
+        return error;
     }
 
     // With its ends where the others meet it.

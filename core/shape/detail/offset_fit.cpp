@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/evaluate/evaluator.h"
 #include "core/make/interpolate.h"
@@ -19,6 +20,7 @@ constexpr std::size_t most_samples = 400'000;
 constexpr std::size_t least_samples_between = 6;
 constexpr int most_raw_halvings = 24;
 constexpr int most_fit_rounds = 48;
+constexpr double fit_noise_in_ulps = 64.0;  // as offset() allows for
 
 // A place of the offset at a parameter.
 struct OffsetBreak {
@@ -37,6 +39,11 @@ Side side_inside(const Interval& part, double u) {
     return u >= part.upper ? Side::left : Side::right;
 }
 
+// How far rounding may have moved a place of the offset.
+double noise_of(Point point) {
+    return fit_noise_in_ulps * std::numeric_limits<double>::epsilon() * std::max(std::abs(point.x), std::abs(point.y));
+}
+
 class OffsetFit {
   public:
     OffsetFit(const OffsetSource& source, Interval part, double tolerance)
@@ -49,6 +56,9 @@ class OffsetFit {
         const std::size_t spans = source_.breaks_within(part_).size() - 1;
         for (std::size_t count = first_samples_of_span;; count *= 4) {
             if (auto check = take_samples(count); !check) return refuse(check.error());
+            if (const double noise = noise_of_samples(); tolerance_ < noise)
+                return refuse_computed(
+                    {.code = CurveErrorCode::tolerance_not_reached, .value = tolerance_, .lower = noise});
             auto found = fitted();
             const bool is_last = count >= most_samples_of_span || count * spans * 4 > most_samples;
             if (found || is_last) return found;
@@ -56,6 +66,13 @@ class OffsetFit {
     }
 
   private:
+    // What their rounding leaves unknown of the offset.
+    double noise_of_samples() const {
+        double largest = 0.0;
+        for (const OffsetSample& sample : samples_) largest = std::max(largest, noise_of(sample.point));
+        return largest;
+    }
+
     Result<void> take_samples(std::size_t count) {
         samples_.clear();
         const std::vector<double> breaks = source_.breaks_within(part_);
@@ -221,7 +238,7 @@ class RawOffset {
             error = std::max(error, distance(hermite(a, b, t), place->point));
         }
         const bool is_divisible = depth < most_raw_halvings && a.u < middle.u && middle.u < b.u;
-        if (error > tolerance_ && is_divisible)
+        if (error > std::max(tolerance_, noise_of(middle.place.point)) && is_divisible)
             return add(a, middle, depth + 1).and_then([&] { return add(middle, b, depth + 1); });
         const double third = (b.u - a.u) / 3.0;
         definition_.points.push_back(a.place.point + third * a.place.derivative);

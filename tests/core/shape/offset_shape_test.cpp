@@ -75,6 +75,19 @@ TEST(OffsetShape, has_few_points_and_is_c2) {
     }
 }
 
+TEST(OffsetShape, refuses_tolerances_below_rounding_before_it_tries) {
+    const Curve source = rounded({1e3, -5}, {2, 2.3, 2.1, 1.9, 2.2, 2});
+    for (const auto& [d, tolerance] : {std::pair(0.3, 1e-320), std::pair(0.3, 1e-17), std::pair(1e20, 1.0)}) {
+        const auto result = offset_shape(source, {.distance = d, .tolerance = tolerance});
+        ASSERT_FALSE(result);
+        EXPECT_EQ(result.error().code, CurveErrorCode::tolerance_not_reached);
+        EXPECT_EQ(result.error().value, tolerance);
+        // Doubles about 1000 are 1.1e-13 apart, those about 1e20 16384.
+        EXPECT_GE(result.error().lower, d < 1.0 ? 1e-13 : 16384.0);
+        EXPECT_LT(result.error().lower, d < 1.0 ? 1e-10 : 1e7);
+    }
+}
+
 TEST(OffsetShape, of_a_smooth_closed_curve_is_periodic) {
     const Curve source = rounded({1e3, -5}, {2, 2.3, 2.1, 1.9, 2.2, 2});
     for (const auto& [d, sign] : {std::pair(0.3, -1.0), std::pair(-0.3, 1.0)}) {
