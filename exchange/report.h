@@ -17,7 +17,9 @@ struct Report {
     /// No point of a curve is farther from its copy; 0: the copy is exact; infinite: that is not known.
     double largest_error = 0.0;
     std::vector<std::string> left_out{};  ///< whole sentences: what is missing in the copy or other there, and why
-    bool holds_samples = false;           ///< a table of points of the curves, not the curves: it has no such error
+    /// Whole sentences: what is lost of the look of a drawing, since curves have a color alone.
+    std::vector<std::string> looks{};
+    bool holds_samples = false;  ///< a table of points of the curves, not the curves: it has no such error
 };
 
 /// Curves that were read.

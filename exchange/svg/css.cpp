@@ -32,7 +32,17 @@ constexpr std::array<std::string_view, svg_property_count> property_names{"strok
                                                                           "r",
                                                                           "rx",
                                                                           "ry",
-                                                                          "d"};
+                                                                          "d",
+                                                                          "stroke-width",
+                                                                          "stroke-dasharray",
+                                                                          "marker",
+                                                                          "marker-start",
+                                                                          "marker-mid",
+                                                                          "marker-end",
+                                                                          "opacity",
+                                                                          "fill-opacity",
+                                                                          "stroke-opacity",
+                                                                          "filter"};
 
 // The value of a declaration and whether it says that it is important.
 CssValue value_in(std::string_view text) {

@@ -10,8 +10,8 @@
 
 namespace batten::exchange {
 
-/// The properties that are looked at. Those from x on are sizes and places of shapes, which are read as attributes
-/// alone.
+/// The properties that are looked at. Those from x to d are sizes and places of shapes, which are read as attributes
+/// alone; those behind them are looks that curves do not have.
 enum class SvgProperty : std::uint8_t {
     stroke,
     fill,
@@ -35,9 +35,19 @@ enum class SvgProperty : std::uint8_t {
     rx,
     ry,
     d,
+    stroke_width,
+    stroke_dasharray,
+    marker,
+    marker_start,
+    marker_mid,
+    marker_end,
+    opacity,
+    fill_opacity,
+    stroke_opacity,
+    filter,
 };
 
-inline constexpr std::size_t svg_property_count = static_cast<std::size_t>(SvgProperty::d) + 1;
+inline constexpr std::size_t svg_property_count = static_cast<std::size_t>(SvgProperty::filter) + 1;
 
 /// The property of that name; none for those that are not looked at.
 std::optional<SvgProperty> svg_property(std::string_view name);

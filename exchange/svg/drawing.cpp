@@ -10,6 +10,7 @@
 #include "core/base/utf8.h"
 #include "exchange/svg/basic_shapes.h"
 #include "exchange/svg/conditions.h"
+#include "exchange/svg/look.h"
 #include "exchange/svg/losses.h"
 #include "exchange/svg/path_data.h"
 #include "exchange/svg/style.h"
@@ -60,6 +61,7 @@ struct Surroundings {
     PlaneMap map{};
     Viewport viewport{};
     SvgStyle style{};
+    SvgLook look{};
     std::size_t depth = 0;
 };
 
@@ -75,11 +77,13 @@ class Walk {
         if (!is_part(SvgProperty::width) && !is_part(SvgProperty::height)) tell_styled_size(svg_, properties);
         Surroundings around{.map = page.map, .viewport = page.viewport};
         around.style = around.style.within(properties);
+        around.look = around.look.within(properties);
         if (const auto map = transform_of(properties, page.viewport))
             around.map = chained(page.map, in_view_box(*map, inner_viewport(svg_, page.viewport).map));
         else
             tell(svg_loss::wrong_transform, name_of_element(svg_));
         visit_children(svg_, around);
+        if (svg_.attribute("viewBox") || svg_.attribute("width")) drawing_.looks.add(svg_loss::page);
         return std::move(drawing_);
     }
 
@@ -157,6 +161,7 @@ class Walk {
         Surroundings inside = around;
         ++inside.depth;
         inside.style = around.style.within(properties);
+        inside.look = around.look.within(properties);
         if (const auto map = transform_of(properties, around.viewport))
             inside.map = chained(around.map, *map);
         else
@@ -222,6 +227,7 @@ class Walk {
         if (fault)
             tell(kind == "path" ? svg_loss::wrong_path : svg_loss::wrong_points,
                  core::sentence("character {character} of '{name}'", {{"character", *fault + 1}, {"name", name}}));
+        if (drawing_.curves.size() > first && around.style.visible) around.look.tell_losses(kind, drawing_.looks);
         if (drawing_.curves.size() < first + 2) return;
         for (std::size_t i = first; i < drawing_.curves.size(); ++i) drawing_.curves[i].group = name;
     }

@@ -15,6 +15,7 @@ struct SvgDrawing {
     std::optional<core::DocumentUnits> units{};
     double largest_error = 0.0;
     Notes notes{};  ///< of what is left out (losses.h)
+    Notes looks{};  ///< of what curves do not have beyond a color, and of the page
 };
 
 /// Walks through `svg`, the outermost element, as read_svg() says.

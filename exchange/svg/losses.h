@@ -43,16 +43,32 @@ inline constexpr core::PluralPattern circle{
 inline constexpr core::PluralPattern clipped{"an element that is clipped or masked is read whole",
                                              "{count} elements that are clipped or masked are read whole"};
 inline constexpr core::PluralPattern style_sheet{
-    "a style sheet is not read, so colors may be others, and what it hides or moves is read as if it did not",
-    "{count} style sheets are not read, so colors may be others, and what they hide or move is read as if they did "
-    "not"};
+    "a style sheet is not read, so colors and lines may be others, and what it hides or moves is read as if it did not",
+    "{count} style sheets are not read, so colors and lines may be others, and what they hide or move is read as if "
+    "they did not"};
 inline constexpr core::PluralPattern style_rule{
-    "a style rule is not read: '{place}'; colors may be others, and what it hides or moves is read as if it did not",
-    "{count} style rules are not read, the first one '{place}'; colors may be others, and what they hide or move is "
-    "read as if they did not"};
+    "a style rule is not read: '{place}'; colors and lines may be others, and what it hides or moves is read as if it "
+    "did not",
+    "{count} style rules are not read, the first one '{place}'; colors and lines may be others, and what they hide or "
+    "move is read as if they did not"};
 inline constexpr core::PluralPattern styled_size{
     "the style of '{place}' sets a size or a place, which are read as attributes alone",
     "the styles of {count} elements, first of '{place}', set sizes or places, which are read as attributes alone"};
+/// Looks that curves do not have.
+inline constexpr core::PluralPattern fill{
+    "a shape is filled; its outline is read as a line, and the fill is left out",
+    "{count} shapes are filled; their outlines are read as lines, and the fills are left out"};
+inline constexpr core::PluralPattern pen{
+    "the width or the dashes of a line are left out, since all curves are drawn alike but for their colors",
+    "the widths or dashes of {count} lines are left out, since all curves are drawn alike but for their colors"};
+inline constexpr core::PluralPattern marker{"the markers of a line are left out",
+                                            "the markers of {count} lines are left out"};
+inline constexpr core::PluralPattern pattern{"a gradient or a pattern is left out",
+                                             "{count} gradients or patterns are left out"};
+inline constexpr core::PluralPattern opacity{"the opacity or the filter of a shape is left out",
+                                             "the opacities or filters of {count} shapes are left out"};
+inline constexpr const char* page =
+    "the size of the page is left out; a file that is written has a page around its curves";
 /// The limit stands in for {reason}.
 inline constexpr core::PluralPattern too_deep{"elements that are nested more than {reason} deep are left out",
                                               "elements that are nested more than {reason} deep are left out"};

@@ -21,6 +21,7 @@ constexpr const char* curves_mark = "curves";
 constexpr const char* looks_mark = "looks";
 constexpr const char* page_mark = "page";
 constexpr const char* losses_mark = "losses";
+constexpr const char* styles_mark = "styles";  // which the first versions did not write
 
 // Tells an edit from none; nobody gains by deceiving it.
 class Fingerprint {
@@ -84,9 +85,9 @@ std::string fingerprint_of_page(const pugi::xml_node& svg) {
     return fingerprint.text();
 }
 
-std::string fingerprint_of_losses(const SvgDrawing& drawing) {
+std::string fingerprint_of(const Notes& notes) {
     Fingerprint fingerprint;
-    for (const std::string& sentence : drawing.notes.sentences()) fingerprint.add(sentence);
+    for (const std::string& sentence : notes.sentences()) fingerprint.add(sentence);
     return fingerprint.text();
 }
 
@@ -116,7 +117,8 @@ void embed_document(pugi::xml_node svg, const core::Document& document) {
     copy.append_attribute(curves_mark) = fingerprint_of_curves(drawing).c_str();
     copy.append_attribute(looks_mark) = fingerprint_of_looks(drawing).c_str();
     copy.append_attribute(page_mark) = fingerprint_of_page(svg).c_str();
-    copy.append_attribute(losses_mark) = fingerprint_of_losses(drawing).c_str();
+    copy.append_attribute(losses_mark) = fingerprint_of(drawing.notes).c_str();
+    copy.append_attribute(styles_mark) = fingerprint_of(drawing.looks).c_str();
     copy.append_child(pugi::node_pcdata).set_value(core::format_document(document).c_str());
 }
 
@@ -138,8 +140,10 @@ NativeCopy native_copy(const pugi::xml_node& svg, const SvgDrawing& drawing) {
         if (!take_looks(*found.document, drawing)) return left_out_since(other_drawing);
         found.told.emplace_back("names, colors and what is hidden are as another program has changed them");
     }
-    if (!has_mark(losses_mark, fingerprint_of_losses(drawing)))
+    if (!has_mark(losses_mark, fingerprint_of(drawing.notes)))
         for (const std::string& sentence : drawing.notes.sentences()) found.told.push_back(sentence);
+    if (copy.attribute(styles_mark) && !has_mark(styles_mark, fingerprint_of(drawing.looks)))
+        found.looks = drawing.looks.sentences();
     return found;
 }
 

@@ -18,6 +18,7 @@ void embed_document(pugi::xml_node svg, const core::Document& document);
 struct NativeCopy {
     std::optional<core::Document> document{};  ///< none where there is none that still holds
     std::vector<std::string> told{};           ///< what another program has changed
+    std::vector<std::string> looks{};          ///< what is lost of the look that another program has given it
 };
 
 /// The document in `svg`, which draws `drawing`. Names, colors and what is hidden are those of the drawing where these

@@ -75,7 +75,7 @@ SvgProperties::SvgProperties(const pugi::xml_node& element, const StyleSheet& sh
 }
 
 bool SvgProperties::has_styled_size() const {
-    for (std::size_t i = static_cast<std::size_t>(SvgProperty::x); i < svg_property_count; ++i) {
+    for (std::size_t i = static_cast<std::size_t>(SvgProperty::x); i <= static_cast<std::size_t>(SvgProperty::d); ++i) {
         const std::string_view styled = of_style_[i].text;
         if (!styled.empty() && styled != "auto" && styled != of_attributes_[i]) return true;
     }

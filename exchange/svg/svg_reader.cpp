@@ -62,8 +62,10 @@ core::FileResult<Imported> read_svg(std::string_view text) {
     if (has_entities(file)) drawing.notes.add("entities that the file defines are not read");
     NativeCopy copy = native_copy(svg, drawing);
     if (copy.document)
-        return Imported{.document = *std::move(copy.document), .report = {.left_out = std::move(copy.told)}};
-    Imported imported{.document = {}, .report = {drawing.largest_error, drawing.notes.sentences()}};
+        return Imported{.document = *std::move(copy.document),
+                        .report = {.left_out = std::move(copy.told), .looks = std::move(copy.looks)}};
+    Imported imported{.document = {},
+                      .report = {drawing.largest_error, drawing.notes.sentences(), drawing.looks.sentences()}};
     if (drawing.curves.empty()) {
         const auto& left_out = imported.report.left_out;
         return refused_file(left_out.empty() ? "no path and no shape is drawn in this file" : left_out.front());

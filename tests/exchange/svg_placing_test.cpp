@@ -179,8 +179,9 @@ TEST(SvgSheets, AreToldWhereTheyAreNotRead) {
         return read_elements("<style>" + sheet + "</style><path class='a' d='M0 0h1'/>").report.left_out;
     };
     const auto rule = [](const std::string& name) {
-        return std::vector<std::string>{"a style rule is not read: '" + name +
-                                        "'; colors may be others, and what it hides or moves is read as if it did not"};
+        return std::vector<std::string>{
+            "a style rule is not read: '" + name +
+            "'; colors and lines may be others, and what it hides or moves is read as if it did not"};
     };
     EXPECT_EQ(told("g > .a{display:none}"), rule("g > .a"));
     EXPECT_EQ(told(".b, .a:hover{fill:red}"), rule(".a:hover"));
@@ -188,12 +189,14 @@ TEST(SvgSheets, AreToldWhereTheyAreNotRead) {
     EXPECT_EQ(told("@media print{.a{display:none}} .b{fill:red}"), rule("@media print"));
     EXPECT_EQ(told("@import 'a.css';"), rule("@import 'a.css'"));
     EXPECT_EQ(told("g .a{fill:red}.a.b{fill:red}"),
-              std::vector<std::string>{"2 style rules are not read, the first one 'g .a'; colors may be others, and "
-                                       "what they hide or move is read as if they did not"});
+              std::vector<std::string>{
+                  "2 style rules are not read, the first one 'g .a'; colors and lines may be others, and "
+                  "what they hide or move is read as if they did not"});
     EXPECT_TRUE(told("g > .a{font-size:3px}").empty()) << "which changes nothing here";
     EXPECT_EQ(read_svg("<?xml-stylesheet href='a.css'?><svg><path d='M0 0h1'/></svg>")->report.left_out,
-              std::vector<std::string>{"a style sheet is not read, so colors may be others, and what it hides or moves "
-                                       "is read as if it did not"});
+              std::vector<std::string>{
+                  "a style sheet is not read, so colors and lines may be others, and what it hides or moves "
+                  "is read as if it did not"});
 }
 
 TEST(SvgSheets, OfManyRulesAreReadInTime) {
