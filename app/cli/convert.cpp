@@ -16,7 +16,8 @@ namespace {
 Json json_of_report(const std::filesystem::path& file, const exchange::Report& report) {
     return {{"file", shown_name(file)},
             {"largest_error", report.holds_samples ? Json(nullptr) : json_of(report.largest_error)},
-            {"left_out", report.left_out}};
+            {"left_out", report.left_out},
+            {"looks", report.looks}};
 }
 
 void print_report(std::ostream& out, const core::Document& document, const std::string& file,

@@ -96,8 +96,20 @@ class Convert(unittest.TestCase):
 
     def test_json_tells_of_both_files(self):
         copy = self.folder / "copy.json"
-        told = [{"file": str(path), "largest_error": 0.0, "left_out": []} for path in (self.line, copy)]
+        told = [{"file": str(path), "largest_error": 0.0, "left_out": [], "looks": []} for path in (self.line, copy)]
         self.assertEqual(answer("convert", self.line, "-o", copy), told)
+
+    def test_what_is_lost_of_the_look_of_a_drawing_is_told(self):
+        drawing = self.folder / "drawing.svg"
+        drawing.write_text('<svg viewBox="0 0 9 9"><path d="M0 0h3v2z" stroke="red" stroke-width="2"/></svg>')
+        looks = ["a shape is filled; its outline is read as a line, and the fill is left out",
+                 "the width or the dashes of a line are left out, since all curves are drawn alike but for their colors",
+                 "the size of the page is left out; a file that is written has a page around its curves"]
+        read, _ = answer("convert", drawing, "-o", self.folder / "read.json")
+        self.assertEqual((read["left_out"], read["looks"]), ([], looks))
+        said = run("convert", drawing, "-o", self.folder / "said.json").stdout
+        for sentence in looks:
+            self.assertIn(sentence, said)
 
     def test_what_is_wrong_is_told_and_nothing_is_written(self):
         result = self.folder / "out.json"

@@ -62,6 +62,7 @@ std::vector<std::string> report_words(const Units& units, const exchange::Report
             ? "it holds samples of the curves, from which points can be read again, but not the curves themselves"
             : error_words(units, report)};
     words.insert(words.end(), report.left_out.begin(), report.left_out.end());
+    words.insert(words.end(), report.looks.begin(), report.looks.end());
     return words;
 }
 
