@@ -15,8 +15,9 @@ from case import WindowTest
 from faulty_display import FaultyDisplay
 
 SIZE = (1280, 800)
-# AddressSanitizer keeps what was freed for a while, and with it the pages around it; here it keeps little.
-KEEPS_LITTLE = {"ASAN_OPTIONS": ":".join([os.environ.get("ASAN_OPTIONS", "detect_leaks=1"), "quarantine_size_mb=8"])}
+# AddressSanitizer keeps what was freed for a while, and with it the pages around it, and for each new place in the program that takes
+# memory the calls that led there; here it keeps little of both.
+KEEPS_LITTLE = {"ASAN_OPTIONS": ":".join([os.environ.get("ASAN_OPTIONS", "detect_leaks=1"), "quarantine_size_mb=8", "malloc_context_size=8"])}
 SOURCES = pathlib.Path(__file__).parents[2]
 KEYS = ["Escape", "Return", "Tab", "Delete", "BackSpace", "space", "Left", "Right", "Up", "Down", "Home", "End", "Prior", "Next", "plus",
         "minus", "comma", "period", "slash", "at", "F1", "F11", *"0123456789", *"abcdefghijklmnopqrstuvwxyz"]
