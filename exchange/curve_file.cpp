@@ -1,10 +1,7 @@
 #include "exchange/curve_file.h"
 
-#include <algorithm>
-#include <array>
-#include <fstream>
-
 #include "core/base/sentence.h"
+#include "exchange/file_advice.h"
 
 namespace batten::exchange {
 
@@ -24,39 +21,7 @@ core::FileError unread(Format format) {
     return refusal_of("this build of Batten does not read {format} files", format);
 }
 
-struct Sign {
-    Format format;
-    const char* text;  // that only such files have near their beginning
-};
-
-constexpr std::array<Sign, 4> signs{{{Format::nurbs_python, "\"knotvector\""},
-                                     {Format::tinyspline, "\"dimension\""},
-                                     {Format::opencascade, "\"multiplicities\""},
-                                     {Format::rhino, "\"rhino\""}}};
-
-std::string beginning_of(const std::filesystem::path& path) {
-    constexpr std::streamsize enough = 4096;
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) return {};
-    std::string text(enough, ' ');
-    std::ifstream file(path, std::ios::binary);
-    file.read(text.data(), enough);
-    text.resize(static_cast<std::size_t>(file.gcount()));
-    return text;
-}
-
 }  // namespace
-
-core::FileError with_advice(core::FileError error, const std::filesystem::path& path, std::optional<Format> read) {
-    const std::string text = beginning_of(path);
-    if (text.find("\"batten\"") != std::string::npos) return error;
-    const auto* const sign =
-        std::ranges::find_if(signs, [&](const Sign& each) { return text.find(each.text) != std::string::npos; });
-    if (sign == signs.end() || sign->format == read) return error;
-    error.what = core::sentence("{what}; it looks like a {format} file, a format that has to be chosen",
-                                {{"what", error.what}, {"format", core::title_of(sign->format)}});
-    return error;
-}
 
 core::FileResult<Imported> load_curves(const std::filesystem::path& path, Format format) {
     if (spec_of(format).read == nullptr) return tl::unexpected(unread(format));

@@ -16,11 +16,6 @@ namespace batten::exchange {
 /// The same for what the open file `descriptor` still has; `name` stands for it in errors.
 [[nodiscard]] core::FileResult<Imported> load_curves(int descriptor, const std::string& name, Format format);
 
-/// Why the file at `path` is none of Batten's own, or none of the format `read`, with advice where it looks like JSON
-/// of another library, whose format its ending does not say.
-core::FileError with_advice(core::FileError error, const std::filesystem::path& path,
-                            std::optional<Format> read = std::nullopt);
-
 /// The text of a file with the visible curves of `document`. Errors: those of the format's writer; the format is not
 /// written.
 [[nodiscard]] core::FileResult<Exported> write_curves(const core::Document& document, Format format,

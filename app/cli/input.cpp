@@ -7,6 +7,7 @@
 #include "app/editor/words/unknown_curve.h"
 #include "core/base/sentence.h"
 #include "exchange/curve_file.h"
+#include "exchange/file_advice.h"
 
 namespace batten::cli {
 

@@ -64,7 +64,7 @@ class Convert(unittest.TestCase):
             self.assertEqual(run("convert", circle, "-o", foreign, "--to", format).returncode, 0)
             refused = run("info", foreign)
             self.assertEqual(refused.returncode, 1)
-            self.assertIn(f"it looks like a {title} file, a format that has to be chosen", refused.stderr)
+            self.assertIn(f"it looks like a file in the format {title}, which has to be chosen", refused.stderr)
             [curve] = json.loads(run("convert", foreign, "--from", format, "-o", "-").stdout)["curves"]
             x, y = curve["points"][1]
             self.assertAlmostEqual(x * x + y * y, 2, delta=1e-12)

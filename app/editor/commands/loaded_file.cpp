@@ -5,6 +5,7 @@
 #include "app/editor/state/view_forms.h"
 #include "core/base/sentence.h"
 #include "exchange/curve_file.h"
+#include "exchange/file_advice.h"
 
 namespace batten::editor {
 
