@@ -272,14 +272,22 @@ std::string problem_of_files(const PanelContext& context) {
     return dialog.problem.empty() ? dialog.choice.listed.problem : dialog.problem;
 }
 
+const char* question_about(const editor::EditorState& state, const fs::path& file) {
+    std::error_code error;
+    const bool is_source = !state.source.empty() && fs::equivalent(file, state.source, error);
+    return is_source && state.source_has_more ? "Replace {name}? What was left out when it was opened is lost then."
+                                              : "Replace {name}? It exists already.";
+}
+
 /// What stands below the name: the question, what is wrong, or what the format does.
 void draw_sentence(const PanelContext& context) {
     const FileDialogState& dialog = context.panels.file_dialog;
     if (dialog.to_replace) {
         const float room = ImGui::GetContentRegionAvail().x;
         const std::string name = elided(dialog.to_replace->filename().string(), context.fonts.text, room);
-        ImGui::TextWrapped("%s", sentence("Replace {name}? It exists already.", {{"name", name}}).c_str());
-        report_item(context, "dialog question", dialog.to_replace->string());
+        const std::string question = sentence(question_about(context.state, *dialog.to_replace), {{"name", name}});
+        ImGui::TextWrapped("%s", question.c_str());
+        report_item(context, "dialog question", question);
         show_cut_text(context, dialog.to_replace->string(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     } else if (const std::string problem = problem_of_files(context); !problem.empty()) {
         draw_dialog_error(context, problem);

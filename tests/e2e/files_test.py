@@ -222,6 +222,26 @@ class FilesTest(WindowTest):
         self.assertNotIn('"format"', drawing.read_text(), "no document is within")
         self.assertEqual(editor.state()["path"], str(self.curves / "wave.json"))
 
+    def test_what_was_left_out_of_a_drawing_is_not_lost_without_a_word(self):
+        editor = self.open_folder()
+        line = '<path d="M0 0L3 5" fill="none" stroke="red"/>'
+        for name, more, question in (("filled.svg", '<rect width="1" height="2"/>', "What was left out when it was opened is lost then."),
+                                     ("lines.svg", "", "It exists already.")):
+            drawing = self.curves / name
+            drawing.write_text(f"<svg>{line}{more}</svg>")
+            self.show_dialog(editor, "ctrl+o", "open-file")
+            self.typed(editor, str(drawing))
+            editor.key("Return")
+            editor.wait(lambda state, name=name: state["message"].startswith(f"Opened {name}"), name)
+            self.show_dialog(editor, "ctrl+shift+s", "save-file")
+            self.typed(editor, str(drawing))
+            editor.key("Return")
+            state = editor.wait(lambda state: "dialog question" in state["widgets"] and state["is_settled"], "the question")
+            self.assertEqual(state["widgets"]["dialog question"]["value"], f"Replace {name}? {question}")
+            editor.screenshot(f"question-{name}")
+            editor.key("Escape", "Escape")
+            editor.wait(lambda state: state["dialog"] == "none", "the window")
+
     def test_a_missing_folder_is_told(self):
         editor = self.open_editor()
         for key, dialog in (("ctrl+shift+s", "save-file"), ("ctrl+o", "open-file")):

@@ -62,6 +62,7 @@ Outcome<void> open_file(EditorState& state, const fs::path& path, std::optional<
     show_document(state, std::move(file->document), file->is_foreign ? fs::path() : path);
     if (file->is_foreign) {
         state.source = path;
+        state.source_has_more = file->has_more;
     } else {
         state.stamp = stamp;
     }

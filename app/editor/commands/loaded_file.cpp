@@ -39,8 +39,10 @@ Outcome<LoadedFile> load_foreign(const fs::path& path, exchange::Format format) 
         return tl::unexpected(file_refusal(path, {"", "a table of points is opened by File > Open table…"}));
     core::FileResult<exchange::Imported> imported = exchange::load_curves(path, format);
     if (!imported) return tl::unexpected(file_refusal(path, imported.error()));
-    std::vector<std::string> remarks = report_words(imported->document.units, imported->report);
-    return LoadedFile{std::move(imported->document), true, std::move(remarks)};
+    const exchange::Report& report = imported->report;
+    std::vector<std::string> remarks = report_words(imported->document.units, report);
+    const bool has_more = !report.left_out.empty() || !report.looks.empty();
+    return LoadedFile{std::move(imported->document), true, std::move(remarks), has_more};
 }
 
 std::string error_words(const Units& units, const exchange::Report& report) {

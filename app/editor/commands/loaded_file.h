@@ -17,6 +17,7 @@ struct LoadedFile {
     core::Document document;
     bool is_foreign = false;             ///< of another program
     std::vector<std::string> remarks{};  ///< what is to be said of its curves, as whole sentences
+    bool has_more = false;               ///< than what could be read
 };
 
 /// How long it takes is told, and what is read so far; both may be empty.

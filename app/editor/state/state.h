@@ -139,6 +139,7 @@ struct EditorState {
     Message message;
     std::filesystem::path path;            ///< empty for a document without a file
     std::filesystem::path source;          ///< the file of another program that it was read from; empty for most
+    bool source_has_more = false;          ///< than what could be read, which a file in its place would not have
     std::optional<core::FileStamp> stamp;  ///< of that file when it was read or written; none where that is not known
     std::vector<Recoverable> recoverable;  ///< what sessions that did not end well left unsaved
     std::optional<Recoverable> recovered;  ///< of which the document came; its journal goes on with it
