@@ -31,15 +31,15 @@ double share_of(std::size_t frame, std::size_t count) {
     return count < 2 ? 0.0 : static_cast<double>(frame) / static_cast<double>(count - 1);
 }
 
-Written write_still(const FigureFrames& frames, render::FigureFormat format, const FigureOptions& options,
-                    Output output, render::FigureLosses& losses) {
+Written write_still(FigureFrames& frames, render::FigureFormat format, const FigureOptions& options, Output output,
+                    render::FigureLosses& losses) {
     const render::Figure figure = frames.at(0.0);
     add_losses(losses, render::figure_losses(figure, format));
     const auto bytes = render::figure_bytes(figure, format);
     return bytes ? write(options.result, *bytes, output) : failed(bytes.error());
 }
 
-Written write_frames(const FigureFrames& frames, render::FigureFormat format, const std::filesystem::path& pattern,
+Written write_frames(FigureFrames& frames, render::FigureFormat format, const std::filesystem::path& pattern,
                      std::size_t count, render::FigureLosses& losses) {
     for (std::size_t k = 0; k < count; ++k) {
         const render::Figure figure = frames.at(share_of(k, count));
@@ -51,8 +51,8 @@ Written write_frames(const FigureFrames& frames, render::FigureFormat format, co
     return {};
 }
 
-Written write_movie(const FigureFrames& frames, const FigureOrder& order, const std::filesystem::path& file,
-                    Output output, render::FigureLosses& losses) {
+Written write_movie(FigureFrames& frames, const FigureOrder& order, const std::filesystem::path& file, Output output,
+                    render::FigureLosses& losses) {
     auto maker = MovieMaker::make();
     if (!maker) return failed(maker.error());
     for (std::size_t k = 0; k < order.frames; ++k) {
@@ -66,7 +66,7 @@ Written write_movie(const FigureFrames& frames, const FigureOrder& order, const 
     return movie ? write(file, *movie, output) : failed(movie.error());
 }
 
-Written write_all(const FigureFrames& frames, const FigureOrder& order, const FigureOptions& options, Output output,
+Written write_all(FigureFrames& frames, const FigureOrder& order, const FigureOptions& options, Output output,
                   render::FigureLosses& losses) {
     if (std::holds_alternative<MovieFormat>(order.format))
         return write_movie(frames, order, options.result, output, losses);
@@ -105,7 +105,7 @@ ExitStatus figure(const FigureOptions& options, Output output) {
     if (!index) return ExitStatus::wrong_input;
     document->active = *index;
     document->curves[*index].visible = true;
-    const auto frames = FigureFrames::make(*document, *order);
+    auto frames = FigureFrames::make(*document, *order);
     if (!frames) {
         say_error(output, options.file, core::sentence("curve '{name}'", {{"name", document->active_curve()->name}}),
                   frames.error());

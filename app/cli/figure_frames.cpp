@@ -132,7 +132,7 @@ editor::EditorState FigureFrames::with_curve(const core::Curve& curve) const {
     return state;
 }
 
-render::Figure FigureFrames::at(double share) const {
+render::Figure FigureFrames::at(double share) {
     const core::Curve& curve = *document_.active_curve()->curve;
     editor::EditorState state = posed_;
     editor::MovingPolygon moving;
@@ -150,7 +150,7 @@ render::Figure FigureFrames::at(double share) const {
         state = with_curve(*core::insert_knot(curve, inserted->u));
         moving = {editor::cut_polygon(curve, *core::corner_cutting(curve, inserted->u), share), share};
     }
-    return figure_of(state, order_.form, order_.size_px, moving);
+    return figure_of(state, order_.form, order_.size_px, moving, spots_);
 }
 
 }  // namespace batten::cli

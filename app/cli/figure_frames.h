@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/cli/figure_order.h"
+#include "app/editor/scene/label_spots.h"
 #include "core/document/document.h"
 #include "render/figure.h"
 
@@ -18,8 +19,9 @@ class FigureFrames {
     /// Refused where a parameter or a knot is not one of the curve.
     static tl::expected<FigureFrames, std::string> make(const core::Document& document, const FigureOrder& order);
 
-    /// The picture when `share`, from 0 to 1, of the motion is done.
-    render::Figure at(double share) const;
+    /// The picture when `share`, from 0 to 1, of the motion is done. Its labels stay where they stood beside their
+    /// points in the picture that was asked for before, as long as they have room there.
+    render::Figure at(double share);
 
     /// What must be known of all frames; empty for most.
     const std::string& note() const { return note_; }
@@ -32,6 +34,7 @@ class FigureFrames {
     FigureOrder order_;
     core::Document document_;
     editor::EditorState posed_;
+    editor::LabelSpots spots_;
     std::string note_;
 };
 

@@ -491,6 +491,38 @@ class Animations(FigureTest):
             ((place, _),) = frame.circles_of(8.0)
             self.assertAlmostEqual(place, shown[0][0] + s * (x - points[0][0]), delta=0.02)
 
+    def sides(self, motion, name, place_of):
+        """Per frame of 100, where the label whose text begins with `name` stands, seen from its point."""
+        process = run("figure", WAVE, "--animate", motion, "--frames", "100", "-o", self.folder / "%02d.svg", "--show", "polygon,points,labels,knots,deboor")
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        offsets = []
+        for k in range(100):
+            frame = Picture(self.folder / f"{k:02}.svg")
+            text = next(t for t in frame.root.iter(SVG + "text") if "".join(t.itertext()).startswith(name))
+            x, y = place_of(frame)
+            offsets.append((text.get("text-anchor"), float(text.get("x")) - x, float(text.get("y")) - y))
+        return offsets
+
+    def jumps(self, offsets):
+        return [k for k, (a, b) in enumerate(zip(offsets, offsets[1:]), 1) if a[0] != b[0] or math.dist(a[1:], b[1:]) > 3.0]
+
+    def test_labels_stay_on_their_side_of_what_moves(self):
+        parameter = lambda frame: frame.circles_of(8.0)[0]
+        self.assertLessEqual(len(self.jumps(self.sides("u=0..1", "C(", parameter))), 3, "where it leaves P0, and where it comes to P6")
+        self.assertEqual(self.jumps(self.sides("merge=4", "C(", parameter)), [])
+
+    def test_labels_of_points_stand_still_while_a_parameter_runs(self):
+        self.assertEqual(self.jumps(self.sides("u=0..1", "P3", lambda frame: (0.0, 0.0))), [])
+
+    def test_a_frame_is_the_same_in_every_run_and_the_first_one_that_of_a_figure_at_rest(self):
+        shown = ("--show", "polygon,points,labels,deboor")
+        for name in ("a", "b"):
+            run("figure", WAVE, "--animate", "u=0.3..0.7", "--frames", "9", "-o", self.folder / (name + "%d.svg"), *shown)
+        for k in range(9):
+            self.assertEqual((self.folder / f"a{k}.svg").read_text(), (self.folder / f"b{k}.svg").read_text())
+        still = self.figure("still.svg", *shown, "--at", "0.3")
+        self.assertEqual((self.folder / "a0.svg").read_text(), still.read_text())
+
     def test_a_knot_comes_in(self):
         process = run("figure", WAVE, "--animate", "insert=0.6", "--frames", "3", "-o", self.folder / "%d.svg", "--show", "polygon,points")
         self.assertEqual((process.returncode, process.stderr), (0, ""))

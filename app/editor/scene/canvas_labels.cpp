@@ -69,14 +69,42 @@ class LabelWriter {
     /// Words side by side around `point`, if that is in the picture. Returns false where there is no room for them.
     bool write(glm::dvec2 point, std::vector<LabelWord> words, double distance, LabelSide first, Crowding crowding,
                bool has_ground = false) {
-        const render::PixelBox picture{{}, frame_.pen.size_px()};
-        if (!picture.contains(point)) return true;
+        if (!is_seen(point)) return true;
+        const auto place = layout_.place(point, size_px(words), frame_.pen.px(distance), first, crowding);
+        return set(place, std::move(words), distance, has_ground);
+    }
+
+    /// Begins the next label of a figure, and writes it on the side and at the distance where it stood in the frame
+    /// before; where it covers symbols, on a ground. Returns false where it was not there, or would cover now what
+    /// `crowding` forbids.
+    bool write_as_before(glm::dvec2 point, const std::vector<LabelWord>& words, Crowding crowding,
+                         bool has_ground = false) {
+        if (!is_figure(frame_) || words.empty()) return false;
+        key_ = frame_.cache.label_spots().next(words.front().text);
+        const auto spot = frame_.cache.label_spots().spot(key_);
+        if (!spot || !is_seen(point)) return false;
+        const auto place_within = [&](Crowding limit) {
+            return layout_.place_on(spot->side, point, size_px(words), frame_.pen.px(spot->distance), limit);
+        };
+        if (set(place_within(std::min(crowding, Crowding::leave_out)), words, spot->distance, has_ground)) return true;
+        return crowding == Crowding::cover_symbols && set(place_within(crowding), words, spot->distance, true);
+    }
+
+  private:
+    bool is_seen(glm::dvec2 point) const { return render::PixelBox{{}, frame_.pen.size_px()}.contains(point); }
+
+    /// Side by side.
+    glm::dvec2 size_px(const std::vector<LabelWord>& words) const {
         const double gap = frame_.pen.px(word_gap);
         glm::dvec2 size{-gap, 0.0};
         for (const LabelWord& word : words)
             size = {size.x + gap + width_px(word), std::max(size.y, frame_.pen.px(1.25 * word.style.size))};
-        const auto place = layout_.place(point, size, frame_.pen.px(distance), first, crowding);
+        return size;
+    }
+
+    bool set(const std::optional<LabelPlace>& place, std::vector<LabelWord> words, double distance, bool has_ground) {
         if (!place) return false;
+        if (is_figure(frame_)) frame_.cache.label_spots().put(key_, {place->side, distance});
         if (is_figure(frame_)) spare_surroundings(place->box);
         // Words are set from the end that is anchored, where the true widths of the fonts do no harm.
         const bool is_from_right = place->anchor == render::Anchor::right;
@@ -85,14 +113,13 @@ class LabelWriter {
         double x = is_from_right ? place->box.upper_px.x : place->box.lower_px.x;
         for (LabelWord& word : words) {
             word.style.anchor = is_from_right ? render::Anchor::right : render::Anchor::left;
-            const double width = width_px(word) + gap;
+            const double width = width_px(word) + frame_.pen.px(word_gap);
             frame_.pen.text({x, place->position.y}, word.text, word.style);
             x += is_from_right ? -width : width;
         }
         return true;
     }
 
-  private:
     /// Its subscripts, which reach below the box, where the ground of another label would lie over them, and so much
     /// room beside it that the next label is not read as a part of it.
     void spare_surroundings(const render::PixelBox& box) {
@@ -118,6 +145,7 @@ class LabelWriter {
     CanvasFrame& frame_;
     LabelLayout layout_;
     bool has_grounds_;
+    LabelSpots::Key key_;  ///< of the label that is being written, in figures
 };
 
 /// What is tried for a label, up to what it may do at last; in figures, where labels have not to stay where they are
@@ -160,6 +188,7 @@ PointName name_of_point(const CanvasFrame& frame, NumberColumn weights, const Mo
 /// Of figures, which nobody can move to make room: with its weight, if need be farther away, else without, else over
 /// what is there.
 void write_name_in_figure(LabelWriter& writer, CanvasFrame& frame, PointName name) {
+    if (writer.write_as_before(name.place, name.words, Crowding::leave_out)) return;
     if (write_around(writer, name.place, name.words, name.distance, Crowding::cover_nothing)) return;
     if (writer.write(name.place, name.words, name.distance, LabelSide::upper_right, Crowding::leave_out)) return;
     if (name.words.size() > 1) frame.cache.unplaced().push_back(fmt::format("w_{{{}}}", name.index));
@@ -207,6 +236,7 @@ void write_knot(LabelWriter& writer, CanvasFrame& frame, const CurveKnot& knot) 
     if (knot.multiplicity < 2) return;
     const render::Color color = knot.is_lit ? frame.theme.accent : frame.theme.dim;
     const std::vector<LabelWord> words{{knot_text(knot), {.color = color, .size = detail_size}}};
+    if (writer.write_as_before(knot.places.back(), words, Crowding::leave_out)) return;
     if (is_figure(frame) && write_around(writer, knot.places.back(), words, knot_distance, Crowding::cover_nothing))
         return;
     if (!writer.write(knot.places.back(), words, knot_distance, LabelSide::upper_right, Crowding::cover_symbols))
@@ -214,6 +244,7 @@ void write_knot(LabelWriter& writer, CanvasFrame& frame, const CurveKnot& knot) 
 }
 
 void write_wished(LabelWriter& writer, CanvasFrame& frame, const WishedLabel& label) {
+    if (writer.write_as_before(label.place, label.words, label.crowding, label.has_ground)) return;
     for (const Crowding crowding : crowdings_until(frame, label.crowding))
         for (double distance = label.distance; distance <= std::max(label.distance, label.farthest);
              distance += wished_step)
@@ -243,6 +274,7 @@ void write_curve_point(LabelWriter& writer, CanvasFrame& frame) {
     const glm::dvec2 place = frame.screen(frame.triangle->point());
     const std::string text = fmt::format("C({})", parameter_text(*frame.curve, frame.triangle->u));
     const TextStyle style{.color = frame.theme.parameter, .size = name_size, .font = render::LabelFont::bold};
+    if (writer.write_as_before(place, {{text, style}}, Crowding::cover_symbols)) return;
     for (const Crowding crowding : crowdings_until(frame, Crowding::cover_symbols))
         for (const double distance : {13.0, 24.0, 36.0, 52.0, 72.0})
             if (writer.write(place, {{text, style}}, distance, LabelSide::lower_right, crowding)) return;

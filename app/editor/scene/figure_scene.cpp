@@ -126,8 +126,10 @@ bool leave_out_legend(EditorState& state, const FigureForm& form, SceneCache& ca
 
 /// The figure of a state whose camera, scale and parts are those of the figure.
 render::Figure composed(EditorState state, const FigureForm& form, const FigureHeights& heights,
-                        const MovingPolygon& moving) {
+                        const MovingPolygon& moving, LabelSpots& spots) {
     SceneCache cache;
+    spots.begin_frame();
+    cache.label_spots() = std::move(spots);
     const bool lacks_legend = leave_out_legend(state, form, cache);
     const double width = state.view.camera.size_px.x;
     FigurePage page(state, form, width);
@@ -141,6 +143,7 @@ render::Figure composed(EditorState state, const FigureForm& form, const FigureH
     if (has_plot(form.view))
         page.add(plot_scene(state, PlotIdle{}, {width, heights.plot}, cache), heights.plot, page.theme().panel);
     page.lacks(cache.unplaced(), lacks_legend);
+    spots = std::move(cache.label_spots());
     return page.take();
 }
 
@@ -222,7 +225,8 @@ render::Figure window_figure(const EditorState& state, const FigureForm& form) {
         heights = shared_heights(view, form, page);
         take_size(view.camera, {page.x, std::max(heights.canvas, 1.0)});
     }
-    return composed(still, form, heights, {});
+    LabelSpots spots;
+    return composed(still, form, heights, {}, spots);
 }
 
 glm::dvec2 window_figure_size(const EditorState& state, FigureView view) {
@@ -246,8 +250,13 @@ void pose_for_figure(EditorState& state, const FigureForm& form, glm::dvec2 size
 }
 
 render::Figure figure_of(const EditorState& posed, const FigureForm& form, glm::dvec2 size_px,
-                         const MovingPolygon& moving) {
-    return composed(posed, form, shared_heights(posed.view, form, form.scale * size_px), moving);
+                         const MovingPolygon& moving, LabelSpots& spots) {
+    return composed(posed, form, shared_heights(posed.view, form, form.scale * size_px), moving, spots);
+}
+
+render::Figure figure_of(const EditorState& posed, const FigureForm& form, glm::dvec2 size_px) {
+    LabelSpots spots;
+    return figure_of(posed, form, size_px, {}, spots);
 }
 
 }  // namespace batten::editor

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/editor/derived/cut_polygon.h"
+#include "app/editor/scene/label_spots.h"
 #include "app/editor/state/state.h"
 #include "render/figure.h"
 
@@ -23,9 +24,13 @@ double least_figure_height(const View& view, const FigureForm& form, double widt
 /// and with the camera that shows the visible curves as large as they fit.
 void pose_for_figure(EditorState& state, const FigureForm& form, glm::dvec2 size_px);
 
-/// The page of a state that was prepared for it. In place of the control polygon of the curve, which has the knot that
-/// comes in, `moving` is drawn over it where it has corners.
+/// The page of a state that was prepared for it.
+render::Figure figure_of(const EditorState& posed, const FigureForm& form, glm::dvec2 size_px);
+
+/// A frame of an animation. In place of the control polygon of the curve, which has the knot that
+/// comes in, `moving` is drawn over it where it has corners. Labels stay where `spots` tells that they stood, as long
+/// as they have room there, and `spots` tells afterward where they stand.
 render::Figure figure_of(const EditorState& posed, const FigureForm& form, glm::dvec2 size_px,
-                         const MovingPolygon& moving = {});
+                         const MovingPolygon& moving, LabelSpots& spots);
 
 }  // namespace batten::editor

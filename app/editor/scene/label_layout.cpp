@@ -83,6 +83,7 @@ LabelPlace place_at(glm::dvec2 point, glm::dvec2 text_px, double offset_px, Labe
     // Diagonal labels may come closer in height: there is room beside a round symbol.
     const double rise = is_diagonal ? 0.45 * offset_px : offset_px;
     LabelPlace place;
+    place.side = side;
     place.position.x = point.x + direction.x * offset_px;
     place.position.y = point.y + direction.y * (rise + 0.5 * text_px.y);
     double left = place.position.x;
@@ -214,26 +215,36 @@ double LabelLayout::cost(const render::PixelBox& box, double limit) {
     return total();
 }
 
-std::optional<LabelPlace> LabelLayout::place(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide first,
-                                             Crowding crowding) {
+std::optional<LabelPlace> LabelLayout::best_of(std::span<const LabelSide> sides, glm::dvec2 point, glm::dvec2 text_px,
+                                               double offset_px, Crowding crowding) {
     std::optional<LabelPlace> best;
     double least = cost_limit(crowding);
-    const auto consider = [&](LabelSide side) {
-        if (least == 0.0) return;
+    for (const LabelSide side : sides) {
+        if (least == 0.0) break;
         const LabelPlace candidate = place_at(point, text_px, offset_px, side);
         const double sum = cost(candidate.box, least);
         if (sum < least) {
             least = sum;
             best = candidate;
         }
-    };
-    consider(first);
-    for (const LabelSide side : all_sides) consider(side);
+    }
     if (best) {
         const glm::dvec2 gap(gap_share * text_px.y, 0.0);
         avoid_box({best->box.lower_px - gap, best->box.upper_px + gap});
     }
     return best;
+}
+
+std::optional<LabelPlace> LabelLayout::place(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide first,
+                                             Crowding crowding) {
+    std::array<LabelSide, all_sides.size() + 1> sides{first};
+    std::ranges::copy(all_sides, sides.begin() + 1);
+    return best_of(sides, point, text_px, offset_px, crowding);
+}
+
+std::optional<LabelPlace> LabelLayout::place_on(LabelSide side, glm::dvec2 point, glm::dvec2 text_px, double offset_px,
+                                                Crowding crowding) {
+    return best_of(std::array{side}, point, text_px, offset_px, crowding);
 }
 
 }  // namespace batten::editor

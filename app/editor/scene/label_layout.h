@@ -27,6 +27,7 @@ struct LabelPlace {
     glm::dvec2 position{};  ///< for render::Label, with `anchor`
     render::Anchor anchor = render::Anchor::left;
     render::PixelBox box;
+    LabelSide side = LabelSide::upper_right;
 };
 
 /// Greedy: every label takes the first of eight places around its point that is free, in a fixed order, so that labels
@@ -54,6 +55,10 @@ class LabelLayout {
     std::optional<LabelPlace> place(glm::dvec2 point, glm::dvec2 text_px, double offset_px, LabelSide first,
                                     Crowding crowding);
 
+    /// The same on that side alone.
+    std::optional<LabelPlace> place_on(LabelSide side, glm::dvec2 point, glm::dvec2 text_px, double offset_px,
+                                       Crowding crowding);
+
     /// How many lines, symbols, boxes and labels were looked at for all places so far.
     std::size_t look_count() const { return look_count_; }
 
@@ -65,6 +70,10 @@ class LabelLayout {
         glm::dvec2 b{};
         std::size_t first_row = 0;  ///< of the cells in its column that it is in
     };
+
+    /// The first of `sides` that costs least; none where that is too much.
+    std::optional<LabelPlace> best_of(std::span<const LabelSide> sides, glm::dvec2 point, glm::dvec2 text_px,
+                                      double offset_px, Crowding crowding);
 
     /// The cells from the first to the last one that a range of coordinates touches.
     struct Cells {

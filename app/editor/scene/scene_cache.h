@@ -10,6 +10,7 @@
 #include "app/editor/scene/basis_cache.h"
 #include "app/editor/scene/filled_shapes.h"
 #include "app/editor/scene/kept_ink.h"
+#include "app/editor/scene/label_spots.h"
 #include "app/editor/scene/other_curves.h"
 #include "core/document/document.h"
 #include "core/evaluate/curve_strips.h"
@@ -61,7 +62,7 @@ class KeptCurve {
 };
 
 /// Belongs to whoever shows pictures of one editor; what it keeps is a function of what is shown, so a new one gives
-/// the same pictures.
+/// the same pictures; but for the spots of labels, which are handed from frame to frame of an animation.
 class SceneCache {
   public:
     /// What is kept of curve `index` of the shown document, which now is `curve`.
@@ -81,6 +82,9 @@ class SceneCache {
     /// The labels that the last picture of the canvas, or that and the plot of a figure, had no room for.
     std::vector<std::string>& unplaced() { return unplaced_; }
 
+    /// Where the labels of an animation stood before; empty in the window and for figures that stand still.
+    LabelSpots& label_spots() { return label_spots_; }
+
     /// Forgets curves beyond the first `count`.
     void forget_beyond(std::size_t count);
 
@@ -92,6 +96,7 @@ class SceneCache {
     FilledShapes fills_;
     BasisCache basis_;
     std::vector<std::string> unplaced_;
+    LabelSpots label_spots_;
 };
 
 }  // namespace batten::editor
