@@ -1,6 +1,7 @@
 #include <ostream>
 
 #include "app/cli/figure_frames.h"
+#include "app/cli/figure_idle.h"
 #include "app/cli/frame_names.h"
 #include "app/cli/input.h"
 #include "app/cli/movie.h"
@@ -114,6 +115,8 @@ ExitStatus figure(const FigureOptions& options, Output output) {
     render::FigureLosses losses;
     const Written written = write_all(*frames, *order, options, output, losses);
     if (!frames->note().empty()) say_error(output, result_name(options.result), "", frames->note());
+    if (const auto idle = idle_words(options, *document); !idle.empty())
+        say_error(output, result_name(options.result), "", note_on_idle_words(idle));
     for (const std::string& note : editor::figure_notes(losses))
         say_error(output, result_name(options.result), "", note);
     if (written) return ExitStatus::done;

@@ -128,18 +128,6 @@ std::string alternatives(const Table& table) {
     return core::listed_as_alternatives(names);
 }
 
-/// None of nothing but blanks.
-std::vector<std::string> words_between_commas(std::string_view text) {
-    std::vector<std::string> words;
-    if (core::trimmed(text).empty()) return words;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        words.emplace_back(core::trimmed(text.substr(begin, end - begin)));
-        begin = end + 1;
-    }
-    return words;
-}
-
 std::string unknown_name(const std::string& word) {
     if (const auto nearest = editor::nearest_name(word, names_to_show()))
         return sentence(
@@ -206,6 +194,17 @@ Checked read_word(FigureOrder& order, const std::string& word, bool has_chosen_v
 }
 
 }  // namespace
+
+std::vector<std::string> words_between_commas(std::string_view text) {
+    std::vector<std::string> words;
+    if (core::trimmed(text).empty()) return words;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        words.emplace_back(core::trimmed(text.substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    return words;
+}
 
 std::vector<std::string> names_to_show() {
     std::vector<std::string> names;

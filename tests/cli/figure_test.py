@@ -475,6 +475,29 @@ class Papers(FigureTest):
             self.assertIn(fraction, text)
 
 
+class IdleWords(FigureTest):
+    def line(self):
+        return self.document(curves=[{"name": "line", "degree": 1, "knots": [0, 0, 1, 1], "points": [[0, 0], [1, 1]]}])
+
+    def told(self, *options, file=WAVE, name="a.svg"):
+        process = run("figure", file, "-o", self.folder / name, *options)
+        self.assertEqual(process.returncode, 0)
+        return process.stderr
+
+    def test_what_the_curve_has_nothing_of_is_told(self):
+        self.assertIn("--show: comb adds nothing to this figure: there is nothing of that kind, or it stands there already\n",
+                      self.told("--show", "points, comb", file=self.line()))
+        self.assertIn("--show: comb, pictures add nothing to this figure", self.told("--show", "points,comb,pictures", file=self.line()))
+
+    def test_what_adds_something_is_not_told(self):
+        self.assertEqual(self.told("--show", "polygon,points,labels,knots,comb"), "")
+        self.assertEqual(self.told(file=self.line()), "", "nothing was asked for by name")
+
+    def test_of_an_animation_all_parts_count(self):
+        self.assertEqual(self.told("--show", "points,deboor", "--animate", "u=0..1", "--frames", "2", name="%d.svg"), "")
+        self.assertIn("--show: guides adds nothing", self.told("--show", "points,guides", "--animate", "u=0..1", "--frames", "2", name="%d.svg"))
+
+
 class Animations(FigureTest):
     def test_a_parameter_runs(self):
         process = run("figure", WAVE, "--animate", "u=0..1", "--frames", "5", "-o", self.folder / "f-%03d.svg", "--show", "polygon")
