@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/editor/scene/label_spots.h"
 #include "app/editor/scene/text_size.h"
 
 namespace batten::editor {
@@ -35,6 +36,30 @@ TEST(LabelLayout, makes_way_for_a_line) {
     ASSERT_TRUE(found);
     EXPECT_EQ(found->anchor, render::Anchor::right) << "upper left comes next";
     EXPECT_LT(found->position.y, 300.0);
+}
+
+TEST(LabelLayout, stays_on_a_side_that_is_told) {
+    LabelLayout layout(picture);
+    const auto found = layout.place_on(LabelSide::lower_left, point, text, 11.0, Crowding::leave_out);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->side, LabelSide::lower_left);
+    EXPECT_DOUBLE_EQ(found->position.x, 389.0);
+    EXPECT_GT(found->position.y, 300.0);
+    EXPECT_FALSE(layout.place_on(LabelSide::lower_left, point, text, 11.0, Crowding::cover_symbols)) << "it is taken";
+}
+
+TEST(LabelSpots, tells_labels_apart_by_what_does_not_change) {
+    LabelSpots spots;
+    spots.put(spots.next("C(1/4)"), {LabelSide::left, 13.0});
+    spots.put(spots.next("P_{3}"), {LabelSide::below, 11.0});
+    spots.begin_frame();
+    const auto curve_point = spots.spot(spots.next("C(0.255)"));
+    ASSERT_TRUE(curve_point);
+    EXPECT_EQ(curve_point->side, LabelSide::left);
+    EXPECT_EQ(curve_point->distance, 13.0);
+    EXPECT_FALSE(spots.spot(spots.next("P_{4}"))) << "another point";
+    EXPECT_EQ(spots.spot(spots.next("P_{3}"))->side, LabelSide::below);
+    EXPECT_FALSE(spots.spot(spots.next("P_{3}"))) << "the second one of that name";
 }
 
 TEST(LabelLayout, makes_way_for_a_line_under_its_subscripts) {
