@@ -105,7 +105,7 @@ FileResult<FileStamp> replace_and_stamp(const fs::path& path, std::string_view t
     const fs::path target = resolved(path);
     const auto fail = [&](const char* pattern) { return refuse_by_system(path.string(), pattern); };
     struct stat old {};
-    const bool exists = stat(target.c_str(), &old) == 0;
+    const bool exists = stat(path.c_str(), &old) == 0;
     if (!exists && errno == ELOOP) return fail("the file cannot be written: {reason}");
     if (exists && !S_ISREG(old.st_mode))
         return refused(path.string(), "this is not an ordinary file, so it cannot be saved to");
