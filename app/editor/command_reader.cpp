@@ -27,12 +27,11 @@ Refusal too_many(const CommandSpec& spec, std::size_t given) {
                     taken, {{"name", spec.name}, {"given", given}});
 }
 
-Refusal missing(const CommandSpec& spec, const Field& field, const FieldPart& part) {
-    const std::initializer_list<core::Place> places{
-        {"command", spec.name}, {"name", part.name}, {"meaning", part.meaning}};
+Refusal missing(const Field& field, const FieldPart& part) {
+    const std::initializer_list<core::Place> places{{"name", part.name}, {"meaning", part.meaning}};
     if (field.can_be_left_out())
-        return sentence("{command} needs {name}, {meaning}; nothing of that kind is selected", places);
-    return sentence("{command} needs {name}, {meaning}", places);
+        return sentence("{name} is missing: {meaning}; nothing of that kind is selected", places);
+    return sentence("{name} is missing: {meaning}", places);
 }
 
 // Which parts are left out when `given` arguments come: the last ones that can be.
@@ -71,11 +70,7 @@ Argument as_curve_index(const Argument& given, const EditorState& state) {
 class Reader {
   public:
     Reader(const CommandSpec& spec, const EditorState& state, const std::vector<Argument>& given)
-        : spec_(spec),
-          state_(state),
-          next_(given.begin()),
-          end_(given.end()),
-          is_left_out_(left_out(spec, given.size())) {}
+        : state_(state), next_(given.begin()), end_(given.end()), is_left_out_(left_out(spec, given.size())) {}
 
     Outcome<FieldValue> take(const Field& field) {
         const FieldValue suggestion = field.suggestion(state_);
@@ -87,7 +82,7 @@ class Reader {
             else if (field.can_be_left_out() && (field.is_optional || !is_absent(suggestion)))
                 arguments.push_back(suggested[k]);
             else
-                return tl::unexpected(missing(spec_, field, field.parts[k]));
+                return tl::unexpected(missing(field, field.parts[k]));
         }
         return read_field(field, arguments, state_.history.present().units);
     }
@@ -98,7 +93,6 @@ class Reader {
         return field.kind == FieldKind::curve_index ? as_curve_index(given, state_) : given;
     }
 
-    const CommandSpec& spec_;
     const EditorState& state_;
     std::vector<Argument>::const_iterator next_;
     std::vector<Argument>::const_iterator end_;

@@ -136,9 +136,9 @@ TEST_F(CommandReader, takes_what_stood_for_absent_in_older_logs) {
 }
 
 TEST_F(CommandReader, says_what_is_missing) {
-    EXPECT_EQ(refusal<SetDegree>({}), "set-degree needs p, the new degree, 1 to 25");
+    EXPECT_EQ(refusal<SetDegree>({}), "p is missing: the new degree, 1 to 25");
     EXPECT_EQ(refusal<DeleteKnot>({}),
-              "delete-knot needs index, the number of a knot, counted from 0; nothing of that kind is selected");
+              "index is missing: the number of a knot, counted from 0; nothing of that kind is selected");
 }
 
 TEST_F(CommandReader, says_what_is_too_much) {
