@@ -321,13 +321,20 @@ void refuse_values_of_flags(CLI::App& program) {
             if (option->get_items_expected_max() == 0) option->disable_flag_override();
 }
 
-// An empty name is that of a variable of a script that is not set.
+// An empty name is that of a variable of a script that is not set; an option instead of one, that of a file that was
+// forgotten.
 std::optional<std::string> problem_of_result(const CLI::App& program) {
     for (const CLI::App* command : program.get_subcommands()) {
         const CLI::Option* option = command->get_option_no_throw("--output");
-        if (option != nullptr && option->count() > 0 && option->results().back().empty())
+        if (option == nullptr || option->count() == 0) continue;
+        const std::string& file = option->results().back();
+        if (file.empty())
             return core::sentence("batten {command}: -o: the name of the file is empty; - is standard output",
                                   {{"command", command->get_name()}});
+        if (file.front() == '-' && command->get_option_no_throw(file) != nullptr)
+            return core::sentence(
+                "batten {command}: -o: '{option}' is an option, not a file; './{option}' is a file of that name",
+                {{"command", command->get_name()}, {"option", file}});
     }
     return std::nullopt;
 }

@@ -1,5 +1,8 @@
 #include "app/cli/divided_words.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include "app/cli/operation.h"
@@ -11,6 +14,12 @@ namespace {
 
 bool is_option(const std::string& word) {
     return word.starts_with("--") || word.starts_with("-o") || word.starts_with("-h");
+}
+
+// What an operation needs is seldom called so, and more often left out.
+bool names_option(const std::string& word) {
+    constexpr std::array<std::string_view, 6> names{"-o", "--output", "--curve", "--json", "-h", "--help"};
+    return std::find(names.begin(), names.end(), word) != names.end();
 }
 
 bool takes_next_word(const std::string& option) {
@@ -31,7 +40,7 @@ class Divider {
     void take_word() {
         const std::string& word = words_[next_];
         if (misses_file_) return take_before_file();
-        if (spec_ != nullptr && given_ < needed_count(*spec_)) return take_needed();
+        if (spec_ != nullptr && given_ < needed_count(*spec_) && !names_option(word)) return take_needed();
         if (word != mark && is_option(word)) return take_option();
         if (const editor::CommandSpec* spec = operation_called(word)) {
             spec_ = spec;

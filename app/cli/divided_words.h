@@ -13,7 +13,8 @@ struct DividedWords {
 };
 
 /// Options are words that begin with "--", "-o" or "-h", other than "--" itself, where no argument of an operation is
-/// needed. The first word that is none, or stands behind "--", is a file where `has_file`.
+/// needed; the name of an option as it stands ("-o") is one even there, but behind "--". The first word that is none,
+/// or stands behind "--", is a file where `has_file`.
 DividedWords divided(const std::vector<std::string>& words, bool has_file);
 
 }  // namespace batten::cli

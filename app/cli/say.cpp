@@ -1,5 +1,6 @@
 #include "app/cli/say.h"
 
+#include <algorithm>
 #include <ostream>
 #include <string_view>
 
@@ -12,6 +13,23 @@ namespace {
 /// Of C0 and C1, and the end of a line that other programs see in U+2028.
 bool is_control(char32_t character) {
     return character < U' ' || (character >= 0x7f && character < 0xa0) || character == 0x2028 || character == 0x2029;
+}
+
+constexpr std::size_t longest_word = 500;  // in bytes; names of files in deep folders are shorter
+constexpr std::size_t most_kept = 40;      // of each end of a longer one
+
+/// `text` without the middle of words that would fill the screen.
+std::string without_long_words(std::string_view text) {
+    std::string shown;
+    while (!text.empty()) {
+        const std::string_view word = text.substr(0, std::min(text.find(' '), text.size() - 1) + 1);
+        text.remove_prefix(word.size());
+        if (word.size() <= longest_word)
+            shown += word;
+        else
+            shown.append(word.substr(0, most_kept)).append("...").append(word.substr(word.size() - most_kept));
+    }
+    return shown;
 }
 
 }  // namespace
@@ -28,7 +46,7 @@ std::string printable(const std::string& text) {
 }
 
 void say(Output output, const std::string& sentence) {
-    output.errors << printable(sentence) << '\n';
+    output.errors << printable(without_long_words(sentence)) << '\n';
 }
 
 }  // namespace batten::cli

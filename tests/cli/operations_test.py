@@ -83,8 +83,8 @@ class Operations(unittest.TestCase):
         self.assertEqual(process.returncode, 1)
         self.assertIn("move-knot elevate 1: index is the text 'elevate'; a whole number is needed", process.stderr)
 
-    def test_what_is_needed_is_no_option(self):
-        for words in (("-o",), ("--json",), ("--help",), ("--", "-o"), ("--", "--json"), ("--", "--")):
+    def test_what_is_needed_behind_a_mark_is_no_option(self):
+        for words in (("--", "-o"), ("--", "--json"), ("--", "--help"), ("--", "--"), ("--other",)):
             (curve,) = self.made("line 0 0 1 1 rename-curve 0", *words)
             self.assertEqual(curve["name"], words[-1])
 
@@ -161,7 +161,7 @@ class Operations(unittest.TestCase):
             process = run("apply", self.empty, name)
             self.assertEqual((process.returncode, process.stdout, process.stderr.count("\n")), (1, "", 1), name)
             self.assertRegex(process.stderr, f": operation 1, {name}: .+\n$")
-            named += f"{name} needs {field}, " in process.stderr
+            named += f"{name}: {field} is missing: " in process.stderr
         self.assertGreaterEqual(named, 10, "others are refused first, since there is no curve")
 
     def test_a_refusal_is_one_line_whatever_is_refused(self):

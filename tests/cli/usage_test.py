@@ -47,6 +47,31 @@ class Usage(unittest.TestCase):
         self.assertIn("batten eval: --at U is missing: A parameter in the domain of the curve", self.refused("eval", "line.json"))
         self.assertIn("batten code: --as LANGUAGE is missing: The language: json, ", self.refused("code", "line.json"))
 
+    def test_what_an_operation_lacks_is_not_sought_among_the_options(self):
+        for words in (("mirror", "-o", "a.json"), ("mirror", "--json")):
+            process = run("apply", "line.json", *words, cwd=self.folder)
+            self.assertEqual((process.returncode, process.stderr),
+                             (1, "line.json: operation 1, mirror: angle is missing: of the line in degrees; 0 turns upside down, 90 left to right\n"))
+        self.assertEqual(run("apply", "line.json", "rename-curve", "0", "--", "-o", "-o", "-", cwd=self.folder).returncode, 0, "behind -- it is a name")
+
+    def test_an_option_is_no_name_of_a_result(self):
+        for words in (("apply", "line.json", "elevate", "1", "-o", "--json"), ("convert", "line.json", "-o", "--json"), ("new", "line", "-o", "-o")):
+            self.assertRegex(self.refused(*words), f"^batten {words[0]}: -o: '(--json|-o)' is an option, not a file; './\\1' is a file of that name$")
+        self.assertEqual(run("apply", "line.json", "elevate", "1", "-o", "./--json", cwd=self.folder).returncode, 0)
+        self.assertTrue((self.folder / "--json").exists())
+
+    def test_a_long_word_is_shortened(self):
+        for words in (("apply", "line.json", "y" * 100_000), ("info", "y" * 100_000), ("y" * 100_000,), ("figure", "line.json", "--" + "y" * 100_000)):
+            process = run(*words, cwd=self.folder)
+            self.assertNotEqual(process.returncode, 0)
+            self.assertIn("yyy...yyy", process.stderr)
+            self.assertLess(len(process.stderr), 500)
+
+    def test_a_result_is_not_put_in_the_place_of_a_device(self):
+        for device in ("/dev/stdout", "/dev/null"):
+            process = run("apply", "line.json", "elevate", "1", "-o", device, cwd=self.folder)
+            self.assertEqual((process.returncode, process.stderr), (1, f"{device}: this is not an ordinary file, so it cannot be saved to\n"))
+
     def test_an_option_needs_its_value(self):
         self.assertEqual(self.refused("figure", "line.json", "-o", "a.svg", "--title"),
                          "batten figure: --title: nothing stands behind it; TEXT is needed: A title above the picture")
