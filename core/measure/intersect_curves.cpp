@@ -290,6 +290,25 @@ FoundContact first_way_first(FoundContact found, const Parameters& parameters) {
     return found;
 }
 
+// Beyond it distances of points, and what they are multiplied by, might be infinite.
+constexpr double farthest_safe = std::numeric_limits<double>::max() / 256.0;
+
+constexpr double shrinking = 512.0;
+
+// The curve in another unit, with all its digits; it meets others at the same parameters.
+Curve shrunk(const Curve& curve) {
+    std::vector<Point> points(curve.control_points().begin(), curve.control_points().end());
+    for (Point& point : points) point = {point.x / shrinking, point.y / shrinking};
+    return Curve::make(curve.knots(), std::move(points), {curve.weights().begin(), curve.weights().end()}).value();
+}
+
+// What was found of shrunk curves, in the unit of the curves themselves.
+CurveContacts enlarged(CurveContacts found) {
+    for (CurveContact& contact : found.contacts)
+        contact.point = {contact.point.x * shrinking, contact.point.y * shrinking};
+    return found;
+}
+
 }  // namespace
 
 CurveContacts intersect_curves(const Curve& first, const Curve& second, const Progress& progress) {
@@ -298,6 +317,8 @@ CurveContacts intersect_curves(const Curve& first, const Curve& second, const Pr
     Box both = box;
     both.include(other.lower);
     both.include(other.upper);
+    if (farthest_coordinate(both) > farthest_safe)
+        return enlarged(intersect_curves(shrunk(first), shrunk(second), progress));
     const Point origin = middle(both.lower, both.upper);
     const ContactPieces a = contact_pieces(first, origin);
     const ContactPieces b = contact_pieces(second, origin);
@@ -318,6 +339,7 @@ CurveContacts intersect_curves(const Curve& first, const Curve& second, const Pr
 
 CurveContacts self_intersections(const Curve& curve, const Progress& progress) {
     const Box box = control_box(curve);
+    if (farthest_coordinate(box) > farthest_safe) return enlarged(self_intersections(shrunk(curve), progress));
     const ContactPieces all = contact_pieces(curve, middle_of(curve));
     const auto pieces = enough_pieces(all.pieces);
     const Parameters parameters(curve, all);

@@ -607,5 +607,27 @@ TEST(SelfIntersections, as_many_as_fine_polylines) {
     EXPECT_GT(all, 50U);
 }
 
+// The square of a half of the largest double, whose diagonals are longer than that.
+TEST(SelfIntersections, OfCurvesAsLargeAsDoublesAreFound) {
+    const double r = 1e308;
+    const auto polyline = [](std::vector<Point> points) {
+        CurveDefinition definition{.degree = 1, .knots = {0}, .points = std::move(points)};
+        for (std::size_t i = 0; i < definition.points.size(); ++i) definition.knots.push_back(static_cast<double>(i));
+        definition.knots.push_back(definition.knots.back());
+        return Curve::make(std::move(definition)).value();
+    };
+    EXPECT_TRUE(self_intersections(polyline({{-r, -r}, {r, -r}, {r, r}, {-r, r}, {-r, -r}})).contacts.empty());
+    const auto [contacts, is_complete] = self_intersections(polyline({{-r, -r}, {r, r}, {r, -r}, {-r, r}}));
+    ASSERT_EQ(contacts.size(), 1U);
+    EXPECT_NEAR(contacts[0].u, 0.5, 1e-12);
+    EXPECT_NEAR(contacts[0].v, 2.5, 1e-12);
+    EXPECT_NEAR(contacts[0].point.x / r, 0.0, 1e-12);
+    EXPECT_NEAR(contacts[0].point.y / r, 0.0, 1e-12);
+    const auto crossed = intersect_curves(polyline({{-r, 0}, {r, 0}}), polyline({{r / 2, -r}, {r / 2, r}})).contacts;
+    ASSERT_EQ(crossed.size(), 1U);
+    EXPECT_NEAR(crossed[0].u, 0.75, 1e-12);
+    EXPECT_NEAR(crossed[0].point.x / r, 0.5, 1e-12);
+}
+
 }  // namespace
 }  // namespace batten::core
