@@ -14,6 +14,9 @@ namespace {
 // A decimal of so few characters is read more easily than a fraction.
 constexpr std::size_t short_decimal = 5;
 
+// So many rows, with fractions in them, fit on a page of any of the usual classes and sizes of letters.
+constexpr std::size_t rows_of_table = 30;
+
 // A line may end behind each knot.
 constexpr const char* between_knots = ",\\allowbreak ";
 
@@ -50,24 +53,29 @@ std::string row_text(std::size_t i, core::Point point, const double* weight) {
     return fmt::format("  {} & {} & {}{} \\\\\n", i, latex_number(point.x), latex_number(point.y), end);
 }
 
+// Tables of the control points, between which a page may end.
+std::string tables_text(const core::Curve& curve) {
+    const bool rational = curve.is_rational();
+    const std::size_t count = curve.control_points().size();
+    std::string tables;
+    for (std::size_t begin = 0; begin < count; begin += rows_of_table) {
+        tables += fmt::format("\\[\n\\begin{{array}}{{{}}}\n  i & x_i & y_i{} \\\\ \\hline\n",
+                              rational ? "c|ccc" : "c|cc", rational ? " & w_i" : "");
+        for (std::size_t i = begin; i < std::min(begin + rows_of_table, count); ++i)
+            tables += row_text(i, curve.control_points()[i], rational ? &curve.weights()[i] : nullptr);
+        tables += "\\end{array}\n\\]\n";
+    }
+    return tables;
+}
+
 }  // namespace
 
 std::string latex_text(const core::DocumentCurve& entry) {
     const core::Curve& curve = *entry.curve;
-    const bool rational = curve.is_rational();
-    std::string rows;
-    for (std::size_t i = 0; i < curve.control_points().size(); ++i)
-        rows += row_text(i, curve.control_points()[i], rational ? &curve.weights()[i] : nullptr);
     return fmt::format(R"(% {heading}; needs amsmath
-\[
-\begin{{array}}{{{columns}}}
-  i & x_i & y_i{weight} \\ \hline
-{rows}\end{{array}}
-\]
-$p = {degree}$, $U = ({knots})${period}
+{tables}{{\raggedright $p = {degree}$, $U = ({knots})${period}\par}}
 )",
-                       fmt::arg("heading", heading(entry)), fmt::arg("columns", rational ? "c|ccc" : "c|cc"),
-                       fmt::arg("weight", rational ? " & w_i" : ""), fmt::arg("rows", rows),
+                       fmt::arg("heading", heading(entry)), fmt::arg("tables", tables_text(curve)),
                        fmt::arg("degree", curve.degree()), fmt::arg("knots", knot_list(curve.knots().stored())),
                        fmt::arg("period", curve.is_periodic() ? ", periodic" : ""));
 }

@@ -240,6 +240,24 @@ print(json.dumps([points.tolist(), [curve(u).tolist() for u in {parameters}]]))
                                  capture_output=True, text=True, check=False, timeout=120)
         self.assertEqual(process.returncode, 0, process.stdout[-2000:])
 
+    def test_all_of_a_long_table_is_on_the_pages(self):
+        for program in ("pdflatex", "pdftotext"):
+            if shutil.which(program) is None:
+                self.skipTest(f"there is no {program} here")
+        count = 200
+        write_document(self.file, {"degree": 3, "knots": list(range(count + 4)), "weights": [1 + i % 2 for i in range(count)],
+                                   "points": [[i, -i / 7 if i >= 100 else -i] for i in range(count)]})
+        for letters in ("10pt", "12pt"):
+            (self.folder / "t.tex").write_text(f"\\documentclass[{letters}]{{article}}\\usepackage{{amsmath}}\\begin{{document}}\n" + self.code("latex") +
+                                               "\\end{document}\n")
+            process = subprocess.run(["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "t.tex"], cwd=self.folder,
+                                     capture_output=True, text=True, check=False, timeout=120)
+            self.assertEqual(process.returncode, 0, process.stdout[-2000:])
+            self.assertNotIn("Overfull", process.stdout)
+            shown = subprocess.run(["pdftotext", "-layout", "t.pdf", "-"], cwd=self.folder, capture_output=True, text=True, check=True).stdout
+            indices = {int(line.split()[0]) for line in shown.splitlines() if line.split()[:1] and line.split()[0].isdigit() and len(line.split()) > 2}
+            self.assertLessEqual(set(range(100)), indices, "whose lines have no fractions")
+
     def test_ten_thousand_points_take_no_time(self):
         count = 10000
         write_document(self.file, {"degree": 3, "knots": list(range(count + 4)),
